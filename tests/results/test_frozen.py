@@ -7,7 +7,7 @@ import io
 
 from nctakt.base.diagnostics import Span
 from nctakt.results.run import CycleResult, FrozenValue, Run
-from nctakt.results.summary import MOST_FROZEN, print_summary
+from nctakt.results.summary import MAX_FROZEN, print_summary
 from nctakt.run.controller import Controller, NcText
 
 
@@ -99,8 +99,8 @@ def cycle_with(count: int) -> Run:
 
 def test_the_summary_stays_short() -> None:
     """At the most that a line tells all are there, one more is counted only."""
-    line = next(one for one in summary(cycle_with(MOST_FROZEN)) if one.startswith("Frozen"))
-    assert line.count("line") == MOST_FROZEN
+    line = next(one for one in summary(cycle_with(MAX_FROZEN)) if one.startswith("Frozen"))
+    assert line.count("line") == MAX_FROZEN
     assert "further" not in line
-    line = next(one for one in summary(cycle_with(MOST_FROZEN + 1)) if one.startswith("Frozen"))
+    line = next(one for one in summary(cycle_with(MAX_FROZEN + 1)) if one.startswith("Frozen"))
     assert line.endswith("P6 = 6 (line 6), … 1 further")

@@ -221,7 +221,7 @@ def test_an_error_that_nobody_expects_fails(sessions: Sessions) -> None:
     """With its place and its remedy; the other expectations are looked at all the same."""
     shown = failure(sessions, "; expect: ended\nG01 X10 F0\nM30\n")
     assert "error 20008" in shown
-    assert "nobody expects this error" in shown
+    assert "unexpected error" in shown
     assert "+ error after 0" in shown
 
 

@@ -102,7 +102,7 @@ def _run(words: dict[str, Any]) -> int:
     log = run_plan(plan, for_all_users=words["all_users"])
     measurement = measure(log, drawn_cycles(model, words))
     collector.diagnostics += run_findings(log, measurement, simulated_cycles(model, words))
-    foreign = [i for i, taken in enumerate(log.taken) if taken is not None]
+    foreign = [i for i, wakeups in enumerate(log.wakeups) if wakeups is not None]
     findings = [*collector.diagnostics, *simulation_findings(measurement.run, foreign)]
     simulated = simulate(model, measurement.run.cycles, record=0)
     report = run_report(measurement, plan, simulated, language)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The memory that Python, the scheduler and the workers share, as ``processes.h`` has it.
 
-In: ``Plan``. Out: ``SharedArea``: anonymous memory, so that nothing of it can stay behind. Times
-are ns since its ``origin``, a moment of CLOCK_MONOTONIC that the scheduler chooses.
+In: ``Plan``. Out: ``SharedArea``: anonymous memory, which cannot stay behind. Times are ns since
+its ``origin``, a time of CLOCK_MONOTONIC that the scheduler chooses.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ _POLICIES = {"skip": 0, "pend": 1, "queue": 2}
 
 #: Entries of a log (``enum entry_kind``).
 INTERRUPT, POINT, RELEASE, OVERFLOW, SUSPEND, RESUME, WAKE, SEGMENT, END = range(9)
-#: How a run ended (``enum status``).
+#: The end of a run (``enum status``).
 RUNNING, DONE, STOPPED, LOG_FULL, NO_SEMAPHORE, NO_PROCESS, PROCESS_ENDED = range(7)
 
 ENTRY = np.dtype(
@@ -42,10 +42,10 @@ ENTRY = np.dtype(
 )
 Entries = npt.NDArray[np.void]
 
-#: Entries that a job may need beside one for each call, and the scheduler for one activation.
+#: Entries of a job beside one for each call, and of the scheduler for one activation.
 _ENTRIES_PER_JOB = 12
-#: The most entries of one log.
-MOST_ENTRIES = 4_000_000
+#: Maximum number of entries of a log.
+MAX_ENTRIES = 4_000_000
 
 
 class _Log(ctypes.Structure):
@@ -68,7 +68,7 @@ class TaskPart(ctypes.Structure):
         ("rows", _NUMBER),
         ("times", _NUMBER),
         ("due", _NUMBER),
-        ("most_jobs", _NUMBER),
+        ("max_jobs", _NUMBER),
         ("log", _Log),
         ("pid", _NUMBER),
         ("jobs", _NUMBER),
@@ -145,13 +145,13 @@ class SharedArea:
             self._describe_task(part, task, *task_offsets)
 
     def _take(self, size: int) -> int:
-        """Room for ``size`` bytes; where it begins."""
+        """Reserve ``size`` bytes and return their offset."""
         begin = self._size
         self._size += -(-size // _ALIGN) * _ALIGN
         return begin
 
     def _take_task(self, task: PlannedTask) -> tuple[int, int, int, int]:
-        """Room for a task: its execution times, when its jobs are due, its log, its capacity."""
+        """Reserve a task's execution times, due times and log; return offsets and log capacity."""
         capacity = _capacity(task.activations * (_ENTRIES_PER_JOB + task.times.shape[1]))
         return (
             self._take(8 * task.times.size),
@@ -186,23 +186,23 @@ class SharedArea:
         part.has_process = task.has_process
         part.every, part.cpu, part.priority = task.task.every, task.task.cpu, task.priority
         part.rows, part.calls = task.times.shape
-        part.times, part.due, part.most_jobs = times, due, task.activations
+        part.times, part.due, part.max_jobs = times, due, task.activations
         part.log.entries, part.log.capacity = log, capacity
         self._numbers(times, task.times.size)[:] = task.times.ravel()
 
     def entries(self) -> Entries:
-        """All entries of all logs, in the order of time."""
+        """Return all entries of all logs, in the order of time."""
         logs = [self.head.log, *(task.log for task in self.tasks)]
         parts = [np.frombuffer(self.memory, ENTRY, log.count, log.entries) for log in logs]
         entries = np.concatenate(parts)
         return entries[np.argsort(entries["time"], kind="stable")]
 
     def due(self, part: Any) -> list[int]:
-        """Return the moments when the jobs of a task were due, in ns."""
+        """Return the due times of a task's jobs, in ns."""
         count = part.jobs if part.has_process else 0
         moments: list[int] = self._numbers(part.due, count).tolist()
         return moments
 
 
 def _capacity(entries: int) -> int:
-    return min(entries + 1000, MOST_ENTRIES)
+    return min(entries + 1000, MAX_ENTRIES)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A run and its plan for other programs, as JSON has them.
+"""A run and its plan for other programs, as JSON documents.
 
 In: ``Plan``, ``Measurement``. Out: dictionaries of plain values, as in ``schedule.documents``.
 """
@@ -14,7 +14,7 @@ from nctakt.schedule.results import Simulation
 
 
 def plan_document(plan: Plan) -> Document:
-    """Return who is who in a run."""
+    """Return the threads of a run with their priorities, processors and semaphores."""
     return {
         "schedule": schedule_document(plan.model),
         "is_fifo": plan.is_fifo,
@@ -34,7 +34,7 @@ def plan_document(plan: Plan) -> Document:
 
 
 def run_document(measurement: Measurement, simulated: Simulation) -> Document:
-    """Return a run, how punctual it was, and the simulation beside it."""
+    """Return a run, its punctuality, and the simulation for comparison."""
     names = [task.key for task in measurement.run.model.tasks]
     return {
         **simulation_document(measurement.run, {}),

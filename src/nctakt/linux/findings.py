@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""How a run ended, and what it could not have.
+"""Diagnostics of a run: its end, and resources that the system refused.
 
-In: ``RunLog``, ``Measurement``. Out: diagnostics; those that a simulation can have, too, are in
+In: ``RunLog``, ``Measurement``. Out: diagnostics; those that a simulation shares are in
 ``schedule.findings``.
 """
 
@@ -25,12 +25,12 @@ from nctakt.messages.linux_run import (
 )
 from nctakt.schedule.findings import is_rare, us
 
-#: A semaphore that is not posted for so many periods has fallen silent.
+#: Periods without a post after which a semaphore counts as silent.
 _SILENT_PERIODS = 4
 
 
 def run_findings(log: RunLog, measurement: Measurement, requested: int) -> Iterator[Diagnostic]:
-    """Yield what a run shows; ``requested``: for so many NC cycles it was asked."""
+    """Yield the diagnostics of a run; ``requested``: the number of NC cycles of the command."""
     cycles = measurement.run.cycles
     yield from placement_refusals(log)
     if log.was_stopped:
@@ -46,7 +46,7 @@ def run_findings(log: RunLog, measurement: Measurement, requested: int) -> Itera
 
 
 def _source_findings(log: RunLog, name: str) -> Iterator[Diagnostic]:
-    """Yield what is odd about the semaphore that gives the NC interrupts."""
+    """Yield the diagnostics of the semaphore that triggers the NC interrupts."""
     if log.drained:
         yield diagnostic(POSTS_DRAINED, name=name, count=log.drained)
     interrupts = log.entries[log.entries["kind"] == layout.INTERRUPT]
@@ -58,9 +58,9 @@ def _source_findings(log: RunLog, name: str) -> Iterator[Diagnostic]:
 
 
 def _unattended_semaphores(log: RunLog) -> Iterator[Diagnostic]:
-    """Yield the semaphores of external threads that hardly anybody waits on."""
+    """Yield a diagnostic for each external thread's semaphore with hardly any waiting process."""
     for task in log.plan.tasks:
-        taken = log.taken[task.number]
-        posted = log.posted[task.number]
-        if taken is not None and posted and is_rare(taken, posted):
-            yield diagnostic(NOBODY_WAITS, name=task.semaphore, taken=taken, count=posted)
+        wakeups = log.wakeups[task.number]
+        posts = log.posts[task.number]
+        if wakeups is not None and posts and is_rare(wakeups, posts):
+            yield diagnostic(NOBODY_WAITS, name=task.semaphore, taken=wakeups, count=posts)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""What the machine that a schedule is to run on can do.
+"""Abilities of the machine that is to run a schedule.
 
-In: the machine. Out: its processors, whether the realtime scheduling class is permitted.
-Nothing is changed.
+In: the machine. Out: its processors, whether the realtime scheduling class is permitted. Nothing is
+changed.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ _PRESENT = Path("/sys/devices/system/cpu/present")
 
 
 def check_system() -> None:
-    """Raise ``Failure`` (900680, 900681) where no schedule can run."""
+    """Raise ``Failure`` (900680, 900681) if the system cannot run a schedule."""
     if sys.platform != "linux":
         raise Failure(diagnostic(LINUX_ONLY, system=sys.platform))
     if importlib.util.find_spec("nctakt.linux.processes") is None:
@@ -30,7 +30,7 @@ def check_system() -> None:
 
 
 def parse_cpus(text: str) -> tuple[int, ...]:
-    """The processors that the system names (``0-2,4``), from 1 on, as many as a list can name."""
+    """Return the processors in a text of the system (``0-2,4``), counted from 1."""
     cpus: list[int] = []
     for part in text.strip().split(","):
         low, _, high = part.partition("-")
@@ -39,19 +39,19 @@ def parse_cpus(text: str) -> tuple[int, ...]:
 
 
 def present_cpus() -> tuple[int, ...]:
-    """The processors that the machine has, from 1 on."""
+    """Return the processors of the machine, counted from 1."""
     return parse_cpus(_PRESENT.read_text("ascii"))
 
 
 def usable_cpus() -> tuple[int, ...]:
-    """Those that are switched on and that this process may use."""
+    """Return the processors that are online and permitted for this process."""
     assert sys.platform == "linux"
     allowed = {cpu + 1 for cpu in os.sched_getaffinity(0)}
     return tuple(cpu for cpu in parse_cpus(_ONLINE.read_text("ascii")) if cpu in allowed)
 
 
 def fifo_refusal() -> str | None:
-    """Return the system's reason for refusing SCHED_FIFO; ``None`` where it is permitted."""
+    """Return the system's reason for refusing SCHED_FIFO; ``None`` if it is permitted."""
     assert sys.platform == "linux"
     policy, parameter = os.sched_getscheduler(0), os.sched_getparam(0)
     try:

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""The log of a run -> the same numbers and the same record as a simulation gives.
+"""The log of a run -> the same numbers and the same record as those of a simulation.
 
-In: ``RunLog``. Out: ``Measurement``. Responses count from the moment when the NC interrupt should
-have come; what the timer was late is part of them. A cycle that was not finished does not count.
+In: ``RunLog``. Out: ``Measurement``. Responses count from the due time of the NC interrupt, so that
+they include the timer's delay. An unfinished cycle does not count.
 """
 
 from __future__ import annotations
@@ -22,17 +22,17 @@ from nctakt.schedule.counters import NEVER, Counters
 from nctakt.schedule.model import NO_OVERHEADS, Model, suspension_point
 from nctakt.schedule.results import Simulation
 
-#: Windows' time counts as kept when no more of it than this part is missing: the timer is late
-#: now and then, and stopping a process takes time.
+#: Tolerated part of Windows' time that is missing: the timer is late now and then, and stopping a
+#: process takes time.
 TOLERATED = 10
 
 
 @dataclass(frozen=True, slots=True)
 class Measurement:
-    """A run: ``run`` in the form of a simulation.
+    """A measured run: ``run`` in the form of a simulation.
 
-    ``timer``: how late the scheduler woke, each time, in ns. ``wakes``: for each task of the
-    model, how long after it was woken each of its jobs began.
+    ``timer``: the scheduler's delays in ns. ``wakes``: for each task of the model the wake-up
+    latencies of its jobs in ns.
     """
 
     run: Simulation
@@ -41,7 +41,7 @@ class Measurement:
 
 
 def measure(log: RunLog, drawn: int) -> Measurement:
-    """All numbers, and a record of ``drawn`` NC cycles; raises ``Failure`` (900695)."""
+    """Return all numbers, and a record of ``drawn`` NC cycles; raises ``Failure`` (900695)."""
     interrupts = log.entries[log.entries["kind"] == layout.INTERRUPT]
     begins: list[int] = interrupts["value"].tolist()
     if len(begins) < 2:
@@ -62,13 +62,13 @@ class _Measuring:
         self._record = RecordOfRun(log, begins[: min(drawn, self._cycles) + 1])
         self._ended = [0] * len(model.tasks)
         self._released = [0] * len(model.tasks)
-        self._posted: list[dict[int, int]] = [{} for _ in model.tasks]
+        self._post_times: list[dict[int, int]] = [{} for _ in model.tasks]
         self._wakes: list[list[int]] = [[] for _ in model.tasks]
         self._timer: list[int] = []
         self._suspended = [False] * self._cycles
-        #: For each processor and cycle the time in which a task had it, and who was late.
+        #: For each processor and cycle the time used by tasks.
         cpu_count = max(model.cpus) + 1
-        self._taken = [[0] * self._cycles for _ in range(cpu_count)]
+        self._busy = [[0] * self._cycles for _ in range(cpu_count)]
         self._late: dict[tuple[int, int], list[int]] = {}
         self._points = [suspension_point(model, begin) for begin in begins[:-1]]
 
@@ -78,9 +78,9 @@ class _Measuring:
         for cycle in range(self._cycles):
             self._end_cycle(cycle)
         tasks = list(self._counters.task_numbers(self._unfinished()))
-        for i, taken in enumerate(self._log.taken):
-            if taken is not None:
-                tasks[i] = replace(tasks[i], completed=min(taken, self._released[i]))
+        for i, wakeups in enumerate(self._log.wakeups):
+            if wakeups is not None:
+                tasks[i] = replace(tasks[i], completed=min(wakeups, self._released[i]))
         run = Simulation(
             self._model,
             self._cycles,
@@ -122,7 +122,7 @@ class _Measuring:
             counters.due[i] += 1
             self._released[i] += 1
             if not call:
-                self._posted[i][value] = time
+                self._post_times[i][value] = time
         elif kind == layout.OVERFLOW:
             counters.overflow(i, self._begins[cycle])
             if not call:
@@ -133,9 +133,9 @@ class _Measuring:
             self._suspended[cycle] = True
 
     def _job_begins(self, i: int, job: int, time: int) -> None:
-        posted = self._posted[i].pop(job, None)
-        if posted is not None:
-            self._wakes[i].append(max(0, time - posted))
+        post_time = self._post_times[i].pop(job, None)
+        if post_time is not None:
+            self._wakes[i].append(max(0, time - post_time))
 
     def _job_ends(self, i: int, job: int, time: int) -> None:
         if time <= self._end:
@@ -143,17 +143,17 @@ class _Measuring:
             self._ended[i] += 1
 
     def _segment(self, i: int, cpu: int, begin: int, end: int) -> None:
-        """A task had a processor for a while; a piece for each NC cycle."""
+        """Count the time in which a task had a processor, divided by NC cycles."""
         begin = max(begin, self._begins[0])
         if end <= begin:
             return
         self._counters.busy[i] += end - begin
-        if cpu >= len(self._taken):
+        if cpu >= len(self._busy):
             return
         cycle = bisect_right(self._begins, begin) - 1
         while begin < end:
             until = min(end, self._begins[cycle + 1])
-            self._taken[cpu][cycle] += until - begin
+            self._busy[cpu][cycle] += until - begin
             point = self._points[cycle]
             if point is not None and until > point:
                 self._late.setdefault((cycle, cpu), []).append(i)
@@ -162,7 +162,7 @@ class _Measuring:
 
     def _end_cycle(self, cycle: int) -> None:
         begin, end, point = self._begins[cycle], self._begins[cycle + 1], self._points[cycle]
-        idle = array("q", [max(0, end - begin - taken[cycle]) for taken in self._taken])
+        idle = array("q", [max(0, end - begin - busy[cycle]) for busy in self._busy])
         for cpu in self._model.windows_cpus:
             for i in self._late.get((cycle, cpu), ()):
                 self._counters.runs_late(cpu, i)
@@ -171,7 +171,7 @@ class _Measuring:
         self._counters.end_cycle(idle, moment, end, is_missed, self._suspended[cycle])
 
     def _unfinished(self) -> list[int | None]:
-        """Since when each task has a job at the end."""
+        """Return for each task the due time of its unfinished job at the end, else ``None``."""
         return [
             due[ended] if released > ended and ended < len(due) else None
             for due, released, ended in zip(self._log.due, self._released, self._ended, strict=True)
@@ -179,7 +179,7 @@ class _Measuring:
 
 
 def tolerated(model: Model) -> int:
-    """Return the part of Windows' time that may be missing in a cycle, in ns."""
+    """Return the tolerated loss of Windows' time in a cycle, in ns."""
     return model.windows // TOLERATED
 
 

@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: MIT
 """The named semaphores of a run, and those that a killed run has left behind.
 
-In: names. Out: semaphores that exist while the run lasts. Before it makes one, a run writes its
-name into a file that it holds locked. The scheduler removes names and file at the end. If all
-processes were killed, the lock is free and the file still there: the next run removes what it
-names.
+In: names. Out: semaphores that exist while the run lasts. Before a run creates one, it writes its
+name into a locked file. The scheduler removes semaphores and file at the end. If all processes were
+killed, the file is still there without a lock: the next run removes the semaphores in it.
 """
 
 from __future__ import annotations
@@ -24,16 +23,16 @@ from nctakt.messages.linux_run import (
     SEMAPHORE_NOT_CREATED,
 )
 
-#: Where the system keeps named semaphores; gone after a restart, as they are.
+#: The system's folder of named semaphores, empty after a restart.
 FOLDER = Path("/dev/shm")
 _PREFIX = "nctakt-schedule."
-#: What the system puts before a semaphore's name in ``FOLDER``.
+#: The system's prefix of a semaphore's name in ``FOLDER``.
 _SYSTEM_PREFIX = "sem."
 _FOR_ONE_USER, _FOR_ALL_USERS = 0o600, 0o666
 
 
 def check_name(name: str) -> None:
-    """Raise ``Failure`` (900684) where a name, with its slash, cannot be that of a semaphore."""
+    """Raise ``Failure`` (900684) if a name, with its slash, is not valid for a semaphore."""
     if "/" in name[1:] or len(os.fsencode(name)) > NAME_SIZE - len(_SYSTEM_PREFIX):
         raise Failure(diagnostic(INVALID_LINUX_SEMAPHORE_NAME, name=name))
 
@@ -49,7 +48,7 @@ class SemaphoreNames:
             check_name(name)
         self._names = names
         self._mode = _FOR_ALL_USERS if for_all_users else _FOR_ONE_USER
-        self._made: list[str] = []
+        self._created: list[str] = []
         self.record = FOLDER / f"{_PREFIX}{os.getpid()}"
         self._handle = -1
         if not names:
@@ -69,7 +68,7 @@ class SemaphoreNames:
     def _make(self, name: str) -> None:
         from nctakt.linux import processes  # noqa: PLC0415 - it may be missing
 
-        # First the record, then the semaphore: whatever exists is named there.
+        # First the record, then the semaphore: each existing semaphore is in the record.
         os.write(self._handle, f"{name}\n".encode())
         try:
             processes.create(name)
@@ -77,7 +76,7 @@ class SemaphoreNames:
             raise Failure(diagnostic(SEMAPHORE_EXISTS, name=name)) from error
         except OSError as error:
             raise Failure(_refusal(name, error)) from error
-        self._made.append(name)
+        self._created.append(name)
         try:
             _file_of(name).chmod(self._mode)
         except OSError as error:
@@ -85,14 +84,14 @@ class SemaphoreNames:
 
     def remove(self) -> None:
         """Remove all semaphores and the record."""
-        _remove_semaphores(self._made)
-        self._made.clear()
+        _remove_semaphores(self._created)
+        self._created.clear()
         if self._names:
             self.record.unlink(missing_ok=True)
         self.release()
 
     def release(self) -> None:
-        """Give the record's lock back; the scheduler has removed everything."""
+        """Release the record's lock; the scheduler has removed everything."""
         if self._handle >= 0:
             os.close(self._handle)
             self._handle = -1
@@ -115,12 +114,12 @@ def _remove_semaphores(names: list[str]) -> None:
 
 
 def remove_stale() -> list[str]:
-    """Remove what killed runs of this user have left behind; the semaphores' names."""
+    """Remove the semaphores of killed runs of this user; return their names."""
     names: list[str] = []
     for record in sorted(FOLDER.glob(f"{_PREFIX}*")):
         try:
             handle = _open(record, os.O_RDWR)
-        except OSError:  # somebody else's, or just gone
+        except OSError:  # of another user, or just removed
             continue
         try:
             fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""What a run is going to do: when NC interrupts come, how long each call works, who is who.
+"""The plan of a run: times of the NC interrupts, execution times of the calls, tasks.
 
 In: ``Model``, the number of NC cycles. Out: ``Plan``. Interrupts and execution times are drawn in
-the order of the simulation with the same seed, so both work with the same numbers as long as
-nothing overflows.
+the order of the simulation with the same seed, so both have the same numbers as long as nothing
+overflows.
 """
 
 from __future__ import annotations
@@ -17,25 +17,25 @@ from nctakt.schedule.chance import Chance
 from nctakt.schedule.model import ANY_CPU, Model, Task, TaskClass
 from nctakt.schedule.work import Work
 
-#: The priority of SCHED_FIFO that the most urgent thread gets; the scheduler has 90.
+#: The priority of SCHED_FIFO of the highest-priority thread; the scheduler has 90.
 HIGHEST_PRIORITY = 80
-#: The most NC cycles of one run.
-MOST_CYCLES = 1_000_000
-#: So many different execution times of a task are kept, then they come again from the first.
-MOST_TIMES = 200_000
-#: From this share of a processor on its other programs could come to a standstill.
+#: Maximum number of NC cycles of a run.
+MAX_CYCLES = 1_000_000
+#: Maximum number of different execution times of a task; then they repeat from the first one.
+MAX_TIMES = 200_000
+#: The share of a processor from which on its other programs could come to a standstill.
 _CROWDED = 0.95
-#: A semaphore may give so many times the NC interrupts that are expected.
-_MOST_POSTS = 4
+#: Maximum ratio of a semaphore's posts to the expected NC interrupts.
+_MAX_POSTS = 4
 
 
 @dataclass(frozen=True, slots=True)
 class PlannedTask:
-    """A task of the run; ``number`` is its place in the model.
+    """A task of the run; ``number`` is its index in the model.
 
-    ``times``: one row of execution times for each job, in ns, from the first row again.
-    ``activations``: the most that there can be. ``semaphore``: with its slash, of an external
-    thread. ``has_process``: whether it is played by a process of the run.
+    ``times``: one row of execution times for each job, in ns, repeated after the last row.
+    ``activations``: their maximum number. ``semaphore``: with its slash, of an external thread.
+    ``has_process``: whether a process of the run plays it.
     """
 
     task: Task
@@ -49,10 +49,10 @@ class PlannedTask:
 
 @dataclass(frozen=True, slots=True)
 class Plan:
-    """A run: ``moments`` of the NC interrupts in ns, the one that ends the last cycle too.
+    """A run: ``moments`` of the NC interrupts in ns, including the end of the last cycle.
 
-    ``tasks``: the most urgent first. ``phase``: a timer interrupt falls on it. ``source``: the
-    semaphore that gives the NC interrupts, with its slash, instead of ``moments``.
+    ``tasks``: by descending priority. ``phase``: the time of a timer interrupt in ns. ``source``:
+    the semaphore that triggers the NC interrupts instead of ``moments``, with its slash.
     """
 
     model: Model
@@ -65,23 +65,25 @@ class Plan:
 
 
 def semaphore_name(name: str) -> str:
-    """The name of a semaphore as the system wants it."""
+    """Return the name of a semaphore for the system, with its slash."""
     return name if name.startswith("/") else f"/{name}"
 
 
 def make_plan(
     model: Model, cycles: int, *, is_fifo: bool, plays_external: bool, source: str | None = None
 ) -> Plan:
-    """The plan of ``cycles`` NC cycles, at most ``MOST_CYCLES``; ``source``: the list's
-    ``external_object_name``."""
+    """Return the plan of ``cycles`` NC cycles, at most ``MAX_CYCLES``.
+
+    ``source``: the list's ``external_object_name``.
+    """
     assert cycles > 0
-    cycles = min(cycles, MOST_CYCLES)
+    cycles = min(cycles, MAX_CYCLES)
     chance = Chance(model.seed)
     works = [Work(task, 0, chance) for task in model.tasks]
     moments, rows = _draw(model, cycles, works, chance)
     shift = _earliest(model)
     ranks = sorted({task.urgency for task in model.tasks}, reverse=True)
-    many = cycles if source is None else _MOST_POSTS * cycles + 16
+    many = cycles if source is None else _MAX_POSTS * cycles + 16
     tasks = [
         PlannedTask(
             task,
@@ -108,20 +110,20 @@ def make_plan(
 
 
 def _table(times: list[int], calls: int) -> npt.NDArray[np.int64]:
-    """The execution times of a task, one row for each job; without calls an empty row."""
+    """Return the execution times of a task, one row for each job; without calls an empty row."""
     return np.array(times, np.int64).reshape(len(times) // calls if calls else 1, calls)
 
 
 def _earliest(model: Model) -> int:
     """Return the time slices to add to all moments so that none is negative, in ns."""
-    least = model.train.phase - model.train.jitter
-    return -(least // model.slice) * model.slice if least < 0 else 0
+    min_moment = model.train.phase - model.train.jitter
+    return -(min_moment // model.slice) * model.slice if min_moment < 0 else 0
 
 
 def _draw(
     model: Model, cycles: int, works: list[Work], chance: Chance
 ) -> tuple[list[int], list[list[int]]]:
-    """The moments of all interrupts, and the execution times of each task's jobs in a row."""
+    """Return the times of all interrupts, and the execution times of each task's jobs in a row."""
     train = model.train
 
     def interrupt(number: int) -> int:
@@ -133,7 +135,7 @@ def _draw(
     for cycle in range(cycles):
         moments.append(interrupt(cycle + 1))
         for row, work, task in zip(rows, works, model.tasks, strict=True):
-            if not task.calls or cycle % task.every or len(row) >= MOST_TIMES:
+            if not task.calls or cycle % task.every or len(row) >= MAX_TIMES:
                 continue
             if not work.is_constant or not row:
                 work.draw()
@@ -142,7 +144,7 @@ def _draw(
 
 
 def crowded_cpus(plan: Plan) -> list[tuple[int, float]]:
-    """The processors of which threads could take so much that nothing else goes on: CPU, share."""
+    """Return the processors that threads may use up almost completely, each with their share."""
     model = plan.model
     crowded: list[tuple[int, float]] = []
     for cpu in model.cpus:

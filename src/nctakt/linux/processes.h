@@ -54,7 +54,7 @@ struct task {
     int64_t cpu;                /* from 1 */
     int64_t priority;           /* of SCHED_FIFO */
     int64_t calls, rows, times; /* rows of execution times, one for each call */
-    int64_t due, most_jobs;     /* when each job was due */
+    int64_t due, max_jobs;     /* when each job was due */
     struct log log;
     /* Written while it runs. */
     int64_t pid, jobs, is_suspended, wakes;

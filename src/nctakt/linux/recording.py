@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The log of a run -> the record that pictures and traces are made from.
+"""The log of a run -> the record for pictures and traces.
 
 In: entries in the order of time. Out: ``Record`` of the first NC cycles. The execution times of a
 job's calls are the measured ones: the time in which their process had a processor.
@@ -15,7 +15,7 @@ from nctakt.schedule.results import Event, EventKind, Job, Record, Segment
 
 @dataclass(slots=True)
 class _Job:
-    """A job of the record: how long each call has run, whether it waits behind another one."""
+    """A job of the record: the times of its calls, and whether it waits behind another one."""
 
     due: int
     waits: bool
@@ -24,7 +24,7 @@ class _Job:
 
 
 class RecordOfRun:
-    """Gathers the cycles whose interrupts are ``begins``, the last of them the end."""
+    """Gathers the cycles between the interrupts ``begins``; the last one is the end."""
 
     def __init__(self, log: RunLog, begins: list[int]) -> None:
         self._log = log
@@ -39,7 +39,7 @@ class RecordOfRun:
     def entry(
         self, cycle: int, time: int, value: int, kind: int, i: int, call: int, cpu: int
     ) -> None:
-        """One entry of the log; ``cycle``: the NC cycle that the scheduler was in."""
+        """Add an entry of the log; ``cycle``: the scheduler's NC cycle."""
         if kind == layout.WAKE:
             self._begins_job(i, value, time)
         elif kind == layout.SEGMENT:
@@ -93,7 +93,7 @@ class RecordOfRun:
             self._event(time, EventKind.END, i, time - job.due)
 
     def _times(self, i: int, number: int, job: _Job) -> tuple[int, ...]:
-        """The calls' times; of those that have not ended more than they have run."""
+        """Return the calls' times in ns; those of unfinished calls exceed the time so far."""
         planned = self._planned[i]
         if not planned.has_process:
             return ()
@@ -103,7 +103,7 @@ class RecordOfRun:
         return tuple([*job.times, *row[len(job.times) :]])
 
     def result(self) -> Record:
-        """All of it, in the order of time."""
+        """Return the whole record, in the order of time."""
         jobs = [
             Job(i, number, job.due, self._times(i, number, job))
             for i, recorded in enumerate(self._jobs)

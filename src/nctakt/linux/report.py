@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A run as tables of text: the numbers, how punctual it was, and the simulation beside it.
+"""A run as tables of text: its numbers, its punctuality, and the simulation for comparison.
 
 In: ``Measurement``, ``Plan``, the simulation of the same model. Out: text in the user's language,
 times in µs.
@@ -62,7 +62,7 @@ def plan_report(plan: Plan, language: Language) -> str:
 
 
 def _priority(plan: Plan, planned: PlannedTask) -> str:
-    """The priority of a thread; in brackets the one that another program should ask for."""
+    """Return the priority of a thread; in brackets the one for an external program."""
     if not plan.is_fifo:
         return NONE
     return str(planned.priority) if planned.has_process else f"({planned.priority})"
@@ -71,7 +71,7 @@ def _priority(plan: Plan, planned: PlannedTask) -> str:
 def run_report(
     measurement: Measurement, plan: Plan, simulated: Simulation, language: Language
 ) -> str:
-    """All numbers of a run."""
+    """Return all numbers of a run as text."""
     run = measurement.run
     ran = Text(
         "Run: {cycles} NC cycles, {duration} µs, {jobs} jobs; {how}",
@@ -125,12 +125,12 @@ def _mean(times: tuple[int, ...]) -> int:
 
 
 def _within(times: tuple[int, ...], low: int, high: int | None) -> int:
-    """Count times from ``low`` to below ``high``; the first step takes early ones, too."""
+    """Return the number of times from ``low`` to below ``high``; the first step has early ones."""
     return sum((time >= low or not low) and (high is None or time < high) for time in times)
 
 
 def _comparison(run: Simulation, simulated: Simulation, language: Language) -> list[str]:
-    """Each thread as simulated and as it ran."""
+    """Return the numbers of each thread, simulated and measured."""
     heads = Text(
         "Thread||Due|Done|Overflows|Lost|Suspended|Load %|R min|R mean|R max",
         "Thread||Fällig|Fertig|Überläufe|Verloren|Suspendiert|Last %|R min|R mittel|R max",

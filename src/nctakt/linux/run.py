@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Runs a plan: starts the scheduler's process, waits for it, and leaves nothing behind.
+"""Runs a plan: starts the scheduler's process, waits for it, and cleans up.
 
-In: ``Plan``. Out: ``RunLog``. Raises ``Failure`` where the system refuses something, or when a
-process of the run was ended from outside.
+In: ``Plan``. Out: ``RunLog``. Raises ``Failure`` if the system refuses something, or if a process
+of the run was killed from outside.
 """
 
 from __future__ import annotations
@@ -29,9 +29,9 @@ from nctakt.messages.linux_run import (
 )
 from nctakt.messages.schedule_results import CPU_NOT_ASSIGNABLE
 
-#: The scheduler is asked so often whether it has ended, in seconds.
+#: Interval of the checks whether the scheduler has ended, in seconds.
 _LOOK = 0.02
-#: If it does not end so long after its time, it is killed, in seconds.
+#: Time in seconds after its planned end at which the scheduler is killed.
 _PATIENCE = 15.0
 _SIGNALS = (signal.SIGINT, signal.SIGTERM)
 
@@ -40,19 +40,18 @@ _SIGNALS = (signal.SIGINT, signal.SIGTERM)
 class RunLog:
     """The log of the processes of a run.
 
-    ``due``: for each task of the model, when its jobs were due, in ns. ``taken``: how many
-    wake-ups of each external thread somebody took, of as many as ``posted`` says. ``was_stopped``:
-    by Ctrl-C, SIGTERM; ``is_cut``: no log had room for more. ``cpu_errors``: task and errno where a
-    processor could not be had.
-    ``drained``: posts of the semaphore that gives the NC interrupts from before the start. ``end``:
-    when the last NC cycle was left, in ns.
+    ``due``: for each task of the model the due times of its jobs, in ns. ``posts``: the number of
+    posts of each task's semaphore; ``wakeups``: of an external thread, the number of posts that a
+    process has received. ``was_stopped``: by Ctrl-C or SIGTERM; ``is_cut``: the log was full.
+    ``cpu_errors``: task and errno of each refused processor. ``drained``: posts from before the
+    start, of the semaphore that triggers the NC interrupts. ``end``: of the last NC cycle, in ns.
     """
 
     plan: Plan
     entries: Entries
     due: tuple[list[int], ...]
-    taken: tuple[int | None, ...]
-    posted: tuple[int, ...]
+    wakeups: tuple[int | None, ...]
+    posts: tuple[int, ...]
     was_stopped: bool
     is_cut: bool
     cpu_errors: tuple[tuple[int, int], ...]
@@ -61,7 +60,7 @@ class RunLog:
 
 
 def run_plan(plan: Plan, *, for_all_users: bool = False) -> RunLog:
-    """Run it to its end, or until a signal ends it.
+    """Run a plan to its end, or until a signal ends it, and return its log.
 
     ``for_all_users``: processes of other users may wait on its semaphores.
     """
@@ -76,7 +75,7 @@ def run_plan(plan: Plan, *, for_all_users: bool = False) -> RunLog:
         area.head.record = os.fsencode(names.record)
         _wait(processes.spawn(area.memory), plan)
     finally:
-        # A scheduler that was killed has cleaned nothing.
+        # A killed scheduler has removed nothing.
         if area.head.is_clean:
             names.release()
         else:
@@ -107,22 +106,22 @@ def _log(plan: Plan, area: SharedArea) -> RunLog:
     if head.status not in (layout.DONE, layout.STOPPED, layout.LOG_FULL):
         raise Failure(_failure(plan, head))
     due: list[list[int]] = [[] for _ in plan.tasks]
-    taken: list[int | None] = [None] * len(plan.tasks)
-    posted = [0] * len(plan.tasks)
+    wakeups: list[int | None] = [None] * len(plan.tasks)
+    posts = [0] * len(plan.tasks)
     errors: list[tuple[int, int]] = []
     for task, part in zip(plan.tasks, area.tasks, strict=True):
         due[task.number] = area.due(part)
         if not task.has_process:
-            taken[task.number] = part.jobs - part.waiting_at_end
-        posted[task.number] = part.jobs
+            wakeups[task.number] = part.jobs - part.waiting_at_end
+        posts[task.number] = part.jobs
         if part.cpu_error:
             errors.append((task.number, part.cpu_error))
     return RunLog(
         plan,
         area.entries(),
         tuple(due),
-        tuple(taken),
-        tuple(posted),
+        tuple(wakeups),
+        tuple(posts),
         head.status == layout.STOPPED,
         head.status == layout.LOG_FULL,
         tuple(errors),
@@ -132,7 +131,7 @@ def _log(plan: Plan, area: SharedArea) -> RunLog:
 
 
 def placement_refusals(log: RunLog) -> list[Diagnostic]:
-    """1000181 for each thread whose processor the system refused."""
+    """Return a diagnostic (1000181) for each thread whose processor the system refused."""
     names = {task.number: task.task for task in log.plan.tasks}
     refusals: list[Diagnostic] = []
     for number, error in log.cpu_errors:
@@ -150,7 +149,7 @@ def placement_refusals(log: RunLog) -> list[Diagnostic]:
 
 
 def _failure(plan: Plan, head: Any) -> Diagnostic:
-    """Return the reason why a run could not begin, or did not come to its end."""
+    """Return the reason why a run could not begin or did not reach its end."""
     number = head.status_number
     names = {task.number: task.task.name for task in plan.tasks}
     if head.status == layout.NO_SEMAPHORE and head.status_task < 0:

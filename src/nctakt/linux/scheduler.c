@@ -173,7 +173,7 @@ static void release(struct area *area, struct task *task, int64_t begin)
         if (!keeps)
             return;
     }
-    if (task->jobs == task->most_jobs) {
+    if (task->jobs == task->max_jobs) {
         atomic_store(&area->is_full, 1);
         return;
     }

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""The lists of the demo machine, commented in a language, as a start for a machine of one's own.
+"""The lists of the demo machine with comments, as a start for a user's own machine.
 
-In: a language. Out: names of files and their texts. Behind the first entry of each parameter in a
-list stands what it means, from its declaration; headings are translated here.
+In: a language. Out: names of files and their texts. The first entry of each parameter in a list has
+its meaning as a comment, from its declaration; headings are translated here.
 """
 
 from __future__ import annotations
@@ -90,7 +90,7 @@ _GERMAN: Mapping[str, str] = MappingProxyType(
 
 
 def commented_lists(language: Language, list_format: ListFormat = "ascii") -> dict[str, bytes]:
-    """Return the demo machine's lists by file name, each parameter explained where it first stands.
+    """Return the demo machine's lists by file name, each parameter explained at its first entry.
 
     In German the headings are translated as well.
     """

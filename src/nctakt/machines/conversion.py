@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """The lists of a machine -> the same lists in ASCII or XML, with comments, in one folder.
 
-In: a machine that was loaded. Out: files by name. Lists keep their names but for the suffix; where
-two would have the same, the second one is numbered. The start-up list names the new files. A list
-with a parameter that has no ID stays in ASCII, unknown entries become comments in XML.
+In: a loaded machine. Out: files by name. Lists keep their names except for the suffix; the second
+of two equal names gets a number. The start-up list names the new files. A list with a parameter
+that has no ID stays in ASCII, unknown entries become comments in XML.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ from nctakt.machines.list_writer import (
     xml_text,
 )
 
-#: Parameters of the start-up list that name files which are converted, or copied.
+#: Parameters of the start-up list that name files to be converted or copied.
 _PATHS = {parameter.id for parameter in STARTUP.declared if parameter.type is ValueType.STRING}
 _USER_TEXTS = "error_text_user_of_id"
 _DEFAULTS = ("default_sda_mds", "default_achs_mds")
@@ -39,7 +39,7 @@ _DEFAULTS = ("default_sda_mds", "default_achs_mds")
 
 @dataclass(frozen=True, slots=True)
 class ConvertedLists:
-    """Files by name; ``unknown``: entries as comments; ``in_ascii``: lists that stay so."""
+    """Files by name; ``unknown``: entries as comments; ``in_ascii``: lists that stay in ASCII."""
 
     files: Mapping[str, bytes]
     unknown: tuple[str, ...]
@@ -48,7 +48,7 @@ class ConvertedLists:
 
 @dataclass(frozen=True, slots=True)
 class Conversion:
-    """How lists are converted; ``edit`` changes what stands in a list before it is written."""
+    """Format and language of a conversion; ``edit`` changes comments and entries on the way."""
 
     list_format: ListFormat
     language: Language
@@ -60,7 +60,9 @@ def convert_lists(
 ) -> ConvertedLists:
     """Convert all lists of a machine; ``search`` finds the files that its lists name."""
     items = _items(machine, access)
-    formats = {path: _format_of(found, conversion.list_format) for path, found in items.items()}
+    formats = {
+        path: _format_of(list_items, conversion.list_format) for path, list_items in items.items()
+    }
     names = _new_names(formats)
     kinds = {path.resolve(): kind for kind, path in reversed(machine.lists)}
     files: dict[str, bytes] = {}
@@ -91,7 +93,7 @@ def convert_lists(
 
 
 def _items(machine: Machine, access: FileAccess) -> dict[Path, list[Comment | Item]]:
-    """What stands in each list, by its file; the start-up list first."""
+    """Return the comments and entries of each list by its file, the start-up list first."""
     items: dict[Path, list[Comment | Item]] = {}
     for kind, path in machine.lists:
         if path.resolve() not in items:
@@ -108,7 +110,7 @@ def _is_unknown(item: Comment | Item) -> TypeGuard[Item]:
 
 
 def _new_names(formats: Mapping[Path, ListFormat]) -> dict[Path, str]:
-    """The new name of each list by its file; no two differ in letter case only."""
+    """Return the new name of each list by its file; no two names differ in letter case only."""
     names: dict[Path, str] = {}
     used: dict[str, None] = {}
     for path, list_format in formats.items():
@@ -128,7 +130,7 @@ def _with_new_path(
     names: Mapping[Path, str],
     defaults: dict[str, None],
 ) -> Comment | Item:
-    """Return an entry of the start-up list with the new name of the file that it names."""
+    """Return an entry of the start-up list with the new name of its file."""
     if isinstance(item, Comment) or item.parameter is None or not item.value:
         return item
     if item.parameter.id not in _PATHS:
@@ -147,7 +149,7 @@ def _with_new_path(
 
 
 def _with_plain_source(item: Comment | Item, machine: Machine) -> Comment | Item:
-    """Return interrupt_source with the number of the manual's table: comments may get lost."""
+    """Return interrupt_source with its number in the manual's table: comments may get lost."""
     if isinstance(item, Comment) or item.parameter is None or machine.rtconf is None:
         return item
     if item.parameter.pattern != "interrupt_source":

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""The bytes of a list -> what stands in it, line by line, comments included.
+"""The bytes of a list -> its entries and comments, line by line.
 
 In: a list in ASCII or XML, the schema of its kind. Out: its comments and entries in their order, an
-entry with its parameter, its value as text and the comment behind it. Nothing is checked.
+entry with its parameter, its value as text and its comment. Nothing is checked.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from nctakt.messages import Collector
 
 @dataclass(frozen=True, slots=True)
 class Comment:
-    """A line that is a comment, without its sign."""
+    """A comment line, without its comment sign."""
 
     line: int
     text: str
@@ -33,8 +33,8 @@ class Comment:
 class Item:
     """An entry; ``parameter`` is ``None`` for an unknown one.
 
-    ``indices``: as in the list. ``value``: its text without quotation marks. ``comment``: what
-    stands behind it.
+    ``indices``: as in the list. ``value``: its text without quotation marks. ``comment``: the text
+    behind it.
     """
 
     line: int
@@ -46,7 +46,7 @@ class Item:
 
 
 def read_items(data: bytes, schema: Schema) -> list[Comment | Item]:
-    """Return comments and entries of a list in the order of its lines."""
+    """Return the comments and entries of a list in the order of its lines."""
     entries = [_item(entry, schema) for entry in read_entries("", data, schema, Collector())]
     if not is_xml(data):
         return _in_order([*entries, *_ascii_comments(data)])
@@ -69,7 +69,7 @@ def _in_order(items: list[Comment | Item]) -> list[Comment | Item]:
 def _own_comment(item: Item, text: str) -> str:
     """Return the comment behind an entry without its name, which XML lists have for readers.
 
-    What the parameter means is no comment of the list's own.
+    The meaning of the parameter does not count as a comment.
     """
     text = text.removeprefix(item.name).removeprefix(":").strip()
     meanings = () if item.parameter is None else _meanings(item.parameter)
@@ -86,7 +86,7 @@ def _meanings(parameter: Parameter) -> tuple[str, ...]:
 
 
 def meaning_of(parameter: Parameter, language: Language, *, has_id: bool) -> str:
-    """Return what a parameter means, with its unit, and with its ID in front."""
+    """Return the meaning of a parameter with its unit, after its ID if ``has_id``."""
     unit = f" [{parameter.unit}]" if parameter.unit else ""
     identity = f"{parameter.id}: " if parameter.id and has_id else ""
     return f"{identity}{parameter.text.get(language)}{unit}"
@@ -102,8 +102,8 @@ def _ascii_comments(data: bytes) -> list[Comment]:
 
 
 def _item(entry: Entry, schema: Schema) -> Item:
-    found = schema.find(entry.pattern) if entry.is_well_formed else None
-    parameter = None if found is None else found[0]
+    declared = schema.find(entry.pattern) if entry.is_well_formed else None
+    parameter = None if declared is None else declared[0]
     words = _words(entry, parameter)
     value = " | ".join(word.text for word in words)
     end = words[-1].span.end_column - entry.rest_column if words else 0

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""What stands in a list -> its text in ASCII or XML, with comments.
+"""The entries and comments of a list -> its text in ASCII or XML.
 
-Behind the first entry of each parameter stands what it means, unless the list has a comment of its
-own there.
+The first entry of each parameter gets its meaning as a comment, unless the list has a comment
+there.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ ListFormat = Literal["ascii", "xml"]
 SUFFIXES: dict[ListFormat, str] = {"ascii": ".lis", "xml": ".xml"}
 
 _KEY_WIDTH, _VALUE_WIDTH = 48, 16
-#: Where the comment behind an element begins.
+#: Column of the comment behind an element.
 _ELEMENT_WIDTH = 40
 #: The outermost elements of XML lists, with those of lists that hold defaults.
 _ROOTS = {
@@ -40,7 +40,7 @@ _DEFAULT_ROOTS = {"channel": "Default_SDA_MDS", "axis": "Default_AX_MDS"}
 
 
 def has_no_id(item: Comment | Item) -> bool:
-    """Return whether XML has no place for an entry: no source gives the ID of its parameter."""
+    """Return whether an entry cannot be written in XML: the ID of its parameter is unknown."""
     return isinstance(item, Item) and item.parameter is not None and not item.parameter.id
 
 
@@ -88,7 +88,7 @@ def _xml_lines(items: Iterable[Comment | Item], language: Language) -> Iterator[
 
 
 def _without_dashes(text: str) -> str:
-    """Two dashes and a dash at the end may not stand in a comment."""
+    """Return a text without two dashes and a final dash, which XML forbids in comments."""
     while "--" in text:
         text = text.replace("--", "- -")
     return f"{text} " if text.endswith("-") else text
@@ -101,7 +101,7 @@ def _ascii_value(item: Item) -> str:
 
 
 def _comment(item: Item, explained: dict[str, None], language: Language, *, has_id: bool) -> str:
-    """The comment of the list; without one, what the parameter means where it stands first."""
+    """Return the list's comment, else at its first entry the meaning of the parameter."""
     parameter = item.parameter
     if item.comment or parameter is None or parameter.pattern in explained:
         return item.comment

@@ -2,9 +2,9 @@
 """A recorded run -> the curves of a picture: positions, their derivatives, limits, lanes.
 
 In: a trace with the ``signals``, the machine's lists. Out: ``Motion``, arrays over time. A row of
-tick n holds what is true at its end, (n + 1) · T. Speed, acceleration and jerk are differences of
-the recorded positions, each in the middle of what it is taken from: the picture shows what the axes
-did, not what a planner believed.
+tick n holds the values at its end, (n + 1) · T. Speed, acceleration and jerk are differences of the
+recorded positions, each in the middle of its interval: the picture shows the motion of the axes,
+not the plan.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 SPEED, ACCELERATION, JERK = 1, 2, 3
 
 _PATH_SIGNALS = ("PATH.SPEED", "PATH.DIST_TO_GO", "OVERRIDE.VEL.TOTAL")
-#: Kinds of events that are drawn.
+#: Kinds of events in the picture.
 _MARKS = ("fired", "M", "H", "output", "error", "starved", "overflow", "end")
 
 
@@ -42,10 +42,10 @@ class Curve:
 
 @dataclass(frozen=True, slots=True)
 class AxisMotion:
-    """One axis in mm or degrees and seconds.
+    """The motion of one axis in mm or degrees and seconds.
 
-    ``position`` runs on where a modulo axis shows positions within its range. ``derivatives``:
-    speed, acceleration and jerk. ``limits``: of these three, 0 for none.
+    ``position`` is continuous, also for a modulo axis. ``derivatives``: speed, acceleration and
+    jerk. ``limits``: of these three, 0 for none.
     """
 
     name: str
@@ -58,10 +58,10 @@ class AxisMotion:
 
 @dataclass(frozen=True, slots=True)
 class Lane:
-    """One thing that happened; ``kind`` is that of its events.
+    """Events of one kind and label.
 
-    ``spans``: from when to when in s, in order; what happened in tick after tick is one span, what
-    happened once has no length.
+    ``spans``: begins and ends in s, in order; events in consecutive ticks are one span, a single
+    event has a span without length.
     """
 
     kind: str
@@ -71,31 +71,31 @@ class Lane:
 
 @dataclass(frozen=True, slots=True)
 class Motion:
-    """A run as curves; ``override`` in percent, ``rest`` the distance to go on the path."""
+    """A run as curves; ``override`` in percent, ``distance_to_go`` on the path in mm."""
 
     axes: tuple[AxisMotion, ...]
     path_speed: Curve
     override: Curve
-    rest: Curve
+    distance_to_go: Curve
     lanes: tuple[Lane, ...]
 
 
 def position_signal(axis: str) -> str:
-    """The signal whose values are drawn for an axis."""
+    """Return the signal with the position of an axis."""
     return f"{axis}.ACS.ACT_POS"
 
 
 def signals(axes: Sequence[str]) -> tuple[str, ...]:
-    """What has to be recorded for a picture of these axes."""
+    """Return the signals that a picture of these axes needs."""
     return (*(position_signal(axis) for axis in axes), *_PATH_SIGNALS)
 
 
 def motion_of(
     trace: Trace, axes: Sequence[AxisConfiguration], *, limits_jerk: bool = False
 ) -> Motion:
-    """The curves of a run that recorded ``signals``.
+    """Return the curves of a run that recorded ``signals``.
 
-    ``limits_jerk``: the path had the jerk-limited slope; without it the jerk has no limit.
+    ``limits_jerk``: the path has the jerk-limited slope; otherwise the jerk has no limit.
     """
     cycle_time_s = trace.cycle_time_us / 1e6
     time_s = ((trace.tick + 1) * trace.cycle_time_us / 1e6).astype(numpy.float64)
@@ -133,13 +133,13 @@ def _axis(
 
 
 def derivative(position: Values, time_s: Values, cycle_time_s: float, order: int) -> Curve:
-    """The mean derivative of this order over ``order`` ticks each."""
+    """Return the mean derivative of this order over ``order`` ticks each."""
     values = numpy.diff(position, order) / cycle_time_s**order
     return Curve(time_s[order:] - order * cycle_time_s / 2.0, values)
 
 
 def _lanes(events: Iterable[Event], cycle_time_us: int) -> tuple[Lane, ...]:
-    """A lane for each reaction, function, error and end, in the order of their first moments."""
+    """Return a lane for each reaction, function, error and end, by the time of its first event."""
     spans: dict[tuple[str, str], list[tuple[int, int]]] = {}
     for event in events:
         if event.kind not in _MARKS:
@@ -171,11 +171,11 @@ def _label(event: Event) -> str:
     return words[0] if event.kind == "error" else event.kind
 
 
-def thinned(curve: Curve, most: int) -> Curve:
-    """The same picture with at most ``most`` points: lowest and highest value of each piece."""
+def thinned(curve: Curve, max_points: int) -> Curve:
+    """Return the curve with at most ``max_points`` points: minimum and maximum of each piece."""
     count = len(curve.values)
-    pieces = most // 2
-    if count <= most:
+    pieces = max_points // 2
+    if count <= max_points:
         return curve
     edges = numpy.linspace(0, count, pieces + 1).astype(int)
     kept: list[int] = []

@@ -30,13 +30,13 @@ _DPI = 110
 _WIDTH_IN = 12.0
 _PATH_HEIGHT_IN = 4.4
 _PANEL_HEIGHT_IN = 1.7
-#: Points that a curve is drawn with at most: more cannot be seen.
-_MOST_POINTS = 4000
-#: Moments that are drawn through all panels at most; more would hide the curves.
-_MOST_LINES = 60
+#: Maximum number of points of a curve: more cannot be seen.
+_MAX_POINTS = 4000
+#: Maximum number of lines through all panels: more would hide the curves.
+_MAX_LINES = 60
 _LANE_HEIGHT_IN = 0.17
-#: Lanes that can be told apart; the rest is counted.
-_MOST_LANES = 24
+#: Maximum number of lanes; further ones are counted.
+_MAX_LANES = 24
 
 _COLOURS = (
     "#1f77b4",
@@ -94,7 +94,7 @@ _PAGE = """\
 
 
 def check_picture(path: str) -> None:
-    """Whether such a picture can be drawn; raises ``Failure`` (900635, 900634)."""
+    """Raise ``Failure`` for another suffix (900635) and without matplotlib (900634)."""
     if Path(path).suffix.lower() not in ENDINGS:
         raise Failure(diagnostic(UNKNOWN_PICTURE_FORMAT, file=path))
     if importlib.util.find_spec("matplotlib") is None:
@@ -102,7 +102,7 @@ def check_picture(path: str) -> None:
 
 
 def write_picture(motion: Motion, path: Path, title: str, language: Language) -> None:
-    """Draw a run; raises ``OSError``. What does not print in ``title`` becomes a dot."""
+    """Draw a run; raises ``OSError``. Unprintable characters of ``title`` become dots."""
     title = "".join(character if character.isprintable() else "·" for character in title)
     ending = path.suffix.lower()
     data = _Drawing(motion, title, language).render("png" if ending == ".png" else "svg")
@@ -122,24 +122,24 @@ class _Drawing:
         self._language = language
         self._moving = [axis for axis in motion.axes if axis.moves]
         self._colours = {
-            axis.name: _COLOURS[place % len(_COLOURS)] for place, axis in enumerate(motion.axes)
+            axis.name: _COLOURS[index % len(_COLOURS)] for index, axis in enumerate(motion.axes)
         }
         self._title = title
 
     def render(self, format_: str) -> bytes:
-        """The bytes of the picture."""
-        import matplotlib  # noqa: PLC0415 - only who wants a picture needs it
+        """Return the picture's file as bytes."""
+        import matplotlib  # noqa: PLC0415 - only a picture needs it
         from matplotlib.backends.backend_agg import FigureCanvasAgg  # noqa: PLC0415
         from matplotlib.figure import Figure  # noqa: PLC0415
 
         panels = list(self._panels())
         spatial = [axis for axis in self._moving if axis.unit == "mm"]
         path_rows = 1 if len(spatial) > 1 else 0
-        lanes = self._motion.lanes[:_MOST_LANES]
+        lanes = self._motion.lanes[:_MAX_LANES]
         heights = [_PATH_HEIGHT_IN] * path_rows
         heights.append(0.25 + _LANE_HEIGHT_IN * max(len(lanes), 2))
         heights += [_PANEL_HEIGHT_IN] * len(panels)
-        # names of files, axes and cells are no formulas, and may hold signs that the font lacks
+        # names of files, axes and cells are not formulas, and may have signs that the font lacks
         settings: dict[Any, Any] = {"svg.hashsalt": "nctakt", "svg.fonttype": "path"}
         settings["text.parse_math"] = False
         with matplotlib.rc_context(settings), warnings.catch_warnings():
@@ -152,10 +152,10 @@ class _Drawing:
                 self._draw_path(sheet, grid, spatial)
             shared = sheet.add_subplot(grid[path_rows, :])
             self._draw_lanes(shared, lanes)
-            for place, panel in enumerate(panels):
-                axes = sheet.add_subplot(grid[path_rows + 1 + place, :], sharex=shared)
+            for index, panel in enumerate(panels):
+                axes = sheet.add_subplot(grid[path_rows + 1 + index, :], sharex=shared)
                 self._draw_panel(axes, *panel)
-                if place < len(panels) - 1:
+                if index < len(panels) - 1:
                     axes.tick_params(labelbottom=False)
                 else:
                     axes.set_xlabel(self._text(_TIME))
@@ -170,7 +170,7 @@ class _Drawing:
     # --- the path --------------------------------------------------------------------------------
 
     def _draw_path(self, sheet: Any, grid: Any, spatial: Sequence[AxisMotion]) -> None:
-        """The first two linear axes that move as a plane, the first three as space."""
+        """Draw the first two moving linear axes as a plane, the first three in space."""
         in_space = len(spatial) > 2
         plane = sheet.add_subplot(grid[0, 0] if in_space else grid[0, :])
         first, second = spatial[:2]
@@ -197,23 +197,26 @@ class _Drawing:
     def _panels(
         self,
     ) -> Iterator[tuple[str, list[tuple[str, str, Curve]], list[tuple[float, str]]]]:
-        """Label, curves as (name, colour, curve), limits as (value, colour) of each panel."""
+        """Yield label, curves (name, colour, curve) and limits (value, colour) of each panel."""
         for unit in dict.fromkeys(axis.unit for axis in self._moving):
             axes = [axis for axis in self._moving if axis.unit == unit]
-            curves = [(one.name, self._colours[one.name], one.position) for one in axes]
+            curves = [(axis.name, self._colours[axis.name], axis.position) for axis in axes]
             yield f"{self._text(_POSITION)}\n{unit}", curves, []
             for order, (name, per) in _DERIVED.items():
                 curves = [
-                    (one.name, self._colours[one.name], one.derivatives[order - 1]) for one in axes
+                    (axis.name, self._colours[axis.name], axis.derivatives[order - 1])
+                    for axis in axes
                 ]
                 if order == SPEED and unit == self._moving[0].unit:
                     curves.append((self._text(_PATH_SPEED), "#555555", self._motion.path_speed))
-                limits = {one.limits[order - 1]: self._colours[one.name] for one in reversed(axes)}
+                limits = {
+                    axis.limits[order - 1]: self._colours[axis.name] for axis in reversed(axes)
+                }
                 lines = [(limit, limits[limit]) for limit in sorted(limits) if limit > 0.0]
                 yield f"{self._text(name)}\n{unit}{per}", curves, lines
         yield self._text(_OVERRIDE), [("", "#333333", self._motion.override)], []
         unit = self._moving[0].unit if self._moving else "mm"
-        yield f"{self._text(_REST)}\n{unit}", [("", "#333333", self._motion.rest)], []
+        yield f"{self._text(_REST)}\n{unit}", [("", "#333333", self._motion.distance_to_go)], []
 
     def _draw_panel(
         self,
@@ -227,7 +230,7 @@ class _Drawing:
             for sign in (1.0, -1.0):
                 axes.axhline(sign * value, color=colour, linewidth=0.7, linestyle=(0, (5, 4)))
         for name, colour, curve in curves:
-            few = thinned(curve, _MOST_POINTS)
+            few = thinned(curve, _MAX_POINTS)
             style = ":" if colour == "#555555" else "-"
             axes.plot(few.time_s, few.values, style, color=colour, linewidth=0.9, label=name)
         axes.set_ylabel(label, fontsize=8)
@@ -246,7 +249,7 @@ class _Drawing:
             )
 
     def _draw_lanes(self, axes: Any, lanes: Sequence[Lane]) -> None:
-        """A row for each lane, the first one on top: marks, and bars where it went on."""
+        """Draw a row for each lane, the first one on top: marks, and bars for longer spans."""
         self._draw_moments(axes)
         for row, lane in enumerate(lanes):
             colour = _LANE_COLOURS[lane.kind]
@@ -268,27 +271,27 @@ class _Drawing:
             axes.set_title(", ".join(notes), fontsize=8)
 
     def _draw_moments(self, axes: Any) -> None:
-        """A line where something began to happen, through all panels."""
+        """Draw a line through all panels at the begin of each span of a lane."""
         begun = [(span[0], lane.kind) for lane in self._motion.lanes for span in lane.spans]
-        if len(begun) > _MOST_LINES:
+        if len(begun) > _MAX_LINES:
             return
         for time_s, kind in begun:
             axes.axvline(time_s, color=_LANE_COLOURS[kind], linewidth=0.5, alpha=0.5)
 
 
 def _with_steady_names(svg: bytes) -> bytes:
-    """The names of its clip paths and markers numbered: some are made of places in memory."""
+    """Return the SVG with numbered clip paths and markers, whose names may hold addresses."""
     names: dict[bytes, bytes] = {}
-    for found in re.finditer(rb'id="([a-zA-Z][0-9a-f]{10})"', svg):
-        names.setdefault(found[1], b"i%d" % len(names))
+    for match in re.finditer(rb'id="([a-zA-Z][0-9a-f]{10})"', svg):
+        names.setdefault(match[1], b"i%d" % len(names))
     return re.sub(
         rb'(id="|url\(#|href="#)([a-zA-Z][0-9a-f]{10})(?=["\)])',
-        lambda found: found[1] + names.get(found[2], found[2]),
+        lambda match: match[1] + names.get(match[2], match[2]),
         svg,
     )
 
 
 def _points(*axes: AxisMotion) -> list[Any]:
-    """The positions of the axes at the same times, thinned by leaving points out."""
-    step = max(1, len(axes[0].position.values) // (5 * _MOST_POINTS))
+    """Return the positions of the axes at the same times, thinned by leaving points out."""
+    step = max(1, len(axes[0].position.values) // (5 * _MAX_POINTS))
     return [axis.position.values[::step] for axis in axes]

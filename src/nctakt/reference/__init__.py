@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: MIT
-"""What nctakt knows, as articles for people: ``nctakt explain`` and the reference documents."""
+"""Articles about the controller for readers: ``nctakt explain`` and the reference documents."""

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""An article: what there is to say about one word of the controller.
+"""An article about one word of the controller.
 
 In: the tables of messages, parameters, variables and language. Out: ``Article``, without layout:
-``layout.py`` makes lines of it, ``scripts/docs`` tables.
+``layout.py`` turns it into lines, ``scripts/docs`` into tables.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from nctakt.base.diagnostics import Text
 
 @dataclass(frozen=True, slots=True)
 class Fact:
-    """A label and what stands behind it."""
+    """A fact of an article: its label and its value."""
 
     label: Text
     value: Text
@@ -23,7 +23,7 @@ class Fact:
 
 @dataclass(frozen=True, slots=True)
 class Article:
-    """``name`` is the word in its full form, ``kind`` what it is, ``meaning`` one sentence."""
+    """An article: the word in its full form, its kind, its meaning in one sentence, its facts."""
 
     name: str
     kind: Text
@@ -35,9 +35,9 @@ class Article:
 class Topic:
     """A kind of articles.
 
-    ``word`` names it on the command line, ``articles`` gives all of them in order, ``find`` those
-    of a word in any usual spelling, ``names`` the words that a misspelt one is compared with.
-    ``find_similar``: those that a word may mean if no topic knows it.
+    ``word`` names it on the command line. ``articles`` returns all of them in order, ``find`` those
+    of a word in any usual spelling, ``names`` the words for a comparison with a misspelt one,
+    ``find_similar`` the articles that a word may mean if no topic has it.
     """
 
     word: str
@@ -50,10 +50,10 @@ class Topic:
 
 
 def same(text: object) -> Text:
-    """A text that is the same in all languages."""
+    """Return a text that is the same in all languages."""
     return Text(str(text), str(text))
 
 
 def fact(en: str, de: str, value: Text | str | int) -> Fact:
-    """A fact with its label in both languages."""
+    """Return a fact with its label in both languages."""
     return Fact(Text(en, de), value if isinstance(value, Text) else same(value))

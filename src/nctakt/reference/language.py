@@ -73,7 +73,7 @@ _WHEN_EMPTY = Text(
     "when the path stands; empties the channel", "wenn die Bahn steht; leert den Kanal"
 )
 _FROZEN = Text("the value of the definition, a constant", "der Wert der Definition, eine Konstante")
-#: What there is to say beyond the support table.
+#: Facts beyond the support table.
 _FURTHER: Mapping[str, tuple[Fact, ...]] = MappingProxyType(
     {
         "V.E": (
@@ -138,7 +138,7 @@ _FAMILY = re.compile(r"(V)S?(\.[A-Z_]+)(\..*)?")
 
 
 def _of_system(name: str) -> Iterator[Fact]:
-    """Type, unit and rights of V.G and V.A."""
+    """Yield type, unit and rights of V.G and V.A."""
     row = BY_NAME.get(name)
     if row is None:
         return
@@ -153,7 +153,7 @@ def _of_system(name: str) -> Iterator[Fact]:
 
 
 def entry_article(entry: Entry) -> Article:
-    """The article of a row of the support table."""
+    """Return the article of a row of the support table."""
     facts = [*_FURTHER.get(entry.name, ()), *_of_system(entry.name)]
     if entry.name in FORMS:
         facts.append(fact("Written", "Schreibweise", forms_of(entry.name)))
@@ -177,15 +177,15 @@ def _all_words() -> Iterator[Article]:
 
 
 def _find_word(word: str) -> tuple[Article, ...]:
-    known = {entry.name.upper(): entry for entry in _entries()}
+    entries = {entry.name.upper(): entry for entry in _entries()}
     for candidate in _spellings(word):
-        if candidate in known:
-            return (entry_article(known[candidate]),)
+        if candidate in entries:
+            return (entry_article(entries[candidate]),)
     return ()
 
 
 def _spellings(word: str) -> Iterator[str]:
-    """The word as the table may have it, from the nearest reading to the widest."""
+    """Yield the spellings of a word that the table may have, from the nearest to the widest."""
     text = " ".join(word.upper().split())
     yield text
     numbered = _NUMBERED.fullmatch(text)
@@ -206,9 +206,9 @@ def _spellings(word: str) -> Iterator[str]:
     elif _PARAMETER.fullmatch(text):
         yield "P"
     if text.startswith(("V.A.", "V.G.")):
-        named = _INDEX.sub("[1]", text)
+        indexed = _INDEX.sub("[1]", text)
         of_axis = _INDEX.sub("[1]", _LAST_INDEX.sub(".X", text))
-        yield from (named, _LAST.sub(".X", named), of_axis)
+        yield from (indexed, _LAST.sub(".X", indexed), of_axis)
     family = _FAMILY.fullmatch(text)
     if family is not None and family[2] not in (".RTA", ".RTG"):
         yield family[1] + family[2]
@@ -232,7 +232,7 @@ WORDS = Topic(
 
 
 def operator_article(operator: Operator, *, is_prefix: bool) -> Article:
-    """The article of an operator."""
+    """Return the article of an operator."""
     side = Text("left to right", "von links nach rechts")
     if operator.right_associative:
         side = Text("right to left", "von rechts nach links")
@@ -248,7 +248,7 @@ def operator_article(operator: Operator, *, is_prefix: bool) -> Article:
 
 
 def function_article(function: Function) -> Article:
-    """The article of a function."""
+    """Return the article of a function."""
     letters = ", ".join("ab"[: function.maximum])
     facts = [
         fact("Written", "Schreibweise", f"{function.name}[{letters}]"),
@@ -257,8 +257,8 @@ def function_article(function: Function) -> Article:
     entry = support_level.expression_function(function.name)
     assert entry is not None
     if function.decoder_only:
-        place = Text("not in realtime cycles", "nicht in Echtzeit-Zyklen")
-        facts.append(fact("Place", "Ort", place))
+        usage = Text("not in realtime cycles", "nicht in Echtzeit-Zyklen")
+        facts.append(fact("Use", "Verwendung", usage))
     else:
         facts.append(fact("Counts", "Zählt", _COUNTS))
     facts.append(fact("In nctakt", "In nctakt", SUPPORT[entry.support]))
@@ -270,8 +270,8 @@ def _constant_article(name: str) -> Article:
 
 
 def _all_expressions() -> Iterator[Article]:
-    yield from (operator_article(one, is_prefix=True) for one in PREFIX.values())
-    yield from (operator_article(one, is_prefix=False) for one in INFIX.values())
+    yield from (operator_article(operator, is_prefix=True) for operator in PREFIX.values())
+    yield from (operator_article(operator, is_prefix=False) for operator in INFIX.values())
     yield from map(function_article, FUNCTIONS.values())
     yield from map(_constant_article, CONSTANTS)
 
@@ -305,7 +305,9 @@ def _keyword_article(keyword: KeywordMeaning) -> Article:
 
 def _find_keyword(word: str) -> tuple[Article, ...]:
     name = word.upper().removeprefix("#RT CYCLE ").strip()
-    return tuple(_keyword_article(one) for one in KEYWORDS.values() if one.name.upper() == name)
+    return tuple(
+        _keyword_article(keyword) for keyword in KEYWORDS.values() if keyword.name.upper() == name
+    )
 
 
 KEYWORDS_TOPIC = Topic(

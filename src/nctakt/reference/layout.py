@@ -21,7 +21,7 @@ _SUCH_AS = Text("such as", "etwa")
 
 
 def article_lines(article: Article, language: Language) -> Iterator[str]:
-    """An article: its name and kind, its meaning, its facts in two columns."""
+    """Yield an article: its name and kind, its meaning, its facts in two columns."""
     yield f"{article.name}: {article.kind.get(language)}"
     yield from _wrapped(article.meaning.get(language), _MARGIN, _MARGIN)
     labels = [fact.label.get(language) for fact in article.facts]
@@ -47,7 +47,7 @@ def _wrapped(text: str, first: str, further: str) -> list[str]:
 
 
 def list_lines(articles: Sequence[Article], language: Language) -> Iterator[str]:
-    """One line for each article: its name and its meaning."""
+    """Yield one line for each article: its name and its meaning."""
     width = max(len(article.name) for article in articles)
     for article in articles:
         yield f"{article.name.ljust(width)}  {_one_line(article.meaning.get(language))}"
@@ -58,7 +58,7 @@ def _one_line(text: str) -> str:
 
 
 def topic_lines(topics: Sequence[Topic], language: Language) -> Iterator[str]:
-    """What can be asked for."""
+    """Yield the topics with examples of their words."""
     yield _HEAD.get(language)
     word_width = max(len(topic.word) for topic in topics)
     width = max(len(topic.title.get(language)) for topic in topics)

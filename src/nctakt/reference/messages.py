@@ -18,7 +18,7 @@ _KINDS = {
 
 
 def article(message: Message) -> Article:
-    """The article of one message."""
+    """Return the article of one message."""
     level = _KINDS[message.severity]
     whose = Text("of nctakt", "von nctakt")
     if not is_own(message.id):

@@ -16,11 +16,11 @@ from nctakt.lists.format.parameter import Effect, Parameter, Relevance, ValueTyp
 from nctakt.lists.format.schema import Schema
 from nctakt.reference.article import Article, Fact, Topic, fact
 
-#: Names of a value of which no more are told.
+#: Maximum number of names of a value in an article.
 _MANY_NAMES = 20
 
 
-#: What a parameter is about: the words of the tables.
+#: The subjects of parameters, as in the tables.
 CONCERNS: dict[str, Text] = {
     "compensation": Text("compensations", "Kompensationen"),
     "control": Text("position control", "die Lageregelung"),
@@ -52,13 +52,13 @@ CONCERNS: dict[str, Text] = {
 
 
 def article(schema: Schema, parameter: Parameter) -> Article:
-    """The article of one parameter of a kind of list."""
+    """Return the article of one parameter of a kind of list."""
     name = f"{parameter.id} {parameter.path}".strip()
     return Article(name, kind_of(schema), parameter.text, tuple(_facts(parameter)))
 
 
 def kind_of(schema: Schema) -> Text:
-    """Where its parameters stand."""
+    """Return the kind of list that has the parameters of a schema."""
     return Text(f"parameter, {schema.title.en}", f"Parameter, {schema.title.de}")
 
 
@@ -90,19 +90,19 @@ def _facts(parameter: Parameter) -> Iterator[Fact]:
 
 
 def default_text(parameter: Parameter) -> str:
-    """Return the default as a list writes it: a value, or the ID of the parameter that has it."""
+    """Return the default as written in a list: a value, or the ID of the parameter with it."""
     return parameter.default_id or shown(parameter.default)
 
 
 def _values_of(parameter: Parameter) -> Iterator[str]:
-    """The names that a value may have, with the number that says the same."""
+    """Yield the names that a value may have, each with its number."""
     for name, number in parameter.names.items():
         is_number = parameter.type is ValueType.NAME and number is not None
         yield f"{name} ({number})" if is_number else name
 
 
 def effect(parameter: Parameter) -> Text:
-    """Return what becomes of a parameter."""
+    """Return the effect of a parameter."""
     if parameter.effect is Effect.USED:
         return Text("takes effect", "wirkt")
     match parameter.relevance:
@@ -125,8 +125,8 @@ def _all() -> Iterator[Article]:
             yield article(schema, parameter)
 
 
-def _articles(found: Iterable[DeclaredParameter]) -> tuple[Article, ...]:
-    return tuple(article(one.schema, one.parameter) for one in found)
+def _articles(declared_parameters: Iterable[DeclaredParameter]) -> tuple[Article, ...]:
+    return tuple(article(declared.schema, declared.parameter) for declared in declared_parameters)
 
 
 def _find(word: str) -> tuple[Article, ...]:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""From a word to its articles; the topics that there are.
+"""The topics of the reference, and the search for the articles of a word.
 
-In: a word as a user writes it. Out: the articles of all topics that know it, else the nearest known
+In: a word as a user writes it. Out: the articles of all topics about it, else the nearest known
 word.
 """
 
@@ -14,7 +14,7 @@ from nctakt.reference.messages import MESSAGES
 from nctakt.reference.parameters import PARAMETERS
 from nctakt.reference.variables import VARIABLES
 
-#: In the order in which they are shown.
+#: The topics in the order of their display.
 TOPICS: tuple[Topic, ...] = (
     MESSAGES,
     PARAMETERS,
@@ -26,20 +26,20 @@ TOPICS: tuple[Topic, ...] = (
 
 
 def topic(word: str) -> Topic | None:
-    """The topic that this word names."""
-    return next((one for one in TOPICS if one.word == word.lower()), None)
+    """Return the topic with this name, ``None`` if there is none."""
+    return next((candidate for candidate in TOPICS if candidate.word == word.lower()), None)
 
 
 def explain(word: str) -> tuple[Article, ...]:
-    """All articles about a word, else those that it may mean; none for one that nobody knows."""
+    """Return all articles about a word, else those that it may mean; none for an unknown word."""
     word = word.strip()
     if not word:
         return ()
-    known = tuple(article for one in TOPICS for article in one.find(word))
-    return known or tuple(article for one in TOPICS for article in one.find_similar(word))
+    articles = tuple(article for topic in TOPICS for article in topic.find(word))
+    return articles or tuple(article for topic in TOPICS for article in topic.find_similar(word))
 
 
 def nearest_word(word: str) -> str:
-    """The known word that is most like this one, empty if none is."""
-    known = {name for one in TOPICS for name in one.names()}
-    return nearest(word, sorted(known))
+    """Return the known word most similar to this one, empty if none is."""
+    names = {name for topic in TOPICS for name in topic.names()}
+    return nearest(word, sorted(names))

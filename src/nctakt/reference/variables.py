@@ -33,7 +33,7 @@ UNITS = {
 
 
 def rows() -> Iterator[tuple[str, RealtimeVariable]]:
-    """The rows of the tables that programs or cycles may use, with their full names."""
+    """Yield the variables that programs or realtime cycles may use, with their full names."""
     for row in CHANNEL_VARIABLES:
         if row.decoder or row.cycle:
             yield f"V.RTG.{row.path}" + ("[i]" if row.count else ""), row
@@ -43,7 +43,7 @@ def rows() -> Iterator[tuple[str, RealtimeVariable]]:
 
 
 def article(name: str, row: RealtimeVariable) -> Article:
-    """The article of one row."""
+    """Return the article of one row."""
     kind = Text("realtime variable of the channel", "Echtzeit-Variable des Kanals")
     if name.startswith("V.RTA"):
         kind = Text("realtime variable of an axis", "Echtzeit-Variable einer Achse")
@@ -69,7 +69,7 @@ def _rights(access: Access, further: Text) -> Text:
 
 
 def rights(access: Access) -> str:
-    """``R``, ``W``, ``R W`` or ``–``."""
+    """Return the rights as text: ``R``, ``W``, ``R W`` or ``–``."""
     letters = [
         letter for flag, letter in ((Access.READ, "R"), (Access.WRITE, "W")) if access & flag
     ]
@@ -82,16 +82,16 @@ def _all() -> Iterator[Article]:
 
 
 def _find(word: str) -> tuple[Article, ...]:
-    """With or without axis, with or without index, ``V.`` or ``Vs.``, in any letter case."""
-    wanted = word.upper()
-    if wanted.startswith("VS."):
-        wanted = "V." + wanted[3:]
-    wanted = wanted.split("[", maxsplit=1)[0]
-    without_axis = wanted.rsplit(".", 1)[0] if wanted.startswith("V.RTA.") else wanted
-    for candidate in (wanted, without_axis):
-        found = [(name, row) for name, row in rows() if _plain(name) == candidate]
-        if found:
-            return tuple(article(name, row) for name, row in found)
+    """Find a name with or without axis and index, with ``V.`` or ``Vs.``, in any letter case."""
+    pattern = word.upper()
+    if pattern.startswith("VS."):
+        pattern = "V." + pattern[3:]
+    pattern = pattern.split("[", maxsplit=1)[0]
+    without_axis = pattern.rsplit(".", 1)[0] if pattern.startswith("V.RTA.") else pattern
+    for candidate in (pattern, without_axis):
+        rows_of_name = [(name, row) for name, row in rows() if _plain(name) == candidate]
+        if rows_of_name:
+            return tuple(article(name, row) for name, row in rows_of_name)
     return ()
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What is gathered of one branch of a realtime cycle, its condition and its body: rows -> history.
+"""The log of one branch of a realtime cycle, its condition and its body: rows -> history.
 
 In: a branch's node in the realtime part, then its probe rows as they come. Out: ``BranchHistory``.
 The newest rows are kept, up to the bounds below.
@@ -27,10 +27,10 @@ from nctakt.results.histories import (
     Times,
 )
 
-#: Changes of truth that are kept for each condition.
+#: Maximum number of changes of truth kept for each condition.
 CHANGES_KEPT = 1000
 
-#: Series of consecutive ticks that are kept for each condition, body and cycle.
+#: Maximum number of series of consecutive ticks kept for each condition, body and cycle.
 SERIES_KEPT = 1000
 
 
@@ -53,7 +53,7 @@ _OPERATORS: dict[type[conditions.Condition], str] = {
 
 
 class SeriesLog:
-    """Begins of series, each with the tick behind the one before -> closed series."""
+    """Begins of series, each with the tick after the previous series -> closed series."""
 
     def __init__(self, first_tick: int | None) -> None:
         self._first_tick = first_tick
@@ -62,12 +62,12 @@ class SeriesLog:
         self._left_out = 0
 
     def begin(self, tick: int, next_tick: int) -> None:
-        """A series begins; the one before ended before ``next_tick``."""
+        """Begin a series; the previous one ended before ``next_tick``."""
         self._close(next_tick)
         self._first_tick = tick
 
     def _close(self, next_tick: int) -> None:
-        """The series that is open ended before ``next_tick``; it may have no tick in this run."""
+        """Close the open series, which ended before ``next_tick``, perhaps before this run."""
         if self._first_tick is not None and next_tick > self._first_tick:
             self._left_out += len(self._kept) == SERIES_KEPT
             self._kept.append(Series(self._first_tick, next_tick - 1))
@@ -75,13 +75,13 @@ class SeriesLog:
         self._first_tick = None
 
     def finish(self, next_tick: int) -> Times:
-        """All series, the last of which ended before ``next_tick``."""
+        """Return all series; the last one ended before ``next_tick``."""
         self._close(next_tick)
         return Times(tuple(self._kept), self._ticks, self._left_out)
 
 
 class TruthCount:
-    """Begins of series and changes of truth -> in how many ticks a condition was false, true."""
+    """Begins of series and changes of truth -> the numbers of ticks with false and with true."""
 
     def __init__(self, first_tick: int | None, truth: bool | None) -> None:
         self._since = first_tick
@@ -89,12 +89,12 @@ class TruthCount:
         self._ticks = [0, 0]
 
     def begin(self, tick: int, next_tick: int) -> None:
-        """A series of evaluations begins; the one before ended before ``next_tick``."""
+        """Begin a series of evaluations; the previous one ended before ``next_tick``."""
         self._close(next_tick)
         self._since = tick
 
     def change(self, tick: int, truth: bool) -> None:
-        """The evaluation in ``tick`` was the first one of this truth."""
+        """Note that the evaluation in ``tick`` was the first with this truth."""
         self._close(tick)
         self._since, self._truth = tick, truth
 
@@ -104,38 +104,38 @@ class TruthCount:
         self._since = None
 
     def finish(self, next_tick: int) -> tuple[int, int]:
-        """Ticks of false and of true evaluations; the last one ended before ``next_tick``."""
+        """Return the ticks with false and with true; the last series ended before ``next_tick``."""
         self._close(next_tick)
         return self._ticks[0], self._ticks[1]
 
 
-def continued(next_tick: int, living_from: int | None) -> int | None:
-    """The first tick of a series that an earlier run has begun and that may go on."""
+def first_tick_of_series(next_tick: int, living_from: int | None) -> int | None:
+    """Return the first tick of a series that an earlier run began, ``None`` if it has ended."""
     return living_from if next_tick == living_from else None
 
 
 class ConditionLog:
     """One condition: its node in the realtime part and its changes of truth.
 
-    ``living_from`` is the run's first tick for one that lives since before it, else ``None``.
+    ``living_from`` is the run's first tick for a condition older than the run, else ``None``.
     """
 
     def __init__(self, node: conditions.Condition, living_from: int | None) -> None:
         self.node = node
         has_truth = living_from is not None and node.truth != codes.UNKNOWN
         self._was_true = node.truth == codes.TRUE if has_truth else None
-        self.truths = TruthCount(continued(node.next_tick, living_from), self._was_true)
+        self.truths = TruthCount(first_tick_of_series(node.next_tick, living_from), self._was_true)
         self._changes: deque[Change] = deque(maxlen=CHANGES_KEPT)
         self._left_out = 0
 
     def change(self, tick: int, truth: bool, left: float, right: float) -> None:
-        """The condition has another truth."""
+        """Note a change of truth and the compared values."""
         self._left_out += len(self._changes) == CHANGES_KEPT
         self._changes.append(Change(tick, truth, left, right))
         self.truths.change(tick, truth)
 
     def history(self, expression: Expression | None, fault_tick: int | None) -> ConditionHistory:
-        """What was gathered; an error broke off the evaluation in ``fault_tick``."""
+        """Return the history; an error broke off the evaluation in ``fault_tick``."""
         node = self.node
         broken_off = fault_tick is not None and node.next_tick == fault_tick + 1
         false_ticks, true_ticks = self.truths.finish(node.next_tick - broken_off)
@@ -157,63 +157,65 @@ class ConditionLog:
 
 
 def _leaves(node: conditions.Condition) -> list[conditions.Condition]:
-    """What ``&&`` and ``||`` combine, in the order of the text."""
+    """Return the operands of ``&&`` and ``||``, in the order of the text."""
     if isinstance(node, conditions.Combination):
         return [*_leaves(node.first), *_leaves(node.second)]
     return [node]
 
 
 class BranchLog:
-    """One branch: its node in the realtime part and what came from it.
+    """One branch: its node in the realtime part and the rows recorded for it.
 
-    ``living_from`` is the run's first tick for a branch that lives since before it, else ``None``.
+    ``living_from`` is the run's first tick for a branch older than the run, else ``None``.
     """
 
-    def __init__(self, built: CycleBranch, living_from: int | None) -> None:
-        node = built.node.condition
-        self._reaction = built.node
+    def __init__(self, branch: CycleBranch, living_from: int | None) -> None:
+        node = branch.node.condition
+        self._reaction = branch.node
         self._condition = ConditionLog(node, living_from)
         self._parts: list[ConditionLog] = []
         if isinstance(node, conditions.Combination):
             self._parts = [ConditionLog(leaf, living_from) for leaf in _leaves(node)]
         self.probe = node.probe
-        self.conditions = {one.node.probe: one for one in (self._condition, *self._parts)}
-        self.evaluated = SeriesLog(continued(node.next_tick, living_from))
-        self.bodies = SeriesLog(continued(built.node.next_tick, living_from))
+        self.conditions = {
+            condition.node.probe: condition for condition in (self._condition, *self._parts)
+        }
+        self.evaluated = SeriesLog(first_tick_of_series(node.next_tick, living_from))
+        self.bodies = SeriesLog(first_tick_of_series(branch.node.next_tick, living_from))
 
     def history(
         self,
-        place: BranchOutline,
+        outline: BranchOutline,
         text: str,
         frozen: Sequence[FrozenValue],
         fault: LifeEvent | None,
     ) -> BranchHistory:
-        """What was gathered; ``text`` is the source line, ``frozen`` what the whole cycle
-        froze.
+        """Return the history of the branch.
 
-        ``fault`` is the error that ended the cycle.
+        ``text`` is the source line, ``frozen`` the asynchronous values of the whole cycle
+        (RC-302), ``fault`` the error that ended the cycle.
         """
         fault_tick = None
-        if fault is not None and begins_at(place.span, fault.span):
+        if fault is not None and begins_at(outline.span, fault.span):
             fault_tick = fault.tick
         node = self._condition.node
-        expressions = [] if place.condition is None else combined(place.condition)
-        places = [access.span for one in expressions for access in accesses_in(one)]
+        expressions = [] if outline.condition is None else combined(outline.condition)
+        spans = [access.span for one in expressions for access in accesses_in(one)]
         return BranchHistory(
-            place.span,
-            place.lines,
+            outline.span,
+            outline.lines,
             text,
-            place.word,
-            place.frequency,
-            place.outer,
-            place.earlier,
-            self._condition.history(place.condition, fault_tick),
+            outline.word,
+            outline.frequency,
+            outline.outer,
+            outline.earlier,
+            self._condition.history(outline.condition, fault_tick),
             tuple(
                 part.history(expression, fault_tick)
                 for part, expression in zip(self._parts, expressions, strict=False)
             ),
             self.evaluated.finish(node.next_tick),
             self.bodies.finish(self._reaction.next_tick),
-            tuple(one for one in frozen if one.span in places),
-            place.commands,
+            tuple(one for one in frozen if one.span in spans),
+            outline.commands,
         )

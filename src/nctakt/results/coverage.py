@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""Which branches of which realtime cycles ran, and how often: of a run, or of many runs together.
+"""Branch coverage of realtime cycles, of one run or of many runs together.
 
 In: the histories of a run (``histories.py``), from the same probes as ``nctakt why``. Out:
 ``Coverage``. All counts are ticks: a realtime cycle runs once in a tick. A definition that was
-executed again and again is one entry, found by its file and line; where its text is another one
-than that of earlier runs, what they know of its file is of no use and is dropped
-(``Coverage.outdated_by``).
+executed repeatedly is one entry, identified by its file and line; if its text has changed since
+earlier runs, their counts for its file are dropped (``Coverage.outdated_by``).
 """
 
 from __future__ import annotations
@@ -18,11 +17,11 @@ from nctakt.base.dataclass import dataclass
 from nctakt.nc.check.branches import BranchWord
 from nctakt.results.histories import BranchHistory, ConditionHistory, CycleHistory
 
-#: What became of a branch: ``ran`` its body did; ``never false`` it did, in each evaluation of a
-#: plain ``$IF`` or ``$ELSEIF``; ``never true`` its condition was evaluated and always false; ``no
-#: rise`` an EDGE that was true all the time, from before the run on; ``fault`` an error broke off
-#: each evaluation; ``not reached`` its condition was never evaluated, or nothing led into its
-#: ``$ELSE``; ``cycle`` its cycle never ran.
+#: The state of a branch: ``ran`` its body ran; ``never false`` its body ran in each evaluation of a
+#: plain ``$IF`` or ``$ELSEIF``; ``never true`` its condition was always false; ``no rise`` its EDGE
+#: was true from before the run on; ``fault`` an error broke off each evaluation; ``not reached``
+#: its condition was never evaluated, or its ``$ELSE`` was never entered; ``cycle`` its cycle never
+#: ran.
 BranchState = Literal[
     "ran", "never false", "never true", "no rise", "fault", "not reached", "cycle"
 ]
@@ -33,7 +32,7 @@ _RAN = ("ran", "never false")
 
 @dataclass(frozen=True, slots=True)
 class NearestMiss:
-    """What a condition compared when it came nearest to being true."""
+    """The compared values at which a condition came nearest to being true."""
 
     left: float
     right: float
@@ -42,10 +41,10 @@ class NearestMiss:
 
 @dataclass(frozen=True, slots=True)
 class ConditionCounts:
-    """A condition, or a part of one that ``&&`` or ``||`` combines: ticks in which it was … .
+    """Ticks in which a condition, or an operand of its ``&&`` or ``||``, was true and false.
 
-    ``operator`` is that of its comparison, empty for a value alone. ``nearest`` is ``None`` once it
-    was true, or where it was never evaluated.
+    ``operator`` is that of its comparison, empty for a single value. ``nearest`` is ``None`` once
+    it was true, and if it was never evaluated.
     """
 
     text: str
@@ -55,21 +54,21 @@ class ConditionCounts:
     nearest: NearestMiss | None = None
 
     def plus(self, other: ConditionCounts) -> ConditionCounts:
-        """The sum of two runs."""
+        """Return the sum of two runs."""
         true = self.true + other.true
         misses = [one.nearest for one in (self, other) if one.nearest is not None]
         nearest = None if true or not misses else min(misses, key=lambda one: one.distance)
-        known = self if self.true or self.false else other
-        return replace(known, true=true, false=self.false + other.false, nearest=nearest)
+        evaluated = self if self.true or self.false else other
+        return replace(evaluated, true=true, false=self.false + other.false, nearest=nearest)
 
 
 @dataclass(frozen=True, slots=True)
 class BranchCounts:
-    """One branch: in how many ticks its condition was evaluated and its body ran.
+    """One branch: the ticks in which its condition was evaluated and its body ran.
 
-    ``outer`` is the position of the branch around it; ``lines`` are its own and those of the
-    statements in its body that stand in no further branch. ``parts`` are what ``&&`` and ``||``
-    combine. An evaluation that an error broke off is neither true nor false.
+    ``outer`` is the index of the branch around it; ``lines`` are its own and those of the
+    statements in its body outside of inner branches. ``parts`` are the operands of ``&&`` and
+    ``||``. An evaluation that an error broke off is neither true nor false.
     """
 
     line: int
@@ -85,7 +84,7 @@ class BranchCounts:
     parts: tuple[ConditionCounts, ...] = ()
 
     def plus(self, other: BranchCounts) -> BranchCounts:
-        """The sum of two runs."""
+        """Return the sum of two runs."""
         return replace(
             self,
             evaluated=self.evaluated + other.evaluated,
@@ -97,10 +96,10 @@ class BranchCounts:
 
 @dataclass(frozen=True, slots=True)
 class CycleCounts:
-    """One definition: ``instances`` is how often it was executed, ``runs`` its run-throughs.
+    """One definition: the number of its ``instances`` and of their run-throughs, ``runs``.
 
-    ``name`` and ``scope`` are those of its first instance, empty where there was none. ``source``
-    are its lines, the first one in ``line``; ``outside`` those that stand in no branch.
+    ``name`` and ``scope`` are those of its first instance, empty without one. ``source`` are its
+    lines, which begin at ``line``; ``outside`` those outside of all branches.
     """
 
     file: str
@@ -114,22 +113,22 @@ class CycleCounts:
     branches: tuple[BranchCounts, ...]
 
     def plus(self, other: CycleCounts) -> CycleCounts:
-        """The sum of two instances or runs."""
-        named = self if self.instances else other
+        """Return the sum of two instances or runs."""
+        executed = self if self.instances else other
         return replace(
             self,
-            name=named.name,
-            scope=named.scope,
+            name=executed.name,
+            scope=executed.scope,
             instances=self.instances + other.instances,
             runs=self.runs + other.runs,
             branches=tuple(
-                one.plus(another)
-                for one, another in zip(self.branches, other.branches, strict=True)
+                branch.plus(other_branch)
+                for branch, other_branch in zip(self.branches, other.branches, strict=True)
             ),
         )
 
     def state(self, branch: BranchCounts) -> BranchState:
-        """What became of one of its branches."""
+        """Return the state of one of its branches."""
         if branch.bodies:
             is_plain = not branch.frequency and branch.word != "$ELSE"
             return "never false" if is_plain and not branch.condition.false else "ran"
@@ -143,7 +142,7 @@ class CycleCounts:
 
     @property
     def ran(self) -> int:
-        """How many of its branches ran."""
+        """The number of its branches that ran."""
         return sum(branch.bodies > 0 for branch in self.branches)
 
 
@@ -156,25 +155,27 @@ class Coverage:
 
     @property
     def branches(self) -> int:
-        """How many branches there are."""
-        return sum(len(one.branches) for one in self.cycles)
+        """The number of branches."""
+        return sum(len(cycle.branches) for cycle in self.cycles)
 
     @property
     def ran(self) -> int:
-        """How many of them ran."""
-        return sum(one.ran for one in self.cycles)
+        """The number of branches that ran."""
+        return sum(cycle.ran for cycle in self.cycles)
 
     @property
     def percent(self) -> float:
-        """The share of branches that ran; 100 where there are none."""
+        """The percentage of branches that ran; 100 without branches."""
         return 100.0 * self.ran / self.branches if self.branches else 100.0
 
     def count(self, state: BranchState) -> int:
-        """How many branches are in this state."""
-        return sum(one.state(branch) == state for one in self.cycles for branch in one.branches)
+        """Return the number of branches in this state."""
+        return sum(
+            cycle.state(branch) == state for cycle in self.cycles for branch in cycle.branches
+        )
 
     def outdated_by(self, other: Coverage) -> tuple[str, ...]:
-        """The files whose realtime cycles have another text in ``other``, or stand elsewhere.
+        """Return the files whose realtime cycles have changed or moved in ``other``.
 
         A run may know only some cycles of a file: GLOBAL ones that an earlier run has begun.
         """
@@ -189,28 +190,28 @@ class Coverage:
         return tuple(outdated)
 
     def by_file(self) -> dict[str, dict[int, tuple[str, ...]]]:
-        """The text of each definition and where its branches stand, by file and line."""
-        found: dict[str, dict[int, tuple[str, ...]]] = {}
-        for one in self.cycles:
-            shape = tuple(f"{branch.line} {branch.word}" for branch in one.branches)
-            found.setdefault(one.file, {})[one.line] = (*one.source, *shape)
-        return found
+        """Return the text of each definition and the lines of its branches, by file and line."""
+        texts: dict[str, dict[int, tuple[str, ...]]] = {}
+        for cycle in self.cycles:
+            shape = tuple(f"{branch.line} {branch.word}" for branch in cycle.branches)
+            texts.setdefault(cycle.file, {})[cycle.line] = (*cycle.source, *shape)
+        return texts
 
     def plus(self, other: Coverage) -> Coverage:
-        """Both together; of a file whose text has changed only ``other`` counts."""
+        """Return the sum of both; for a file that has changed only ``other`` counts."""
         outdated = self.outdated_by(other)
-        kept = [one for one in self.cycles if one.file not in outdated]
-        return Coverage(added([*kept, *other.cycles]), self.runs + other.runs)
+        current = [cycle for cycle in self.cycles if cycle.file not in outdated]
+        return Coverage(add_up([*current, *other.cycles]), self.runs + other.runs)
 
     def renamed(self, name_of: Callable[[str], str | None]) -> Coverage:
-        """With other names of files; what has no name is left out."""
-        named = [(name_of(one.file), one) for one in self.cycles]
-        cycles = [replace(one, file=name) for name, one in named if name is not None]
-        return Coverage(added(cycles), self.runs)
+        """Return the coverage with other names of files, without files that have no new name."""
+        cycles_by_name = [(name_of(cycle.file), cycle) for cycle in self.cycles]
+        cycles = [replace(cycle, file=name) for name, cycle in cycles_by_name if name is not None]
+        return Coverage(add_up(cycles), self.runs)
 
 
-def counts_of(history: CycleHistory, source: tuple[str, ...]) -> CycleCounts:
-    """The counts of one instance of a definition, or of one that was not reached."""
+def cycle_counts(history: CycleHistory, source: tuple[str, ...]) -> CycleCounts:
+    """Return the counts of one instance of a definition, or of a definition without one."""
     return CycleCounts(
         history.span.file,
         history.span.line,
@@ -220,7 +221,7 @@ def counts_of(history: CycleHistory, source: tuple[str, ...]) -> CycleCounts:
         history.lines,
         1 if history.life else 0,
         history.runs.ticks,
-        tuple(_branch(one) for one in history.branches),
+        tuple(_branch(branch) for branch in history.branches),
     )
 
 
@@ -253,16 +254,16 @@ def _condition(history: ConditionHistory) -> ConditionCounts:
 def _sums(
     first: Sequence[ConditionCounts], second: Sequence[ConditionCounts]
 ) -> tuple[ConditionCounts, ...]:
-    """Part by part; a definition that was not reached knows none."""
+    """Return the sums part by part; a definition without an instance has no parts."""
     if len(first) != len(second):
         return tuple(first if len(first) > len(second) else second)
-    return tuple(one.plus(another) for one, another in zip(first, second, strict=True))
+    return tuple(part.plus(other_part) for part, other_part in zip(first, second, strict=True))
 
 
-def added(cycles: Iterable[CycleCounts]) -> tuple[CycleCounts, ...]:
-    """One entry for each definition, in the order of their places."""
-    found: dict[tuple[str, int], CycleCounts] = {}
-    for one in cycles:
-        place = (one.file, one.line)
-        found[place] = found[place].plus(one) if place in found else one
-    return tuple(found[place] for place in sorted(found))
+def add_up(cycles: Iterable[CycleCounts]) -> tuple[CycleCounts, ...]:
+    """Return the counts added up by definition, in the order of file and line."""
+    totals: dict[tuple[str, int], CycleCounts] = {}
+    for cycle in cycles:
+        key = (cycle.file, cycle.line)
+        totals[key] = totals[key].plus(cycle) if key in totals else cycle
+    return tuple(totals[key] for key in sorted(totals))

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Branch coverage in files: JSON, from which it is read again, and LCOV for other tools.
+"""Branch coverage in files: JSON, which nctakt reads again, and LCOV for other tools.
 
-In: ``Coverage``. Out: texts of files, the same for the same coverage; or the way back. JSON keys
-are those of the classes in ``coverage.py``; ``ran`` and ``state`` are told for readers and
-not read.
+In: ``Coverage``. Out: texts of files, the same for the same coverage; or the reverse. The JSON keys
+are the fields of the classes in ``coverage.py``; ``ran`` and ``state`` are for readers and are not
+read back.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ from nctakt.results.coverage import (
     NearestMiss,
 )
 
-#: The number of this form; another one is not read.
+#: Version of the file format; no other version is read.
 FORM = 1
 
 _FORM_KEY = "nctakt-coverage"
@@ -36,13 +36,13 @@ _T = TypeVar("_T")
 
 
 def as_json(coverage: Coverage) -> str:
-    """The whole coverage, ASCII."""
+    """Return the whole coverage as JSON in ASCII."""
     document = {
         _FORM_KEY: FORM,
         "runs": coverage.runs,
         "branches": coverage.branches,
         "ran": coverage.ran,
-        "cycles": [_cycle_out(one) for one in coverage.cycles],
+        "cycles": [_cycle_out(cycle) for cycle in coverage.cycles],
     }
     return json.dumps(document, indent=1) + "\n"
 
@@ -55,7 +55,7 @@ def _cycle_out(cycle: CycleCounts) -> dict[str, object]:
 
 
 def from_json(file: str, text: str) -> Coverage:
-    """What ``as_json`` wrote; an empty text is no coverage yet. Raises ``Failure`` (900801)."""
+    """Return the coverage in a text of ``as_json``; empty text: none yet; ``Failure`` (900801)."""
     if not text.strip():
         return Coverage()
     try:
@@ -79,14 +79,14 @@ def _cycle_in(read: Any) -> CycleCounts:
         _count(read["runs"]),
         _each(read["branches"], _branch_in),
     )
-    for place, branch in enumerate(cycle.branches):  # what is around a branch stands before it
-        if branch.outer is not None and branch.outer >= place:
+    for index, branch in enumerate(cycle.branches):  # an outer branch comes before its inner ones
+        if branch.outer is not None and branch.outer >= index:
             raise ValueError(branch.outer)
     return cycle
 
 
 def _branch_in(read: Any) -> BranchCounts:
-    (word,) = (one for one in get_args(BranchWord) if one == read["word"])
+    (word,) = (word for word in get_args(BranchWord) if word == read["word"])
     return BranchCounts(
         _count(read["line"]),
         _count(read["column"]),
@@ -116,10 +116,10 @@ def _condition_in(read: Any) -> ConditionCounts:
 _MISS = ("left", "right", "distance")
 
 
-def _each(read: object, one_in: Callable[[Any], _T]) -> tuple[_T, ...]:
+def _each(read: object, item_in: Callable[[Any], _T]) -> tuple[_T, ...]:
     if not isinstance(read, list):
         raise TypeError(read)
-    return tuple(one_in(one) for one in read)
+    return tuple(item_in(item) for item in read)
 
 
 def _text(read: object) -> str:
@@ -138,20 +138,20 @@ def _count(read: object) -> int:
 
 
 def as_lcov(coverage: Coverage) -> str:
-    """A tracefile as ``genhtml`` and code hosts read it.
+    """Return a tracefile for ``genhtml`` and code hosts.
 
-    A line's count is that of the ticks in which it ran. Each condition has two branches: its body,
-    and that it was false; an ``$ELSE`` has no condition, and no branch of its own.
+    A line's count is the number of ticks in which it ran. Each condition has two branches, true and
+    false; an ``$ELSE`` has no condition and so no branch of its own.
     """
     lines: list[str] = []
     for file in dict.fromkeys(one.file for one in coverage.cycles):
         cycles = [one for one in coverage.cycles if one.file == file]
         lines += ["TN:", f"SF:{file}"]
-        taken = [both for one in cycles for both in _lcov_branches(one)]
-        lines += [f"BRDA:{line},0,{number},{count}" for line, number, count in taken]
-        ran = sum(count not in ("-", "0") for _, _, count in taken)
-        lines += [f"BRF:{len(taken)}", f"BRH:{ran}"]
-        counts = sorted(pair for one in cycles for pair in _line_counts(one).items())
+        branches = [branch for cycle in cycles for branch in _lcov_branches(cycle)]
+        lines += [f"BRDA:{line},0,{number},{count}" for line, number, count in branches]
+        ran = sum(count not in ("-", "0") for _, _, count in branches)
+        lines += [f"BRF:{len(branches)}", f"BRH:{ran}"]
+        counts = sorted(count for cycle in cycles for count in _line_counts(cycle).items())
         lines += [f"DA:{line},{count}" for line, count in counts]
         hit = sum(count > 0 for _, count in counts)
         lines += [f"LF:{len(counts)}", f"LH:{hit}", "end_of_record"]
@@ -159,7 +159,7 @@ def as_lcov(coverage: Coverage) -> str:
 
 
 def _lcov_branches(cycle: CycleCounts) -> Iterator[tuple[int, int, str]]:
-    """Line, number of the branch in it, how often it was taken (``-``: its line never ran)."""
+    """Yield the line, the branch's number in it, and its count (``-``: its line never ran)."""
     numbers: dict[int, int] = {}
     for branch in cycle.branches:
         if branch.word == "$ELSE":
@@ -171,7 +171,7 @@ def _lcov_branches(cycle: CycleCounts) -> Iterator[tuple[int, int, str]]:
 
 
 def _line_counts(cycle: CycleCounts) -> dict[int, int]:
-    """How often each line ran; that of a condition, how often it was reached."""
+    """Return the count of each line; of a line with a condition how often it was reached."""
     counts = dict.fromkeys(cycle.outside, cycle.runs)
     for branch in cycle.branches:
         counts |= dict.fromkeys(branch.lines, branch.bodies)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Branch coverage as text: a table of the branches, or the source lines with their counts.
 
-In: ``Coverage``, language. Out: lines; those of what never ran are marked with ``!``, those of a
-plain condition that was never false with ``~``.
+In: ``Coverage``, language. Out: lines; a line that never ran is marked with ``!``, a plain
+condition that was never false with ``~``.
 """
 
 from __future__ import annotations
@@ -54,7 +54,7 @@ _LEGEND = Text(
 )
 
 _MARKS: dict[BranchState, str] = {"ran": " ", "never false": "~"}
-#: Widths of line, evaluated, true, false, body.
+#: Widths of the columns line, evaluated, true, false, body.
 _WIDTHS = (6, 12, 9, 9, 9)
 
 
@@ -66,11 +66,11 @@ class CoverageText:
         self._language = language
 
     def table(self) -> str:
-        """Each branch with its counts, and why it did not run."""
+        """Return each branch with its counts, and the reason if it did not run."""
         return self._joined(self._table)
 
     def source(self) -> str:
-        """The lines of each definition with the counts of their branches."""
+        """Return the lines of each definition with the counts of their branches."""
         return self._joined(self._source, self._get(_LEGEND))
 
     def _joined(self, lines_of: Callable[[CycleCounts], Iterator[str]], legend: str = "") -> str:
@@ -103,10 +103,10 @@ class CoverageText:
         return ", ".join(facts)
 
     def _total(self) -> str:
-        whole = self._coverage
-        percent = number_text(round(whole.percent, 1))
+        coverage = self._coverage
+        percent = number_text(round(coverage.percent, 1))
         return self._get(
-            _TOTAL, count=whole.ran, all=whole.branches, percent=percent, runs=whole.runs
+            _TOTAL, count=coverage.ran, all=coverage.branches, percent=percent, runs=coverage.runs
         )
 
     def _columns(self) -> str:
@@ -141,7 +141,7 @@ class CoverageText:
         return f"{text}, {nearest}" if nearest else text
 
     def _nearest(self, condition: ConditionCounts) -> str:
-        """How near a condition that was never true came; nothing where it combines others."""
+        """Return how near to true a condition came; empty for a combination of conditions."""
         miss = condition.nearest
         if miss is None or condition.operator in ("&&", "||"):
             return ""
@@ -159,31 +159,31 @@ class CoverageText:
             yield f"{counts.get(line) or _row(' ', line, _NO_COUNTS)}  {text}".rstrip()
 
     def _line_counts(self, cycle: CycleCounts) -> dict[int, str]:
-        """What stands in front of each line that runs; several branches in a line share it."""
-        found: dict[int, str] = {}
+        """Return the head of each line that can run; several branches in a line share it."""
+        heads: dict[int, str] = {}
         ran = "!" if not cycle.runs else " "
         for line in cycle.outside:
-            found[line] = _row(ran, line, ("", "", "", str(cycle.runs)))
+            heads[line] = _row(ran, line, ("", "", "", str(cycle.runs)))
         for branch in cycle.branches:
             mark = _MARKS.get(cycle.state(branch), "!")
             body_mark = " " if branch.bodies else "!"
             for line in branch.lines:
-                found[line] = _row(body_mark, line, ("", "", "", str(branch.bodies)))
-            found[branch.line] = _row(mark, branch.line, _counts(branch))
-        return found
+                heads[line] = _row(body_mark, line, ("", "", "", str(branch.bodies)))
+            heads[branch.line] = _row(mark, branch.line, _counts(branch))
+        return heads
 
 
 _NO_COUNTS = ("", "", "", "")
 
 
 def _counts(branch: BranchCounts) -> tuple[str, str, str, str]:
-    """Evaluated, true, false, body; ``$ELSE`` has no condition."""
+    """Return the cells evaluated, true, false, body; the first three are empty for ``$ELSE``."""
     if branch.word == "$ELSE":
         return ("", "", "", str(branch.bodies))
     condition = branch.condition
     counts = (branch.evaluated, condition.true, condition.false, branch.bodies)
-    one, two, three, four = map(str, counts)
-    return one, two, three, four
+    evaluated, true, false, bodies = map(str, counts)
+    return evaluated, true, false, bodies
 
 
 def _row(mark: str, line: int, counts: tuple[str, str, str, str]) -> str:

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""What realtime cycles and their conditions did in a run, as data.
+"""The histories of realtime cycles and their conditions in a run, as data.
 
-Made by ``probe_log.py`` from what the realtime part recorded, read by ``reasons.py`` and
-``why_text.py``. Ticks count from the controller's start (RC-001). Bounds keep memory constant over
-a long run: where one was reached, ``left_out`` says how much older was dropped.
+Built by ``probe_log.py`` from the rows of the realtime part, read by ``reasons.py`` and
+``why_text.py``. Ticks count from the controller's start (RC-001). Bounds keep the memory constant
+over a long run: ``left_out`` is the number of older entries that were dropped.
 """
 
 from __future__ import annotations
@@ -15,16 +15,16 @@ from nctakt.base.diagnostics import Span
 from nctakt.decoder.cycles.builder import FrozenValue
 from nctakt.nc.check.branches import BranchWord
 
-#: Why a branch's body, or a cycle, did not run.
+#: The reason why a cycle or the body of a branch did not run.
 #:
-#: Of a cycle: ``undefined`` its definition was not taken; ``unstarted`` no START; ``waiting`` for
-#: the block of scope BLOCK; ``held``; ``ended``; ``stopped`` by the fault of another cycle in this
-#: tick; ``reset`` while the channel was reset.
+#: Of a cycle: ``undefined`` its definition was not executed; ``unstarted`` no START; ``waiting``
+#: for the block of scope BLOCK; ``held``; ``ended``; ``stopped`` by the fault of another cycle in
+#: this tick; ``reset`` while the channel was reset.
 #:
 #: Of a branch: ``cycle`` its cycle did not run; ``outer`` the branch around it did not run;
 #: ``earlier`` a branch before it in the same ``$IF`` ran; ``false`` its condition was false;
-#: ``no rise`` an EDGE whose condition was true before already; ``done`` a ONCE that has run;
-#: ``fault`` its cycle was ended by an error before; ``forgotten`` too long ago to be known.
+#: ``no rise`` an EDGE whose condition had been true before; ``done`` a ONCE that has run;
+#: ``fault`` an error ended its cycle before; ``forgotten`` the history does not reach back so far.
 ReasonKind = Literal[
     "undefined",
     "unstarted",
@@ -49,7 +49,7 @@ EndedBy = Literal["", "scope", "program", "delete", "reset", "error"]
 
 @dataclass(frozen=True, slots=True)
 class Series:
-    """Consecutive ticks, both ends included."""
+    """Consecutive ticks, first and last included."""
 
     first_tick: int
     last_tick: int
@@ -57,9 +57,9 @@ class Series:
 
 @dataclass(frozen=True, slots=True)
 class Times:
-    """In which ticks something happened: series in their order, the newest ``SERIES_KEPT``.
+    """The ticks in which something happened, as series in their order, the newest ``SERIES_KEPT``.
 
-    ``ticks`` is the number of all ticks, those of the ``left_out`` older series included.
+    ``ticks`` is the number of all ticks, including those of the ``left_out`` older series.
     """
 
     series: tuple[Series, ...] = ()
@@ -67,18 +67,18 @@ class Times:
     left_out: int = 0
 
     def holds(self, tick: int) -> bool | None:
-        """Whether it happened in that tick; ``None`` where that was dropped."""
+        """Return whether it happened in this tick; ``None`` if that was dropped."""
         if self.left_out and tick < self.series[0].first_tick:
             return None
-        return any(one.first_tick <= tick <= one.last_tick for one in self.series)
+        return any(series.first_tick <= tick <= series.last_tick for series in self.series)
 
 
 @dataclass(frozen=True, slots=True)
 class Change:
-    """A condition became true or false, or was evaluated for the first time (since START).
+    """A change of a condition to true or false, or its first evaluation (since START).
 
-    ``left`` and ``right`` are what it compared; a condition that compares nothing has its value and
-    0.5 (RC-202).
+    ``left`` and ``right`` are the compared values; a condition without a comparison has its value
+    and 0.5 (RC-202).
     """
 
     tick: int
@@ -89,9 +89,9 @@ class Change:
 
 @dataclass(frozen=True, slots=True)
 class Nearest:
-    """The evaluation in which a condition that was never true came nearest to it, the first such.
+    """The first evaluation in which a condition that was never true came nearest to being true.
 
-    ``distance`` is that of the two sides.
+    ``distance`` is the difference of the compared values.
     """
 
     tick: int
@@ -102,12 +102,12 @@ class Nearest:
 
 @dataclass(frozen=True, slots=True)
 class Reason:
-    """Why something did not run; which fields are meant depends on ``kind``.
+    """The reason why a cycle or a branch did not run; the fields in use depend on ``kind``.
 
-    ``tick``: since when or at which tick. ``span``: the command that did it. ``branch``: the branch
-    that is to blame, by its position in the cycle. ``change``: what the condition saw last.
-    ``nearest``: what it saw when it came nearest. ``ended_by``: what ended the cycle. ``cycle``:
-    for ``cycle`` why it did not run. ``number``: of the error.
+    ``tick``: since which or at which tick. ``span``: the responsible command. ``branch``: the
+    responsible branch, by its index in the cycle. ``change``: the last change of the condition.
+    ``nearest``: its evaluation nearest to true. ``ended_by``: the end of the cycle. ``cycle``: the
+    reason of the cycle, for the kind ``cycle``. ``number``: of the error.
     """
 
     kind: ReasonKind
@@ -123,9 +123,9 @@ class Reason:
 
 @dataclass(frozen=True, slots=True)
 class LifeEvent:
-    """One step in a cycle's life: ``span`` is the command; ``number`` that of an error.
+    """A step in a cycle's life: ``span`` is the command; ``number`` the number of an error.
 
-    ``living`` stands for what an earlier run of the controller had begun.
+    The kind ``living`` stands for a cycle that an earlier run of the controller began.
     """
 
     tick: int
@@ -137,13 +137,13 @@ class LifeEvent:
 
 @dataclass(frozen=True, slots=True)
 class ConditionHistory:
-    """A condition, or a part of one that ``&&`` or ``||`` combines.
+    """A condition, or an operand of its ``&&`` or ``||``.
 
-    ``operator`` is that of the comparison, ``&&`` or ``||``, empty for a value alone. ``changes``
+    ``operator`` is that of the comparison, ``&&`` or ``||``, empty for a single value. ``changes``
     are its changes of truth, the newest ``CHANGES_KEPT``. ``was_true``: its truth before the run,
-    ``None`` when it had none. ``nearest``: ``None`` if it was true once or never evaluated.
-    ``true_ticks`` and ``false_ticks`` count the evaluations of the whole run by what they gave; one
-    that an error broke off gave nothing.
+    ``None`` without one. ``nearest``: ``None`` if it was true once or never evaluated.
+    ``true_ticks`` and ``false_ticks`` count the evaluations of the whole run by their result; an
+    evaluation that an error broke off has none.
     """
 
     text: str = ""
@@ -160,11 +160,11 @@ class ConditionHistory:
 class BranchHistory:
     """One branch of a cycle; the condition of ``$ELSE`` is empty.
 
-    ``text`` is its source line without blanks around. ``outer`` and ``earlier`` are positions
-    in the cycle's branches. ``parts`` are what ``&&`` and ``||`` combine in the condition. In the
-    ticks ``evaluated`` the condition was, in the ticks ``bodies`` the body ran. ``frozen`` are the
-    asynchronous values in the condition (RC-302). ``commands`` are the statements of the body that
-    stand in no further branch.
+    ``text`` is its source line without surrounding blanks. ``outer`` and ``earlier`` are indices
+    of the cycle's branches. ``parts`` are the operands of ``&&`` and ``||`` in the condition.
+    ``evaluated`` are the ticks in which the condition was evaluated, ``bodies`` those in which the
+    body ran. ``frozen`` are the asynchronous values in the condition (RC-302). ``commands`` are the
+    statements of the body outside of inner branches.
     """
 
     span: Span
@@ -184,12 +184,12 @@ class BranchHistory:
 
 @dataclass(frozen=True, slots=True)
 class CycleHistory:
-    """One realtime cycle of the run, or a definition that the run did not reach (``life`` empty).
+    """A realtime cycle of the run, or a definition that the run did not reach (``life`` empty).
 
     ``name`` is its ID, ``#1`` without one, empty for an unreached definition. ``lines`` are those
-    that stand in no branch. ``stops`` are faults of other cycles in whose tick it may not have run:
-    tick, place and number. ``shown`` are the branches that were asked for. ``end_line`` is that of
-    its ``#RT CYCLE END``.
+    outside of all branches. ``stops`` are faults of other cycles in whose tick it may not have run:
+    tick, position and number. ``shown`` are the indices of the selected branches. ``end_line`` is
+    the line of its ``#RT CYCLE END``.
     """
 
     name: str

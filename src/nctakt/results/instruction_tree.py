@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""A realtime cycle as the tree of its elementary instructions, for people (RC-501, RC-302).
+"""A realtime cycle as the tree of its elementary instructions, for readers (RC-501, RC-302).
 
-In: the definition that was built: its checked tree and the values that were frozen into it. Out:
-statements in their order, each with the nodes that are counted when it runs. Each operator,
-function, variable access, assignment, condition and action counts 1, constants are free; a frozen
-variable is one access, whatever its indices were. How the realtime part fuses nodes does not show.
+In: a definition: its checked tree and its frozen values. Out: statements in their order, each with
+the nodes that are counted when it runs. Each operator, function, variable access, assignment,
+condition and action counts 1, constants count 0; a frozen variable is one access, whatever its
+indices were. The nodes that the realtime part fuses are listed separately.
 """
 
 from __future__ import annotations
@@ -23,9 +23,9 @@ from nctakt.trace.events import number_text
 
 @dataclass(frozen=True, slots=True)
 class Instruction:
-    """A node: its text, its own count (0 for a constant), how deep it stands in its statement.
+    """A node: its text, its own count (0 for a constant), its depth in its statement.
 
-    ``is_frozen``: an asynchronous variable, whose text tells the value that stands in its place.
+    ``is_frozen``: an asynchronous variable; its text includes its frozen value (RC-302).
     """
 
     text: str
@@ -36,7 +36,7 @@ class Instruction:
 
 @dataclass(frozen=True, slots=True)
 class ListedStatement:
-    """A statement or a branch of an ``$IF``, ``depth`` structures deep in the cycle."""
+    """A statement or a branch of an ``$IF``; ``depth`` is the number of structures around it."""
 
     line: int
     depth: int
@@ -45,28 +45,28 @@ class ListedStatement:
 
     @property
     def count(self) -> int:
-        """Elementary instructions that are added each time it is reached."""
-        return sum(one.count for one in self.instructions)
+        """The elementary instructions counted each time it is reached."""
+        return sum(instruction.count for instruction in self.instructions)
 
 
 @dataclass(frozen=True, slots=True)
 class ListedCycle:
-    """A realtime cycle: all its statements; ``most`` is what one run-through can cost at most."""
+    """A realtime cycle: all its statements; ``max_count`` is the most that a run-through costs."""
 
     text: str
     span: Span
     statements: tuple[ListedStatement, ...]
-    most: int
+    max_count: int
     frozen: tuple[FrozenValue, ...]
 
     @property
     def count(self) -> int:
-        """Elementary instructions of all statements."""
-        return sum(one.count for one in self.statements)
+        """The elementary instructions of all statements."""
+        return sum(statement.count for statement in self.statements)
 
 
 def list_cycle(definition: CycleDefinition) -> ListedCycle:
-    """The listing of a built cycle."""
+    """Return the listing of a cycle."""
     lister = _Lister(definition.frozen)
     most = lister.sequence(definition.statement.body, 0)
     text = next(print_statement(dataclasses.replace(definition.statement, body=())))
@@ -74,14 +74,14 @@ def list_cycle(definition: CycleDefinition) -> ListedCycle:
 
 
 class _Lister:
-    """Gathers the statements of one cycle; its methods give the most that a run can cost."""
+    """Gathers the statements of a cycle; its methods return the maximum cost of a run-through."""
 
     def __init__(self, frozen: Sequence[FrozenValue]) -> None:
         self.listed: list[ListedStatement] = []
-        self._frozen = {one.span: one for one in frozen}
+        self._frozen = {value.span: value for value in frozen}
 
     def sequence(self, statements: Sequence[tree.Statement], depth: int) -> int:
-        """Statements one after another."""
+        """Add statements in their order and return the sum of their maximum costs."""
         return sum(self._statement(statement, depth) for statement in statements)
 
     def _statement(self, statement: tree.Statement, depth: int) -> int:
@@ -96,7 +96,7 @@ class _Lister:
         return listed.count
 
     def _if(self, statement: tree.If, depth: int) -> int:
-        """All conditions up to the branch whose way costs most, and its body."""
+        """Add all branches and return the cost of the most expensive one with all conditions."""
         frequency = f" {statement.frequency}" if statement.frequency else ""
         asked = self._condition(statement.span, depth, f"$IF{frequency}", statement.condition)
         most = asked + self.sequence(statement.body, depth + 1)
@@ -127,14 +127,14 @@ class _Lister:
                 yield from self._action(words.strip(), statement)
 
     def _action(self, text: str, node: tree.Node) -> Iterator[Instruction]:
-        """One instruction, below it what is computed for it in the tick."""
+        """Yield an instruction, below it the expressions evaluated for it in the tick."""
         yield Instruction(text, 1, 0)
         for expression in _expressions(node):
             if not isinstance(expression, tree.Number | tree.Name):
                 yield from self._expression(expression, 1)
 
     def _assignment(self, node: tree.Assignment) -> Iterator[Instruction]:
-        """Store; below it the indices of the target and the value."""
+        """Yield the assignment, below it the indices of the target and the value."""
         assert isinstance(node.target, tree.Variable)
         indices = indices_of(node.target)
         yield from self._above(f"store {format_expression(node.target)}", 0, *indices)
@@ -144,7 +144,7 @@ class _Lister:
             yield from self._above(node.operator[0], 1, node.target, node.value)
 
     def _above(self, text: str, depth: int, *operands: tree.Expression) -> Iterator[Instruction]:
-        """A node and its operands."""
+        """Yield a node and its operands."""
         yield Instruction(text, 1, depth)
         for operand in operands:
             yield from self._expression(operand, depth + 1)
@@ -168,12 +168,12 @@ class _Lister:
 
 
 def _bare(statement: tree.Statement) -> tree.Statement:
-    """The statement without block number and label."""
+    """Return the statement without block number and label."""
     return dataclasses.replace(statement, head=tree.NO_HEAD)
 
 
 def _expressions(node: tree.Node) -> Iterator[tree.Expression]:
-    """The outermost expressions in a node, in their order."""
+    """Yield the outermost expressions in a node, in their order."""
     for field in dataclasses.fields(node):
         value = getattr(node, field.name)
         for item in value if isinstance(value, tuple) else (value,):

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Realtime cycles as text: ``nctakt list`` (RC-302, RC-501).
 
-In: definitions in the order in which the decoder met them. Out: lines: for each cycle its counts
-and what was frozen into it, then its statements, each with its elementary instructions below it.
-A definition that the decoder meets again is listed once; what was frozen into it is told each time.
+In: definitions in the order in which the decoder reached them. Out: lines: for each cycle its
+counts and its frozen values, then its statements, each with its elementary instructions below it.
+A definition that is reached again is listed once; its frozen values are listed each time.
 """
 
 from __future__ import annotations
@@ -29,18 +29,18 @@ _STEP = "  "
 
 
 class Listing:
-    """Makes the lines of one definition after another."""
+    """Lists one definition after another."""
 
     def __init__(self, language: Language) -> None:
         self._language = language
         self._listed: dict[Span, str] = {}
 
     def lines(self, name: str, definition: CycleDefinition, memory_bytes: int) -> Iterator[str]:
-        """The lines of a cycle; ``memory_bytes`` is what it takes of P-CHAN-00407."""
+        """Yield the lines of a cycle; ``memory_bytes`` is its share of P-CHAN-00407."""
         cycle = list_cycle(definition)
-        place = f"{cycle.span.file}:{cycle.span.line}"
-        yield self._text(_HEAD, name=name, place=place)
-        counts = {"count": cycle.count, "most": cycle.most, "bytes": memory_bytes}
+        position = f"{cycle.span.file}:{cycle.span.line}"
+        yield self._text(_HEAD, name=name, place=position)
+        counts = {"count": cycle.count, "most": cycle.max_count, "bytes": memory_bytes}
         yield _STEP + self._text(_SIZE, **counts)
         if cycle.frozen:
             yield _STEP + self._text(_FROZEN, values=self._frozen(cycle))
@@ -57,13 +57,13 @@ class Listing:
     def _frozen(self, cycle: ListedCycle) -> str:
         return ", ".join(
             self._text(
-                _FROZEN_VALUE, name=one.name, value=number_text(one.value), line=one.span.line
+                _FROZEN_VALUE, name=value.name, value=number_text(value.value), line=value.span.line
             )
-            for one in cycle.frozen
+            for value in cycle.frozen
         )
 
     def _table(self, cycle: ListedCycle) -> Iterator[str]:
-        """Line, count of the statement, count of the node, text."""
+        """Yield the rows: line, count of the statement, count of the node, text."""
         line_head, count_head = (head.get(self._language) for head in _COLUMNS)
         widths = (max(6, len(line_head)), max(6, len(count_head)))
         yield f"{line_head:>{widths[0]}}  {count_head:>{widths[1]}}"
@@ -78,11 +78,11 @@ class Listing:
                 yield f"{'':>{widths[0]}}  {'':>{widths[1]}}  {indent}{_STEP}{line}"
 
     def _nodes(self, statement: ListedStatement) -> Iterator[str]:
-        """The nodes of a statement; none where it is a single one itself."""
+        """Yield the nodes of a statement; none for a statement of a single node."""
         if len(statement.instructions) < 2 and not any(
-            one.is_frozen for one in statement.instructions
+            instruction.is_frozen for instruction in statement.instructions
         ):
             return
-        for one in statement.instructions:
-            mark = f", {_FREEZES.get(self._language)}" if one.is_frozen else ""
-            yield f"{one.count}  {_STEP * one.depth}{one.text}{mark}"
+        for instruction in statement.instructions:
+            mark = f", {_FREEZES.get(self._language)}" if instruction.is_frozen else ""
+            yield f"{instruction.count}  {_STEP * instruction.depth}{instruction.text}{mark}"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Tables in HTML, as notebooks show them for an object."""
+"""HTML tables that notebooks show for an object."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from html import escape
 
 
 def html_table(caption: str, rows: Iterable[tuple[str, str]]) -> str:
-    """Return a table with a head in front of each row; all texts are escaped."""
+    """Return a table with a head before each row; all texts are escaped."""
     lines = "".join(
         f'<tr><th style="text-align: left">{escape(head)}</th>'
         f'<td style="text-align: left">{escape(text)}</td></tr>'

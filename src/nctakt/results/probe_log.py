@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""Gathers what realtime cycles and their conditions do in a run: record bytes -> histories.
+"""The log of realtime cycles and their conditions in a run: record bytes -> histories.
 
 In: probe and event rows (``kernel/rows.py``) as they come, the definitions of the cycles, at the
-end the counters of their nodes. Out: ``CycleHistory`` for each cycle. Memory is
-bounded by the constants here and in ``branch_log.py``, the newest is kept, and histories say how
-much was dropped.
+end the counters of their nodes. Out: ``CycleHistory`` for each cycle. Memory is bounded by the
+constants here and in ``branch_log.py``: the newest entries are kept, and the histories count the
+dropped ones.
 """
 
 from __future__ import annotations
@@ -27,8 +27,8 @@ from nctakt.nc.check.branches import (
 from nctakt.nc.outline import ProgramText
 from nctakt.nc.parse.printer import format_expression
 from nctakt.nc.tree import Expression, RealtimeCycle
-from nctakt.results.branch_log import BranchLog, ConditionLog, SeriesLog, continued
-from nctakt.results.coverage import Coverage, CycleCounts, added, counts_of
+from nctakt.results.branch_log import BranchLog, ConditionLog, SeriesLog, first_tick_of_series
+from nctakt.results.coverage import Coverage, CycleCounts, add_up, cycle_counts
 from nctakt.results.histories import (
     BranchHistory,
     ConditionHistory,
@@ -38,10 +38,10 @@ from nctakt.results.histories import (
     LifeKind,
 )
 
-#: Steps in a cycle's life that are kept.
+#: Maximum number of steps kept of a cycle's life.
 LIFE_KEPT = 1000
 
-#: Cycles that are kept; ended ones are dropped for new ones, the oldest first.
+#: Maximum number of cycles kept; ended ones are dropped for new ones, the oldest first.
 CYCLES_KEPT = 256
 
 _EVENT = struct.Struct(f"={rows.EVENT_WIDTH}d")
@@ -62,19 +62,19 @@ _ENDED_BY: dict[int, EndedBy] = {
 
 
 class CycleNames(Protocol):
-    """What the numbers in rows stand for, while a cycle lives."""
+    """The names behind the numbers in rows, while a cycle lives."""
 
     def cycle(self, serial: int) -> str:
-        """The programmed ID of the cycle, or ``#1`` without one."""
+        """Return the programmed ID of the cycle, or ``#1`` without one."""
 
     def definition(self, serial: int) -> CycleDefinition:
-        """The definition of a cycle that has not been forgotten yet."""
+        """Return the definition of a cycle that has not been dropped."""
 
     def span(self, source: int) -> Span | None:
-        """The place of a source number."""
+        """Return the position with this source id, ``None`` without one."""
 
     def line_at(self, span: Span) -> str:
-        """The source line of a span."""
+        """Return the source line of a span."""
 
 
 @dataclass(slots=True)
@@ -93,7 +93,7 @@ class _CycleLog:
 
 
 class ProbeLog:
-    """The histories of a run in the making.
+    """Gathers the histories of a run.
 
     ``living`` are the cycles that live at its first tick, with the state of their slots.
     """
@@ -122,7 +122,7 @@ class ProbeLog:
     # --- while the run goes on ------------------------------------------------------------------
 
     def add(self, probes: bytes, events: bytes) -> None:
-        """Take the rows of some ticks."""
+        """Add the rows of some ticks."""
         for row in _EVENT.iter_unpack(events):
             self._event(*row)
         for row in _PROBE.iter_unpack(probes):
@@ -139,7 +139,7 @@ class ProbeLog:
         right: float,
         next_tick: float,
     ) -> None:
-        """A condition changes its truth, or a series of evaluations or body runs begins."""
+        """Add a change of truth, or the begin of a series of evaluations or body runs."""
         probe = int(number)
         condition = self._conditions.get(probe)
         if kind in (rows.PROBE_FALSE, rows.PROBE_TRUE):
@@ -191,27 +191,27 @@ class ProbeLog:
 
     def _add(self, definition: CycleDefinition, living_from: int | None) -> _CycleLog:
         cycle = definition.cycle
-        runs = SeriesLog(continued(cycle.next_tick, living_from))
+        runs = SeriesLog(first_tick_of_series(cycle.next_tick, living_from))
         branches = {built.span: BranchLog(built, living_from) for built in definition.reactions}
         name = self._names.cycle(definition.serial)
-        made = _CycleLog(name, definition, runs, branches)
-        self._cycles[definition.serial] = made
+        log = _CycleLog(name, definition, runs, branches)
+        self._cycles[definition.serial] = log
         self._evaluated[cycle.probe] = runs
         for branch in branches.values():
             self._evaluated[branch.probe] = branch.evaluated
             self._bodies[branch.probe] = branch.bodies
             self._conditions |= branch.conditions
         self._seen[definition.span] = None
-        return made
+        return log
 
     def _drop(self) -> bool:
-        """Drop the oldest cycle that has ended, if there is one; its counts are kept."""
-        ended = (s for s, one in self._cycles.items() if one.life and one.life[-1].kind == "ended")
+        """Drop the oldest ended cycle but keep its counts; return whether there was one."""
+        ended = (s for s, log in self._cycles.items() if log.life and log.life[-1].kind == "ended")
         serial = next(ended, None)
         if serial is None:
             return False
         dropped = self._counts(self._history(serial, self._cycles[serial]))
-        self._dropped = added([*self._dropped, dropped])
+        self._dropped = add_up([*self._dropped, dropped])
         cycle = self._cycles.pop(serial)
         del self._evaluated[cycle.definition.cycle.probe]
         for branch in cycle.branches.values():
@@ -225,23 +225,23 @@ class ProbeLog:
     # --- at its end -----------------------------------------------------------------------------
 
     def histories(self, programs: Sequence[ProgramText]) -> tuple[CycleHistory, ...]:
-        """All cycles in the order of their creation, then the definitions that were not taken."""
-        made = [self._history(serial, cycle) for serial, cycle in self._cycles.items()]
+        """Return all cycles in the order of their creation, then the unreached definitions."""
+        histories = [self._history(serial, cycle) for serial, cycle in self._cycles.items()]
         for program in programs:
             for statement in program.cycles:
                 if statement.span not in self._seen:
                     self._seen[statement.span] = None
-                    made.append(self._unreached(statement))
-        return tuple(made)
+                    histories.append(self._unreached(statement))
+        return tuple(histories)
 
     def _history(self, serial: int, cycle: _CycleLog) -> CycleHistory:
         definition = cycle.definition
         fault = next((stop for who, stop in self._stops if who == serial), None)
         branches = tuple(
-            cycle.branches[place.span].history(
-                place, self._text(place.span), definition.frozen, fault
+            cycle.branches[outline.span].history(
+                outline, self._text(outline.span), definition.frozen, fault
             )
-            for place in branch_outlines(definition.statement)
+            for outline in branch_outlines(definition.statement)
         )
         return CycleHistory(
             cycle.name,
@@ -261,17 +261,17 @@ class ProbeLog:
     def _unreached(self, statement: RealtimeCycle) -> CycleHistory:
         branches = tuple(
             BranchHistory(
-                place.span,
-                place.lines,
-                self._text(place.span),
-                place.word,
-                place.frequency,
-                place.outer,
-                place.earlier,
-                _unseen(place.condition),
-                commands=place.commands,
+                outline.span,
+                outline.lines,
+                self._text(outline.span),
+                outline.word,
+                outline.frequency,
+                outline.outer,
+                outline.earlier,
+                _unseen(outline.condition),
+                commands=outline.commands,
             )
-            for place in branch_outlines(statement)
+            for outline in branch_outlines(statement)
         )
         return CycleHistory(
             "",
@@ -285,19 +285,21 @@ class ProbeLog:
         )
 
     def coverage(self, histories: Sequence[CycleHistory]) -> Coverage:
-        """How often each branch ran: that of the histories, and of the cycles that were dropped."""
-        return Coverage(added([*self._dropped, *(self._counts(one) for one in histories)]), 1)
+        """Return the coverage of the histories and of the dropped cycles together."""
+        return Coverage(
+            add_up([*self._dropped, *(self._counts(history) for history in histories)]), 1
+        )
 
     def _counts(self, history: CycleHistory) -> CycleCounts:
         span = history.span
         lines = range(span.line, history.end_line + 1)
         source = tuple(self._names.line_at(replace(span, line=line)).rstrip() for line in lines)
-        return counts_of(history, source)
+        return cycle_counts(history, source)
 
     def _text(self, span: Span) -> str:
         return self._names.line_at(span).strip()
 
 
 def _unseen(condition: Expression | None) -> ConditionHistory:
-    """Of a condition that was never evaluated its text is known."""
+    """Return the history of a condition that was never evaluated: its text."""
     return ConditionHistory("" if condition is None else format_expression(condition))

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Why a branch or a realtime cycle did not run: in one tick, or in a whole run.
+"""The reasons why a branch or a realtime cycle did not run, in one tick or in a whole run.
 
-In: histories. Out: ``Reason``, which names what is to blame: a state of the cycle, another branch,
-the condition itself (RC-105 … RC-111, RC-201 … RC-204, RC-505).
+In: histories. Out: ``Reason``: a state of the cycle, another branch, the condition itself
+(RC-105 … RC-111, RC-201 … RC-204, RC-505).
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ _FORGOTTEN = Reason("forgotten")
 
 
 def why_cycle_idle(cycle: CycleHistory, tick: int) -> Reason | None:
-    """Why the cycle did not run in ``tick``; ``None`` if it did."""
+    """Return why the cycle did not run in ``tick``; ``None`` if it did."""
     ran = cycle.runs.holds(tick)
     if ran:
         return None
@@ -52,13 +52,13 @@ def _ended(event: LifeEvent) -> Reason:
 
 
 def last_change(condition: ConditionHistory, tick: int) -> Change | None:
-    """What the condition saw at its last change of truth up to ``tick``."""
+    """Return the condition's last change of truth up to ``tick``."""
     before = [change for change in condition.changes if change.tick <= tick]
     return before[-1] if before else None
 
 
 def truth_at(condition: ConditionHistory, tick: int) -> bool | None:
-    """The truth of the condition after ``tick``; ``None`` if it had none or it is not known."""
+    """Return the truth of the condition after ``tick``; ``None`` if it has none or is unknown."""
     change = last_change(condition, tick)
     if change is not None:
         return change.truth
@@ -66,7 +66,7 @@ def truth_at(condition: ConditionHistory, tick: int) -> bool | None:
 
 
 def why_branch_idle(cycle: CycleHistory, branch: BranchHistory, tick: int) -> Reason | None:
-    """Why the branch's body did not run in ``tick``; ``None`` if it did."""
+    """Return why the branch's body did not run in ``tick``; ``None`` if it did."""
     ran = branch.bodies.holds(tick)
     if ran:
         return None
@@ -81,12 +81,12 @@ def why_branch_idle(cycle: CycleHistory, branch: BranchHistory, tick: int) -> Re
 
 
 def _why_not_evaluated(cycle: CycleHistory, branch: BranchHistory, tick: int) -> Reason:
-    """The cycle ran, the condition was not evaluated, and the body did not run."""
+    """Return why the condition was not evaluated in a tick in which the cycle ran."""
     if branch.outer is not None:
         outer_ran = cycle.branches[branch.outer].bodies.holds(tick)
         if not outer_ran:
             return _FORGOTTEN if outer_ran is None else Reason("outer", branch=branch.outer)
-    earlier_ran = {one: cycle.branches[one].bodies.holds(tick) for one in branch.earlier}
+    earlier_ran = {index: cycle.branches[index].bodies.holds(tick) for index in branch.earlier}
     for earlier, ran in earlier_ran.items():
         if ran:
             return Reason("earlier", branch=earlier)
@@ -98,7 +98,7 @@ def _why_not_evaluated(cycle: CycleHistory, branch: BranchHistory, tick: int) ->
 
 
 def _without_evaluation(cycle: CycleHistory, branch: BranchHistory) -> Reason:
-    """The condition was reached but not evaluated: a fault before it, or ONCE done before."""
+    """Return why a condition in reach was not evaluated: an earlier fault, or a done ONCE."""
     fault = _stopped_by_fault(cycle)
     if fault is not None:
         return fault
@@ -106,7 +106,7 @@ def _without_evaluation(cycle: CycleHistory, branch: BranchHistory) -> Reason:
 
 
 def _why_without_body(cycle: CycleHistory, branch: BranchHistory, tick: int) -> Reason:
-    """The condition was evaluated, the body did not run."""
+    """Return why the body did not run although the condition was evaluated."""
     change = last_change(branch.condition, tick)
     truth = truth_at(branch.condition, tick)
     if truth is None:
@@ -118,13 +118,13 @@ def _why_without_body(cycle: CycleHistory, branch: BranchHistory, tick: int) -> 
 
 
 def _done_tick(branch: BranchHistory, tick: int) -> int | None:
-    """The last tick before ``tick`` in which the body ran."""
-    before = [one.last_tick for one in branch.bodies.series if one.last_tick < tick]
+    """Return the last tick before ``tick`` in which the body ran."""
+    before = [series.last_tick for series in branch.bodies.series if series.last_tick < tick]
     return before[-1] if before else None
 
 
 def _stopped_by_fault(cycle: CycleHistory) -> Reason | None:
-    """The error that ended the cycle, if one did."""
+    """Return the error that ended the cycle, ``None`` without one."""
     for event in cycle.life:
         if event.ended_by == "error":
             return Reason("fault", event.tick, event.span, number=event.number)
@@ -135,14 +135,14 @@ def _stopped_by_fault(cycle: CycleHistory) -> Reason | None:
 
 
 def why_cycle_never(cycle: CycleHistory, last_tick: int) -> Reason | None:
-    """Why the cycle did not run at all; ``None`` if it did."""
+    """Return why the cycle did not run at all; ``None`` if it did."""
     if cycle.runs.ticks:
         return None
     return why_cycle_idle(cycle, last_tick)
 
 
 def why_branch_never(cycle: CycleHistory, branch: BranchHistory, last_tick: int) -> Reason | None:
-    """Why the branch's body did not run at all; ``None`` if it did."""
+    """Return why the branch's body did not run at all; ``None`` if it did."""
     if branch.bodies.ticks:
         return None
     idle = why_cycle_never(cycle, last_tick)

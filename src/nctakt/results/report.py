@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The diagnosis data of the realtime cycles as text (manual chapter 5, RC-601 … RC-603).
 
-In: events, each with the value that V.RTG.CYCLES.DIAG_LEVEL has then, which decides whether a line
-is made of it. Out: the text with header, rule, note and the columns timestamp, level and message,
+In: events, each with the value of V.RTG.CYCLES.DIAG_LEVEL at its time, which decides whether it
+becomes a line. Out: the text with header, rule, note and the columns timestamp, level and message,
 in English or German. Timestamps are microseconds of controller time.
 """
 
@@ -39,7 +39,7 @@ from nctakt.results.user_errors import user_message
 from nctakt.trace.events import Event
 from nctakt.trace.sinks import TraceHeader
 
-#: Lines that are kept; each further one pushes out the oldest.
+#: Maximum number of lines kept; each further line pushes out the oldest.
 DIAGNOSIS_CAPACITY = 1000
 
 #: The value of V.RTG.CYCLES.DIAG_LEVEL after a start of the controller.
@@ -69,7 +69,7 @@ _COLUMNS = "{:<12}{:<8}{}"
 
 
 class Level(enum.IntEnum):
-    """The level of a line; V.RTG.CYCLES.DIAG_LEVEL lets lines up to its value through."""
+    """The level of a line; V.RTG.CYCLES.DIAG_LEVEL admits lines up to its value."""
 
     ERROR = 1
     WARNING = 2
@@ -121,9 +121,9 @@ _ENDED = {
 
 @dataclass(frozen=True, slots=True)
 class Line:
-    """A line of the diagnosis data: time in microseconds, level, number and place of the message.
+    """A line of the diagnosis data: time, level, number and position of the message.
 
-    ``message`` is ``None`` for an error or warning whose parameters an event does not hold.
+    ``message`` is ``None`` for an error or warning whose parameters are not part of the event.
     """
 
     time_us: int
@@ -133,13 +133,17 @@ class Line:
     message: Diagnostic | None
 
     def text(self, language: Language, details: Sequence[Diagnostic]) -> str:
-        """The message; what an error says is looked up in ``details`` by number and place."""
+        """Return the message; an error's text is found in ``details`` by number and position."""
         if self.level > Level.WARNING:
             assert self.message is not None
             return self.message.text(language)
-        for found in (self.message, *details):
-            if found is not None and found.id == self.number and self._is_at(found.span):
-                return f"{self.number}: {found.text(language)}"
+        for candidate in (self.message, *details):
+            if (
+                candidate is not None
+                and candidate.id == self.number
+                and self._is_at(candidate.span)
+            ):
+                return f"{self.number}: {candidate.text(language)}"
         return str(self.number)
 
     def _is_at(self, span: Span | None) -> bool:
@@ -163,16 +167,16 @@ class DiagnosisReport:
         return tuple(self._lines)
 
     def initialised(self, time_us: int, count: int, level_limit: float = DEFAULT_LEVEL) -> None:
-        """The manager of the realtime cycles has been set up and holds ``count`` cycles."""
+        """Add the line that the manager of the realtime cycles is set up with ``count`` cycles."""
         if level_limit >= Level.INFO:
             self._append(_info(time_us, diagnostic(LOG_MANAGER_INITIALISED)))
             self._append(_info(time_us, diagnostic(LOG_MANAGER_CAPACITY, count=count)))
 
     def add(self, event: Event, level_limit: float) -> None:
-        """Make a line of ``event`` if its level is at most ``level_limit``.
+        """Add a line for ``event`` if its level is at most ``level_limit``.
 
         ``level_limit`` is V.RTG.CYCLES.DIAG_LEVEL at the time of the event. Events that do not
-        come from realtime cycles or their manager make no line.
+        come from realtime cycles or their manager add no line.
         """
         level = _user_level(event) if event.kind == "user_error" else _LEVELS.get(event.kind)
         if level is None or level > level_limit:
@@ -181,16 +185,16 @@ class DiagnosisReport:
             message = user_message(int(event.text.split()[1]))
             self._append(Line(event.time_us, level, message.id, event.span, None))
         elif level <= Level.WARNING:
-            known = _known(event)
+            known = _message_without_parameters(event)
             self._append(Line(event.time_us, level, int(event.text), event.span, known))
         elif event.cycle:
             self._append(_info(event.time_us, _message(event), level))
 
     def render(self, language: Language = "en", details: Sequence[Diagnostic] = ()) -> str:
-        """The diagnosis data as text; it ends with a line end.
+        """Return the diagnosis data as text with a final line end.
 
-        ``details`` are the diagnostics of the run: they know what the errors say, whose numbers
-        alone an event holds.
+        ``details`` are the diagnostics of the run: they have the texts of the errors, of which an
+        event holds only the number.
         """
         title = _TITLE.get(language).format(channel=self.channel)
         text = [title, "=" * _WIDTH, "", _NOTE.get(language)]
@@ -211,10 +215,9 @@ class DiagnosisReport:
 
 
 class DiagnosisSink:
-    """Makes diagnosis data of a run while it goes on; a sink.
+    """A sink that adds the events of a run to its diagnosis data.
 
-    ``level`` is V.RTG.CYCLES.DIAG_LEVEL at the begin of the run; where a program or a cycle writes
-    it, the events tell.
+    ``level`` is V.RTG.CYCLES.DIAG_LEVEL at the begin of the run; events report its changes.
     """
 
     def __init__(self, report: DiagnosisReport, level: float = DEFAULT_LEVEL) -> None:
@@ -222,10 +225,10 @@ class DiagnosisSink:
         self._level = level
 
     def open(self, header: TraceHeader) -> None:
-        """Nothing to do: events hold all that is needed."""
+        """Do nothing: the events suffice."""
 
     def events(self, events: Sequence[Event]) -> None:
-        """Make lines of these events."""
+        """Add lines for these events."""
         for event in events:
             if event.channel not in (0, self.report.channel):
                 continue
@@ -234,14 +237,14 @@ class DiagnosisSink:
                 self._level = float(event.text.removeprefix(_LEVEL_VARIABLE))
 
     def rows(self, first_tick: int, rows: memoryview[float], width: int) -> None:
-        """Nothing to do: diagnosis data come from events."""
+        """Do nothing: diagnosis data come from events."""
 
     def close(self) -> None:
-        """Nothing to do; the report stays."""
+        """Do nothing: the report stays."""
 
 
 def _user_level(event: Event) -> Level:
-    """The level of an ``#ERROR``, by its RC."""
+    """Return the level of an ``#ERROR``, by its RC."""
     return Level.WARNING if event.text.split()[1] == "0" else Level.ERROR
 
 
@@ -249,8 +252,8 @@ def _info(time_us: int, message: Diagnostic, level: Level = Level.INFO) -> Line:
     return Line(time_us, level, message.id, message.span, message)
 
 
-def _known(event: Event) -> Diagnostic | None:
-    """The message of an event when it needs no parameters."""
+def _message_without_parameters(event: Event) -> Diagnostic | None:
+    """Return the message of an event if it needs no parameters, else ``None``."""
     message = catalogue().get(int(event.text))
     if message is None or message.parameters:
         return None
@@ -258,7 +261,7 @@ def _known(event: Event) -> Diagnostic | None:
 
 
 def _axis_message(event: Event) -> Diagnostic:
-    """What becomes of a motion that a cycle has commanded."""
+    """Return the message about a motion that a cycle has commanded."""
     axis, word, *target = event.text.split(" ")
     if word in _MOTIONS:
         state = _MOTIONS[word]

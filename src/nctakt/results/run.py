@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The result of a run: how far it came, what its realtime cycles did, what it put out.
+"""The result of a run: its end, its realtime cycles, its outputs.
 
 Plain records, the same for the same inputs: they hold no wall-clock time.
 """
@@ -22,13 +22,13 @@ from nctakt.trace.events import Event
 from nctakt.trace.recorded import Trace
 
 #: ``ended``: all programs ran to their end. ``error``: an NC error stopped the run. ``limit``: the
-#: limit came first. ``reset``: RESET on the HLI. ``interrupted``: the user broke it off.
+#: time limit was reached. ``reset``: RESET on the HLI. ``interrupted``: the user interrupted it.
 RunState = Literal["ended", "error", "limit", "reset", "interrupted"]
 
-#: Messages and errors in the table for notebooks, of each kind.
+#: Maximum number of messages and of errors in the table for notebooks.
 MAX_ROWS = 20
 
-#: The frequency of a branch that has none (a plain ``$IF``, ``$ELSEIF``, ``$ELSE``).
+#: The frequency of a branch without one (a plain ``$IF``, ``$ELSEIF``, ``$ELSE``).
 NO_FREQUENCY = ""
 
 
@@ -58,7 +58,7 @@ class ProgramMessage:
 
 @dataclass(frozen=True, slots=True)
 class Reaction:
-    """A branch of a realtime cycle: its span and ``ONCE``, ``EDGE``, ``ALWAYS`` or nothing."""
+    """A branch of a realtime cycle: its span and ``ONCE``, ``EDGE``, ``ALWAYS`` or empty."""
 
     span: Span
     frequency: str = NO_FREQUENCY
@@ -68,8 +68,7 @@ class Reaction:
 class FrozenValue:
     """An asynchronous variable of a realtime cycle: its name, its value, its span in the cycle.
 
-    The value is that of the moment when the definition was decoded (RC-302); the cycle sees no
-    other.
+    The value was read when the definition was decoded and stays the same in the cycle (RC-302).
     """
 
     name: str
@@ -79,7 +78,7 @@ class FrozenValue:
 
 @dataclass(frozen=True, slots=True)
 class ReactionResult:
-    """How often a branch fired: ``count`` series of run-throughs in which its body ran.
+    """The firings of a branch: ``count`` series of run-throughs in which its body ran.
 
     ``first_tick`` and ``last_tick`` are the ticks in which the first and the last series began,
     ``None`` without any.
@@ -96,9 +95,9 @@ class ReactionResult:
 class CycleResult:
     """A realtime cycle: ID (``#1`` without one), scope, span of its definition, reactions.
 
-    ``instances``: how often this definition was executed. ``runs``: the run-throughs since its
-    creation, ``None`` if they are not counted for it alone. ``frozen``: the asynchronous values in
-    its latest instance.
+    ``instances``: how often the definition was executed. ``runs``: its run-throughs since its
+    creation, ``None`` if another definition shares their count. ``frozen``: the asynchronous values
+    of its latest instance.
     """
 
     name: str
@@ -112,7 +111,7 @@ class CycleResult:
 
 @dataclass(frozen=True, slots=True)
 class OutputCount:
-    """How often a function was put out; ``is_realtime``: by a realtime cycle.
+    """The number of outputs of a function; ``is_realtime``: by a realtime cycle.
 
     ``letter``: ``M`` or ``H``.
     """
@@ -131,7 +130,7 @@ class OutputCount:
 
 @dataclass(frozen=True, slots=True, repr=False)
 class TechnologyOutput:
-    """An M or H function that was put out; ``letter``: ``M`` or ``H``.
+    """The output of an M or H function; ``letter``: ``M`` or ``H``.
 
     ``sequence``: its number within the tick in the realtime section (RC-403), 0 for a function of
     the main program. ``cycle``: the realtime cycle that put it out, empty for the main program.
@@ -163,12 +162,11 @@ class TechnologyOutput:
 class Run:
     """The result of ``Controller.run``.
 
-    ``state``: ``ended``, ``error``, ``limit``, ``reset`` or ``interrupted``. ``ticks`` were run,
-    from tick ``first_tick`` of the controller on. ``trace`` and ``events`` are those of the trace
-    in memory (``None`` and empty without one); messages and counts are always there. ``why`` tells
-    what each condition saw and did, ``coverage`` how often, if the run was asked for them.
-    ``schedule``: the scheduling list that gave the run its time; ``starved``, ``overflows``: its
-    effects.
+    ``state``: ``ended``, ``error``, ``limit``, ``reset`` or ``interrupted``. The run has ``ticks``
+    ticks from tick ``first_tick`` of the controller on. ``trace`` and ``events`` are those of the
+    trace in memory (``None`` and empty without one); messages and counts are always there. ``why``
+    has the history of each condition, ``coverage`` the counts, if the run recorded them.
+    ``schedule``: the scheduling list of the run; ``starved``, ``overflows``: its effects.
     """
 
     programs: tuple[str, ...]
@@ -189,7 +187,7 @@ class Run:
 
     @property
     def virtual_time_us(self) -> int:
-        """The time that the machine would have taken."""
+        """The time of the run on the machine, in microseconds."""
         return self.ticks * self.cycle_time_us
 
     @property
@@ -199,12 +197,12 @@ class Run:
 
     @property
     def technology(self) -> list[TechnologyOutput]:
-        """The M and H functions that were put out, in their order."""
-        return [technology_output(one) for one in self.events if one.kind in TECHNOLOGY_KINDS]
+        """The outputs of M and H functions, in their order."""
+        return [technology_output(event) for event in self.events if event.kind in TECHNOLOGY_KINDS]
 
     @property
     def user_errors(self) -> list[UserErrorReport]:
-        """The errors and warnings that programs and realtime cycles have raised with ``#ERROR``."""
+        """The errors and warnings that programs and realtime cycles raised with ``#ERROR``."""
         return user_errors(self.events)
 
     @property
@@ -213,7 +211,9 @@ class Run:
         return self._of(Severity.ERROR)
 
     def _of(self, severity: Severity) -> tuple[Diagnostic, ...]:
-        return tuple(one for one in self.diagnostics if one.severity is severity)
+        return tuple(
+            diagnostic for diagnostic in self.diagnostics if diagnostic.severity is severity
+        )
 
     def __repr__(self) -> str:
         counts = ", ".join(
@@ -237,18 +237,18 @@ class Run:
             ("state", self.state),
             ("time", f"{Time(self.virtual_time_us)}, {self.ticks} ticks"),
             *((name, str(count)) for name, count in self._counts()),
-            *((str(Time(one.time_us)), one.text) for one in self.messages[:MAX_ROWS]),
-            *((f"error {one.id}", one.headline()) for one in self.errors[:MAX_ROWS]),
+            *((str(Time(item.time_us)), item.text) for item in self.messages[:MAX_ROWS]),
+            *((f"error {item.id}", item.headline()) for item in self.errors[:MAX_ROWS]),
         ]
         return html_table(", ".join(self.programs), rows)
 
 
-#: The kinds of events that tell of a function: of realtime cycles, and of the main program.
+#: The kinds of events for outputs of functions: of realtime cycles, and of the main program.
 TECHNOLOGY_KINDS = ("M", "H", "output")
 
 
 def technology_output(event: Event) -> TechnologyOutput:
-    """Return the output that an event of ``TECHNOLOGY_KINDS`` tells of."""
+    """Return the output of an event of ``TECHNOLOGY_KINDS``."""
     words = event.text.split()
     if event.kind == "output":
         letter, number, sequence = words[0], int(words[1]), 0

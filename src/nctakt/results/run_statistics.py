@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What a run does, counted while it goes on.
+"""Statistics of a run, counted while it goes on.
 
 In: events, as a sink. Out: reactions of cycles and outputs of functions as records of
 ``results/run.py``, in memory that does not grow with the ticks.
@@ -59,10 +59,10 @@ class _Output:
 class RunStatistics:
     """The counts of a run; a sink.
 
-    ``reactions`` gives the branches of a cycle by its name, in the order of the text, so that
-    branches that never fire are listed too; without it only those that fire are known. The cycles
-    of one definition are counted together. ``frozen`` gives the values that were frozen into the
-    cycle of a name and a span.
+    ``reactions`` returns the branches of a cycle by its name, in the order of the text, so that
+    branches that never fire are listed too; without it only firing branches are listed. The cycles
+    of one definition are counted together. ``frozen`` returns the frozen values of the cycle with a
+    name and a span.
     """
 
     def __init__(
@@ -78,13 +78,13 @@ class RunStatistics:
         self.schedule = ScheduleStatistics()
 
     def open(self, header: TraceHeader) -> None:
-        """Nothing to do: counts need no header."""
+        """Do nothing: the counts need no header."""
 
     def rows(self, first_tick: int, rows: memoryview[float], width: int) -> None:
-        """Nothing to do: counts come from events."""
+        """Do nothing: the counts come from events."""
 
     def close(self) -> None:
-        """Nothing to do."""
+        """Do nothing: the counts stay."""
 
     def events(self, events: Sequence[Event]) -> None:
         """Count these events."""
@@ -129,14 +129,14 @@ class RunStatistics:
         self._outputs.setdefault(key, _Output(event.tick)).count += 1
 
     def outputs(self) -> tuple[OutputCount, ...]:
-        """The M and H functions in the order of their first output."""
+        """Return the M and H functions in the order of their first output."""
         return tuple(
             OutputCount(letter, number, is_realtime, output.count, output.first_tick)
             for (letter, number, is_realtime), output in self._outputs.items()
         )
 
     def cycles(self, runs: Mapping[str, int] | None = None) -> tuple[CycleResult, ...]:
-        """The cycles in the order of their creation; ``runs`` gives run-throughs by name."""
+        """Return the cycles in the order of their creation; ``runs``: run-throughs by name."""
         return tuple(
             CycleResult(
                 cycle.name,
@@ -160,7 +160,7 @@ class RunStatistics:
         )
 
     def _runs(self, cycle: _Cycle, runs: Mapping[str, int]) -> int | None:
-        """The cycle's run-throughs, if ``runs`` counts them for this definition alone."""
+        """Return the cycle's run-throughs; ``None`` if another definition shares their count."""
         if cycle.instances > 1 and "#" in cycle.name:
             return None
         if sum(other.name == cycle.name for other in self._cycles.values()) > 1:
@@ -169,7 +169,7 @@ class RunStatistics:
 
 
 def _span_beginning_at(spans: Mapping[Span | None, _Firings], begin: Span | None) -> Span | None:
-    """The span that begins where ``begin`` does, else ``begin``: events know no end of a span."""
+    """Return the span with the same begin, else ``begin``: an event has no end of its span."""
     if begin is None or begin in spans:
         return begin
     for span in spans:

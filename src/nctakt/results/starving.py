@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What a schedule did to a run: when the queue was empty, which threads overflowed.
+"""Effects of a schedule on a run: times of an empty queue, overflows of threads.
 
 In: the schedule, events ``starved`` and ``overflow``. Out: ``Starvation`` and ``OverflowCount``;
 the lines of all three in the summary.
@@ -16,8 +16,8 @@ from nctakt.schedule.open_schedule import RunSchedule
 from nctakt.schedule.report import chosen_report
 from nctakt.trace.events import Event
 
-#: Starvations that the summary tells one by one.
-MOST_TOLD = 6
+#: Maximum number of starvations that the summary lists one by one.
+MAX_STARVATIONS = 6
 
 _LIST = Text(
     "{file}: schedule {schedule}, {block} µs for a block of the decoder",
@@ -43,10 +43,10 @@ _OVERFLOW = Text("{thread}: 1 overflow, in tick {tick}", "{thread}: 1 Überlauf,
 
 @dataclass(frozen=True, slots=True)
 class Starvation:
-    """From ``first_tick`` on a channel had nothing to do for so many ticks: the decoder was late.
+    """A time in which a channel had no commands, since the decoder was late.
 
-    ``span`` is the last command that was taken, ``None`` before the first one. ``channel``: its
-    number where the machine has more than one, else 0.
+    It begins at ``first_tick`` and takes ``ticks`` ticks. ``span`` is the last executed command,
+    ``None`` before the first one. ``channel``: its number on a machine with several, else 0.
     """
 
     first_tick: int
@@ -57,7 +57,7 @@ class Starvation:
 
 @dataclass(frozen=True, slots=True)
 class OverflowCount:
-    """How often a thread was busy when it was due, and in which tick first."""
+    """The number of activations that found a thread busy, and the tick of the first one."""
 
     thread: str
     count: int
@@ -65,7 +65,7 @@ class OverflowCount:
 
 
 class ScheduleStatistics:
-    """Gathers both while a run goes on."""
+    """Gathers starvations and overflows while a run goes on."""
 
     def __init__(self) -> None:
         self._ended: list[Starvation] = []
@@ -73,27 +73,29 @@ class ScheduleStatistics:
         self._overflows: dict[str, OverflowCount] = {}
 
     def add(self, event: Event) -> None:
-        """An event ``starved`` or ``overflow``."""
+        """Add an event ``starved``, ``fed`` or ``overflow``."""
         if event.kind == "overflow":
-            known = self._overflows.get(event.text, OverflowCount(event.text, 0, event.tick))
-            self._overflows[event.text] = replace(known, count=known.count + 1)
+            count = self._overflows.get(event.text, OverflowCount(event.text, 0, event.tick))
+            self._overflows[event.text] = replace(count, count=count.count + 1)
         elif event.text == "begun":
             self._open[event.channel] = Starvation(event.tick, 0, event.span, event.channel)
         elif event.channel in self._open:
             self._end(event.channel, event.tick)
 
     def _end(self, channel: int, tick: int) -> None:
-        one = self._open.pop(channel)
-        self._ended.append(replace(one, ticks=tick - one.first_tick))
+        starvation = self._open.pop(channel)
+        self._ended.append(replace(starvation, ticks=tick - starvation.first_tick))
 
     def starved(self, end_tick: int) -> tuple[Starvation, ...]:
-        """All starvations of a run that ends with this tick, in the order of their begins."""
+        """Return all starvations of a run that ends at this tick, in the order of their begins."""
         for channel in list(self._open):
             self._end(channel, end_tick)
-        return tuple(sorted(self._ended, key=lambda one: (one.first_tick, one.channel)))
+        return tuple(
+            sorted(self._ended, key=lambda starvation: (starvation.first_tick, starvation.channel))
+        )
 
     def overflows(self) -> tuple[OverflowCount, ...]:
-        """The threads that overflowed, in the order in which they did so first."""
+        """Return the threads that overflowed, in the order of their first overflows."""
         return tuple(self._overflows.values())
 
 
@@ -103,7 +105,7 @@ def schedule_lines(
     overflows: tuple[OverflowCount, ...],
     language: Language,
 ) -> list[str]:
-    """What the summary tells: the rules that were chosen, then what came of it."""
+    """Return the lines of the summary: the rules of the schedule, then its effects."""
     if schedule is None:
         return []
     first = _LIST.get(language).format(
@@ -111,23 +113,27 @@ def schedule_lines(
     )
     lines = [first, *chosen_report(schedule.model, language)]
     if starved:
-        total = sum(one.ticks for one in starved)
+        total = sum(item.ticks for item in starved)
         head = _ONCE if len(starved) == 1 else _ALL
         lines.append(head.get(language).format(count=len(starved), ticks=total))
-        lines += [_line(one, language) for one in starved[:MOST_TOLD]]
-        if len(starved) > MOST_TOLD:
-            lines.append(_FURTHER.get(language).format(count=len(starved) - MOST_TOLD))
-    for one in overflows:
-        head = _OVERFLOW if one.count == 1 else _OVERFLOWS
+        lines += [_line(item, language) for item in starved[:MAX_STARVATIONS]]
+        if len(starved) > MAX_STARVATIONS:
+            lines.append(_FURTHER.get(language).format(count=len(starved) - MAX_STARVATIONS))
+    for item in overflows:
+        head = _OVERFLOW if item.count == 1 else _OVERFLOWS
         text = head.get(language)
-        lines.append(text.format(thread=one.thread, count=one.count, tick=one.first_tick))
+        lines.append(text.format(thread=item.thread, count=item.count, tick=item.first_tick))
     return lines
 
 
-def _line(one: Starvation, language: Language) -> str:
-    place = _START.get(language)
-    if one.span is not None:
-        place = _BEHIND.get(language).format(place=f"{one.span.file}:{one.span.line}")
-    if one.channel:
-        place = f"CH{one.channel} {place}"
-    return _ONE.get(language).format(place=place, ticks=one.ticks, tick=one.first_tick)
+def _line(starvation: Starvation, language: Language) -> str:
+    position = _START.get(language)
+    if starvation.span is not None:
+        position = _BEHIND.get(language).format(
+            place=f"{starvation.span.file}:{starvation.span.line}"
+        )
+    if starvation.channel:
+        position = f"CH{starvation.channel} {position}"
+    return _ONE.get(language).format(
+        place=position, ticks=starvation.ticks, tick=starvation.first_tick
+    )

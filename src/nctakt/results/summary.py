@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""The summary at the end of a run, for a person to read.
+"""The summary at the end of a run, for a reader.
 
-In: ``Run``, and how long it took on the wall clock. Out: lines of text: how far it came, what each
-realtime cycle did, M and H functions, messages, errors and warnings. On a terminal the tables are
-drawn with rich; elsewhere they are plain text that is the same whenever the run is.
+In: ``Run`` and its wall-clock time. Out: lines of text: the end of the run, its realtime cycles, M
+and H functions, messages, errors and warnings. On a terminal the tables are drawn with rich;
+elsewhere they are plain text, the same for the same run.
 """
 
 from __future__ import annotations
@@ -51,7 +51,7 @@ _FURTHER = Text("… {count} further", "… {count} weitere")
 _NEVER = Text("never", "nie")
 _NO_REACTION = Text("no branch", "kein Zweig")
 _TIMES = Text("{count} times", "{count} mal")
-#: What is counted: for one of it, for any other number.
+#: Counted things: singular and plural.
 _COUNTS = (
     (Text("message", "Meldung"), Text("messages", "Meldungen")),
     (Text("error", "Fehler"), Text("errors", "Fehler")),
@@ -60,8 +60,8 @@ _COUNTS = (
 )
 
 
-#: Frozen values of a cycle that the summary tells; nctakt list tells all.
-MOST_FROZEN = 6
+#: Maximum number of frozen values of a cycle in the summary; nctakt list shows all.
+MAX_FROZEN = 6
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,13 +75,12 @@ class Table:
 def print_summary(
     run: Run, file: TextIO, language: Language = "en", wall_s: float | None = None
 ) -> None:
-    """Write the summary to ``file``; ``wall_s`` is told on a terminal only.
+    """Write the summary to ``file``.
 
-    ``wall_s`` is the time that the run took on the wall clock, in seconds.
+    ``wall_s`` is the wall-clock time of the run in seconds; it is shown on a terminal only.
     """
     terminal = file.isatty()
-    lines = headline(run, language, wall_s if terminal else None)
-    print(lines, file=file)
+    print(headline(run, language, wall_s if terminal else None), file=file)
     for table, notes in (
         (_cycles(run, language), frozen_lines(run, language)),
         (_outputs(run, language), []),
@@ -94,21 +93,21 @@ def print_summary(
             print("", *plain_table(table), sep="\n", file=file)
         if notes:
             print("", *notes, sep="\n", file=file)
-    told = schedule_lines(run.schedule, run.starved, run.overflows, language)
-    if told:
-        print("", *told, sep="\n", file=file)
+    lines = schedule_lines(run.schedule, run.starved, run.overflows, language)
+    if lines:
+        print("", *lines, sep="\n", file=file)
     print("", counts(run, language), sep="\n", file=file)
 
 
 def headline(run: Run, language: Language, wall_s: float | None) -> str:
-    """Programs, how the run ended, ticks, the machine's time and, given ``wall_s``, the factor."""
+    """Return programs, end, ticks, the machine's time and, with ``wall_s``, the speed factor."""
     names = ", ".join(run.programs)
     if run.ticks == 0:
         return f"{names}: {_NOT_RUN.get(language)}"
     time_s = time_stamp(run.virtual_time_us)
     how = _STATES[run.state].get(language)
-    one, many = Text("tick", "Takt"), Text("ticks", "Takte")
-    ticks = (one if run.ticks == 1 else many).get(language)
+    singular, plural = Text("tick", "Takt"), Text("ticks", "Takte")
+    ticks = (singular if run.ticks == 1 else plural).get(language)
     text = f"{names}: {how}, {run.ticks} {ticks} = {time_s}"
     if wall_s is None or wall_s <= 0.0:
         return text
@@ -126,17 +125,17 @@ def _factor(value: float) -> str:
 
 
 def counts(run: Run, language: Language) -> str:
-    """How many messages, errors, warnings and notes there were, on one line."""
+    """Return the numbers of messages, errors, warnings and notes on one line."""
     levels = [Severity.ERROR, Severity.WARNING, Severity.NOTE]
     numbers = [len(run.messages), *(_count(run.diagnostics, level) for level in levels)]
     return ", ".join(
-        f"{number} {(one if number == 1 else many).get(language)}"
-        for number, (one, many) in zip(numbers, _COUNTS, strict=True)
+        f"{number} {(singular if number == 1 else plural).get(language)}"
+        for number, (singular, plural) in zip(numbers, _COUNTS, strict=True)
     )
 
 
 def _count(diagnostics: Sequence[Diagnostic], severity: Severity) -> int:
-    return sum(found.severity is severity for found in diagnostics)
+    return sum(diagnostic.severity is severity for diagnostic in diagnostics)
 
 
 def _cycles(run: Run, language: Language) -> Table:
@@ -153,16 +152,16 @@ def _cycles(run: Run, language: Language) -> Table:
 
 
 def frozen_lines(run: Run, language: Language) -> list[str]:
-    """For each cycle with asynchronous variables a line: the values that it sees (RC-302)."""
+    """Return a line for each cycle with asynchronous variables: their values (RC-302)."""
     value_text, further = _FROZEN_VALUE.get(language), _FURTHER.get(language)
     lines: list[str] = []
     for cycle in run.cycles:
         values = [
-            value_text.format(name=one.name, value=number_text(one.value), line=one.span.line)
-            for one in cycle.frozen
+            value_text.format(name=value.name, value=number_text(value.value), line=value.span.line)
+            for value in cycle.frozen
         ]
-        if len(values) > MOST_FROZEN:
-            values[MOST_FROZEN:] = [further.format(count=len(values) - MOST_FROZEN)]
+        if len(values) > MAX_FROZEN:
+            values[MAX_FROZEN:] = [further.format(count=len(values) - MAX_FROZEN)]
         if values:
             text = _FROZEN.get(language)
             lines.append(text.format(name=cycle.name, values=", ".join(values)))
@@ -177,10 +176,10 @@ def _cycle_name(cycle: CycleResult, language: Language) -> str:
 
 
 def _reaction(run: Run, reaction: ReactionResult, language: Language) -> tuple[str, ...]:
-    place = f"{_place(reaction.span)} {reaction.frequency}".strip()
+    position = f"{_place(reaction.span)} {reaction.frequency}".strip()
     if reaction.first_tick is None:
-        return place, _NEVER.get(language), ""
-    return place, str(reaction.count), _tick(run, reaction.first_tick, language)
+        return position, _NEVER.get(language), ""
+    return position, str(reaction.count), _tick(run, reaction.first_tick, language)
 
 
 def _outputs(run: Run, language: Language) -> Table:
@@ -204,7 +203,7 @@ def _place(span: Span | None) -> str:
 
 
 def plain_table(table: Table) -> list[str]:
-    """The table as lines: columns padded and two blanks apart, a rule below the heads."""
+    """Return the table as lines: columns padded and two blanks apart, a rule below the heads."""
     widths = [max(map(len, column)) for column in zip(table.heads, *table.rows, strict=True)]
     lines = [
         "  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip()
@@ -214,7 +213,7 @@ def plain_table(table: Table) -> list[str]:
 
 
 def _print_rich(table: Table, file: TextIO) -> None:
-    from rich import box  # noqa: PLC0415 - a run whose output is no terminal does not load it
+    from rich import box  # noqa: PLC0415 - only loaded for a terminal
     from rich.console import Console  # noqa: PLC0415
     from rich.markup import escape  # noqa: PLC0415
     from rich.table import Table as RichTable  # noqa: PLC0415

@@ -2,8 +2,8 @@
 """Why a reaction fired or did not: the report of a run (``Run.why``).
 
 In: the histories of the realtime cycles. Out: ``WhyReport``; ``select`` narrows it to a cycle or
-a line, ``render`` tells the whole run, ``render_at`` one tick. Those who want data read ``cycles``
-(``histories.py``) and ask ``reasons.py``.
+a line, ``render`` describes the whole run, ``render_at`` one tick. The data behind the text are in
+``cycles`` (``histories.py``) and ``reasons.py``.
 """
 
 from __future__ import annotations
@@ -25,15 +25,15 @@ from nctakt.results.histories import CycleHistory
 from nctakt.results.why_text import render_report, render_state
 from nctakt.results.why_words import Words
 
-#: Names that are told when an unknown cycle was asked for.
-_NAMES_TOLD = 10
+#: Maximum number of names in the message about an unknown cycle.
+_MAX_NAMES = 10
 
 
 @dataclass(frozen=True, slots=True)
 class WhyReport:
-    """What the realtime cycles of a run did, from tick ``first_tick`` on for ``ticks`` ticks.
+    """The histories of a run's realtime cycles, from tick ``first_tick`` on for ``ticks`` ticks.
 
-    ``left_out`` older cycles were dropped, so that memory is bounded.
+    The ``left_out`` oldest cycles were dropped to bound the memory.
     """
 
     cycle_time_us: int
@@ -43,31 +43,31 @@ class WhyReport:
     left_out: int = 0
 
     def select(self, cycle: str | None = None, line: int | None = None) -> WhyReport:
-        """Only the cycles with this ID (``17``, ``#1``), only the branches with this line.
+        """Return only the cycles with this ID (``17``, ``#1``), only the branches with this line.
 
-        The line may be that of a branch or of a statement in its body. Raises ``Failure`` for what
-        there is not (900574, 900575).
+        The line may be that of a branch or of a statement in its body. Raises ``Failure`` for an
+        unknown cycle (900574) or line (900575).
         """
         cycles = self.cycles
         if cycle is not None:
-            cycles = tuple(one for one in cycles if one.name == cycle)
+            cycles = tuple(history for history in cycles if history.name == cycle)
             if not cycles:
                 raise Failure(self._unknown_cycle(cycle))
         if line is not None:
-            chosen = [_with_line(one, line) for one in cycles]
-            cycles = tuple(one for one in chosen if one is not None)
+            chosen = [_with_line(history, line) for history in cycles]
+            cycles = tuple(history for history in chosen if history is not None)
             if not cycles:
                 raise Failure(self._unknown_line(line, cycle))
         return replace(self, cycles=cycles)
 
     def render(self, language: Language = "en") -> str:
-        """The histories as text, which ends with a line end."""
+        """Return the histories as text with a final line end."""
         words = Words(language, self.cycle_time_us)
         last_tick = self.first_tick + self.ticks - 1
         return render_report(self.cycles, self.left_out, last_tick, words)
 
     def render_at(self, tick: int, language: Language = "en") -> str:
-        """The states in one tick of the run as text; raises ``Failure`` (900576) for another."""
+        """Return the states in a tick of the run as text; raises ``Failure`` (900576) outside."""
         last_tick = self.first_tick + self.ticks - 1
         if not self.first_tick <= tick <= last_tick:
             raise Failure(
@@ -77,21 +77,26 @@ class WhyReport:
         return render_state(self.cycles, self.left_out, tick, words)
 
     def _unknown_cycle(self, name: str) -> Diagnostic:
-        names = list(dict.fromkeys(one.name for one in self.cycles if one.name))
+        names = list(dict.fromkeys(cycle.name for cycle in self.cycles if cycle.name))
         if not names:
             return diagnostic(RUN_WITHOUT_CYCLES, cycle=name)
-        told = ", ".join(names[:_NAMES_TOLD])
-        if len(names) > _NAMES_TOLD:
-            told = f"{told}, …"
-        return diagnostic(CYCLE_NOT_IN_RUN, cycle=name, known=told)
+        names_text = ", ".join(names[:_MAX_NAMES])
+        if len(names) > _MAX_NAMES:
+            names_text = f"{names_text}, …"
+        return diagnostic(CYCLE_NOT_IN_RUN, cycle=name, known=names_text)
 
     def _unknown_line(self, line: int, cycle: str | None) -> Diagnostic:
-        known = sorted(
-            {known for one in self.cycles if cycle in (None, one.name) for known in _lines(one)}
+        lines = sorted(
+            {
+                number
+                for history in self.cycles
+                if cycle in (None, history.name)
+                for number in _lines(history)
+            }
         )
-        if not known:
+        if not lines:
             return diagnostic(PROGRAMS_WITHOUT_CYCLES, line=line)
-        near = min(known, key=lambda one: abs(one - line))
+        near = min(lines, key=lambda number: abs(number - line))
         return diagnostic(LINE_NOT_IN_CYCLE, line=line, nearest=near)
 
 
@@ -100,7 +105,7 @@ def _lines(cycle: CycleHistory) -> list[int]:
 
 
 def _with_line(cycle: CycleHistory, line: int) -> CycleHistory | None:
-    """The cycle with only the branches that ``line`` belongs to; that of its definition is all."""
+    """Return the cycle with the branches that ``line`` belongs to; all for its first line."""
     if line == cycle.span.line:
         return cycle
     shown = tuple(i for i, branch in enumerate(cycle.branches) if line in branch.lines)

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""The report of ``nctakt why`` as text: each cycle, each of its conditions, what it saw and did.
+"""The report of ``nctakt why`` as text: each cycle with its conditions and their history.
 
-In: histories, or states at one tick. Out: lines: the place of a cycle and its life; for each branch
-its source line, then when its condition was evaluated, what it compared when its truth changed,
-when the body ran, or why it did not.
+In: histories, or states at one tick. Out: lines: the position of a cycle and its life; for each
+branch its source line, then the ticks in which its condition was evaluated, the compared values at
+each change of truth, and the ticks in which the body ran, or the reason why it did not.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ from nctakt.results.reasons import (
 from nctakt.results.why_words import Words
 from nctakt.trace.events import number_text
 
-#: A source line is shown up to so many characters.
+#: Maximum length of a source line, in characters.
 _WIDTH = 90
 
 _CYCLE = Text("realtime cycle {name}", "Echtzeit-Zyklus {name}")
@@ -82,7 +82,7 @@ _AT_NO_BODY = Text("body did not run: {reason}", "Rumpf lief nicht: {reason}")
 def render_report(
     cycles: Sequence[CycleHistory], left_out: int, last_tick: int, words: Words
 ) -> str:
-    """The whole run; ``last_tick`` was its last tick."""
+    """Return the report of the whole run, whose last tick is ``last_tick``."""
     lines: list[str] = []
     for cycle in cycles:
         lines += ["", _headline(cycle, words)]
@@ -94,7 +94,7 @@ def render_report(
 
 
 def render_state(cycles: Sequence[CycleHistory], left_out: int, tick: int, words: Words) -> str:
-    """One tick."""
+    """Return the report of one tick."""
     lines = [words.tick(tick)]
     for cycle in cycles:
         idle = why_cycle_idle(cycle, tick)
@@ -124,23 +124,23 @@ def _headline(cycle: CycleHistory, words: Words) -> str:
 
 
 def _life(cycle: CycleHistory, last_tick: int, words: Words) -> list[str]:
-    """The steps of its life, and when it ran."""
+    """Return the steps of a cycle's life, and the ticks in which it ran."""
     never = why_cycle_never(cycle, last_tick)
     steps = [_step(cycle, index, words) for index in range(len(cycle.life))]
-    told = words.ends([step for step in steps if step], cycle.life_left_out)
+    lines = words.ends([step for step in steps if step], cycle.life_left_out)
     if never is None:
         last = cycle.life[-1].kind == "ended"
         ran = words.get(_RAN_IN, times=words.times(cycle.runs))
-        told.insert(len(told) - 1 if last else len(told), ran)
+        lines.insert(len(lines) - 1 if last else len(lines), ran)
     else:
-        told.append(words.get(_NEVER_RAN, reason=words.cycle_reason(never)))
+        lines.append(words.get(_NEVER_RAN, reason=words.cycle_reason(never)))
     if not cycle.shown and cycle.branches:
-        told.append(words.get(_OUTSIDE))
-    return told
+        lines.append(words.get(_OUTSIDE))
+    return lines
 
 
 def _step(cycle: CycleHistory, index: int, words: Words) -> str:
-    """One step; a definition that starts the cycle is one step."""
+    """Return the text of a step; a definition that starts the cycle is one step."""
     event = cycle.life[index]
     if event.kind == "living":
         return words.get(_LIVING)
@@ -191,7 +191,7 @@ def _depth(cycle: CycleHistory, branch: BranchHistory) -> int:
 
 
 def _history(cycle: CycleHistory, branch: BranchHistory, last_tick: int, words: Words) -> list[str]:
-    """What a branch did in the run."""
+    """Return the history of a branch in the run."""
     lines = _frozen(branch, words)
     if branch.evaluated.ticks:
         lines.append(words.get(_EVALUATED, times=words.times(branch.evaluated)))
@@ -205,7 +205,7 @@ def _history(cycle: CycleHistory, branch: BranchHistory, last_tick: int, words: 
         ran = words.get(_BODY_ONCE if count == 1 else _BODY, count=count, times=times)
         lines.append(ran + _commands(branch))
         return [*lines, *_frequency(branch, words)]
-    chain = _chain(cycle, branch, lambda one: why_branch_never(cycle, one, last_tick))
+    chain = _chain(cycle, branch, lambda other: why_branch_never(cycle, other, last_tick))
     if chain[0].kind != "false":
         lines += _changes(branch.condition, words)
     reason = words.branch_reason(cycle, branch, chain)
@@ -213,9 +213,9 @@ def _history(cycle: CycleHistory, branch: BranchHistory, last_tick: int, words: 
 
 
 def _commands(branch: BranchHistory) -> str:
-    """What stands in the body, as far as it fits on a line."""
-    told = _cut("; ".join(branch.commands))
-    return f": {told}" if told else ""
+    """Return the statements of the body, cut at the length of a line."""
+    text = _cut("; ".join(branch.commands))
+    return f": {text}" if text else ""
 
 
 def _cut(text: str) -> str:
@@ -223,13 +223,13 @@ def _cut(text: str) -> str:
 
 
 def _frozen(branch: BranchHistory, words: Words) -> list[str]:
-    """The values in the condition that are the same in each tick (RC-302)."""
-    values = {one.name: number_text(one.value) for one in branch.frozen}
+    """Return the values in the condition that are the same in each tick (RC-302)."""
+    values = {value.name: number_text(value.value) for value in branch.frozen}
     return [words.get(_FROZEN, name=name, value=value) for name, value in values.items()]
 
 
 def _truths(part: ConditionHistory, words: Words) -> list[str]:
-    """The changes of a part, or how near it came."""
+    """Return the changes of a part, or how near to true it came."""
     if part.nearest is not None:
         return [words.nearest(part, part.nearest)]
     return _changes(part, words)
@@ -244,7 +244,7 @@ def _changes(condition: ConditionHistory, words: Words) -> list[str]:
 
 
 def _frequency(branch: BranchHistory, words: Words) -> list[str]:
-    """From when on a condition is no longer evaluated, though its body has run."""
+    """Return from when on a condition is no longer evaluated, since its body has run."""
     if branch.frequency == "ONCE":
         return [words.get(_DONE)]
     true = [change.tick for change in branch.condition.changes if change.truth]
@@ -258,19 +258,19 @@ def _chain(
     branch: BranchHistory,
     why: Callable[[BranchHistory], Reason | None],
 ) -> list[Reason]:
-    """The reason, then that of the branch which is to blame, and so on outwards."""
+    """Return the reason, then that of the responsible branch, and so on outwards."""
     reasons: list[Reason] = []
-    found = why(branch)
-    while found is not None:
-        reasons.append(found)
-        if found.kind != "outer" or found.branch is None:
+    reason = why(branch)
+    while reason is not None:
+        reasons.append(reason)
+        if reason.kind != "outer" or reason.branch is None:
             break
-        found = why(cycle.branches[found.branch])
+        reason = why(cycle.branches[reason.branch])
     return reasons
 
 
 def _state(cycle: CycleHistory, branch: BranchHistory, tick: int, words: Words) -> list[str]:
-    """How a branch stood in one tick."""
+    """Return the state of a branch in one tick."""
     lines = _frozen(branch, words)
     if branch.word != "$ELSE":
         evaluated = branch.evaluated.holds(tick)
@@ -279,7 +279,7 @@ def _state(cycle: CycleHistory, branch: BranchHistory, tick: int, words: Words) 
     for part in branch.parts:
         lines.append(words.get(_PART, text=part.text))
         lines += [f"  {line}" for line in _truth(part, tick, words)]
-    chain = _chain(cycle, branch, lambda one: why_branch_idle(cycle, one, tick))
+    chain = _chain(cycle, branch, lambda other: why_branch_idle(cycle, other, tick))
     if not chain:
         return [*lines, words.get(_AT_BODY) + _commands(branch)]
     if chain[0].kind == "false" and chain[0].change is not None:
@@ -289,7 +289,7 @@ def _state(cycle: CycleHistory, branch: BranchHistory, tick: int, words: Words) 
 
 
 def _truth(condition: ConditionHistory, tick: int, words: Words) -> list[str]:
-    """Since when a condition is true or false, if that is known."""
+    """Return since when a condition is true or false; empty if that is unknown."""
     change = last_change(condition, tick)
     if change is None:
         return []

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The words of ``nctakt why``: reasons, ticks, values as text in English and German.
 
-In: pieces of histories. Out: short texts without a full stop, for ``why_text.py`` to put together.
+In: parts of histories. Out: short texts without a full stop, which ``why_text.py`` combines.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from nctakt.results.histories import (
 )
 from nctakt.trace.events import number_text
 
-#: Items that are shown of a long list, from each of its ends.
+#: Number of items shown at each end of a long list.
 ENDS_SHOWN = 4
 
 _TICK = Text("tick {tick} ({time})", "Takt {tick} ({time})")
@@ -95,28 +95,28 @@ class Words:
         self._cycle_time_us = cycle_time_us
 
     def get(self, text: Text, /, **values: object) -> str:
-        """A text in the language with its values."""
+        """Return a text in the language with its values."""
         return text.get(self.language).format(**values)
 
     # --- ticks and times ------------------------------------------------------------------------
 
     def time(self, tick: int) -> str:
-        """The time at which a tick begins: ``0.463 s``."""
+        """Return the time at which a tick begins: ``0.463 s``."""
         return str(Time(tick * self._cycle_time_us))
 
     def tick(self, tick: int) -> str:
-        """A tick with its time."""
+        """Return a tick with its time."""
         return self.get(_TICK, tick=tick, time=self.time(tick))
 
     def times(self, times: Times) -> str:
-        """The ticks of all series, of a long list the first and the last ones."""
+        """Return the ticks of all series, of many series the first and the last ones."""
         if times.ticks == 1 and times.series:
             return self.tick(times.series[0].first_tick)
-        shown = [self._series(one) for one in times.series]
+        shown = [self._series(series) for series in times.series]
         return self.get(_TICKS, ticks=", ".join(self.ends(shown, times.left_out)))
 
     def ends(self, texts: list[str], left_out: int = 0) -> list[str]:
-        """A long list without its middle; without its begin where ``left_out`` are lost there."""
+        """Return a long list without its middle, or without its begin if ``left_out`` are lost."""
         if left_out:
             hidden = left_out + max(0, len(texts) - 2 * ENDS_SHOWN)
             return [self.get(_MORE, count=hidden), *texts[-2 * ENDS_SHOWN :]]
@@ -134,11 +134,11 @@ class Words:
     # --- places and values ----------------------------------------------------------------------
 
     def line(self, span: Span) -> str:
-        """``line 4``."""
+        """Return the line number: ``line 4``."""
         return self.get(_LINE, line=span.line)
 
     def values(self, condition: ConditionHistory, left: float, right: float) -> str:
-        """What a condition compared: ``200.25 > 200``; empty where it combines others."""
+        """Return the compared values: ``200.25 > 200``; empty for a combination of conditions."""
         if condition.operator in ("&&", "||"):
             return ""
         if not condition.operator:
@@ -146,12 +146,12 @@ class Words:
         return f"{number_text(left)} {condition.operator} {number_text(right)}"
 
     def seen(self, condition: ConditionHistory, change: Change) -> str:
-        """From or since when a condition has its truth, and what it compared then."""
+        """Return the tick of a change of truth and the compared values."""
         values = self.values(condition, change.left, change.right)
         return self.tick(change.tick) + (f": {values}" if values else "")
 
     def nearest(self, condition: ConditionHistory, nearest: Nearest) -> str:
-        """How near a condition that was never true came to be it."""
+        """Return how near to true a condition came that was never true."""
         values = self.values(condition, nearest.left, nearest.right)
         never = self.get(_NEVER_TRUE)
         if not values:
@@ -164,7 +164,7 @@ class Words:
     # --- reasons --------------------------------------------------------------------------------
 
     def ended(self, reason: str, span: Span | None, number: int) -> str:
-        """What ended a cycle, with the line that did it."""
+        """Return how a cycle ended, with the responsible line."""
         text = self.get(_ENDED_BY[reason])
         if number:
             text = f"{text}: {self.get(_ERROR, number=number)}"
@@ -173,7 +173,7 @@ class Words:
         return text
 
     def cycle_reason(self, reason: Reason) -> str:
-        """Why a cycle did not run."""
+        """Return why a cycle did not run."""
         kind = "undefined yet" if reason.kind == "undefined" and reason.tick else reason.kind
         tick = "" if reason.tick is None else self.tick(reason.tick)
         text = self.get(_CYCLE_REASONS[kind], tick=tick)
@@ -186,7 +186,7 @@ class Words:
     def branch_reason(
         self, cycle: CycleHistory, branch: BranchHistory, reasons: Sequence[Reason]
     ) -> str:
-        """Why a branch did not run; ``reasons`` go on with the branches that are to blame."""
+        """Return why a branch did not run; ``reasons`` continue with the responsible branches."""
         texts: list[str] = []
         for reason in reasons:
             texts.append(self._one(cycle, branch, reason))
@@ -199,8 +199,8 @@ class Words:
         match reason.kind:
             case "cycle":
                 assert reason.cycle is not None
-                told = self.cycle_reason(reason.cycle)
-                return self.get(_BRANCH_REASONS["cycle"], reason=told)
+                text = self.cycle_reason(reason.cycle)
+                return self.get(_BRANCH_REASONS["cycle"], reason=text)
             case "outer" | "earlier":
                 assert reason.branch is not None
                 line = self.line(cycle.branches[reason.branch].span)

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: MIT
-"""Tests of NC programs with pytest; the plugin loads what it needs when a test asks for it."""
+"""Tests of NC programs with pytest; the plugin imports nctakt only for a test that needs it."""

@@ -21,14 +21,14 @@ from nctakt.testing.verdict import differences
 
 
 class UnmetError(Exception):
-    """What is wrong with a run, ready to be shown."""
+    """The unmet expectations of a run as text."""
 
 
 class NcFile(pytest.File):
     """A program with expectations."""
 
     def collect(self) -> Iterator[pytest.Item]:
-        """One test: the whole program."""
+        """Yield one test: the whole program."""
         yield NcItem.from_parent(self, name="expectations")
 
 
@@ -36,14 +36,16 @@ class NcItem(pytest.Item):
     """Runs a program and compares the run with its comments."""
 
     def runtest(self) -> None:
-        """Raise ``UnmetError`` with all that is wrong."""
+        """Run the program; raises ``UnmetError`` with all unmet expectations."""
         text = decode_text(self.path.read_bytes()).text
         try:
             script = read_script(self.path, text)
             run = self._run(script, text)
             wrong = list(differences(run, script.expectations, self._shown()))
         except Failure as failure:
-            raise UnmetError("\n".join(one.render() for one in failure.diagnostics)) from failure
+            raise UnmetError(
+                "\n".join(diagnostic.render() for diagnostic in failure.diagnostics)
+            ) from failure
         if wrong:
             raise UnmetError("\n\n".join(wrong))
 
@@ -68,7 +70,9 @@ class NcItem(pytest.Item):
         return NcRun(run, start)
 
     def _signals(self, script: Script) -> list[str]:
-        return [one.name for one in script.expectations if one.kind == "value"]
+        return [
+            expectation.name for expectation in script.expectations if expectation.kind == "value"
+        ]
 
     def _machine(self, script: Script) -> Machine:
         if script.machine is None:
@@ -76,18 +80,18 @@ class NcItem(pytest.Item):
         return load_machine(self.path.parent / script.machine)
 
     def _shown(self) -> str:
-        """The file as pytest names it."""
+        """Return the path of the file as pytest shows it."""
         try:
             return self.path.relative_to(self.config.rootpath).as_posix()
         except ValueError:
             return str(self.path)
 
     def repr_failure(self, excinfo: pytest.ExceptionInfo[BaseException], style: Any = None) -> Any:
-        """What is wrong, without the way through our code."""
+        """Return the unmet expectations without a traceback."""
         if isinstance(excinfo.value, UnmetError):
             return str(excinfo.value)
         return super().repr_failure(excinfo, style)
 
     def reportinfo(self) -> tuple[Path, int, str]:
-        """Where the test stands."""
+        """Return the position and the name of the test."""
         return self.path, 0, self._shown()

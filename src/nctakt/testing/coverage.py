@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Branch coverage of realtime cycles over a test session.
 
-In: the runs of the tests. Out: a table at the end of the session, and the files that were asked
-for. What a test runs from a text of its own does not count: it is no program of the shop. Workers
-of pytest-xdist send theirs to the process that began them.
+In: the runs of the tests. Out: a table at the end of the session, and the requested files. A
+program that a test holds as text does not count: it is not a program of the shop. Workers of
+pytest-xdist send their coverage to the process that started them.
 """
 
 from __future__ import annotations
@@ -33,35 +33,37 @@ _WRITERS: dict[str, Callable[[Coverage], str]] = {
 
 
 def session_coverage(config: pytest.Config) -> SessionCoverage | None:
-    """What gathers coverage in this session, if it was asked for."""
-    found = config.pluginmanager.get_plugin(_NAME)
-    return found if isinstance(found, SessionCoverage) else None
+    """Return the coverage of this session, ``None`` if it is not requested."""
+    plugin = config.pluginmanager.get_plugin(_NAME)
+    return plugin if isinstance(plugin, SessionCoverage) else None
 
 
 def note_coverage(config: pytest.Config, run: Run) -> None:
-    """A test has made this run."""
+    """Add the run of a test to the coverage of the session."""
     session = session_coverage(config)
     if session is not None and run.coverage is not None:
         session.add(run.coverage)
 
 
 class SessionCoverage:
-    """Gathers coverage; names of files become relative to the root of the tests."""
+    """Gathers coverage; file names become relative to the root of the tests."""
 
     def __init__(self, config: pytest.Config, files: list[str]) -> None:
         self._root = config.rootpath
         self._is_worker = hasattr(config, "workeroutput")
         self._files = [Path(config.invocation_params.dir, file) for file in files]
         self._unwritten: list[str] = []
-        self.whole = Coverage()
+        self.coverage = Coverage()
         for file in self._files:
             if file.suffix not in _WRITERS:
-                found = diagnostic(UNKNOWN_COVERAGE_FORMAT, file=file, suffixes=", ".join(_WRITERS))
-                raise pytest.UsageError(found.render())
+                message = diagnostic(
+                    UNKNOWN_COVERAGE_FORMAT, file=file, suffixes=", ".join(_WRITERS)
+                )
+                raise pytest.UsageError(message.render())
 
     def add(self, coverage: Coverage) -> None:
-        """Add a run."""
-        self.whole = self.whole.plus(coverage.renamed(self._shown))
+        """Add the coverage of a run."""
+        self.coverage = self.coverage.plus(coverage.renamed(self._shown))
 
     def _shown(self, file: str) -> str | None:
         path = self._root / file
@@ -74,25 +76,25 @@ class SessionCoverage:
 
     @pytest.hookimpl(optionalhook=True)
     def pytest_testnodedown(self, node: Any) -> None:
-        """A worker of pytest-xdist is done."""
+        """Add the coverage of a worker of pytest-xdist that has finished."""
         text = getattr(node, "workeroutput", {}).get(_NAME, "")
-        self.whole = self.whole.plus(from_json(_NAME, text))
+        self.coverage = self.coverage.plus(from_json(_NAME, text))
 
     def pytest_sessionfinish(self, session: pytest.Session) -> None:
-        """A worker sends what it knows; else the files are written."""
+        """Write the requested files, in a worker send the coverage instead."""
         if self._is_worker:
-            session.config.workeroutput[_NAME] = as_json(self.whole)  # type: ignore[attr-defined]
+            session.config.workeroutput[_NAME] = as_json(self.coverage)  # type: ignore[attr-defined]
             return
         for file in self._files:
             try:
-                write_file(file, _WRITERS[file.suffix](self.whole))
+                write_file(file, _WRITERS[file.suffix](self.coverage))
             except Failure as failure:
-                self._unwritten += [found.render() for found in failure.diagnostics]
+                self._unwritten += [diagnostic.render() for diagnostic in failure.diagnostics]
                 session.exitstatus = pytest.ExitCode.USAGE_ERROR
 
     def pytest_terminal_summary(self, terminalreporter: pytest.TerminalReporter) -> None:
-        """The table."""
+        """Print the table."""
         terminalreporter.section("branches of realtime cycles", sep="-")
-        terminalreporter.write(CoverageText(self.whole, "en").table())
+        terminalreporter.write(CoverageText(self.coverage, "en").table())
         for problem in self._unwritten:
             terminalreporter.write_line(problem)

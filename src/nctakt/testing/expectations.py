@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Expectations in the comments of NC programs: text -> what to run it with, what has to happen.
+"""Expectations in the comments of NC programs: text -> inputs and expected results of its run.
 
-``; given: …`` says what a program is run with, ``; expect: …`` what has to happen; several may
-stand in one comment, divided by ``;``. An expectation behind a block is about its line.
+``; given: …`` is an input of the run, ``; expect: …`` an expected result; a comment may have
+several, separated by ``;``. An expectation behind a block is about its line.
 
     ; given: V.E.VALUE = 5            before the first tick
     ; given: V.E.DOOR = 1 at 20ms     at a time of the run
@@ -16,8 +16,8 @@ stand in one comment, divided by ``;``. An expectation behind a block is about i
     ; expect: error 22009             in this line; warning 900302
     ; expect: ended                   the program came to its end
 
-Behind what happens: ``at 463ms`` (``at 463 ticks``; several with commas), ``before TIME``,
-``after TIME``, ``never``, ``once``, ``3 times``; ``never after 1s`` counts only what is behind it.
+Behind an event: ``at 463ms`` (``at 463 ticks``; several with commas), ``before TIME``,
+``after TIME``, ``never``, ``once``, ``3 times``; ``never after 1s`` counts only later events.
 Behind a value ``at TIME`` or ``at end``.
 """
 
@@ -38,7 +38,7 @@ from nctakt.messages.inputs import INVALID_EXPECTATION, INVALID_GIVEN_INPUT, MIS
 from nctakt.run.stimuli import Stimulus, parse_assignment
 from nctakt.testing.keywords import heads, keyword_near
 
-#: How far a value may be from the expected one unless the expectation says so.
+#: Tolerance of an expected value unless the expectation has one.
 TOLERANCE = 1e-6
 
 Kind = Literal["fired", "function", "message", "value", "error", "ended"]
@@ -68,10 +68,10 @@ _GIVEN_AT = re.compile(rf"(?P<assignment>.*=.*?)\s+at\s+(?P<time>{_TIME})", re.I
 
 @dataclass(frozen=True, slots=True)
 class Expectation:
-    """One thing that has to happen. ``line`` is where it stands, ``text`` as it is written.
+    """An expected result: the ``line`` of its comment and its ``text`` as written.
 
     ``about``: the line that it is about, ``None``: any. ``at``: exactly these times, all of
-    them; ``count``: how often, ``None``: at least once.
+    them; ``count``: the expected number of events, ``None``: at least one.
     """
 
     line: int
@@ -89,7 +89,7 @@ class Expectation:
 
 @dataclass(slots=True)
 class Script:
-    """What the comments of a program say."""
+    """The inputs and expectations in the comments of a program."""
 
     expectations: list[Expectation] = field(default_factory=list)
     assignments: dict[str, float | str] = field(default_factory=dict)
@@ -102,15 +102,15 @@ class Script:
 
 
 def read_script(path: Path, text: str) -> Script:
-    """The expectations of a program; raises ``Failure`` with every comment that is not understood.
+    """Return the inputs and expectations of a program.
 
-    900660 no expectation, 900661 nothing that can be given, 900662 a misspelt keyword; 900510 …
-    900512 for times and values.
+    Raises ``Failure`` with all invalid comments: 900660 for an expectation, 900661 for an input,
+    900662 for a misspelt keyword, 900510 … 900512 for times and values.
     """
     script = Script()
-    found: list[Diagnostic] = []
+    diagnostics: list[Diagnostic] = []
     for number, line in enumerate(text.splitlines(), 1):
-        found.extend(_misspelt_keywords(path, number, line))
+        diagnostics.extend(_misspelt_keywords(path, number, line))
         match = _COMMENT.search(line)
         if match is None:
             continue
@@ -127,16 +127,16 @@ def read_script(path: Path, text: str) -> Script:
             except _NotUnderstoodError:
                 span = Span(str(path), number, match.start() + 1, len(line) + 1)
                 message = INVALID_GIVEN_INPUT if kind == "given" else INVALID_EXPECTATION
-                found.append(diagnostic(message, span, line, text=words.strip()))
+                diagnostics.append(diagnostic(message, span, line, text=words.strip()))
             except Failure as failure:
-                found.extend(failure.diagnostics)
-    if found:
-        raise Failure(*found)
+                diagnostics.extend(failure.diagnostics)
+    if diagnostics:
+        raise Failure(*diagnostics)
     return script
 
 
 def _misspelt_keywords(path: Path, number: int, line: str) -> Iterator[Diagnostic]:
-    """The words of a line that are nearly ``expect`` or ``given``."""
+    """Yield a diagnostic for each word that is nearly ``expect`` or ``given``."""
     for match in heads(line):
         word, keyword = match["word"], keyword_near(match["word"])
         if word.lower() != keyword:
@@ -145,11 +145,11 @@ def _misspelt_keywords(path: Path, number: int, line: str) -> Iterator[Diagnosti
 
 
 class _NotUnderstoodError(Exception):
-    """A comment that is no expectation."""
+    """A comment is not a valid expectation."""
 
 
 def _parts(text: str) -> list[str]:
-    """What is divided by ``;`` outside of quotes."""
+    """Return the parts between ``;`` outside of quotes."""
     parts = [""]
     quoted = False
     for character in text:
@@ -180,7 +180,7 @@ def _expectation(text: str, line: int, about: int | None) -> Expectation:
     kind, name, number, about = _subject(head.strip(), about)
     if match is None:
         return Expectation(line, text, kind, about, name, number)
-    at = tuple(read_time(one) for one in (match["at"] or "").split(",") if one.strip())
+    at = tuple(read_time(time) for time in (match["at"] or "").split(",") if time.strip())
     count = int(match["count"]) if match["count"] else 1 if match["once"] else None
     return Expectation(
         line,
@@ -197,7 +197,7 @@ def _expectation(text: str, line: int, about: int | None) -> Expectation:
 
 
 def _subject(text: str, about: int | None) -> tuple[Kind, str, float, int | None]:
-    """What has to happen: its kind, its name or text, its number, the line that it is about."""
+    """Return the subject of an expectation: kind, name or text, number, line that it is about."""
     if match := _FIRED.fullmatch(text):
         return "fired", match["cycle"] or "", 0.0, int(match["line"] or 0) or about
     if _FUNCTION.fullmatch(text):
@@ -212,7 +212,7 @@ def _subject(text: str, about: int | None) -> tuple[Kind, str, float, int | None
 
 
 def _give(script: Script, text: str) -> None:
-    """One thing that a program is run with."""
+    """Add an input of the run to the script."""
     if text.lower() == "start":
         script.waits_for_start = True
     elif match := _FILE.fullmatch(text):

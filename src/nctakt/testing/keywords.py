@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""The keywords of comments that make an NC program a test, and words that are nearly one.
+"""The keywords in comments that turn an NC program into a test, and their misspellings.
 
 A misspelt keyword (``; expct: M100``) is a mistake, not a comment: else the test would pass without
-a check. The module needs nothing of nctakt, so that the plugin can look at files without loading
+a check. The module imports nothing of nctakt, so that the plugin can search files without loading
 it.
 """
 
@@ -14,20 +14,20 @@ from collections.abc import Iterator
 
 KEYWORDS = ("expect", "given")
 
-#: How similar a word is to a keyword that it is taken for: one or two letters differ.
+#: Minimum similarity of a misspelt keyword: one or two letters differ.
 _SIMILARITY = 0.8
 
 _HEAD = re.compile(r";\s*(?P<word>[^\W\d_]{4,9})\s*:", re.ASCII)
 
 
 def keyword_near(word: str) -> str:
-    """Return the keyword that a word is, or nearly is; empty if it is none."""
+    """Return the keyword that a word is or misspells; empty for any other word."""
     near = difflib.get_close_matches(word.lower(), KEYWORDS, n=1, cutoff=_SIMILARITY)
     return near[0] if near else ""
 
 
 def heads(line: str) -> Iterator[re.Match[str]]:
-    """Return each word between ``;`` and ``:`` that may be meant as a keyword."""
+    """Yield each word between ``;`` and ``:`` that may be meant as a keyword."""
     return (match for match in _HEAD.finditer(line) if keyword_near(match["word"]))
 
 

@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""The pytest plugin: fixtures ``machine``, ``controller``, ``run_nc``; NC files as tests;
-coverage.
+"""The pytest plugin: fixtures ``machine``, ``controller``, ``run_nc``; NC files as tests; coverage.
 
 pytest loads it by its entry point in each session, so nothing of nctakt is imported before a test
-asks for it.
+needs it.
 """
 
 from __future__ import annotations
@@ -21,7 +20,7 @@ if TYPE_CHECKING:
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
-    """The entries of pytest's own configuration."""
+    """Add the plugin's entries to pytest's configuration."""
     parser.addini(
         "nctakt_machine", "folder with the lists of the machine under test [demo]", default=""
     )
@@ -47,7 +46,7 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    """Where coverage is asked for, it is gathered from now on, in each worker of its own."""
+    """Start gathering coverage if it is requested, in each worker on its own."""
     files = config.getoption("nctakt_coverage_file")
     if files or config.getoption("nctakt_coverage"):
         from nctakt.testing.coverage import SessionCoverage  # noqa: PLC0415 - see above
@@ -79,7 +78,7 @@ def machine(pytestconfig: pytest.Config) -> Machine:
 
 @pytest.fixture
 def controller(machine: Machine) -> Controller:
-    """A controller of the machine, just started."""
+    """A controller of the machine after its start."""
     from nctakt.run.controller import Controller  # noqa: PLC0415 - see above
 
     return Controller(machine)
@@ -87,7 +86,7 @@ def controller(machine: Machine) -> Controller:
 
 @pytest.fixture
 def run_nc(controller: Controller, request: pytest.FixtureRequest) -> Callable[..., NcRun]:
-    """Runs a program on the controller: ``run_nc("part.nc")``, ``run_nc(text, plc=…)``."""
+    """A function that runs a program: ``run_nc("part.nc")``, ``run_nc(text, plc=…)``."""
     from nctakt.testing.coverage import note_coverage, session_coverage  # noqa: PLC0415 - see above
     from nctakt.testing.queries import run_program  # noqa: PLC0415
 

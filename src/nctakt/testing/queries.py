@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""A run as a test asks about it: ``run.fired(cycle=17, line=5)``, ``run.m_function(100).at``.
+"""Queries of a test on a run: ``run.fired(cycle=17, line=5)``, ``run.m_function(100).at``.
 
-In: a controller, a program, what is given with it. Out: ``NcRun``. Times are seconds of the run.
-What is asked for answers as true or false in an ``assert``, and shows what has happened instead
-where the assertion fails.
+In: a controller, a program, the inputs of its run. Out: ``NcRun``. Times are seconds of the run.
+The answer to a query is true or false in an ``assert``, and shows the actual events if the
+assertion fails.
 """
 
 from __future__ import annotations
@@ -28,14 +28,14 @@ from nctakt.trace.events import Event, number_text
 if TYPE_CHECKING:
     import pytest
 
-#: What a program is called that a test gives as text.
+#: The name of a program that a test has as text.
 TEXT_NAME = "program.nc"
 
 _CYCLE_KINDS = ("M", "H")
 
 
 def configured_machine(config: pytest.Config) -> Machine:
-    """The machine of ``nctakt_machine``, relative to the root of the tests."""
+    """Return the machine of ``nctakt_machine``, relative to the root of the tests."""
     folder = config.getini("nctakt_machine")
     return load_machine(config.rootpath / folder if folder else None)
 
@@ -57,8 +57,8 @@ def run_program(
 ) -> NcRun:
     """Run a program: a file (relative to ``folder``), or a text of several lines.
 
-    ``plc``: an object, or the file of one; ``signals`` are recorded beside positions, path speed,
-    override, block and active cycles; all else as for ``Controller.run``.
+    ``plc``: an object, or its file; ``signals`` are recorded beside positions, path speed,
+    override, block and active cycles; the other parameters are those of ``Controller.run``.
     """
     if isinstance(program, str) and "\n" in program:
         source: Path | NcText = NcText(TEXT_NAME, program)
@@ -86,7 +86,7 @@ def run_program(
 def values_before(
     controller: Controller, names: Iterable[str], assignments: Mapping[str, float | str]
 ) -> dict[str, float]:
-    """Return the signals' values before the first tick, the assigned ones among them."""
+    """Return the signals' values before the first tick, including the assigned ones."""
     return {
         name: float(assignments[name]) if name in assignments else controller.signal(name)
         for name in names
@@ -95,7 +95,7 @@ def values_before(
 
 @dataclass(frozen=True, slots=True)
 class Occurrence:
-    """Once that something has happened: tick, seconds of the run, line of the program."""
+    """An occurrence of an event: tick, time in seconds of the run, line of the program."""
 
     tick: int
     at: float
@@ -103,58 +103,60 @@ class Occurrence:
     text: str
 
     def __str__(self) -> str:
-        place = "" if self.line is None else f" (line {self.line})"
-        return f"{self.text} at {number_text(self.at)} s, tick {self.tick}{place}"
+        position = "" if self.line is None else f" (line {self.line})"
+        return f"{self.text} at {number_text(self.at)} s, tick {self.tick}{position}"
 
 
 class Occurrences:
-    """All times that something has happened; true if it has."""
+    """All occurrences of an event; true if there is one."""
 
-    def __init__(self, asked: str, found: Sequence[Occurrence], others: Sequence[Occurrence]):
-        self._asked = asked
-        self._found = found
+    def __init__(
+        self, question: str, occurrences: Sequence[Occurrence], others: Sequence[Occurrence]
+    ):
+        self._question = question
+        self._occurrences = occurrences
         self._others = others
 
     def __len__(self) -> int:
-        return len(self._found)
+        return len(self._occurrences)
 
     def __iter__(self) -> Iterator[Occurrence]:
-        return iter(self._found)
+        return iter(self._occurrences)
 
     def __getitem__(self, index: int) -> Occurrence:
-        return self._found[index]
+        return self._occurrences[index]
 
     @property
     def at(self) -> float:
-        """The seconds of the first time; fails where it has never happened."""
-        assert self._found, repr(self)
-        return self._found[0].at
+        """The time of the first occurrence in seconds; raises ``AssertionError`` without one."""
+        assert self._occurrences, repr(self)
+        return self._occurrences[0].at
 
     @property
     def tick(self) -> int:
-        """The tick of the first time."""
-        assert self._found, repr(self)
-        return self._found[0].tick
+        """The tick of the first occurrence; raises ``AssertionError`` without one."""
+        assert self._occurrences, repr(self)
+        return self._occurrences[0].tick
 
     @property
     def times(self) -> list[float]:
-        """The seconds of each time."""
-        return [one.at for one in self._found]
+        """The time of each occurrence in seconds."""
+        return [one.at for one in self._occurrences]
 
     @property
     def count(self) -> int:
-        """How often."""
-        return len(self._found)
+        """The number of occurrences."""
+        return len(self._occurrences)
 
     def __repr__(self) -> str:
-        if self._found:
-            return f"<{self._asked}: {'; '.join(map(str, self._found))}>"
+        if self._occurrences:
+            return f"<{self._question}: {'; '.join(map(str, self._occurrences))}>"
         instead = "; ".join(map(str, self._others[:5])) or "nothing of its kind"
-        return f"<{self._asked}: never; but {instead}>"
+        return f"<{self._question}: never; but {instead}>"
 
 
 class Ending:
-    """How a run has ended; true if it came to the end of its programs without an error."""
+    """The end of a run; true if its programs ended without an error."""
 
     def __init__(self, run: Run) -> None:
         self._run = run
@@ -163,7 +165,7 @@ class Ending:
         return self._run.state == "ended" and not self._run.errors
 
     def __repr__(self) -> str:
-        errors = "".join(f"\n{found.render()}" for found in self._run.errors)
+        errors = "".join(f"\n{diagnostic.render()}" for diagnostic in self._run.errors)
         return f"<{self._run.state} after {Time(self._run.virtual_time_us)}{errors}>"
 
 
@@ -175,7 +177,7 @@ class AxisTrace:
         self.name = name
 
     def position_at(self, time: TimeLike) -> float:
-        """Return the position that a realtime cycle reads at this time."""
+        """Return the command position that a realtime cycle reads at this time."""
         return self._run.value_at(f"{self.name}.ACS.ACT_POS", time)
 
     def actual_position_at(self, time: TimeLike) -> float:
@@ -184,12 +186,12 @@ class AxisTrace:
 
     @property
     def end_position(self) -> float:
-        """The position at the end of the run."""
+        """The command position at the end of the run."""
         return self._run.value_at(f"{self.name}.ACS.ACT_POS", self._run.duration)
 
 
 class NcRun:
-    """A run and the questions of a test; ``run`` is the result with everything in it."""
+    """The queries of a test on a run; ``run`` is its complete result."""
 
     def __init__(self, run: Run, start: Mapping[str, float]) -> None:
         self.run = run
@@ -200,74 +202,76 @@ class NcRun:
 
     @property
     def ended(self) -> Ending:
-        """Whether the programs have ended without an error."""
+        """The end of the run; true if the programs ended without an error."""
         return Ending(self.run)
 
     @property
     def duration(self) -> float:
-        """Seconds of the run."""
+        """The duration of the run in seconds."""
         return self.run.virtual_time_us / 1e6
 
     @property
     def errors(self) -> list[int]:
         """The numbers of the errors."""
-        return [found.id for found in self.run.errors]
+        return [diagnostic.id for diagnostic in self.run.errors]
 
     @property
     def messages(self) -> list[str]:
-        """What the programs have said."""
+        """The texts of the programs' messages (``#MSG``)."""
         return [message.text for message in self.run.messages]
 
     def fired(self, *, cycle: int | str | None = None, line: int | None = None) -> Occurrences:
-        """Return when a branch of a realtime cycle fired: that of a line, of a cycle, or any.
+        """Return the firings of the branch in a line, of a cycle's branches, or of all branches.
 
         Raises ``Failure`` (900663) if no cycle of the run has a branch in the line.
         """
-        spans = [reaction.span for one in self.run.cycles for reaction in one.reactions]
+        spans = [
+            reaction.span for cycle_result in self.run.cycles for reaction in cycle_result.reactions
+        ]
         lines = sorted({span.line for span in spans if span is not None})
         if line is not None and line not in lines:
-            known = ", ".join(map(str, lines)) or NOTHING
-            raise Failure(diagnostic(NO_BRANCH_IN_LINE, line=line, known=known))
+            known_lines = ", ".join(map(str, lines)) or NOTHING
+            raise Failure(diagnostic(NO_BRANCH_IN_LINE, line=line, known=known_lines))
         asked = "fired"
         asked += "" if cycle is None else f" cycle {cycle}"
         asked += "" if line is None else f" line {line}"
         return self.find(asked, ("fired",), "", line=line, cycle=cycle)
 
     def m_function(self, number: int, *, line: int | None = None) -> Occurrences:
-        """When an M function went to the PLC, of a cycle or of the program."""
+        """Return the outputs of an M function to the PLC, of a cycle or of the program."""
         return self.function(f"M{number}", line=line)
 
     def h_function(self, number: int, *, line: int | None = None) -> Occurrences:
-        """When an H function went to the PLC."""
+        """Return the outputs of an H function to the PLC."""
         return self.function(f"H{number}", line=line)
 
     def function(self, name: str, *, line: int | None = None) -> Occurrences:
-        """When ``M100`` or ``H7`` went to the PLC."""
+        """Return the outputs of ``M100`` or ``H7`` to the PLC."""
         return self.find(name, ("M", "H", "output"), name, line=line)
 
     def message(self, text: str) -> Occurrences:
-        """When the program said this."""
+        """Return the program's messages with this text."""
         return self.find(f'message "{text}"', ("message",), text)
 
     def find(
         self,
-        asked: str,
+        question: str,
         kinds: Sequence[str],
         text: str,
         *,
         line: int | None = None,
         cycle: int | str | None = None,
     ) -> Occurrences:
-        """Events of these kinds with this text (any if empty), place and cycle."""
+        """Return events of these kinds with this text (any if empty), line and cycle."""
         alike = [event for event in self.run.events if event.kind in kinds]
-        found = [
+        matching = [
             event
             for event in alike
             if text in ("", _text(event))
             and (line is None or _line(event) == line)
             and (cycle is None or event.cycle == str(cycle))
         ]
-        return Occurrences(asked, self._occurrences(found), self._occurrences(alike))
+        return Occurrences(question, self._occurrences(matching), self._occurrences(alike))
 
     def _occurrences(self, events: Sequence[Event]) -> list[Occurrence]:
         first_us = self.run.first_tick * self.run.cycle_time_us
@@ -282,20 +286,20 @@ class NcRun:
         ]
 
     def axis(self, name: str) -> AxisTrace:
-        """An axis by its name."""
+        """Return the axis with this name."""
         if not self.has_axis(name):
             raise KeyError(f"there is no axis {name}")
         return AxisTrace(self, name)
 
     def has_axis(self, name: str) -> bool:
-        """Whether it is the name of an axis."""
+        """Return whether it is the name of an axis."""
         return f"{name}.ACS.ACT_POS" in self._start
 
     def value_at(self, name: str, time: TimeLike) -> float:
         """Return the value of a signal at a time, as a realtime cycle reads it then.
 
-        What a tick has done counts from the begin of the next one on. Raises ``Failure`` for what
-        is not a time.
+        The result of a tick counts from the begin of the next one on. Raises ``Failure`` for an
+        invalid time.
         """
         trace = self.run.trace
         assert trace is not None
@@ -313,7 +317,7 @@ def _line(event: Event) -> int | None:
 
 
 def _text(event: Event) -> str:
-    """What has happened, in a word or two: ``M100`` for functions."""
+    """Return the short text of an event: ``M100`` for functions."""
     if event.kind == "output":
         return "".join(event.text.split()[:2])
     if event.kind in _CYCLE_KINDS:

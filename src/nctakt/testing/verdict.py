@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""Expectations against a run: what is wrong, each with its place, line by line.
+"""The differences between the expectations and a run, each with its position, line by line.
 
-``-`` stands in front of what was expected, ``+`` in front of what has happened.
+``-`` marks the expected result, ``+`` the actual one.
 """
 
 from __future__ import annotations
@@ -16,23 +16,23 @@ from nctakt.trace.events import number_text
 
 
 def differences(run: NcRun, expectations: Sequence[Expectation], file: str) -> Iterator[str]:
-    """One text for each expectation that is not met, and for each error that nobody expects."""
+    """Yield a text for each unmet expectation and for each unexpected error."""
     for expectation in expectations:
         wrong = _wrong(run, expectation)
         if wrong:
-            expected = f"- {_told(run, expectation)}"
+            expected = f"- {_in_words_of_events(run, expectation)}"
             lines = (expected, *(f"+ {line}" for line in wrong))
             head = f"{file}:{expectation.line}: expect: {expectation.text}"
             yield "\n".join((head, *(f"    {line}" for line in lines)))
-    numbers = [(one.number, one.about) for one in expectations if one.kind == "error"]
+    numbers = [(error.number, error.about) for error in expectations if error.kind == "error"]
     for error in run.run.errors:
         line = None if error.span is None else error.span.line
         if (error.id, line) not in numbers and (error.id, None) not in numbers:
-            yield f"{error.render()}\n    nobody expects this error"
+            yield f"{error.render()}\n    unexpected error"
 
 
 def _wrong(run: NcRun, expectation: Expectation) -> list[str]:
-    """What has happened instead; nothing where the expectation is met."""
+    """Return the actual result; empty if the expectation is met."""
     if expectation.kind == "value":
         return _wrong_value(run, expectation)
     if expectation.kind == "ended":
@@ -57,39 +57,45 @@ def _value_time(run: NcRun, expectation: Expectation) -> float:
 
 
 def signal_of(run: NcRun, name: str) -> str:
-    """The signal that a name means: an axis stands for its command position."""
+    """Return the signal of a name: an axis stands for its command position."""
     return f"{name}.ACS.ACT_POS" if run.has_axis(name) else name
 
 
 def _wrong_error(diagnostics: Sequence[Diagnostic], expectation: Expectation) -> list[str]:
     severity = Severity.ERROR if expectation.name == "error" else Severity.WARNING
-    alike = [one for one in diagnostics if one.severity is severity]
-    found = [one for one in alike if one.id == expectation.number]
+    alike = [diagnostic for diagnostic in diagnostics if diagnostic.severity is severity]
+    matching = [diagnostic for diagnostic in alike if diagnostic.id == expectation.number]
     if expectation.about is not None:
-        found = [one for one in found if one.span and one.span.line == expectation.about]
+        matching = [
+            diagnostic
+            for diagnostic in matching
+            if diagnostic.span and diagnostic.span.line == expectation.about
+        ]
     if expectation.count == 0:
-        return [one.headline() for one in found]
-    if found and expectation.count in (None, len(found)):
+        return [diagnostic.headline() for diagnostic in matching]
+    if matching and expectation.count in (None, len(matching)):
         return []
-    places = [(one.span.line if one.span else "-", one) for one in alike]
-    return [f"line {line}: {one.id} {one.text()}" for line, one in places] or ["none"]
+    lines = [(diagnostic.span.line if diagnostic.span else "-", diagnostic) for diagnostic in alike]
+    return [f"line {line}: {diagnostic.id} {diagnostic.text()}" for line, diagnostic in lines] or [
+        "none"
+    ]
 
 
 def _wrong_times(run: NcRun, expectation: Expectation) -> list[str]:
-    found = _occurrences(run, expectation)
-    times_us = [round(one.at * 1e6) for one in found]
+    occurrences = _occurrences(run, expectation)
+    times_us = [round(time.at * 1e6) for time in occurrences]
     length_us = run.run.cycle_time_us
-    wanted = sorted(one.us(length_us) for one in expectation.at)
+    expected_us = sorted(time.us(length_us) for time in expectation.at)
     if expectation.before is not None:
-        times_us = [one for one in times_us if one < expectation.before.us(length_us)]
+        times_us = [time for time in times_us if time < expectation.before.us(length_us)]
     if expectation.after is not None:
-        times_us = [one for one in times_us if one > expectation.after.us(length_us)]
+        times_us = [time for time in times_us if time > expectation.after.us(length_us)]
     count = len(times_us)
     if (count > 0 if expectation.count is None else count == expectation.count) and (
-        not wanted or times_us == wanted
+        not expected_us or times_us == expected_us
     ):
         return []
-    return [str(one) for one in found] or [repr(found).strip("<>")]
+    return [str(time) for time in occurrences] or [repr(occurrences).strip("<>")]
 
 
 def _occurrences(run: NcRun, expectation: Expectation) -> Occurrences:
@@ -101,15 +107,15 @@ def _occurrences(run: NcRun, expectation: Expectation) -> Occurrences:
     return run.function(name, line=line)
 
 
-def _told(run: NcRun, expectation: Expectation) -> str:
-    """The expectation in the words in which what has happened is told."""
+def _in_words_of_events(run: NcRun, expectation: Expectation) -> str:
+    """Return the expectation in the words in which events are shown."""
     length_us = run.run.cycle_time_us
     if expectation.kind == "value":
         at = Time(round(_value_time(run, expectation) * 1e6))
         return f"{expectation.name} = {number_text(expectation.number)} at {at}"
     words = {"function": expectation.name, "error": f"{expectation.number:.0f}"}
-    said = words.get(expectation.kind, f"{expectation.kind} {expectation.name}".strip())
-    parts = [said, *(_when(one, length_us) for one in expectation.at)]
+    subject = words.get(expectation.kind, f"{expectation.kind} {expectation.name}".strip())
+    parts = [subject, *(_when(time, length_us) for time in expectation.at)]
     if expectation.before is not None:
         parts.append(f"before {Time(expectation.before.us(length_us))}")
     if expectation.after is not None:

@@ -183,15 +183,6 @@ _CHARACTER = (
         unit=_POSITION,
     ),
     _axis(
-        "P-AXIS-00179",
-        "kenngr.swe_toleranz",
-        ValueType.UNS32,
-        1000,
-        "How far actual positions may pass the software limits",
-        "Wie weit Istpositionen die Softwareendschalter überfahren dürfen",
-        unit=_POSITION,
-    ),
-    _axis(
         "P-AXIS-00109",
         "kenngr.max_vb_override",
         ValueType.UNS16,

@@ -143,7 +143,6 @@ class AxisConfiguration:
     max_override_pct: float
     software_limit_low: float
     software_limit_high: float
-    software_limit_tolerance: float
     optimised_schedule: bool
     follows_exactly: bool
     obstacle: float
@@ -204,7 +203,6 @@ def axis_configuration(values: Values, collector: Collector) -> AxisConfiguratio
         values.integer("kenngr.max_vb_override") / 10,
         low,
         high,
-        values.integer("kenngr.swe_toleranz") / POSITION_UNITS,
         values.flag("lr_param.field_bus_allows_optimized_schedule"),
         values.flag("antr.simu.ist_gleich_soll"),
         0.0 if is_modulo else values.integer("antr.simu.fixed_stop") / POSITION_UNITS,

@@ -20,6 +20,7 @@ import pytest
 from nctakt.base.failure import Failure
 from nctakt.cli import main
 from nctakt.lists.format.times import Time
+from nctakt.lists.machine.machine import load_machine
 from nctakt.messages import diagnostic
 from nctakt.messages.command_line import RUNNING_UNCOMPILED
 from nctakt.messages.files import STDIN_NAMED_TWICE
@@ -68,8 +69,8 @@ def asked(monkeypatch: pytest.MonkeyPatch) -> Iterator[Asked]:
 
     class Controller:
         cycle_time_us = 1000
-        channel_count = 1
         tick = 0
+        machine = load_machine(None)
 
         def __init__(
             self, machine: object = None, schedule: object = None, access: object = None
@@ -203,7 +204,7 @@ def test_quiet_leaves_errors_and_messages(asked: Asked, capsys: pytest.CaptureFi
 def test_diagnosis_data_are_written(
     asked: Asked, tmp_path: Path, level: int, language: str, line: str
 ) -> None:
-    """RC-601: --diagnosis writes the cycles' diagnosis data, from the level on that counts."""
+    """RC-601: --diagnosis writes the cycles' diagnosis data, by the level at the end (RC-603)."""
 
     def behave(sinks: Any, **_: Any) -> Run:
         for sink in sinks:
@@ -214,7 +215,7 @@ def test_diagnosis_data_are_written(
     asked.level = level
     main(["run", "part.nc", "--diagnosis", "diag.txt", "--lang", language])
     text = (tmp_path / "diag.txt").read_text(encoding="utf-8")
-    assert len(text.splitlines()) == 7 + level
+    assert len(text.splitlines()) == 8 + level
     assert line in text
 
 

@@ -17,7 +17,7 @@ def event(kind: str, text: str, time_us: int = 426098, cycle: str = "1") -> Even
 
 def body(report: DiagnosisReport, language: str = "en") -> list[str]:
     """The lines below the columns' heads."""
-    text = report.render("de" if language == "de" else "en")
+    text = report.render(4, "de" if language == "de" else "en")
     return text.split("-" * 63 + "\n")[1].splitlines()
 
 
@@ -25,14 +25,13 @@ def manual_example() -> DiagnosisReport:
     """What the manual's example shows: a start, a cycle created and started."""
     report = DiagnosisReport()
     report.initialised(50024, 0)
-    report.add(event("created", "1 PROG"), 3)
-    report.add(event("started", "1"), 3)
+    report.add([event("created", "1 PROG"), event("started", "1")])
     return report
 
 
 def test_the_manuals_example_in_german() -> None:
     """RC-601: header, rule, note, columns and lines as the German manual's chapter 5 has them."""
-    lines = manual_example().render("de").splitlines()
+    lines = manual_example().render(3, "de").splitlines()
     assert lines[0] == "BAHN : ECHTZEIT-ZYKLEN DIAGNOSE DATEN KANAL-NR.: 1"
     assert lines[1] == "=" * 63
     assert "Hinweis:" in lines
@@ -48,7 +47,7 @@ def test_the_manuals_example_in_german() -> None:
 
 def test_the_manuals_example_in_english() -> None:
     """RC-601: the same in English."""
-    lines = manual_example().render("en").splitlines()
+    lines = manual_example().render(3, "en").splitlines()
     assert lines[0] == "PATH : REALTIME CYCLES DIAGNOSIS DATA CHANNEL NO.: 1"
     assert "Note:" in lines
     assert [line.split(None, 2) for line in lines[-6:]] == [
@@ -91,34 +90,52 @@ def test_the_manuals_example_in_english() -> None:
 def test_each_event_has_its_level_and_text(kind: str, text: str, level: str, english: str) -> None:
     """RC-603: 1 errors, 2 warnings, 3 management, 4 actions; one line each."""
     report = DiagnosisReport()
-    report.add(event(kind, text), 4)
+    report.add([event(kind, text)])
     (line,) = body(report)
     assert line.split(None, 2)[:2] == ["426098", level]
     assert line.split(None, 2)[2].startswith(english)
 
 
 @pytest.mark.parametrize("limit", [-1, 0, 1, 2, 3, 4, 5, 99])
-def test_the_level_filters_when_the_line_is_made(limit: int) -> None:
-    """RC-603: at or below 0 nothing is kept, from 4 on everything; later changes alter nothing."""
+def test_the_level_filters_when_the_text_is_made(limit: int) -> None:
+    """RC-603, manual 5: what is kept does not depend on the level, what is shown does."""
     report = DiagnosisReport()
-    report.initialised(0, 0, limit)
-    for kind, text in [
-        ("error", "1"),
-        ("warning", "2"),
-        ("started", "1"),
-        ("M", "100 1 0"),
-    ]:
-        report.add(event(kind, text), limit)
-    levels = [line.level for line in report.lines]
+    report.initialised(0, 0)
+    report.add(
+        [
+            event("error", "1"),
+            event("warning", "2"),
+            event("started", "1"),
+            event("M", "100 1 0"),
+        ]
+    )
+    levels = [line.level for line in report.lines(limit)]
     every = [3, 3, 1, 2, 3, 4]
     assert levels == [level for level in every if level <= limit]
+
+
+@pytest.mark.parametrize("limit", [-3, 0])
+def test_at_or_below_0_the_header_alone_is_left(limit: int) -> None:
+    """RC-603: title, rule, note and the columns' heads."""
+    report = manual_example()
+    lines = report.render(limit).splitlines()
+    assert lines == report.render(3).splitlines()[: len(lines)]
+    assert lines[-1] == "-" * 63
+    assert len(lines) == 9
+
+
+def test_the_note_says_what_the_manuals_says() -> None:
+    """Manual 5: messages may be missing, and the documentation tells how to influence that."""
+    english, german = (" ".join(manual_example().render(3, one).split()) for one in ("en", "de"))
+    assert "Note: Messages may be missing here. The documentation of the realtime" in english
+    assert "Hinweis: Hier koennen Nachrichten fehlen." in german
 
 
 def test_motions_in_german() -> None:
     """RC-601: the same lines in the other language."""
     report = DiagnosisReport()
     for text in ("Z begun 900", "A begun positive", "Z stopped"):
-        report.add(event("axis", text), 4)
+        report.add([event("axis", text)])
     assert [line.split(None, 2)[2] for line in body(report, "de")] == [
         "Zyklus 1: Achse Z faehrt auf 900",
         "Zyklus 1: Achse A faehrt endlos in positiver Richtung",
@@ -129,38 +146,29 @@ def test_motions_in_german() -> None:
 def test_what_is_not_the_cycles_makes_no_line() -> None:
     """Messages, program ends, and outputs of the main program are no diagnosis data."""
     report = DiagnosisReport()
-    for kind in ("message", "output", "end"):
-        report.add(event(kind, "m 5", cycle=""), 4)
-    report.add(event("written", "V.E.VALUE 5", cycle=""), 4)
-    assert report.lines == ()
+    report.add([event(kind, "m 5", cycle="") for kind in ("message", "output", "end")])
+    report.add([event("written", "V.E.VALUE 5", cycle=""), event("user_error", "7 1", cycle="")])
+    assert report.lines(4) == []
 
 
 def test_an_error_is_told_with_its_text() -> None:
     """RC-602: what the error says stands behind its number, in the language asked for."""
     place = Span("part.nc", 5, 3, 4)
     report = DiagnosisReport()
-    report.add(Event(1, 1000, "error", "900510", place, "1"), 1)
+    report.add([Event(1, 1000, "error", "900510", place, "1")])
     other = diagnostic(INVALID_TIME, Span("part.nc", 6, 3, 9), text="never")
     found = diagnostic(INVALID_TIME, Span("part.nc", 5, 1, 9), text="soon")
-    assert report.render("en", [other, found]).endswith("900510: 'soon' is not a valid time\n")
-    assert report.render("de", [found]).endswith("900510: 'soon' ist keine gültige Zeit\n")
-    assert report.render("en", [other]).endswith("900510\n")
+    assert report.render(1, "en", [other, found]).endswith("900510: 'soon' is not a valid time\n")
+    assert report.render(1, "de", [found]).endswith("900510: 'soon' ist keine gültige Zeit\n")
+    assert report.render(1, "en", [other]).endswith("900510\n")
 
 
-def test_a_sink_follows_the_level_that_is_written() -> None:
-    """RC-603: from the event on that writes DIAG_LEVEL the new level counts."""
+def test_a_sink_keeps_everything() -> None:
+    """RC-603: a level that is written meanwhile decides about nothing that is kept."""
     sink = DiagnosisSink(DiagnosisReport())
     sink.open(TraceHeader(1000, ()))
-    sink.events(
-        [
-            event("M", "100 1 0"),
-            event("written", "V.RTG.CYCLES.DIAG_LEVEL 99", cycle=""),
-            event("M", "101 1 0"),
-            event("written", "V.RTG.CYCLES.DIAG_LEVEL 0"),
-            event("M", "102 1 0"),
-        ]
-    )
-    assert [line.split(": ", 1)[1][:4] for line in body(sink.report)] == ["M101", "V.RT"]
+    sink.events([event("written", "V.RTG.CYCLES.DIAG_LEVEL 0"), event("M", "102 1 0")])
+    assert [line.split(": ", 1)[1][:4] for line in body(sink.report)] == ["V.RT", "M102"]
 
 
 @pytest.mark.parametrize("extra", [-1, 0, 1])
@@ -168,8 +176,27 @@ def test_the_ring_is_bounded(extra: int) -> None:
     """RC-603: at the bound all lines are there, one more pushes out the oldest and is told."""
     report = DiagnosisReport()
     for number in range(DIAGNOSIS_CAPACITY + extra):
-        report.add(event("started", "1", time_us=number), 3)
-    kept = report.lines
+        report.add([event("started", "1", time_us=number)])
+    kept = report.lines(3)
     assert len(kept) == min(DIAGNOSIS_CAPACITY, DIAGNOSIS_CAPACITY + extra)
     assert kept[0].time_us == max(0, extra)
-    assert ("no longer kept: 1" in report.render()) == (extra > 0)
+    assert ("newest 1000 messages of each level are kept; older ones: 1" in report.render(3)) == (
+        extra > 0
+    )
+
+
+def test_actions_push_out_no_other_lines() -> None:
+    """RC-603: each level has its own bound; what is not shown does not count as missing."""
+    report = DiagnosisReport(capacity=2)
+    report.add([event("created", "1 PROG"), *(event("M", "1 1 0") for _ in range(5))])
+    assert [line.level for line in report.lines(4)] == [3, 4, 4]
+    assert "older ones: 3" in report.render(4)
+    assert "older ones" not in report.render(3)
+
+
+def test_lines_of_several_chunks_stand_in_their_order() -> None:
+    """The levels are kept apart and shown together, as they happened."""
+    report = DiagnosisReport()
+    for _ in range(2):
+        report.add([event("M", "1 1 0"), event("held", "1"), event("M", "2 1 0")])
+    assert [line.level for line in report.lines(4)] == [4, 3, 4, 4, 3, 4]

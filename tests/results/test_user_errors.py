@@ -102,7 +102,7 @@ def test_errors_of_cycles_stand_in_the_diagnosis_data() -> None:
     text = "#RT CYCLE [ID=4 SCOPE=PROG]\n$IF ONCE TRUE\n#ERROR [ID=1 RC=0]\n#ERROR [ID=2 RC=1]\n"
     text += "$ENDIF\n#RT CYCLE END\nM30"
     run = Controller().run(NcText("part.nc", text), sinks=[DiagnosisSink(report)])
-    lines = report.render("en", run.diagnostics).splitlines()[-2:]
+    lines = report.render(2, "en", run.diagnostics).splitlines()[-2:]
     assert lines == [
         "0           WARNING 900463: user warning 1 (RC = 0)",
         "0           ERROR   900464: user error 2 (RC = 1)",

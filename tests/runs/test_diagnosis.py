@@ -10,7 +10,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from test_runs import HERE, settings
+from test_runs import HERE, changed_machine, settings
 
 from nctakt.cli import main
 
@@ -30,8 +30,10 @@ PROGRAM = """V.RTG.CYCLES.DIAG_LEVEL = {level}
 M30
 """
 
-#: Level, time, label and words of what happens behind the write of the level, which tick 1 takes.
+#: Level, time, label and words of what happens; tick 1 takes the write of the level.
 LINES = [
+    (3, "0", "INFO", "Realtime cycle manager was initialised"),
+    (3, "0", "INFO", "Realtime cycle manager: 0 cycles"),
     (3, "1000", "INFO", "Cycle 7 was created with GLOBAL validity"),
     (3, "1000", "INFO", "Cycle 7 was started"),
     (4, "1000", "ACTION", "M100"),
@@ -68,11 +70,11 @@ def test_the_diagnosis_data_of_a_run(file: Path, tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("level", [-3, 0, 1, 2, 3, 4, 99])
 def test_each_level_adds_its_kind_of_lines(level: int, tmp_path: Path) -> None:
-    """RC-603: 1 errors, 2 + warnings, 3 + management, 4 + actions; filtered when they are made.
+    """RC-603: 1 errors, 2 + warnings, 3 + management, 4 + actions; filtered when they are shown.
 
     Ticks: the write's flush ends tick 0; tick 1 takes the write, cycle 7 and a dwell; tick 2 a
     CONTINUE without effect and a dwell; tick 3 HOLD and cycle 8, which divides by zero at once. The
-    manager's two lines are older than the write.
+    manager's two lines are older than the write, and shown by the same level.
     """
     program = tmp_path / "levels.nc"
     program.write_text(PROGRAM.format(level=level), "utf-8")
@@ -80,8 +82,21 @@ def test_each_level_adds_its_kind_of_lines(level: int, tmp_path: Path) -> None:
     assert main(["run", str(program), "--quiet", "--diagnosis", str(written)]) == 1
     lines = written.read_text("utf-8").splitlines()
     body = [line.split(None, 2) for line in lines[lines.index("-" * 63) + 1 :]]
-    assert [line[:2] for line in body[:2]] == [["0", "INFO"], ["0", "INFO"]]
     expected = [line for line in LINES if line[0] <= level]
-    assert [line[:2] for line in body[2:]] == [[time, label] for _, time, label, _ in expected]
-    for found, (_, _, _, words) in zip(body[2:], expected, strict=True):
+    assert [line[:2] for line in body] == [[time, label] for _, time, label, _ in expected]
+    for found, (_, _, _, words) in zip(body, expected, strict=True):
         assert words in found[2]
+
+
+def test_a_channel_without_realtime_cycles_has_no_diagnosis_data(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """RC-603, manual 5: only where P-CHAN-00406 is on; that there are none is told (901006)."""
+    lines = {"sda_mds1.lis": ["configuration.rt_cycles.enable 0"]}
+    machine = changed_machine(lines, tmp_path / "machine")
+    program, written = tmp_path / "part.nc", tmp_path / "diagnosis.txt"
+    program.write_text("M30\n", "utf-8")
+    words = ["run", str(program), "--machine", str(machine), "--diagnosis", str(written)]
+    assert main(words) == 0
+    assert written.read_text("utf-8") == ""
+    assert "901006" in capsys.readouterr().err

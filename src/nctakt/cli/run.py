@@ -31,8 +31,13 @@ from nctakt.cli.terminal import (
 )
 from nctakt.cli.waiting import waiter
 from nctakt.files.output import OutputFile
+from nctakt.messages import diagnostic
+from nctakt.messages.command_line import NO_DIAGNOSIS_DATA
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from nctakt.base.diagnostics import Diagnostic
     from nctakt.results.report import DiagnosisSink
     from nctakt.results.run import ProgramMessage, Run
     from nctakt.run.controller import Controller
@@ -111,8 +116,7 @@ def _run(options: Options) -> int:
         wall_s = time.perf_counter() - begin_s
         diagnostics = () if run is None else run.diagnostics
         if report is not None:
-            texts = [one.report.render(options.language, diagnostics) for one in diagnosis]
-            report.write("\n".join(texts))
+            report.write(_diagnosis_text(controller, diagnosis, options, diagnostics))
         if plot is not None and picture is not None and run is not None:
             picture.fill(plot.draw)
     return EXIT_NC_ERROR if run is None else _tell(options, run, wall_s)
@@ -149,16 +153,36 @@ def _error_log(controller: Controller, file: OutputFile) -> Sink:
 
 
 def _diagnosis(controller: Controller) -> list[DiagnosisSink]:
-    """Gathers each channel's diagnosis data, from the level on that counts at the first tick."""
+    """Gathers the diagnosis data of each channel that has realtime cycles (P-CHAN-00406)."""
     from nctakt.results.report import DiagnosisReport, DiagnosisSink  # noqa: PLC0415 - as above
 
     sinks: list[DiagnosisSink] = []
-    for number in range(1, controller.channel_count + 1):
-        level = float(controller.read(f"CH{number}.V.RTG.CYCLES.DIAG_LEVEL"))
-        report = DiagnosisReport(number)
-        report.initialised(controller.tick * controller.cycle_time_us, 0, level)
-        sinks.append(DiagnosisSink(report, level))
+    for channel in controller.machine.channels:
+        if channel.parameters.realtime_cycles.enable:
+            report = DiagnosisReport(channel.number)
+            report.initialised(controller.tick * controller.cycle_time_us, 0)
+            sinks.append(DiagnosisSink(report))
     return sinks
+
+
+def _diagnosis_text(
+    controller: Controller,
+    sinks: Sequence[DiagnosisSink],
+    options: Options,
+    diagnostics: Sequence[Diagnostic],
+) -> str:
+    """The diagnosis data of all channels, by the level that each of them has now (RC-603)."""
+    if not sinks and not options.quiet:
+        print_diagnostics([diagnostic(NO_DIAGNOSIS_DATA)], options.language)
+    reports = [sink.report for sink in sinks]
+    return "\n".join(
+        report.render(
+            float(controller.read(f"CH{report.channel}.V.RTG.CYCLES.DIAG_LEVEL")),
+            options.language,
+            diagnostics,
+        )
+        for report in reports
+    )
 
 
 def _run_controller(

@@ -133,3 +133,10 @@ UNKNOWN_SUBCOMMAND = error(
     nearest=("the nearest known name", "der ähnlichste bekannte Name"),
     names=("the commands", "die Befehle"),
 )
+NO_DIAGNOSIS_DATA = note(
+    901006,
+    en="no channel of the machine has realtime cycles: there are no diagnosis data",
+    de="kein Kanal der Maschine hat Echtzeit-Zyklen: es gibt keine Diagnosedaten",
+    remedy_en="Write configuration.rt_cycles.enable 1 (P-CHAN-00406) in the channel list.",
+    remedy_de="configuration.rt_cycles.enable 1 (P-CHAN-00406) in die Kanalliste schreiben.",
+)

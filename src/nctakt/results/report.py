@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: MIT
 """The diagnosis data of the realtime cycles as text (manual chapter 5, RC-601 … RC-603).
 
-In: events, each with the value of V.RTG.CYCLES.DIAG_LEVEL at its time, which decides whether it
-becomes a line. Out: the text with header, rule, note and the columns timestamp, level and message,
-in English or German. Timestamps are microseconds of controller time.
+In: the events of a run, of which the newest of each level are kept. Out: the text with header,
+rule, note and the columns timestamp, level and message, in English or German, as far as the value
+lets it through that V.RTG.CYCLES.DIAG_LEVEL has when the text is asked for. Timestamps are
+microseconds of controller time.
 """
 
 from __future__ import annotations
@@ -14,6 +15,7 @@ from collections.abc import Sequence
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Language, Span, Text
+from nctakt.kernel import rows
 from nctakt.messages import diagnostic
 from nctakt.messages.catalogue import catalogue
 from nctakt.messages.diagnosis import (
@@ -36,28 +38,26 @@ from nctakt.messages.diagnosis import (
     LOG_VARIABLE_WRITTEN,
 )
 from nctakt.results.user_errors import user_message
+from nctakt.trace.chunks import EventChunk
 from nctakt.trace.events import Event
 from nctakt.trace.sinks import TraceHeader
 
-#: Maximum number of lines kept; each further line pushes out the oldest.
+#: Lines of each level that are kept; each further one pushes out the oldest of its level.
 DIAGNOSIS_CAPACITY = 1000
-
-#: The value of V.RTG.CYCLES.DIAG_LEVEL after a start of the controller.
-DEFAULT_LEVEL = 3
-
-_LEVEL_VARIABLE = "V.RTG.CYCLES.DIAG_LEVEL "
 
 _TITLE = Text(
     "PATH : REALTIME CYCLES DIAGNOSIS DATA CHANNEL NO.: {channel}",
     "BAHN : ECHTZEIT-ZYKLEN DIAGNOSE DATEN KANAL-NR.: {channel}",
 )
 _NOTE = Text(
-    "Note:\nV.RTG.CYCLES.DIAG_LEVEL decides which messages are listed here.",
-    "Hinweis:\nV.RTG.CYCLES.DIAG_LEVEL bestimmt, welche Nachrichten hier stehen.",
+    "Note:\nMessages may be missing here. The documentation of the realtime cycles tells how "
+    "to\ninfluence the diagnosis: by V.RTG.CYCLES.DIAG_LEVEL.",
+    "Hinweis:\nHier koennen Nachrichten fehlen. Wie sich die Diagnose beeinflussen laesst, "
+    "sagt\ndie Dokumentation der Echtzeit-Zyklen: durch V.RTG.CYCLES.DIAG_LEVEL.",
 )
 _PUSHED_OUT = Text(
-    "Older messages that are no longer kept: {count}",
-    "Aeltere, nicht mehr vorhandene Nachrichten: {count}",
+    "The newest {capacity} messages of each level are kept; older ones: {count}",
+    "Die neuesten {capacity} Nachrichten jedes Levels sind vorhanden; aeltere: {count}",
 )
 _HEADS = (
     Text("Timestamp", "Zeitstempel"),
@@ -93,6 +93,32 @@ _LEVELS = {
     "M": Level.ACTION,
     "H": Level.ACTION,
 }
+#: Kinds of rows that lines of actions are made of, where a cycle is their subject.
+_ACTION_ROWS = frozenset(
+    (
+        rows.EVENT_FIRED,
+        rows.EVENT_WRITTEN,
+        rows.EVENT_TECHNOLOGY_RT,
+        rows.EVENT_AXIS_BEGUN,
+        rows.EVENT_AXIS_ENDLESS,
+        rows.EVENT_AXIS_ENDED,
+        rows.EVENT_AXIS_CHANGED,
+    )
+)
+#: Kinds of rows that lines of the other levels are made of.
+_OTHER_ROWS = frozenset(
+    (
+        rows.EVENT_CREATED,
+        rows.EVENT_STARTED,
+        rows.EVENT_HELD,
+        rows.EVENT_CONTINUED,
+        rows.EVENT_ABORTED,
+        rows.EVENT_ENDED,
+        rows.EVENT_ERROR,
+        rows.EVENT_NOTICE,
+        rows.EVENT_USER_ERROR,
+    )
+)
 _PLAIN = {
     "started": LOG_CYCLE_STARTED,
     "held": LOG_CYCLE_HELD,
@@ -153,94 +179,132 @@ class Line:
 
 
 class DiagnosisReport:
-    """Gathers the diagnosis data of one channel, the newest ``capacity`` lines."""
+    """Gathers the diagnosis data of one channel: the newest ``capacity`` lines of each level."""
 
     def __init__(self, channel: int = 1, capacity: int = DIAGNOSIS_CAPACITY) -> None:
         assert capacity > 0
         self.channel = channel
-        self._lines: deque[Line] = deque(maxlen=capacity)
-        self._pushed_out = 0
+        self._capacity = capacity
+        self._kept: dict[Level, deque[tuple[int, Event | Line]]] = {
+            level: deque(maxlen=capacity) for level in Level
+        }
+        self._counts = dict.fromkeys(Level, 0)
+        self._next = 0
 
-    @property
-    def lines(self) -> tuple[Line, ...]:
-        """The lines that are kept, the oldest first."""
-        return tuple(self._lines)
+    def initialised(self, time_us: int, count: int) -> None:
+        """The manager of the realtime cycles has been set up and holds ``count`` cycles."""
+        for message in (
+            diagnostic(LOG_MANAGER_INITIALISED),
+            diagnostic(LOG_MANAGER_CAPACITY, count=count),
+        ):
+            self._append(Level.INFO, self._next, _info(time_us, message))
+            self._next += 1
 
-    def initialised(self, time_us: int, count: int, level_limit: float = DEFAULT_LEVEL) -> None:
-        """Add the line that the manager of the realtime cycles is set up with ``count`` cycles."""
-        if level_limit >= Level.INFO:
-            self._append(_info(time_us, diagnostic(LOG_MANAGER_INITIALISED)))
-            self._append(_info(time_us, diagnostic(LOG_MANAGER_CAPACITY, count=count)))
+    def add(self, events: Sequence[Event]) -> None:
+        """Keep the events that come from realtime cycles or from their manager."""
+        places: Sequence[int] = range(len(events))
+        kept = events
+        if isinstance(events, EventChunk):
+            places, kept = self._newest(events)
+        for place, event in zip(places, kept, strict=True):
+            if event.channel not in (0, self.channel):
+                continue
+            level = _level(event)
+            if level is not None:
+                self._append(level, self._next + place, event)
+        self._next += len(events)
 
-    def add(self, event: Event, level_limit: float) -> None:
-        """Add a line for ``event`` if its level is at most ``level_limit``.
+    def lines(self, level_limit: float) -> list[Line]:
+        """Return the lines that are kept up to this level, in the order of what they tell."""
+        kept = [entry for level in Level if level <= level_limit for entry in self._kept[level]]
+        kept.sort(key=lambda entry: entry[0])
+        return [one if isinstance(one, Line) else _line(one) for _, one in kept]
 
-        ``level_limit`` is V.RTG.CYCLES.DIAG_LEVEL at the time of the event. Events that do not
-        come from realtime cycles or their manager add no line.
-        """
-        level = _user_level(event) if event.kind == "user_error" else _LEVELS.get(event.kind)
-        if level is None or level > level_limit:
-            return
-        if event.kind == "user_error":
-            message = user_message(int(event.text.split()[1]))
-            self._append(Line(event.time_us, level, message.id, event.span, None))
-        elif level <= Level.WARNING:
-            known = _message_without_parameters(event)
-            self._append(Line(event.time_us, level, int(event.text), event.span, known))
-        elif event.cycle:
-            self._append(_info(event.time_us, _message(event), level))
-
-    def render(self, language: Language = "en", details: Sequence[Diagnostic] = ()) -> str:
-        """Return the diagnosis data as text with a final line end.
+    def render(
+        self, level_limit: float, language: Language = "en", details: Sequence[Diagnostic] = ()
+    ) -> str:
+        """Return the diagnosis data up to this level as text, which ends with a line end.
 
         ``details`` are the diagnostics of the run: they have the texts of the errors, of which an
         event holds only the number.
         """
         title = _TITLE.get(language).format(channel=self.channel)
         text = [title, "=" * _WIDTH, "", _NOTE.get(language)]
-        if self._pushed_out:
-            text.append(_PUSHED_OUT.get(language).format(count=self._pushed_out))
+        shown = [level for level in Level if level <= level_limit]
+        pushed_out = sum(self._counts[level] - len(self._kept[level]) for level in shown)
+        if pushed_out:
+            told = _PUSHED_OUT.get(language)
+            text.append(told.format(capacity=self._capacity, count=pushed_out))
         heads = _COLUMNS.format(*(head.get(language) for head in _HEADS))
         text += ["", heads, "-" * _WIDTH]
         text += [
             _COLUMNS.format(line.time_us, line.level.name, line.text(language, details))
-            for line in self._lines
+            for line in self.lines(level_limit)
         ]
         return "\n".join(text) + "\n"
 
-    def _append(self, line: Line) -> None:
-        if len(self._lines) == self._lines.maxlen:
-            self._pushed_out += 1
-        self._lines.append(line)
+    def _append(self, level: Level, place: int, one: Event | Line) -> None:
+        self._kept[level].append((place, one))
+        self._counts[level] += 1
+
+    def _newest(self, chunk: EventChunk) -> tuple[list[int], Sequence[Event]]:
+        """Return the places of what is to be kept of a chunk, and its events.
+
+        Of actions these are as many as are kept; the others are counted, and never decoded.
+        """
+        kinds, subjects = chunk.column(rows.EVENT_KIND), chunk.column(rows.EVENT_SUBJECT)
+        channels = chunk.column(rows.EVENT_CHANNEL)
+        actions = [
+            place
+            for place, (kind, subject, channel) in enumerate(
+                zip(kinds, subjects, channels, strict=True)
+            )
+            if kind in _ACTION_ROWS and subject and channel in (0, self.channel)
+        ]
+        places = [place for place, kind in enumerate(kinds) if kind in _OTHER_ROWS]
+        places = sorted(places + actions[-self._capacity :])
+        self._counts[Level.ACTION] += max(0, len(actions) - self._capacity)
+        return places, chunk.select(places)
 
 
 class DiagnosisSink:
-    """A sink that adds the events of a run to its diagnosis data.
+    """Keeps the events of a run for its diagnosis data while it goes on; a sink."""
 
-    ``level`` is V.RTG.CYCLES.DIAG_LEVEL at the begin of the run; events report its changes.
-    """
-
-    def __init__(self, report: DiagnosisReport, level: float = DEFAULT_LEVEL) -> None:
+    def __init__(self, report: DiagnosisReport) -> None:
         self.report = report
-        self._level = level
 
     def open(self, header: TraceHeader) -> None:
         """Do nothing: the events suffice."""
 
     def events(self, events: Sequence[Event]) -> None:
-        """Add lines for these events."""
-        for event in events:
-            if event.channel not in (0, self.report.channel):
-                continue
-            self.report.add(event, self._level)
-            if event.kind == "written" and event.text.startswith(_LEVEL_VARIABLE):
-                self._level = float(event.text.removeprefix(_LEVEL_VARIABLE))
+        """Keep these events."""
+        self.report.add(events)
 
     def rows(self, first_tick: int, rows: memoryview[float], width: int) -> None:
         """Do nothing: diagnosis data come from events."""
 
     def close(self) -> None:
         """Do nothing: the report stays."""
+
+
+def _level(event: Event) -> Level | None:
+    """Return the level of what an event tells, ``None`` if it makes no line."""
+    if event.kind == "user_error":
+        return _user_level(event) if event.cycle else None
+    level = _LEVELS.get(event.kind)
+    return level if event.cycle or level in (Level.ERROR, Level.WARNING) else None
+
+
+def _line(event: Event) -> Line:
+    """Return the line of an event that has a level."""
+    level = _level(event)
+    assert level is not None
+    if event.kind == "user_error":
+        message = user_message(int(event.text.split()[1]))
+        return Line(event.time_us, level, message.id, event.span, None)
+    if level <= Level.WARNING:
+        return Line(event.time_us, level, int(event.text), event.span, _message_without_parameters(event))
+    return _info(event.time_us, _message(event), level)
 
 
 def _user_level(event: Event) -> Level:

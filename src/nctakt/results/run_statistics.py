@@ -11,6 +11,7 @@ from collections.abc import Callable, Mapping, Sequence
 
 from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Span
+from nctakt.kernel import rows
 from nctakt.results.run import (
     NO_FREQUENCY,
     TECHNOLOGY_KINDS,
@@ -22,8 +23,23 @@ from nctakt.results.run import (
     technology_output,
 )
 from nctakt.results.starving import ScheduleStatistics
+from nctakt.trace.chunks import of_kinds, repetitions
 from nctakt.trace.events import Event
 from nctakt.trace.sinks import TraceHeader
+
+#: Events that are counted.
+_COUNTED = frozenset(
+    (
+        rows.EVENT_CREATED,
+        rows.EVENT_FIRED,
+        rows.EVENT_ENDED,
+        rows.EVENT_TECHNOLOGY_RT,
+        rows.EVENT_TECHNOLOGY,
+        rows.EVENT_STARVED,
+        rows.EVENT_FED,
+        rows.EVENT_OVERFLOW,
+    )
+)
 
 
 @dataclass(slots=True)
@@ -33,11 +49,11 @@ class _Firings:
     first_tick: int | None = None
     last_tick: int | None = None
 
-    def add(self, tick: int) -> None:
-        self.count += 1
-        self.last_tick = tick
+    def add(self, first_tick: int, last_tick: int, count: int) -> None:
+        self.count += count
+        self.last_tick = last_tick
         if self.first_tick is None:
-            self.first_tick = tick
+            self.first_tick = first_tick
 
 
 @dataclass(slots=True)
@@ -88,13 +104,13 @@ class RunStatistics:
 
     def events(self, events: Sequence[Event]) -> None:
         """Count these events."""
-        for event in events:
+        for event, count, last_tick in repetitions(of_kinds(events, _COUNTED)):
             if event.kind == "created":
                 self._created(event)
             elif event.kind == "fired":
-                self._fired(event)
+                self._fired(event, count, last_tick)
             elif event.kind in TECHNOLOGY_KINDS:
-                self._output(event)
+                self._output(event, count)
             elif event.kind in ("starved", "overflow"):
                 self.schedule.add(event)
             elif event.kind == "ended":
@@ -114,19 +130,20 @@ class RunStatistics:
             self._cycles[key].frozen = tuple(self._frozen(event.cycle, event.span))
         self._living[event.cycle] = self._cycles[key]
 
-    def _fired(self, event: Event) -> None:
+    def _fired(self, event: Event, count: int, last_tick: int) -> None:
         living = self._living.get(event.cycle)
         if living is None:  # a GLOBAL cycle that an earlier run of this controller created
             living = _Cycle(event.cycle, "GLOBAL", None, instances=1)
             self._living[event.cycle] = living
             self._cycles[(event.cycle, "GLOBAL", None)] = living
         span = _span_beginning_at(living.reactions, event.span)
-        living.reactions.setdefault(span, _Firings(NO_FREQUENCY)).add(event.tick)
+        firings = living.reactions.setdefault(span, _Firings(NO_FREQUENCY))
+        firings.add(event.tick, last_tick, count)
 
-    def _output(self, event: Event) -> None:
+    def _output(self, event: Event, count: int) -> None:
         output = technology_output(event)
         key = (output.letter, output.number, event.kind != "output")
-        self._outputs.setdefault(key, _Output(event.tick)).count += 1
+        self._outputs.setdefault(key, _Output(event.tick)).count += count
 
     def outputs(self) -> tuple[OutputCount, ...]:
         """Return the M and H functions in the order of their first output."""

@@ -12,10 +12,14 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Message, Span
 from nctakt.base.source_ids import statement_span
+from nctakt.kernel import rows
 from nctakt.messages import diagnostic
 from nctakt.messages.user_errors import FATAL_USER_ERROR, USER_ERROR, USER_WARNING
+from nctakt.trace.chunks import of_kinds
 from nctakt.trace.events import Event
 from nctakt.trace.sinks import TraceHeader
+
+_ROWS = frozenset((rows.EVENT_USER_ERROR, rows.EVENT_USER_VALUE, rows.EVENT_USER_TEXT))
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,7 +82,7 @@ class UserErrorLog:
 
     def events(self, events: Sequence[Event]) -> None:
         """Write time in microseconds, ID with text, RC, values and position of each error."""
-        for error in user_errors(events):
+        for error in user_errors(of_kinds(events, _ROWS)):
             values = {"RC": str(error.reaction), **error.values}
             values_text = " ".join(f"{name}={value}" for name, value in values.items())
             position = "" if error.span is None else f" {error.span}"

@@ -11,7 +11,7 @@ from collections.abc import Callable, Sequence
 
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
-from nctakt.kernel import codes
+from nctakt.kernel import codes, rows
 from nctakt.nc.outline import ProgramText
 from nctakt.results.coverage import Coverage
 from nctakt.results.probe_log import ProbeLog
@@ -20,8 +20,20 @@ from nctakt.results.user_errors import user_errors
 from nctakt.results.why import WhyReport
 from nctakt.run.assembly import AssembledMachine
 from nctakt.run.error_events import realtime_diagnostic
-from nctakt.trace.events import Event, EventChunk, EventDecoder
+from nctakt.trace.chunks import EventChunk
+from nctakt.trace.events import Event, EventDecoder
 from nctakt.trace.sinks import Signal, Sink, TraceHeader
+
+#: Events that become messages and diagnostics.
+_WATCHED = frozenset(
+    (
+        rows.EVENT_MESSAGE,
+        rows.EVENT_ERROR,
+        rows.EVENT_USER_ERROR,
+        rows.EVENT_USER_VALUE,
+        rows.EVENT_USER_TEXT,
+    )
+)
 
 
 class Recording:
@@ -83,14 +95,14 @@ class Recording:
         if self._probes is not None:
             self._probes.add(probes, event_rows)
         events = EventChunk(self._events, event_rows)
-        rows = memoryview(record.take_rows()).cast("d")
+        signals = memoryview(record.take_rows()).cast("d")
         if len(events):
-            self._watch(events)
+            self._watch(events.of_kinds(_WATCHED))
         for sink in self._sinks:
             if len(events):
                 sink.events(events)
             if rows_count:
-                sink.rows(first_tick, rows, record.signal_count)
+                sink.rows(first_tick, signals, record.signal_count)
 
     def why(
         self, first_tick: int, texts: Sequence[ProgramText]
@@ -125,7 +137,8 @@ class Recording:
         """Keep messages, and turn errors of the realtime part into diagnostics."""
         machine = self._machine
         reports = iter(user_errors(events))
-        for event, subject in zip(events, events.subjects(), strict=True):
+        subjects = map(int, events.column(rows.EVENT_SUBJECT))
+        for event, subject in zip(events, subjects, strict=True):
             if event.kind == "message":
                 is_exclusive, is_unbroken, file = machine.registry.message_style(subject)
                 message = ProgramMessage(

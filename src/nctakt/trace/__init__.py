@@ -5,7 +5,8 @@ In: the rows that ``kernel/base/record.py`` recorded in the ticks. Out: ``Trace`
 JSONL files.
 """
 
-from nctakt.trace.events import Event, EventChunk, EventDecoder, EventNames
+from nctakt.trace.chunks import EventChunk
+from nctakt.trace.events import Event, EventDecoder, EventNames
 from nctakt.trace.reading import read_trace
 from nctakt.trace.recorded import MemorySink, Trace
 from nctakt.trace.sinks import CsvSink, JsonlSink, Signal, Sink, TraceHeader, file_sink

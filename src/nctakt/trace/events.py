@@ -2,15 +2,14 @@
 """Events of a tick: the realtime part's event rows -> ``Event`` objects with text.
 
 In: event rows of the realtime part (``kernel/rows.py``) and ``EventNames``, the names behind their
-numbers. Out: events in the order of their occurrence. A chunk of rows is decoded when it is first
-read: a run whose events nobody reads does not pay for them.
+numbers. Out: events in the order of their occurrence.
 """
 
 from __future__ import annotations
 
 import struct
-from collections.abc import Callable, Iterator, Sequence
-from typing import Protocol, overload
+from collections.abc import Callable
+from typing import Protocol
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Severity, Span
@@ -337,36 +336,3 @@ def _severity_word(number: int) -> str:
     message = catalogue().get(number)
     is_warning = message is not None and message.severity is not Severity.ERROR
     return "warning" if is_warning else "error"
-
-
-class EventChunk(Sequence[Event]):
-    """Events of some consecutive ticks, decoded when they are first read."""
-
-    def __init__(self, decoder: EventDecoder, data: bytes) -> None:
-        self._decoder = decoder
-        self._data = data
-        self._events: list[Event] | None = None
-
-    def __len__(self) -> int:
-        return len(self._data) // _ROW.size
-
-    def __iter__(self) -> Iterator[Event]:
-        return iter(self._decoded())
-
-    @overload
-    def __getitem__(self, index: int) -> Event: ...
-
-    @overload
-    def __getitem__(self, index: slice) -> Sequence[Event]: ...
-
-    def __getitem__(self, index: int | slice) -> Event | Sequence[Event]:
-        return self._decoded()[index]
-
-    def subjects(self) -> Iterator[int]:
-        """Yield the subject number of each event: of a cycle, a message or a program."""
-        return (int(row[rows.EVENT_SUBJECT]) for row in _ROW.iter_unpack(self._data))
-
-    def _decoded(self) -> list[Event]:
-        if self._events is None:
-            self._events = self._decoder.decode(self._data)
-        return self._events

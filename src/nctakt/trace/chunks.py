@@ -1,0 +1,112 @@
+# SPDX-License-Identifier: MIT
+"""Events of some ticks, decoded when they are looked at, and not before.
+
+In: event rows as the record gives them. Out: all events as a sequence; those of some kinds; each
+event once, with how often it was repeated. Long runs have millions of rows, which few listeners
+want to see one by one.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Collection, Iterator, Sequence
+from typing import cast, overload
+
+from nctakt.kernel import rows
+from nctakt.trace.events import Event, EventDecoder
+
+_ROW_SIZE = 8 * rows.EVENT_WIDTH
+
+#: Kinds of events of which a run may have many in each tick.
+_FREQUENT = frozenset(
+    (rows.EVENT_FIRED, rows.EVENT_WRITTEN, rows.EVENT_TECHNOLOGY_RT, rows.EVENT_TECHNOLOGY)
+)
+
+#: The columns that repeated events of these kinds have in common.
+_KEY = (
+    rows.EVENT_KIND,
+    rows.EVENT_CHANNEL,
+    rows.EVENT_SOURCE,
+    rows.EVENT_SUBJECT,
+    rows.EVENT_A,
+)
+
+
+class EventChunk(Sequence[Event]):
+    """Events of some consecutive ticks, decoded when they are first read."""
+
+    def __init__(self, decoder: EventDecoder, data: bytes) -> None:
+        self._decoder = decoder
+        self._data = data
+        self._events: list[Event] | None = None
+
+    def __len__(self) -> int:
+        return len(self._data) // _ROW_SIZE
+
+    def __iter__(self) -> Iterator[Event]:
+        return iter(self._decoded())
+
+    @overload
+    def __getitem__(self, index: int) -> Event: ...
+
+    @overload
+    def __getitem__(self, index: slice) -> Sequence[Event]: ...
+
+    def __getitem__(self, index: int | slice) -> Event | Sequence[Event]:
+        return self._decoded()[index]
+
+    def column(self, number: int) -> list[float]:
+        """Return one column of all rows (``rows.EVENT_KIND`` …)."""
+        cells = memoryview(self._data).cast("d")
+        return cast("list[float]", cells[number :: rows.EVENT_WIDTH].tolist())
+
+    def select(self, places: Sequence[int]) -> EventChunk:
+        """Return the rows at these places, not decoded yet."""
+        pieces = (self._data[_ROW_SIZE * i : _ROW_SIZE * (i + 1)] for i in places)
+        return EventChunk(self._decoder, b"".join(pieces))
+
+    def of_kinds(self, kinds: Collection[int]) -> EventChunk:
+        """Return the rows of these kinds (``rows.EVENT_FIRED`` …), not decoded yet."""
+        found = self.column(rows.EVENT_KIND)
+        return self.select([i for i, kind in enumerate(found) if kind in kinds])
+
+    def repetitions(self) -> list[tuple[Event, int, int]]:
+        """Return each event once, with its number of occurrences and the tick of the last one.
+
+        Firings, writes and functions count as the same where cycle, place and what they name are
+        the same; each event of another kind counts once. They stand in the order of their first
+        occurrence.
+        """
+        keys = list(zip(*map(self.column, _KEY), strict=True))
+        ticks = self.column(rows.EVENT_TICK)
+        counts = Counter(keys)
+        last_ticks = dict(zip(keys, ticks, strict=True))
+        backward = range(len(keys) - 1, -1, -1)
+        firsts = dict(zip(reversed(keys), backward, strict=True))
+        places = {place for key, place in firsts.items() if key[0] in _FREQUENT}
+        places.update(i for i, key in enumerate(keys) if key[0] not in _FREQUENT)
+        ordered = sorted(places)
+        found: list[tuple[Event, int, int]] = []
+        for place, event in zip(ordered, self.select(ordered), strict=True):
+            is_frequent = keys[place][0] in _FREQUENT
+            count = counts[keys[place]] if is_frequent else 1
+            last = last_ticks[keys[place]] if is_frequent else ticks[place]
+            found.append((event, count, int(last)))
+        return found
+
+    def _decoded(self) -> list[Event]:
+        if self._events is None:
+            self._events = self._decoder.decode(self._data)
+        return self._events
+
+
+def of_kinds(events: Sequence[Event], kinds: Collection[int]) -> Sequence[Event]:
+    """Return the events of a chunk that are of these kinds of rows; others as they are."""
+    return events.of_kinds(kinds) if isinstance(events, EventChunk) else events
+
+
+def repetitions(events: Sequence[Event]) -> list[tuple[Event, int, int]]:
+    """Return the repetitions of a chunk; of other sequences each event, once."""
+    if isinstance(events, EventChunk):
+        return events.repetitions()
+    return [(event, 1, event.tick) for event in events]

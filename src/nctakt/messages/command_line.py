@@ -134,7 +134,7 @@ UNKNOWN_SUBCOMMAND = error(
     names=("the commands", "die Befehle"),
 )
 NO_DIAGNOSIS_DATA = note(
-    901006,
+    901040,
     en="no channel of the machine has realtime cycles: there are no diagnosis data",
     de="kein Kanal der Maschine hat Echtzeit-Zyklen: es gibt keine Diagnosedaten",
     remedy_en="Write configuration.rt_cycles.enable 1 (P-CHAN-00406) in the channel list.",

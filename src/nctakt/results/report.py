@@ -202,16 +202,16 @@ class DiagnosisReport:
 
     def add(self, events: Sequence[Event]) -> None:
         """Keep the events that come from realtime cycles or from their manager."""
-        places: Sequence[int] = range(len(events))
+        indexes: Sequence[int] = range(len(events))
         kept = events
         if isinstance(events, EventChunk):
-            places, kept = self._newest(events)
-        for place, event in zip(places, kept, strict=True):
+            indexes, kept = self._newest(events)
+        for index, event in zip(indexes, kept, strict=True):
             if event.channel not in (0, self.channel):
                 continue
             level = _level(event)
             if level is not None:
-                self._append(level, self._next + place, event)
+                self._append(level, self._next + index, event)
         self._next += len(events)
 
     def lines(self, level_limit: float) -> list[Line]:
@@ -243,28 +243,28 @@ class DiagnosisReport:
         ]
         return "\n".join(text) + "\n"
 
-    def _append(self, level: Level, place: int, one: Event | Line) -> None:
-        self._kept[level].append((place, one))
+    def _append(self, level: Level, index: int, one: Event | Line) -> None:
+        self._kept[level].append((index, one))
         self._counts[level] += 1
 
     def _newest(self, chunk: EventChunk) -> tuple[list[int], Sequence[Event]]:
-        """Return the places of what is to be kept of a chunk, and its events.
+        """Return the indexes of what is to be kept of a chunk, and its events.
 
         Of actions these are as many as are kept; the others are counted, and never decoded.
         """
         kinds, subjects = chunk.column(rows.EVENT_KIND), chunk.column(rows.EVENT_SUBJECT)
         channels = chunk.column(rows.EVENT_CHANNEL)
         actions = [
-            place
-            for place, (kind, subject, channel) in enumerate(
+            index
+            for index, (kind, subject, channel) in enumerate(
                 zip(kinds, subjects, channels, strict=True)
             )
             if kind in _ACTION_ROWS and subject and channel in (0, self.channel)
         ]
-        places = [place for place, kind in enumerate(kinds) if kind in _OTHER_ROWS]
-        places = sorted(places + actions[-self._capacity :])
+        indexes = [index for index, kind in enumerate(kinds) if kind in _OTHER_ROWS]
+        indexes = sorted(indexes + actions[-self._capacity :])
         self._counts[Level.ACTION] += max(0, len(actions) - self._capacity)
-        return places, chunk.select(places)
+        return indexes, chunk.select(indexes)
 
 
 class DiagnosisSink:

@@ -60,9 +60,9 @@ class EventChunk(Sequence[Event]):
         cells = memoryview(self._data).cast("d")
         return cast("list[float]", cells[number :: rows.EVENT_WIDTH].tolist())
 
-    def select(self, places: Sequence[int]) -> EventChunk:
-        """Return the rows at these places, not decoded yet."""
-        pieces = (self._data[_ROW_SIZE * i : _ROW_SIZE * (i + 1)] for i in places)
+    def select(self, indexes: Sequence[int]) -> EventChunk:
+        """Return the rows at these indexes, not decoded yet."""
+        pieces = (self._data[_ROW_SIZE * i : _ROW_SIZE * (i + 1)] for i in indexes)
         return EventChunk(self._decoder, b"".join(pieces))
 
     def of_kinds(self, kinds: Collection[int]) -> EventChunk:
@@ -83,14 +83,14 @@ class EventChunk(Sequence[Event]):
         last_ticks = dict(zip(keys, ticks, strict=True))
         backward = range(len(keys) - 1, -1, -1)
         firsts = dict(zip(reversed(keys), backward, strict=True))
-        places = {place for key, place in firsts.items() if key[0] in _FREQUENT}
-        places.update(i for i, key in enumerate(keys) if key[0] not in _FREQUENT)
-        ordered = sorted(places)
+        indexes = {index for key, index in firsts.items() if key[0] in _FREQUENT}
+        indexes.update(i for i, key in enumerate(keys) if key[0] not in _FREQUENT)
+        ordered = sorted(indexes)
         found: list[tuple[Event, int, int]] = []
-        for place, event in zip(ordered, self.select(ordered), strict=True):
-            is_frequent = keys[place][0] in _FREQUENT
-            count = counts[keys[place]] if is_frequent else 1
-            last = last_ticks[keys[place]] if is_frequent else ticks[place]
+        for index, event in zip(ordered, self.select(ordered), strict=True):
+            is_frequent = keys[index][0] in _FREQUENT
+            count = counts[keys[index]] if is_frequent else 1
+            last = last_ticks[keys[index]] if is_frequent else ticks[index]
             found.append((event, count, int(last)))
         return found
 

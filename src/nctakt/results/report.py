@@ -2,9 +2,8 @@
 """The diagnosis data of the realtime cycles as text (manual chapter 5, RC-601 … RC-603).
 
 In: the events of a run, of which the newest of each level are kept. Out: the text with header,
-rule, note and the columns timestamp, level and message, in English or German, as far as the value
-lets it through that V.RTG.CYCLES.DIAG_LEVEL has when the text is asked for. Timestamps are
-microseconds of controller time.
+rule, note and the columns timestamp, level and message, in English or German, up to the level that
+V.RTG.CYCLES.DIAG_LEVEL has when the text is made. Timestamps are microseconds of controller time.
 """
 
 from __future__ import annotations
@@ -42,7 +41,7 @@ from nctakt.trace.chunks import EventChunk
 from nctakt.trace.events import Event
 from nctakt.trace.sinks import TraceHeader
 
-#: Lines of each level that are kept; each further one pushes out the oldest of its level.
+#: Maximum number of lines kept of each level; each further line pushes out the oldest of its level.
 DIAGNOSIS_CAPACITY = 1000
 
 _TITLE = Text(
@@ -192,7 +191,7 @@ class DiagnosisReport:
         self._next = 0
 
     def initialised(self, time_us: int, count: int) -> None:
-        """The manager of the realtime cycles has been set up and holds ``count`` cycles."""
+        """Add the lines that the manager of the realtime cycles is set up with ``count`` cycles."""
         for message in (
             diagnostic(LOG_MANAGER_INITIALISED),
             diagnostic(LOG_MANAGER_CAPACITY, count=count),
@@ -215,7 +214,7 @@ class DiagnosisReport:
         self._next += len(events)
 
     def lines(self, level_limit: float) -> list[Line]:
-        """Return the lines that are kept up to this level, in the order of what they tell."""
+        """Return the lines kept up to this level, in the order of their events."""
         kept = [entry for level in Level if level <= level_limit for entry in self._kept[level]]
         kept.sort(key=lambda entry: entry[0])
         return [one if isinstance(one, Line) else _line(one) for _, one in kept]
@@ -223,7 +222,7 @@ class DiagnosisReport:
     def render(
         self, level_limit: float, language: Language = "en", details: Sequence[Diagnostic] = ()
     ) -> str:
-        """Return the diagnosis data up to this level as text, which ends with a line end.
+        """Return the diagnosis data up to this level as text with a final line end.
 
         ``details`` are the diagnostics of the run: they have the texts of the errors, of which an
         event holds only the number.
@@ -268,7 +267,7 @@ class DiagnosisReport:
 
 
 class DiagnosisSink:
-    """Keeps the events of a run for its diagnosis data while it goes on; a sink."""
+    """A sink that keeps the events of a run for its diagnosis data."""
 
     def __init__(self, report: DiagnosisReport) -> None:
         self.report = report
@@ -288,7 +287,7 @@ class DiagnosisSink:
 
 
 def _level(event: Event) -> Level | None:
-    """Return the level of what an event tells, ``None`` if it makes no line."""
+    """Return the level of an event, ``None`` if it makes no line."""
     if event.kind == "user_error":
         return _user_level(event) if event.cycle else None
     level = _LEVELS.get(event.kind)

@@ -655,10 +655,7 @@ VAGUE_NAMES = {"place", "way", "told", "made", "wanted", "here", "there"}
 NAMED_FOLDERS = ("base", "decoder", "files", "hli", "linux", "machines", "nc/", "plots")
 NAMED_FOLDERS += ("reference", "results", "testing", "trace")
 NAMED_ROOMS = [
-    room
-    for room in ROOMS
-    if room.startswith(NAMED_FOLDERS)
-    and room != "decoder/contour"
+    room for room in ROOMS if room.startswith(NAMED_FOLDERS) and room != "decoder/contour"
 ]
 
 

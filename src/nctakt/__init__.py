@@ -48,6 +48,8 @@ These names, those of ``nctakt.plc`` (function blocks such as ``MC_MoveAbsolute`
 and may move or change at any time.
 """
 
+from nctakt.base.lazy_names import import_when_used
+
 TYPE_CHECKING = False  # type checkers know better, and importing typing takes longer than this
 if TYPE_CHECKING:
     from nctakt.base.diagnostics import Diagnostic
@@ -101,14 +103,7 @@ _MODULES = {
 }
 
 
-def __getattr__(name: str) -> object:
-    if name not in _MODULES:
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    from importlib import import_module  # noqa: PLC0415 - nothing is loaded before it is needed
-
-    value: object = getattr(import_module(_MODULES[name]), name)
-    globals()[name] = value
-    return value
+__getattr__ = import_when_used(globals(), _MODULES)
 
 
 def __dir__() -> list[str]:

@@ -13,7 +13,7 @@ from nctakt.cli import main
 from nctakt.lists.machine.machine import load_machine
 from nctakt.run.controller import Controller, NcText
 from nctakt.run.plc_view import PlcView
-from nctakt.trace import read_trace
+from nctakt.trace.reading import read_trace
 from nctakt.trace.sinks import file_sink
 
 MACHINE = Path(__file__).parent.parent / "runs" / "two_channels" / "machine"

@@ -14,7 +14,7 @@ import pytest
 
 import nctakt
 from nctakt.cli import main
-from nctakt.trace import read_trace
+from nctakt.trace.reading import read_trace
 
 PART = """\
 #RT CYCLE [ID = 17 SCOPE = PROG]

@@ -29,7 +29,8 @@ from nctakt.messages.plc import PLC_FAILED
 from nctakt.plc import PlcError
 from nctakt.results.run import ProgramMessage, Run
 from nctakt.run.stimuli import Stimulus
-from nctakt.trace import Event, Signal, TraceHeader
+from nctakt.trace.events import Event
+from nctakt.trace.sinks import Signal, TraceHeader
 
 
 @dataclass(frozen=True, slots=True)

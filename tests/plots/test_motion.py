@@ -23,7 +23,7 @@ from nctakt.plots.motion import (
 from nctakt.plots.picture import check_picture, write_picture
 from nctakt.run.controller import Controller, NcText
 from nctakt.schedule.open_schedule import open_schedule
-from nctakt.trace import read_trace
+from nctakt.trace.reading import read_trace
 
 PART = """\
 #RT CYCLE [ID = 17 SCOPE = PROG]

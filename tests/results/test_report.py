@@ -7,7 +7,8 @@ from nctakt.base.diagnostics import Span
 from nctakt.messages import diagnostic
 from nctakt.messages.inputs import INVALID_TIME
 from nctakt.results.report import DIAGNOSIS_CAPACITY, DiagnosisReport, DiagnosisSink
-from nctakt.trace import Event, TraceHeader
+from nctakt.trace.events import Event
+from nctakt.trace.sinks import TraceHeader
 
 
 def event(kind: str, text: str, time_us: int = 426098, cycle: str = "1") -> Event:

@@ -6,7 +6,8 @@ from event_rows import Names, row
 
 from nctakt.base.diagnostics import Span
 from nctakt.kernel import rows
-from nctakt.trace import Event, EventChunk, EventDecoder
+from nctakt.trace.chunks import EventChunk
+from nctakt.trace.events import Event, EventDecoder
 
 PLACE = Span("part.nc", 5, 3, 4)
 

@@ -10,7 +10,6 @@ known name that is most similar to a misspelt one.
 
 from __future__ import annotations
 
-import difflib
 from collections.abc import Iterable
 
 from nctakt.base.dataclass import dataclass
@@ -95,8 +94,18 @@ def split_lines(text: str) -> list[str]:
     return lines
 
 
+def close_names(word: str, names: Iterable[str], similarity: float = 0.6) -> list[str]:
+    """Return the name most similar to ``word`` (at least ``similarity``, 0 to 1), alone in a list.
+
+    Empty if none is.
+    """
+    from difflib import get_close_matches  # noqa: PLC0415 - only after a mistake
+
+    return get_close_matches(word, list(names), 1, similarity)
+
+
 def nearest(name: str, names: Iterable[str]) -> str:
     """Return the known name most similar to ``name`` in any letter case; empty if none is."""
     by_fold = {known.casefold(): known for known in names}
-    matches = difflib.get_close_matches(name.casefold(), by_fold, n=1)
+    matches = close_names(name.casefold(), by_fold)
     return by_fold[matches[0]] if matches else ""

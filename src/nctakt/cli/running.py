@@ -162,14 +162,14 @@ def _machines_around(options: Options) -> Iterator[Diagnostic]:
 
 def _schedule(options: Options, access: FileAccess) -> RunSchedule | None:
     """The schedule of the words, if there is one; raises ``Failure``."""
-    from nctakt.lists.machine.scheduling_profile import PROFILES, RtconfOptions  # noqa: PLC0415
-    from nctakt.schedule.open_schedule import open_schedule  # noqa: PLC0415 - as above
-
     if options.rtconf is None:
         for option, word in (("--load", options.load), ("--os", options.system)):
             if word is not None:
                 raise Failure(diagnostic(OPTION_WITHOUT_SCHEDULE, option=option))
         return None
+    from nctakt.lists.machine.scheduling_profile import PROFILES, RtconfOptions  # noqa: PLC0415
+    from nctakt.schedule.open_schedule import open_schedule  # noqa: PLC0415 - as above
+
     profile = PROFILES[options.system or "rtx"]
     return open_schedule(options.rtconf, options.load, RtconfOptions(profile), access)
 
@@ -185,7 +185,7 @@ def run_programs(
     on_cycle: Callable[[str, CycleDefinition], None] | None = None,
 ) -> Run | None:
     """The result of the run; ``None`` when the user's PLC broke it off, which has been told."""
-    from nctakt.plc import PlcError  # noqa: PLC0415 - the mode is chosen before
+    from nctakt.plc.error import PlcError  # noqa: PLC0415 - the mode is chosen before
 
     bar = ProgressBar()
 

@@ -13,10 +13,10 @@ check is decided by their shape (``shape_checks.py``).
 from __future__ import annotations
 
 from collections.abc import Callable
-from difflib import get_close_matches
 from typing import Protocol
 
 from nctakt.base.diagnostics import Diagnostic, Message, Span
+from nctakt.base.text import close_names
 from nctakt.lists.machine.channel_configuration import ChannelParameters
 from nctakt.messages import Collector
 from nctakt.messages.checked_blocks import NOT_NC_TEXT
@@ -268,7 +268,7 @@ class _ProgramInspector:
                 elif label in section.loop_labels:
                     self._report(JUMP_INTO_LOOP, span, label=label)
                 elif label not in section.labels:
-                    near = get_close_matches(label, section.labels, 1, 0.0)
+                    near = close_names(label, section.labels, 0.0)
                     self._report(UNKNOWN_LABEL, span, label=label, nearest=near[0] if near else "–")
         self._checker.targets = {}
 
@@ -280,7 +280,7 @@ class _ProgramInspector:
             assert isinstance(call.name, StringLiteral)
             name = call.name.value
             if name not in subprograms:
-                near = get_close_matches(name, subprograms, 1, 0.0)
+                near = close_names(name, subprograms, 0.0)
                 self._report(
                     UNKNOWN_LOCAL_SUBPROGRAM, call.span, name=name, nearest=near[0] if near else "–"
                 )

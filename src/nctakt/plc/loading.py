@@ -29,6 +29,7 @@ from nctakt.messages.plc import (
     PLC_LOAD_FAILED,
     UNKNOWN_PLC_NAME,
 )
+from nctakt.plc.error import PlcError
 from nctakt.run.plc_view import AnyPlc, WatchedPlc
 
 if TYPE_CHECKING:
@@ -36,10 +37,6 @@ if TYPE_CHECKING:
 
 
 _OUR_FOLDER = Path(__file__).parent.parent
-
-
-class PlcError(Failure):
-    """The user's PLC cannot be loaded, or failed while it ran."""
 
 
 def load_plc(path: str | Path) -> AnyPlc:

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 
 from nctakt.messages import diagnostic
 from nctakt.messages.plc import NO_PLC_AT_HLI, PLC_LEFT_HLI, PLC_NOT_ANSWERING
-from nctakt.plc.loading import PlcError
+from nctakt.plc.error import PlcError
 from nctakt.plc.process_watch import ProcessWatch
 
 if TYPE_CHECKING:

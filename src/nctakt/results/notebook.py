@@ -4,11 +4,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from html import escape
 
 
 def html_table(caption: str, rows: Iterable[tuple[str, str]]) -> str:
     """Return a table with a head before each row; all texts are escaped."""
+    from html import escape  # noqa: PLC0415 - only in a notebook
+
     lines = "".join(
         f'<tr><th style="text-align: left">{escape(head)}</th>'
         f'<td style="text-align: left">{escape(text)}</td></tr>'

@@ -302,7 +302,9 @@ def _line(event: Event) -> Line:
         message = user_message(int(event.text.split()[1]))
         return Line(event.time_us, level, message.id, event.span, None)
     if level <= Level.WARNING:
-        return Line(event.time_us, level, int(event.text), event.span, _message_without_parameters(event))
+        return Line(
+            event.time_us, level, int(event.text), event.span, _message_without_parameters(event)
+        )
     return _info(event.time_us, _message(event), level)
 
 

@@ -7,19 +7,21 @@ Plain records, the same for the same inputs: they hold no wall-clock time.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Severity, Span
 from nctakt.lists.format.times import Time
-from nctakt.results.coverage import Coverage
 from nctakt.results.notebook import html_table
-from nctakt.results.starving import OverflowCount, Starvation
 from nctakt.results.user_errors import UserErrorReport, user_errors
-from nctakt.results.why import WhyReport
-from nctakt.schedule.open_schedule import RunSchedule
 from nctakt.trace.events import Event
 from nctakt.trace.recorded import Trace
+
+if TYPE_CHECKING:
+    from nctakt.results.coverage import Coverage
+    from nctakt.results.starving import OverflowCount, Starvation
+    from nctakt.results.why import WhyReport
+    from nctakt.schedule.open_schedule import RunSchedule
 
 #: ``ended``: all programs ran to their end. ``error``: an NC error stopped the run. ``limit``: the
 #: time limit was reached. ``reset``: RESET on the HLI. ``interrupted``: the user interrupted it.

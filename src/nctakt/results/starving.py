@@ -8,13 +8,14 @@ the lines of all three in the summary.
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Language, Span, Text
-from nctakt.schedule.findings import us
-from nctakt.schedule.open_schedule import RunSchedule
-from nctakt.schedule.report import chosen_report
 from nctakt.trace.events import Event
+
+if TYPE_CHECKING:
+    from nctakt.schedule.open_schedule import RunSchedule
 
 #: Maximum number of starvations that the summary lists one by one.
 MAX_STARVATIONS = 6
@@ -108,6 +109,9 @@ def schedule_lines(
     """Return the lines of the summary: the rules of the schedule, then its effects."""
     if schedule is None:
         return []
+    from nctakt.schedule.findings import us  # noqa: PLC0415 - few runs have a schedule
+    from nctakt.schedule.report import chosen_report  # noqa: PLC0415 - as above
+
     first = _LIST.get(language).format(
         file=schedule.file, schedule=schedule.model.schedule, block=us(schedule.load.block)
     )

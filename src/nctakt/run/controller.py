@@ -11,6 +11,7 @@ from __future__ import annotations
 import functools
 from collections.abc import Callable, Collection, Mapping, Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
@@ -33,13 +34,14 @@ from nctakt.run.one_at_a_time import OneAtATime, alone
 from nctakt.run.plc_view import AnyPlc, PlcView, WatchedPlc
 from nctakt.run.program_loader import LoadedProgram, NcText, ProgramErrors
 from nctakt.run.recording import Recording
-from nctakt.run.scheduled_run import ScheduledRun, scheduled
 from nctakt.run.shared_image import SharedImage
 from nctakt.run.stimuli import Stimulus, StimulusLike, not_reached, read_stimulus
 from nctakt.run.wait_reasons import wait_reasons
-from nctakt.schedule.open_schedule import RunSchedule
 from nctakt.trace.recorded import MemorySink
 from nctakt.trace.sinks import Sink
+
+if TYPE_CHECKING:
+    from nctakt.schedule.open_schedule import RunSchedule
 
 __all__ = ["DEFAULT_LIMIT_US", "Controller", "NcText"]
 
@@ -76,6 +78,8 @@ class Controller:
             machine = load_machine(machine, access=access)
         roles = None
         if schedule is not None:
+            from nctakt.run.scheduled_run import ScheduledRun, scheduled  # noqa: PLC0415 - rare
+
             machine, roles = scheduled(machine, schedule)
         self.machine = machine
         self.cycle_time_us = machine.cycle_time_us
@@ -87,7 +91,7 @@ class Controller:
             ChannelRun(self._machine, index, self.diagnostics.append)
             for index in range(len(self._machine.channels))
         ]
-        self._scheduled_run: ScheduledRun | None = None
+        self._scheduled_run = None
         if schedule is not None and roles is not None:
             self._scheduled_run = ScheduledRun(self._machine, schedule, roles)
             for index, channel in enumerate(self._channels):
@@ -103,12 +107,9 @@ class Controller:
         self._loaded: list[LoadedProgram] = []
 
     def __repr__(self) -> str:
-        machine, count = self.machine, len(self._channels)
-        channels = "1 channel" if count == 1 else f"{count} channels"
-        axes = f"{len(machine.axes)} axes"
-        return (
-            f"<Controller of {machine.name}: {channels}, {axes}, {self.state} at tick {self.tick}>"
-        )
+        count, axes = len(self._channels), len(self.machine.axes)
+        size = f"{count} channel{'s'[: count != 1]}, {axes} axes"
+        return f"<Controller of {self.machine.name}: {size}, {self.state} at tick {self.tick}>"
 
     # --- state and variables --------------------------------------------------------------------
 

@@ -8,21 +8,24 @@ programs, errors of the realtime part as diagnostics. Between runs only errors a
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING
 
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
 from nctakt.kernel import codes, rows
 from nctakt.nc.outline import ProgramText
-from nctakt.results.coverage import Coverage
-from nctakt.results.probe_log import ProbeLog
 from nctakt.results.run import ProgramMessage
 from nctakt.results.user_errors import user_errors
-from nctakt.results.why import WhyReport
 from nctakt.run.assembly import AssembledMachine
 from nctakt.run.error_events import realtime_diagnostic
 from nctakt.trace.chunks import EventChunk
 from nctakt.trace.events import Event, EventDecoder
 from nctakt.trace.sinks import Signal, Sink, TraceHeader
+
+if TYPE_CHECKING:
+    from nctakt.results.coverage import Coverage
+    from nctakt.results.probe_log import ProbeLog
+    from nctakt.results.why import WhyReport
 
 #: Events that become messages and diagnostics.
 _WATCHED = frozenset(
@@ -114,6 +117,8 @@ class Recording:
         log = self._probes
         if log is None:
             return None, None
+        from nctakt.results.why import WhyReport  # noqa: PLC0415 - few runs are asked why
+
         self._probes = None
         self._machine.record.records_series = False
         ticks = self._machine.kernel.tick - first_tick
@@ -124,6 +129,8 @@ class Recording:
 
     def _probe_log(self) -> ProbeLog:
         """Return a log for the histories of conditions; living cycles are in it from now on."""
+        from nctakt.results.probe_log import ProbeLog  # noqa: PLC0415 - as above
+
         machine = self._machine
         living = [
             (machine.registry.definition(cycle.serial), manager.state_of(cycle.slot))

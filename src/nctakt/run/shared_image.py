@@ -15,9 +15,8 @@ import struct
 import sys
 import weakref
 from collections.abc import Iterator, Mapping, Sequence
-from multiprocessing import resource_tracker
-from multiprocessing.shared_memory import SharedMemory
 from types import TracebackType
+from typing import TYPE_CHECKING
 
 from nctakt.base.failure import Failure
 from nctakt.hli.layout import (
@@ -54,6 +53,9 @@ from nctakt.messages.memory import (
 from nctakt.nc.vocabulary.cells import CELL_BYTES
 from nctakt.nc.vocabulary.realtime_variables import SPINDLE_VALUES
 from nctakt.nc.vocabulary.variable_table import Layout
+
+if TYPE_CHECKING:
+    from multiprocessing.shared_memory import SharedMemory
 
 #: The environment variable that says which warnings a Python process prints.
 _WARNINGS = "PYTHONWARNINGS"
@@ -362,6 +364,8 @@ def _axes_of(
 
 def _create(name: str, size: int) -> SharedMemory:
     """Return new shared memory, all zero."""
+    from multiprocessing.shared_memory import SharedMemory  # noqa: PLC0415 - most runs have none
+
     _start_tracker()
     try:
         return SharedMemory(name, create=True, size=size)
@@ -380,6 +384,8 @@ def _start_tracker() -> None:
     """
     if sys.platform == "win32":
         return
+    from multiprocessing import resource_tracker  # noqa: PLC0415 - as above
+
     before = os.environ.get(_WARNINGS)
     os.environ[_WARNINGS] = "ignore::UserWarning"
     try:

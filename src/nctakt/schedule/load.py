@@ -36,7 +36,6 @@ with a unit (``"1.5 ms"``, ``"1 h"``)::
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Mapping
 from typing import Any
 
@@ -140,6 +139,8 @@ ASSUMED_FUNCTION = _us(100)
 
 def read_load(file: str, text: str, collector: Collector) -> Load:
     """Read a load file; with errors in the collector what is read is not complete."""
+    import tomllib  # noqa: PLC0415 - only where a load is given
+
     try:
         tables = tomllib.loads(text)
     except (tomllib.TOMLDecodeError, RecursionError) as error:

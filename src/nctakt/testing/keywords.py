@@ -8,9 +8,10 @@ it.
 
 from __future__ import annotations
 
-import difflib
 import re
 from collections.abc import Iterator
+
+from nctakt.base.text import close_names
 
 KEYWORDS = ("expect", "given")
 
@@ -22,7 +23,7 @@ _HEAD = re.compile(r";\s*(?P<word>[^\W\d_]{4,9})\s*:", re.ASCII)
 
 def keyword_near(word: str) -> str:
     """Return the keyword that a word is or misspells; empty for any other word."""
-    near = difflib.get_close_matches(word.lower(), KEYWORDS, n=1, cutoff=_SIMILARITY)
+    near = close_names(word.lower(), KEYWORDS, _SIMILARITY)
     return near[0] if near else ""
 
 

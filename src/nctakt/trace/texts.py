@@ -8,9 +8,7 @@ it can be without loss; negative zero is written as zero, so that equal values a
 
 from __future__ import annotations
 
-import csv
 import io
-import json
 from collections.abc import Iterable, Iterator, Sequence
 
 from nctakt.trace.events import Event
@@ -112,11 +110,15 @@ def event_object(event: Event) -> dict[str, object]:
 
 def json_text(content: object) -> str:
     """Return the content as JSON on one line."""
+    import json  # noqa: PLC0415 - not every run writes a file
+
     return json.dumps(content, ensure_ascii=False)
 
 
 def csv_line(cells: Sequence[str]) -> str:
     """Return a line of CSV with its line end."""
+    import csv  # noqa: PLC0415 - as above
+
     buffer = io.StringIO()
     csv.writer(buffer, lineterminator="\n").writerow(cells)
     return buffer.getvalue()

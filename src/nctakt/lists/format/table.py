@@ -27,7 +27,7 @@ from __future__ import annotations
 import re
 from dataclasses import replace
 from functools import cached_property
-from importlib.resources import files
+from pathlib import Path
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Text
@@ -42,7 +42,7 @@ from nctakt.lists.format.parameter import (
 )
 from nctakt.lists.format.value_text import parse_integer, parse_real
 
-_FOLDER = "nctakt.lists.declared"
+_FOLDER = Path(__file__).parent.parent / "declared"
 _LIMIT = re.compile(r"([<>]?)(?:([0-9]+)\*)?(P-[A-Z]{4}-[0-9]{5})(?:/([0-9]+))?")
 _MORE = "…"
 _ID = re.compile(r"P-[A-Z]{4}-[0-9]{5}")
@@ -58,7 +58,7 @@ class ParameterTable:
     @cached_property
     def _lines(self) -> dict[str, str]:
         """The lines of the table by the name of their parameter."""
-        text = files(_FOLDER).joinpath(self._name).read_text("utf-8")
+        text = (_FOLDER / self._name).read_text("utf-8")
         lines = text.splitlines()
         heading = next(index for index, line in enumerate(lines) if not line.startswith("#"))
         return {pattern_of(line.split("\t", 2)[1]): line for line in lines[heading + 1 :]}

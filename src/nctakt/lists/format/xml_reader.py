@@ -13,7 +13,6 @@ depth and size have bounds. What stands in front of a mistake is read.
 from __future__ import annotations
 
 import re
-from xml.parsers import expat
 
 from nctakt.base.diagnostics import Message, Span
 from nctakt.base.text import decode_text, split_lines
@@ -77,6 +76,8 @@ def read_xml_comments(data: bytes, schema: Schema) -> tuple[tuple[int, str], ...
 
 
 def _parse(file: str, data: bytes, schema: Schema, collector: Collector) -> _Reader:
+    from xml.parsers import expat  # noqa: PLC0415 - few lists are XML
+
     if len(data) > MAX_BYTES:
         collector.report(XML_LIST_TOO_LARGE, Span(file, 1, 1, 2), limit=MAX_BYTES)
         return _Reader(file, [], schema)

@@ -6,8 +6,7 @@ In: the values of the list, its threads. Out: findings. Source: manual 4.1, 4.5,
 
 from __future__ import annotations
 
-from difflib import get_close_matches
-
+from nctakt.base.text import close_names
 from nctakt.lists.declared.rtconf import KNOWN_FUNCTIONS, PRINTED_COUNT, SchedulerThread
 from nctakt.lists.format.parameter import with_indices
 from nctakt.lists.format.values import Values
@@ -70,7 +69,7 @@ def check_function_names(
             name, at = function.name, (thread.index, function.index)
             if name in names_known:
                 continue
-            if similar := get_close_matches(name, names_known, 1, _SIMILAR):
+            if similar := close_names(name, names_known, _SIMILAR):
                 values.report(
                     collector,
                     MISSPELLED_THREAD_FUNCTION,

@@ -9,10 +9,10 @@ group, F, M and H functions of the channel list with constant numbers.
 from __future__ import annotations
 
 from dataclasses import replace
-from difflib import get_close_matches
 from typing import Literal
 
 from nctakt.base.dataclass import dataclass, field
+from nctakt.base.text import close_names
 from nctakt.lists.declared.offsets import MOST_GROUPS
 from nctakt.lists.machine.channel_configuration import ChannelParameters, program_parameter
 from nctakt.messages.checked_axes import INDP_OUTSIDE_REALTIME_CYCLE
@@ -170,7 +170,7 @@ class WordChecker:
     def unknown(self, word: AxisWord | Word | BracketCommand) -> None:
         """Report a word that is neither known nor an axis or spindle of the channel."""
         names = [*self.axes, *self.spindles, "G", "M", "H", "F", "N"]
-        near = get_close_matches(word.name, names, 1)
+        near = close_names(word.name, names)
         self._findings.report(
             UNKNOWN_WORD,
             word.span,

@@ -8,8 +8,8 @@ that the called files can be loaded.
 from __future__ import annotations
 
 import re
-from difflib import get_close_matches
 
+from nctakt.base.text import close_names
 from nctakt.messages.checked_blocks import WORD_VALUE_MISSING
 from nctakt.messages.checked_cycles import DUPLICATE_KEYWORD
 from nctakt.messages.program_structure import INVALID_CALL_PARAMETER
@@ -82,7 +82,7 @@ class CallChecker:
 
     def _unknown(self, item: Keyword | Expression) -> None:
         word = self._findings.written(item.span)
-        near = get_close_matches(word.upper(), ("@P1", *_MODAL), 1, 0.0)
+        near = close_names(word.upper(), ("@P1", *_MODAL), 0.0)
         self._findings.report(INVALID_CALL_PARAMETER, item.span, word=word, nearest=near[0])
 
 

@@ -10,9 +10,9 @@ may lead there. ``inspection.py`` applies the checker to a whole text.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from difflib import get_close_matches
 
 from nctakt.base.diagnostics import Span
+from nctakt.base.text import close_names
 from nctakt.lists.machine.channel_configuration import ChannelParameters
 from nctakt.messages import Collector
 from nctakt.messages.checked_blocks import (
@@ -244,7 +244,7 @@ class Checker:
             if option.name in _REFUSED_OPTIONS:
                 self._refuse_hash(message, "MSG", "INFO", shown=f"#MSG {option.name}")
             elif option.name not in _MESSAGE_OPTIONS:
-                near = get_close_matches(option.name, _MESSAGE_OPTIONS, 1)
+                near = close_names(option.name, _MESSAGE_OPTIONS)
                 names = [*near, *(name for name in _MESSAGE_OPTIONS if name not in near)]
                 self._findings.report(
                     UNKNOWN_COMMAND_OPTION,

@@ -10,9 +10,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from difflib import get_close_matches
 from itertools import zip_longest
 
+from nctakt.base.text import close_names
 from nctakt.messages.checked_cycles import (
     ASYNCHRONOUS_WRITE_IN_CYCLE,
     TEXT_IN_REALTIME_CYCLE,
@@ -151,7 +151,7 @@ class ValueChecker:
                     self._no_number(expression, expression.function)
             case Name():
                 names = [*FUNCTIONS, *CONSTANTS]
-                near = get_close_matches(expression.name, names, 1)
+                near = close_names(expression.name, names)
                 self._findings.report(
                     NOT_A_VALUE,
                     expression.span,
@@ -229,7 +229,7 @@ class ValueChecker:
     def _call(self, call: Call) -> None:
         function = FUNCTIONS.get(call.function)
         if function is None:
-            near = get_close_matches(call.function, list(FUNCTIONS), 1)
+            near = close_names(call.function, list(FUNCTIONS))
             nearest = near[0] if near else "–"
             self._findings.report(
                 UNKNOWN_EXPRESSION_FUNCTION, call.span, word=call.function, nearest=nearest

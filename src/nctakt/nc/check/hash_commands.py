@@ -8,8 +8,8 @@ CYCLE``. Out: diagnostics.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from difflib import get_close_matches
 
+from nctakt.base.text import close_names
 from nctakt.messages.checked_blocks import INVALID_COMMAND_FORM, UNKNOWN_COMMAND_OPTION
 from nctakt.nc.check.expressions import ValueChecker
 from nctakt.nc.check.findings import Findings
@@ -86,7 +86,7 @@ class CommandChecker:
     def _option(
         self, command: str, word: str, names: Sequence[str], node: Timer | Keyword | Expression
     ) -> None:
-        near = get_close_matches(word.upper(), names, 1)
+        near = close_names(word.upper(), names)
         order = [*near, *(name for name in names if name not in near)]
         listed = ", ".join(order)
         self._findings.report(

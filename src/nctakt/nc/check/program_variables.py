@@ -6,8 +6,7 @@ In: ``#VAR`` and ``#DELETE``. Out: diagnostics.
 
 from __future__ import annotations
 
-from difflib import get_close_matches
-
+from nctakt.base.text import close_names
 from nctakt.lists.declared.variables import SCALARS
 from nctakt.messages.checked_blocks import INVALID_COMMAND_FORM
 from nctakt.messages.checked_values import (
@@ -68,7 +67,7 @@ class ProgramVariableChecker:
                 )
         if declaration.type_name is not None and declaration.type_name not in TYPES:
             word = declaration.type_name
-            near = get_close_matches(word, TYPES, 1, 0.0)
+            near = close_names(word, TYPES, 0.0)
             self._findings.report(UNKNOWN_TYPE, declaration.span, word=word, nearest=near[0])
         if declaration.size is not None:
             self._values.value(declaration.size)

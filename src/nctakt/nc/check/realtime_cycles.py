@@ -9,9 +9,9 @@ checks expressions and accesses, ``axis_commands.py`` single-axis commands.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from difflib import get_close_matches
 
 from nctakt.base.diagnostics import Span
+from nctakt.base.text import close_names
 from nctakt.lists.machine.channel_configuration import ChannelParameters
 from nctakt.messages.checked_blocks import (
     AXIS_FUNCTION_IN_CYCLE,
@@ -159,7 +159,7 @@ class CycleChecker:
         if isinstance(value, Name) and value.name in names:
             return value.name
         written = "–" if value is None else self._findings.written(value.span)
-        near = get_close_matches(value.name, names, 1) if isinstance(value, Name) else []
+        near = close_names(value.name, names) if isinstance(value, Name) else []
         order = [*near, *(name for name in names if name not in near)]
         span = keyword.span if value is None else value.span
         self._findings.report(

@@ -9,10 +9,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from difflib import get_close_matches
 from typing import NamedTuple, cast
 
 from nctakt.base.diagnostics import Span
+from nctakt.base.text import close_names
 from nctakt.messages.backward import RT_WHILE_NESTED
 from nctakt.messages.nc_text import (
     BRANCH_AFTER_ELSE,
@@ -104,7 +104,7 @@ def control_line(text: BlockText, head: Head, structures: StructureStack) -> Non
     word = "$" + match[1].upper()
     handler = CONTROL_WORDS.get(word)
     if handler is None:
-        suggestion = get_close_matches(word, CONTROL_WORDS, 1, 0.0)[0]
+        suggestion = close_names(word, CONTROL_WORDS, 0.0)[0]
         start = match.start(1) - 1
         raise BlockError(
             UNKNOWN_CONTROL_WORD,

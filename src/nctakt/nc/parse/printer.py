@@ -8,7 +8,6 @@ Comments and the numbers of closing lines are not in the tree and therefore not 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from decimal import Decimal
 from typing import Any
 
 from nctakt.nc.tree import (
@@ -77,6 +76,8 @@ def format_number(value: float) -> str:
     """Return the shortest digits of a value, without an exponent."""
     if value == int(value):
         return str(int(value))
+    from decimal import Decimal  # noqa: PLC0415 - rarely needed
+
     return format(Decimal(repr(value)), "f")
 
 

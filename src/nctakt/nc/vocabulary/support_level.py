@@ -8,9 +8,9 @@ In: names and numbers from the tree. Out: the ``Entry`` of the name, ``None`` if
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from difflib import SequenceMatcher, get_close_matches
 from types import MappingProxyType
 
+from nctakt.base.text import close_names
 from nctakt.lists.declared.technology_functions import TechnologyFunction
 from nctakt.nc.vocabulary.commands import COMMANDS, CONTROLS, FORMS, VARIABLES
 from nctakt.nc.vocabulary.entries import SIMULATED, Entry, Kind
@@ -103,13 +103,15 @@ def form(example: str) -> Entry:
 def nearest_hash(words: Sequence[str]) -> str:
     """Return the known ``#`` command most similar to these words; empty if there is none."""
     written = ["#" + " ".join(words[:count]) for count in range(min(len(words), 3), 0, -1)]
-    pairs = [(near, name) for name in written for near in get_close_matches(name, COMMANDS, 1)]
+    pairs = [(near, name) for name in written for near in close_names(name, COMMANDS)]
     if not pairs:
         return ""
+    from difflib import SequenceMatcher  # noqa: PLC0415 - only after a mistake
+
     return max(pairs, key=lambda pair: SequenceMatcher(None, *pair).ratio())[0]
 
 
 def nearest_family(family: str) -> str:
     """Return the known family of variables most similar to this one; empty if there is none."""
-    near = get_close_matches(f"V.{family}", [name for name in VARIABLES if name[0] == "V"], 1)
+    near = close_names(f"V.{family}", [name for name in VARIABLES if name[0] == "V"])
     return near[0] if near else ""

@@ -9,7 +9,8 @@ from event_rows import Names, row
 from nctakt.kernel import rows
 from nctakt.results.report import DIAGNOSIS_CAPACITY, DiagnosisReport, DiagnosisSink
 from nctakt.run.controller import Controller, NcText
-from nctakt.trace import Event, EventChunk, EventDecoder
+from nctakt.trace.chunks import EventChunk
+from nctakt.trace.events import Event, EventDecoder
 
 
 class Counting(EventDecoder):

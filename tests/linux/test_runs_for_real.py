@@ -583,7 +583,7 @@ def test_log_without_room(tmp_path: Path, capsys: Capture, monkeypatch: pytest.M
     """900691: a run ends when its log is full; what it has is told."""
     from nctakt.linux import area  # noqa: PLC0415 - what is compiled may be missing
 
-    monkeypatch.setattr(area, "MOST_ENTRIES", 60)
+    monkeypatch.setattr(area, "MAX_ENTRIES", 60)
     run(*write_files(tmp_path), "--cycles", "40", "--no-fifo")
     shown = capsys.readouterr()
     assert "warning 900691: the run ended after " in shown.err
@@ -592,6 +592,6 @@ def test_log_without_room(tmp_path: Path, capsys: Capture, monkeypatch: pytest.M
 
 def test_longest_run(tmp_path: Path, capsys: Capture, monkeypatch: pytest.MonkeyPatch) -> None:
     """900691: nor does it last longer than a run can; what was asked for may be any number."""
-    monkeypatch.setattr(plan, "MOST_CYCLES", 3)
+    monkeypatch.setattr(plan, "MAX_CYCLES", 3)
     run(*write_files(tmp_path), "--duration", "100000min", "--no-fifo")
     assert "warning 900691: the run ended after 3 NC cycles" in capsys.readouterr().err

@@ -181,7 +181,7 @@ class _Checker:
         return data if self._is_text(path, data[:BEGIN_BYTES]) else None
 
     def _lines(self, path: Path) -> Sequence[str] | None:
-        """The lines of a program, however long it is; ``None`` as above."""
+        """Return the lines of a program, however long it is; ``None`` as above."""
         if not path.is_file():  # what a pipe gives comes only once
             data = self._read(path)
             return None if data is None else split_lines(decode_text(data).text)
@@ -193,7 +193,7 @@ class _Checker:
             return None
 
     def _is_text(self, path: Path, begin: bytes) -> bool:
-        """Whether a file is no binary one, by its first bytes; reported if it is."""
+        """Return whether a file is no binary one, by its first bytes; reported if it is."""
         if b"\0" not in begin or begin.startswith(_UTF16_MARKS):
             return True
         number = FILE_ENCRYPTED if path.suffix.casefold() == _ENCRYPTED_SUFFIX else NOT_A_TEXT_FILE
@@ -309,7 +309,7 @@ class _Checker:
 
 
 def _ordered(found: Sequence[Found], channels: Mapping[str, set[int]]) -> tuple[Found, ...]:
-    """Each finding once, in the order of file, line, column, number.
+    """Return each finding once, in the order of file, line, column, number.
 
     ``channels``: file -> the channels for which it was checked. What all of them share names none.
     """

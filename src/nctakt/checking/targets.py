@@ -34,7 +34,7 @@ class Target:
         self.folder = machine.configuration.folder
 
     def searches(self, folder: Path) -> bool:
-        """Whether the channel's list names this folder of programs."""
+        """Return whether the channel's list names this folder of programs."""
         paths = self.parameters.program_paths
         return any(program_folder(path.folder, self.folder).resolve() == folder for path in paths)
 
@@ -59,7 +59,7 @@ class Targets:
             self._found.append(_channels(AssembledMachine(configuration)))
 
     def of(self, program: Path | None) -> Sequence[Target]:
-        """The channels that a program is for; ``None``: a text that lies nowhere."""
+        """Return the channels that a program is for; ``None``: a text that lies nowhere."""
         folder = None if program is None else program.resolve().parent
         channels = self._default if folder is None else self._machine_of(folder)
         if channels is self._default:

@@ -58,7 +58,7 @@ def read_inputs(path: Path) -> tuple[Stimulus, ...]:
 
 
 def _rows(lines: Sequence[str]) -> Iterator[tuple[int, list[str]]]:
-    """Each row with the number of its line."""
+    """Yield each row with the number of its line."""
     for number, line in enumerate(lines, 1):
         if line.strip() and not line.startswith("#"):
             yield number, next(csv.reader([line]))

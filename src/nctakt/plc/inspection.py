@@ -71,7 +71,7 @@ def nearest_member(kind: type) -> str:
 
 
 def _names_read(tree: ast.AST) -> frozenset[str]:
-    """The names of attributes and variables that are read anywhere in a file."""
+    """Return the names of attributes and variables that are read anywhere in a file."""
     return frozenset(
         node.attr if isinstance(node, ast.Attribute) else node.id
         for node in ast.walk(tree)
@@ -262,12 +262,12 @@ def _place(node: ast.AST, lines: list[str], name: str) -> tuple[int, int, int]:
 
 
 def _characters(text: str, offset: int) -> int:
-    """A count of UTF-8 bytes in characters."""
+    """Return a count of UTF-8 bytes in characters."""
     return len(text.encode()[:offset].decode(errors="ignore"))
 
 
 def _assigned(statement: ast.stmt) -> Iterator[str]:
-    """The names that a statement of a class gives a value."""
+    """Yield the names that a statement of a class gives a value."""
     targets: list[ast.expr] = []
     if isinstance(statement, ast.Assign):
         targets = statement.targets
@@ -279,7 +279,7 @@ def _assigned(statement: ast.stmt) -> Iterator[str]:
 
 
 def _own_attributes(function: ast.FunctionDef, own: str) -> Iterator[ast.Attribute]:
-    """The attributes of itself that a method sets."""
+    """Yield the attributes of itself that a method sets."""
     for node in ast.walk(function):
         if (
             isinstance(node, ast.Attribute)
@@ -291,7 +291,7 @@ def _own_attributes(function: ast.FunctionDef, own: str) -> Iterator[ast.Attribu
 
 
 def _view_parameter(node: ast.FunctionDef | ast.Lambda) -> str:
-    """The parameter ``hli`` of any function, unless it is annotated as something else."""
+    """Return the parameter ``hli`` of any function, unless it is annotated as something else."""
     for one in (*node.args.posonlyargs, *node.args.args, *node.args.kwonlyargs):
         annotation = "PlcView" if one.annotation is None else ast.unparse(one.annotation)
         if one.arg == "hli" and annotation.strip("'\"").endswith("PlcView"):
@@ -312,14 +312,14 @@ def _condition(node: ast.AST) -> ast.Lambda | None:
 
 
 def _is_view(node: ast.expr, view: str) -> bool:
-    """Whether an expression is the HLI: the parameter, or ``of_channel`` of it."""
+    """Return whether an expression is the HLI: the parameter, or ``of_channel`` of it."""
     if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute):
         return node.func.attr == "of_channel" and _is_view(node.func.value, view)
     return isinstance(node, ast.Name) and node.id == view
 
 
 def _is_assigned(function: ast.AST, name: str) -> bool:
-    """Whether a function gives the parameter another value."""
+    """Return whether a function gives the parameter another value."""
     return any(
         isinstance(node, ast.Name) and node.id == name and not isinstance(node.ctx, ast.Load)
         for node in ast.walk(function)

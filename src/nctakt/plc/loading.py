@@ -40,7 +40,7 @@ _OUR_FOLDER = Path(__file__).parent.parent
 
 
 def load_plc(path: str | Path) -> AnyPlc:
-    """The PLC of a file: an object of its one class with a method ``cycle``.
+    """Return the PLC of a file: an object of its one class with a method ``cycle``.
 
     Classes whose names begin with an underscore, and those that another one derives from, are not
     counted. Raises ``PlcError``: no such file (900500), a folder (900501), not readable (900503),
@@ -89,7 +89,7 @@ class _LoadedPlc(WatchedPlc):
         return [self._as_named(found) for found in self._plc.unused_handlers(hli)]
 
     def _as_named(self, found: Diagnostic) -> Diagnostic:
-        """The diagnostic with the file's name as the user gave it."""
+        """Return the diagnostic with the file's name as the user gave it."""
         if found.span is None or found.span.file != str(self._path.absolute()):
             return found
         return replace(found, span=replace(found.span, file=str(self._path)))
@@ -159,7 +159,7 @@ def _candidates(module: ModuleType) -> list[type[AnyPlc]]:
 
 
 def _misspelt(module: ModuleType) -> Iterator[Diagnostic]:
-    """An error for each class of the file with a method whose name is nearly ``cycle``."""
+    """Yield an error for each class of the file with a method whose name is nearly ``cycle``."""
     from nctakt.plc.inspection import nearest_member  # noqa: PLC0415 - only a mistake needs it
 
     for name, kind in vars(module).items():
@@ -187,7 +187,7 @@ def _is_users(file: Path, plc: Path) -> bool:
 
 
 def _told(error: BaseException, path: Path) -> tuple[str, str]:
-    """The exception on one line, and the way to it from the user's file on, without ours."""
+    """Return the exception on one line, and the way to it from the user's file on, without ours."""
     frames = traceback.extract_tb(error.__traceback__)
     files = (str(path), str(path.absolute()))
     first = next((i for i, frame in enumerate(frames) if frame.filename in files), len(frames))

@@ -37,7 +37,7 @@ class Always:
     answer: bool
 
     def answers(self, function: TechnologyEntry | SpindleEntry, hli: PlcView) -> bool:
-        """The same for all."""
+        """Return the same for all."""
         return self.answer
 
 
@@ -67,7 +67,7 @@ class Only:
     then: Policy = ALL
 
     def answers(self, function: TechnologyEntry | SpindleEntry, hli: PlcView) -> bool:
-        """Whether it is one of them, and ``then`` answers."""
+        """Return whether it is one of them, and ``then`` answers."""
         return function.name in self.names and self.then.answers(function, hli)
 
 
@@ -81,7 +81,7 @@ class RunUp:
     rpm_per_s: float
 
     def answers(self, job: SpindleEntry, hli: PlcView) -> bool:
-        """Whether the time of the change of speed is over with this tick."""
+        """Return whether the time of the change of speed is over with this tick."""
         speed = {3: job.speed, 4: -job.speed, 19: job.speed}.get(job.function, 0.0)
         change = abs(speed - job.speed_before)
         if job.function == _POSITION:

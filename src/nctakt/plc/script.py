@@ -240,13 +240,13 @@ class Plc(WatchedPlc):
         getattr(self, name)(*words)
 
     def _of(self, kind: type[Any]) -> Iterator[tuple[str, int, Any]]:
-        """The marks of one kind."""
+        """Yield the marks of one kind."""
         return (mark for mark in self._marks if isinstance(mark[2], kind))
 
     def _new(
         self, entries: Sequence[TechnologyEntry | SpindleEntry]
     ) -> Iterator[TechnologyEntry | SpindleEntry]:
-        """The functions and jobs that were not there after the tick before."""
+        """Yield the functions and jobs that were not there after the tick before."""
         seen = self._memory.seen
         for one in entries:
             if seen.get(one.key) != one.stamp:
@@ -266,7 +266,7 @@ def _reason(mark: object) -> Text:
 
 
 def _place(kind: type[Plc], member: str, word: str = "") -> tuple[Span, str] | tuple[()]:
-    """The span of a method, or of a word at it or in its class, and the source line.
+    """Return the span of a method, or of a word at it or in its class, and the source line.
 
     Empty where the source is not at hand.
     """

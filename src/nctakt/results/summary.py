@@ -169,14 +169,14 @@ def frozen_lines(run: Run, language: Language) -> list[str]:
 
 
 def _cycle_name(cycle: CycleResult, language: Language) -> str:
-    name = f"{cycle.name} {_place(cycle.span)}".rstrip()
+    name = f"{cycle.name} {_position(cycle.span)}".rstrip()
     if cycle.instances == 1:
         return name
     return f"{name}, {_TIMES.get(language).format(count=cycle.instances)}"
 
 
 def _reaction(run: Run, reaction: ReactionResult, language: Language) -> tuple[str, ...]:
-    position = f"{_place(reaction.span)} {reaction.frequency}".strip()
+    position = f"{_position(reaction.span)} {reaction.frequency}".strip()
     if reaction.first_tick is None:
         return position, _NEVER.get(language), ""
     return position, str(reaction.count), _tick(run, reaction.first_tick, language)
@@ -198,7 +198,7 @@ def _tick(run: Run, tick: int, language: Language) -> str:
     return f"{word} {tick} = {time_stamp(tick * run.cycle_time_us)}"
 
 
-def _place(span: Span | None) -> str:
+def _position(span: Span | None) -> str:
     return "" if span is None else f"{span.file}:{span.line}"
 
 

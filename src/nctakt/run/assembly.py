@@ -257,15 +257,15 @@ class AssembledMachine:
         return channel + 1 if len(self.assembled) > 1 else 0
 
     def positions(self, channel: int = 0) -> list[float]:
-        """The command positions of a channel's axes, in the order of its list."""
+        """Return the command positions of a channel's axes, in the order of its list."""
         return list(map(self.axes.positions().__getitem__, self.assembled[channel].members))
 
     def path_stands(self, channel: int = 0) -> bool:
-        """Whether nothing moves on the channel's path."""
+        """Return whether nothing moves on the channel's path."""
         return bool(self.channels[channel].path.has_stopped())
 
     def stands(self) -> bool:
-        """Whether all stands but for axes and spindles in motion without an end (RC-006)."""
+        """Return whether all stands but for axes and spindles in motion without an end (RC-006)."""
         ending = sum(one.context.spindles.ending_count() for one in self.channels)
         ending += self.single_axes.ending_count()
         return ending == 0 and all(self.path_stands(one.index) for one in self.assembled)
@@ -307,14 +307,14 @@ class AssembledMachine:
         )
 
     def _moving_axes(self, channel: int) -> tuple[str, ...]:
-        """The channel's axes that move beside its path, now or when they may go on."""
+        """Return the channel's axes that move beside its path, now or when they may go on."""
         axes = self.configuration.channels[channel].axes
         return tuple(axis.name for axis in axes if self.single_axes.moves(axis.index))
 
     # --- variables by name ----------------------------------------------------------------------
 
     def read(self, name: str) -> float | bool | str:
-        """The value of a variable; a value that waits for the next tick is read already."""
+        """Return the value of a variable; a value that waits for the next tick is read already."""
         return self.access.read(name)
 
     def write(self, name: str, value: float | bool | str) -> None:
@@ -342,13 +342,13 @@ class AssembledMachine:
         return known
 
     def default_signals(self) -> list[str]:
-        """Positions of all axes, path speed, override, block number, active cycles."""
+        """Return the positions of all axes, path speed, override, block number, active cycles."""
         if len(self.assembled) == 1:
             return _default_signals(self.assembled[0])
         return [f"{one.prefix}{name}" for one in self.assembled for name in _default_signals(one)]
 
     def unknown_signal(self, name: str) -> Diagnostic:
-        """The diagnostic of a signal that is none."""
+        """Return the diagnostic of a signal that is none."""
         near = nearest(name, self.signals())
         if near:
             return diagnostic(MISSPELLED_SIGNAL, name=name, nearest=near)

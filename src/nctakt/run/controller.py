@@ -377,12 +377,12 @@ class Controller:
         )
 
     def _loaded_texts(self) -> list[ProgramText]:
-        """The texts of the programs of this run."""
+        """Return the texts of the programs of this run."""
         programs, self._loaded = self._loaded, []
         return [text for program in programs for text in program.texts]
 
     def _limit(self, until: Time | None, ticks: int | None) -> int:
-        """The maximum number of ticks of a run."""
+        """Return the maximum number of ticks of a run."""
         limits = [ticks] if ticks is not None else []
         if until is not None:
             limits.append(until.ticks(self.cycle_time_us))
@@ -435,7 +435,7 @@ class Controller:
     def _load(
         self, programs: Mapping[int, Sequence[str | Path | NcText]]
     ) -> dict[int, list[LoadedProgram]] | None:
-        """The checked programs of each channel; ``None`` if one of them has errors."""
+        """Return the checked programs of each channel; ``None`` if one of them has errors."""
         loaded: dict[int, list[LoadedProgram]] = {number: [] for number in programs}
         self._loaded = []
         has_errors = False

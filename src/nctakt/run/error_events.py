@@ -160,7 +160,7 @@ def realtime_diagnostic(event: Event, machine: AssembledMachine) -> Diagnostic:
 
 
 def _array(event: Event, machine: AssembledMachine) -> str:
-    """The array whose index stands at the position of the event."""
+    """Return the array whose index stands at the position of the event."""
     assert event.span is not None
     before = machine.files.line_at(event.span)[: event.span.column - 1]
     match = re.search(r"[\w.\]\[]+(?=\[\s*$)", before)

@@ -177,7 +177,7 @@ class PlcView:
         return f"<PlcView of channel {self._index + 1}: {self.state}, after tick {self.tick}>"
 
     def of_channel(self, number: int) -> PlcView:
-        """The PLC's side of a channel, from 1; ``Failure`` where there is none."""
+        """Return the PLC's side of a channel, from 1; ``Failure`` where there is none."""
         count = len(self._machine.channels)
         if not 0 < number <= count:
             raise Failure(diagnostic(UNKNOWN_CHANNEL, channel=number, count=count))
@@ -209,7 +209,7 @@ class PlcView:
         return NamedValues({name: machine.cells[cell] for name, cell in shown.items()})
 
     def axis(self, name: str) -> NamedValues:
-        """An axis, by the names of ``hli_axis``: ``command``, ``target``, ``state`` …"""
+        """Return an axis, by the names of ``hli_axis``: ``command``, ``target``, ``state`` …"""
         machine, index = self._machine, self._axis(name)
         return NamedValues(
             {
@@ -222,7 +222,7 @@ class PlcView:
     # --- single axes: what the function blocks of ``plc/axes.py`` need --------------------------
 
     def _axis(self, name: str) -> int:
-        """The number of an axis; raises ``Failure`` (900656) where there is none."""
+        """Return the number of an axis; raises ``Failure`` (900656) where there is none."""
         names = {axis.name: i for i, axis in enumerate(self._machine.configuration.axes)}
         if name not in names:
             near = nearest(str(name), names) or NOTHING
@@ -249,23 +249,23 @@ class PlcView:
         return self._machine.kernel.requests.answer_to(owner)
 
     def is_axis_open(self, owner: int) -> bool:
-        """Whether what was requested runs or waits."""
+        """Return whether what was requested runs or waits."""
         return self._machine.kernel.requests.is_open(owner)
 
     def is_axis_active(self, name: str, owner: int) -> bool:
-        """Whether it is what the axis does."""
+        """Return whether it is what the axis does."""
         return self._machine.kernel.requests.is_active(self._axis(name), owner)
 
     def has_axis_arrived(self, name: str, owner: int) -> bool:
-        """Whether it has come to its target, and no motion behind it has."""
+        """Return whether it has come to its target, and no motion behind it has."""
         return self._machine.kernel.requests.has_arrived(self._axis(name), owner)
 
     def is_axis_at_speed(self, name: str) -> bool:
-        """Whether an endless motion has its speed."""
+        """Return whether an endless motion has its speed."""
         return self._machine.single_axes.at_speed(self._axis(name))
 
     def axis_fault(self, name: str) -> int:
-        """The number of the error that the axis is in."""
+        """Return the number of the error that the axis is in."""
         return self._machine.single_axes.fault_of(self._axis(name))
 
     def known_functions(self) -> list[str]:
@@ -315,7 +315,7 @@ class PlcView:
             self._machine.report_stale(entry.name)
 
     def spindle_jobs(self) -> list[SpindleEntry]:
-        """The jobs of spindles that the PLC turns, in the order of the channel list."""
+        """Return the jobs of spindles that the PLC turns, in the order of the channel list."""
         spindles = self._machine.channels[self._index].context.spindles
         cycle_time_us = self._machine.configuration.cycle_time_us
         name = self._machine.registry.spindle
@@ -477,7 +477,7 @@ def _unknown(name: str, known: Iterable[str]) -> str:
 
 
 def _seen(name: str) -> str:
-    """The name, unless it is that of a variable that a PLC does not see."""
+    """Return the name, unless it is that of a variable that a PLC does not see."""
     if name.upper().replace(" ", "").startswith(("V.CH.", "VS.CH.")):
         raise Failure(diagnostic(NOT_VISIBLE_TO_PLC, name=name))
     return name

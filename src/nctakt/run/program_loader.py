@@ -52,7 +52,7 @@ class NcText:
 
 
 def name_of(program: str | Path | NcText) -> str:
-    """The name of a program as the user gave it."""
+    """Return the name of a program as the user gave it."""
     return program.name if isinstance(program, NcText) else str(program)
 
 
@@ -70,14 +70,14 @@ def search_folders(caller: str, parameters: ChannelParameters, machine_folder: P
 
 
 def program_folder(named: str, machine_folder: Path) -> Path:
-    """A folder of programs as a channel list names it (P-CHAN-00401)."""
+    """Return a folder of programs as a channel list names it (P-CHAN-00401)."""
     plain = Path(named.replace("\\", "/"))
     near, above = machine_folder / plain, machine_folder / ".." / plain
     return above if not near.is_dir() and above.is_dir() else near
 
 
 def find_program(name: str, folders: list[Path], access: FileAccess) -> Path | None:
-    """The file of this name in the first folder that has it, as far as ``access`` allows."""
+    """Return the file of this name in the first folder that has it, as far as ``access`` allows."""
     if PureWindowsPath(name).drive or Path(name).is_absolute():
         path = Path(name.replace("\\", "/"))
         return path if access.admits(path) and path.is_file() else None
@@ -146,7 +146,7 @@ class LoadedProgram:
                 self.add_called(text, collector)
 
     def _find(self, name: str, caller: str, span: Span, collector: Collector) -> ProgramText | None:
-        """The text of a file that is called; what is wrong goes to ``collector``."""
+        """Return the text of a file that is called; what is wrong goes to ``collector``."""
         folders = search_folders(caller, self.parameters, self._folder)
         access = self._machine.file_access
         path = find_program(name, folders, access)
@@ -169,7 +169,7 @@ class LoadedProgram:
         return self._machine.configuration.folder
 
     def subprogram(self, name: str, caller: str, span: Span) -> ProgramText:
-        """The text of a file that the file ``caller`` calls at ``span``.
+        """Return the text of a file that the file ``caller`` calls at ``span``.
 
         It is read and checked now if it has not been before. Raises ``DecodeError`` with the first
         of the errors in it.

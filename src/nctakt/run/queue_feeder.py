@@ -116,7 +116,7 @@ class QueueFeeder:
             self.refill()
 
     def _take_answer(self) -> Answer:
-        """The answer to the command that waited; ``None`` if there was none."""
+        """Return the answer to the command that waited; ``None`` if there was none."""
         if not self._answer:
             return None
         (answer,), self._answer = self._answer, ()

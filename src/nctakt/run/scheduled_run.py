@@ -125,14 +125,14 @@ class ScheduledRun:
         return new
 
     def _simulated_findings(self) -> Iterator[Diagnostic]:
-        """The findings about the ticks so far, without overflows."""
+        """Yield the findings about the ticks so far, without overflows."""
         schedule = self._ticks.simulation(self._machine.kernel.tick)
         for finding in simulation_findings(schedule):
             if finding.message is not THREAD_OVERFLOWED:
                 yield finding
 
     def _overflow_errors(self) -> Iterator[Diagnostic]:
-        """The errors of overflown threads with P-RTCF-00011."""
+        """Yield the errors of overflown threads with P-RTCF-00011."""
         tick_us = self._machine.configuration.cycle_time_us
         for thread, ticks in sorted(self._overflows.items()):
             task = self.schedule.model.tasks[thread]

@@ -247,7 +247,7 @@ def _put_header(memory: memoryview, layout: ImageLayout, machine: Machine) -> No
 
 
 def _spindles(machine: Machine) -> Iterator[tuple[int, Spindle]]:
-    """Each spindle of the machine with the number of its channel."""
+    """Yield each spindle of the machine with the number of its channel."""
     for channel in machine.channels:
         for spindle in channel.parameters.spindles:
             yield channel.number, spindle
@@ -267,7 +267,7 @@ def _put_number(
 
 
 def _hli_rows(layout: ImageLayout, cells: Layout) -> Iterator[_Row]:
-    """The rows of the states of channels and axes and of the PLC's commands."""
+    """Yield the rows of the states of channels and axes and of the PLC's commands."""
     for index in range(layout.channels):
         for placed in entries(CHANNEL):
             if placed.entry in LAMPS:
@@ -298,7 +298,7 @@ def _hli_rows(layout: ImageLayout, cells: Layout) -> Iterator[_Row]:
 def _external_rows(
     layout: ImageLayout, parts: Sequence[Section], pack: int, cells: Layout
 ) -> Iterator[_Row]:
-    """The rows of all numbers and strings of the V.E variables."""
+    """Yield the rows of all numbers and strings of the V.E variables."""
     for section in parts:
         for placed in section.placed:
             cell = cells.external[(section.channel, placed.variable.name)]
@@ -352,7 +352,7 @@ def _units(
 def _axes_of(
     functions: Mapping[int, TechnologyFunction], channel: ChannelConfiguration
 ) -> bytearray:
-    """The logical number of the axis or spindle of each function by its number, 0: none."""
+    """Return the logical number of the axis or spindle of each function by its number, 0: none."""
     numbers = {axis.name: axis.logical_number for axis in channel.axes}
     numbers |= {spindle.name: spindle.logical_number for spindle in channel.parameters.spindles}
     table = bytearray(8 * MOST_FUNCTIONS)

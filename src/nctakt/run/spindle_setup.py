@@ -62,7 +62,7 @@ def all_names(configuration: Machine) -> list[str]:
 
 
 def _axis_of(configuration: Machine, spindle: Spindle) -> AxisConfiguration | None:
-    """The axis list of a spindle; ``None`` for one that the PLC turns."""
+    """Return the axis list of a spindle; ``None`` for one that the PLC turns."""
     for axis in configuration.axes:
         if axis.logical_number == spindle.logical_number and not spindle.plc_controlled:
             return axis

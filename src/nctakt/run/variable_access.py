@@ -90,7 +90,7 @@ class VariableAccess:
         return found
 
     def _find_panel(self, name: str) -> PanelValue | None:
-        """The operator's value of this name; ``None`` for a variable."""
+        """Return the operator's value of this name; ``None`` for a variable."""
         prefix, number, path = split_channel(name)
         upper = path.strip().upper()
         if not upper.startswith(PREFIX):
@@ -108,7 +108,7 @@ class VariableAccess:
         return number - 1
 
     def read(self, name: str) -> float | bool | str:
-        """The value of a variable; a value that waits for the next tick is read already."""
+        """Return the value of a variable; a value that waits for the next tick is read already."""
         shown = self._find_panel(name)
         if shown is not None:
             value = self._pending.get(shown.cell, self._cells[shown.cell])
@@ -162,7 +162,7 @@ class VariableAccess:
 
 
 def _characters(name: str, location: Location, text: str) -> bytes:
-    """The bytes of a text, up to the end of the last cell that they stand in."""
+    """Return the bytes of a text, up to the end of the last cell that they stand in."""
     size = location.size_bytes
     wrong = strings.misfit(name, location.type, size, text)
     if wrong is not None:
@@ -171,7 +171,7 @@ def _characters(name: str, location: Location, text: str) -> bytes:
 
 
 def _command(shown: PanelValue, value: float | bool | str) -> Write:
-    """An operator's command; the override is no less than 0."""
+    """Return an operator's command; the override is no less than 0."""
     if not shown.is_command:
         raise Failure(diagnostic(VARIABLE_NOT_SETTABLE, name=shown.name))
     if isinstance(value, str):
@@ -190,7 +190,7 @@ def _command(shown: PanelValue, value: float | bool | str) -> Write:
 
 
 def _number(name: str, type_: str, number: float) -> float:
-    """The number as a variable of this type takes it (RC-307)."""
+    """Return the number as a variable of this type takes it (RC-307)."""
     if not math.isfinite(number):
         raise Failure(diagnostic(VALUE_NOT_FINITE, name=name, value=number))
     scalar = SCALARS[type_]

@@ -90,7 +90,7 @@ def wait_reason(machine: AssembledMachine, index: int) -> Diagnostic | None:
 
 
 def _name(machine: AssembledMachine, word: str, detail: int) -> str:
-    """The name of the spindle, axis or function that the program waits for."""
+    """Return the name of the spindle, axis or function that the program waits for."""
     if word.startswith("spindle"):
         return machine.registry.spindle(detail)
     if word == "axis":

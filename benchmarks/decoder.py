@@ -37,7 +37,7 @@ from nctakt.base.mode import is_compiled
 from nctakt.decoder.fast.handover import PlainRun
 from nctakt.decoder.state.commands import Segment, waits
 from nctakt.decoder.state.packing import pack
-from nctakt.kernel.tick.command_queue import CommandRing
+from nctakt.kernel.tick.command_queue import CommandQueue
 from nctakt.run import program_loader
 from nctakt.run.controller import Controller
 from nctakt.run.program_loader import LoadedProgram
@@ -235,10 +235,10 @@ def check(path: Path) -> tuple[Controller, LoadedProgram]:
     return controller, loaded
 
 
-def put_segment(ring: CommandRing, command: Segment) -> None:
+def put_segment(queue: CommandQueue, command: Segment) -> None:
     """A block of the tree's way into the queue."""
     one = command
-    ring.put_segment(
+    queue.put_segment(
         *(one.source, one.number, one.start, one.target, one.motion, one.feed),
         *(one.exact_stop, one.deviation, one.limits_jerk, one.arc),
     )
@@ -249,18 +249,18 @@ def decode(controller: Controller, loaded: LoadedProgram) -> None:
     machine = controller._machine
     feed = QueueFeeder(machine, loaded, controller.diagnostics.append)
     path, ahead = machine.channels[0].path, machine.channels[0].ahead
-    ring = CommandRing(path, ahead)
+    queue = CommandQueue(path, ahead)
     for command in feed._decoded:
         assert not waits(command), command
-        if ring.timed_count >= QUEUE:
-            ring = CommandRing(path, ahead)
+        if queue.timed_count >= QUEUE:
+            queue = CommandQueue(path, ahead)
         if isinstance(command, PlainRun):
-            command.blocks.fill(ring, QUEUE)
+            command.blocks.fill(queue, QUEUE)
         elif isinstance(command, Segment):
-            put_segment(ring, command)
+            put_segment(queue, command)
             feed._decoder.pass_time(command)
         else:
-            ring.put(pack(command))
+            queue.put(pack(command))
 
 
 def run(path: Path) -> None:

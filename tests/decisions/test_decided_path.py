@@ -144,7 +144,7 @@ def test_the_path_never_jumps() -> None:
     controller = Controller()
     controller.start(NcText("part.nc", "#TIME 0.01\nG00 X1\nM30"))
     controller.step(2)
-    controller._machine.axes.place(0, 7.0)
+    controller._machine.axes.set_position(0, 7.0)
     controller.step(20)
     assert (controller.state, controller.read("V.RTA.ACS.ACT_POS.X")) == ("error", 7.0)
     assert [found.message.id for found in controller.diagnostics] == [900420]

@@ -20,7 +20,7 @@ from random_seeds import each_seed
 
 from nctakt.decoder import program
 from nctakt.decoder.fast import handover
-from nctakt.kernel.tick.command_queue import CommandRing
+from nctakt.kernel.tick.command_queue import CommandQueue
 from nctakt.messages import Collector
 from nctakt.nc import outline
 from nctakt.nc.fast.plain_lines import EMPTY, OTHER, PLAIN, PlainScanner, shape_code
@@ -171,7 +171,7 @@ def counted(monkeypatch: pytest.MonkeyPatch) -> list[int]:
     added: list[int] = []
     fill = handover.PlainBlocks.fill
 
-    def count(blocks: handover.PlainBlocks, ring: CommandRing, timed: int) -> None:
+    def count(blocks: handover.PlainBlocks, ring: CommandQueue, timed: int) -> None:
         before = ring.timed_count
         fill(blocks, ring, timed)
         added.append(ring.timed_count - before)
@@ -297,7 +297,7 @@ def test_contours_are_full_of_plain_blocks(monkeypatch: pytest.MonkeyPatch) -> N
     taken = 0
     fill = handover.PlainBlocks.fill
 
-    def count(blocks: handover.PlainBlocks, ring: CommandRing, timed: int) -> None:
+    def count(blocks: handover.PlainBlocks, ring: CommandQueue, timed: int) -> None:
         nonlocal taken
         before = ring.timed_count
         fill(blocks, ring, timed)

@@ -106,11 +106,11 @@ DELETED = [(rows.EVENT_ENDED, float(rows.ENDED_BY_DELETE))]
 
 #: What a command does in a state: the events, and the state afterwards.
 EFFECTS = {
-    ("unknown", START): (NO_CYCLE, codes.DEAD),
-    ("unknown", HOLD): (NO_CYCLE, codes.DEAD),
-    ("unknown", CONTINUE): (NO_CYCLE, codes.DEAD),
-    ("unknown", ABORT): (NO_CYCLE, codes.DEAD),
-    ("unknown", DELETE): ([(rows.EVENT_NOTICE, 900410.0)], codes.DEAD),
+    ("unknown", START): (NO_CYCLE, codes.ENDED),
+    ("unknown", HOLD): (NO_CYCLE, codes.ENDED),
+    ("unknown", CONTINUE): (NO_CYCLE, codes.ENDED),
+    ("unknown", ABORT): (NO_CYCLE, codes.ENDED),
+    ("unknown", DELETE): ([(rows.EVENT_NOTICE, 900410.0)], codes.ENDED),
     ("defined", START): (STARTED, codes.RUNNING),
     ("defined BLOCK", START): (STARTED, codes.ARMED),
     ("armed", START): (STARTED, codes.ARMED),
@@ -136,7 +136,7 @@ def expected(name: str, action: int, before: int) -> tuple[list[tuple[int, float
         return [(rows.EVENT_NOTICE, 900411.0)], before
     if action == CONTINUE:
         return [(rows.EVENT_NOTICE, 900412.0)], before
-    return (ABORTED, before) if action == ABORT else (DELETED, codes.DEAD)
+    return (ABORTED, before) if action == ABORT else (DELETED, codes.ENDED)
 
 
 @pytest.mark.parametrize("action", [START, HOLD, CONTINUE, ABORT, DELETE])

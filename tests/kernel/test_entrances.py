@@ -26,12 +26,12 @@ ENTRANCES: dict[str, _Entrance] = {
     "axes.set_stop": lambda rig, n: rig.machine.axes.set_stop(n, 1.0),
     "axes.set_lag": lambda rig, n: rig.machine.axes.set_lag(n, 0.5, 0.5),
     "axes.set_override": lambda rig, n: rig.machine.axes.set_override(n, 0, 100.0),
-    "axes.place": lambda rig, n: rig.machine.axes.place(n, 1.0),
+    "axes.place": lambda rig, n: rig.machine.axes.set_position(n, 1.0),
     "offsets.of": lambda rig, n: rig.machine.axes.offsets.of(n, 127),
     "single_axes.configure": lambda rig, n: rig.machine.single_axes.configure(
         n, low=0.0, high=1.0, speed=1.0, acceleration=1.0, jerk=0.0
     ),
-    "single_axes.belong": lambda rig, n: rig.machine.single_axes.belong(n),
+    "single_axes.assign_to_channel": lambda rig, n: rig.machine.single_axes.assign_to_channel(n),
     "single_axes.absolute axis": lambda rig, n: rig.machine.single_axes.absolute(
         n, 1.0, 1.0, 0, 0, 1
     ),
@@ -68,8 +68,10 @@ ENTRANCES: dict[str, _Entrance] = {
     "path.segment_row": lambda rig, n: rig.channel.path.segment_row(n),
     "path members": lambda rig, n: KernelPath(rig.machine.axes, [0, n], 1000),
     "queue.row": lambda rig, n: rig.channel.row(n),
-    "ahead.limit": lambda rig, n: rig.channel.ahead.limit(n, True, (1.0, 1.0), (1.0, 1.0)),
-    "ahead.limit_slope": lambda rig, n: rig.channel.ahead.limit_slope(n, (1.0, 1.0), (1.0, 1.0)),
+    "ahead.limit": lambda rig, n: rig.channel.look_ahead.limit(n, True, (1.0, 1.0), (1.0, 1.0)),
+    "ahead.limit_slope": lambda rig, n: rig.channel.look_ahead.limit_slope(
+        n, (1.0, 1.0), (1.0, 1.0)
+    ),
 }
 
 

@@ -24,7 +24,7 @@ def test_positions_in_pcs_lack_the_offsets() -> None:
     memory = bytearray(8 * 20)
     cells = memoryview(memory).cast("d")
     axes = Axes(memory, 0, 1)
-    axes.place(0, 100.0)
+    axes.set_position(0, 100.0)
     axes.shift(0, codes.ZERO_OFFSET, 11.0)
     axes.shift(0, codes.ADD_ZERO_OFFSET, 0.5)
     assert list(cells[0:3]) == [100.0] * 3

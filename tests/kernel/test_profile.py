@@ -9,7 +9,7 @@ import pytest
 from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 
-from nctakt.kernel.path.trapezoid_profile import Profile
+from nctakt.kernel.path.trapezoid_profile import TrapezoidProfile
 
 often = settings(max_examples=300, deadline=None, derandomize=True, database=None)
 
@@ -19,9 +19,11 @@ limits = st.floats(1e-2, 600.0)
 accelerations = st.floats(1.0, 20_000.0)
 
 
-def planned(length: float, start: float, end: float, limit: float, slope: float) -> Profile:
+def planned(
+    length: float, start: float, end: float, limit: float, slope: float
+) -> TrapezoidProfile:
     """A profile with this plan."""
-    profile = Profile()
+    profile = TrapezoidProfile()
     profile.prepare(length, start, end, limit, slope)
     return profile
 
@@ -31,7 +33,7 @@ def samples(duration: float, count: int = 200) -> list[float]:
     return [duration * i / count for i in range(count + 1)]
 
 
-def assert_is_a_motion(profile: Profile, slope: float, highest: float) -> None:
+def assert_is_a_motion(profile: TrapezoidProfile, slope: float, highest: float) -> None:
     """Continuous, forward, with the speed as its slope, within the limits."""
     times = samples(profile.duration_t)
     at = [profile.at(time) for time in times]
@@ -152,7 +154,7 @@ def test_a_new_limit_at_any_time_changes_nothing_but_what_follows(
     """Planned anew with any limit, position and speed go on without a step to the end (MO-5)."""
     covered, speed = 0.0, 0.0
     highest = max(limit for _, limit in steps) + 1.0
-    profile = Profile()
+    profile = TrapezoidProfile()
     for time, limit in [*steps, (math.inf, highest)]:
         profile.prepare(length - covered, speed, end, limit, slope)
         assert profile.at(0.0) == (0.0, speed)

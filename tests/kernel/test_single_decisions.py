@@ -14,9 +14,9 @@ import pytest
 from nctakt.base import mode
 from nctakt.kernel import rows
 from nctakt.kernel.path.arc_speed import ArcSpeed
-from nctakt.kernel.path.backward import Retrace
+from nctakt.kernel.path.backward import BackwardMotion
 from nctakt.kernel.path.history import History
-from nctakt.kernel.path.trapezoid_profile import Profile
+from nctakt.kernel.path.trapezoid_profile import TrapezoidProfile
 
 pytestmark = pytest.mark.skipif(mode.is_compiled(), reason="compiled methods cannot be called")
 
@@ -24,7 +24,7 @@ pytestmark = pytest.mark.skipif(mode.is_compiled(), reason="compiled methods can
 @pytest.mark.parametrize(("stage", "end_v"), [(1, 5.0), (2, 3.0), (0, 7.0)])
 def test_at_the_border_of_a_piece_the_next_border_gives_the_speed(stage: int, end_v: float) -> None:
     """Nothing is left of the piece: at most the speed from which what follows can be kept."""
-    arc = ArcSpeed(2, Profile())
+    arc = ArcSpeed(2, TrapezoidProfile())
     arc.pieces = 3
     for border, speed in enumerate((9.0, 7.0, 5.0, 3.0)):
         arc.highs[border] = speed * speed
@@ -40,30 +40,30 @@ def test_an_axis_keeps_its_share_of_the_speed_on_an_arc(
     keep: float, parts: tuple[float, float], cap_v: float
 ) -> None:
     """10 mm/s and 20 mm/s by the axis' part of the way, times the share that is kept."""
-    arc = ArcSpeed(2, Profile())
-    arc.most_v[0], arc.most_v[1] = 10.0, 20.0
+    arc = ArcSpeed(2, TrapezoidProfile())
+    arc.max_v[0], arc.max_v[1] = 10.0, 20.0
     arc.first_parts[4], arc.second_parts[4] = parts
     assert arc.cap_at(4, 0, 1, keep) == pytest.approx((cap_v * keep) ** 2)
 
 
-def walk(*, place: int, is_front_over: bool, kind: int) -> Any:
+def walk(*, number: int, is_front_over: bool, kind: int) -> Any:
     """A walk over a history whose latest segment is number 7, and what it asks of the path."""
-    ring = [0.0] * 200
-    ring[100 + rows.KIND] = kind
+    history_rows = [0.0] * 200
+    history_rows[100 + rows.KIND] = kind
     path = SimpleNamespace(
         oldest=3,
         is_front_over=is_front_over,
         front=100,
-        ring=ring,
+        history_rows=history_rows,
         direction=1,
-        row_of=lambda _place: 0,
-        refusal=lambda _base, _ring: 900420,
+        row_of=lambda _number: 0,
+        refusal=lambda _row, _queue: 900420,
     )
-    return SimpleNamespace(path=path, front_place=7, place=place)
+    return SimpleNamespace(path=path, front_number=7, number=number)
 
 
 @pytest.mark.parametrize(
-    ("place", "is_front_over", "kind", "message"),
+    ("number", "is_front_over", "kind", "message"),
     [
         (2, True, rows.SEGMENT, -1),
         (7, True, rows.SEGMENT, 0),
@@ -74,28 +74,28 @@ def walk(*, place: int, is_front_over: bool, kind: int) -> Any:
     ],
 )
 def test_a_walk_is_at_its_front_without_asking(
-    place: int, is_front_over: bool, kind: int, message: int
+    number: int, is_front_over: bool, kind: int, message: int
 ) -> None:
     """A front that is over, or a dwell, moves nothing: only there no axis can be in the way."""
-    history = walk(place=place, is_front_over=is_front_over, kind=kind)
-    assert Retrace.refusal_into(history, place) == message
+    history = walk(number=number, is_front_over=is_front_over, kind=kind)
+    assert BackwardMotion.refusal_into(history, number) == message
 
 
 def test_the_goal_of_a_walk_is_in_its_row() -> None:
     """Each column of the goal holds its own value: length, speed, kind, acceleration, jerk."""
     history: Any = SimpleNamespace(
-        place=5,
+        number=5,
         stretch=[0] * 4,
         stretch_end=-1,
         max_stretch=4,
         path=SimpleNamespace(direction=-1),
-        ahead=SimpleNamespace(way=12.0, goal_v=34.0, goal_kind=rows.EXEMPT_FEED_GOAL),
+        look_ahead=SimpleNamespace(goal_d=12.0, goal_v=34.0, goal_kind=rows.EXEMPT_FEED_GOAL),
         limit_a=56.0,
         limit_j=78.0,
-        bend_a=1e300,
+        rounding_a=1e300,
         goal_row=[0.0] * 200,
-        neighbour=lambda place, direction: place + direction,
-        passing_speed=lambda place, _other: 1.0 if place > 4 else 0.0,
+        neighbour=lambda number, direction: number + direction,
+        passing_speed=lambda number, _other: 1.0 if number > 4 else 0.0,
         found=[],
     )
     history.find_goal = history.found.append
@@ -113,6 +113,6 @@ def test_the_goal_of_a_walk_is_in_its_row() -> None:
     }
     written = {column: value for column, value in enumerate(history.goal_row) if value}
     assert written == expected
-    history.bend_a = 3.0
+    history.rounding_a = 3.0
     History.survey(history, 1)
     assert history.goal_row[rows.ROUNDING_LENGTH] == 1.0

@@ -206,7 +206,7 @@ class Compensation:
         """Hold the motion until the next one arrives."""
         number, compensation = self.tool.number, self._state.compensation
         misfit = LINE_REVERSED_BY_RADIUS if segment.arc is None else ARC_REVERSED_BY_RADIUS
-        if segment.arc is not None and not self.tool.latest_fits():
+        if segment.arc is not None and not self.tool.last_motion_fits():
             misfit = TOOL_TOO_LARGE_FOR_ARC
         motion = PendingMotion(
             number,
@@ -456,7 +456,7 @@ class Compensation:
             if shape == contour_rows.GAP:
                 self._fail(motion)
             piece = self.tool.taken()
-            pieces.append((piece, self.tool.taken_way()))
+            pieces.append((piece, self.tool.taken_length()))
             self._at = (piece[2], piece[3])
         if not pieces and self._moves_others(motion.segment):
             assert self._at is not None

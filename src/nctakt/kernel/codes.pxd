@@ -15,7 +15,7 @@ cdef enum:
     ARMED = 3
     RUNNING = 4
     HELD = 5
-    DEAD = 6
+    ENDED = 6
     BLOCK_SCOPE = 0
     PROG_SCOPE = 1
     GLOBAL_SCOPE = 2
@@ -76,7 +76,7 @@ cdef enum:
     FEED_NEGATIVE = 12
     HIGHEST_SPEED = 0
     CROSSING = 1
-    LEAST_BRAKING = 2
+    MIN_BRAKING = 2
     SPINDLE_FORWARD = 3
     SPINDLE_BACKWARD = 4
     SPINDLE_STOP = 5

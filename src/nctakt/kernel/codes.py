@@ -30,7 +30,7 @@ from __future__ import annotations
     ARMED,  # started, waits for its block (BLOCK)
     RUNNING,
     HELD,
-    DEAD,  # has ended, Python has not freed the slot yet
+    ENDED,  # has ended, Python has not freed the slot yet
 ) = range(7)
 
 #: Scopes.
@@ -116,7 +116,7 @@ FEED_NEGATIVE = 12
 #: The unknown of a trajectory: how far its highest speed lies above the slowest that makes sense,
 #: as the root of the difference; the acceleration with which ``top_v`` is passed while braking;
 #: that up to which a braking is taken back.
-HIGHEST_SPEED, CROSSING, LEAST_BRAKING = range(3)
+HIGHEST_SPEED, CROSSING, MIN_BRAKING = range(3)
 
 # --- spindles -------------------------------------------------------------------------------------
 

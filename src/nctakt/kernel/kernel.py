@@ -22,7 +22,7 @@ from nctakt.kernel.plc.interface_image import InterfaceImage
 from nctakt.kernel.tick.channel import Channel
 
 #: Ticks of one call at most, far from what an integer of 64 bits cannot hold.
-MOST_TICKS = 1 << 60
+MAX_TICKS = 1 << 60
 
 
 class Lane:
@@ -142,7 +142,7 @@ class Kernel:
 
     def run(self, ticks: int) -> int:
         """Run up to ``ticks`` ticks: why it returned, ``codes.DONE`` after all of them."""
-        ticks = min(ticks, MOST_TICKS)
+        ticks = min(ticks, MAX_TICKS)
         with cython.nogil:
             reason = self.loop(ticks)
         return reason

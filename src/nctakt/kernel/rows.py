@@ -219,7 +219,7 @@ def _arguments(count: int) -> range:
     PREDECESSOR,  # how many commands before it the segment stands that it continues; 0: none
     CORNER_SPEED,  # /s, at which its end may be passed
     END_SPEED,  # /s at its end
-    FREE_END_SPEED,  # /s at its end without regard to feeds
+    MAX_END_SPEED,  # /s at its end without regard to feeds
     NEXT_SPEED,  # ``SPEED`` of the next segment, 0: none
     NEXT_IGNORES_OVERRIDE,  # ``IGNORES_OVERRIDE`` of the next segment
     REMAINING_LENGTH,  # in the path: of its block behind it, with a limit of the jerk

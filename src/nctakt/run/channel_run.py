@@ -188,7 +188,7 @@ class ChannelRun:
         """Stop decoding the program and drop cycles that it has loaded but not defined."""
         self._stop()
         self.channel.panel.end_program()
-        self.channel.manager.drop_unborn()
+        self.channel.manager.drop_undefined()
 
     def _stop(self) -> None:
         if self.feeder is not None:

@@ -75,7 +75,7 @@ class QueueFeeder:
         self._budget = budget
         if budget is not None:
             budget.forgive()
-        self._high_water = self._channel.ahead.blocks + HIGH_WATER
+        self._high_water = self._channel.look_ahead.blocks + HIGH_WATER
         self._channel.taken_source = 0
         self._channel.decoder_open = True
         self._channel.wants_slot = False
@@ -127,7 +127,7 @@ class QueueFeeder:
 
     def _free_slots(self) -> None:
         """Free the slots of ended cycles."""
-        self._machine.registry.forget(self._channel.manager.free_dead())
+        self._machine.registry.forget(self._channel.manager.free_ended())
 
     def stop(self) -> None:
         """Stop decoding the program."""
@@ -220,7 +220,7 @@ class QueueFeeder:
                 None if command.modifiers is None else command.modifiers.row,
             )
             if command.goes_on:
-                self._channel.block_goes_on()
+                self._channel.continue_block()
             self._decoder.pass_time(command)
             return
         row = pack(command, subject)

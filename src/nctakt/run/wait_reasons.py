@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Why a program waits when a run comes to its limit.
 
-In: a channel of the realtime part (``kernel.tick.channel.Channel.awaits``). Out: a note with the
-block, its line and the reason, or none if the program is at work.
+In: a channel of the realtime part (``kernel.tick.channel.Channel.wait_reason``). Out: a note with
+the block, its line and the reason, or none if the program is at work.
 """
 
 from __future__ import annotations
@@ -74,7 +74,7 @@ def wait_reasons(machine: AssembledMachine, channels: Sequence[ChannelRun]) -> l
 
 def wait_reason(machine: AssembledMachine, index: int) -> Diagnostic | None:
     """Return a note on what the program of a channel waits for; ``None`` if it does not wait."""
-    word, source, detail = machine.channels[index].awaits()
+    word, source, detail = machine.channels[index].wait_reason()
     if not word:
         return None
     text = _REASONS[word]

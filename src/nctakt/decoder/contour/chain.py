@@ -24,9 +24,9 @@ class Chain:
         self.rows = memoryview(bytearray(8 * 2 * rows.ROOM * rows.PIECE_WIDTH)).cast("d")
         self.hidden = memoryview(bytearray(8 * rows.MAX_HIDDEN * rows.HIDDEN_WIDTH)).cast("d")
         self.hidden_count = 0
-        self.left = 0
+        self.left_out_count = 0
         self.count = 0
-        self.out = 0
+        self.taken_count = 0
         self.barrier = 0
         self.number = 0
         self.side = 1.0
@@ -41,7 +41,7 @@ class Chain:
     def separate(self) -> None:
         """Compare nothing that comes with what was."""
         self.barrier = self.count
-        self.left = 0
+        self.left_out_count = 0
         self.hidden_count = 0
 
     def import_from(self, count: int, barrier: int) -> None:
@@ -62,12 +62,12 @@ class Chain:
 
     def put(self, is_contour: int) -> None:
         """The row behind the pieces is one more piece of the latest motion."""
-        base = self.count * rows.PIECE_WIDTH
-        self.rows[base + rows.MOTION] = self.number
-        is_gap = self.rows[base + rows.SHAPE] == rows.GAP
-        self.rows[base + rows.IS_CONTOUR] = 1.0 if is_contour and not is_gap else 0.0
-        self.rows[base + rows.CROSSED] = 0.0
-        pieces.bound(self.rows, base)
+        row = self.count * rows.PIECE_WIDTH
+        self.rows[row + rows.MOTION] = self.number
+        is_gap = self.rows[row + rows.SHAPE] == rows.GAP
+        self.rows[row + rows.IS_CONTOUR] = 1.0 if is_contour and not is_gap else 0.0
+        self.rows[row + rows.CROSSED] = 0.0
+        pieces.bound(self.rows, row)
         self.count += 1
         if is_contour and not is_gap:
             self.compare()
@@ -76,25 +76,25 @@ class Chain:
         """Forget the pieces that are neither compared nor waited for, if there are many."""
         if self.count < rows.MANY:
             return
-        first = self.oldest(self.out)
+        first = self.oldest(self.taken_count)
         for i in range((self.count - first) * rows.PIECE_WIDTH):
             self.rows[i] = self.rows[first * rows.PIECE_WIDTH + i]
         self.count -= first
-        self.out -= first
+        self.taken_count -= first
         self.barrier = max(self.barrier - first, 0)
 
     def oldest(self, last: int) -> int:
         """The first piece up to ``last`` that is within reach of the latest motion."""
         first = last
         before = last - 1
-        while before >= self.barrier and self.is_in_reach(before):
+        while before >= self.barrier and self.is_near(before):
             first = before
             before -= 1
         return first
 
-    def is_in_reach(self, one: int) -> int:
+    def is_near(self, piece: int) -> int:
         """Whether the latest motion may cross this piece."""
-        motion = self.rows[one * rows.PIECE_WIDTH + rows.MOTION]
+        motion = self.rows[piece * rows.PIECE_WIDTH + rows.MOTION]
         return 1 if motion >= self.number - rows.REACH else 0
 
     # --- crossings -------------------------------------------------------------------------------
@@ -105,9 +105,9 @@ class Chain:
             self.mask()
             return
         last = self.count - 1
-        found = self.search(last, 0.0)
-        if found >= 0:
-            self.crossed = int(self.rows[found * rows.PIECE_WIDTH + rows.MOTION])
+        crossed_piece = self.search(last, 0.0)
+        if crossed_piece >= 0:
+            self.crossed = int(self.rows[crossed_piece * rows.PIECE_WIDTH + rows.MOTION])
             self.crossing = self.number
             self.barrier = last
 
@@ -119,168 +119,170 @@ class Chain:
         room = 8
         while True:
             last = self.count - 1
-            found = self.search(last, self.side)
-            if found >= self.out and found >= 0:
-                self.leave_out(found, last)
+            crossed_piece = self.search(last, self.side)
+            if crossed_piece >= self.taken_count and crossed_piece >= 0:
+                self.leave_out(crossed_piece, last)
                 continue
-            found = self.search_loops(last)
-            if found < 0 or room == 0 or not self.take_in(found, last):
+            crossed_piece = self.search_loops(last)
+            if crossed_piece < 0 or room == 0 or not self.restore_loop(crossed_piece, last):
                 break
             room -= 1
-        if found >= 0:
-            self.cross(last, found)
+        if crossed_piece >= 0:
+            self.cross(last, crossed_piece)
         self.note(last)
 
     def note(self, last: int) -> None:
         """Note a crossing that closes no loop; one behind it may still leave out both."""
-        found = self.search(last, 0.0)
-        if found >= 0:
-            self.cross(last, found)
+        crossed_piece = self.search(last, 0.0)
+        if crossed_piece >= 0:
+            self.cross(last, crossed_piece)
 
-    def cross(self, last: int, found: int) -> None:
+    def cross(self, last: int, crossed_piece: int) -> None:
         """The latest piece crosses the motion of another one."""
-        motion = self.rows[found * rows.PIECE_WIDTH + rows.MOTION]
+        motion = self.rows[crossed_piece * rows.PIECE_WIDTH + rows.MOTION]
         self.rows[last * rows.PIECE_WIDTH + rows.CROSSED] = motion
 
-    def search(self, last: int, wanted: float) -> int:
+    def search(self, last: int, required_sense: float) -> int:
         """The newest piece that the latest one crosses in this sense; -1: none.
 
         So the smallest loop is found first.
         """
-        self.crossings.wanted = wanted
-        base = last * rows.PIECE_WIDTH
-        one = last - 1
-        if one >= 0 and self.rows[one * rows.PIECE_WIDTH + rows.SHAPE] != rows.GAP:
-            one -= 1  # the way goes on from this one
-        while one >= self.barrier and self.is_in_reach(one):
-            if self.is_crossed(one, base):
-                return one
-            one -= 1
+        self.crossings.required_sense = required_sense
+        row = last * rows.PIECE_WIDTH
+        piece = last - 1
+        if piece >= 0 and self.rows[piece * rows.PIECE_WIDTH + rows.SHAPE] != rows.GAP:
+            piece -= 1  # the way goes on from this one
+        while piece >= self.barrier and self.is_near(piece):
+            if self.is_crossed(piece, row):
+                return piece
+            piece -= 1
         return -1
 
     def search_loops(self, last: int) -> int:
         """The piece of a loop behind which the latest piece leads; -1: none."""
-        self.crossings.wanted = -self.side
-        base = last * rows.PIECE_WIDTH
-        one = rows.ROOM + self.left - 1
-        while one >= rows.ROOM:
-            if self.is_in_reach(one) and self.is_crossed(one, base):
-                return one
-            one -= 1
+        self.crossings.required_sense = -self.side
+        row = last * rows.PIECE_WIDTH
+        piece = rows.ROOM + self.left_out_count - 1
+        while piece >= rows.ROOM:
+            if self.is_near(piece) and self.is_crossed(piece, row):
+                return piece
+            piece -= 1
         return -1
 
-    def is_crossed(self, one: int, base: int) -> int:
-        """Whether the piece whose row begins at ``base`` crosses this one."""
-        begin = one * rows.PIECE_WIDTH
+    def is_crossed(self, piece: int, row: int) -> int:
+        """Whether the piece whose row begins at ``row`` crosses this one."""
+        begin = piece * rows.PIECE_WIDTH
         if self.rows[begin + rows.IS_CONTOUR] == 0.0:
             return 0
-        if pieces.are_apart(self.rows, begin, base):
+        if pieces.are_apart(self.rows, begin, row):
             return 0
-        return self.crossings.find(self.rows, begin, base)
+        return self.crossings.find(self.rows, begin, row)
 
     def leave_out(self, first: int, last: int) -> None:
         """Leave out the loop between two pieces that cross, and the first one if nothing is left.
 
         The piece behind the loop keeps its end, so that it stays even where it has no length.
         """
-        row = self.rows
+        table = self.rows
         x = self.crossings.x
         y = self.crossings.y
         self.keep_loop(first, last)
-        pieces.cut_end(row, first * rows.PIECE_WIDTH, x, y)
-        pieces.cut_start(row, last * rows.PIECE_WIDTH, x, y)
-        if pieces.length(row, first * rows.PIECE_WIDTH) > 1e-9:
+        pieces.cut_end(table, first * rows.PIECE_WIDTH, x, y)
+        pieces.cut_start(table, last * rows.PIECE_WIDTH, x, y)
+        if pieces.length(table, first * rows.PIECE_WIDTH) > 1e-9:
             first += 1
         self.copy(last, first)
         self.count = first + 1
 
     def keep_loop(self, first: int, last: int) -> None:
         """Keep the loop that is left out, and forget the oldest ones if there is no room."""
-        while self.left + last - first + 2 > rows.ROOM:
+        while self.left_out_count + last - first + 2 > rows.ROOM:
             self.forget_loop(rows.ROOM)
-        at = rows.ROOM + self.left
-        for one in range(first, last + 1):
-            self.copy(one, at)
-            if one == first:
+        at = rows.ROOM + self.left_out_count
+        for piece in range(first, last + 1):
+            self.copy(piece, at)
+            if piece == first:
                 pieces.cut_start(
                     self.rows, at * rows.PIECE_WIDTH, self.crossings.x, self.crossings.y
                 )
-            elif one == last:
+            elif piece == last:
                 pieces.cut_end(self.rows, at * rows.PIECE_WIDTH, self.crossings.x, self.crossings.y)
             at += 1
         self.rows[at * rows.PIECE_WIDTH + rows.SHAPE] = rows.LOOP_END
         self.rows[at * rows.PIECE_WIDTH + rows.IS_CONTOUR] = 0.0
-        self.left = at + 1 - rows.ROOM
+        self.left_out_count = at + 1 - rows.ROOM
 
     def forget_loop(self, first: int) -> None:
         """The loop that begins with this row is left out for good."""
         behind = self.end_of_loop(first) + 1
-        for one in range(behind, rows.ROOM + self.left):
-            self.copy(one, first + one - behind)
-        self.left -= behind - first
+        for piece in range(behind, rows.ROOM + self.left_out_count):
+            self.copy(piece, first + piece - behind)
+        self.left_out_count -= behind - first
 
-    def end_of_loop(self, one: int) -> int:
+    def end_of_loop(self, piece: int) -> int:
         """The row behind the last piece of a loop."""
-        while self.rows[one * rows.PIECE_WIDTH + rows.SHAPE] != rows.LOOP_END:
-            one += 1
-        return one
+        while self.rows[piece * rows.PIECE_WIDTH + rows.SHAPE] != rows.LOOP_END:
+            piece += 1
+        return piece
 
-    def take_in(self, found: int, last: int) -> int:
+    def restore_loop(self, crossed_piece: int, last: int) -> int:
         """Lead the way around a loop again from where the latest piece crosses it: 1 done.
 
         What of it is not way after all the rest of the latest piece will leave out.
         """
-        row = self.rows
-        end = self.end_of_loop(found)
-        first = found
-        before = found - 1
-        while before >= rows.ROOM and row[before * rows.PIECE_WIDTH + rows.SHAPE] != rows.LOOP_END:
+        table = self.rows
+        end = self.end_of_loop(crossed_piece)
+        first = crossed_piece
+        before = crossed_piece - 1
+        while (
+            before >= rows.ROOM and table[before * rows.PIECE_WIDTH + rows.SHAPE] != rows.LOOP_END
+        ):
             first = before
             before -= 1
-        rest = last + end - first + 2
-        if rest > rows.FULL:
+        behind = last + end - first + 2
+        if behind > rows.FULL:
             return 0
         x = self.crossings.x
         y = self.crossings.y
-        self.copy(last, rest)
-        pieces.cut_end(row, last * rows.PIECE_WIDTH, x, y)
-        pieces.cut_start(row, rest * rows.PIECE_WIDTH, x, y)
-        begin = last + 1 if pieces.length(row, last * rows.PIECE_WIDTH) > 1e-9 else last
-        one = found
+        self.copy(last, behind)
+        pieces.cut_end(table, last * rows.PIECE_WIDTH, x, y)
+        pieces.cut_start(table, behind * rows.PIECE_WIDTH, x, y)
+        begin = last + 1 if pieces.length(table, last * rows.PIECE_WIDTH) > 1e-9 else last
+        piece = crossed_piece
         for at in range(begin, begin + end - first + 1):
-            self.copy(one, at)
-            row[at * rows.PIECE_WIDTH + rows.MOTION] = self.number
-            one = first if one == end - 1 else one + 1
+            self.copy(piece, at)
+            table[at * rows.PIECE_WIDTH + rows.MOTION] = self.number
+            piece = first if piece == end - 1 else piece + 1
         at = begin + end - first + 1
-        pieces.cut_start(row, begin * rows.PIECE_WIDTH, x, y)
-        pieces.cut_end(row, (at - 1) * rows.PIECE_WIDTH, x, y)
-        self.copy(rest, at)
+        pieces.cut_start(table, begin * rows.PIECE_WIDTH, x, y)
+        pieces.cut_end(table, (at - 1) * rows.PIECE_WIDTH, x, y)
+        self.copy(behind, at)
         self.count = at + 1
         self.forget_loop(first)
         return 1
 
-    def copy(self, one: int, other: int) -> None:
+    def copy(self, source: int, target: int) -> None:
         """Copy a row."""
         for i in range(rows.PIECE_WIDTH):
-            self.rows[other * rows.PIECE_WIDTH + i] = self.rows[one * rows.PIECE_WIDTH + i]
+            self.rows[target * rows.PIECE_WIDTH + i] = self.rows[source * rows.PIECE_WIDTH + i]
 
     # --- what is taken ---------------------------------------------------------------------------
 
     def take(self, number: int) -> int:
         """Take the next piece of this motion; its shape, ``rows.NOTHING`` without one."""
-        if not self.goes_on(number):
+        if not self.has_next(number):
             return rows.NOTHING
-        base = self.out * rows.PIECE_WIDTH
-        noted = self.rows[base + rows.CROSSED]
+        row = self.taken_count * rows.PIECE_WIDTH
+        noted = self.rows[row + rows.CROSSED]
         if noted > 0.0:
             self.crossed = int(noted)
             self.crossing = number
-            for one in range(self.out, self.count):
-                self.rows[one * rows.PIECE_WIDTH + rows.CROSSED] = 0.0
-        elif self.hidden_count > 0 and self.rows[base + rows.IS_CONTOUR] != 0.0:
+            for piece in range(self.taken_count, self.count):
+                self.rows[piece * rows.PIECE_WIDTH + rows.CROSSED] = 0.0
+        elif self.hidden_count > 0 and self.rows[row + rows.IS_CONTOUR] != 0.0:
             self.find_hidden()
-        self.out += 1
-        return int(self.rows[base + rows.SHAPE])
+        self.taken_count += 1
+        return int(self.rows[row + rows.SHAPE])
 
     def hide(self, x: float, y: float, radius: float) -> None:
         """The latest motion, an arc that the tool does not fit into, begins or ends here.
@@ -299,35 +301,35 @@ class Chain:
 
         A thousandth of the radius is left to rounding: ends of arcs, and corners that are none.
         """
-        base = self.out * rows.PIECE_WIDTH
-        number = self.rows[base + rows.MOTION]
-        for one in range(min(self.hidden_count, rows.MAX_HIDDEN)):
-            at = one * rows.HIDDEN_WIDTH
+        row = self.taken_count * rows.PIECE_WIDTH
+        number = self.rows[row + rows.MOTION]
+        for piece in range(min(self.hidden_count, rows.MAX_HIDDEN)):
+            at = piece * rows.HIDDEN_WIDTH
             motion = self.hidden[at + rows.HIDDEN_MOTION]
             if number - rows.REACH <= motion <= number + rows.REACH:
                 x = self.hidden[at + rows.HIDDEN_X]
                 y = self.hidden[at + rows.HIDDEN_Y]
-                off = pieces.distance(self.rows, base, x, y)
+                off = pieces.distance(self.rows, row, x, y)
                 if off < 0.999 * self.hidden[at + rows.HIDDEN_RADIUS]:
                     self.crossed = int(motion)
                     self.crossing = int(number)
                     self.hidden[at + rows.HIDDEN_RADIUS] = 0.0
 
-    def goes_on(self, number: int) -> bool:
+    def has_next(self, number: int) -> bool:
         """Whether there is one more piece of this motion."""
-        if self.out >= self.count:
+        if self.taken_count >= self.count:
             return False
-        return self.rows[self.out * rows.PIECE_WIDTH + rows.MOTION] == number
+        return self.rows[self.taken_count * rows.PIECE_WIDTH + rows.MOTION] == number
 
     def taken(self) -> tuple[float, ...]:
         """The first columns of the piece that was taken last, up to its angle."""
-        base = (self.out - 1) * rows.PIECE_WIDTH
-        return tuple([self.rows[base + i] for i in range(rows.RADIUS)])
+        row = (self.taken_count - 1) * rows.PIECE_WIDTH
+        return tuple([self.rows[row + i] for i in range(rows.RADIUS)])
 
-    def taken_place(self) -> int:
+    def taken_row(self) -> int:
         """Where the row of the piece begins that was taken last."""
-        return (self.out - 1) * rows.PIECE_WIDTH
+        return (self.taken_count - 1) * rows.PIECE_WIDTH
 
-    def taken_way(self) -> float:
+    def taken_length(self) -> float:
         """Its length."""
-        return pieces.length(self.rows, (self.out - 1) * rows.PIECE_WIDTH)
+        return pieces.length(self.rows, (self.taken_count - 1) * rows.PIECE_WIDTH)

@@ -19,14 +19,14 @@ class Corners:
 
     ``by_arc``: around outer corners in an arc. ``is_direct``: to a contour and from it without a
     way around a corner. Found by ``join``: the tool passes the first motion up to ``end_x``,
-    ``end_y``, then ``way_count`` pieces in ``way``, then the second one from ``next_x``, ``next_y``
-    on.
+    ``end_y``, then ``joint_count`` pieces in ``joint``, then the second one from ``next_x``,
+    ``next_y`` on.
     """
 
     def __init__(self) -> None:
         self.motions = memoryview(bytearray(8 * rows.MOTIONS * rows.MOTION_WIDTH)).cast("d")
-        self.way = memoryview(bytearray(8 * 3 * rows.PIECE_WIDTH)).cast("d")
-        self.way_count = 0
+        self.joint = memoryview(bytearray(8 * 3 * rows.PIECE_WIDTH)).cast("d")
+        self.joint_count = 0
         self.by_arc = False
         self.is_direct = False
         self.end_x = 0.0
@@ -87,7 +87,7 @@ class Corners:
     def place_end(self, at: int) -> None:
         """Let the tool pass the motion up to beside its end: nothing joins it."""
         motions = self.motions
-        self.way_count = 0
+        self.joint_count = 0
         distance = motions[at + rows.END_DISTANCE]
         self.end_x = motions[at + rows.END_X] - motions[at + rows.END_SINE] * distance
         self.end_y = motions[at + rows.END_Y] + motions[at + rows.END_COSINE] * distance
@@ -103,88 +103,91 @@ class Corners:
 
     def add_line(self, shape: int, x: float, y: float, x_2: float, y_2: float) -> None:
         """One more piece of the way between both."""
-        pieces.put_line(self.way, self.way_count * rows.PIECE_WIDTH, shape, x, y, x_2, y_2)
-        self.way_count += 1
+        pieces.put_line(self.joint, self.joint_count * rows.PIECE_WIDTH, shape, x, y, x_2, y_2)
+        self.joint_count += 1
 
-    def join(self, one: int, other: int) -> int:
+    def join(self, first: int, second: int) -> int:
         """Join two motions; 0: the ways beside them do not meet, there is a gap between them."""
         motions = self.motions
-        distance = motions[one + rows.END_DISTANCE]
-        self.way_count = 0
-        if distance != 0.0 and motions[other + rows.START_DISTANCE] != 0.0:
-            return self.join_contour(one, other, distance)
+        distance = motions[first + rows.END_DISTANCE]
+        self.joint_count = 0
+        if distance != 0.0 and motions[second + rows.START_DISTANCE] != 0.0:
+            return self.join_contour(first, second, distance)
         if distance == 0.0:
-            distance = motions[other + rows.START_DISTANCE]
+            distance = motions[second + rows.START_DISTANCE]
         if distance == 0.0:
-            self.place_end(one)
-        elif self.is_outer(one, other, distance) and not self.is_direct:
-            self.go_around(one, other, distance)
-        elif motions[one + rows.END_DISTANCE] != 0.0:
-            self.place_end(one)
+            self.place_end(first)
+        elif self.is_outer(first, second, distance) and not self.is_direct:
+            self.go_around(first, second, distance)
+        elif motions[first + rows.END_DISTANCE] != 0.0:
+            self.place_end(first)
         else:
-            self.place_start(other)
+            self.place_start(second)
             self.end_x = self.next_x
             self.end_y = self.next_y
         return 1
 
-    def join_contour(self, one: int, other: int, distance: float) -> int:
+    def join_contour(self, first: int, second: int, distance: float) -> int:
         """Both motions have the same distance at their corner."""
         motions = self.motions
-        if self.is_outer(one, other, distance):
-            self.go_around(one, other, distance)
+        if self.is_outer(first, second, distance):
+            self.go_around(first, second, distance)
             return 1
-        if motions[one + rows.IS_TOO_SMALL] == 0.0 and motions[other + rows.IS_TOO_SMALL] == 0.0:
-            if self.is_straight(one, other):
-                self.place_start(other)
+        if motions[first + rows.IS_TOO_SMALL] == 0.0 and motions[second + rows.IS_TOO_SMALL] == 0.0:
+            if self.is_straight(first, second):
+                self.place_start(second)
                 x = self.next_x
                 y = self.next_y
-                self.place_end(one)
+                self.place_end(first)
                 self.meet((self.end_x + x) / 2.0, (self.end_y + y) / 2.0)
                 return 1
-            if motions[one + rows.SHAPE] == rows.LINE and motions[other + rows.SHAPE] == rows.LINE:
-                self.meet_between(one, other, distance)
+            if (
+                motions[first + rows.SHAPE] == rows.LINE
+                and motions[second + rows.SHAPE] == rows.LINE
+            ):
+                self.meet_between(first, second, distance)
                 return 1
-            if self.meet_nearest(one, other, distance):
+            if self.meet_nearest(first, second, distance):
                 return 1
-        self.part(one, other)
+        self.part(first, second)
         return 0
 
-    def part(self, one: int, other: int) -> None:
+    def part(self, first: int, second: int) -> None:
         """The tool passes both motions whole; between the ways beside them there is a gap."""
-        self.place_start(other)
+        self.place_start(second)
         x = self.next_x
         y = self.next_y
-        self.place_end(one)
+        self.place_end(first)
         self.add_line(rows.GAP, self.end_x, self.end_y, x, y)
         self.next_x = x
         self.next_y = y
 
-    def meets_inside(self, one: int, other: int) -> int:
+    def meets_inside(self, first: int, second: int) -> int:
         """Whether ``join`` let both motions meet at an inner corner."""
-        distance = self.motions[one + rows.END_DISTANCE]
-        if distance == 0.0 or self.motions[other + rows.START_DISTANCE] == 0.0:
+        distance = self.motions[first + rows.END_DISTANCE]
+        if distance == 0.0 or self.motions[second + rows.START_DISTANCE] == 0.0:
             return 0
-        if self.way_count > 0:
+        if self.joint_count > 0:
             return 0
-        if self.is_straight(one, other) or self.is_outer(one, other, distance):
+        if self.is_straight(first, second) or self.is_outer(first, second, distance):
             return 0
         return 1
 
-    def put_rest(self, one: int, row: memoryview[float], base: int) -> None:
+    def put_cut_off(self, first: int, table: memoryview[float], row: int) -> None:
         """Put the way beside a motion from where ``join`` ends it to beside its end into a row."""
         motions = self.motions
         x = self.end_x
         y = self.end_y
-        distance = motions[one + rows.END_DISTANCE]
-        end_x = motions[one + rows.END_X] - motions[one + rows.END_SINE] * distance
-        end_y = motions[one + rows.END_Y] + motions[one + rows.END_COSINE] * distance
-        pieces.put_line(row, base, rows.LINE, x, y, end_x, end_y)
-        if motions[one + rows.SHAPE] == rows.LINE:
+        distance = motions[first + rows.END_DISTANCE]
+        end_x = motions[first + rows.END_X] - motions[first + rows.END_SINE] * distance
+        end_y = motions[first + rows.END_Y] + motions[first + rows.END_COSINE] * distance
+        pieces.put_line(table, row, rows.LINE, x, y, end_x, end_y)
+        if motions[first + rows.SHAPE] == rows.LINE:
             return
-        centre_x = motions[one + rows.CENTRE_X]
-        centre_y = motions[one + rows.CENTRE_Y]
+        centre_x = motions[first + rows.CENTRE_X]
+        centre_y = motions[first + rows.CENTRE_Y]
         angle = pieces.turn(x - centre_x, y - centre_y, end_x - centre_x, end_y - centre_y)
-        pieces.put_arc(row, base, centre_x, centre_y, angle)
+        pieces.put_arc(table, row, centre_x, centre_y, angle)
 
     def meet(self, x: float, y: float) -> None:
         """The tool goes from one motion on to the other at this place."""
@@ -193,60 +196,62 @@ class Corners:
         self.next_x = x
         self.next_y = y
 
-    def meet_between(self, one: int, other: int, distance: float) -> None:
+    def meet_between(self, first: int, second: int, distance: float) -> None:
         """Where the lines beside the directions at a corner cut each other."""
         motions = self.motions
-        share = distance / (1.0 + self.cosine(one, other))
-        off_x = (motions[one + rows.END_SINE] + motions[other + rows.START_SINE]) * share
-        off_y = (motions[one + rows.END_COSINE] + motions[other + rows.START_COSINE]) * share
-        self.meet(motions[one + rows.END_X] - off_x, motions[one + rows.END_Y] + off_y)
+        share = distance / (1.0 + self.cosine(first, second))
+        off_x = (motions[first + rows.END_SINE] + motions[second + rows.START_SINE]) * share
+        off_y = (motions[first + rows.END_COSINE] + motions[second + rows.START_COSINE]) * share
+        self.meet(motions[first + rows.END_X] - off_x, motions[first + rows.END_Y] + off_y)
 
-    def cosine(self, one: int, other: int) -> float:
+    def cosine(self, first: int, second: int) -> float:
         """Of the change of direction at the corner."""
         motions = self.motions
-        along = motions[one + rows.END_COSINE] * motions[other + rows.START_COSINE]
-        return along + motions[one + rows.END_SINE] * motions[other + rows.START_SINE]
+        along = motions[first + rows.END_COSINE] * motions[second + rows.START_COSINE]
+        return along + motions[first + rows.END_SINE] * motions[second + rows.START_SINE]
 
-    def sine(self, one: int, other: int) -> float:
+    def sine(self, first: int, second: int) -> float:
         """Of the change of direction at the corner, above 0 to the left."""
         motions = self.motions
-        across = motions[one + rows.END_COSINE] * motions[other + rows.START_SINE]
-        return across - motions[one + rows.END_SINE] * motions[other + rows.START_COSINE]
+        across = motions[first + rows.END_COSINE] * motions[second + rows.START_SINE]
+        return across - motions[first + rows.END_SINE] * motions[second + rows.START_COSINE]
 
-    def is_straight(self, one: int, other: int) -> int:
+    def is_straight(self, first: int, second: int) -> int:
         """Whether there is no corner."""
         return (
             1
-            if self.cosine(one, other) > 0.0
-            and -0.00017453292431333680 < self.sine(one, other) < 0.00017453292431333680
+            if self.cosine(first, second) > 0.0
+            and -0.00017453292431333680 < self.sine(first, second) < 0.00017453292431333680
             else 0
         )
 
-    def is_outer(self, one: int, other: int, distance: float) -> int:
+    def is_outer(self, first: int, second: int, distance: float) -> int:
         """Whether the tool has to go around this corner; it has where the contour goes back."""
-        sine = self.sine(one, other)
+        sine = self.sine(first, second)
         if -0.00017453292431333680 < sine < 0.00017453292431333680:
-            return 1 if self.cosine(one, other) < 0.0 else 0
+            return 1 if self.cosine(first, second) < 0.0 else 0
         return 1 if sine * distance < 0.0 else 0
 
-    def is_within(self, one: int, low_x: float, high_x: float, low_y: float, high_y: float) -> int:
+    def is_within(
+        self, first: int, low_x: float, high_x: float, low_y: float, high_y: float
+    ) -> int:
         """Whether the way that ``join`` has found surely keeps these bounds."""
         x = self.end_x
         y = self.end_y
-        reach = 0.0
-        if self.way_count > 0:
-            x = self.motions[one + rows.END_X]
-            y = self.motions[one + rows.END_Y]
-            reach = 1.5 * self.motions[one + rows.END_DISTANCE]
-            if reach < 0.0:
-                reach = -reach
-        if not low_x <= x - reach or not x + reach <= high_x:
+        extent = 0.0
+        if self.joint_count > 0:
+            x = self.motions[first + rows.END_X]
+            y = self.motions[first + rows.END_Y]
+            extent = 1.5 * self.motions[first + rows.END_DISTANCE]
+            if extent < 0.0:
+                extent = -extent
+        if not low_x <= x - extent or not x + extent <= high_x:
             return 0
-        return 1 if low_y <= y - reach and y + reach <= high_y else 0
+        return 1 if low_y <= y - extent and y + extent <= high_y else 0
 
     # --- outer corners ---------------------------------------------------------------------------
 
-    def go_around(self, one: int, other: int, distance: float) -> None:
+    def go_around(self, first: int, second: int, distance: float) -> None:
         """The way around an outer corner, from beside one direction to beside the other.
 
         In lines it goes straight on to where the lines beside both directions cut each other, at
@@ -254,79 +259,91 @@ class Corners:
         of the line that it continues.
         """
         motions = self.motions
-        corner_x = motions[one + rows.END_X]
-        corner_y = motions[one + rows.END_Y]
-        self.end_x = corner_x - motions[one + rows.END_SINE] * distance
-        self.end_y = corner_y + motions[one + rows.END_COSINE] * distance
-        self.next_x = corner_x - motions[other + rows.START_SINE] * distance
-        self.next_y = corner_y + motions[other + rows.START_COSINE] * distance
+        corner_x = motions[first + rows.END_X]
+        corner_y = motions[first + rows.END_Y]
+        self.end_x = corner_x - motions[first + rows.END_SINE] * distance
+        self.end_y = corner_y + motions[first + rows.END_COSINE] * distance
+        self.next_x = corner_x - motions[second + rows.START_SINE] * distance
+        self.next_y = corner_y + motions[second + rows.START_COSINE] * distance
         if self.by_arc:
-            self.add_arc(one, other, distance)
+            self.add_arc(first, second, distance)
             return
         x = self.end_x
         y = self.end_y
         x_2 = self.next_x
         y_2 = self.next_y
-        cosine = self.cosine(one, other)
+        cosine = self.cosine(first, second)
         if cosine >= 0.0:
             share = distance / (1.0 + cosine)
-            x = corner_x - (motions[one + rows.END_SINE] + motions[other + rows.START_SINE]) * share
+            x = (
+                corner_x
+                - (motions[first + rows.END_SINE] + motions[second + rows.START_SINE]) * share
+            )
             y = (
                 corner_y
-                + (motions[one + rows.END_COSINE] + motions[other + rows.START_COSINE]) * share
+                + (motions[first + rows.END_COSINE] + motions[second + rows.START_COSINE]) * share
             )
             x_2 = x
             y_2 = y
         else:
-            reach = distance if distance > 0.0 else -distance
-            x += motions[one + rows.END_COSINE] * reach
-            y += motions[one + rows.END_SINE] * reach
-            x_2 -= motions[other + rows.START_COSINE] * reach
-            y_2 -= motions[other + rows.START_SINE] * reach
-        if motions[one + rows.SHAPE] == rows.LINE and motions[one + rows.END_DISTANCE] != 0.0:
+            extent = distance if distance > 0.0 else -distance
+            x += motions[first + rows.END_COSINE] * extent
+            y += motions[first + rows.END_SINE] * extent
+            x_2 -= motions[second + rows.START_COSINE] * extent
+            y_2 -= motions[second + rows.START_SINE] * extent
+        if motions[first + rows.SHAPE] == rows.LINE and motions[first + rows.END_DISTANCE] != 0.0:
             self.end_x = x
             self.end_y = y
         else:
             self.add_line(rows.LINE, self.end_x, self.end_y, x, y)
         if cosine < 0.0:
             self.add_line(rows.LINE, x, y, x_2, y_2)
-        if motions[other + rows.SHAPE] == rows.LINE and motions[other + rows.START_DISTANCE] != 0.0:
+        if (
+            motions[second + rows.SHAPE] == rows.LINE
+            and motions[second + rows.START_DISTANCE] != 0.0
+        ):
             self.next_x = x_2
             self.next_y = y_2
         else:
             self.add_line(rows.LINE, x_2, y_2, self.next_x, self.next_y)
 
-    def add_arc(self, one: int, other: int, distance: float) -> None:
+    def add_arc(self, first: int, second: int, distance: float) -> None:
         """About the corner; where the contour goes back by half a turn around its end."""
         motions = self.motions
         angle = pieces.turn(
-            motions[one + rows.END_COSINE],
-            motions[one + rows.END_SINE],
-            motions[other + rows.START_COSINE],
-            motions[other + rows.START_SINE],
+            motions[first + rows.END_COSINE],
+            motions[first + rows.END_SINE],
+            motions[second + rows.START_COSINE],
+            motions[second + rows.START_SINE],
         )
         if (angle > 179.99 and distance > 0.0) or (angle < -179.99 and distance < 0.0):
             angle = -angle
-        pieces.put_line(self.way, 0, rows.LINE, self.end_x, self.end_y, self.next_x, self.next_y)
-        pieces.put_arc(self.way, 0, motions[one + rows.END_X], motions[one + rows.END_Y], angle)
-        self.way_count = 1
+        pieces.put_line(self.joint, 0, rows.LINE, self.end_x, self.end_y, self.next_x, self.next_y)
+        pieces.put_arc(
+            self.joint, 0, motions[first + rows.END_X], motions[first + rows.END_Y], angle
+        )
+        self.joint_count = 1
 
     # --- inner corners with arcs -----------------------------------------------------------------
 
-    def meet_nearest(self, one: int, other: int, distance: float) -> int:
+    def meet_nearest(self, first: int, second: int, distance: float) -> int:
         """Where the whole lines or circles beside two motions cut each other next to the corner."""
         if (
-            self.motions[one + rows.SHAPE] == rows.ARC
-            and self.motions[other + rows.SHAPE] == rows.ARC
+            self.motions[first + rows.SHAPE] == rows.ARC
+            and self.motions[second + rows.SHAPE] == rows.ARC
         ):
-            return self.meet_of_arcs(one, other, distance)
+            return self.meet_of_arcs(first, second, distance)
         motions = self.motions
-        arc = one if motions[one + rows.SHAPE] == rows.ARC else other
-        x = motions[other + rows.START_COSINE] if arc == one else motions[one + rows.END_COSINE]
-        y = motions[other + rows.START_SINE] if arc == one else motions[one + rows.END_SINE]
+        arc = first if motions[first + rows.SHAPE] == rows.ARC else second
+        x = (
+            motions[second + rows.START_COSINE]
+            if arc == first
+            else motions[first + rows.END_COSINE]
+        )
+        y = motions[second + rows.START_SINE] if arc == first else motions[first + rows.END_SINE]
         # a place on the line beside the other motion, from the centre
-        off_x = motions[one + rows.END_X] - y * distance - motions[arc + rows.CENTRE_X]
-        off_y = motions[one + rows.END_Y] + x * distance - motions[arc + rows.CENTRE_Y]
+        off_x = motions[first + rows.END_X] - y * distance - motions[arc + rows.CENTRE_X]
+        off_y = motions[first + rows.END_Y] + x * distance - motions[arc + rows.CENTRE_Y]
         across = x * off_y - y * off_x
         middle = -(x * off_x + y * off_y)
         radius = self.shifted_radius(arc, distance)
@@ -335,21 +352,21 @@ class Corners:
             return 0
         half = arithmetic.square_root(half2)
         # the foot of the line is on the corner's perpendicular: the nearer one is the shorter way
-        way = middle + half if middle < 0.0 else middle - half
-        at_x = motions[arc + rows.CENTRE_X] + off_x + x * way
-        self.meet(at_x, motions[arc + rows.CENTRE_Y] + off_y + y * way)
+        along = middle + half if middle < 0.0 else middle - half
+        at_x = motions[arc + rows.CENTRE_X] + off_x + x * along
+        self.meet(at_x, motions[arc + rows.CENTRE_Y] + off_y + y * along)
         return 1
 
-    def meet_of_arcs(self, one: int, other: int, distance: float) -> int:
+    def meet_of_arcs(self, first: int, second: int, distance: float) -> int:
         """Two arcs."""
         motions = self.motions
-        x = motions[other + rows.CENTRE_X] - motions[one + rows.CENTRE_X]
-        y = motions[other + rows.CENTRE_Y] - motions[one + rows.CENTRE_Y]
+        x = motions[second + rows.CENTRE_X] - motions[first + rows.CENTRE_X]
+        y = motions[second + rows.CENTRE_Y] - motions[first + rows.CENTRE_Y]
         apart = arithmetic.square_root(x * x + y * y)
         if apart <= 1e-7:
             return 0
-        radius = self.shifted_radius(one, distance)
-        radius_2 = self.shifted_radius(other, distance)
+        radius = self.shifted_radius(first, distance)
+        radius_2 = self.shifted_radius(second, distance)
         along = (apart + (radius - radius_2) * (radius + radius_2) / apart) / 2.0
         half2 = (radius - along) * (radius + along)
         if half2 < 0.0:
@@ -358,13 +375,13 @@ class Corners:
         x /= apart
         y /= apart
         # the corner lies on one side of the line through both centres, and so does the nearer place
-        off_x = motions[one + rows.END_X] - motions[one + rows.CENTRE_X]
-        off_y = motions[one + rows.END_Y] - motions[one + rows.CENTRE_Y]
+        off_x = motions[first + rows.END_X] - motions[first + rows.CENTRE_X]
+        off_y = motions[first + rows.END_Y] - motions[first + rows.CENTRE_Y]
         if x * off_y - y * off_x < 0.0:
             half = -half
         self.meet(
-            motions[one + rows.CENTRE_X] + x * along - y * half,
-            motions[one + rows.CENTRE_Y] + y * along + x * half,
+            motions[first + rows.CENTRE_X] + x * along - y * half,
+            motions[first + rows.CENTRE_Y] + y * along + x * half,
         )
         return 1
 
@@ -375,23 +392,23 @@ class Corners:
 
     # --- a motion itself -------------------------------------------------------------------------
 
-    def put_own(self, at: int, row: memoryview[float], base: int) -> int:
+    def put_own(self, at: int, table: memoryview[float], row: int) -> int:
         """Put the tool's way beside the motion into a row, up to its end: 0 it goes backwards."""
         motions = self.motions
         x = motions[at + rows.TOOL_X]
         y = motions[at + rows.TOOL_Y]
-        pieces.put_line(row, base, rows.LINE, x, y, self.end_x, self.end_y)
+        pieces.put_line(table, row, rows.LINE, x, y, self.end_x, self.end_y)
         if motions[at + rows.START_DISTANCE] == 0.0 and motions[at + rows.END_DISTANCE] == 0.0:
             return 1
         if motions[at + rows.IS_TOO_SMALL] != 0.0:
             return 0
         if motions[at + rows.SHAPE] == rows.LINE:
-            way = (self.end_x - x) * motions[at + rows.START_COSINE]
-            way += (self.end_y - y) * motions[at + rows.START_SINE]
-            return 1 if way >= -1e-7 else 0
-        return self.put_own_arc(at, row, base)
+            length = (self.end_x - x) * motions[at + rows.START_COSINE]
+            length += (self.end_y - y) * motions[at + rows.START_SINE]
+            return 1 if length >= -1e-7 else 0
+        return self.put_own_arc(at, table, row)
 
-    def put_own_arc(self, at: int, row: memoryview[float], base: int) -> int:
+    def put_own_arc(self, at: int, table: memoryview[float], row: int) -> int:
         """As ``put_own``: the angle is the motion's less what is cut off, or more, at both ends."""
         motions = self.motions
         centre_x = motions[at + rows.CENTRE_X]
@@ -402,8 +419,8 @@ class Corners:
         angle = whole - sense * pieces.turn(
             motions[at + rows.START_X] - motions[at + rows.START_SINE] * distance - centre_x,
             motions[at + rows.START_Y] + motions[at + rows.START_COSINE] * distance - centre_y,
-            row[base + rows.START_X] - centre_x,
-            row[base + rows.START_Y] - centre_y,
+            table[row + rows.START_X] - centre_x,
+            table[row + rows.START_Y] - centre_y,
         )
         angle -= sense * pieces.turn(
             self.end_x - centre_x,
@@ -411,9 +428,9 @@ class Corners:
             motions[at + rows.END_X] - motions[at + rows.END_SINE] * distance - centre_x,
             motions[at + rows.END_Y] + motions[at + rows.END_COSINE] * distance - centre_y,
         )
-        way = angle * self.shifted_radius(at, distance) * 0.017453292519943295
-        if way < -1e-7 or angle > whole + 0.01:
+        length = angle * self.shifted_radius(at, distance) * 0.017453292519943295
+        if length < -1e-7 or angle > whole + 0.01:
             return 0
-        if way >= 1e-7:
-            pieces.put_arc(row, base, centre_x, centre_y, sense * angle)
+        if length >= 1e-7:
+            pieces.put_arc(table, row, centre_x, centre_y, sense * angle)
         return 1

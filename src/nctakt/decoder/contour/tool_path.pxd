@@ -8,17 +8,17 @@ from nctakt.decoder.contour.corners cimport Corners
 
 cdef class ToolPath(Chain):
     cdef readonly Corners corners
-    cdef double[::1] rest
-    cdef long long rest_number
+    cdef double[::1] cut_off
+    cdef long long cut_off_number
     cdef readonly bint is_open
-    cdef Py_ssize_t latest
+    cdef Py_ssize_t last_motion
     cdef public bint parts
     cdef readonly double at_x
     cdef readonly double at_y
     cdef readonly long long first
-    cdef long long begun
-    cdef double begun_x
-    cdef double begun_y
+    cdef long long contour_start
+    cdef double contour_start_x
+    cdef double contour_start_y
     cdef long long closed
 
     cpdef void set_corners(self, bint by_arc, bint is_direct) noexcept
@@ -28,7 +28,7 @@ cdef class ToolPath(Chain):
     cpdef bint arc(self, double x, double y, double x_2, double y_2, double distance, double centre_x, double centre_y, double angle) noexcept
     @cython.locals(at=Py_ssize_t)
     cpdef void begin(self, double x, double y, bint is_perpendicular) noexcept
-    @cython.locals(number=cython.longlong, first=Py_ssize_t, distance=double, meets=int, x=double, y=double, one=Py_ssize_t, base=Py_ssize_t)
+    @cython.locals(number=cython.longlong, first=Py_ssize_t, distance=double, meets=int, x=double, y=double, piece=Py_ssize_t, row=Py_ssize_t)
     cpdef long long enclose(self) noexcept
     @cython.locals(at=Py_ssize_t, meets=int, i=Py_ssize_t)
     cpdef bint add(self) noexcept
@@ -36,13 +36,13 @@ cdef class ToolPath(Chain):
     cdef bint try_add(self, double low_x, double high_x, double low_y, double high_y) noexcept
     @cython.locals(end_x=double, end_y=double)
     cpdef bint close(self, bint is_perpendicular) noexcept
-    cpdef bint latest_fits(self) noexcept
+    cpdef bint last_motion_fits(self) noexcept
     cdef void open(self, Py_ssize_t at) noexcept
-    @cython.locals(corners=Corners, at=Py_ssize_t, is_contour=int, base=Py_ssize_t, fits=int, k=int, i=Py_ssize_t)
+    @cython.locals(corners=Corners, at=Py_ssize_t, is_contour=int, row=Py_ssize_t, fits=int, k=int, i=Py_ssize_t)
     cdef int put_motion(self, int meets, Py_ssize_t other) noexcept
-    @cython.locals(corners=Corners, base=Py_ssize_t, i=Py_ssize_t, x=double, y=double, next_x=double, next_y=double, motions=double[::1], radius=double)
+    @cython.locals(corners=Corners, row=Py_ssize_t, i=Py_ssize_t, x=double, y=double, next_x=double, next_y=double, motions=double[::1], radius=double)
     cdef void part(self, Py_ssize_t at, Py_ssize_t other, int is_contour) noexcept
     @cython.locals(motions=double[::1], off=double)
     cdef void note_ends(self, Py_ssize_t at, int is_contour) noexcept
     cpdef bint closes_contour(self) noexcept
-    cdef void keep_rest(self, Py_ssize_t at, Py_ssize_t other) noexcept
+    cdef void keep_cut_off(self, Py_ssize_t at, Py_ssize_t other) noexcept

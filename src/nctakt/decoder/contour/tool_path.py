@@ -22,24 +22,24 @@ class ToolPath(Chain):
 
     ``is_open``: the latest motion is not known up to its end. ``at_x``, ``at_y``: where the tool is
     behind the pieces so far. ``parts``: what comes behind the latest motion is not compared with
-    what was. ``first``: the motion that the tool has begun with; ``begun``: the first one of the
-    contour, 0 none; ``closed``: the one that has ended where that begins.
+    what was. ``first``: the motion that the tool has begun with; ``contour_start``: the first one
+    of the contour, 0 none; ``closed``: the one that has ended where that begins.
     """
 
     def __init__(self) -> None:
         super().__init__()
         self.corners = Corners()
-        self.rest = memoryview(bytearray(8 * rows.PIECE_WIDTH)).cast("d")
-        self.rest_number = 0
+        self.cut_off = memoryview(bytearray(8 * rows.PIECE_WIDTH)).cast("d")
+        self.cut_off_number = 0
         self.is_open = False
-        self.latest = 0
+        self.last_motion = 0
         self.parts = False
         self.at_x = 0.0
         self.at_y = 0.0
         self.first = 0
-        self.begun = 0
-        self.begun_x = 0.0
-        self.begun_y = 0.0
+        self.contour_start = 0
+        self.contour_start_x = 0.0
+        self.contour_start_y = 0.0
         self.closed = 0
 
     def set_corners(self, by_arc: bool, is_direct: bool) -> None:
@@ -60,7 +60,7 @@ class ToolPath(Chain):
         is_contour: bool,
     ) -> None:
         """The next motion is a line; ``is_contour``: its way is compared with others."""
-        at = rows.SECOND_MOTION - self.latest
+        at = rows.SECOND_MOTION - self.last_motion
         self.corners.enter(at, x, y, x_2, y_2, begin_d, end_d)
         self.corners.motions[at + rows.IS_OF_CONTOUR] = is_contour
 
@@ -76,7 +76,7 @@ class ToolPath(Chain):
         angle: float,
     ) -> bool:
         """The next motion is an arc: false where its radius is not greater than the tool's."""
-        at = rows.SECOND_MOTION - self.latest
+        at = rows.SECOND_MOTION - self.last_motion
         motions = self.corners.motions
         motions[at + rows.START_X] = x
         motions[at + rows.START_Y] = y
@@ -90,9 +90,9 @@ class ToolPath(Chain):
 
     def begin(self, x: float, y: float, is_perpendicular: bool) -> None:
         """The motion is the first one: the tool is here; it may first go beside its start."""
-        at = rows.SECOND_MOTION - self.latest
+        at = rows.SECOND_MOTION - self.last_motion
         self.open(at)
-        self.begun = 0
+        self.contour_start = 0
         self.first = self.number
         if is_perpendicular:
             self.corners.place_start(at)
@@ -106,8 +106,8 @@ class ToolPath(Chain):
 
     def add(self) -> bool:
         """Join the motion with the one before it: false where that one does not fit."""
-        at = rows.SECOND_MOTION - self.latest
-        meets = self.corners.join(self.latest, at)
+        at = rows.SECOND_MOTION - self.last_motion
+        meets = self.corners.join(self.last_motion, at)
         if not self.put_motion(meets, at):
             return False
         self.corners.motions[at + rows.TOOL_X] = self.at_x
@@ -124,10 +124,10 @@ class ToolPath(Chain):
         False, and all is as it was: that one does not fit, or its way crosses another one, or it
         may come near to these bounds.
         """
-        at = rows.SECOND_MOTION - self.latest
-        if not self.corners.join(self.latest, at):
+        at = rows.SECOND_MOTION - self.last_motion
+        if not self.corners.join(self.last_motion, at):
             return False
-        if not self.corners.is_within(self.latest, low_x, high_x, low_y, high_y):
+        if not self.corners.is_within(self.last_motion, low_x, high_x, low_y, high_y):
             return False
         self.make_room()
         count = self.count
@@ -147,12 +147,12 @@ class ToolPath(Chain):
 
     def close(self, is_perpendicular: bool) -> bool:
         """The latest motion ends beside its end, or goes back from there to the contour."""
-        self.corners.place_end(self.latest)
+        self.corners.place_end(self.last_motion)
         if not self.put_motion(1, -1):
             return False
         if is_perpendicular:
-            end_x = self.corners.motions[self.latest + rows.END_X]
-            end_y = self.corners.motions[self.latest + rows.END_Y]
+            end_x = self.corners.motions[self.last_motion + rows.END_X]
+            end_y = self.corners.motions[self.last_motion + rows.END_Y]
             self.put_line(rows.LINE, self.at_x, self.at_y, end_x, end_y, 0)
             self.at_x = end_x
             self.at_y = end_y
@@ -166,38 +166,40 @@ class ToolPath(Chain):
         """
         number = self.number
         first = rows.FIRST_OF_CONTOUR
-        distance = self.corners.motions[self.latest + rows.END_DISTANCE]
-        meets = self.corners.join(self.latest, first)
-        if self.corners.is_outer(self.latest, first, distance):
-            self.corners.place_end(self.latest)
+        distance = self.corners.motions[self.last_motion + rows.END_DISTANCE]
+        meets = self.corners.join(self.last_motion, first)
+        if self.corners.is_outer(self.last_motion, first, distance):
+            self.corners.place_end(self.last_motion)
         x = self.corners.end_x
         y = self.corners.end_y
-        self.corners.way_count = 0
+        self.corners.joint_count = 0
         self.corners.meet(x, y)
         if not meets or not self.put_motion(1, -1):
             return number
-        if self.corners.is_outer(self.latest, first, distance):
+        if self.corners.is_outer(self.last_motion, first, distance):
             return 0
-        one = 0
-        while one < self.count and self.rows[one * rows.PIECE_WIDTH + rows.MOTION] <= self.first:
-            one += 1
-        base = one * rows.PIECE_WIDTH
-        if one < 1 or one >= self.count or self.rows[base + rows.MOTION] != self.first + 1:
+        piece = 0
+        while (
+            piece < self.count and self.rows[piece * rows.PIECE_WIDTH + rows.MOTION] <= self.first
+        ):
+            piece += 1
+        row = piece * rows.PIECE_WIDTH
+        if piece < 1 or piece >= self.count or self.rows[row + rows.MOTION] != self.first + 1:
             return self.first + 1
-        if self.crossings.way_to(self.rows, base, x, y) < -1.0:
+        if self.crossings.distance_along(self.rows, row, x, y) < -1.0:
             return self.first + 1
-        pieces.cut_end(self.rows, base - rows.PIECE_WIDTH, x, y)
-        pieces.cut_start(self.rows, base, x, y)
+        pieces.cut_end(self.rows, row - rows.PIECE_WIDTH, x, y)
+        pieces.cut_start(self.rows, row, x, y)
         return 0
 
     def beside_end(self) -> tuple[float, float]:
         """Where the latest motion ends if nothing joins it."""
-        self.corners.place_end(self.latest)
+        self.corners.place_end(self.last_motion)
         return (self.corners.end_x, self.corners.end_y)
 
-    def latest_fits(self) -> bool:
+    def last_motion_fits(self) -> bool:
         """Whether the latest motion is no arc that is too small for the tool."""
-        return self.corners.motions[self.latest + rows.IS_TOO_SMALL] == 0.0
+        return self.corners.motions[self.last_motion + rows.IS_TOO_SMALL] == 0.0
 
     def give_up(self) -> None:
         """The latest motion is none."""
@@ -205,7 +207,7 @@ class ToolPath(Chain):
 
     def open(self, at: int) -> None:
         """The motion in this row is the latest one."""
-        self.latest = at
+        self.last_motion = at
         self.count_motion()
         self.is_open = True
 
@@ -219,24 +221,24 @@ class ToolPath(Chain):
         corners = self.corners
         self.make_room()
         self.is_open = False
-        at = self.latest
+        at = self.last_motion
         is_contour = 1 if corners.motions[at + rows.IS_OF_CONTOUR] != 0.0 else 0
         self.note_ends(at, is_contour)
-        base = self.count * rows.PIECE_WIDTH
-        fits = corners.put_own(at, self.rows, base)
+        row = self.count * rows.PIECE_WIDTH
+        fits = corners.put_own(at, self.rows, row)
         if not self.masks and not (fits and meets):
             return 0
         if not fits:
             self.part(at, other, is_contour)
-            base = self.count * rows.PIECE_WIDTH
+            row = self.count * rows.PIECE_WIDTH
         if self.masks:
-            self.keep_rest(at, other)
-        if pieces.length(self.rows, base) > 0.0:
+            self.keep_cut_off(at, other)
+        if pieces.length(self.rows, row) > 0.0:
             self.put(is_contour)
-        for k in range(corners.way_count):
-            base = self.count * rows.PIECE_WIDTH
+        for k in range(corners.joint_count):
+            row = self.count * rows.PIECE_WIDTH
             for i in range(rows.FURTHER):
-                self.rows[base + i] = corners.way[k * rows.PIECE_WIDTH + i]
+                self.rows[row + i] = corners.joint[k * rows.PIECE_WIDTH + i]
             self.put(is_contour)
         self.at_x = corners.next_x
         self.at_y = corners.next_y
@@ -252,12 +254,12 @@ class ToolPath(Chain):
         beside the latest motion is the row behind the pieces then, or a gap.
         """
         corners = self.corners
-        if self.rest_number == self.number:
-            base = self.count * rows.PIECE_WIDTH
+        if self.cut_off_number == self.number:
+            row = self.count * rows.PIECE_WIDTH
             for i in range(rows.FURTHER):
-                self.rows[base + i] = self.rest[i]
-            x = self.rest[rows.END_X]
-            y = self.rest[rows.END_Y]
+                self.rows[row + i] = self.cut_off[i]
+            x = self.cut_off[rows.END_X]
+            y = self.cut_off[rows.END_Y]
             self.put(is_contour)
             next_x = corners.next_x
             next_y = corners.next_y
@@ -269,9 +271,9 @@ class ToolPath(Chain):
             corners.next_y = next_y
         if other >= 0 and corners.meets_inside(at, other):
             corners.part(at, other)
-        base = self.count * rows.PIECE_WIDTH
-        if not corners.put_own(at, self.rows, base):
-            self.rows[base + rows.SHAPE] = rows.GAP
+        row = self.count * rows.PIECE_WIDTH
+        if not corners.put_own(at, self.rows, row):
+            self.rows[row + rows.SHAPE] = rows.GAP
             motions = corners.motions
             radius = motions[at + rows.START_DISTANCE]
             if radius < 0.0:
@@ -283,23 +285,23 @@ class ToolPath(Chain):
         """Note where the contour begins, and which motion ends there."""
         motions = self.corners.motions
         if not is_contour:
-            self.begun = 0
-        elif self.begun == 0:
-            self.begun = self.number
-            self.begun_x = motions[at + rows.START_X]
-            self.begun_y = motions[at + rows.START_Y]
+            self.contour_start = 0
+        elif self.contour_start == 0:
+            self.contour_start = self.number
+            self.contour_start_x = motions[at + rows.START_X]
+            self.contour_start_y = motions[at + rows.START_Y]
         else:
-            off = abs(motions[at + rows.END_X] - self.begun_x)
-            off += abs(motions[at + rows.END_Y] - self.begun_y)
+            off = abs(motions[at + rows.END_X] - self.contour_start_x)
+            off += abs(motions[at + rows.END_Y] - self.contour_start_y)
             if off <= 1e-6:
                 self.closed = self.number
 
     def closes_contour(self) -> bool:
         """Whether what crosses is the begin of a closed contour and its end."""
-        return self.crossed == self.begun and self.crossing == self.closed
+        return self.crossed == self.contour_start and self.crossing == self.closed
 
-    def keep_rest(self, at: int, other: int) -> None:
+    def keep_cut_off(self, at: int, other: int) -> None:
         """Keep what the meeting with the next motion cuts off; that one may not fit."""
         if other >= 0 and self.corners.meets_inside(at, other):
-            self.corners.put_rest(at, self.rest, 0)
-            self.rest_number = self.number + 1
+            self.corners.put_cut_off(at, self.cut_off, 0)
+            self.cut_off_number = self.number + 1

@@ -25,9 +25,9 @@ _STATEMENTS = (tree.Statement, tree.ElseIf)
 _NODES = (tree.Expression, tree.Word, tree.BracketCommand)
 
 
-def memory_bytes(cycle: tree.RealtimeCycle, action_places: int) -> int:
+def memory_bytes(cycle: tree.RealtimeCycle, max_open_actions: int) -> int:
     """Return the bytes of one loaded cycle."""
-    total = CYCLE_BYTES + action_places * ACTION_PLACE_BYTES
+    total = CYCLE_BYTES + max_open_actions * ACTION_PLACE_BYTES
     for statement in cycle.body:
         for node in _walk(statement):
             if isinstance(node, _STATEMENTS):

@@ -4,7 +4,7 @@ cimport cython
 from nctakt.decoder.contour cimport rows as contour_rows
 from nctakt.decoder.contour.tool_path cimport ToolPath
 from nctakt.kernel cimport rows
-from nctakt.kernel.tick.command_queue cimport CommandRing
+from nctakt.kernel.tick.command_queue cimport CommandQueue
 
 cdef class CompensatedLines:
     cdef readonly ToolPath tool
@@ -38,10 +38,10 @@ cdef class CompensatedLines:
     @cython.locals(x=double, y=double, x_2=double, y_2=double)
     cdef int try_join(self, double[::1] start, double[::1] target, double[::1] lows, double[::1] highs, bint is_contour) noexcept
     @cython.locals(before=cython.longlong, shape=int)
-    cdef int emit(self, CommandRing ring, Py_ssize_t timed) noexcept
+    cdef int emit(self, CommandQueue queue, Py_ssize_t timed) noexcept
     @cython.locals(i=Py_ssize_t)
     cdef void advance(self, long long before) noexcept
-    @cython.locals(base=Py_ssize_t, i=Py_ssize_t, goes_on=bint, stops=bint, deviation=double)
-    cdef void emit_piece(self, CommandRing ring, int shape, long long before) noexcept
+    @cython.locals(row=Py_ssize_t, i=Py_ssize_t, is_continued=bint, stops=bint, deviation=double)
+    cdef void emit_piece(self, CommandQueue queue, int shape, long long before) noexcept
     @cython.locals(i=Py_ssize_t)
     cdef void set_next(self, long long source, long long number, double[::1] target, int motion, double feed_v, int stops) noexcept

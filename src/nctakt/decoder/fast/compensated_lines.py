@@ -11,7 +11,7 @@ from __future__ import annotations
 from nctakt.decoder.contour import rows as contour_rows
 from nctakt.decoder.contour.tool_path import ToolPath
 from nctakt.kernel import rows
-from nctakt.kernel.tick.command_queue import CommandRing
+from nctakt.kernel.tick.command_queue import CommandQueue
 
 
 class CompensatedLines:
@@ -92,18 +92,18 @@ class CompensatedLines:
             else 0
         )
 
-    def emit(self, ring: CommandRing, timed: int) -> int:
+    def emit(self, queue: CommandQueue, timed: int) -> int:
         """Put the pieces of the pending motion into the queue, up to ``timed`` commands in it.
 
         Return 0 if not all of them fit. After the last one the next line becomes the pending
         motion.
         """
         before = self.tool.number - 1
-        while ring.timed_count < timed:
+        while queue.timed_count < timed:
             shape = self.tool.take(before)
             if shape != contour_rows.NOTHING:
-                self.emit_piece(ring, shape, before)
-            if not self.tool.goes_on(before):
+                self.emit_piece(queue, shape, before)
+            if not self.tool.has_next(before):
                 self.advance(before)
                 return 1
         return 0
@@ -122,24 +122,24 @@ class CompensatedLines:
             self.start[i] = self.target[i]
             self.target[i] = self.next_target[i]
 
-    def emit_piece(self, ring: CommandRing, shape: int, before: int) -> None:
+    def emit_piece(self, queue: CommandQueue, shape: int, before: int) -> None:
         """Put one piece into the queue; other axes move on the first one, the last one may stop
         exactly.
         """
-        base = self.tool.taken_place()
+        row = self.tool.taken_row()
         for i in range(self.count):
             self.begin[i] = self.target[i] if self.has_first_piece else self.start[i]
             self.end[i] = self.target[i]
         self.has_first_piece = True
-        self.begin[self.first] = self.tool.rows[base + contour_rows.START_X]
-        self.begin[self.second] = self.tool.rows[base + contour_rows.START_Y]
-        self.end[self.first] = self.tool.rows[base + contour_rows.END_X]
-        self.end[self.second] = self.tool.rows[base + contour_rows.END_Y]
-        goes_on = self.tool.goes_on(before)
-        stops = self.stops and not goes_on
+        self.begin[self.first] = self.tool.rows[row + contour_rows.START_X]
+        self.begin[self.second] = self.tool.rows[row + contour_rows.START_Y]
+        self.end[self.first] = self.tool.rows[row + contour_rows.END_X]
+        self.end[self.second] = self.tool.rows[row + contour_rows.END_Y]
+        is_continued = self.tool.has_next(before)
+        stops = self.stops and not is_continued
         deviation = 0.0 if self.stops else self.deviation
         if shape == contour_rows.LINE:
-            ring.put_line(
+            queue.put_line(
                 self.source,
                 self.number,
                 self.begin,
@@ -153,10 +153,10 @@ class CompensatedLines:
         else:
             self.arc[rows.PLANE_FIRST] = self.first
             self.arc[rows.PLANE_SECOND] = self.second
-            self.arc[rows.CENTRE_FIRST] = self.tool.rows[base + contour_rows.CENTRE_X]
-            self.arc[rows.CENTRE_SECOND] = self.tool.rows[base + contour_rows.CENTRE_Y]
-            self.arc[rows.ANGLE] = self.tool.rows[base + contour_rows.ANGLE]
-            ring.put_arc(
+            self.arc[rows.CENTRE_FIRST] = self.tool.rows[row + contour_rows.CENTRE_X]
+            self.arc[rows.CENTRE_SECOND] = self.tool.rows[row + contour_rows.CENTRE_Y]
+            self.arc[rows.ANGLE] = self.tool.rows[row + contour_rows.ANGLE]
+            queue.put_arc(
                 self.source,
                 self.number,
                 self.begin,
@@ -168,8 +168,8 @@ class CompensatedLines:
                 deviation,
                 self.limits_jerk,
             )
-        if goes_on:
-            ring.block_goes_on()
+        if is_continued:
+            queue.continue_block()
 
     def set_next(
         self,

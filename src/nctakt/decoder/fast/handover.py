@@ -23,7 +23,7 @@ from nctakt.decoder.fast.lines import PlainLines
 from nctakt.decoder.state.commands import Answer, Command
 from nctakt.decoder.state.uncertain_axes import UncertainAxes
 from nctakt.decoder.values.variables import Values
-from nctakt.kernel.tick.command_queue import CommandRing
+from nctakt.kernel.tick.command_queue import CommandQueue
 from nctakt.nc.fast.plain_lines import EMPTY, PLAIN
 from nctakt.nc.inspection import plain_scanner
 from nctakt.nc.outline import SectionReader
@@ -141,7 +141,7 @@ class PlainBlocks:
         if self._compensated.is_on:
             self._contour.import_from(self._compensated, self._file)
 
-    def fill(self, ring: CommandRing, timed: int) -> None:
+    def fill(self, queue: CommandQueue, timed: int) -> None:
         """Fill the queue with up to ``timed`` commands that take time, or up to the next other
         block.
 
@@ -149,17 +149,17 @@ class PlainBlocks:
         """
         lines = self._lines
         assert lines is not None
-        ring.reserve(timed)
-        if not self._plain_lines.resume(ring, timed):
+        queue.reserve(timed)
+        if not self._plain_lines.resume(queue, timed):
             return
-        while ring.timed_count < timed:
+        while queue.timed_count < timed:
             if not lines.more():
                 self._lines = None
                 return
             lines.index = self._plain_lines.fill(
-                ring, timed, lines.group, lines.index, lines.number
+                queue, timed, lines.group, lines.index, lines.number
             )
-            if lines.index < len(lines.group) and ring.timed_count < timed:
+            if lines.index < len(lines.group) and queue.timed_count < timed:
                 self._lines = None
                 return
 

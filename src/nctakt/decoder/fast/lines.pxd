@@ -3,7 +3,7 @@
 cimport cython
 from nctakt.decoder.fast.compensated_lines cimport CompensatedLines
 from nctakt.kernel cimport rows
-from nctakt.kernel.tick.command_queue cimport CommandRing
+from nctakt.kernel.tick.command_queue cimport CommandQueue
 from nctakt.nc.fast.plain_lines cimport PlainScanner
 
 cdef class PlainLines:
@@ -32,8 +32,8 @@ cdef class PlainLines:
     cdef readonly long long source
 
     @cython.locals(end=Py_ssize_t, what=int, is_rapid=bint, motion=int, feed_v=double, stops=bint)
-    cpdef Py_ssize_t fill(self, CommandRing ring, Py_ssize_t timed, list lines, Py_ssize_t index, long long number) except -1
-    cpdef bint resume(self, CommandRing ring, Py_ssize_t timed)
+    cpdef Py_ssize_t fill(self, CommandQueue queue, Py_ssize_t timed, list lines, Py_ssize_t index, long long number) except -1
+    cpdef bint resume(self, CommandQueue queue, Py_ssize_t timed)
     @cython.locals(scanner=PlainScanner, what=int, motion=int, feed_v=double, moves=int, i=Py_ssize_t)
     cpdef int decode(self, str line, long long number) except -1
     cdef int try_join(self, int motion)

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from nctakt.decoder.fast.compensated_lines import CompensatedLines
 from nctakt.kernel import rows
-from nctakt.kernel.tick.command_queue import CommandRing
+from nctakt.kernel.tick.command_queue import CommandQueue
 from nctakt.nc.fast.plain_lines import PlainScanner
 from nctakt.nc.vocabulary.functions import RAPID
 
@@ -66,14 +66,16 @@ class PlainLines:
         """Return the positions of the axes in mm or degrees."""
         return [self.positions[i] for i in range(self.count)]
 
-    def fill(self, ring: CommandRing, timed: int, lines: list[str], index: int, number: int) -> int:
+    def fill(
+        self, queue: CommandQueue, timed: int, lines: list[str], index: int, number: int
+    ) -> int:
         """Fill the queue with up to ``timed`` commands that take time, from ``lines[index]`` on.
 
         ``number``: the line number of ``lines[index]``. Return the index of the first line not
         decoded. The queue must have room.
         """
         end = len(lines)
-        while index < end and ring.timed_count < timed:
+        while index < end and queue.timed_count < timed:
             what = self.decode(lines[index], number)
             if what == 0:
                 return index
@@ -88,10 +90,10 @@ class PlainLines:
                     self.compensated.set_next(
                         self.source, self.scanner.number, self.target, motion, feed_v, stops
                     )
-                    if not self.compensated.emit(ring, timed):
+                    if not self.compensated.emit(queue, timed):
                         return index
                 else:
-                    ring.put_line(
+                    queue.put_line(
                         self.source,
                         self.scanner.number,
                         self.start,
@@ -104,9 +106,9 @@ class PlainLines:
                     )
         return index
 
-    def resume(self, ring: CommandRing, timed: int) -> bool:
+    def resume(self, queue: CommandQueue, timed: int) -> bool:
         """Continue with the pieces of a line that did not fit; return whether all fit now."""
-        return not self.compensated.has_next or self.compensated.emit(ring, timed) != 0
+        return not self.compensated.has_next or self.compensated.emit(queue, timed) != 0
 
     def decode(self, line: str, number: int) -> int:
         """Decode a line: return 0 if not accepted, 1 if nothing moves, 2 if a line is due."""

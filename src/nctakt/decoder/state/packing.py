@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """A command of the decoder -> a row of the queue, its columns in the order of ``kernel/rows.py``.
 
-Segments are not packed but prepared in the queue (``CommandRing.put_segment``).
+Segments are not packed but prepared in the queue (``CommandQueue.put_segment``).
 """
 
 from __future__ import annotations

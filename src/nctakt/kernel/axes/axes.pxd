@@ -36,25 +36,25 @@ cdef class Axes:
     cdef bint has_moved
     cdef bint is_shifted
     cdef double[::1] shown_command
-    cdef double[::1] shown_real
+    cdef double[::1] shown_actual
     cdef double[::1] shown_target
 
     cdef Py_ssize_t cell_of(self, Py_ssize_t i) noexcept nogil
     @cython.locals(i=Py_ssize_t, step=double, sent=double, lag=double)
     cdef void follow(self) noexcept nogil
     @cython.locals(half=double)
-    cdef double way(self, Py_ssize_t i, double begin, double end) noexcept nogil
+    cdef double distance(self, Py_ssize_t i, double begin, double end) noexcept nogil
     @cython.locals(i=Py_ssize_t)
     cdef void begin_tick(self) noexcept nogil
-    @cython.locals(i=Py_ssize_t, real=double)
+    @cython.locals(i=Py_ssize_t, actual=double)
     cdef void publish(self) noexcept nogil
-    cdef int is_shown(self, Py_ssize_t i, double real) noexcept nogil
-    @cython.locals(base=Py_ssize_t, rest=double, shift=double)
-    cdef void publish_axis(self, Py_ssize_t i, double here, double real, double there) noexcept nogil
-    @cython.locals(base=Py_ssize_t, pct=double, cycle_pct=double)
+    cdef int is_shown(self, Py_ssize_t i, double actual) noexcept nogil
+    @cython.locals(cell=Py_ssize_t, distance_to_go=double, shift=double)
+    cdef void publish_axis(self, Py_ssize_t i, double command, double actual, double target) noexcept nogil
+    @cython.locals(cell=Py_ssize_t, pct=double, cycle_pct=double)
     cdef void publish_override(self, Py_ssize_t i, double operator_pct) noexcept nogil
-    @cython.locals(real=double)
-    cdef double real_place(self, Py_ssize_t i) noexcept nogil
+    @cython.locals(actual=double)
+    cdef double actual_position(self, Py_ssize_t i) noexcept nogil
     cdef void show_state(self, Py_ssize_t i, int state) noexcept nogil
     cdef void set_offset(self, Py_ssize_t axis, int kind, double value) noexcept nogil
     @cython.locals(j=Py_ssize_t, k=Py_ssize_t, cell=int, x=double, y=double, z=double)
@@ -62,5 +62,5 @@ cdef class Axes:
     @cython.locals(first=Py_ssize_t, second=Py_ssize_t, third=Py_ssize_t, value=double)
     cdef void publish_inside(self, Py_ssize_t i, Py_ssize_t axis, int column, int cell, double x, double y, double z) noexcept nogil
     cdef void set_origin(self, Py_ssize_t axis, double value) noexcept nogil
-    cdef void turn(self, double[::1] row, Py_ssize_t base) noexcept nogil
-    cdef void publish_system(self, Py_ssize_t base, double here, double real, double there, double rest) noexcept nogil
+    cdef void turn(self, double[::1] queue, Py_ssize_t row) noexcept nogil
+    cdef void publish_system(self, Py_ssize_t cell, double command, double actual, double target, double distance_to_go) noexcept nogil

@@ -67,7 +67,7 @@ class Axes:
         self.offsets = Offsets(count)
         self.turns = Turns(count)
         self.shown_command = memoryview(bytearray(8 * count)).cast("d")
-        self.shown_real = memoryview(bytearray(8 * count)).cast("d")
+        self.shown_actual = memoryview(bytearray(8 * count)).cast("d")
         self.shown_target = memoryview(bytearray(8 * count)).cast("d")
         self.is_shifted = True
         self.has_moved = True
@@ -89,15 +89,15 @@ class Axes:
                 if self.is_late:
                     sent = self.unsent[i]
                     self.unsent[i] = self.command[i]
-                step = self.way(i, self.followed[i], sent)
+                step = self.distance(i, self.followed[i], sent)
                 self.followed[i] = sent
                 if step != 0.0 or self.drive_d[i] != 0.0:
                     lag = self.lag_kept[i] * self.drive_d[i] + self.lag_gained[i] * step
                     self.drive_d[i] = lag if lag > 1e-9 or lag < -1e-9 else 0.0
                     self.has_moved = True
-                self.lag_d[i] = self.drive_d[i] + self.way(i, sent, self.command[i])
+                self.lag_d[i] = self.drive_d[i] + self.distance(i, sent, self.command[i])
 
-    def way(self, i: int, begin: float, end: float) -> float:
+    def distance(self, i: int, begin: float, end: float) -> float:
         """From one command to another: of a modulo axis the shorter way round."""
         if self.modulo_range[i] > 0.0:
             half = 0.5 * self.modulo_range[i]
@@ -110,40 +110,40 @@ class Axes:
             return
         self.has_moved = False
         for i in range(self.count):
-            real = self.real_place(i)
-            if self.is_shifted or not self.is_shown(i, real):
+            actual = self.actual_position(i)
+            if self.is_shifted or not self.is_shown(i, actual):
                 self.shown_command[i] = self.command[i]
-                self.shown_real[i] = real
+                self.shown_actual[i] = actual
                 self.shown_target[i] = self.target[i]
-                self.publish_axis(i, self.command[i], real, self.target[i])
+                self.publish_axis(i, self.command[i], actual, self.target[i])
         self.is_shifted = False
         if self.turns.active > 0:
             for i in range(self.count):
                 if self.turns.second[i] > 0:
                     self.publish_turned(i)
 
-    def is_shown(self, i: int, real: float) -> int:
+    def is_shown(self, i: int, actual: float) -> int:
         """Whether the cells of an axis hold its positions."""
-        if self.command[i] != self.shown_command[i] or real != self.shown_real[i]:
+        if self.command[i] != self.shown_command[i] or actual != self.shown_actual[i]:
             return 0
         return 1 if self.target[i] == self.shown_target[i] else 0
 
-    def publish_axis(self, i: int, here: float, real: float, there: float) -> None:
+    def publish_axis(self, i: int, command: float, actual: float, target: float) -> None:
         """Write the positions of an axis in all systems, of a modulo axis within its range."""
-        base = self.cell_of(i)
-        rest = there - here
+        cell = self.cell_of(i)
+        distance_to_go = target - command
         if self.modulo_range[i] > 0.0:
-            here = arithmetic.within(here, self.modulo_low[i], self.modulo_range[i])
-            real = arithmetic.within(real, self.modulo_low[i], self.modulo_range[i])
-            there = arithmetic.within(there, self.modulo_low[i], self.modulo_range[i])
-        self.cells[base + cells.AXIS_ACS_ACT_POS] = here
-        self.cells[base + cells.AXIS_ACS_CUR_POS] = real
-        self.cells[base + cells.AXIS_ACS_CMD_POS] = there
-        self.publish_system(base + cells.AXIS_MCS_ACT_POS, here, real, there, rest)
-        self.publish_system(base + cells.AXIS_IPO_ACT_POS, here, real, there, rest)
+            command = arithmetic.within(command, self.modulo_low[i], self.modulo_range[i])
+            actual = arithmetic.within(actual, self.modulo_low[i], self.modulo_range[i])
+            target = arithmetic.within(target, self.modulo_low[i], self.modulo_range[i])
+        self.cells[cell + cells.AXIS_ACS_ACT_POS] = command
+        self.cells[cell + cells.AXIS_ACS_CUR_POS] = actual
+        self.cells[cell + cells.AXIS_ACS_CMD_POS] = target
+        self.publish_system(cell + cells.AXIS_MCS_ACT_POS, command, actual, target, distance_to_go)
+        self.publish_system(cell + cells.AXIS_IPO_ACT_POS, command, actual, target, distance_to_go)
         shift = self.offsets.program[i]
-        base += cells.AXIS_PCS_ACT_POS
-        self.publish_system(base, here - shift, real - shift, there - shift, rest)
+        cell += cells.AXIS_PCS_ACT_POS
+        self.publish_system(cell, command - shift, actual - shift, target - shift, distance_to_go)
 
     def publish_turned(self, i: int) -> None:
         """PCS of the three axes of a turned system: its inverse matrix from the other side."""
@@ -174,35 +174,35 @@ class Axes:
             value -= self.offsets.inner(axis)
         self.cells[self.cell_of(axis) + cells.AXIS_PCS_ACT_POS + cell] = value
 
-    def real_place(self, i: int) -> float:
+    def actual_position(self, i: int) -> float:
         """The actual position: behind the command by the lag, and never beyond an obstacle."""
-        real = self.command[i] - self.lag_d[i]
+        actual = self.command[i] - self.lag_d[i]
         if self.has_stops:
-            real = max(min(real, self.stop_high[i]), self.stop_low[i])
-        return real
+            actual = max(min(actual, self.stop_high[i]), self.stop_low[i])
+        return actual
 
     def publish_system(
-        self, base: int, here: float, real: float, there: float, rest: float
+        self, cell: int, command: float, actual: float, target: float, distance_to_go: float
     ) -> None:
         """Command, actual and target position and distance to go in one system."""
-        self.cells[base + cells.SYSTEM_ACT_POS] = here
-        self.cells[base + cells.SYSTEM_CUR_POS] = real
-        self.cells[base + cells.SYSTEM_CMD_POS] = there
-        self.cells[base + cells.SYSTEM_DIST_TO_GO] = rest
+        self.cells[cell + cells.SYSTEM_ACT_POS] = command
+        self.cells[cell + cells.SYSTEM_CUR_POS] = actual
+        self.cells[cell + cells.SYSTEM_CMD_POS] = target
+        self.cells[cell + cells.SYSTEM_DIST_TO_GO] = distance_to_go
 
     def publish_override(self, i: int, operator_pct: float) -> None:
         """The override of an independent motion: of the channel or the axis (P-AXIS-00491)."""
-        base = self.cell_of(i)
+        cell = self.cell_of(i)
         pct = operator_pct
         if self.override_mode[i] == codes.LOWER_OVERRIDE:
             pct = min(pct, self.override_pct[i])
         elif self.override_mode[i] == codes.OWN_OVERRIDE:
             pct = self.override_pct[i]
-        cycle_pct = self.cells[base + cells.AXIS_OVERRIDE_VEL_CYCLE]
+        cycle_pct = self.cells[cell + cells.AXIS_OVERRIDE_VEL_CYCLE]
         pct = min(pct * cycle_pct / 100.0, self.max_override_pct[i])
         self.independent_pct[i] = pct
-        if pct != self.cells[base + cells.AXIS_OVERRIDE_VEL_TOTAL]:
-            self.cells[base + cells.AXIS_OVERRIDE_VEL_TOTAL] = arithmetic.round_half_even(pct)
+        if pct != self.cells[cell + cells.AXIS_OVERRIDE_VEL_TOTAL]:
+            self.cells[cell + cells.AXIS_OVERRIDE_VEL_TOTAL] = arithmetic.round_half_even(pct)
 
     def show_state(self, i: int, state: int) -> None:
         """Publish the PLCopen state of an axis (``single_axes.py``)."""
@@ -222,9 +222,9 @@ class Axes:
         self.has_moved = True
         self.publish()
 
-    def turn(self, row: memoryview[float], base: int) -> None:
+    def turn(self, queue: memoryview[float], row: int) -> None:
         """The coordinate system of a program is turned otherwise from now on."""
-        self.turns.set(row, base)
+        self.turns.set(queue, row)
         self.is_shifted = True
         self.has_moved = True
         self.publish()
@@ -247,14 +247,14 @@ class Axes:
         self.modulo_low[index] = low
         self.modulo_range[index] = full
 
-    def set_stop(self, index: int, place: float) -> None:
+    def set_stop(self, index: int, position: float) -> None:
         """Let an obstacle stand in the way of an axis that is at 0 (MO-12)."""
         check_index(index, self.count, "axis")
         self.has_stops = True
-        if place > 0.0:
-            self.stop_high[index] = place
+        if position > 0.0:
+            self.stop_high[index] = position
         else:
-            self.stop_low[index] = place
+            self.stop_low[index] = position
 
     def set_lag(self, index: int, kept: float, gained: float) -> None:
         """Let an axis lag: what a tick keeps of the error, and adds of its way."""
@@ -268,17 +268,17 @@ class Axes:
         self.has_lag = True
         self.is_late = True
 
-    def set_override(self, index: int, mode: int, most_pct: float) -> None:
+    def set_override(self, index: int, mode: int, max_pct: float) -> None:
         """P-AXIS-00491 and P-AXIS-00109 of an axis."""
         check_index(index, self.count, "axis")
         self.override_mode[index] = mode
-        self.max_override_pct[index] = most_pct
+        self.max_override_pct[index] = max_pct
 
     def positions(self) -> list[float]:
         """The command positions: for Python's side."""
         return [self.command[i] for i in range(self.count)]
 
-    def place(self, index: int, position: float) -> None:
+    def set_position(self, index: int, position: float) -> None:
         """Set one axis to a position without a motion: before the first tick."""
         check_index(index, self.count, "axis")
         self.command[index] = position

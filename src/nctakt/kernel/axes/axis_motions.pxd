@@ -16,8 +16,8 @@ cdef class AxisMotions:
     cdef Trajectories plans
     cdef readonly Py_ssize_t active_count
     cdef readonly Py_ssize_t fault_count
-    cdef Py_ssize_t told_count
-    cdef Py_ssize_t asked_axis
+    cdef Py_ssize_t reported_count
+    cdef Py_ssize_t requested_axis
     cdef long long source
     cdef long long serial
     cdef long long[::1] enabled
@@ -33,7 +33,7 @@ cdef class AxisMotions:
     cdef long long[::1] sources
     cdef double[::1] goal
     cdef double[::1] end
-    cdef double[::1] wanted_v
+    cdef double[::1] commanded_v
     cdef double[::1] direction
     cdef long long[::1] next_kind
     cdef long long[::1] next_owner
@@ -59,10 +59,10 @@ cdef class AxisMotions:
 
     cdef int is_beyond(self, Py_ssize_t axis, double target) noexcept nogil
     cdef int is_at_speed(self, Py_ssize_t axis) noexcept nogil
-    @cython.locals(kind=int, here=double)
+    @cython.locals(kind=int, position=double)
     cdef void begin(self, Py_ssize_t axis) noexcept nogil
     @cython.locals(full_d=double, brake_d=double, turns=double)
-    cdef double turn(self, Py_ssize_t axis, double way_d) noexcept nogil
+    cdef double turn(self, Py_ssize_t axis, double distance_d) noexcept nogil
     @cython.locals(full_d=double)
     cdef double in_range(self, Py_ssize_t axis, double position) noexcept nogil
     cdef void drop(self, Py_ssize_t axis) noexcept nogil
@@ -79,7 +79,7 @@ cdef class AxisMotions:
     @cython.locals(top_v=double, now_t=double, over_t=double)
     cdef void step_axis(self, Py_ssize_t axis) noexcept nogil
     cdef void plan(self, Py_ssize_t axis, double top_v) noexcept nogil
-    @cython.locals(place=double)
+    @cython.locals(position=double)
     cdef int arrive(self, Py_ssize_t axis, double top_v) noexcept nogil
     @cython.locals(message=int)
     cdef int take_fault(self, Py_ssize_t axis) noexcept nogil

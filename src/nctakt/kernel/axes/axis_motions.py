@@ -34,8 +34,8 @@ class AxisMotions:
         self.plans = Trajectories(count)
         self.active_count = 0
         self.fault_count = 0
-        self.told_count = 0
-        self.asked_axis = 0
+        self.reported_count = 0
+        self.requested_axis = 0
         self.source = 0
         self.serial = 0
         # The axis list.
@@ -53,7 +53,7 @@ class AxisMotions:
         self.sources = memoryview(bytearray(8 * count)).cast("q")
         self.goal = memoryview(bytearray(8 * count)).cast("d")
         self.end = memoryview(bytearray(8 * count)).cast("d")
-        self.wanted_v = memoryview(bytearray(8 * count)).cast("d")
+        self.commanded_v = memoryview(bytearray(8 * count)).cast("d")
         self.direction = memoryview(bytearray(8 * count)).cast("d")
         # The one that waits behind it.
         self.next_kind = memoryview(bytearray(8 * count)).cast("q")
@@ -116,7 +116,7 @@ class AxisMotions:
     def begin(self, axis: int) -> None:
         """Let the waiting motion be the present one; it is planned in the next step."""
         kind = self.next_kind[axis]
-        here = self.axes.command[axis]
+        position = self.axes.command[axis]
         self.next_kind[axis] = codes.IDLE
         self.direction[axis] = self.next_direction[axis]
         if self.next_direction[axis] == codes.PRESENT:
@@ -125,14 +125,14 @@ class AxisMotions:
             self.goal[axis] = self.high[axis] if self.direction[axis] > 0.0 else self.low[axis]
             self.end[axis] = self.goal[axis]
         elif kind == codes.BY_DISTANCE:
-            self.goal[axis] = here + self.next_value[axis]
+            self.goal[axis] = position + self.next_value[axis]
             self.end[axis] = self.in_range(axis, self.goal[axis])
             kind = codes.TO_POSITION
         else:
             self.end[axis] = self.in_range(axis, self.next_value[axis])
             self.goal[axis] = self.next_value[axis]
             if self.axes.modulo_range[axis] > 0.0:
-                self.goal[axis] = here + self.turn(axis, self.end[axis] - here)
+                self.goal[axis] = position + self.turn(axis, self.end[axis] - position)
         if self.kind[axis] == codes.IDLE:
             self.active_count += 1
             self.axes.independent[axis] = 1
@@ -141,9 +141,9 @@ class AxisMotions:
         self.owner[axis] = self.next_owner[axis]
         self.serials[axis] = self.next_serial[axis]
         self.sources[axis] = self.next_source[axis]
-        self.wanted_v[axis] = self.next_v[axis]
+        self.commanded_v[axis] = self.next_v[axis]
         self.planned_v[axis] = -1.0
-        self.axes.target[axis] = self.goal[axis] if kind == codes.TO_POSITION else here
+        self.axes.target[axis] = self.goal[axis] if kind == codes.TO_POSITION else position
         self.axes.has_moved = True
         self.axes.show_state(
             axis, codes.CONTINUOUS_MOTION if kind == codes.ENDLESS else codes.DISCRETE_MOTION
@@ -159,21 +159,21 @@ class AxisMotions:
             self.axes.show_state(axis, codes.STANDSTILL)
             self.event(rows.EVENT_AXIS_CHANGED, axis, rows.MOTION_HELD)
 
-    def turn(self, axis: int, way_d: float) -> float:
-        """The way of a modulo axis to a target that is ``way_d`` away, in the wanted direction.
+    def turn(self, axis: int, distance_d: float) -> float:
+        """Return how far a modulo axis goes to a target ``distance_d`` away in its direction.
 
         In a given direction the axis never comes back: what it needs to brake is gone for it.
         """
         full_d = self.axes.modulo_range[axis]
         if self.next_direction[axis] == codes.SHORTEST:
-            return way_d - full_d * arithmetic.ceiling(way_d / full_d - 0.5)
+            return distance_d - full_d * arithmetic.ceiling(distance_d / full_d - 0.5)
         brake_d = self.plans.stopping_d(
             self.speed[axis], self.acceleration[axis], self.limit_a[axis], self.limit_j[axis]
         )
-        turns = (way_d - brake_d) / full_d
+        turns = (distance_d - brake_d) / full_d
         if self.direction[axis] > 0.0:
-            return way_d - full_d * arithmetic.floor(turns)
-        return way_d - full_d * arithmetic.ceiling(turns)
+            return distance_d - full_d * arithmetic.floor(turns)
+        return distance_d - full_d * arithmetic.ceiling(turns)
 
     def in_range(self, axis: int, position: float) -> float:
         """A position of a modulo axis within its range; any other as it is."""
@@ -257,7 +257,7 @@ class AxisMotions:
         """Go to where the plan is at the end of this tick; plan anew where the limit changed."""
         top_v = 0.0
         if self.kind[axis] != codes.BRAKING and not self.held[axis]:
-            top_v = self.wanted_v[axis] * self.axes.independent_pct[axis] / 100.0
+            top_v = self.commanded_v[axis] * self.axes.independent_pct[axis] / 100.0
             top_v = min(top_v, self.limit_v[axis])
         if top_v != self.planned_v[axis]:
             self.plan(axis, top_v)
@@ -310,8 +310,8 @@ class AxisMotions:
         """The plan is over: 1 when the motion has ended with it."""
         if self.kind[axis] == codes.BRAKING:
             self.plans.evaluate(axis, self.plans.duration_t(axis))
-            place = self.start_d[axis] + self.plans.distance_d
-            self.axes.command[axis] = self.in_range(axis, place)
+            position = self.start_d[axis] + self.plans.distance_d
+            self.axes.command[axis] = self.in_range(axis, position)
             self.event(rows.EVENT_AXIS_CHANGED, axis, rows.MOTION_STOPPED)
             self.come_to_stand(axis)
             return 1
@@ -343,5 +343,5 @@ class AxisMotions:
 
     def next_failed(self) -> int:
         """The axis of the next error event that has not been asked for."""
-        self.told_count += 1
-        return self.failed[(self.told_count - 1) % self.ring_size]
+        self.reported_count += 1
+        return self.failed[(self.reported_count - 1) % self.ring_size]

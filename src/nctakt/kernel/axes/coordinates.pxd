@@ -25,4 +25,4 @@ cdef class Turns:
     cdef double[::1] matrix
 
     @cython.locals(first=Py_ssize_t, before=int, i=int)
-    cdef void set(self, double[::1] row, Py_ssize_t base) noexcept nogil
+    cdef void set(self, double[::1] queue, Py_ssize_t row) noexcept nogil

@@ -64,12 +64,12 @@ class Turns:
         self.third = memoryview(bytearray(8 * count)).cast("q")
         self.matrix = memoryview(bytearray(8 * rows.MATRIX_SIZE * count)).cast("d")
 
-    def set(self, row: memoryview[float], base: int) -> None:
+    def set(self, queue: memoryview[float], row: int) -> None:
         """Take the turn of the command at ``base``."""
-        first = int(row[base + rows.TURN_FIRST])
+        first = int(queue[row + rows.TURN_FIRST])
         before = 1 if self.second[first] else 0
-        self.second[first] = int(row[base + rows.TURN_SECOND])
-        self.third[first] = int(row[base + rows.TURN_THIRD])
+        self.second[first] = int(queue[row + rows.TURN_SECOND])
+        self.third[first] = int(queue[row + rows.TURN_THIRD])
         self.active += (1 if self.second[first] else 0) - before
         for i in range(rows.MATRIX_SIZE):
-            self.matrix[rows.MATRIX_SIZE * first + i] = row[base + rows.TURN_MATRIX + i]
+            self.matrix[rows.MATRIX_SIZE * first + i] = queue[row + rows.TURN_MATRIX + i]

@@ -25,16 +25,16 @@ cdef class SingleAxes(AxisMotions):
     cdef void abort(self, long long owner) noexcept nogil
     @cython.locals(axis=Py_ssize_t)
     cdef void end_owner(self, long long owner, int continues) noexcept nogil
-    @cython.locals(axis=Py_ssize_t, found=int)
+    @cython.locals(axis=Py_ssize_t, count=int)
     cdef int open_count(self, long long owner) noexcept nogil
-    @cython.locals(found=int)
+    @cython.locals(count=int)
     cdef int open_on(self, Py_ssize_t axis, long long owner) noexcept nogil
     @cython.locals(i=Py_ssize_t)
     cdef int all_free(self, long long[::1] members, Py_ssize_t count) noexcept nogil
-    @cython.locals(i=Py_ssize_t, message=int, found=int)
+    @cython.locals(i=Py_ssize_t, message=int, last_message=int)
     cdef int take_faults(self, long long[::1] members, Py_ssize_t count) noexcept nogil
     @cython.locals(i=Py_ssize_t, message=int)
-    cdef int asked(self, double[::1] queue, Py_ssize_t base) noexcept nogil
+    cdef int request_state(self, double[::1] queue, Py_ssize_t row) noexcept nogil
     cdef int obstacle(self, Py_ssize_t axis) noexcept nogil
     cdef void reset(self, Py_ssize_t axis) noexcept nogil
     cdef void reopen(self, Py_ssize_t axis) noexcept nogil

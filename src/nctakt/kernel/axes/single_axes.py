@@ -163,22 +163,22 @@ class SingleAxes(AxisMotions):
 
     def open_count(self, owner: int) -> int:
         """How many motions of the owner are open, the waiting ones with them (RC-408)."""
-        found = 0
+        count = 0
         for axis in range(self.count):
             if codes.IDLE < self.kind[axis] < codes.BRAKING and self.owner[axis] == owner:
-                found += 1
+                count += 1
             if self.next_kind[axis] and self.next_owner[axis] == owner:
-                found += 1
-        return found
+                count += 1
+        return count
 
     def open_on(self, axis: int, owner: int) -> int:
         """How many of the owner's open motions are motions of this axis."""
-        found = 0
+        count = 0
         if codes.IDLE < self.kind[axis] < codes.BRAKING and self.owner[axis] == owner:
-            found += 1
+            count += 1
         if self.next_kind[axis] and self.next_owner[axis] == owner:
-            found += 1
-        return found
+            count += 1
+        return count
 
     def all_free(self, members: memoryview[int], count: int) -> int:
         """Whether none of these axes moves on its own."""
@@ -189,18 +189,18 @@ class SingleAxes(AxisMotions):
 
     def take_faults(self, members: memoryview[int], count: int) -> int:
         """``take_fault`` of all these axes: the last one's message."""
-        found = 0
+        last_message = 0
         for i in range(count):
             message = self.take_fault(members[i])
             if message:
-                found = message
-        return found
+                last_message = message
+        return last_message
 
-    def asked(self, queue: memoryview[float], base: int) -> int:
+    def request_state(self, queue: memoryview[float], row: int) -> int:
         """``obstacle`` of the axes in a position request: that of the first which has one."""
-        for i in range(int(queue[base + rows.POSITIONS_COUNT])):
-            self.asked_axis = int(queue[base + rows.POSITIONS_AXES + i])
-            message = self.obstacle(self.asked_axis)
+        for i in range(int(queue[row + rows.POSITIONS_COUNT])):
+            self.requested_axis = int(queue[row + rows.POSITIONS_AXES + i])
+            message = self.obstacle(self.requested_axis)
             if message:
                 return message
         return 0
@@ -213,7 +213,7 @@ class SingleAxes(AxisMotions):
             return 900446
         return codes.STANDS if self.is_free(axis) else codes.MOVES_STILL
 
-    def belong(self, axis: int) -> None:
+    def assign_to_channel(self, axis: int) -> None:
         """A channel has this axis: it is told of the axis' errors, and resets it."""
         check_index(axis, self.count, "axis")
         self.in_channel[axis] = 1

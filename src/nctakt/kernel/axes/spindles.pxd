@@ -26,8 +26,8 @@ cdef class Spindles:
     cdef long long[::1] mode
     cdef double[::1] begin_position
     cdef long long[::1] begin_tick
-    cdef double[::1] wanted_v
-    cdef double[::1] wanted_position
+    cdef double[::1] commanded_v
+    cdef double[::1] commanded_position
     cdef long long[::1] direction
     cdef long long[::1] function
     cdef long long[::1] is_open
@@ -47,16 +47,16 @@ cdef class Spindles:
     cdef int is_ready(self, Py_ssize_t spindle, long long tick) noexcept nogil
     cdef void command(self, Py_ssize_t spindle, int function, double speed_v, double position, int direction, long long owner, long long tick) noexcept nogil
     @cython.locals(number=Py_ssize_t, function=cython.longlong, speed=double, position=double)
-    cdef void tell(self, Py_ssize_t spindle, long long source, long long serial) noexcept nogil
+    cdef void record_job(self, Py_ssize_t spindle, long long source, long long serial) noexcept nogil
     cdef void hand_over(self, Py_ssize_t spindle, long long done_tick) noexcept nogil
     @cython.locals(end_v=double)
     cdef void plan(self, Py_ssize_t spindle, long long tick) noexcept nogil
-    @cython.locals(direction=int, braking=double, rest=double)
-    cdef double way(self, Py_ssize_t spindle) noexcept nogil
-    @cython.locals(found=Py_ssize_t, spindle=Py_ssize_t)
+    @cython.locals(direction=int, braking=double, remaining=double)
+    cdef double remaining_angle(self, Py_ssize_t spindle) noexcept nogil
+    @cython.locals(count=Py_ssize_t, spindle=Py_ssize_t)
     cdef Py_ssize_t open_count(self, long long owner) noexcept nogil
     cdef int is_busy(self, Py_ssize_t spindle) noexcept nogil
-    cdef int rests(self, Py_ssize_t spindle) noexcept nogil
+    cdef int is_resting(self, Py_ssize_t spindle) noexcept nogil
     cdef int has_job(self, Py_ssize_t spindle, long long owner) noexcept nogil
     @cython.locals(spindle=Py_ssize_t)
     cdef void hold(self, long long owner, long long tick) noexcept nogil

@@ -49,8 +49,8 @@ class Spindles:
         self.mode = memoryview(bytearray(size)).cast("q")
         self.begin_position = memoryview(bytearray(size)).cast("d")
         self.begin_tick = memoryview(bytearray(size)).cast("q")
-        self.wanted_v = memoryview(bytearray(size)).cast("d")
-        self.wanted_position = memoryview(bytearray(size)).cast("d")
+        self.commanded_v = memoryview(bytearray(size)).cast("d")
+        self.commanded_position = memoryview(bytearray(size)).cast("d")
         self.direction = memoryview(bytearray(size)).cast("q")
         self.function = memoryview(bytearray(size)).cast("q")
         self.is_open = memoryview(bytearray(size)).cast("q")
@@ -106,28 +106,28 @@ class Spindles:
         """A job: M ``function`` 3, 4, 5 or 19; ``direction`` 0 of 19: the shortest way."""
         self.taken_tick[spindle] = tick
         self.function[spindle] = function
-        self.wanted_position[spindle] = position
+        self.commanded_position[spindle] = position
         self.direction[spindle] = direction
         self.owner[spindle] = owner
         self.is_held[spindle] = 0
         self.is_open[spindle] = 1
         if self.is_plc[spindle]:
-            self.wanted_v[spindle] = speed_v
+            self.commanded_v[spindle] = speed_v
             return
         speed_v = min(speed_v, self.limit_v[spindle])
-        self.wanted_v[spindle] = 0.0 - speed_v if function == codes.SPINDLE_BACKWARD else speed_v
+        self.commanded_v[spindle] = 0.0 - speed_v if function == codes.SPINDLE_BACKWARD else speed_v
         self.plan(spindle, tick)
 
-    def tell(self, spindle: int, source: int, serial: int) -> None:
+    def record_job(self, spindle: int, source: int, serial: int) -> None:
         """The job that was just taken, as events; its end has the same place."""
         self.source[spindle] = source
         self.serial[spindle] = serial
         number = self.first_number + spindle
         function = self.function[spindle]
-        speed = math.fabs(self.wanted_v[spindle]) / 6.0
+        speed = math.fabs(self.commanded_v[spindle]) / 6.0
         self.record.event(rows.EVENT_SPINDLE, source, serial, number, function, speed)
         if self.function[spindle] == codes.SPINDLE_POSITION:
-            position = self.wanted_position[spindle]
+            position = self.commanded_position[spindle]
             self.record.event(rows.EVENT_SPINDLE_POSITION, source, serial, number, position)
 
     def hand_over(self, spindle: int, done_tick: int) -> None:
@@ -150,16 +150,16 @@ class Spindles:
             self.mode[spindle] = codes.POSITIONING
             self.plans.plan_distance(
                 spindle,
-                self.way(spindle),
+                self.remaining_angle(spindle),
                 self.speed_v[spindle],
                 self.acceleration[spindle],
-                math.fabs(self.wanted_v[spindle]),
+                math.fabs(self.commanded_v[spindle]),
                 self.limit_a[spindle],
                 self.limit_j[spindle],
             )
             return
         self.mode[spindle] = codes.TURNING
-        end_v = self.wanted_v[spindle]
+        end_v = self.commanded_v[spindle]
         if self.function[spindle] == codes.SPINDLE_STOP or self.is_held[spindle]:
             end_v = 0.0
         self.plans.plan_speed(
@@ -171,7 +171,7 @@ class Spindles:
             self.limit_j[spindle],
         )
 
-    def way(self, spindle: int) -> float:
+    def remaining_angle(self, spindle: int) -> float:
         """Degrees to go to the position: to where braking ends, then on in the direction.
 
         Without a direction a spindle that turns goes on turning, one that stands takes the shorter
@@ -184,30 +184,30 @@ class Spindles:
             self.limit_a[spindle],
             self.limit_j[spindle],
         )
-        rest = wrapped(self.wanted_position[spindle] - self.position[spindle] - braking)
+        remaining = wrapped(self.commanded_position[spindle] - self.position[spindle] - braking)
         if direction == 0 and self.speed_v[spindle] != 0.0:
             direction = 1 if self.speed_v[spindle] > 0.0 else -1
-        if direction < 0 and rest > 0.0:
-            rest -= 360.0
-        elif direction == 0 and rest > 180.0:
-            rest -= 360.0
-        return braking + rest
+        if direction < 0 and remaining > 0.0:
+            remaining -= 360.0
+        elif direction == 0 and remaining > 180.0:
+            remaining -= 360.0
+        return braking + remaining
 
     # --- the actions of realtime cycles ----------------------------------------------------------
 
     def open_count(self, owner: int) -> int:
         """Open jobs of a realtime cycle (P-CHAN-00480)."""
-        found = 0
+        count = 0
         for spindle in range(self.count):
             if self.is_open[spindle] and self.owner[spindle] == owner:
-                found += 1
-        return found
+                count += 1
+        return count
 
     def is_busy(self, spindle: int) -> int:
         """Whether its speed or position is still to be reached, or the PLC to acknowledge."""
         return 1 if self.is_open[spindle] or self.plc_state[spindle] else 0
 
-    def rests(self, spindle: int) -> int:
+    def is_resting(self, spindle: int) -> int:
         """Whether the spindle stands and nothing is on its way that turns it."""
         if self.speed_v[spindle] != 0.0 or self.plc_state[spindle]:
             return 0
@@ -274,9 +274,9 @@ class Spindles:
     def plc_speed(self, spindle: int) -> float:
         """What a PLC spindle turns with when its job is done; negative under M4."""
         if self.function[spindle] == codes.SPINDLE_FORWARD:
-            return self.wanted_v[spindle]
+            return self.commanded_v[spindle]
         if self.function[spindle] == codes.SPINDLE_BACKWARD:
-            return 0.0 - self.wanted_v[spindle]
+            return 0.0 - self.commanded_v[spindle]
         return 0.0
 
     def step(self, tick: int, acknowledges_itself: int) -> None:
@@ -310,13 +310,13 @@ class Spindles:
             self.mode[spindle] == codes.POSITIONING or self.function[spindle] == codes.SPINDLE_STOP
         )
         if self.mode[spindle] == codes.POSITIONING:
-            self.position[spindle] = wrapped(self.wanted_position[spindle])
-        if stands or self.is_held[spindle] or self.wanted_v[spindle] == 0.0:
+            self.position[spindle] = wrapped(self.commanded_position[spindle])
+        if stands or self.is_held[spindle] or self.commanded_v[spindle] == 0.0:
             self.speed_v[spindle] = 0.0
             self.mode[spindle] = codes.STANDING
             self.active_count -= 1
         else:
-            self.speed_v[spindle] = self.wanted_v[spindle]
+            self.speed_v[spindle] = self.commanded_v[spindle]
         if not self.is_held[spindle]:
             self.finish(spindle)
 
@@ -340,8 +340,8 @@ class Spindles:
             (
                 spindle,
                 self.function[spindle],
-                self.wanted_v[spindle],
-                self.wanted_position[spindle],
+                self.commanded_v[spindle],
+                self.commanded_position[spindle],
                 self.direction[spindle],
                 self.taken_tick[spindle],
                 self.reached_v[spindle],

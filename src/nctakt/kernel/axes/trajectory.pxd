@@ -27,7 +27,7 @@ cdef class Trajectories:
     cdef double last_t
     cdef double peak_a
     cdef double first_j
-    cdef Py_ssize_t base
+    cdef Py_ssize_t row
     cdef Py_ssize_t count
     cdef double end_t
     cdef double end_d
@@ -41,7 +41,7 @@ cdef class Trajectories:
     cdef int plan_passing(self, Py_ssize_t axis, double distance_d, double start_v, double start_a, double top_v, double goal_v, double limit_a, double limit_j, double fading_j) noexcept nogil
     @cython.locals(rise=double)
     cdef void plan_speed(self, Py_ssize_t axis, double end_v, double start_v, double start_a, double limit_a, double limit_j) noexcept nogil
-    @cython.locals(base=Py_ssize_t, phase=Py_ssize_t, last=Py_ssize_t, begin=Py_ssize_t, behind=Py_ssize_t, since=double, speed_v=double, rise_a=double, jerk=double, half=double)
+    @cython.locals(row=Py_ssize_t, phase=Py_ssize_t, last=Py_ssize_t, begin=Py_ssize_t, behind=Py_ssize_t, since=double, speed_v=double, rise_a=double, jerk=double, half=double)
     cdef void evaluate(self, Py_ssize_t axis, double time_t) noexcept nogil
     cdef void rewind(self, Py_ssize_t axis) noexcept nogil
     cdef double duration_t(self, Py_ssize_t axis) noexcept nogil
@@ -50,7 +50,7 @@ cdef class Trajectories:
     cdef void trapezoid(self, double distance_d) noexcept nogil
     cdef double settled(self) noexcept nogil
     cdef double peak2(self, double start_v, double start_a, double end_v, double end_a, double sign) noexcept nogil
-    @cython.locals(peak_a=double, is_held=bint, ramps_v=double, time=double, way_d=double, speed_v=double)
+    @cython.locals(peak_a=double, is_held=bint, ramps_v=double, time=double, distance_d=double, speed_v=double)
     cdef double change(self, double start_v, double start_a, double end_v, double end_a, double sign, double peak2) noexcept nogil
     @cython.locals(peak2=double)
     cdef double brake(self, double start_v, double start_a, double sign) noexcept nogil
@@ -58,15 +58,15 @@ cdef class Trajectories:
     cdef double direct(self, double start_v, double start_a) noexcept nogil
     @cython.locals(settled_v=double, longest_d=double, rising_a=double, above=double)
     cdef void solve(self, double distance_d) noexcept nogil
-    @cython.locals(ramp_v=double, least_v=double, left_d=double, middle2=double, highest_v=double)
+    @cython.locals(ramp_v=double, min_v=double, left_d=double, middle2=double, highest_v=double)
     cdef int guess(self, double distance_d, double longest_d) noexcept nogil
     @cython.locals(rising=double, peak2=double, falling=double)
     cdef double crossing(self) noexcept nogil
     @cython.locals(turned=double)
     cdef double measure(self, int unknown, double value) noexcept nogil
-    @cython.locals(way_d=double)
-    cdef double way(self) noexcept nogil
-    @cython.locals(other=double, before=double, value=double, other_d=double, before_d=double, value_d=double, allowed_d=double, allowed=double, part=double, found=double, found_d=double, ratio=double, ratio_d=double, _attempt=int)
+    @cython.locals(distance_d=double)
+    cdef double distance(self) noexcept nogil
+    @cython.locals(other=double, before=double, value=double, other_d=double, before_d=double, value_d=double, allowed_d=double, allowed=double, part=double, estimate=double, estimate_d=double, ratio=double, ratio_d=double, _attempt=int)
     cdef void search(self, int unknown, double low, double high, double distance_d) noexcept nogil
     cdef void begin(self, Py_ssize_t axis, double top_v, double limit_a, double limit_j) noexcept nogil
     @cython.locals(begin=Py_ssize_t)

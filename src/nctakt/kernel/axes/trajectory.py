@@ -54,7 +54,7 @@ class Trajectories:
         self.last_t = 0.0
         self.peak_a = 0.0
         self.first_j = 0.0
-        self.base = 0
+        self.row = 0
         self.count = 0
         self.end_t = 0.0
         self.end_d = 0.0
@@ -154,16 +154,16 @@ class Trajectories:
 
         The times of one plan have to rise from call to call.
         """
-        base = axis * rows.PLAN_WIDTH
-        phase = int(self.rows[base + rows.PLAN_PHASE])
-        last = int(self.rows[base + rows.PLAN_LAST])
-        begin = base + rows.PLAN_PHASES + rows.PHASE_WIDTH * phase
+        row = axis * rows.PLAN_WIDTH
+        phase = int(self.rows[row + rows.PLAN_PHASE])
+        last = int(self.rows[row + rows.PLAN_LAST])
+        begin = row + rows.PLAN_PHASES + rows.PHASE_WIDTH * phase
         behind = begin + rows.PHASE_WIDTH
         while phase < last and time_t >= self.rows[behind + rows.PHASE_TIME]:
             phase += 1
             begin = behind
             behind += rows.PHASE_WIDTH
-        self.rows[base + rows.PLAN_PHASE] = phase
+        self.rows[row + rows.PLAN_PHASE] = phase
         since = time_t - self.rows[begin + rows.PHASE_TIME]
         speed_v = self.rows[begin + rows.PHASE_SPEED]
         rise_a = self.rows[begin + rows.PHASE_ACCELERATION]
@@ -255,13 +255,15 @@ class Trajectories:
             self.hold_t = max((end_v - start_v - ramps_v) / peak_a, 0.0)
         self.peak_a = peak_a
         time = self.first_t
-        way_d = time * (start_v + 0.5 * time * (start_a + time * self.first_j / 3.0))
+        distance_d = time * (start_v + 0.5 * time * (start_a + time * self.first_j / 3.0))
         speed_v = start_v + 0.5 * (start_a + peak_a) * time
         time = self.hold_t
-        way_d += time * (speed_v + 0.5 * time * peak_a)
+        distance_d += time * (speed_v + 0.5 * time * peak_a)
         speed_v += peak_a * time
         time = self.last_t
-        return way_d + time * (speed_v + 0.5 * time * (peak_a - sign * time * self.limit_j / 3.0))
+        return distance_d + time * (
+            speed_v + 0.5 * time * (peak_a - sign * time * self.limit_j / 3.0)
+        )
 
     def brake(self, start_v: float, start_a: float, sign: float) -> float:
         """``change`` to the speed at the end, a stand unless it is to be passed."""
@@ -293,7 +295,7 @@ class Trajectories:
         self.middle_v = self.top_v
         self.middle_a = 0.0
         self.first_peak2 = self.peak2(self.from_v, self.from_a, self.top_v, 0.0, self.sign)
-        longest_d = self.way()
+        longest_d = self.distance()
         if distance_d >= longest_d:
             self.cruise_t = (distance_d - longest_d) / self.top_v
         elif self.sign > 0.0 and self.guess(distance_d, longest_d):
@@ -305,7 +307,7 @@ class Trajectories:
             self.search(codes.HIGHEST_SPEED, 0.0, above, distance_d)
         else:
             self.sign = -1.0
-            self.search(codes.LEAST_BRAKING, self.from_a, 0.0, distance_d)
+            self.search(codes.MIN_BRAKING, self.from_a, 0.0, distance_d)
 
     def guess(self, distance_d: float, longest_d: float) -> int:
         """The highest speed where both changes keep the highest acceleration for a while: 1.
@@ -314,14 +316,14 @@ class Trajectories:
         ``top_v``.
         """
         ramp_v = self.limit_a * self.limit_a / self.limit_j
-        least_v = self.from_v + ramp_v - 0.5 * self.from_a * self.from_a / self.limit_j
-        least_v = max(least_v, ramp_v + self.goal_v)
-        if self.top_v < least_v:
+        min_v = self.from_v + ramp_v - 0.5 * self.from_a * self.from_a / self.limit_j
+        min_v = max(min_v, ramp_v + self.goal_v)
+        if self.top_v < min_v:
             return 0
         left_d = longest_d - self.top_v * (self.top_v + ramp_v) / self.limit_a
         middle2 = 0.25 * ramp_v * ramp_v + self.limit_a * (distance_d - left_d)
         highest_v = math.sqrt(max(middle2, 0.0)) - 0.5 * ramp_v
-        if highest_v < least_v:
+        if highest_v < min_v:
             return 0
         self.middle_v = highest_v
         self.first_peak2 = self.peak2(self.from_v, self.from_a, highest_v, 0.0, 1.0)
@@ -339,21 +341,21 @@ class Trajectories:
         if unknown == codes.HIGHEST_SPEED:
             self.middle_v = self.slowest_v + value * value
             self.first_peak2 = self.slowest_peak2 + self.limit_j * value * value
-            return self.way()
+            return self.distance()
         self.middle_a = value
         self.middle_v = self.top_v
-        if unknown == codes.LEAST_BRAKING:
+        if unknown == codes.MIN_BRAKING:
             turned = value * value - self.from_a * self.from_a
             self.middle_v = self.from_v + 0.5 * turned / self.limit_j
         self.first_peak2 = self.peak2(self.from_v, self.from_a, self.middle_v, value, -1.0)
-        return self.way()
+        return self.distance()
 
-    def way(self) -> float:
+    def distance(self) -> float:
         """The way of both changes."""
-        way_d = self.change(
+        distance_d = self.change(
             self.from_v, self.from_a, self.middle_v, self.middle_a, self.sign, self.first_peak2
         )
-        return way_d + self.brake(self.middle_v, self.middle_a, -1.0)
+        return distance_d + self.brake(self.middle_v, self.middle_a, -1.0)
 
     def search(self, unknown: int, low: float, high: float, distance_d: float) -> None:
         """Find the value between two for which the way is ``distance_d``.
@@ -371,16 +373,16 @@ class Trajectories:
             return
         part = 0.5
         for _attempt in range(100):
-            found = value + part * (other - value)
-            found_d = self.measure(unknown, found) - distance_d
-            if math.fabs(found_d) <= allowed_d or math.fabs(other - value) <= allowed:
+            estimate = value + part * (other - value)
+            estimate_d = self.measure(unknown, estimate) - distance_d
+            if math.fabs(estimate_d) <= allowed_d or math.fabs(other - value) <= allowed:
                 return
-            if (found_d > 0.0) == (value_d > 0.0):
+            if (estimate_d > 0.0) == (value_d > 0.0):
                 before, before_d = value, value_d
             else:
                 before, before_d = other, other_d
                 other, other_d = value, value_d
-            value, value_d = found, found_d
+            value, value_d = estimate, estimate_d
             part = 0.5
             if before_d == other_d:
                 continue
@@ -401,8 +403,8 @@ class Trajectories:
 
     def begin(self, axis: int, top_v: float, limit_a: float, limit_j: float) -> None:
         """An empty plan."""
-        self.base = axis * rows.PLAN_WIDTH
-        self.rows[self.base + rows.PLAN_PHASE] = 0.0
+        self.row = axis * rows.PLAN_WIDTH
+        self.rows[self.row + rows.PLAN_PHASE] = 0.0
         self.count = 0
         self.end_t = 0.0
         self.end_d = 0.0
@@ -423,7 +425,7 @@ class Trajectories:
 
     def put_phase(self, start_a: float, jerk_j: float) -> None:
         """Write the phase that begins where the plan ends so far."""
-        begin = self.base + rows.PLAN_PHASES + rows.PHASE_WIDTH * self.count
+        begin = self.row + rows.PLAN_PHASES + rows.PHASE_WIDTH * self.count
         self.rows[begin + rows.PHASE_TIME] = self.end_t
         self.rows[begin + rows.PHASE_DISTANCE] = self.end_d
         self.rows[begin + rows.PHASE_SPEED] = self.end_v
@@ -463,8 +465,8 @@ class Trajectories:
 
     def finish(self) -> None:
         """The last phase: what has been reached is kept."""
-        self.rows[self.base + rows.PLAN_LAST] = self.count
-        self.rows[self.base + rows.PLAN_DURATION] = self.end_t
+        self.rows[self.row + rows.PLAN_LAST] = self.count
+        self.rows[self.row + rows.PLAN_DURATION] = self.end_t
         self.put_phase(0.0, 0.0)
 
     # --- Python's side --------------------------------------------------------------------------

@@ -54,9 +54,9 @@ class Record:
 
     def take_row(self) -> None:
         """Copy the signals' cells as the row of this tick."""
-        base = self.row_count * self.signal_count
+        row = self.row_count * self.signal_count
         for i in range(self.signal_count):
-            self.rows[base + i] = self.cells[self.signals[i]]
+            self.rows[row + i] = self.cells[self.signals[i]]
         self.row_count += 1
 
     def event(
@@ -69,15 +69,15 @@ class Record:
         c: float = 0.0,
     ) -> None:
         """Append an event of this tick; that there is room was seen before the tick began."""
-        base = self.event_count * rows.EVENT_WIDTH
-        self.events[base + rows.EVENT_TICK] = self.tick
-        self.events[base + rows.EVENT_KIND] = kind
-        self.events[base + rows.EVENT_CHANNEL] = self.channel
-        self.events[base + rows.EVENT_SOURCE] = source
-        self.events[base + rows.EVENT_SUBJECT] = subject
-        self.events[base + rows.EVENT_A] = a
-        self.events[base + rows.EVENT_B] = b
-        self.events[base + rows.EVENT_C] = c
+        row = self.event_count * rows.EVENT_WIDTH
+        self.events[row + rows.EVENT_TICK] = self.tick
+        self.events[row + rows.EVENT_KIND] = kind
+        self.events[row + rows.EVENT_CHANNEL] = self.channel
+        self.events[row + rows.EVENT_SOURCE] = source
+        self.events[row + rows.EVENT_SUBJECT] = subject
+        self.events[row + rows.EVENT_A] = a
+        self.events[row + rows.EVENT_B] = b
+        self.events[row + rows.EVENT_C] = c
         self.event_count += 1
 
     def written(self, source: int, serial: int, cell: int, value: float) -> None:
@@ -99,13 +99,13 @@ class Record:
         self, kind: int, number: int, left: float, right: float, next_tick: int
     ) -> None:
         """Append a probe row of this tick."""
-        base = self.probe_count * rows.PROBE_WIDTH
-        self.probes[base + rows.PROBE_TICK] = self.tick
-        self.probes[base + rows.PROBE_KIND] = kind
-        self.probes[base + rows.PROBE_NUMBER] = number
-        self.probes[base + rows.PROBE_LEFT] = left
-        self.probes[base + rows.PROBE_RIGHT] = right
-        self.probes[base + rows.PROBE_NEXT_TICK] = next_tick
+        row = self.probe_count * rows.PROBE_WIDTH
+        self.probes[row + rows.PROBE_TICK] = self.tick
+        self.probes[row + rows.PROBE_KIND] = kind
+        self.probes[row + rows.PROBE_NUMBER] = number
+        self.probes[row + rows.PROBE_LEFT] = left
+        self.probes[row + rows.PROBE_RIGHT] = right
+        self.probes[row + rows.PROBE_NEXT_TICK] = next_tick
         self.probe_count += 1
 
     def has_room(self, events: int, probes: int) -> int:

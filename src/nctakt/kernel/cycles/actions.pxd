@@ -32,7 +32,7 @@ cdef class AxisStatement(Counted):
 cdef int refuse(AxisStatement statement, Context context, int message, double value) noexcept nogil
 cdef int complete(AxisStatement statement, Context context, double value) noexcept nogil
 @cython.locals(open_count=cython.longlong)
-cdef int has_place(AxisStatement statement, Context context, int is_buffered) noexcept nogil
+cdef int has_room_for_action(AxisStatement statement, Context context, int is_buffered) noexcept nogil
 cdef int sign(double value) noexcept nogil
 
 cdef class StopAxis(AxisStatement):

@@ -93,13 +93,13 @@ def complete(statement: AxisStatement, context: Context, value: float) -> int:
     return 0
 
 
-def has_place(statement: AxisStatement, context: Context, is_buffered: int) -> int:
+def has_room_for_action(statement: AxisStatement, context: Context, is_buffered: int) -> int:
     """RC-408: whether one more action of this cycle may be open; what is replaced makes room."""
     open_count = context.single_axes.open_count(context.owner)
     if not is_buffered:
         open_count -= context.single_axes.open_on(statement.axis, context.owner)
     open_count += context.spindles.open_count(context.serial)
-    return 1 if open_count < context.action_places else 0
+    return 1 if open_count < context.max_open_actions else 0
 
 
 class StopAxis(AxisStatement):
@@ -184,8 +184,8 @@ class MoveAxis(MovingStatement):
             return 1
         if speed_v < 0.0:
             return refuse(self, context, 50967, codes.FEED_NEGATIVE)
-        if not has_place(self, context, self.is_buffered):
-            context.fail(51028, self.source, context.action_places, 0.0)
+        if not has_room_for_action(self, context, self.is_buffered):
+            context.fail(51028, self.source, context.max_open_actions, 0.0)
             return 1
         return self.command(context, position_d, speed_v, direction)
 
@@ -218,8 +218,8 @@ class RunAxis(MovingStatement):
             direction = sign(self.direction.value(context))
         if complete(self, context, speed_v):
             return 1
-        if not has_place(self, context, self.is_buffered):
-            context.fail(51028, self.source, context.action_places, 0.0)
+        if not has_room_for_action(self, context, self.is_buffered):
+            context.fail(51028, self.source, context.max_open_actions, 0.0)
             return 1
         speed_v = math.fabs(speed_v)
         context.single_axes.order(self.source, context.serial)

@@ -20,7 +20,7 @@ cdef class Condition:
 
 @cython.locals(distance=double)
 cdef inline void note(Condition condition, Context context, int truth, double left, double right) noexcept nogil
-cdef void tell_change(Condition condition, Context context, int truth, double left, double right) noexcept nogil
+cdef void record_change(Condition condition, Context context, int truth, double left, double right) noexcept nogil
 @cython.locals(distance=double)
 cdef void approach(Condition condition, Context context, double left, double right) noexcept nogil
 

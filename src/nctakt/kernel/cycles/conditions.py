@@ -48,14 +48,14 @@ def note(condition: Condition, context: Context, truth: int, left: float, right:
     Most evaluations are as the one in the tick before; they end here, in the caller's own code.
     """
     if context.tick != condition.next_tick or truth != condition.truth:
-        tell_change(condition, context, truth, left, right)
+        record_change(condition, context, truth, left, right)
     condition.next_tick = context.tick + 1
     distance = left - right
     if distance < condition.nearest and distance > -condition.nearest:
         approach(condition, context, left, right)
 
 
-def tell_change(
+def record_change(
     condition: Condition, context: Context, truth: int, left: float, right: float
 ) -> None:
     """A series of evaluations begins, or the truth changes."""

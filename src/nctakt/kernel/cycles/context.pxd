@@ -15,7 +15,7 @@ cdef class Context:
     cdef Timers timers
     cdef readonly SingleAxes single_axes
     cdef public Spindles spindles
-    cdef public Py_ssize_t action_places
+    cdef public Py_ssize_t max_open_actions
     cdef public long long tick
     cdef public long long serial
     cdef public long long run

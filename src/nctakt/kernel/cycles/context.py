@@ -20,7 +20,7 @@ class Context:
     """One channel's cycles at work.
 
     ``serial`` and ``run`` name the running cycle and its run-through, ``owner`` its slot to those
-    who carry out its actions; ``action_places`` of them may be open at once (P-CHAN-00480).
+    who carry out its actions; ``max_open_actions`` of them may be open at once (P-CHAN-00480).
     ``steps`` counts the elementary instructions of this tick (RC-501), ``check_at`` is the count
     from which ``over_limit`` decides (RC-502, RC-503). ``fault`` is the message ID of what
     stopped the running cycle, 0 while all is well; ``fault_source``, ``fault_a`` and ``fault_b``
@@ -47,7 +47,7 @@ class Context:
         self.run = 0
         self.user_reaction = 0
         self.owner = 0
-        self.action_places = 5
+        self.max_open_actions = 5
         self.fault = 0
         self.fault_source = 0
         self.fault_a = 0.0

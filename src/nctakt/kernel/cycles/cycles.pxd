@@ -58,32 +58,32 @@ cdef class CycleManager:
     cdef readonly long long running_count
     cdef readonly long long armed_count
     cdef readonly long long in_block_count
-    cdef readonly long long dead_count
+    cdef readonly long long ended_count
     cdef readonly Py_ssize_t events_bound
     cdef readonly Py_ssize_t probes_bound
 
-    @cython.locals(slot=Py_ssize_t, place=Py_ssize_t)
+    @cython.locals(slot=Py_ssize_t, index=Py_ssize_t)
     cdef Py_ssize_t find(self, long long identity) noexcept nogil
     cdef int is_alive(self, Py_ssize_t slot) noexcept nogil
     @cython.locals(before=cython.longlong)
     cdef void enter(self, Py_ssize_t slot, int state) noexcept nogil
     cdef int awaits_block(self, Py_ssize_t slot) noexcept nogil
     cdef int define(self, Py_ssize_t slot, int starts, long long tick) noexcept nogil
-    cdef long long wanted(self, Py_ssize_t slot, int message) noexcept nogil
+    cdef long long refused_value(self, Py_ssize_t slot, int message) noexcept nogil
     @cython.locals(is_armed=cython.bint)
     cdef void start(self, Py_ssize_t slot, long long tick, long long source) noexcept nogil
-    @cython.locals(slot=Py_ssize_t, place=Py_ssize_t)
-    cdef int is_fresh(self, long long identity, long long tick) noexcept nogil
-    @cython.locals(slot=Py_ssize_t, place=Py_ssize_t)
-    cdef int has_fresh(self, long long tick) noexcept nogil
-    @cython.locals(slot=Py_ssize_t, place=Py_ssize_t)
+    @cython.locals(slot=Py_ssize_t, index=Py_ssize_t)
+    cdef int started_this_tick(self, long long identity, long long tick) noexcept nogil
+    @cython.locals(slot=Py_ssize_t, index=Py_ssize_t)
+    cdef int has_started_this_tick(self, long long tick) noexcept nogil
+    @cython.locals(slot=Py_ssize_t, index=Py_ssize_t)
     cdef int control(self, int action, long long identity, long long tick, long long source) noexcept nogil
     cdef void hold(self, Py_ssize_t slot, long long source) noexcept nogil
     @cython.locals(is_armed=cython.bint)
     cdef void resume(self, Py_ssize_t slot, long long source) noexcept nogil
-    @cython.locals(slot=Py_ssize_t, place=Py_ssize_t)
+    @cython.locals(slot=Py_ssize_t, index=Py_ssize_t)
     cdef void enter_block(self, long long serial) noexcept nogil
-    @cython.locals(slot=Py_ssize_t, place=Py_ssize_t)
+    @cython.locals(slot=Py_ssize_t, index=Py_ssize_t)
     cdef void leave_blocks(self, long long serial) noexcept nogil
     @cython.locals(again=cython.bint)
     cdef void end(self, Py_ssize_t slot, int reason) noexcept nogil
@@ -91,7 +91,7 @@ cdef class CycleManager:
     cdef void abort_actions(self, Py_ssize_t slot) noexcept nogil
     cdef void end_program(self) noexcept nogil
     cdef void reset(self) noexcept nogil
-    @cython.locals(slot=Py_ssize_t, place=Py_ssize_t, source=cython.longlong, serial=cython.longlong)
+    @cython.locals(slot=Py_ssize_t, index=Py_ssize_t, source=cython.longlong, serial=cython.longlong)
     cdef void delete_local(self, int reason) noexcept nogil
     cdef int run_cycles(self, Context context) noexcept nogil
     @cython.locals(source=cython.longlong, serial=cython.longlong)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The cycle manager: loaded realtime cycles, their life, and their run-through in each tick.
 
-RC-102 … RC-114, RC-505. Python fills a slot ahead of time (``load``); the command queue names
-the slot, the tick arms it; dead slots are freed between runs (``free_dead``). What the tick decides
+RC-102 … RC-114, RC-505. Python fills a slot ahead of time (``load``); the command queue names the
+slot, the tick arms it; dead slots are freed between runs (``free_ended``). What the tick decides
 with stands in arrays over the slots, what it runs in a tree of groups of four in creation order.
 """
 
@@ -118,7 +118,7 @@ class CycleManager:
         self.running_count = 0
         self.armed_count = 0
         self.in_block_count = 0
-        self.dead_count = 0
+        self.ended_count = 0
         self.events_bound = 0
         self.probes_bound = 0
 
@@ -162,22 +162,22 @@ class CycleManager:
         self.arrange()
         return slot
 
-    def free_dead(self) -> list[RealtimeCycle]:
+    def free_ended(self) -> list[RealtimeCycle]:
         """Empty the slots of ended cycles and give the cycles back."""
-        self.dead_count = 0
-        dead = [cycle for cycle in self.loaded if self.state[cycle.slot] == codes.DEAD]
-        if dead:
-            self.loaded = [cycle for cycle in self.loaded if self.state[cycle.slot] != codes.DEAD]
-            for cycle in dead:
+        self.ended_count = 0
+        ended = [cycle for cycle in self.loaded if self.state[cycle.slot] == codes.ENDED]
+        if ended:
+            self.loaded = [cycle for cycle in self.loaded if self.state[cycle.slot] != codes.ENDED]
+            for cycle in ended:
                 self.state[cycle.slot] = codes.EMPTY
             self.arrange()
-        return dead
+        return ended
 
-    def drop_unborn(self) -> None:
+    def drop_undefined(self) -> None:
         """Forget cycles whose definition was never taken: their program was given up."""
         for cycle in self.loaded:
             if self.state[cycle.slot] == codes.LOADED:
-                self.state[cycle.slot] = codes.DEAD
+                self.state[cycle.slot] = codes.ENDED
 
     def arrange(self) -> None:
         """Put the loaded cycles in the order of creation: the tree of groups, and their slots."""
@@ -188,8 +188,8 @@ class CycleManager:
             level = [Group(*level[i : i + 4]) for i in range(0, len(level), 4)]
         self.root = level[0] if level else nothing
         self.loaded_count = len(self.loaded)
-        for place, cycle in enumerate(self.loaded):
-            self.order[place] = cycle.slot
+        for index, cycle in enumerate(self.loaded):
+            self.order[index] = cycle.slot
         self.events_bound = sum(cycle.events for cycle in self.loaded)
         self.probes_bound = sum(cycle.probes for cycle in self.loaded)
 
@@ -202,8 +202,8 @@ class CycleManager:
 
     def find(self, identity: int) -> int:
         """The slot of the living cycle with this ID, -1 if there is none."""
-        for place in range(self.loaded_count):
-            slot = self.order[place]
+        for index in range(self.loaded_count):
+            slot = self.order[index]
             if self.identity[slot] == identity and self.is_alive(slot):
                 return slot
         return -1
@@ -225,10 +225,10 @@ class CycleManager:
         if state == codes.RUNNING:
             self.running_count += 1
         self.armed_count += self.awaits_block(slot)
-        if state in (codes.DEFINED, codes.DEAD):
+        if state in (codes.DEFINED, codes.ENDED):
             self.spindles.leave(self.serial[slot])
-        if state == codes.DEAD:
-            self.dead_count += 1
+        if state == codes.ENDED:
+            self.ended_count += 1
             if before != codes.LOADED:
                 self.memory_used -= self.size[slot]
 
@@ -241,10 +241,10 @@ class CycleManager:
     def define(self, slot: int, starts: int, tick: int) -> int:
         """The definition is taken: 0, or the message that refuses it (RC-102, RC-108, RC-504)."""
         if self.identity[slot] > 0 and self.find(self.identity[slot]) >= 0:
-            self.enter(slot, codes.DEAD)
+            self.enter(slot, codes.ENDED)
             return 50900
         if self.memory_used + self.size[slot] > self.memory_limit:
-            self.enter(slot, codes.DEAD)
+            self.enter(slot, codes.ENDED)
             return 50857 if self.size[slot] > self.memory_limit else 50855
         self.memory_used += self.size[slot]
         self.record.event(
@@ -256,7 +256,7 @@ class CycleManager:
             self.start(slot, tick, self.source[slot])
         return 0
 
-    def wanted(self, slot: int, message: int) -> int:
+    def refused_value(self, slot: int, message: int) -> int:
         """What a refused definition asked for: its ID, or its bytes of memory."""
         return self.identity[slot] if message == 50900 else self.size[slot]
 
@@ -271,19 +271,19 @@ class CycleManager:
         is_armed = self.scope[slot] == codes.BLOCK_SCOPE
         self.enter(slot, codes.ARMED if is_armed else codes.RUNNING)
 
-    def is_fresh(self, identity: int, tick: int) -> int:
+    def started_this_tick(self, identity: int, tick: int) -> int:
         """RC-004: whether the cycle with this ID was started in this tick."""
         if self.latest_start != tick:
             return 0
         slot = self.find(identity)
         return 1 if slot >= 0 and self.started_tick[slot] == tick else 0
 
-    def has_fresh(self, tick: int) -> int:
+    def has_started_this_tick(self, tick: int) -> int:
         """RC-004: whether a cycle that the program's end deletes was started in this tick."""
         if self.latest_start != tick:
             return 0
-        for place in range(self.loaded_count):
-            slot = self.order[place]
+        for index in range(self.loaded_count):
+            slot = self.order[index]
             if self.is_alive(slot) and self.scope[slot] != codes.GLOBAL_SCOPE:
                 if self.started_tick[slot] == tick:
                     return 1
@@ -308,7 +308,7 @@ class CycleManager:
             self.spindles.abort(self.serial[slot], tick)
             self.abort_actions(slot)
         else:
-            self.enter(slot, codes.DEAD)
+            self.enter(slot, codes.ENDED)
             self.record.event(rows.EVENT_ENDED, source, self.serial[slot], rows.ENDED_BY_DELETE)
             self.end_actions(slot)
         return 0
@@ -341,8 +341,8 @@ class CycleManager:
         """
         if self.armed_count == 0:
             return
-        for place in range(self.loaded_count):
-            slot = self.order[place]
+        for index in range(self.loaded_count):
+            slot = self.order[index]
             if self.awaits_block(slot):
                 self.armed_count -= 1
                 self.block[slot] = serial
@@ -354,8 +354,8 @@ class CycleManager:
         """BLOCK cycles whose block is no longer current (``serial``; 0: none) have ended."""
         if self.in_block_count == 0:
             return
-        for place in range(self.loaded_count):
-            slot = self.order[place]
+        for index in range(self.loaded_count):
+            slot = self.order[index]
             if self.block[slot] != 0 and self.block[slot] != serial:
                 self.end(slot, rows.ENDED_BY_SCOPE)
 
@@ -363,7 +363,7 @@ class CycleManager:
         """A cycle has ended; one with DEF and scope BLOCK can be started again (RC-105)."""
         self.record.event(rows.EVENT_ENDED, self.source[slot], self.serial[slot], reason)
         again = self.reusable[slot] and self.scope[slot] == codes.BLOCK_SCOPE
-        self.enter(slot, codes.DEFINED if again else codes.DEAD)
+        self.enter(slot, codes.DEFINED if again else codes.ENDED)
         self.end_actions(slot)
 
     def end_actions(self, slot: int) -> None:
@@ -386,15 +386,15 @@ class CycleManager:
 
     def delete_local(self, reason: int) -> None:
         """Delete all cycles that do not outlive the program."""
-        for place in range(self.loaded_count):
-            slot = self.order[place]
+        for index in range(self.loaded_count):
+            slot = self.order[index]
             if self.is_alive(slot) and self.scope[slot] != codes.GLOBAL_SCOPE:
                 source, serial = self.source[slot], self.serial[slot]
                 if self.state[slot] == codes.ARMED and reason == rows.ENDED_BY_SCOPE:
                     self.record.event(rows.EVENT_NOTICE, source, serial, 900413)
                 if self.state[slot] != codes.DEFINED:
                     self.record.event(rows.EVENT_ENDED, source, serial, reason)
-                self.enter(slot, codes.DEAD)
+                self.enter(slot, codes.ENDED)
                 self.end_actions(slot)
 
     def run_cycles(self, context: Context) -> int:
@@ -407,6 +407,6 @@ class CycleManager:
         """RC-505: tell the fault; the cycle at fault is ended, its motions are aborted."""
         source, serial = context.fault_source, self.serial[slot]
         self.record.event(rows.EVENT_ERROR, source, serial, context.fault, context.fault_a)
-        self.enter(slot, codes.DEAD)
+        self.enter(slot, codes.ENDED)
         self.record.event(rows.EVENT_ENDED, self.source[slot], serial, rows.ENDED_BY_ERROR)
         self.abort_actions(slot)

@@ -25,9 +25,9 @@ cdef class Index(Expression):
     cdef double value(self, Context context) noexcept nogil
 
 cdef class LoadElement(Expression):
-    cdef Py_ssize_t base
+    cdef Py_ssize_t first_cell
     cdef Expression index
-    @cython.locals(place=Py_ssize_t)
+    @cython.locals(index=Py_ssize_t)
     cdef double value(self, Context context) noexcept nogil
 
 cdef class Binary(Expression):

@@ -74,15 +74,15 @@ class Index(Expression):
 class LoadElement(Expression):
     """An array element whose index is computed in the tick."""
 
-    def __init__(self, base: int, index: Expression) -> None:
-        self.base = base
+    def __init__(self, first_cell: int, index: Expression) -> None:
+        self.first_cell = first_cell
         self.index = index
 
     def value(self, context: Context) -> float:
-        place = int(self.index.value(context))
+        index = int(self.index.value(context))
         if context.fault:
             return 0.0
-        return context.cells[self.base + place]
+        return context.cells[self.first_cell + index]
 
 
 class Binary(Expression):

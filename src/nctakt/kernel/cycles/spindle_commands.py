@@ -60,8 +60,8 @@ class CommandSpindle(Counted):
         if not context.spindles.has_job(self.spindle, context.serial):
             open_count = context.spindles.open_count(context.serial)
             open_count += context.single_axes.open_count(context.owner)
-            if open_count >= context.action_places:
-                context.fail(51028, self.source, context.action_places, 0.0)
+            if open_count >= context.max_open_actions:
+                context.fail(51028, self.source, context.max_open_actions, 0.0)
                 return 1
         context.spindles.command(
             self.spindle,
@@ -72,6 +72,6 @@ class CommandSpindle(Counted):
             context.serial,
             context.tick,
         )
-        context.spindles.tell(self.spindle, self.source, context.serial)
+        context.spindles.record_job(self.spindle, self.source, context.serial)
         context.spindles.hand_over(self.spindle, context.tick + self.ticks)
         return 0

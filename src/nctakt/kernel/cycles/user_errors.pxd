@@ -10,7 +10,7 @@ from nctakt.kernel.cycles.context cimport Context
 
 cdef class UserValue:
     cdef void evaluate(self, Context context) noexcept nogil
-    cdef void tell(self, Context context, long long source) noexcept nogil
+    cdef void record(self, Context context, long long source) noexcept nogil
 
 cdef class NumberValue(UserValue):
     cdef int code
@@ -18,14 +18,14 @@ cdef class NumberValue(UserValue):
     cdef UserValue others
     cdef double number
     cdef void evaluate(self, Context context) noexcept nogil
-    cdef void tell(self, Context context, long long source) noexcept nogil
+    cdef void record(self, Context context, long long source) noexcept nogil
 
 cdef class TextValue(UserValue):
     cdef int code
     cdef long long text
     cdef UserValue others
     cdef void evaluate(self, Context context) noexcept nogil
-    cdef void tell(self, Context context, long long source) noexcept nogil
+    cdef void record(self, Context context, long long source) noexcept nogil
 
 cdef class RaiseUserError(Counted):
     cdef Expression identity

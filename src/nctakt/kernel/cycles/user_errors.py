@@ -21,7 +21,7 @@ class UserValue:
     def evaluate(self, context: Context) -> None:
         """Compute this value and those behind it; a fault is in the context."""
 
-    def tell(self, context: Context, source: int) -> None:
+    def record(self, context: Context, source: int) -> None:
         """An event for this value and for each of those behind it."""
 
 
@@ -41,9 +41,9 @@ class NumberValue(UserValue):
         if context.fault == 0:
             self.others.evaluate(context)
 
-    def tell(self, context: Context, source: int) -> None:
+    def record(self, context: Context, source: int) -> None:
         context.record.event(rows.EVENT_USER_VALUE, source, context.serial, self.code, self.number)
-        self.others.tell(context, source)
+        self.others.record(context, source)
 
 
 class TextValue(UserValue):
@@ -57,9 +57,9 @@ class TextValue(UserValue):
     def evaluate(self, context: Context) -> None:
         self.others.evaluate(context)
 
-    def tell(self, context: Context, source: int) -> None:
+    def record(self, context: Context, source: int) -> None:
         context.record.event(rows.EVENT_USER_TEXT, source, context.serial, self.code, self.text)
-        self.others.tell(context, source)
+        self.others.record(context, source)
 
 
 class RaiseUserError(Counted):
@@ -87,7 +87,7 @@ class RaiseUserError(Counted):
         if context.fault:
             return instructions.stop(self, context)
         context.record.event(rows.EVENT_USER_ERROR, self.source, context.serial, identity, reaction)
-        self.values.tell(context, self.source)
+        self.values.record(context, self.source)
         if reaction > context.user_reaction:
             context.user_reaction = int(reaction)
         return 0

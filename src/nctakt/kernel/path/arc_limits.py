@@ -11,7 +11,7 @@ whole piece. Speeds stand as squares, since the conditions are linear in them.
 
 Within a piece the path may always keep its speed: ``caps`` is the highest for which that holds.
 From any speed that is not above the line between those of the piece's two borders the path can go
-on to the border ahead, so that braking there is always possible (``reach``).
+on to the border ahead, so that braking there is always possible (``entry_v2``).
 """
 
 from __future__ import annotations
@@ -25,20 +25,20 @@ class ArcLimits:
     """The limits on one arc at a time, over ``count`` axes with their limits of speed and feed.
 
     At each border of the pieces, for both axes of the plane: ``first_parts``, ``second_parts``
-    their parts of the way, ``first_bends``, ``second_bends`` the change of these per way.
+    their parts of the way, ``first_curvatures``, ``second_curvatures`` the change of these per way.
     ``keeps``: the share of the axes' acceleration that may be used on each piece. ``ends``: the way
     up to each border.
     """
 
     def __init__(self, count: int) -> None:
         self.count = count
-        self.most_v = memoryview(bytearray(8 * max(1, count))).cast("d")
-        self.most_a = memoryview(bytearray(8 * max(1, count))).cast("d")
+        self.max_v = memoryview(bytearray(8 * max(1, count))).cast("d")
+        self.max_a = memoryview(bytearray(8 * max(1, count))).cast("d")
         borders = 8 * (rows.MAX_PIECES + 1)
         self.first_parts = memoryview(bytearray(borders)).cast("d")
         self.second_parts = memoryview(bytearray(borders)).cast("d")
-        self.first_bends = memoryview(bytearray(borders)).cast("d")
-        self.second_bends = memoryview(bytearray(borders)).cast("d")
+        self.first_curvatures = memoryview(bytearray(borders)).cast("d")
+        self.second_curvatures = memoryview(bytearray(borders)).cast("d")
         self.caps = memoryview(bytearray(8 * rows.MAX_PIECES)).cast("d")
         self.keeps = memoryview(bytearray(8 * rows.MAX_PIECES)).cast("d")
         self.ends = memoryview(bytearray(borders)).cast("d")
@@ -48,42 +48,42 @@ class ArcLimits:
         self.outer_a = 0.0
         self.outer_v = 0.0
 
-    def share(self, most_v: memoryview[float], most_a: memoryview[float]) -> None:
+    def share(self, max_v: memoryview[float], max_a: memoryview[float]) -> None:
         """Take over the limits of the axes: of speed, and of acceleration with a feed."""
-        check_index(self.count, min(len(most_v), len(most_a)) + 1, "number of axes")
-        self.most_v = most_v
-        self.most_a = most_a
+        check_index(self.count, min(len(max_v), len(max_a)) + 1, "number of axes")
+        self.max_v = max_v
+        self.max_a = max_a
 
-    def open(self, row: memoryview[float], base: int) -> None:
-        """Take the arc of the segment in ``row``."""
-        first = int(row[base + rows.ARC_FIRST_AXIS])
-        second = int(row[base + rows.ARC_SECOND_AXIS])
-        x = row[base + rows.START + first] - row[base + rows.ARC_FIRST_CENTRE]
-        y = row[base + rows.START + second] - row[base + rows.ARC_SECOND_CENTRE]
-        angle = row[base + rows.ARC_ANGLE]
+    def open(self, segments: memoryview[float], row: int) -> None:
+        """Take the arc of the segment in ``segments``."""
+        first = int(segments[row + rows.ARC_FIRST_AXIS])
+        second = int(segments[row + rows.ARC_SECOND_AXIS])
+        x = segments[row + rows.START + first] - segments[row + rows.ARC_FIRST_CENTRE]
+        y = segments[row + rows.START + second] - segments[row + rows.ARC_SECOND_CENTRE]
+        angle = segments[row + rows.ARC_ANGLE]
         radius = arithmetic.square_root(x * x + y * y)
         x /= radius
         y /= radius
         turn = angle * 0.017453292519943295
-        part = radius * turn / row[base + rows.LENGTH]
-        bend = part * part / radius
-        self.pieces = int(row[base + rows.ARC_PIECES])
+        part = radius * turn / segments[row + rows.LENGTH]
+        curvature = part * part / radius
+        self.pieces = int(segments[row + rows.ARC_PIECES])
         for j in range(self.pieces + 1):
             share = self.border(j)
             cosine = arithmetic.cosine(angle * share)
             sine = arithmetic.sine(angle * share)
-            self.ends[j] = row[base + rows.LENGTH] * share
+            self.ends[j] = segments[row + rows.LENGTH] * share
             self.first_parts[j] = 0.0 - (x * sine + y * cosine) * part
             self.second_parts[j] = (x * cosine - y * sine) * part
-            self.first_bends[j] = 0.0 - (x * cosine - y * sine) * bend
-            self.second_bends[j] = 0.0 - (x * sine + y * cosine) * bend
-        self.first_a = self.most_a[first]
-        self.second_a = self.most_a[second]
-        self.open_outer(row, base, first, second)
+            self.first_curvatures[j] = 0.0 - (x * cosine - y * sine) * curvature
+            self.second_curvatures[j] = 0.0 - (x * sine + y * cosine) * curvature
+        self.first_a = self.max_a[first]
+        self.second_a = self.max_a[second]
+        self.open_outer(segments, row, first, second)
         even = self.pieces - rows.MORE_PIECES
         keep = arithmetic.cosine(0.5 * angle / even)
         for k in range(self.pieces):
-            self.keeps[k] = keep * (1.0 - self.used_on(row, base, k))
+            self.keeps[k] = keep * (1.0 - self.used_share(segments, row, k))
             cap = min(self.cap_at(k, first, second, keep), self.cap_at(k + 1, first, second, keep))
             outer_v = self.outer_v * keep
             cap = min(cap, outer_v * outer_v)
@@ -100,27 +100,29 @@ class ArcLimits:
             return 1.0 - behind * behind / (16.0 * even)
         return (j - 3) / even
 
-    def open_outer(self, row: memoryview[float], base: int, first: int, second: int) -> None:
+    def open_outer(self, segments: memoryview[float], row: int, first: int, second: int) -> None:
         """The limits of the axes that a helix moves outside of its plane."""
         self.outer_a = 1e300
         self.outer_v = 1e150
-        start = base + rows.START
+        start = row + rows.START
         target = start + self.count
         for i in range(self.count):
-            way = row[target + i] - row[start + i]
-            if way != 0.0 and i not in (first, second):
-                part = (way if way > 0.0 else 0.0 - way) / row[base + rows.LENGTH]
-                self.outer_a = min(self.outer_a, self.most_a[i] / part)
-                self.outer_v = min(self.outer_v, self.most_v[i] / part)
+            distance = segments[target + i] - segments[start + i]
+            if distance != 0.0 and i not in (first, second):
+                part = (distance if distance > 0.0 else 0.0 - distance) / segments[
+                    row + rows.LENGTH
+                ]
+                self.outer_a = min(self.outer_a, self.max_a[i] / part)
+                self.outer_v = min(self.outer_v, self.max_v[i] / part)
 
-    def used_on(self, row: memoryview[float], base: int, k: int) -> float:
+    def used_share(self, segments: memoryview[float], row: int, k: int) -> float:
         """The share of the acceleration that corners at the arc's ends use on a piece."""
         behind = k + 1
-        used = row[base + rows.ARC_SHARE]
-        if self.ends[k] < row[base + rows.ENTRY_LENGTH]:
-            used = max(used, row[base + rows.ARC_ENTRY_SHARE])
-        if self.ends[behind] > row[base + rows.LENGTH] - row[base + rows.EXIT_LENGTH]:
-            used = max(used, row[base + rows.ARC_EXIT_SHARE])
+        used = segments[row + rows.ARC_SHARE]
+        if self.ends[k] < segments[row + rows.ENTRY_LENGTH]:
+            used = max(used, segments[row + rows.ARC_ENTRY_SHARE])
+        if self.ends[behind] > segments[row + rows.LENGTH] - segments[row + rows.EXIT_LENGTH]:
+            used = max(used, segments[row + rows.ARC_EXIT_SHARE])
         return used
 
     def cap_at(self, j: int, first: int, second: int, keep: float) -> float:
@@ -128,18 +130,18 @@ class ArcLimits:
         cap = 1e300
         part = self.first_parts[j]
         if part * part > 1e-18:
-            speed = self.most_v[first] * keep / part
+            speed = self.max_v[first] * keep / part
             cap = speed * speed
         part = self.second_parts[j]
         if part * part > 1e-18:
-            speed = self.most_v[second] * keep / part
+            speed = self.max_v[second] * keep / part
             cap = min(cap, speed * speed)
         return cap
 
     def centre_cap(self, k: int, j: int) -> float:
         """The square of the speed that may be kept on piece ``k``, seen from one of its borders."""
-        first = self.first_bends[j]
-        second = self.second_bends[j]
+        first = self.first_curvatures[j]
+        second = self.second_curvatures[j]
         first = first if first > 0.0 else 0.0 - first
         second = second if second > 0.0 else 0.0 - second
         cap = 1e300
@@ -155,34 +157,34 @@ class ArcLimits:
         ``direction``: 1 speeding up, -1 braking. The acceleration is kept until the square of the
         speed has grown by ``growth`` (below 0: fallen) times the acceleration.
         """
-        most = self.outer_a * self.keeps[k]
-        most = min(most, self.border_rate(k, self.keeps[k], speed2, growth, direction))
-        return min(most, self.border_rate(k + 1, self.keeps[k], speed2, growth, direction))
+        max_a = self.outer_a * self.keeps[k]
+        max_a = min(max_a, self.border_rate(k, self.keeps[k], speed2, growth, direction))
+        return min(max_a, self.border_rate(k + 1, self.keeps[k], speed2, growth, direction))
 
     def border_rate(
         self, j: int, keep: float, speed2: float, growth: float, direction: float
     ) -> float:
-        """``rate`` at one border, with the share ``keep`` of the axes' acceleration."""
+        """``rate`` at one border, with the share ``store_goal`` of the axes' acceleration."""
         part = direction * self.first_parts[j]
-        bend = self.first_bends[j]
-        most = self.axis_rate(part, bend, self.first_a * keep, speed2, growth)
+        curvature = self.first_curvatures[j]
+        max_a = self.axis_rate(part, curvature, self.first_a * keep, speed2, growth)
         part = direction * self.second_parts[j]
-        bend = self.second_bends[j]
-        return min(most, self.axis_rate(part, bend, self.second_a * keep, speed2, growth))
+        curvature = self.second_curvatures[j]
+        return min(max_a, self.axis_rate(part, curvature, self.second_a * keep, speed2, growth))
 
     def axis_rate(
-        self, part: float, bend: float, limit_a: float, speed2: float, growth: float
+        self, part: float, curvature: float, limit_a: float, speed2: float, growth: float
     ) -> float:
         """``rate`` of one axis at one border, from its part of the way and the change of that."""
         if part < 0.0:
             part = 0.0 - part
-            bend = 0.0 - bend
-        left_a = max(limit_a - bend * speed2, 0.0)
-        later = part + growth * bend
+            curvature = 0.0 - curvature
+        left_a = max(limit_a - curvature * speed2, 0.0)
+        later = part + growth * curvature
         part = max(part, later)
         return left_a / part if part > 1e-9 else 1e300
 
-    def reach(self, speed2: float) -> float:
+    def entry_v2(self, speed2: float) -> float:
         """The square of the highest speed at the arc's begin from which that at its end is kept."""
         k = self.pieces
         while k > 0:
@@ -201,7 +203,7 @@ class ArcLimits:
     def entry_speed(self, end_v: float, limit_v: float) -> float:
         """The highest speed at the arc's begin from which the end's is kept, as in
         ``geometry.py``."""
-        return min(arithmetic.square_root(self.reach(end_v * end_v)), limit_v)
+        return min(arithmetic.square_root(self.entry_v2(end_v * end_v)), limit_v)
 
     def highest_speed(self) -> float:
         """The highest speed on any piece."""

@@ -13,31 +13,31 @@ from __future__ import annotations
 from nctakt.kernel import rows
 from nctakt.kernel.base import arithmetic
 from nctakt.kernel.path.arc_limits import ArcLimits
-from nctakt.kernel.path.trapezoid_profile import Profile
+from nctakt.kernel.path.trapezoid_profile import TrapezoidProfile
 
 
 class ArcSpeed(ArcLimits):
     """The plan of one path on its current arc, which it puts into ``profile``."""
 
-    def __init__(self, count: int, profile: Profile) -> None:
+    def __init__(self, count: int, profile: TrapezoidProfile) -> None:
         super().__init__(count)
         self.profile = profile
         self.highs = memoryview(bytearray(8 * (rows.MAX_PIECES + 1))).cast("d")
         self.lows = memoryview(bytearray(8 * (rows.MAX_PIECES + 1))).cast("d")
         self.prepared_v = 0.0
         self.next_feed_v = 0.0
-        self.free_v = 0.0
-        self.known_v = -1.0
-        self.known_wanted_v = -1.0
+        self.max_end_v = 0.0
+        self.surveyed_v = -1.0
+        self.surveyed_target_v = -1.0
 
-    def begin(self, row: memoryview[float], base: int) -> None:
-        """The arc in ``row`` is the current one."""
-        self.open(row, base)
-        self.prepared_v = row[base + rows.END_SPEED]
-        self.next_feed_v = row[base + rows.NEXT_SPEED]
-        self.free_v = max(row[base + rows.FREE_END_SPEED], row[base + rows.END_SPEED])
-        self.known_v = -1.0
-        self.known_wanted_v = -1.0
+    def begin(self, segments: memoryview[float], row: int) -> None:
+        """The arc in ``segments`` is the current one."""
+        self.open(segments, row)
+        self.prepared_v = segments[row + rows.END_SPEED]
+        self.next_feed_v = segments[row + rows.NEXT_SPEED]
+        self.max_end_v = max(segments[row + rows.MAX_END_SPEED], segments[row + rows.END_SPEED])
+        self.surveyed_v = -1.0
+        self.surveyed_target_v = -1.0
 
     def look_ahead(
         self,
@@ -45,36 +45,36 @@ class ArcSpeed(ArcLimits):
         rest_d: float,
         start_v: float,
         factor: float,
-        ahead: float,
-        rest_v: float,
+        factor_ahead: float,
+        remaining_v: float,
     ) -> None:
-        """``survey`` for an override as a factor; in single block with ``rest_v`` at the end.
+        """``survey`` for an override as a factor; in single block with ``remaining_v`` at the end.
 
-        ``ahead``: the override of the next segment.
+        ``factor_ahead``: the override of the next segment.
 
-        That is left out (``rest_v`` below 0), and where it cannot be had any more. Where the
+        That is left out (``remaining_v`` below 0), and where it cannot be had any more. Where the
         override has just changed, the arc may end faster than wanted, as fast as can be.
         """
         end_v = self.prepared_v
         if factor > 1.0:
-            end_v = max(end_v, min(end_v * factor, self.free_v))
-        feed_v = self.next_feed_v * ahead
+            end_v = max(end_v, min(end_v * factor, self.max_end_v))
+        feed_v = self.next_feed_v * factor_ahead
         if 0.0 < feed_v < end_v:
             end_v = feed_v
-        if rest_v >= 0.0:
-            self.survey(min(rest_v, self.free_v), end_v)
+        if remaining_v >= 0.0:
+            self.survey(min(remaining_v, self.max_end_v), end_v)
             if self.is_met(stage, rest_d, start_v):
                 return
-        self.survey(self.free_v, end_v)
+        self.survey(self.max_end_v, end_v)
 
-    def survey(self, most_v: float, wanted_v: float) -> None:
+    def survey(self, max_v: float, target_v: float) -> None:
         """The speeds at the borders, from the highest and the wanted one at the arc's end."""
-        if most_v == self.known_v and wanted_v == self.known_wanted_v:
+        if max_v == self.surveyed_v and target_v == self.surveyed_target_v:
             return
-        self.known_v = most_v
-        self.known_wanted_v = wanted_v
-        self.fill(self.highs, most_v)
-        self.fill(self.lows, min(wanted_v, most_v))
+        self.surveyed_v = max_v
+        self.surveyed_target_v = target_v
+        self.fill(self.highs, max_v)
+        self.fill(self.lows, min(target_v, max_v))
 
     def fill(self, borders: memoryview[float], end_v: float) -> None:
         """The squares of the highest speeds at all borders from which the end's can be kept."""
@@ -115,12 +115,12 @@ class ArcSpeed(ArcLimits):
 
         Next to none counts as none, since its way would be that of the rounding.
         """
-        most = self.rate(stage, from2, 0.0, direction)
-        most = min(most, self.rate(stage, to2, 0.0, direction))
-        if from2 + width * most < to2:
+        max_a = self.rate(stage, from2, 0.0, direction)
+        max_a = min(max_a, self.rate(stage, to2, 0.0, direction))
+        if from2 + width * max_a < to2:
             longer = self.rate(stage, from2, width, direction)
-            most = max(most, min(longer, (to2 - from2) / width))
-        return most if most > 1e-6 else 0.0
+            max_a = max(max_a, min(longer, (to2 - from2) / width))
+        return max_a if max_a > 1e-6 else 0.0
 
     def slow_down(self, stage: int, rest_d: float, start_v: float, limit2: float) -> None:
         """The path is faster than it may be: brake to the limit, then for the border."""
@@ -143,12 +143,12 @@ class ArcSpeed(ArcLimits):
             last_d = 0.5 * (limit2 - end2) / last
         self.follow(rest_d, start_v, first_d, limit2, last_d, end2)
 
-    def brake(self, stage: int, rest_d: float, start_v: float, wanted2: float) -> None:
+    def brake(self, stage: int, rest_d: float, start_v: float, target2: float) -> None:
         """Brake evenly up to the border, to the wanted speed as far as that can be."""
         start2 = start_v * start_v
         width = 2.0 * rest_d
         rate = self.rate(stage, start2, 0.0 - width, -1.0)
-        end2 = max(wanted2, start2 - width * rate)
+        end2 = max(target2, start2 - width * rate)
         border = stage + 1
         end2 = min(end2, self.highs[border], start2)
         self.follow(rest_d, start_v, 0.0, start2, rest_d, end2)

@@ -20,11 +20,11 @@ from nctakt.kernel.path.history import History
 from nctakt.kernel.path.lookahead import LookAhead
 from nctakt.kernel.path.override import Overrides
 from nctakt.kernel.path.path import Path
-from nctakt.kernel.path.trapezoid_profile import Profile
+from nctakt.kernel.path.trapezoid_profile import TrapezoidProfile
 from nctakt.kernel.plc.panel import Panel
 
 
-class Retrace(History):
+class BackwardMotion(History):
     """The walk of one channel's path over its history.
 
     ``fault`` is the number of the message that stops the channel, because something else has moved
@@ -40,7 +40,7 @@ class Retrace(History):
         self.overrides = overrides
         self.panel = panel
         self.record = record
-        self.profile = Profile()
+        self.profile = TrapezoidProfile()
         self.stage = 0
         self.stage_d = 0.0
         self.plan_d = 0.0
@@ -56,22 +56,22 @@ class Retrace(History):
         self.has_failed = False
         self.entered = -1.0
 
-    def takes_over(self) -> int:
+    def can_take_over(self) -> int:
         """Whether the path, which backward motion stops, stands and has a way behind it."""
         return 1 if self.path.speed_v == 0.0 and self.can_go_back() else 0
 
     def can_go_back(self) -> int:
         """Whether there is a way behind the place where the path stands."""
-        place = self.path.used
+        number = self.path.used
         if self.path.is_active:
             if not self.path.is_dwell and self.path.covered_d > 0.0:
                 return 1
-            place -= 1
-        return 1 if self.neighbour(place, -1) >= self.path.oldest else 0
+            number -= 1
+        return 1 if self.neighbour(number, -1) >= self.path.oldest else 0
 
-    def way(self) -> int:
+    def state(self) -> int:
         """How the path walks over its history: ``codes.AT_FRONT`` …"""
-        if not self.path.is_away:
+        if not self.path.is_retracing:
             return codes.AT_FRONT
         return codes.WALKS_BACKWARD if self.path.direction < 0 else codes.WALKS_FORWARD
 
@@ -81,22 +81,22 @@ class Retrace(History):
         As ``Path.step``; the path is away.
         """
         self.entered = -1.0
-        wanted = -1 if self.panel.backward_motion else 1
-        if self.path.direction != wanted and self.path.speed_v == 0.0:
-            self.turn(wanted)
+        direction = -1 if self.panel.backward_motion else 1
+        if self.path.direction != direction and self.path.speed_v == 0.0:
+            self.turn(direction)
             if self.path.is_active:
                 self.entered = self.path.block_number()
-            if not self.path.is_away:
+            if not self.path.is_retracing:
                 return self.path.step(factor, is_stopping)
         if self.is_blocked:
             self.path.limit_v = 0.0
             return 0
-        halts = is_stopping or self.path.direction != wanted or self.panel.is_paused
-        limit_v = 0.0 if halts else self.feed_speed(self.path.base, 0)
+        halts = is_stopping or self.path.direction != direction or self.panel.is_paused
+        limit_v = 0.0 if halts else self.feed_speed(self.path.row, 0)
         is_changed = factor != self.factor or self.path.is_single != self.is_single
         if self.note_foreign():
             is_changed = True
-            if self.path.ring[self.path.base + rows.JERK] > 0.0:
+            if self.path.history_rows[self.path.row + rows.JERK] > 0.0:
                 self.survey(0)
         if limit_v != self.path.limit_v or is_changed:
             self.factor = factor
@@ -110,14 +110,14 @@ class Retrace(History):
 
     def leave(self) -> None:
         """The path stands and goes back from here."""
-        self.path.is_away = True
+        self.path.is_retracing = True
         self.path.is_front_over = not self.path.is_active
         self.has_failed = False
         self.was_paused = self.panel.is_paused
         self.was_released = self.panel.is_released
         self.panel.is_paused = False
-        self.place = self.path.used if self.path.is_front_over else self.path.used - 1
-        self.front_place = self.place
+        self.number = self.path.used if self.path.is_front_over else self.path.used - 1
+        self.front_number = self.number
         for i in range(self.path.count):
             axis = self.path.members[i]
             self.foreign[i] = (
@@ -125,29 +125,29 @@ class Retrace(History):
                 and self.path.axes.command[axis] != self.path.ends[i]
             )
         if self.path.is_front_over or self.path.is_dwell:
-            self.path.rest()
+            self.path.show_standstill()
             self.path.covered_d = 0.0
         self.path.is_active = True
         self.path.is_dwell = False
         self.go(-1)
 
-    def turn(self, wanted: int) -> None:
+    def turn(self, direction: int) -> None:
         """The path stands: on in the other direction."""
-        if wanted > 0 and self.place == self.front_place:
+        if direction > 0 and self.number == self.front_number:
             self.return_to_front(self.path.covered_d)
         else:
-            self.go(wanted)
+            self.go(direction)
 
     def go(self, direction: int) -> None:
         """Begin to walk in ``direction``, out of the stand."""
         self.path.direction = direction
         self.path.speed_v = 0.0
-        self.path.smooth.acceleration_a = 0.0
+        self.path.jerk_profile.acceleration_a = 0.0
         self.path.limit_v = -1.0
         self.is_blocked = False
-        source = int(self.path.ring[self.path.base + rows.SOURCE])
-        way = rows.RETRACE_BACKWARD if direction < 0 else rows.RETRACE_FORWARD
-        self.record.event(rows.EVENT_RETRACED, source, way)
+        source = int(self.path.history_rows[self.path.row + rows.SOURCE])
+        phase = rows.RETRACE_BACKWARD if direction < 0 else rows.RETRACE_FORWARD
+        self.record.event(rows.EVENT_RETRACED, source, phase)
         if self.path.covered_d > 0.0 or direction > 0:
             self.path.claim_again()
             if self.enter_stage():
@@ -158,91 +158,95 @@ class Retrace(History):
         """The path is where it was before it turned, and its own master again."""
         self.panel.is_paused = self.was_paused
         self.panel.is_released = self.was_released
-        source = int(self.path.ring[self.path.front + rows.SOURCE])
+        source = int(self.path.history_rows[self.path.front + rows.SOURCE])
         self.record.event(rows.EVENT_RETRACED, source, rows.RETRACE_FRONT)
         self.path.release()
-        self.path.rest()
+        self.path.show_standstill()
         self.path.is_active = not self.path.is_front_over
         if self.path.is_active:
-            self.path.rejoin(covered_d)
+            self.path.return_to_newest(covered_d)
         else:
-            self.path.is_away = False
+            self.path.is_retracing = False
             self.path.direction = 1
 
     # --- the speeds -----------------------------------------------------------------------------
 
-    def feed_speed(self, base: int, is_free: int) -> float:
-        """The speed limit of a segment with its override; ``is_free``: what the axes can do."""
-        speed = self.path.ring[base + rows.MAX_SPEED]
-        if geometry.pieces(self.path.ring, base) > 0:
-            speed = self.path.ring[base + rows.BACKWARD_SPEED]
-        if is_free:
+    def feed_speed(self, row: int, ignores_feed: int) -> float:
+        """Speed limit of a segment under override; with ``ignores_feed`` that of the axes alone."""
+        speed = self.path.history_rows[row + rows.MAX_SPEED]
+        if geometry.pieces(self.path.history_rows, row) > 0:
+            speed = self.path.history_rows[row + rows.BACKWARD_SPEED]
+        if ignores_feed:
             return speed
-        factor = self.overrides.factor(self.path.ring, base)
-        return min(self.path.ring[base + rows.SPEED] * factor, speed)
+        factor = self.overrides.factor(self.path.history_rows, row)
+        return min(self.path.history_rows[row + rows.SPEED] * factor, speed)
 
-    def stage_speed(self, base: int, stage: int, is_free: int) -> float:
+    def stage_speed(self, row: int, stage: int, ignores_feed: int) -> float:
         """The speed limit of a stage: that of its segment, on a curve that of the curve as well."""
-        speed = self.feed_speed(base, is_free)
+        speed = self.feed_speed(row, ignores_feed)
         if stage == codes.CURVE:
-            speed = min(speed, self.path.ring[base + rows.CURVE_SPEED])
+            speed = min(speed, self.path.history_rows[row + rows.CURVE_SPEED])
         return speed
 
-    def corner_speed(self, place: int, other: int, is_free: int) -> float:
-        """The highest speed from the segment at ``place`` into its neighbour, or into the front."""
-        if other < self.path.oldest or (self.path.is_single and not is_free):
+    def corner_speed(self, number: int, other: int, ignores_feed: int) -> float:
+        """Highest speed from segment ``number`` into its neighbour or into the front, per s."""
+        if other < self.path.oldest or (self.path.is_single and not ignores_feed):
             return 0.0
-        first = self.path.row_of(place if self.path.direction > 0 else other)
-        if self.path.ring[first + rows.JERK] > 0.0:
+        first = self.path.row_of(number if self.path.direction > 0 else other)
+        if self.path.history_rows[first + rows.JERK] > 0.0:
             return 0.0
-        if other == self.front_place:
-            return min(self.front_speed(is_free), self.path.ring[first + rows.CORNER_SPEED])
-        second = self.path.row_of(other if self.path.direction > 0 else place)
-        if self.path.ring[second + rows.JERK] > 0.0 or self.is_shut(self.path.row_of(other)):
-            return 0.0
-        return self.path.ring[first + rows.CORNER_SPEED]
-
-    def front_speed(self, is_free: int) -> float:
-        """The highest speed into the segment at the front; 0 where it is over or a dwell."""
-        base = self.path.front
-        if (
-            self.path.is_front_over
-            or self.path.ring[base + rows.KIND] == rows.DWELL
-            or self.path.ring[base + rows.JERK] > 0.0
+        if other == self.front_number:
+            return min(
+                self.front_speed(ignores_feed), self.path.history_rows[first + rows.CORNER_SPEED]
+            )
+        second = self.path.row_of(other if self.path.direction > 0 else number)
+        if self.path.history_rows[second + rows.JERK] > 0.0 or self.is_shut(
+            self.path.row_of(other)
         ):
             return 0.0
-        end_v = self.path.ring[base + rows.END_SPEED]
-        limit_v = self.feed_speed(base, is_free)
-        return geometry.entry_speed(self.path.ring, base, codes.ENTRY_ZONE, end_v, limit_v)
+        return self.path.history_rows[first + rows.CORNER_SPEED]
 
-    def border_speed(self, is_free: int) -> float:
+    def front_speed(self, ignores_feed: int) -> float:
+        """The highest speed into the segment at the front; 0 where it is over or a dwell."""
+        row = self.path.front
+        if (
+            self.path.is_front_over
+            or self.path.history_rows[row + rows.KIND] == rows.DWELL
+            or self.path.history_rows[row + rows.JERK] > 0.0
+        ):
+            return 0.0
+        end_v = self.path.history_rows[row + rows.END_SPEED]
+        limit_v = self.feed_speed(row, ignores_feed)
+        return geometry.entry_speed(self.path.history_rows, row, codes.ENTRY_ZONE, end_v, limit_v)
+
+    def border_speed(self, ignores_feed: int) -> float:
         """The highest speed at the end of the stage from which all that follows can be kept.
 
         Each border that follows may be passed with its own highest speed; what is braked up to it
         comes on top. The look ends where no border can ask for less.
         """
-        place = self.place
+        number = self.number
         stage = self.stage
-        base = self.path.base
-        most2 = 1e300
+        row = self.path.row
+        max_v2 = 1e300
         gained2 = 0.0
         while True:
-            speed = self.stage_speed(base, stage, is_free)
-            stage = self.next_stage(base, stage)
+            speed = self.stage_speed(row, stage, ignores_feed)
+            stage = self.next_stage(row, stage)
             if stage < 0:
-                other = self.neighbour(place, self.path.direction)
-                speed = min(speed, self.corner_speed(place, other, is_free))
-                if speed == 0.0 or other == self.front_place:
-                    return arithmetic.square_root(min(most2, speed * speed + gained2))
-                place = other
-                base = self.path.row_of(place)
-                stage = self.first_stage(base)
-            speed = min(speed, self.stage_speed(base, stage, is_free))
-            most2 = min(most2, speed * speed + gained2)
-            if gained2 >= most2:
-                return arithmetic.square_root(most2)
-            limit_a = geometry.stage_acceleration(self.path.ring, base, stage)
-            d = geometry.stage_way(self.path.ring, base, stage)
+                other = self.neighbour(number, self.path.direction)
+                speed = min(speed, self.corner_speed(number, other, ignores_feed))
+                if speed == 0.0 or other == self.front_number:
+                    return arithmetic.square_root(min(max_v2, speed * speed + gained2))
+                number = other
+                row = self.path.row_of(number)
+                stage = self.first_stage(row)
+            speed = min(speed, self.stage_speed(row, stage, ignores_feed))
+            max_v2 = min(max_v2, speed * speed + gained2)
+            if gained2 >= max_v2:
+                return arithmetic.square_root(max_v2)
+            limit_a = geometry.stage_acceleration(self.path.history_rows, row, stage)
+            d = geometry.stage_length(self.path.history_rows, row, stage)
             gained2 += 2.0 * limit_a * d
 
     def end_speed(self, rest_d: float, limit_a: float) -> float:
@@ -250,11 +254,11 @@ class Retrace(History):
         end_v = self.border_speed(1)
         feed_v = self.border_speed(0)
         speed2 = self.path.speed_v * self.path.speed_v
-        least2 = speed2 - 2.0 * limit_a * rest_d
-        if least2 > end_v * end_v + 1e-6 * speed2 + 1e-4:  # a block that was shut too late
-            return arithmetic.square_root(least2)
+        min_v2 = speed2 - 2.0 * limit_a * rest_d
+        if min_v2 > end_v * end_v + 1e-6 * speed2 + 1e-4:  # a block that was shut too late
+            return arithmetic.square_root(min_v2)
         if feed_v < end_v:
-            end_v = min(end_v, max(feed_v, arithmetic.square_root(max(least2, 0.0))))
+            end_v = min(end_v, max(feed_v, arithmetic.square_root(max(min_v2, 0.0))))
         return end_v
 
     def replan(self, limit_v: float) -> None:
@@ -263,111 +267,113 @@ class Retrace(History):
         self.plan_d = self.path.covered_d
         self.ticks = 0
         rest_d = (self.stage_d - self.path.covered_d) * self.path.direction
-        if self.path.ring[self.path.base + rows.JERK] > 0.0:
+        if self.path.history_rows[self.path.row + rows.JERK] > 0.0:
             speed_v, is_single = self.path.speed_v, self.path.is_single
-            self.path.smooth.plan(
+            self.path.jerk_profile.plan(
                 self.goal_row, 0, rest_d, speed_v, limit_v, self.factor, is_single
             )
             return
-        limit_a = geometry.stage_acceleration(self.path.ring, self.path.base, self.stage)
-        limit_v = min(limit_v, self.stage_speed(self.path.base, self.stage, 0))
+        limit_a = geometry.stage_acceleration(self.path.history_rows, self.path.row, self.stage)
+        limit_v = min(limit_v, self.stage_speed(self.path.row, self.stage, 0))
         end_v = self.end_speed(rest_d, limit_a)
         self.profile.plan(rest_d, self.path.speed_v, end_v, limit_v, limit_a)
 
     # --- the way --------------------------------------------------------------------------------
 
-    def first_stage(self, base: int) -> int:
+    def first_stage(self, row: int) -> int:
         """The first stage of a segment in the walk's direction."""
         is_backward = self.path.direction < 0
-        return self.next_stage(base, codes.BEHIND_STAGES if is_backward else codes.BEFORE_STAGES)
+        return self.next_stage(row, codes.BEHIND_STAGES if is_backward else codes.BEFORE_STAGES)
 
-    def next_stage(self, base: int, stage: int) -> int:
+    def next_stage(self, row: int, stage: int) -> int:
         """The stage with a way that follows in the walk's direction; ``BEFORE_STAGES``: none.
 
         With a limit of the jerk a segment has one stage.
         """
         is_inside = codes.ENTRY_ZONE <= stage <= codes.CURVE
-        if self.path.ring[base + rows.JERK] > 0.0:
+        if self.path.history_rows[row + rows.JERK] > 0.0:
             return codes.BEFORE_STAGES if is_inside else codes.MIDDLE
         stage += self.path.direction
         while codes.ENTRY_ZONE <= stage <= codes.CURVE:
-            if geometry.stage_way(self.path.ring, base, stage) > 0.0:
+            if geometry.stage_length(self.path.history_rows, row, stage) > 0.0:
                 return stage
             stage += self.path.direction
         return codes.BEFORE_STAGES
 
     def enter_stage(self) -> int:
         """Settle the stage from where the path is: 0 where its segment has none ahead."""
-        if self.path.ring[self.path.base + rows.JERK] > 0.0:
-            self.path.smooth.begin()
+        if self.path.history_rows[self.path.row + rows.JERK] > 0.0:
+            self.path.jerk_profile.begin()
             self.survey(1 if self.path.speed_v == 0.0 else 0)
-        self.stage = self.first_stage(self.path.base)
+        self.stage = self.first_stage(self.path.row)
         while self.stage >= 0:
             self.stage_d = self.border(self.stage)
             if (self.stage_d - self.path.covered_d) * self.path.direction > 0.0:
                 return 1
-            self.stage = self.next_stage(self.path.base, self.stage)
+            self.stage = self.next_stage(self.path.row, self.stage)
         return 0
 
     def border(self, stage: int) -> float:
         """The way from the segment's start to where a stage ends in the walk's direction."""
-        if self.path.ring[self.path.base + rows.JERK] > 0.0:
+        if self.path.history_rows[self.path.row + rows.JERK] > 0.0:
             if self.path.direction < 0:
                 return 0.0
-            return geometry.whole_way(self.path.ring, self.path.base)
-        way = 0.0
+            return geometry.total_length(self.path.history_rows, self.path.row)
+        length = 0.0
         for i in range(stage):
-            way += geometry.stage_way(self.path.ring, self.path.base, i)
+            length += geometry.stage_length(self.path.history_rows, self.path.row, i)
         if self.path.direction > 0:
-            way += geometry.stage_way(self.path.ring, self.path.base, stage)
-        return way
+            length += geometry.stage_length(self.path.history_rows, self.path.row, stage)
+        return length
 
     def length(self) -> float:
         """The way of all stages of the current segment, as they are added up one by one."""
-        if self.path.ring[self.path.base + rows.JERK] > 0.0:
-            return geometry.whole_way(self.path.ring, self.path.base)
-        way = 0.0
+        if self.path.history_rows[self.path.row + rows.JERK] > 0.0:
+            return geometry.total_length(self.path.history_rows, self.path.row)
+        length = 0.0
         for i in range(codes.BEHIND_STAGES):
-            way += geometry.stage_way(self.path.ring, self.path.base, i)
-        return way
+            length += geometry.stage_length(self.path.history_rows, self.path.row, i)
+        return length
 
     def cross(self) -> int:
         """Pass from one segment to the next: 1 where the path goes on without a stop.
 
         The place of the border is reached bit by bit, whatever the speed.
         """
-        other = self.neighbour(self.place, self.path.direction)
+        other = self.neighbour(self.number, self.path.direction)
         if self.path.direction > 0:
-            self.path.put_axes(geometry.end_column(self.path.ring, self.path.base, self.path.count))
+            self.path.put_axes(
+                geometry.end_column(self.path.history_rows, self.path.row, self.path.count)
+            )
         else:
-            self.path.put_axes(self.path.base + rows.START)
+            self.path.put_axes(self.path.row + rows.START)
         refusal = self.refusal_into(other)
         if refusal and (self.path.speed_v == 0.0 or other < self.path.oldest):
             self.stay(refusal)
             return 0
         if refusal:
             self.fail(refusal, other)
-        self.place = other
-        if other == self.front_place:
+        self.number = other
+        if other == self.front_number:
             self.return_to_front(0.0)
             if refusal:
                 self.path.release()
                 self.path.claim()
-            return self.goes_on()
+            return self.keeps_moving()
         self.path.release()
-        self.path.rest()
-        self.path.base = self.path.row_of(other)
+        self.path.show_standstill()
+        self.path.row = self.path.row_of(other)
         if self.path.direction > 0:
-            self.path.claim_free(self.path.base + rows.START)
+            self.path.claim_free(self.path.row + rows.START)
         else:
             self.path.claim_free(
-                geometry.end_column(self.path.ring, self.path.base, self.path.count)
+                geometry.end_column(self.path.history_rows, self.path.row, self.path.count)
             )
         self.path.covered_d = 0.0 if self.path.direction > 0 else self.length()
         self.enter_stage()
-        return self.goes_on()
+        return self.keeps_moving()
 
-    def goes_on(self) -> int:
+    def keeps_moving(self) -> int:
         """Whether the path, which has passed a border, moves on in this tick or the next one."""
         if not self.path.is_active or self.path.speed_v == 0.0:
             return 0
@@ -375,28 +381,29 @@ class Retrace(History):
             self.entered = self.path.block_number()
         return 1
 
-    def refusal_into(self, place: int) -> int:
+    def refusal_into(self, number: int) -> int:
         """Why the walk may not go on into a segment: 0 it may, -1 the history starts behind it.
 
         Else the number of the message about ``refused_axis``, which something else has moved.
         """
-        if place < self.path.oldest:
+        if number < self.path.oldest:
             return -1
-        if place == self.front_place and (
-            self.path.is_front_over or self.path.ring[self.path.front + rows.KIND] == rows.DWELL
+        if number == self.front_number and (
+            self.path.is_front_over
+            or self.path.history_rows[self.path.front + rows.KIND] == rows.DWELL
         ):
             return 0
-        base = self.path.row_of(place)
+        row = self.path.row_of(number)
         if self.path.direction > 0:
-            return self.path.refusal(base, self.path.ring)
-        end = geometry.end_column(self.path.ring, base, self.path.count)
+            return self.path.refusal(row, self.path.history_rows)
+        end = geometry.end_column(self.path.history_rows, row, self.path.count)
         for i in range(self.path.count):
-            if geometry.moves(self.path.ring, base, self.path.count, i):
+            if geometry.moves_axis(self.path.history_rows, row, self.path.count, i):
                 axis = self.path.members[i]
                 self.path.refused_axis = axis
                 if self.foreign[i] or self.path.axes.independent[axis]:
                     return 900435
-                if self.path.ring[end + i] != self.path.axes.command[axis]:
+                if self.path.history_rows[end + i] != self.path.axes.command[axis]:
                     return 900420
         return 0
 
@@ -404,15 +411,15 @@ class Retrace(History):
         """The walk stands, and cannot go on: backward that is the start of the history."""
         self.is_blocked = True
         self.path.speed_v = 0.0
-        source = int(self.path.ring[self.path.base + rows.SOURCE])
+        source = int(self.path.history_rows[self.path.row + rows.SOURCE])
         if self.path.direction < 0:
             self.record.event(rows.EVENT_RETRACED, source, rows.RETRACE_START)
         else:
-            other = self.neighbour(self.place, 1)
+            other = self.neighbour(self.number, 1)
             self.fault = refusal
-            self.fault_source = int(self.path.ring[self.path.row_of(other) + rows.SOURCE])
+            self.fault_source = int(self.path.history_rows[self.path.row_of(other) + rows.SOURCE])
 
-    def fail(self, refusal: int, place: int) -> None:
+    def fail(self, refusal: int, number: int) -> None:
         """With speed left the walk brakes on a segment that it may not enter (MO-1, MO-13).
 
         With the axes that are free, as the path does forward; the channel is in error state.
@@ -420,7 +427,7 @@ class Retrace(History):
         if not self.has_failed:
             self.has_failed = True
             self.fault = refusal
-            self.fault_source = int(self.path.ring[self.path.row_of(place) + rows.SOURCE])
+            self.fault_source = int(self.path.history_rows[self.path.row_of(number) + rows.SOURCE])
 
     def advance(self, is_stopping: int) -> int:
         """Go to where the plan is at the end of this tick, as ``Path.advance``."""
@@ -430,41 +437,41 @@ class Retrace(History):
                 return 0
             self.path.covered_d = self.stage_d
             self.offset_t = self.path.left_t
-            self.stage = self.next_stage(self.path.base, self.stage)
+            self.stage = self.next_stage(self.path.row, self.stage)
             if self.stage >= 0:
                 self.stage_d = self.border(self.stage)
             elif not self.cross():
                 self.stop_between()
                 return 0
-            elif not self.path.is_away:
+            elif not self.path.is_retracing:
                 self.path.offset_t = self.path.left_t
-                self.factor = self.overrides.factor(self.path.ring, self.path.base)
+                self.factor = self.overrides.factor(self.path.history_rows, self.path.row)
                 return self.path.step_carried(self.factor, is_stopping or self.fault != 0)
             elif self.fault != 0:
                 self.path.limit_v = 0.0
             elif self.path.limit_v > 0.0:
-                self.factor = self.overrides.factor(self.path.ring, self.path.base)
-                self.path.limit_v = self.feed_speed(self.path.base, 0)
+                self.factor = self.overrides.factor(self.path.history_rows, self.path.row)
+                self.path.limit_v = self.feed_speed(self.path.row, 0)
             self.replan(self.path.limit_v)
 
     def stop_between(self) -> None:
         """The walk has come to a stand between two segments: single block pauses there."""
-        if self.path.is_away and not self.is_blocked:
+        if self.path.is_retracing and not self.is_blocked:
             self.path.limit_v = -1.0
             if self.path.is_single and not self.is_inside():
                 self.panel.is_paused = True
-                source = int(self.path.ring[self.path.base + rows.SOURCE])
+                source = int(self.path.history_rows[self.path.row + rows.SOURCE])
                 self.record.event(rows.EVENT_PAUSED, source)
 
     def is_inside(self) -> int:
         """Whether the walk, which has just come to a segment, is inside of a block with it."""
-        first = self.place - 1 if self.path.direction > 0 else self.place
-        return 1 if self.path.ring[self.path.row_of(first) + rows.CONTINUES] > 0.0 else 0
+        first = self.number - 1 if self.path.direction > 0 else self.number
+        return 1 if self.path.history_rows[self.path.row_of(first) + rows.CONTINUES] > 0.0 else 0
 
     def has_ended(self, now_t: float) -> int:
         """Whether the stage has ended by then; else the axes are put where the plan is."""
-        if self.path.ring[self.path.base + rows.JERK] > 0.0:
-            return self.has_ended_smoothly(now_t)
+        if self.path.history_rows[self.path.row + rows.JERK] > 0.0:
+            return self.has_ended_with_jerk(now_t)
         over_t = now_t - self.profile.duration_t
         if self.profile.is_endless or over_t < -1e-6 * self.path.cycle_time_t:
             self.path.speed_v = self.profile.speed(now_t)
@@ -472,26 +479,26 @@ class Retrace(History):
             return 0
         self.path.left_t = max(over_t, 0.0)
         self.path.speed_v = self.profile.end_v
-        self.path.smooth.acceleration_a = 0.0
+        self.path.jerk_profile.acceleration_a = 0.0
         return 1
 
-    def has_ended_smoothly(self, now_t: float) -> int:
+    def has_ended_with_jerk(self, now_t: float) -> int:
         """``has_ended`` with a limit of the jerk: at the end of its stretch the walk stands."""
-        is_over = self.path.smooth.advance(now_t)
-        self.path.speed_v = self.path.smooth.speed_v
+        is_over = self.path.jerk_profile.advance(now_t)
+        self.path.speed_v = self.path.jerk_profile.speed_v
         if is_over == 0:
-            self.follow(self.path.smooth.distance_d)
+            self.follow(self.path.jerk_profile.distance_d)
             return 0
-        self.path.left_t = self.path.smooth.left_t
-        if self.place == self.stretch_end:
+        self.path.left_t = self.path.jerk_profile.left_t
+        if self.number == self.stretch_end:
             self.path.speed_v = 0.0
         if self.path.speed_v == 0.0:
-            self.path.smooth.acceleration_a = 0.0
+            self.path.jerk_profile.acceleration_a = 0.0
         return 1
 
-    def follow(self, way: float) -> None:
+    def follow(self, distance: float) -> None:
         """Put the axes where the plan is, so far from where it has begun."""
-        covered_d = self.plan_d + way * self.path.direction
+        covered_d = self.plan_d + distance * self.path.direction
         rest_d = (self.stage_d - covered_d) * self.path.direction
         self.path.covered_d = covered_d if rest_d > 0.0 else self.stage_d
         self.path.move_axes()

@@ -20,38 +20,38 @@ from __future__ import annotations
 
 from nctakt.kernel import rows
 from nctakt.kernel.base import arithmetic
-from nctakt.kernel.path.jerk_lookahead import JerkAhead
+from nctakt.kernel.path.jerk_lookahead import JerkLookAhead
 
 
-class Bends(JerkAhead):
-    """Makes the bends of one channel, in ``bend_row``."""
+class CornerRounding(JerkLookAhead):
+    """Makes the bends of one channel, in ``rounding_row``."""
 
-    def round_smoothly(self, row: memoryview[float], before: int, base: int, back: int) -> int:
+    def round_with_jerk(self, segments: memoryview[float], before: int, row: int, back: int) -> int:
         """A bend over the corner between two segments, which end and begin there: 0 if none fits.
 
         None is made either where the path is as fast without. ``spare`` keeps both segments as they
         were; ``back``: how many commands lie between them.
         """
-        if row[base + rows.JERK] == 0.0 or self.last_deviation <= 0.0:
+        if segments[row + rows.JERK] == 0.0 or self.last_deviation <= 0.0:
             return 0
-        if row[before + rows.SHAPE] != rows.LINE or row[base + rows.SHAPE] != rows.LINE:
+        if segments[before + rows.SHAPE] != rows.LINE or segments[row + rows.SHAPE] != rows.LINE:
             return 0
-        half = self.half_bend(row, before, base)
+        half = self.rounding_half(segments, before, row)
         if half <= 1e-6:
             return 0
-        speed = self.bend_speed(row, before, base, half)
-        if speed <= 0.0 or not self.saves_time(row, before, base, half, speed):
+        speed = self.rounding_speed(segments, before, row, half)
+        if speed <= 0.0 or not self.saves_time(segments, before, row, half, speed):
             return 0
-        row[base + rows.PREDECESSOR] = back
+        segments[row + rows.PREDECESSOR] = back
         for i in range(self.width):
-            self.spare[i] = row[base + i]
-            self.spare[self.width + i] = row[before + i]
-            self.bend_row[i] = 0.0
-        self.limit_bend(row, before, base, half, speed)
-        self.put_bend(row, before, base, half)
+            self.spare[i] = segments[row + i]
+            self.spare[self.width + i] = segments[before + i]
+            self.rounding_row[i] = 0.0
+        self.limit_rounding(segments, before, row, half, speed)
+        self.put_rounding(segments, before, row, half)
         return 1
 
-    def half_bend(self, row: memoryview[float], before: int, base: int) -> float:
+    def rounding_half(self, segments: memoryview[float], before: int, row: int) -> float:
         """How far from the corner the bend may begin and end: less than half of either line.
 
         In front of it three ticks are left where the line begins with a corner that uses the jerk.
@@ -65,37 +65,39 @@ class Bends(JerkAhead):
         size = arithmetic.square_root(size2)
         if size < 1e-6 or size > 1.99:
             return 0.0
-        shorter = min(self.last_length, row[base + rows.LENGTH])
+        shorter = min(self.last_length, segments[row + rows.LENGTH])
         half = min(6.0 * self.last_deviation / size, 0.49 * shorter)
-        return min(half, row[before + rows.LENGTH] - 3.0 * self.tick_t * self.last_corner_v)
+        return min(half, segments[before + rows.LENGTH] - 3.0 * self.tick_t * self.last_corner_v)
 
-    def bend_speed(self, row: memoryview[float], before: int, base: int, half: float) -> float:
+    def rounding_speed(
+        self, segments: memoryview[float], before: int, row: int, half: float
+    ) -> float:
         """The highest speed on the bend; 0 where the corner lets the path pass as fast."""
-        shortest = min(row[before + rows.LENGTH], row[base + rows.LENGTH])
-        speed = min(self.speed_of(row, before), self.speed_of(row, base))
+        shortest = min(segments[before + rows.LENGTH], segments[row + rows.LENGTH])
+        speed = min(self.speed_of(segments, before), self.speed_of(segments, row))
         corner_v = 1e300
         for i in range(self.count):
             corner_v = min(corner_v, self.corner_speed(i, shortest, 0.0))
             step = self.steps[i]
             if step > 0.0:
-                most_v2 = 0.8 * self.least_acceleration(i) * half / step
-                most_v3 = 0.75 * self.axis_jerk(i) * half * half / step
-                speed = min(speed, arithmetic.square_root(most_v2))
-                speed = min(speed, arithmetic.power(most_v3, 1.0 / 3.0))
+                max_v2 = 0.8 * self.min_acceleration(i) * half / step
+                max_v3 = 0.75 * self.axis_jerk(i) * half * half / step
+                speed = min(speed, arithmetic.square_root(max_v2))
+                speed = min(speed, arithmetic.power(max_v3, 1.0 / 3.0))
         return speed if speed > corner_v else 0.0
 
     def saves_time(
-        self, row: memoryview[float], before: int, base: int, half: float, speed: float
+        self, segments: memoryview[float], before: int, row: int, half: float, speed: float
     ) -> int:
         """Whether bend and ramps beside it take less time than a stand at the corner.
 
         What a ramp takes more than the same way with its higher speed is compared. That speed is
         one from which the path can stop on half of each line.
         """
-        limit_a = min(row[before + rows.ACCELERATION], row[base + rows.ACCELERATION])
-        limit_j = min(row[before + rows.JERK], row[base + rows.JERK])
-        top_v = min(self.speed_of(row, before), self.speed_of(row, base))
-        room = min(row[before + rows.LENGTH], row[base + rows.LENGTH])
+        limit_a = min(segments[before + rows.ACCELERATION], segments[row + rows.ACCELERATION])
+        limit_j = min(segments[before + rows.JERK], segments[row + rows.JERK])
+        top_v = min(self.speed_of(segments, before), self.speed_of(segments, row))
+        room = min(segments[before + rows.LENGTH], segments[row + rows.LENGTH])
         time = self.ramp_time(top_v, limit_a, limit_j)
         while top_v > speed and top_v * time > room:
             top_v *= 0.9
@@ -104,8 +106,8 @@ class Bends(JerkAhead):
             return 1
         stand_t = 0.5 * time
         time = self.ramp_time(top_v - speed, limit_a, limit_j)
-        bend_t = 0.5 * time * (top_v - speed) / top_v + half / speed - half / top_v
-        return 1 if bend_t < stand_t else 0
+        rounding_t = 0.5 * time * (top_v - speed) / top_v + half / speed - half / top_v
+        return 1 if rounding_t < stand_t else 0
 
     def ramp_time(self, change: float, limit_a: float, limit_j: float) -> float:
         """How long the speed takes to change so much, from no acceleration to none."""
@@ -113,22 +115,22 @@ class Bends(JerkAhead):
             return change / limit_a + limit_a / limit_j
         return 2.0 * arithmetic.square_root(change / limit_j)
 
-    def least_acceleration(self, index: int) -> float:
+    def min_acceleration(self, index: int) -> float:
         """What an axis can do in both segments of a corner."""
-        least_a = min(self.rapid_slope_a[index], self.feed_slope_a[index])
-        return min(least_a, self.rapid_a[index], self.feed_a[index])
+        min_a = min(self.rapid_slope_a[index], self.feed_slope_a[index])
+        return min(min_a, self.rapid_a[index], self.feed_a[index])
 
-    def limit_bend(
-        self, row: memoryview[float], before: int, base: int, half: float, speed: float
+    def limit_rounding(
+        self, segments: memoryview[float], before: int, row: int, half: float, speed: float
     ) -> None:
         """Speed, acceleration and jerk of the bend."""
-        limit_a = min(row[before + rows.ACCELERATION], row[base + rows.ACCELERATION])
-        limit_j = min(row[before + rows.JERK], row[base + rows.JERK])
+        limit_a = min(segments[before + rows.ACCELERATION], segments[row + rows.ACCELERATION])
+        limit_j = min(segments[before + rows.JERK], segments[row + rows.JERK])
         for i in range(self.count):
             step = self.steps[i]
             part = max(self.leaving[i], 0.0 - self.leaving[i])
             part = max(part, self.entering[i], 0.0 - self.entering[i])
-            left_a = 0.98 * (self.least_acceleration(i) - speed * speed * step / half)
+            left_a = 0.98 * (self.min_acceleration(i) - speed * speed * step / half)
             left_j = 0.98 * (self.axis_jerk(i) - speed * speed * speed * step / (half * half))
             if step > 0.0:
                 left_j *= 0.5
@@ -136,43 +138,43 @@ class Bends(JerkAhead):
             if part > 0.0:
                 limit_a = min(limit_a, left_a / part)
                 limit_j = min(limit_j, left_j / part)
-        self.bend_row[rows.MAX_SPEED] = speed
-        self.bend_row[rows.ACCELERATION] = limit_a
-        self.bend_row[rows.JERK] = limit_j
+        self.rounding_row[rows.MAX_SPEED] = speed
+        self.rounding_row[rows.ACCELERATION] = limit_a
+        self.rounding_row[rows.JERK] = limit_j
 
-    def put_bend(self, row: memoryview[float], before: int, base: int, half: float) -> None:
+    def put_rounding(self, segments: memoryview[float], before: int, row: int, half: float) -> None:
         """Shorten both lines by the bend, and put it between them."""
-        bend = self.bend_row
-        bend[rows.KIND] = rows.SEGMENT
-        bend[rows.SOURCE] = row[before + rows.SOURCE]
-        bend[rows.BLOCK_NUMBER] = row[before + rows.BLOCK_NUMBER]
-        bend[rows.LENGTH] = 2.0 * half
-        bend[rows.SHAPE] = rows.ROUNDING
-        bend[rows.EXACT_STOP] = row[before + rows.EXACT_STOP]
-        bend[rows.CONTINUES] = row[before + rows.CONTINUES]
-        bend[rows.HAS_JERK_LIMIT] = 1.0
-        bend[rows.SPEED] = row[before + rows.SPEED]
+        rounding = self.rounding_row
+        rounding[rows.KIND] = rows.SEGMENT
+        rounding[rows.SOURCE] = segments[before + rows.SOURCE]
+        rounding[rows.BLOCK_NUMBER] = segments[before + rows.BLOCK_NUMBER]
+        rounding[rows.LENGTH] = 2.0 * half
+        rounding[rows.SHAPE] = rows.ROUNDING
+        rounding[rows.EXACT_STOP] = segments[before + rows.EXACT_STOP]
+        rounding[rows.CONTINUES] = segments[before + rows.CONTINUES]
+        rounding[rows.HAS_JERK_LIMIT] = 1.0
+        rounding[rows.SPEED] = segments[before + rows.SPEED]
         for i in range(rows.PACE_WIDTH):
-            bend[rows.SPEED_OVERRIDE + i] = row[before + rows.SPEED_OVERRIDE + i]
-        bend[rows.PREDECESSOR] = 1.0
-        bend[rows.CORNER_SPEED] = 1e300
+            rounding[rows.SPEED_OVERRIDE + i] = segments[before + rows.SPEED_OVERRIDE + i]
+        rounding[rows.PREDECESSOR] = 1.0
+        rounding[rows.CORNER_SPEED] = 1e300
         start = rows.START
         target = start + self.count
         corners = target + self.count + self.count
         for i in range(self.count):
-            corner = row[base + start + i]
-            bend[start + i] = corner - half * self.leaving[i]
-            bend[target + i] = corner + half * self.entering[i]
-            bend[corners + i] = corner
-            row[before + target + i] = bend[start + i]
-            row[base + start + i] = bend[target + i]
-        row[before + rows.LENGTH] -= half
-        row[base + rows.LENGTH] -= half
-        row[before + rows.CONTINUES] = 1.0
-        row[before + rows.CORNER_SPEED] = 1e300
-        row[before + rows.ROUNDING_LENGTH] = bend[rows.LENGTH]
-        row[before + rows.ROUNDING_ACCELERATION] = bend[rows.ACCELERATION]
-        row[before + rows.ROUNDING_JERK] = bend[rows.JERK]
-        self.stand_at_end(row, before)
-        self.stand_at_end(bend, 0)
-        self.is_bent = True
+            corner = segments[row + start + i]
+            rounding[start + i] = corner - half * self.leaving[i]
+            rounding[target + i] = corner + half * self.entering[i]
+            rounding[corners + i] = corner
+            segments[before + target + i] = rounding[start + i]
+            segments[row + start + i] = rounding[target + i]
+        segments[before + rows.LENGTH] -= half
+        segments[row + rows.LENGTH] -= half
+        segments[before + rows.CONTINUES] = 1.0
+        segments[before + rows.CORNER_SPEED] = 1e300
+        segments[before + rows.ROUNDING_LENGTH] = rounding[rows.LENGTH]
+        segments[before + rows.ROUNDING_ACCELERATION] = rounding[rows.ACCELERATION]
+        segments[before + rows.ROUNDING_JERK] = rounding[rows.JERK]
+        self.stand_at_end(segments, before)
+        self.stand_at_end(rounding, 0)
+        self.is_rounded = True

@@ -51,12 +51,12 @@ class EdgeProbe:
     def watch(self, tick: int) -> int:
         """One tick, before the path's increment: 1 where the path has to brake or to stand."""
         if self.phase == codes.SEEKS_EDGE and self.hli.panel.probe:
-            self.joint_d = self.path.covered_way() + self.residual_d
-            self.cells[self.cell] = self.path.rest_d() - self.residual_d
+            self.joint_d = self.path.covered_length() + self.residual_d
+            self.cells[self.cell] = self.path.distance_to_go() - self.residual_d
             self.record.event(rows.EVENT_PROBED, self.source, 0, self.cells[self.cell])
             self.phase = codes.FOUND_EDGE
-        rest_d = self.joint_d - self.path.covered_way()
-        if self.phase == codes.FOUND_EDGE and self.path.brake_way() >= rest_d:
+        rest_d = self.joint_d - self.path.covered_length()
+        if self.phase == codes.FOUND_EDGE and self.path.braking_distance() >= rest_d:
             self.phase = codes.BRAKES_FOR_JOINT
         if self.phase == codes.BRAKES_FOR_JOINT and self.path.speed_v == 0.0:
             self.put_out(tick)

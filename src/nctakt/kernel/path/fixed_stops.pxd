@@ -15,21 +15,21 @@ cdef class FixedStops:
     cdef long long[::1] ticks
     cdef long long[::1] sources
     cdef double[::1] limit_d
-    cdef long long[::1] least_ticks
+    cdef long long[::1] min_ticks
     cdef double[::1] from_part
     cdef double[::1] to_part
     cdef readonly long long count
     cdef readonly long long found
 
-    cdef void arm(self, Py_ssize_t i, long long source, double[::1] row, Py_ssize_t base) noexcept nogil
+    cdef void arm(self, Py_ssize_t i, long long source, double[::1] queue, Py_ssize_t row) noexcept nogil
     cdef void disarm(self, Py_ssize_t i) noexcept nogil
     @cython.locals(i=Py_ssize_t)
     cdef void clear(self) noexcept nogil
-    @cython.locals(base=Py_ssize_t)
+    @cython.locals(cell=Py_ssize_t)
     cdef void show(self, Py_ssize_t i, double position) noexcept nogil
     @cython.locals(before=cython.longlong, part=double, i=Py_ssize_t)
     cdef int watch(self) noexcept nogil
-    @cython.locals(axis=Py_ssize_t, real=double, lag_d=double, is_off=bint)
+    @cython.locals(axis=Py_ssize_t, actual=double, lag_d=double, is_off=bint)
     cdef void watch_axis(self, Py_ssize_t i, double part) noexcept nogil
     @cython.locals(i=Py_ssize_t)
     cdef Py_ssize_t missing(self) noexcept nogil

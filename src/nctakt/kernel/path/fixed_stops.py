@@ -29,23 +29,23 @@ class FixedStops:
         self.ticks = memoryview(bytearray(8 * room)).cast("q")
         self.sources = memoryview(bytearray(8 * room)).cast("q")
         self.limit_d = memoryview(bytearray(8 * room)).cast("d")
-        self.least_ticks = memoryview(bytearray(8 * room)).cast("q")
+        self.min_ticks = memoryview(bytearray(8 * room)).cast("q")
         self.from_part = memoryview(bytearray(8 * room)).cast("d")
         self.to_part = memoryview(bytearray(8 * room)).cast("d")
         self.count = 0
         self.found = 0
 
-    def arm(self, i: int, source: int, row: memoryview[float], base: int) -> None:
+    def arm(self, i: int, source: int, queue: memoryview[float], row: int) -> None:
         """Monitor an axis as the command at ``base`` says."""
         self.disarm(i)
         self.count += 1
         self.active[i] = 1
         self.sources[i] = source
-        self.limit_d[i] = row[base + rows.FIXED_STOP_LIMIT]
-        self.least_ticks[i] = int(row[base + rows.FIXED_STOP_TICKS])
-        self.from_part[i] = row[base + rows.FIXED_STOP_FROM]
-        self.to_part[i] = row[base + rows.FIXED_STOP_TO]
-        self.needed[i] = int(row[base + rows.FIXED_STOP_IS_NEEDED])
+        self.limit_d[i] = queue[row + rows.FIXED_STOP_LIMIT]
+        self.min_ticks[i] = int(queue[row + rows.FIXED_STOP_TICKS])
+        self.from_part[i] = queue[row + rows.FIXED_STOP_FROM]
+        self.to_part[i] = queue[row + rows.FIXED_STOP_TO]
+        self.needed[i] = int(queue[row + rows.FIXED_STOP_IS_NEEDED])
         self.show(i, 0.0)
 
     def disarm(self, i: int) -> None:
@@ -65,10 +65,10 @@ class FixedStops:
 
     def show(self, i: int, position: float) -> None:
         """The cells of an axis."""
-        base = self.path.axes.cell_of(self.path.members[i])
-        self.path.axes.cells[base + cells.AXIS_FIXED_STOP_ACTIVE] = self.active[i]
-        self.path.axes.cells[base + cells.AXIS_FIXED_STOP_DETECTED] = self.detected[i]
-        self.path.axes.cells[base + cells.AXIS_FIXED_STOP_ACS_POS] = position
+        cell = self.path.axes.cell_of(self.path.members[i])
+        self.path.axes.cells[cell + cells.AXIS_FIXED_STOP_ACTIVE] = self.active[i]
+        self.path.axes.cells[cell + cells.AXIS_FIXED_STOP_DETECTED] = self.detected[i]
+        self.path.axes.cells[cell + cells.AXIS_FIXED_STOP_ACS_POS] = position
 
     def watch(self) -> int:
         """One tick: 1 when the last monitored axis has found its stop in it."""
@@ -82,18 +82,18 @@ class FixedStops:
     def watch_axis(self, i: int, part: float) -> None:
         """One tick of an axis that has not found its stop."""
         axis = self.path.members[i]
-        real = self.path.axes.real_place(axis)
-        lag_d = self.path.axes.command[axis] - real
+        actual = self.path.axes.actual_position(axis)
+        lag_d = self.path.axes.command[axis] - actual
         is_off = lag_d > self.limit_d[i] or lag_d < 0.0 - self.limit_d[i]
         if not is_off or part < self.from_part[i] or part > self.to_part[i]:
             self.ticks[i] = 0
             return
         self.ticks[i] += 1
-        if self.ticks[i] >= self.least_ticks[i]:
+        if self.ticks[i] >= self.min_ticks[i]:
             self.detected[i] = 1
             self.found += 1
-            self.show(i, real)
-            self.record.event(rows.EVENT_FIXED_STOP, self.sources[i], 0, axis, real)
+            self.show(i, actual)
+            self.record.event(rows.EVENT_FIXED_STOP, self.sources[i], 0, axis, actual)
 
     def missing(self) -> int:
         """The place of the first axis that should have found its stop and has not; -1: none."""

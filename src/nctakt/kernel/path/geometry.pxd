@@ -5,25 +5,25 @@ from nctakt.kernel cimport codes
 from nctakt.kernel cimport rows
 from nctakt.kernel.base cimport arithmetic
 
-cdef double whole_way(double[::1] row, Py_ssize_t base) noexcept nogil
-cdef double way_with_rounding(double[::1] row, Py_ssize_t base) noexcept nogil
+cdef double total_length(double[::1] segments, Py_ssize_t row) noexcept nogil
+cdef double length_with_rounding(double[::1] segments, Py_ssize_t row) noexcept nogil
 @cython.locals(target=Py_ssize_t)
-cdef Py_ssize_t end_column(double[::1] row, Py_ssize_t base, Py_ssize_t count) noexcept nogil
-cdef Py_ssize_t pieces(double[::1] row, Py_ssize_t base) noexcept nogil
+cdef Py_ssize_t end_column(double[::1] segments, Py_ssize_t row, Py_ssize_t count) noexcept nogil
+cdef Py_ssize_t pieces(double[::1] segments, Py_ssize_t row) noexcept nogil
 @cython.locals(start=Py_ssize_t, target=Py_ssize_t, curve_end=Py_ssize_t)
-cdef int moves(double[::1] row, Py_ssize_t base, Py_ssize_t count, Py_ssize_t i) noexcept nogil
+cdef int moves_axis(double[::1] segments, Py_ssize_t row, Py_ssize_t count, Py_ssize_t i) noexcept nogil
 @cython.locals(length=double)
-cdef double stage_way(double[::1] row, Py_ssize_t base, int stage) noexcept nogil
-cdef double stage_acceleration(double[::1] row, Py_ssize_t base, int stage) noexcept nogil
+cdef double stage_length(double[::1] segments, Py_ssize_t row, int stage) noexcept nogil
+cdef double stage_acceleration(double[::1] segments, Py_ssize_t row, int stage) noexcept nogil
 @cython.locals(speed2=double, curve_v=double, gained2=double)
-cdef double entry_speed(double[::1] row, Py_ssize_t base, int stage, double end_v, double limit_v) noexcept nogil
+cdef double entry_speed(double[::1] segments, Py_ssize_t row, int stage, double end_v, double limit_v) noexcept nogil
 @cython.locals(start=Py_ssize_t, target=Py_ssize_t, part=double, i=Py_ssize_t, begin=double, end=Py_ssize_t, first=Py_ssize_t, second=Py_ssize_t, angle=double, cosine=double, sine=double, x=double, y=double)
-cdef void locate(double[::1] row, Py_ssize_t base, Py_ssize_t count, double way, double[::1] places) noexcept nogil
+cdef void locate(double[::1] segments, Py_ssize_t row, Py_ssize_t count, double distance, double[::1] positions) noexcept nogil
 @cython.locals(start=Py_ssize_t, target=Py_ssize_t, curve_end=Py_ssize_t, half=double, length=double, part=double, i=Py_ssize_t, corner=double, before=double, behind=double)
-cdef void locate_on_curve(double[::1] row, Py_ssize_t base, Py_ssize_t count, double way, double[::1] places) noexcept nogil
+cdef void locate_on_curve(double[::1] segments, Py_ssize_t row, Py_ssize_t count, double distance, double[::1] positions) noexcept nogil
 @cython.locals(start=Py_ssize_t, target=Py_ssize_t, corners=Py_ssize_t, part=double, is_behind=bint, off=double, i=Py_ssize_t, near=double, far=double, corner=double)
-cdef void locate_on_rounding(double[::1] row, Py_ssize_t base, Py_ssize_t count, double way, double[::1] places) noexcept nogil
+cdef void locate_on_rounding(double[::1] segments, Py_ssize_t row, Py_ssize_t count, double distance, double[::1] positions) noexcept nogil
 @cython.locals(start=Py_ssize_t, target=Py_ssize_t, length=double, i=Py_ssize_t, first=Py_ssize_t, second=Py_ssize_t, end=Py_ssize_t, turn=double)
-cdef void direct(double[::1] row, Py_ssize_t base, Py_ssize_t count, int at_end, double[::1] ways) noexcept nogil
+cdef void tangent(double[::1] segments, Py_ssize_t row, Py_ssize_t count, int at_end, double[::1] directions) noexcept nogil
 @cython.locals(i=Py_ssize_t, first=Py_ssize_t, second=Py_ssize_t, end=Py_ssize_t, turn=double)
-cdef void curve(double[::1] row, Py_ssize_t base, Py_ssize_t count, int at_end, double[::1] turns) noexcept nogil
+cdef void curvature(double[::1] segments, Py_ssize_t row, Py_ssize_t count, int at_end, double[::1] curvatures) noexcept nogil

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The geometry of a segment: where the axes are after a way, and which stages the way has.
 
-A segment is a row over ``count`` axes (``rows.py``) that begins at ``base``, in the channel's queue
+A segment is a row over ``count`` axes (``rows.py``) that begins at ``row``, in the channel's queue
 and in the path's ring.
 
 The stages of the way, each with its own limits: entry zone, middle, exit zone, curve. In the zones
@@ -20,186 +20,196 @@ from nctakt.kernel import codes, rows
 from nctakt.kernel.base import arithmetic
 
 
-def whole_way(row: memoryview[float], base: int) -> float:
+def total_length(segments: memoryview[float], row: int) -> float:
     """The way of all stages."""
-    return row[base + rows.LENGTH] + row[base + rows.CURVE_HALF]
+    return segments[row + rows.LENGTH] + segments[row + rows.CURVE_HALF]
 
 
-def way_with_rounding(row: memoryview[float], base: int) -> float:
-    """``whole_way``, with that of the rounding that follows."""
-    return whole_way(row, base) + row[base + rows.ROUNDING_LENGTH]
+def length_with_rounding(segments: memoryview[float], row: int) -> float:
+    """``total_length``, with that of the rounding that follows."""
+    return total_length(segments, row) + segments[row + rows.ROUNDING_LENGTH]
 
 
-def end_column(row: memoryview[float], base: int, count: int) -> int:
+def end_column(segments: memoryview[float], row: int, count: int) -> int:
     """Where the positions at the end of all stages stand: the targets, or the curve's end."""
-    target = base + rows.START + count
-    return target + count if row[base + rows.CURVE_HALF] > 0.0 else target
+    target = row + rows.START + count
+    return target + count if segments[row + rows.CURVE_HALF] > 0.0 else target
 
 
-def pieces(row: memoryview[float], base: int) -> int:
+def pieces(segments: memoryview[float], row: int) -> int:
     """Into how many pieces an arc is divided whose limits go by its angle: 0 none, or no arc."""
-    return int(row[base + rows.ARC_PIECES])
+    return int(segments[row + rows.ARC_PIECES])
 
 
-def moves(row: memoryview[float], base: int, count: int, i: int) -> int:
+def moves_axis(segments: memoryview[float], row: int, count: int, i: int) -> int:
     """Whether a segment moves its axis ``i``: on its way, or on the curve behind it."""
-    start = base + rows.START + i
+    start = row + rows.START + i
     target = start + count
-    if row[start] != row[target]:
+    if segments[start] != segments[target]:
         return 1
-    if row[base + rows.SHAPE] == rows.ARC:
-        if row[base + rows.ARC_FIRST_AXIS] == i or row[base + rows.ARC_SECOND_AXIS] == i:
+    if segments[row + rows.SHAPE] == rows.ARC:
+        if segments[row + rows.ARC_FIRST_AXIS] == i or segments[row + rows.ARC_SECOND_AXIS] == i:
             return 1
     curve_end = target + count
-    if row[base + rows.CURVE_HALF] > 0.0 and row[curve_end] != row[target]:
+    if segments[row + rows.CURVE_HALF] > 0.0 and segments[curve_end] != segments[target]:
         return 1
-    if row[base + rows.SHAPE] == rows.ROUNDING:
-        return 1 if row[curve_end + count] != row[target] else 0
+    if segments[row + rows.SHAPE] == rows.ROUNDING:
+        return 1 if segments[curve_end + count] != segments[target] else 0
     return 0
 
 
-def stage_way(row: memoryview[float], base: int, stage: int) -> float:
+def stage_length(segments: memoryview[float], row: int, stage: int) -> float:
     """The way of one stage."""
     if stage == codes.ENTRY_ZONE:
-        return row[base + rows.ENTRY_LENGTH]
+        return segments[row + rows.ENTRY_LENGTH]
     if stage == codes.EXIT_ZONE:
-        return row[base + rows.EXIT_LENGTH]
+        return segments[row + rows.EXIT_LENGTH]
     if stage == codes.CURVE:
-        return 2.0 * row[base + rows.CURVE_HALF]
-    length = row[base + rows.LENGTH] - row[base + rows.ENTRY_LENGTH] - row[base + rows.EXIT_LENGTH]
-    return length - row[base + rows.CURVE_HALF]
+        return 2.0 * segments[row + rows.CURVE_HALF]
+    length = (
+        segments[row + rows.LENGTH]
+        - segments[row + rows.ENTRY_LENGTH]
+        - segments[row + rows.EXIT_LENGTH]
+    )
+    return length - segments[row + rows.CURVE_HALF]
 
 
-def stage_acceleration(row: memoryview[float], base: int, stage: int) -> float:
+def stage_acceleration(segments: memoryview[float], row: int, stage: int) -> float:
     """The acceleration along the path in a stage."""
     if stage == codes.ENTRY_ZONE:
-        return row[base + rows.ENTRY_ACCELERATION]
+        return segments[row + rows.ENTRY_ACCELERATION]
     if stage == codes.EXIT_ZONE:
-        return row[base + rows.EXIT_ACCELERATION]
+        return segments[row + rows.EXIT_ACCELERATION]
     if stage == codes.CURVE:
-        return row[base + rows.CURVE_ACCELERATION]
-    return row[base + rows.ACCELERATION]
+        return segments[row + rows.CURVE_ACCELERATION]
+    return segments[row + rows.ACCELERATION]
 
 
 def entry_speed(
-    row: memoryview[float], base: int, stage: int, end_v: float, limit_v: float
+    segments: memoryview[float], row: int, stage: int, end_v: float, limit_v: float
 ) -> float:
     """The highest speed at the begin of ``stage`` from which ``end_v`` is reached at the end."""
     speed2 = end_v * end_v
-    if row[base + rows.CURVE_HALF] > 0.0 and stage <= codes.CURVE:
-        curve_v = min(limit_v, row[base + rows.CURVE_SPEED])
-        gained2 = 4.0 * row[base + rows.CURVE_HALF] * row[base + rows.CURVE_ACCELERATION]
+    if segments[row + rows.CURVE_HALF] > 0.0 and stage <= codes.CURVE:
+        curve_v = min(limit_v, segments[row + rows.CURVE_SPEED])
+        gained2 = 4.0 * segments[row + rows.CURVE_HALF] * segments[row + rows.CURVE_ACCELERATION]
         speed2 = min(speed2 + gained2, curve_v * curve_v)
     if stage <= codes.EXIT_ZONE:
-        speed2 += 2.0 * row[base + rows.EXIT_LENGTH] * row[base + rows.EXIT_ACCELERATION]
+        speed2 += 2.0 * segments[row + rows.EXIT_LENGTH] * segments[row + rows.EXIT_ACCELERATION]
     if stage <= codes.MIDDLE:
-        speed2 += 2.0 * stage_way(row, base, codes.MIDDLE) * row[base + rows.ACCELERATION]
+        speed2 += (
+            2.0 * stage_length(segments, row, codes.MIDDLE) * segments[row + rows.ACCELERATION]
+        )
     if stage == codes.ENTRY_ZONE:
-        speed2 += 2.0 * row[base + rows.ENTRY_LENGTH] * row[base + rows.ENTRY_ACCELERATION]
+        speed2 += 2.0 * segments[row + rows.ENTRY_LENGTH] * segments[row + rows.ENTRY_ACCELERATION]
     return min(arithmetic.square_root(speed2), limit_v)
 
 
 def locate(
-    row: memoryview[float], base: int, count: int, way: float, places: memoryview[float]
+    segments: memoryview[float], row: int, count: int, distance: float, positions: memoryview[float]
 ) -> None:
-    """Put where each axis is after ``way`` into ``places``; at both ends bit by bit."""
-    start = base + rows.START
+    """Put where each axis is after ``distance`` into ``positions``; at both ends bit by bit."""
+    start = row + rows.START
     target = start + count
-    if way <= 0.0 or way >= whole_way(row, base):
-        end = start if way <= 0.0 else end_column(row, base, count)
+    if distance <= 0.0 or distance >= total_length(segments, row):
+        end = start if distance <= 0.0 else end_column(segments, row, count)
         for i in range(count):
-            places[i] = row[end + i]
+            positions[i] = segments[end + i]
         return
-    if row[base + rows.CURVE_HALF] > 0.0:
-        if way > row[base + rows.LENGTH] - row[base + rows.CURVE_HALF]:
-            locate_on_curve(row, base, count, way, places)
+    if segments[row + rows.CURVE_HALF] > 0.0:
+        if distance > segments[row + rows.LENGTH] - segments[row + rows.CURVE_HALF]:
+            locate_on_curve(segments, row, count, distance, positions)
             return
-    if row[base + rows.SHAPE] == rows.ROUNDING:
-        locate_on_rounding(row, base, count, way, places)
+    if segments[row + rows.SHAPE] == rows.ROUNDING:
+        locate_on_rounding(segments, row, count, distance, positions)
         return
-    part = way / row[base + rows.LENGTH]
+    part = distance / segments[row + rows.LENGTH]
     for i in range(count):
-        begin = row[start + i]
-        places[i] = begin + (row[target + i] - begin) * part
-    if row[base + rows.SHAPE] == rows.ARC:
-        first = int(row[base + rows.ARC_FIRST_AXIS])
-        second = int(row[base + rows.ARC_SECOND_AXIS])
-        angle = row[base + rows.ARC_ANGLE] * part
+        begin = segments[start + i]
+        positions[i] = begin + (segments[target + i] - begin) * part
+    if segments[row + rows.SHAPE] == rows.ARC:
+        first = int(segments[row + rows.ARC_FIRST_AXIS])
+        second = int(segments[row + rows.ARC_SECOND_AXIS])
+        angle = segments[row + rows.ARC_ANGLE] * part
         cosine = arithmetic.cosine(angle)
         sine = arithmetic.sine(angle)
-        x = row[start + first] - row[base + rows.ARC_FIRST_CENTRE]
-        y = row[start + second] - row[base + rows.ARC_SECOND_CENTRE]
-        places[first] = row[base + rows.ARC_FIRST_CENTRE] + x * cosine - y * sine
-        places[second] = row[base + rows.ARC_SECOND_CENTRE] + x * sine + y * cosine
+        x = segments[start + first] - segments[row + rows.ARC_FIRST_CENTRE]
+        y = segments[start + second] - segments[row + rows.ARC_SECOND_CENTRE]
+        positions[first] = segments[row + rows.ARC_FIRST_CENTRE] + x * cosine - y * sine
+        positions[second] = segments[row + rows.ARC_SECOND_CENTRE] + x * sine + y * cosine
 
 
 def locate_on_curve(
-    row: memoryview[float], base: int, count: int, way: float, places: memoryview[float]
+    segments: memoryview[float], row: int, count: int, distance: float, positions: memoryview[float]
 ) -> None:
     """``locate`` on the curve: a parabola with the target as its control point."""
-    start = base + rows.START
+    start = row + rows.START
     target = start + count
     curve_end = target + count
-    half = row[base + rows.CURVE_HALF]
-    length = row[base + rows.LENGTH]
-    part = (way - (length - half)) / (2.0 * half)
+    half = segments[row + rows.CURVE_HALF]
+    length = segments[row + rows.LENGTH]
+    part = (distance - (length - half)) / (2.0 * half)
     for i in range(count):
-        corner = row[target + i]
-        before = (row[start + i] - corner) * half / length
-        behind = row[curve_end + i] - corner
-        places[i] = corner + (1.0 - part) * (1.0 - part) * before + part * part * behind
+        corner = segments[target + i]
+        before = (segments[start + i] - corner) * half / length
+        behind = segments[curve_end + i] - corner
+        positions[i] = corner + (1.0 - part) * (1.0 - part) * before + part * part * behind
 
 
 def locate_on_rounding(
-    row: memoryview[float], base: int, count: int, way: float, places: memoryview[float]
+    segments: memoryview[float], row: int, count: int, distance: float, positions: memoryview[float]
 ) -> None:
     """``locate`` on a rounding: from its nearer end along the line there, and off it as way³."""
-    start = base + rows.START
+    start = row + rows.START
     target = start + count
     corners = target + count + count
-    part = way / row[base + rows.LENGTH]
+    part = distance / segments[row + rows.LENGTH]
     is_behind = part > 0.5
     if is_behind:
         part = 1.0 - part
     off = part * part * part * 1.3333333333333333
     for i in range(count):
-        near = row[start + i]
-        far = row[target + i]
+        near = segments[start + i]
+        far = segments[target + i]
         if is_behind:
             far = near
-            near = row[target + i]
-        corner = row[corners + i]
-        places[i] = near + 2.0 * part * (corner - near) + off * (near + far - 2.0 * corner)
+            near = segments[target + i]
+        corner = segments[corners + i]
+        positions[i] = near + 2.0 * part * (corner - near) + off * (near + far - 2.0 * corner)
 
 
-def direct(
-    row: memoryview[float], base: int, count: int, at_end: int, ways: memoryview[float]
+def tangent(
+    segments: memoryview[float], row: int, count: int, at_end: int, directions: memoryview[float]
 ) -> None:
-    """Put the way of each axis per way of the path, at start or target, into ``ways``."""
-    start = base + rows.START
+    """Put the way of each axis per way of the path, at start or target, into ``directions``."""
+    start = row + rows.START
     target = start + count
-    length = row[base + rows.LENGTH]
+    length = segments[row + rows.LENGTH]
     for i in range(count):
-        ways[i] = (row[target + i] - row[start + i]) / length
-    if row[base + rows.SHAPE] == rows.ARC:
-        first = int(row[base + rows.ARC_FIRST_AXIS])
-        second = int(row[base + rows.ARC_SECOND_AXIS])
+        directions[i] = (segments[target + i] - segments[start + i]) / length
+    if segments[row + rows.SHAPE] == rows.ARC:
+        first = int(segments[row + rows.ARC_FIRST_AXIS])
+        second = int(segments[row + rows.ARC_SECOND_AXIS])
         end = target if at_end else start
-        turn = row[base + rows.ARC_ANGLE] * 0.017453292519943295 / length
-        ways[first] = (row[base + rows.ARC_SECOND_CENTRE] - row[end + second]) * turn
-        ways[second] = (row[end + first] - row[base + rows.ARC_FIRST_CENTRE]) * turn
+        turn = segments[row + rows.ARC_ANGLE] * 0.017453292519943295 / length
+        directions[first] = (segments[row + rows.ARC_SECOND_CENTRE] - segments[end + second]) * turn
+        directions[second] = (segments[end + first] - segments[row + rows.ARC_FIRST_CENTRE]) * turn
 
 
-def curve(
-    row: memoryview[float], base: int, count: int, at_end: int, turns: memoryview[float]
+def curvature(
+    segments: memoryview[float], row: int, count: int, at_end: int, curvatures: memoryview[float]
 ) -> None:
-    """Put the change of ``direct`` per way, at start or target, into ``turns``: 0 on a line."""
+    """Put the change of ``tangent`` per way, at start or target, into ``turns``: 0 on a line."""
     for i in range(count):
-        turns[i] = 0.0
-    if row[base + rows.SHAPE] == rows.ARC:
-        first = int(row[base + rows.ARC_FIRST_AXIS])
-        second = int(row[base + rows.ARC_SECOND_AXIS])
-        end = base + rows.START + (count if at_end else 0)
-        turn = row[base + rows.ARC_ANGLE] * 0.017453292519943295 / row[base + rows.LENGTH]
-        turns[first] = (row[base + rows.ARC_FIRST_CENTRE] - row[end + first]) * turn * turn
-        turns[second] = (row[base + rows.ARC_SECOND_CENTRE] - row[end + second]) * turn * turn
+        curvatures[i] = 0.0
+    if segments[row + rows.SHAPE] == rows.ARC:
+        first = int(segments[row + rows.ARC_FIRST_AXIS])
+        second = int(segments[row + rows.ARC_SECOND_AXIS])
+        end = row + rows.START + (count if at_end else 0)
+        turn = segments[row + rows.ARC_ANGLE] * 0.017453292519943295 / segments[row + rows.LENGTH]
+        curvatures[first] = (
+            (segments[row + rows.ARC_FIRST_CENTRE] - segments[end + first]) * turn * turn
+        )
+        curvatures[second] = (
+            (segments[row + rows.ARC_SECOND_CENTRE] - segments[end + second]) * turn * turn
+        )

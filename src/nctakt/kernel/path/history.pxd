@@ -8,29 +8,29 @@ from nctakt.kernel.path.path cimport Path
 
 cdef class History:
     cdef Path path
-    cdef LookAhead ahead
+    cdef LookAhead look_ahead
     cdef long long[::1] foreign
-    cdef long long place
-    cdef long long front_place
+    cdef long long number
+    cdef long long front_number
     cdef long long[::1] stretch
     cdef Py_ssize_t max_stretch
     cdef long long stretch_end
     cdef double[::1] goal_row
     cdef double limit_a
     cdef double limit_j
-    cdef double bend_a
-    cdef double bend_j
+    cdef double rounding_a
+    cdef double rounding_j
 
-    cdef long long neighbour(self, long long place, int direction) noexcept nogil
+    cdef long long neighbour(self, long long number, int direction) noexcept nogil
     @cython.locals(i=Py_ssize_t)
-    cdef int is_shut(self, Py_ssize_t base) noexcept nogil
-    @cython.locals(found=int, i=Py_ssize_t)
+    cdef int is_shut(self, Py_ssize_t row) noexcept nogil
+    @cython.locals(has_changed=int, i=Py_ssize_t)
     cdef int note_foreign(self) noexcept nogil
     @cython.locals(first=Py_ssize_t, second=Py_ssize_t)
-    cdef double passing_speed(self, long long place, long long other) noexcept nogil
-    @cython.locals(count=Py_ssize_t, place=cython.longlong, other=cython.longlong)
+    cdef double passing_speed(self, long long number, long long other) noexcept nogil
+    @cython.locals(count=Py_ssize_t, number=cython.longlong, other=cython.longlong)
     cdef void survey(self, int is_new) noexcept nogil
-    @cython.locals(last=Py_ssize_t, base=Py_ssize_t, before=Py_ssize_t, first=Py_ssize_t, corner_v=double)
+    @cython.locals(last=Py_ssize_t, row=Py_ssize_t, before=Py_ssize_t, first=Py_ssize_t, corner_v=double)
     cdef void find_goal(self, Py_ssize_t count) noexcept nogil
     @cython.locals(own_a=double, own_j=double, fades_d=double)
-    cdef void borrow(self, Py_ssize_t before, Py_ssize_t base) noexcept nogil
+    cdef void take_over(self, Py_ssize_t before, Py_ssize_t row) noexcept nogil

@@ -29,133 +29,138 @@ class History:
 
     def __init__(self, path: Path, ahead: LookAhead) -> None:
         self.path = path
-        self.ahead = ahead
+        self.look_ahead = ahead
         self.foreign = memoryview(bytearray(8 * max(1, path.count))).cast("q")
-        self.place = 0
-        self.front_place = 0
+        self.number = 0
+        self.front_number = 0
         self.stretch = memoryview(bytearray(8 * MAX_STRETCH)).cast("q")
         self.max_stretch = MAX_STRETCH
         self.stretch_end = 0
         self.goal_row = memoryview(bytearray(8 * path.width)).cast("d")
         self.limit_a = 0.0
         self.limit_j = 0.0
-        self.bend_a = 1e300
-        self.bend_j = 1e300
+        self.rounding_a = 1e300
+        self.rounding_j = 1e300
 
-    def neighbour(self, place: int, direction: int) -> int:
+    def neighbour(self, number: int, direction: int) -> int:
         """The next segment in ``direction``; dwells are passed over, but for one at the front."""
-        place += direction
-        while place >= self.path.oldest and (direction < 0 or place < self.front_place):
-            if self.path.ring[self.path.row_of(place) + rows.KIND] != rows.DWELL:
-                return place
-            place += direction
-        return place
+        number += direction
+        while number >= self.path.oldest and (direction < 0 or number < self.front_number):
+            if self.path.history_rows[self.path.row_of(number) + rows.KIND] != rows.DWELL:
+                return number
+            number += direction
+        return number
 
-    def is_shut(self, base: int) -> int:
+    def is_shut(self, row: int) -> int:
         """Whether something else has moved an axis of a segment since the path has left it."""
         for i in range(self.path.count):
-            if geometry.moves(self.path.ring, base, self.path.count, i):
+            if geometry.moves_axis(self.path.history_rows, row, self.path.count, i):
                 if self.foreign[i] or self.path.axes.independent[self.path.members[i]]:
                     return 1
         return 0
 
     def note_foreign(self) -> int:
         """Whether another axis has got a motion of its own in this tick: its blocks are shut."""
-        found = 0
+        has_changed = 0
         for i in range(self.path.count):
             if self.path.axes.independent[self.path.members[i]] and not self.foreign[i]:
                 self.foreign[i] = 1
-                found = 1
-        return found
+                has_changed = 1
+        return has_changed
 
     # --- stretches with a limit of the jerk -----------------------------------------------------
 
-    def passing_speed(self, place: int, other: int) -> float:
+    def passing_speed(self, number: int, other: int) -> float:
         """The highest speed from a segment into its neighbour; 0: the walk stands between them."""
-        if other < self.path.oldest or other == self.front_place:
+        if other < self.path.oldest or other == self.front_number:
             return 0.0
-        first = self.path.row_of(place if self.path.direction > 0 else other)
-        second = self.path.row_of(other if self.path.direction > 0 else place)
-        if self.path.ring[first + rows.JERK] == 0.0 or self.path.ring[second + rows.JERK] == 0.0:
+        first = self.path.row_of(number if self.path.direction > 0 else other)
+        second = self.path.row_of(other if self.path.direction > 0 else number)
+        if (
+            self.path.history_rows[first + rows.JERK] == 0.0
+            or self.path.history_rows[second + rows.JERK] == 0.0
+        ):
             return 0.0
         if self.is_shut(self.path.row_of(other)):
             return 0.0
-        return self.path.ring[first + rows.CORNER_SPEED]
+        return self.path.history_rows[first + rows.CORNER_SPEED]
 
     def survey(self, is_new: int) -> None:
         """Find the goal at or behind the end of the present segment; ``is_new``: a new stretch."""
         count = 0
-        place = self.place
+        number = self.number
         while True:
-            self.stretch[count] = place
+            self.stretch[count] = number
             count += 1
-            if count >= self.max_stretch or (not is_new and place == self.stretch_end):
+            if count >= self.max_stretch or (not is_new and number == self.stretch_end):
                 break
-            other = self.neighbour(place, self.path.direction)
-            if self.passing_speed(place, other) <= 0.0:
+            other = self.neighbour(number, self.path.direction)
+            if self.passing_speed(number, other) <= 0.0:
                 break
-            place = other
+            number = other
         if is_new:
-            self.stretch_end = place
+            self.stretch_end = number
         self.find_goal(count)
         self.goal_row[rows.JERK] = self.limit_j
-        self.goal_row[rows.ROUNDING_LENGTH] = 1.0 if self.bend_a < 1e299 else 0.0
-        self.goal_row[rows.GOAL_LENGTH] = self.ahead.way
-        self.goal_row[rows.GOAL_SPEED] = self.ahead.goal_v
+        self.goal_row[rows.ROUNDING_LENGTH] = 1.0 if self.rounding_a < 1e299 else 0.0
+        self.goal_row[rows.GOAL_LENGTH] = self.look_ahead.goal_d
+        self.goal_row[rows.GOAL_SPEED] = self.look_ahead.goal_v
         self.goal_row[rows.GOAL_ACCELERATION] = 1e300
         self.goal_row[rows.GOAL_JERK] = 1e300
-        self.goal_row[rows.GOAL_KIND] = self.ahead.goal_kind
+        self.goal_row[rows.GOAL_KIND] = self.look_ahead.goal_kind
         self.goal_row[rows.CARRIED_ACCELERATION] = self.limit_a
         self.goal_row[rows.CARRIED_JERK] = self.limit_j
 
     def find_goal(self, count: int) -> None:
         """The nearest goal of the stretch's first ``count`` segments, the last of which is one.
 
-        ``limit_a``, ``limit_j``: acceleration and jerk on the first of them; ``bend_a``,
-        ``bend_j``: those of the bend that follows it, 1e300 where none does.
+        ``limit_a``, ``limit_j``: acceleration and jerk on the first of them; ``rounding_a``,
+        ``rounding_j``: those of the bend that follows it, 1e300 where none does.
         """
         last = count - 1
-        base = self.path.row_of(self.stretch[last])
-        self.limit_a = self.path.ring[base + rows.ACCELERATION]
-        self.limit_j = self.path.ring[base + rows.JERK]
-        self.bend_a = 1e300
-        self.bend_j = 1e300
-        self.ahead.way = 0.0
-        self.ahead.goal_v = 0.0
-        self.ahead.goal_kind = rows.LIMIT_GOAL
+        row = self.path.row_of(self.stretch[last])
+        self.limit_a = self.path.history_rows[row + rows.ACCELERATION]
+        self.limit_j = self.path.history_rows[row + rows.JERK]
+        self.rounding_a = 1e300
+        self.rounding_j = 1e300
+        self.look_ahead.goal_d = 0.0
+        self.look_ahead.goal_v = 0.0
+        self.look_ahead.goal_kind = rows.LIMIT_GOAL
         while last > 0:
-            base = self.path.row_of(self.stretch[last])
+            row = self.path.row_of(self.stretch[last])
             last -= 1
             before = self.path.row_of(self.stretch[last])
-            first = before if self.path.direction > 0 else base
-            self.ahead.goal_a = self.limit_a
-            self.ahead.goal_j = self.limit_j
-            self.ahead.way += self.path.ring[base + rows.LENGTH]
-            self.borrow(before, base)
-            corner_v = self.path.ring[first + rows.CORNER_SPEED]
-            self.ahead.stop_at(self.path.ring, before, base, corner_v)
+            first = before if self.path.direction > 0 else row
+            self.look_ahead.goal_a = self.limit_a
+            self.look_ahead.goal_j = self.limit_j
+            self.look_ahead.goal_d += self.path.history_rows[row + rows.LENGTH]
+            self.take_over(before, row)
+            corner_v = self.path.history_rows[first + rows.CORNER_SPEED]
+            self.look_ahead.stop_at(self.path.history_rows, before, row, corner_v)
 
-    def borrow(self, before: int, base: int) -> None:
-        """Go on from ``base`` to the segment before it, and to what the walk may do on that.
+    def take_over(self, before: int, row: int) -> None:
+        """Go on from ``row`` to the segment before it, and to what the walk may do on that.
 
         Acceleration that it brings into a segment in front of a bend has to fade on it. A bend it
-        comes to without any; if it cannot, the bend's limits count (``ahead.lent_a``).
+        comes to without any; if it cannot, the bend's limits count (``look_ahead.carried_a``).
         """
-        own_a = self.path.ring[before + rows.ACCELERATION]
-        own_j = self.path.ring[before + rows.JERK]
-        fades_d = self.ahead.speed_of(self.path.ring, base) * self.limit_a / self.limit_j
-        if self.path.ring[base + rows.LENGTH] < fades_d:
-            self.limit_a = min(self.limit_a, self.bend_a)
-            self.limit_j = min(self.limit_j, self.bend_j)
-        self.ahead.lent_a = min(self.limit_a, own_a)
-        self.ahead.lent_j = min(self.limit_j, own_j)
-        self.bend_a = 1e300
-        self.bend_j = 1e300
-        if self.path.ring[base + rows.SHAPE] == rows.ROUNDING:
-            self.bend_a = self.limit_a
-            self.bend_j = self.limit_j
+        own_a = self.path.history_rows[before + rows.ACCELERATION]
+        own_j = self.path.history_rows[before + rows.JERK]
+        fades_d = (
+            self.look_ahead.speed_of(self.path.history_rows, row) * self.limit_a / self.limit_j
+        )
+        if self.path.history_rows[row + rows.LENGTH] < fades_d:
+            self.limit_a = min(self.limit_a, self.rounding_a)
+            self.limit_j = min(self.limit_j, self.rounding_j)
+        self.look_ahead.carried_a = min(self.limit_a, own_a)
+        self.look_ahead.carried_j = min(self.limit_j, own_j)
+        self.rounding_a = 1e300
+        self.rounding_j = 1e300
+        if self.path.history_rows[row + rows.SHAPE] == rows.ROUNDING:
+            self.rounding_a = self.limit_a
+            self.rounding_j = self.limit_j
             self.limit_a = own_a
             self.limit_j = own_j
         else:
-            self.limit_a = self.ahead.lent_a
-            self.limit_j = self.ahead.lent_j
+            self.limit_a = self.look_ahead.carried_a
+            self.limit_j = self.look_ahead.carried_j

@@ -6,7 +6,7 @@ from nctakt.kernel cimport rows
 from nctakt.kernel.axes.trajectory cimport Trajectories
 
 @cython.final
-cdef class SmoothSpeed:
+cdef class JerkProfile:
     cdef Trajectories course
     cdef double tick_t
     cdef double acceleration_a
@@ -19,8 +19,8 @@ cdef class SmoothSpeed:
     cdef double own_j
 
     cdef void begin(self) noexcept nogil
-    @cython.locals(limit_a=double, limit_j=double, way=double, goal_v=double, goal_a=double, goal_j=double, is_met=int, settles=bint)
-    cdef void plan(self, double[::1] row, Py_ssize_t base, double rest_d, double speed_v, double limit_v, double factor, int is_single) noexcept nogil
+    @cython.locals(limit_a=double, limit_j=double, goal_d=double, goal_v=double, goal_a=double, goal_j=double, is_met=int, settles=bint)
+    cdef void plan(self, double[::1] segments, Py_ssize_t row, double rest_d, double speed_v, double limit_v, double factor, int is_single) noexcept nogil
     @cython.locals(stop_d=double)
     cdef int can_stop(self, double speed_v, double limit_a, double limit_j) noexcept nogil
     @cython.locals(is_met=int)

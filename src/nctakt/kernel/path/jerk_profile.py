@@ -14,7 +14,7 @@ from nctakt.kernel import rows
 from nctakt.kernel.axes.trajectory import Trajectories
 
 
-class SmoothSpeed:
+class JerkProfile:
     """The plan of one path, and the acceleration that it has reached.
 
     ``distance_d``, ``speed_v``: what ``advance`` has found; ``left_t``: time left behind the end of
@@ -39,8 +39,8 @@ class SmoothSpeed:
 
     def plan(
         self,
-        row: memoryview[float],
-        base: int,
+        segments: memoryview[float],
+        row: int,
         rest_d: float,
         speed_v: float,
         limit_v: float,
@@ -49,18 +49,18 @@ class SmoothSpeed:
     ) -> None:
         """Plan what is left of a segment, and up to its goal; to a stand where ``limit_v`` is 0.
 
-        ``base``: where the segment's row begins. In single block the segment's end is the goal if
+        ``row``: where the segment's row begins. In single block the segment's end is the goal if
         the path can still stop there; it brakes with the segment's own limits, and so may come too
         fast to the goal ahead, which asks for less, when single block is taken away: then it stands
         at the end nevertheless. It does not once the goal has come within reach, since it then
         leaves the way on which it could stand there.
         """
-        limit_a = row[base + rows.CARRIED_ACCELERATION]
-        limit_j = row[base + rows.CARRIED_JERK]
-        self.own_j = row[base + rows.JERK]
+        limit_a = segments[row + rows.CARRIED_ACCELERATION]
+        limit_j = segments[row + rows.CARRIED_JERK]
+        self.own_j = segments[row + rows.JERK]
         self.rest_d = rest_d
         self.ends_in_time = False
-        settles = row[base + rows.ROUNDING_LENGTH] > 0.0
+        settles = segments[row + rows.ROUNDING_LENGTH] > 0.0
         if limit_v <= 0.0:
             if settles and not self.can_stop(speed_v, limit_a, limit_j):
                 self.fade_by_end(0.0, speed_v, limit_a, limit_j)
@@ -72,15 +72,15 @@ class SmoothSpeed:
             if self.stands_at_end:
                 self.stand_at_end(speed_v, limit_v, limit_a, limit_j)
                 return
-        way = row[base + rows.GOAL_LENGTH]
-        goal_v = row[base + rows.GOAL_SPEED]
-        if row[base + rows.GOAL_KIND] != rows.LIMIT_GOAL and factor < 1.0:
+        goal_d = segments[row + rows.GOAL_LENGTH]
+        goal_v = segments[row + rows.GOAL_SPEED]
+        if segments[row + rows.GOAL_KIND] != rows.LIMIT_GOAL and factor < 1.0:
             goal_v *= factor
         goal_v = min(goal_v, limit_v)
-        goal_a = min(limit_a, row[base + rows.GOAL_ACCELERATION])
-        goal_j = min(limit_j, row[base + rows.GOAL_JERK])
-        is_met = self.head_for(rest_d + way, goal_v, speed_v, limit_v, goal_a, goal_j)
-        self.ends_in_time = is_met > 0 and way == 0.0
+        goal_a = min(limit_a, segments[row + rows.GOAL_ACCELERATION])
+        goal_j = min(limit_j, segments[row + rows.GOAL_JERK])
+        is_met = self.head_for(rest_d + goal_d, goal_v, speed_v, limit_v, goal_a, goal_j)
+        self.ends_in_time = is_met > 0 and goal_d == 0.0
         self.stands_at_end = self.stands_at_end and not is_met
         if self.stands_at_end:
             self.stand_at_end(speed_v, limit_v, limit_a, limit_j)

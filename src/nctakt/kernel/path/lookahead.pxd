@@ -5,26 +5,26 @@ from nctakt.kernel cimport codes
 from nctakt.kernel cimport rows
 from nctakt.kernel.base cimport arithmetic
 from nctakt.kernel.path cimport geometry
-from nctakt.kernel.path.corner_rounding cimport Bends
+from nctakt.kernel.path.corner_rounding cimport CornerRounding
 
 @cython.final
-cdef class LookAhead(Bends):
-    cdef void leave(self, double[::1] row, Py_ssize_t base, double length) noexcept nogil
+cdef class LookAhead(CornerRounding):
+    cdef void leave(self, double[::1] segments, Py_ssize_t row, double length) noexcept nogil
     @cython.locals(i=Py_ssize_t, speed=double)
-    cdef void join(self, double[::1] row, Py_ssize_t before, Py_ssize_t base) noexcept nogil
+    cdef void join(self, double[::1] segments, Py_ssize_t before, Py_ssize_t row) noexcept nogil
     cdef double axis_acceleration(self, Py_ssize_t index) noexcept nogil
-    @cython.locals(bend=double, reserve=double, shortest=double, limit_v=double, least_a=double, i=Py_ssize_t, step_a=double, speed=double, density=double, most=double, used=double)
-    cdef void pass_corner(self, double[::1] row, Py_ssize_t before, Py_ssize_t base) noexcept nogil
-    @cython.locals(way=double, first_a=double, second_a=double, column=Py_ssize_t, limit_a=double, bend=double, left2=double, i=Py_ssize_t, part=double, left_a=double, entry_a=double, exit_a=double)
-    cdef void reserve_zone(self, double[::1] row, Py_ssize_t base, int at_end, double speed, double most) noexcept nogil
+    @cython.locals(share=double, reserve=double, shortest=double, limit_v=double, min_a=double, i=Py_ssize_t, step_a=double, speed=double, density=double, max_share=double, used=double)
+    cdef void pass_corner(self, double[::1] segments, Py_ssize_t before, Py_ssize_t row) noexcept nogil
+    @cython.locals(length=double, first_a=double, second_a=double, column=Py_ssize_t, limit_a=double, share=double, left2=double, i=Py_ssize_t, part=double, left_a=double, entry_a=double, exit_a=double)
+    cdef void reserve_zone(self, double[::1] segments, Py_ssize_t row, int at_end, double speed, double max_share) noexcept nogil
     @cython.locals(size2=double, i=Py_ssize_t, size=double, shorter=double, half=double, curve_v2=double, step_a=double, speed=double, share=double, curve_a=double, part=double, start=Py_ssize_t, corner=Py_ssize_t, curve_end=Py_ssize_t, position=double)
-    cdef int round_corner(self, double[::1] row, Py_ssize_t before, Py_ssize_t base) noexcept nogil
-    cdef double arc_speed(self, double[::1] row, Py_ssize_t base, int at_end) noexcept nogil
+    cdef int round_corner(self, double[::1] segments, Py_ssize_t before, Py_ssize_t row) noexcept nogil
+    cdef double arc_speed(self, double[::1] segments, Py_ssize_t row, int at_end) noexcept nogil
     @cython.locals(speed=double)
-    cdef void enter(self, double[::1] row, Py_ssize_t base, double end_v, double free_end_v) noexcept nogil
-    cdef double entry_speed(self, double[::1] row, Py_ssize_t base, double end_v, double limit_v) noexcept nogil
-    @cython.locals(base=Py_ssize_t, passed=Py_ssize_t, back=Py_ssize_t, end_v=double, free_end_v=double)
-    cdef int spread(self, double[::1] row, Py_ssize_t number, Py_ssize_t oldest, double promised_v, double promised_free_v) noexcept nogil
-    @cython.locals(base=Py_ssize_t, before=Py_ssize_t, i=Py_ssize_t)
-    cdef void connect(self, double[::1] row, Py_ssize_t number, Py_ssize_t back, Py_ssize_t oldest, double promised_v, double promised_free_v) noexcept nogil
-    cdef int spread_any(self, double[::1] row, Py_ssize_t number, Py_ssize_t oldest, double promised_v, double promised_free_v) noexcept nogil
+    cdef void enter(self, double[::1] segments, Py_ssize_t row, double end_v, double max_end_v) noexcept nogil
+    cdef double entry_speed(self, double[::1] segments, Py_ssize_t row, double end_v, double limit_v) noexcept nogil
+    @cython.locals(row=Py_ssize_t, passed=Py_ssize_t, back=Py_ssize_t, end_v=double, max_end_v=double)
+    cdef int spread(self, double[::1] segments, Py_ssize_t number, Py_ssize_t oldest, double promised_v, double promised_max_v) noexcept nogil
+    @cython.locals(row=Py_ssize_t, before=Py_ssize_t, i=Py_ssize_t)
+    cdef void connect(self, double[::1] segments, Py_ssize_t number, Py_ssize_t back, Py_ssize_t oldest, double promised_v, double promised_max_v) noexcept nogil
+    cdef int spread_any(self, double[::1] segments, Py_ssize_t number, Py_ssize_t oldest, double promised_v, double promised_max_v) noexcept nogil

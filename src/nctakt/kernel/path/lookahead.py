@@ -23,98 +23,98 @@ from __future__ import annotations
 from nctakt.kernel import codes, rows
 from nctakt.kernel.base import arithmetic
 from nctakt.kernel.path import geometry
-from nctakt.kernel.path.corner_rounding import Bends
+from nctakt.kernel.path.corner_rounding import CornerRounding
 
 
-class LookAhead(Bends):
+class LookAhead(CornerRounding):
     """The preparation of one channel: how its segments go on into each other."""
 
     # --- from one segment to the next -----------------------------------------------------------
 
-    def leave(self, row: memoryview[float], base: int, length: float) -> None:
+    def leave(self, segments: memoryview[float], row: int, length: float) -> None:
         """Keep what the next segment needs to know of this one, ``length`` as programmed."""
-        geometry.direct(row, base, self.count, 1, self.leaving)
-        if row[base + rows.JERK] > 0.0:
-            self.leave_smoothly(row, base)
-        self.last_bend = self.bend
+        geometry.tangent(segments, row, self.count, 1, self.leaving)
+        if segments[row + rows.JERK] > 0.0:
+            self.leave_with_jerk(segments, row)
+        self.last_centripetal_share = self.centripetal_share
         self.last_length = length
-        self.last_deviation = row[base + rows.DEVIATION]
+        self.last_deviation = segments[row + rows.DEVIATION]
 
-    def join(self, row: memoryview[float], before: int, base: int) -> None:
-        """Settle how the path passes from the segment at ``before`` to that at ``base``."""
-        row[before + rows.NEXT_SPEED] = row[base + rows.SPEED]
-        row[before + rows.NEXT_IGNORES_OVERRIDE] = row[base + rows.IGNORES_OVERRIDE]
+    def join(self, segments: memoryview[float], before: int, row: int) -> None:
+        """Settle how the path passes from the segment at ``before`` to that at ``row``."""
+        segments[before + rows.NEXT_SPEED] = segments[row + rows.SPEED]
+        segments[before + rows.NEXT_IGNORES_OVERRIDE] = segments[row + rows.IGNORES_OVERRIDE]
         for i in range(self.count):
             self.steps[i] = self.entering[i] - self.leaving[i]
             if self.steps[i] < 0.0:
                 self.steps[i] = 0.0 - self.steps[i]
-        if row[base + rows.JERK] > 0.0:
-            self.join_smoothly(row, before, base)
+        if segments[row + rows.JERK] > 0.0:
+            self.join_with_jerk(segments, before, row)
             return
-        if row[before + rows.SHAPE] == rows.LINE and row[base + rows.SHAPE] == rows.LINE:
-            if self.last_deviation > 0.0 and self.round_corner(row, before, base):
+        if segments[before + rows.SHAPE] == rows.LINE and segments[row + rows.SHAPE] == rows.LINE:
+            if self.last_deviation > 0.0 and self.round_corner(segments, before, row):
                 return
-        self.pass_corner(row, before, base)
-        speed = min(row[before + rows.CORNER_SPEED], self.arc_speed(row, before, 1))
-        row[before + rows.CORNER_SPEED] = min(speed, self.arc_speed(row, base, 0))
+        self.pass_corner(segments, before, row)
+        speed = min(segments[before + rows.CORNER_SPEED], self.arc_speed(segments, before, 1))
+        segments[before + rows.CORNER_SPEED] = min(speed, self.arc_speed(segments, row, 0))
 
-    def arc_speed(self, row: memoryview[float], base: int, at_end: int) -> float:
+    def arc_speed(self, segments: memoryview[float], row: int, at_end: int) -> float:
         """The highest speed at the begin or end of an arc whose limits go by its angle."""
-        if geometry.pieces(row, base) == 0:
+        if geometry.pieces(segments, row) == 0:
             return 1e300
-        self.arcs.open(row, base)
+        self.arcs.open(segments, row)
         return self.arcs.end_cap(at_end)
 
     def axis_acceleration(self, index: int) -> float:
         """What an axis can do in both segments of a corner."""
         return min(self.rapid_a[index], self.feed_a[index])
 
-    def pass_corner(self, row: memoryview[float], before: int, base: int) -> None:
+    def pass_corner(self, segments: memoryview[float], before: int, row: int) -> None:
         """The highest speed at a corner, and the zones around it with acceleration in reserve."""
-        bend = max(self.bend, self.last_bend)
-        reserve = min(0.7, 1.0 - arithmetic.square_root(bend * bend + 0.0025))
-        shortest = min(row[before + rows.LENGTH], row[base + rows.LENGTH])
+        share = max(self.centripetal_share, self.last_centripetal_share)
+        reserve = min(0.7, 1.0 - arithmetic.square_root(share * share + 0.0025))
+        shortest = min(segments[before + rows.LENGTH], segments[row + rows.LENGTH])
         limit_v = 1e300
-        least_a = 1e300
+        min_a = 1e300
         for i in range(self.count):
             if self.steps[i] > 0.0:
                 step_a = self.axis_acceleration(i) * reserve / self.steps[i]
                 limit_v = min(limit_v, step_a * self.tick_t)
                 limit_v = min(limit_v, arithmetic.square_root(step_a * shortest))
-                least_a = min(least_a, self.axis_acceleration(i))
-        if limit_v < 2.5 * least_a * self.tick_t and limit_v < 1e299:
-            row[before + rows.CORNER_SPEED] = 0.0
+                min_a = min(min_a, self.axis_acceleration(i))
+        if limit_v < 2.5 * min_a * self.tick_t and limit_v < 1e299:
+            segments[before + rows.CORNER_SPEED] = 0.0
             return
-        row[before + rows.CORNER_SPEED] = limit_v
-        speed = min(limit_v, self.speed_of(row, before), self.speed_of(row, base))
+        segments[before + rows.CORNER_SPEED] = limit_v
+        speed = min(limit_v, self.speed_of(segments, before), self.speed_of(segments, row))
         density = max(1.0, speed * self.tick_t / shortest)
-        most = 0.0
+        max_share = 0.0
         for i in range(self.count):
             used = self.steps[i] * speed * density / (self.axis_acceleration(i) * self.tick_t)
             self.shares[i] = used
-            most = max(most, used)
-        if most > 1e-6:
-            self.reserve_zone(row, before, 1, speed, most)
-            self.reserve_zone(row, base, 0, speed, most)
+            max_share = max(max_share, used)
+        if max_share > 1e-6:
+            self.reserve_zone(segments, before, 1, speed, max_share)
+            self.reserve_zone(segments, row, 0, speed, max_share)
 
     def reserve_zone(
-        self, row: memoryview[float], base: int, at_end: int, speed: float, most: float
+        self, segments: memoryview[float], row: int, at_end: int, speed: float, max_share: float
     ) -> None:
         """Less acceleration within a tick of a corner; on a short segment, on all of it."""
-        way = speed * self.tick_t + row[base + rows.ACCELERATION] * self.tick_t * self.tick_t
-        if geometry.pieces(row, base) > 0:
-            first_a = self.feed_a[int(row[base + rows.ARC_FIRST_AXIS])]
-            second_a = self.feed_a[int(row[base + rows.ARC_SECOND_AXIS])]
-            way += (first_a + second_a) * self.tick_t * self.tick_t
-            column = base + (rows.ARC_EXIT_SHARE if at_end else rows.ARC_ENTRY_SHARE)
-            if 3.0 * way > row[base + rows.LENGTH]:
-                column = base + rows.ARC_SHARE
-            row[column] = max(row[column], most)
-        limit_a = row[base + rows.ACCELERATION]
-        if row[base + rows.SHAPE] == rows.ARC:
-            bend = self.last_bend if at_end else self.bend
-            left2 = (1.0 - most) * (1.0 - most) - bend * bend
-            limit_a *= arithmetic.square_root(left2 / (1.0 - bend * bend))
+        length = speed * self.tick_t + segments[row + rows.ACCELERATION] * self.tick_t * self.tick_t
+        if geometry.pieces(segments, row) > 0:
+            first_a = self.feed_a[int(segments[row + rows.ARC_FIRST_AXIS])]
+            second_a = self.feed_a[int(segments[row + rows.ARC_SECOND_AXIS])]
+            length += (first_a + second_a) * self.tick_t * self.tick_t
+            column = row + (rows.ARC_EXIT_SHARE if at_end else rows.ARC_ENTRY_SHARE)
+            if 3.0 * length > segments[row + rows.LENGTH]:
+                column = row + rows.ARC_SHARE
+            segments[column] = max(segments[column], max_share)
+        limit_a = segments[row + rows.ACCELERATION]
+        if segments[row + rows.SHAPE] == rows.ARC:
+            share = self.last_centripetal_share if at_end else self.centripetal_share
+            left2 = (1.0 - max_share) * (1.0 - max_share) - share * share
+            limit_a *= arithmetic.square_root(left2 / (1.0 - share * share))
         else:
             for i in range(self.count):
                 part = self.leaving[i] if at_end else self.entering[i]
@@ -122,20 +122,20 @@ class LookAhead(Bends):
                 if part > 0.0:
                     left_a = self.axis_acceleration(i) * (1.0 - self.shares[i])
                     limit_a = min(limit_a, left_a / part)
-        if 3.0 * way > row[base + rows.LENGTH]:
-            row[base + rows.ACCELERATION] = min(row[base + rows.ACCELERATION], limit_a)
-            entry_a = row[base + rows.ENTRY_ACCELERATION]
-            row[base + rows.ENTRY_ACCELERATION] = min(entry_a, limit_a)
-            exit_a = row[base + rows.EXIT_ACCELERATION]
-            row[base + rows.EXIT_ACCELERATION] = min(exit_a, limit_a)
+        if 3.0 * length > segments[row + rows.LENGTH]:
+            segments[row + rows.ACCELERATION] = min(segments[row + rows.ACCELERATION], limit_a)
+            entry_a = segments[row + rows.ENTRY_ACCELERATION]
+            segments[row + rows.ENTRY_ACCELERATION] = min(entry_a, limit_a)
+            exit_a = segments[row + rows.EXIT_ACCELERATION]
+            segments[row + rows.EXIT_ACCELERATION] = min(exit_a, limit_a)
         elif at_end:
-            row[base + rows.EXIT_LENGTH] = way
-            row[base + rows.EXIT_ACCELERATION] = limit_a
+            segments[row + rows.EXIT_LENGTH] = length
+            segments[row + rows.EXIT_ACCELERATION] = limit_a
         else:
-            row[base + rows.ENTRY_LENGTH] = way
-            row[base + rows.ENTRY_ACCELERATION] = limit_a
+            segments[row + rows.ENTRY_LENGTH] = length
+            segments[row + rows.ENTRY_ACCELERATION] = limit_a
 
-    def round_corner(self, row: memoryview[float], before: int, base: int) -> int:
+    def round_corner(self, segments: memoryview[float], before: int, row: int) -> int:
         """A parabola over the corner, not farther from it than the deviation: 0 if none fits.
 
         Its begin and end are equally far from the corner, on each segment at most half its way.
@@ -147,14 +147,14 @@ class LookAhead(Bends):
         size = arithmetic.square_root(size2)
         if size < 1e-6 or size > 1.99:
             return 0
-        shorter = min(self.last_length, row[base + rows.LENGTH])
+        shorter = min(self.last_length, segments[row + rows.LENGTH])
         half = min(4.0 * self.last_deviation / size, 0.5 * shorter)
         curve_v2 = 1e300
         for i in range(self.count):
             if self.steps[i] > 0.0:
                 step_a = 0.9 * self.axis_acceleration(i) / self.steps[i]
                 curve_v2 = min(curve_v2, 2.0 * half * step_a)
-        speed = min(self.speed_of(row, before), self.speed_of(row, base))
+        speed = min(self.speed_of(segments, before), self.speed_of(segments, row))
         share = 0.9 * min(1.0, speed * speed / curve_v2)
         curve_a = 1e300
         for i in range(self.count):
@@ -162,109 +162,113 @@ class LookAhead(Bends):
             part = max(part, self.entering[i], 0.0 - self.entering[i])
             if part > 0.0:
                 curve_a = min(curve_a, self.axis_acceleration(i) * (1.0 - share) / part)
-        row[before + rows.CURVE_HALF] = half
-        row[before + rows.CURVE_SPEED] = min(arithmetic.square_root(curve_v2), speed)
-        row[before + rows.CURVE_ACCELERATION] = curve_a
-        start = base + rows.START
+        segments[before + rows.CURVE_HALF] = half
+        segments[before + rows.CURVE_SPEED] = min(arithmetic.square_root(curve_v2), speed)
+        segments[before + rows.CURVE_ACCELERATION] = curve_a
+        start = row + rows.START
         corner = before + rows.START + self.count
         curve_end = corner + self.count
         for i in range(self.count):
-            position = row[corner + i] + half * self.entering[i]
-            row[curve_end + i] = position
-            row[start + i] = position
-        row[base + rows.LENGTH] -= half
-        row[before + rows.CORNER_SPEED] = 1e300
+            position = segments[corner + i] + half * self.entering[i]
+            segments[curve_end + i] = position
+            segments[start + i] = position
+        segments[row + rows.LENGTH] -= half
+        segments[before + rows.CORNER_SPEED] = 1e300
         return 1
 
     # --- the speeds at the ends -----------------------------------------------------------------
 
     def spread(
         self,
-        row: memoryview[float],
+        segments: memoryview[float],
         number: int,
         oldest: int,
         promised_v: float,
-        promised_free_v: float,
+        promised_max_v: float,
     ) -> int:
         """Let the end speeds of the segments before ``number`` rise as far as they may.
 
         ``oldest`` is the first command of the queue that is not current. The current segment has
         been promised the speed at its end: 0 where that cannot be kept.
         """
-        base = number % self.capacity * self.width
-        self.enter(row, base, 0.0, 0.0)
+        row = number % self.capacity * self.width
+        self.enter(segments, row, 0.0, 0.0)
         passed = 0
-        while row[base + rows.PREDECESSOR] > 0.0:
-            back = int(row[base + rows.PREDECESSOR])
+        while segments[row + rows.PREDECESSOR] > 0.0:
+            back = int(segments[row + rows.PREDECESSOR])
             number = number - back
             if number < oldest:
-                return 1 if self.entry_v >= promised_v and self.free_v >= promised_free_v else 0
-            base = number % self.capacity * self.width
-            self.entry_v = min(self.entry_v, row[base + rows.CORNER_SPEED])
-            self.free_v = min(self.free_v, row[base + rows.CORNER_SPEED])
-            end_v = row[base + rows.END_SPEED]
-            free_end_v = row[base + rows.FREE_END_SPEED]
-            if passed > 0 and self.entry_v == end_v and self.free_v == free_end_v:
+                return 1 if self.entry_v >= promised_v and self.max_entry_v >= promised_max_v else 0
+            row = number % self.capacity * self.width
+            self.entry_v = min(self.entry_v, segments[row + rows.CORNER_SPEED])
+            self.max_entry_v = min(self.max_entry_v, segments[row + rows.CORNER_SPEED])
+            end_v = segments[row + rows.END_SPEED]
+            max_end_v = segments[row + rows.MAX_END_SPEED]
+            if passed > 0 and self.entry_v == end_v and self.max_entry_v == max_end_v:
                 return 1
-            if passed >= self.blocks and self.entry_v >= end_v and self.free_v >= free_end_v:
+            if passed >= self.blocks and self.entry_v >= end_v and self.max_entry_v >= max_end_v:
                 return 1
-            row[base + rows.END_SPEED] = self.entry_v
-            row[base + rows.FREE_END_SPEED] = self.free_v
-            self.enter(row, base, self.entry_v, self.free_v)
+            segments[row + rows.END_SPEED] = self.entry_v
+            segments[row + rows.MAX_END_SPEED] = self.max_entry_v
+            self.enter(segments, row, self.entry_v, self.max_entry_v)
             passed += 1
         return 1
 
-    def enter(self, row: memoryview[float], base: int, end_v: float, free_end_v: float) -> None:
+    def enter(self, segments: memoryview[float], row: int, end_v: float, max_end_v: float) -> None:
         """The speeds at the begin of a segment from those at its end: with its feed, without."""
-        speed = min(row[base + rows.SPEED], row[base + rows.MAX_SPEED])
-        self.entry_v = self.entry_speed(row, base, end_v, speed)
-        self.free_v = self.entry_v
-        if free_end_v != end_v or self.entry_v == speed:
-            self.free_v = self.entry_speed(row, base, free_end_v, row[base + rows.MAX_SPEED])
+        speed = min(segments[row + rows.SPEED], segments[row + rows.MAX_SPEED])
+        self.entry_v = self.entry_speed(segments, row, end_v, speed)
+        self.max_entry_v = self.entry_v
+        if max_end_v != end_v or self.entry_v == speed:
+            self.max_entry_v = self.entry_speed(
+                segments, row, max_end_v, segments[row + rows.MAX_SPEED]
+            )
 
-    def entry_speed(self, row: memoryview[float], base: int, end_v: float, limit_v: float) -> float:
+    def entry_speed(
+        self, segments: memoryview[float], row: int, end_v: float, limit_v: float
+    ) -> float:
         """The highest speed at the begin of a segment from which that at its end is kept."""
-        if geometry.pieces(row, base) > 0:
-            self.arcs.open(row, base)
+        if geometry.pieces(segments, row) > 0:
+            self.arcs.open(segments, row)
             return self.arcs.entry_speed(end_v, limit_v)
-        return geometry.entry_speed(row, base, codes.ENTRY_ZONE, end_v, limit_v)
+        return geometry.entry_speed(segments, row, codes.ENTRY_ZONE, end_v, limit_v)
 
     def connect(
         self,
-        row: memoryview[float],
+        segments: memoryview[float],
         number: int,
         back: int,
         oldest: int,
         promised_v: float,
-        promised_free_v: float,
+        promised_max_v: float,
     ) -> None:
         """Let the path go on into segment ``number`` from the one ``back`` commands before it.
 
         What would break the promise to the current segment is taken back: the path stops there.
         """
-        base = number % self.capacity * self.width
+        row = number % self.capacity * self.width
         before = (number - back) % self.capacity * self.width
-        row[base + rows.PREDECESSOR] = back
+        segments[row + rows.PREDECESSOR] = back
         for i in range(self.width):
-            self.spare[i] = row[base + i]
-            self.spare[self.width + i] = row[before + i]
-        self.join(row, before, base)
-        if self.spread_any(row, number, oldest, promised_v, promised_free_v):
+            self.spare[i] = segments[row + i]
+            self.spare[self.width + i] = segments[before + i]
+        self.join(segments, before, row)
+        if self.spread_any(segments, number, oldest, promised_v, promised_max_v):
             return
         for i in range(self.width):
-            row[base + i] = self.spare[i]
-            row[before + i] = self.spare[self.width + i]
-        self.spread_any(row, number, oldest, -1.0, -1.0)
+            segments[row + i] = self.spare[i]
+            segments[before + i] = self.spare[self.width + i]
+        self.spread_any(segments, number, oldest, -1.0, -1.0)
 
     def spread_any(
         self,
-        row: memoryview[float],
+        segments: memoryview[float],
         number: int,
         oldest: int,
         promised_v: float,
-        promised_free_v: float,
+        promised_max_v: float,
     ) -> int:
-        """``spread``, or ``spread_smoothly``: a speed below 0 is none that is promised."""
-        if row[number % self.capacity * self.width + rows.JERK] > 0.0:
-            return self.spread_smoothly(row, number, oldest, promised_v >= 0.0)
-        return self.spread(row, number, oldest, promised_v, promised_free_v)
+        """``spread``, or ``spread_with_jerk``: a speed below 0 is none that is promised."""
+        if segments[number % self.capacity * self.width + rows.JERK] > 0.0:
+            return self.spread_with_jerk(segments, number, oldest, promised_v >= 0.0)
+        return self.spread(segments, number, oldest, promised_v, promised_max_v)

@@ -6,13 +6,13 @@ from nctakt.kernel.cycles.context cimport Context
 
 cdef class Overrides:
     cdef Context context
-    cdef double most_pct
+    cdef double max_pct
     cdef double operator_pct
     cdef double cycle_pct
     cdef double total_pct
 
     @cython.locals(operator=double)
-    cdef double parts(self, int leaves_operator) noexcept nogil
+    cdef double parts(self, int ignores_override) noexcept nogil
     cdef double none(self) noexcept nogil
     @cython.locals(pct=double, spindle=Py_ssize_t, speed_v=double)
-    cdef double factor(self, double[::1] row, Py_ssize_t base) noexcept nogil
+    cdef double factor(self, double[::1] segments, Py_ssize_t row) noexcept nogil

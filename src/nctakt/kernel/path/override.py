@@ -20,33 +20,33 @@ class Overrides:
 
     def __init__(self, context: Context) -> None:
         self.context = context
-        self.most_pct = 100.0
+        self.max_pct = 100.0
         self.operator_pct = 100.0
         self.cycle_pct = 100.0
         self.total_pct = 100.0
 
-    def parts(self, leaves_operator: int) -> float:
+    def parts(self, ignores_override: int) -> float:
         """The parts of this tick together, in percent, with or without the operator's (G166)."""
-        operator = 100.0 if leaves_operator else self.operator_pct
-        return min(operator * self.cycle_pct / 100.0, self.most_pct)
+        operator = 100.0 if ignores_override else self.operator_pct
+        return min(operator * self.cycle_pct / 100.0, self.max_pct)
 
     def none(self) -> float:
         """The factor where no segment is current."""
         self.total_pct = self.parts(0)
         return self.total_pct / 100.0
 
-    def factor(self, row: memoryview[float], base: int) -> float:
+    def factor(self, segments: memoryview[float], row: int) -> float:
         """The factor of a segment."""
-        pct = self.parts(row[base + rows.IGNORES_OVERRIDE] != 0.0)
+        pct = self.parts(segments[row + rows.IGNORES_OVERRIDE] != 0.0)
         self.total_pct = pct
-        if row[base + rows.SPEED_OVERRIDE] == 0.0:
+        if segments[row + rows.SPEED_OVERRIDE] == 0.0:
             return pct / 100.0
-        self.total_pct = pct * row[base + rows.SPEED_OVERRIDE]
-        spindle = int(row[base + rows.FEED_SPINDLE])
+        self.total_pct = pct * segments[row + rows.SPEED_OVERRIDE]
+        spindle = int(segments[row + rows.FEED_SPINDLE])
         if spindle > 0:
             speed_v = self.context.spindles.speed_v[spindle - 1]
-            pct *= (speed_v if speed_v > 0.0 else 0.0 - speed_v) / row[
-                base + rows.FEED_SPINDLE_SPEED
+            pct *= (speed_v if speed_v > 0.0 else 0.0 - speed_v) / segments[
+                row + rows.FEED_SPINDLE_SPEED
             ]
-            pct = min(pct, max(100.0, self.most_pct))
+            pct = min(pct, max(100.0, self.max_pct))
         return pct / 100.0

@@ -7,9 +7,9 @@ from nctakt.kernel.base cimport arithmetic
 from nctakt.kernel.path cimport geometry
 from nctakt.kernel.path.arc_speed cimport ArcSpeed
 from nctakt.kernel.axes.axes cimport Axes
-from nctakt.kernel.path.trapezoid_profile cimport Profile
+from nctakt.kernel.path.trapezoid_profile cimport TrapezoidProfile
 from nctakt.kernel.path.path_axes cimport PathAxes
-from nctakt.kernel.path.jerk_profile cimport SmoothSpeed
+from nctakt.kernel.path.jerk_profile cimport JerkProfile
 
 @cython.final
 cdef class Path(PathAxes):
@@ -22,22 +22,22 @@ cdef class Path(PathAxes):
     cdef readonly long long used
     cdef readonly long long oldest
     cdef Py_ssize_t front
-    cdef readonly bint is_away
+    cdef readonly bint is_retracing
     cdef bint is_front_over
     cdef readonly long long serial
     cdef readonly bint is_active
     cdef bint is_dwell
     cdef long long dwell_ticks
-    cdef Profile profile
+    cdef TrapezoidProfile profile
     cdef ArcSpeed arc
     cdef Py_ssize_t pieces
-    cdef SmoothSpeed smooth
-    cdef double[::1] places
+    cdef JerkProfile jerk_profile
+    cdef double[::1] positions
     cdef int stage
     cdef double stage_end_d
     cdef double factor
     cdef double common_factor
-    cdef double bare_factor
+    cdef double unoverridden_factor
     cdef double planned_factor
     cdef double covered_d
     cdef double plan_d
@@ -49,37 +49,37 @@ cdef class Path(PathAxes):
     cdef readonly bint is_single
 
     @cython.locals(i=Py_ssize_t)
-    cdef void begin(self, Py_ssize_t queue_base, double[::1] queue, double offset_t) noexcept nogil
+    cdef void begin(self, Py_ssize_t queue_row, double[::1] queue, double offset_t) noexcept nogil
     @cython.locals(i=Py_ssize_t, end=Py_ssize_t)
     cdef void remember(self) noexcept nogil
-    cdef Py_ssize_t row_of(self, long long place) noexcept nogil
-    cdef void rejoin(self, double covered_d) noexcept nogil
+    cdef Py_ssize_t row_of(self, long long number) noexcept nogil
+    cdef void return_to_newest(self, double covered_d) noexcept nogil
     cdef void forget(self) noexcept nogil
-    cdef bint goes_on(self) noexcept nogil
-    cdef void leave_rest(self, double rest) noexcept nogil
-    cdef double rest_speed(self) noexcept nogil
+    cdef bint continues_block(self) noexcept nogil
+    cdef void set_remaining(self, double remaining) noexcept nogil
+    cdef double remaining_speed(self) noexcept nogil
     cdef long long block_serial(self) noexcept nogil
     cdef void enter_stages(self) noexcept nogil
-    @cython.locals(border=Py_ssize_t, way=double)
+    @cython.locals(border=Py_ssize_t, length=double)
     cdef int next_stage(self) noexcept nogil
     @cython.locals(limit_v=double)
     cdef int step(self, double factor, int is_stopping) noexcept nogil
     @cython.locals(goal=double)
-    cdef int runs_on(self) noexcept nogil
+    cdef int ends_moving(self) noexcept nogil
     cdef void set_single(self, bint is_single) noexcept nogil
     cdef int step_carried(self, double factor, int is_stopping) noexcept nogil
     cdef double highest_speed(self, double factor, int is_stopping) noexcept nogil
-    @cython.locals(rest_d=double, limit_a=double, end_v=double, rest_v=double, ahead=double)
+    @cython.locals(rest_d=double, limit_a=double, end_v=double, remaining_v=double, ahead=double)
     cdef void replan(self, double limit_v) noexcept nogil
-    @cython.locals(end_v=double, limit_v=double, feed_v=double, least2=double)
+    @cython.locals(end_v=double, limit_v=double, feed_v=double, min_v2=double)
     cdef double end_speed(self, double rest_d, double limit_a) noexcept nogil
-    cdef double factor_ahead(self, int leaves_operator) noexcept nogil
-    @cython.locals(end_v=double, rest_v=double, stop_v=double, brake2=double, free_v=double)
+    cdef double factor_ahead(self, int ignores_override) noexcept nogil
+    @cython.locals(end_v=double, remaining_v=double, stop_v=double, brake2=double, max_end_v=double)
     cdef double block_end_speed(self, double rest_d, double limit_a) noexcept nogil
     @cython.locals(rest_d=double, speed_v=double, limit_a=double, limit_j=double, need_d=double)
-    cdef int stands_smoothly(self, double limit_v) noexcept nogil
+    cdef int stands_in_single_block(self, double limit_v) noexcept nogil
     @cython.locals(now_t=double, is_over=int)
-    cdef int advance_smoothly(self) noexcept nogil
+    cdef int advance_with_jerk(self) noexcept nogil
     @cython.locals(now_t=double, over_t=double)
     cdef int advance(self) noexcept nogil
     cdef int finish(self) noexcept nogil
@@ -87,11 +87,11 @@ cdef class Path(PathAxes):
     cdef void move_axes(self) noexcept nogil
     @cython.locals(i=Py_ssize_t, axis=Py_ssize_t)
     cdef void abandon(self) noexcept nogil
-    cdef int stands(self) noexcept nogil
-    cdef double rest_d(self) noexcept nogil
+    cdef int is_standing(self) noexcept nogil
+    cdef double distance_to_go(self) noexcept nogil
     cdef double promised_speed(self, Py_ssize_t column) noexcept nogil
     cdef double block_number(self) noexcept nogil
-    cdef double covered_way(self) noexcept nogil
-    @cython.locals(acceleration=double, way=double)
-    cdef double brake_way(self) noexcept nogil
+    cdef double covered_length(self) noexcept nogil
+    @cython.locals(acceleration=double, length=double)
+    cdef double braking_distance(self) noexcept nogil
     cdef double covered_part(self) noexcept nogil

@@ -17,17 +17,17 @@ from nctakt.kernel.base import arithmetic
 from nctakt.kernel.base.bounds import check_index
 from nctakt.kernel.path import geometry
 from nctakt.kernel.path.arc_speed import ArcSpeed
-from nctakt.kernel.path.jerk_profile import SmoothSpeed
+from nctakt.kernel.path.jerk_profile import JerkProfile
 from nctakt.kernel.path.path_axes import PathAxes
-from nctakt.kernel.path.trapezoid_profile import Profile
+from nctakt.kernel.path.trapezoid_profile import TrapezoidProfile
 
 
 class Path(PathAxes):
     """The path of one channel over the machine's axes that belong to it.
 
     ``history_size`` blocks behind the current one are kept, from the running number ``oldest`` on.
-    ``front`` is the row of the latest segment. While the path ``is_away`` from it the current row
-    is another one, walked over in ``direction`` (1 forward, -1 backward), and ``is_front_over``
+    ``front`` is the row of the latest segment. While the path ``is_retracing`` from it the current
+    row is another one, walked over in ``direction`` (1 forward, -1 backward), and ``is_front_over``
     tells that the latest segment was at its end before.
     """
 
@@ -40,27 +40,27 @@ class Path(PathAxes):
         self.width = rows.segment_width(len(members))
         self.history_size = history_size
         self.ring_size = history_size + 1
-        self.ring = memoryview(bytearray(8 * self.ring_size * self.width)).cast("d")
+        self.history_rows = memoryview(bytearray(8 * self.ring_size * self.width)).cast("d")
         self.ends = memoryview(bytearray(8 * max(1, len(members)))).cast("d")
         self.used = 0
         self.oldest = 0
         self.front = 0
-        self.is_away = False
+        self.is_retracing = False
         self.is_front_over = False
         self.serial = 0
         self.is_active = False
         self.is_dwell = False
         self.dwell_ticks = 0
-        self.profile = Profile()
+        self.profile = TrapezoidProfile()
         self.arc = ArcSpeed(len(members), self.profile)
         self.pieces = 0
-        self.smooth = SmoothSpeed(self.cycle_time_t)
-        self.places = memoryview(bytearray(8 * max(1, len(members)))).cast("d")
+        self.jerk_profile = JerkProfile(self.cycle_time_t)
+        self.positions = memoryview(bytearray(8 * max(1, len(members)))).cast("d")
         self.stage = 0
         self.stage_end_d = 0.0
         self.factor = 1.0
         self.common_factor = 1.0
-        self.bare_factor = 1.0
+        self.unoverridden_factor = 1.0
         self.planned_factor = 1.0
         self.covered_d = 0.0
         self.plan_d = 0.0
@@ -71,20 +71,22 @@ class Path(PathAxes):
         self.left_t = 0.0
         self.is_single = False
 
-    def begin(self, queue_base: int, queue: memoryview[float], offset_t: float) -> None:
-        """Take the segment in ``queue`` at ``queue_base`` as current, ``offset_t`` of it past."""
-        if not self.goes_on():
+    def begin(self, queue_row: int, queue: memoryview[float], offset_t: float) -> None:
+        """Take the segment in ``queue`` at ``queue_row`` as current, ``offset_t`` of it past."""
+        if not self.continues_block():
             self.serial += 1
-        self.base = (self.used % self.ring_size) * self.width
+        self.row = (self.used % self.ring_size) * self.width
         for i in range(self.width):
-            self.ring[self.base + i] = queue[queue_base + i]
-        self.front = self.base
+            self.history_rows[self.row + i] = queue[queue_row + i]
+        self.front = self.row
         if self.history_size > 0:
             self.remember()
         self.used += 1
         self.is_active = True
-        self.is_dwell = self.ring[self.base + rows.KIND] == rows.DWELL
-        self.dwell_ticks = int(self.ring[self.base + rows.DWELL_TICKS]) if self.is_dwell else 0
+        self.is_dwell = self.history_rows[self.row + rows.KIND] == rows.DWELL
+        self.dwell_ticks = (
+            int(self.history_rows[self.row + rows.DWELL_TICKS]) if self.is_dwell else 0
+        )
         self.covered_d = 0.0
         self.plan_d = 0.0
         self.limit_v = -1.0
@@ -97,38 +99,38 @@ class Path(PathAxes):
 
     def enter_stages(self) -> None:
         """Be before the first stage of the segment."""
-        self.smooth.begin()
+        self.jerk_profile.begin()
         self.stage = codes.BEFORE_STAGES
         self.stage_end_d = 0.0
-        self.pieces = geometry.pieces(self.ring, self.base)
+        self.pieces = geometry.pieces(self.history_rows, self.row)
         if self.pieces > 0:
-            self.arc.begin(self.ring, self.base)
+            self.arc.begin(self.history_rows, self.row)
 
     def remember(self) -> None:
         """The segment goes into the history; a new one where an axis was moved otherwise."""
         if self.used - self.oldest > self.history_size:
             self.oldest += 1
-        if self.ring[self.base + rows.KIND] == rows.DWELL:
+        if self.history_rows[self.row + rows.KIND] == rows.DWELL:
             return
-        end = geometry.end_column(self.ring, self.base, self.count)
+        end = geometry.end_column(self.history_rows, self.row, self.count)
         for i in range(self.count):
-            if self.ring[self.base + rows.START + i] != self.ends[i]:
+            if self.history_rows[self.row + rows.START + i] != self.ends[i]:
                 self.oldest = self.used
-            self.ends[i] = self.ring[end + i]
+            self.ends[i] = self.history_rows[end + i]
 
-    def row_of(self, place: int) -> int:
+    def row_of(self, number: int) -> int:
         """Where the segment with this running number begins in the ring."""
-        return place % self.ring_size * self.width
+        return number % self.ring_size * self.width
 
-    def rejoin(self, covered_d: float) -> None:
+    def return_to_newest(self, covered_d: float) -> None:
         """Be at the latest segment again, so far from its start, and go on with it forward."""
-        self.is_away = False
+        self.is_retracing = False
         self.direction = 1
-        self.base = self.front
+        self.row = self.front
         self.limit_v = -1.0
         self.offset_t = 0.0
         self.ticks = 0
-        self.is_dwell = self.ring[self.base + rows.KIND] == rows.DWELL
+        self.is_dwell = self.history_rows[self.row + rows.KIND] == rows.DWELL
         if self.is_dwell:
             return
         self.covered_d = covered_d
@@ -141,27 +143,27 @@ class Path(PathAxes):
         """The history ends here: nothing before is walked back."""
         self.oldest = self.used
 
-    def goes_on(self) -> bool:
+    def continues_block(self) -> bool:
         """Whether the block of the segment that was taken last goes on with the next one."""
-        return self.ring[self.front + rows.CONTINUES] > 0.0
+        return self.history_rows[self.front + rows.CONTINUES] > 0.0
 
-    def leave_rest(self, rest: float) -> None:
+    def set_remaining(self, remaining: float) -> None:
         """What is left of the block behind the segment that was taken last.
 
         With a limit of the jerk its way, else the highest speed that ends in a stand at its end.
         """
-        if self.ring[self.front + rows.JERK] > 0.0:
-            self.ring[self.front + rows.REMAINING_LENGTH] = rest
+        if self.history_rows[self.front + rows.JERK] > 0.0:
+            self.history_rows[self.front + rows.REMAINING_LENGTH] = remaining
         else:
-            self.ring[self.front + rows.REMAINING_SPEED] = rest
+            self.history_rows[self.front + rows.REMAINING_SPEED] = remaining
 
-    def rest_speed(self) -> float:
+    def remaining_speed(self) -> float:
         """The highest speed at the segment's end from which its block can end with a stand."""
-        return self.ring[self.base + rows.REMAINING_SPEED]
+        return self.history_rows[self.row + rows.REMAINING_SPEED]
 
     def block_serial(self) -> int:
         """The running number of the current block, 0 between two blocks."""
-        return self.serial if self.is_active or self.goes_on() else 0
+        return self.serial if self.is_active or self.continues_block() else 0
 
     def next_stage(self) -> int:
         """Go on to the next stage of the segment that has a way: 0 where there is none left.
@@ -177,9 +179,9 @@ class Path(PathAxes):
             return 1
         while self.stage < codes.CURVE:
             self.stage += 1
-            way = geometry.stage_way(self.ring, self.base, self.stage)
-            if way > 0.0:
-                self.stage_end_d += way
+            length = geometry.stage_length(self.history_rows, self.row, self.stage)
+            if length > 0.0:
+                self.stage_end_d += length
                 return 1
         return 0
 
@@ -191,7 +193,7 @@ class Path(PathAxes):
         if not self.is_active:
             self.speed_v = 0.0
             if self.moved_count > 0:
-                self.rest()
+                self.show_standstill()
             return 0
         if self.is_dwell:
             self.limit_v = 0.0 if is_stopping else -1.0
@@ -209,13 +211,16 @@ class Path(PathAxes):
     def set_single(self, is_single: bool) -> None:
         """Single block on or off: the current segment is planned anew where it matters (MO-6)."""
         self.is_single = is_single
-        if self.is_active and not self.is_dwell and self.runs_on():
+        if self.is_active and not self.is_dwell and self.ends_moving():
             self.limit_v = -1.0
 
-    def runs_on(self) -> int:
+    def ends_moving(self) -> int:
         """Whether the current segment does not end with a stand."""
-        goal = self.ring[self.base + rows.GOAL_LENGTH] + self.ring[self.base + rows.GOAL_SPEED]
-        return 1 if self.ring[self.base + rows.END_SPEED] + goal > 0.0 else 0
+        goal = (
+            self.history_rows[self.row + rows.GOAL_LENGTH]
+            + self.history_rows[self.row + rows.GOAL_SPEED]
+        )
+        return 1 if self.history_rows[self.row + rows.END_SPEED] + goal > 0.0 else 0
 
     def step_carried(self, factor: float, is_stopping: int) -> int:
         """The rest of a tick in the segment that has just begun: 1 when that has ended, too."""
@@ -228,7 +233,8 @@ class Path(PathAxes):
         if is_stopping:
             return 0.0
         return min(
-            self.ring[self.base + rows.SPEED] * factor, self.ring[self.base + rows.MAX_SPEED]
+            self.history_rows[self.row + rows.SPEED] * factor,
+            self.history_rows[self.row + rows.MAX_SPEED],
         )
 
     def replan(self, limit_v: float) -> None:
@@ -237,64 +243,68 @@ class Path(PathAxes):
         self.planned_factor = self.common_factor
         self.plan_d = self.covered_d
         self.ticks = 0
-        if self.ring[self.base + rows.JERK] > 0.0:
-            self.smooth.plan(
-                self.ring,
-                self.base,
+        if self.history_rows[self.row + rows.JERK] > 0.0:
+            self.jerk_profile.plan(
+                self.history_rows,
+                self.row,
                 self.stage_end_d - self.covered_d,
                 self.speed_v,
                 limit_v,
-                self.factor_ahead(self.ring[self.base + rows.GOAL_KIND] == rows.EXEMPT_FEED_GOAL),
-                self.is_single and self.stands_smoothly(limit_v),
+                self.factor_ahead(
+                    self.history_rows[self.row + rows.GOAL_KIND] == rows.EXEMPT_FEED_GOAL
+                ),
+                self.is_single and self.stands_in_single_block(limit_v),
             )
             return
         rest_d = self.stage_end_d - self.covered_d
         if self.pieces > 0:
-            rest_v = self.rest_speed() if self.is_single else -1.0
-            ahead = self.factor_ahead(self.ring[self.base + rows.NEXT_IGNORES_OVERRIDE] > 0.0)
-            self.arc.look_ahead(self.stage, rest_d, self.speed_v, self.factor, ahead, rest_v)
+            remaining_v = self.remaining_speed() if self.is_single else -1.0
+            ahead = self.factor_ahead(
+                self.history_rows[self.row + rows.NEXT_IGNORES_OVERRIDE] > 0.0
+            )
+            self.arc.look_ahead(self.stage, rest_d, self.speed_v, self.factor, ahead, remaining_v)
             self.arc.plan(self.stage, rest_d, self.speed_v, limit_v)
             return
-        limit_a = geometry.stage_acceleration(self.ring, self.base, self.stage)
+        limit_a = geometry.stage_acceleration(self.history_rows, self.row, self.stage)
         end_v = self.end_speed(rest_d, limit_a)
         if self.stage == codes.CURVE:
-            limit_v = min(limit_v, self.ring[self.base + rows.CURVE_SPEED])
+            limit_v = min(limit_v, self.history_rows[self.row + rows.CURVE_SPEED])
         self.profile.plan(rest_d, self.speed_v, end_v, limit_v, limit_a)
 
-    def advance_smoothly(self) -> int:
+    def advance_with_jerk(self) -> int:
         """``advance`` with a limit of the jerk."""
         now_t = self.offset_t + self.ticks * self.cycle_time_us / 1e6
-        is_over = self.smooth.advance(now_t)
-        self.speed_v = self.smooth.speed_v
+        is_over = self.jerk_profile.advance(now_t)
+        self.speed_v = self.jerk_profile.speed_v
         if is_over == 0:
-            self.covered_d = self.plan_d + self.smooth.distance_d
+            self.covered_d = self.plan_d + self.jerk_profile.distance_d
             self.move_axes()
             return 0
-        self.left_t = self.smooth.left_t
+        self.left_t = self.jerk_profile.left_t
         self.covered_d = self.stage_end_d
         return self.finish()
 
     def end_speed(self, rest_d: float, limit_a: float) -> float:
-        """The highest speed at the end of the stage, ``rest_d`` from here."""
+        """The highest speed at the end of the stage, ``distance_to_go`` from here."""
         end_v = self.block_end_speed(rest_d, limit_a)
-        if geometry.whole_way(self.ring, self.base) > self.stage_end_d:
-            limit_v = self.ring[self.base + rows.MAX_SPEED]
-            return geometry.entry_speed(self.ring, self.base, self.stage + 1, end_v, limit_v)
-        feed_v = self.ring[self.base + rows.NEXT_SPEED]
-        feed_v *= self.factor_ahead(self.ring[self.base + rows.NEXT_IGNORES_OVERRIDE] > 0.0)
+        if geometry.total_length(self.history_rows, self.row) > self.stage_end_d:
+            limit_v = self.history_rows[self.row + rows.MAX_SPEED]
+            return geometry.entry_speed(self.history_rows, self.row, self.stage + 1, end_v, limit_v)
+        feed_v = self.history_rows[self.row + rows.NEXT_SPEED]
+        feed_v *= self.factor_ahead(self.history_rows[self.row + rows.NEXT_IGNORES_OVERRIDE] > 0.0)
         if 0.0 < feed_v < end_v:
-            least2 = self.speed_v * self.speed_v - 2.0 * limit_a * rest_d
-            end_v = min(end_v, max(feed_v, arithmetic.square_root(max(least2, 0.0))))
+            min_v2 = self.speed_v * self.speed_v - 2.0 * limit_a * rest_d
+            end_v = min(end_v, max(feed_v, arithmetic.square_root(max(min_v2, 0.0))))
         return end_v
 
-    def factor_ahead(self, leaves_operator: int) -> float:
+    def factor_ahead(self, ignores_override: int) -> float:
         """The override of a segment ahead, which may leave out the operator's part (G166).
 
         What a spindle does to its pace counts as for the current segment.
         """
-        if leaves_operator == (self.ring[self.base + rows.IGNORES_OVERRIDE] > 0.0):
+        if ignores_override == (self.history_rows[self.row + rows.IGNORES_OVERRIDE] > 0.0):
             return self.factor
-        return self.bare_factor if leaves_operator else self.common_factor
+        return self.unoverridden_factor if ignores_override else self.common_factor
 
     def block_end_speed(self, rest_d: float, limit_a: float) -> float:
         """The highest speed at the segment's end: a stand in single block, if it can still be had.
@@ -304,40 +314,42 @@ class Path(PathAxes):
         its own lower speed, as far as braking at the limit comes; with more the prepared speed
         grows, as far as the axes allow.
         """
-        end_v = self.ring[self.base + rows.END_SPEED]
+        end_v = self.history_rows[self.row + rows.END_SPEED]
         if self.factor > 1.0:
-            free_v = self.ring[self.base + rows.FREE_END_SPEED]
-            end_v = max(end_v, min(end_v * self.factor, free_v))
+            max_end_v = self.history_rows[self.row + rows.MAX_END_SPEED]
+            end_v = max(end_v, min(end_v * self.factor, max_end_v))
         if self.is_single:
-            rest_v = self.rest_speed()
-            stop_v = geometry.entry_speed(self.ring, self.base, self.stage + 1, rest_v, 1e300)
+            remaining_v = self.remaining_speed()
+            stop_v = geometry.entry_speed(
+                self.history_rows, self.row, self.stage + 1, remaining_v, 1e300
+            )
             brake2 = self.speed_v * self.speed_v - stop_v * stop_v
             if brake2 <= 2.0 * limit_a * rest_d * 1.000001:
-                end_v = min(end_v, rest_v)
+                end_v = min(end_v, remaining_v)
         return end_v
 
-    def stands_smoothly(self, limit_v: float) -> int:
+    def stands_in_single_block(self, limit_v: float) -> int:
         """Whether single block lets the path stand at the segment's end, with a limited jerk.
 
         Where the block goes on it does so only if it could not stand at the block's end.
         """
-        if self.ring[self.base + rows.CONTINUES] == 0.0:
+        if self.history_rows[self.row + rows.CONTINUES] == 0.0:
             return 1
-        rest_d = self.ring[self.base + rows.REMAINING_LENGTH]
+        rest_d = self.history_rows[self.row + rows.REMAINING_LENGTH]
         speed_v = max(limit_v, self.speed_v)
-        limit_a = self.ring[self.base + rows.CARRIED_ACCELERATION]
-        limit_j = self.ring[self.base + rows.CARRIED_JERK]
-        if self.ring[self.base + rows.ROUNDING_LENGTH] > 0.0:
-            speed_v = min(speed_v, self.ring[self.base + rows.GOAL_SPEED])
-            limit_a = self.ring[self.base + rows.ROUNDING_ACCELERATION]
-            limit_j = self.ring[self.base + rows.ROUNDING_JERK]
-        need_d = self.smooth.course.stopping_d(speed_v, 0.0, limit_a, limit_j)
+        limit_a = self.history_rows[self.row + rows.CARRIED_ACCELERATION]
+        limit_j = self.history_rows[self.row + rows.CARRIED_JERK]
+        if self.history_rows[self.row + rows.ROUNDING_LENGTH] > 0.0:
+            speed_v = min(speed_v, self.history_rows[self.row + rows.GOAL_SPEED])
+            limit_a = self.history_rows[self.row + rows.ROUNDING_ACCELERATION]
+            limit_j = self.history_rows[self.row + rows.ROUNDING_JERK]
+        need_d = self.jerk_profile.course.stopping_d(speed_v, 0.0, limit_a, limit_j)
         return 1 if rest_d < need_d else 0
 
     def advance(self) -> int:
         """Go to where the plan is at the end of this tick; 1 when the segment ended before."""
-        if self.ring[self.base + rows.JERK] > 0.0:
-            return self.advance_smoothly()
+        if self.history_rows[self.row + rows.JERK] > 0.0:
+            return self.advance_with_jerk()
         while True:
             now_t = self.offset_t + self.ticks * self.cycle_time_us / 1e6
             over_t = now_t - self.profile.duration_t
@@ -362,83 +374,87 @@ class Path(PathAxes):
         may have to wait, and must not stop the path in a step (MO-1).
         """
         self.is_active = False
-        self.put_axes(geometry.end_column(self.ring, self.base, self.count))
+        self.put_axes(geometry.end_column(self.history_rows, self.row, self.count))
         self.release()
-        if self.ring[self.base + rows.EXACT_STOP] > 0.0:
+        if self.history_rows[self.row + rows.EXACT_STOP] > 0.0:
             return 0
         return 1 if self.left_t > 0.0 or self.speed_v > 0.0 else 0
 
     def move_axes(self) -> None:
         """Put the axes where they are after the way that is covered."""
         self.axes.has_moved = True
-        geometry.locate(self.ring, self.base, self.count, self.covered_d, self.places)
+        geometry.locate(self.history_rows, self.row, self.count, self.covered_d, self.positions)
         for k in range(self.moved_count):
             i = self.moved[k]
-            self.axes.command[self.members[i]] = self.places[i]
+            self.axes.command[self.members[i]] = self.positions[i]
 
     def abandon(self) -> None:
         """Reset: the rest of the segment is dropped where the axes stand, to be read at once."""
         self.is_active = False
-        self.is_away = False
+        self.is_retracing = False
         self.direction = 1
-        self.ring[self.front + rows.CONTINUES] = 0.0  # the block is over, with all its pieces
+        self.history_rows[self.front + rows.CONTINUES] = (
+            0.0  # the block is over, with all its pieces
+        )
         self.forget()
         self.speed_v = 0.0
-        self.smooth.acceleration_a = 0.0
+        self.jerk_profile.acceleration_a = 0.0
         self.release()
-        self.rest()
+        self.show_standstill()
         for i in range(self.count):
             axis = self.members[i]
             self.axes.target[axis] = self.axes.command[axis]
         self.axes.has_moved = True
         self.axes.publish()
 
-    def stands(self) -> int:
+    def is_standing(self) -> int:
         """Whether nothing moves on the path."""
         return 1 if self.speed_v == 0.0 and (not self.is_active or self.limit_v == 0.0) else 0
 
     def has_stopped(self) -> bool:
-        """``stands`` for Python's side."""
-        return bool(self.stands())
+        """``is_standing`` for Python's side."""
+        return bool(self.is_standing())
 
-    def rest_d(self) -> float:
+    def distance_to_go(self) -> float:
         """What is left of the current segment."""
         if not self.is_active or self.is_dwell:
             return 0.0
         if self.direction < 0:
             return self.covered_d
-        return geometry.way_with_rounding(self.ring, self.base) - self.covered_d
+        return geometry.length_with_rounding(self.history_rows, self.row) - self.covered_d
 
     def promised_speed(self, column: int) -> float:
         """The end speed in ``column`` of the latest segment's row; 0: a dwell, or it is over."""
-        if self.ring[self.front + rows.KIND] == rows.DWELL or (self.is_away and self.is_front_over):
+        if self.history_rows[self.front + rows.KIND] == rows.DWELL or (
+            self.is_retracing and self.is_front_over
+        ):
             return 0.0
-        return self.ring[self.front + column]
+        return self.history_rows[self.front + column]
 
     def block_number(self) -> float:
         """The N number of the current block."""
-        return self.ring[self.base + rows.BLOCK_NUMBER]
+        return self.history_rows[self.row + rows.BLOCK_NUMBER]
 
     def segment_row(self, back: int) -> list[float]:
         """A segment of the ring, ``back`` segments before the latest one: for Python's side."""
         check_index(back, min(self.used, self.ring_size), "segment")
-        base = (self.used - 1 - back) % self.ring_size * self.width
-        return [self.ring[base + i] for i in range(self.width)]
+        row = (self.used - 1 - back) % self.ring_size * self.width
+        return [self.history_rows[row + i] for i in range(self.width)]
 
-    def covered_way(self) -> float:
+    def covered_length(self) -> float:
         """What is covered of the current segment."""
         return self.covered_d
 
-    def brake_way(self) -> float:
+    def braking_distance(self) -> float:
         """How far the path goes on the current segment if it brakes from now on."""
-        acceleration = self.ring[self.base + rows.ACCELERATION]
-        way = 0.5 * self.speed_v * self.speed_v / acceleration
-        if self.ring[self.base + rows.JERK] > 0.0:
-            way += self.speed_v * acceleration / self.ring[self.base + rows.JERK]
-        return way
+        acceleration = self.history_rows[self.row + rows.ACCELERATION]
+        length = 0.5 * self.speed_v * self.speed_v / acceleration
+        if self.history_rows[self.row + rows.JERK] > 0.0:
+            length += self.speed_v * acceleration / self.history_rows[self.row + rows.JERK]
+        return length
 
     def covered_part(self) -> float:
         """How much of the current segment's way is covered, from 0 to 1."""
         if not self.is_active or self.is_dwell:
             return 1.0
-        return self.covered_d / geometry.whole_way(self.ring, self.base)
+        return self.covered_d / geometry.total_length(self.history_rows, self.row)

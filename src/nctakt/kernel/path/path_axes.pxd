@@ -12,26 +12,26 @@ cdef class PathAxes:
     cdef long long[::1] moved
     cdef Py_ssize_t moved_count
     cdef readonly Py_ssize_t refused_axis
-    cdef double[::1] ring
-    cdef Py_ssize_t base
+    cdef double[::1] history_rows
+    cdef Py_ssize_t row
     cdef readonly int direction
 
     @cython.locals(i=Py_ssize_t, message=int)
-    cdef int refusal(self, Py_ssize_t queue_base, double[::1] queue) noexcept nogil
-    cdef int obstacle(self, Py_ssize_t queue_base, double[::1] queue, Py_ssize_t i) noexcept nogil
+    cdef int refusal(self, Py_ssize_t queue_row, double[::1] queue) noexcept nogil
+    cdef int obstacle(self, Py_ssize_t queue_row, double[::1] queue, Py_ssize_t i) noexcept nogil
     @cython.locals(i=Py_ssize_t)
     cdef void claim(self) noexcept nogil
     @cython.locals(i=Py_ssize_t)
     cdef void claim_again(self) noexcept nogil
     @cython.locals(i=Py_ssize_t, axis=Py_ssize_t)
-    cdef void claim_free(self, Py_ssize_t place) noexcept nogil
+    cdef void claim_free(self, Py_ssize_t column) noexcept nogil
     @cython.locals(axis=Py_ssize_t, end=Py_ssize_t)
     cdef void claim_axis(self, Py_ssize_t i) noexcept nogil
     @cython.locals(k=Py_ssize_t)
     cdef void release(self) noexcept nogil
     @cython.locals(k=Py_ssize_t, axis=Py_ssize_t)
-    cdef void rest(self) noexcept nogil
+    cdef void show_standstill(self) noexcept nogil
     @cython.locals(i=Py_ssize_t)
     cdef void publish_overrides(self, double operator_pct) noexcept nogil
     @cython.locals(i=Py_ssize_t, k=Py_ssize_t)
-    cdef void put_axes(self, Py_ssize_t place) noexcept nogil
+    cdef void put_axes(self, Py_ssize_t column) noexcept nogil

@@ -12,8 +12,8 @@ from nctakt.kernel.path import geometry
 class PathAxes:
     """The axes of one channel's path, ``members`` among those of the machine.
 
-    ``base``: where the row of the current segment stands in ``ring``; ``direction``: 1 forward over
-    it, -1 backward. ``moved``: the axes that the path has.
+    ``row``: where the row of the current segment stands in ``history_rows``; ``direction``: 1
+    forward over it, -1 backward. ``moved``: the axes that the path has.
     """
 
     def __init__(self, axes: Axes, members: list[int]) -> None:
@@ -26,30 +26,30 @@ class PathAxes:
         self.moved = memoryview(bytearray(8 * max(1, len(members)))).cast("q")
         self.moved_count = 0
         self.refused_axis = 0
-        self.ring = memoryview(bytearray(8)).cast("d")
-        self.base = 0
+        self.history_rows = memoryview(bytearray(8)).cast("d")
+        self.row = 0
         self.direction = 1
 
-    def refusal(self, queue_base: int, queue: memoryview[float]) -> int:
+    def refusal(self, queue_row: int, queue: memoryview[float]) -> int:
         """Why the path cannot take a segment: 0 it can.
 
         The axes that it moves must stand where it starts, since the path never jumps (RC-409), and
         have no motion of their own (MO-13); ``refused_axis`` is the first that has not.
         """
         for i in range(self.count):
-            message = self.obstacle(queue_base, queue, i)
+            message = self.obstacle(queue_row, queue, i)
             if message:
                 self.refused_axis = self.members[i]
                 return message
         return 0
 
-    def obstacle(self, queue_base: int, queue: memoryview[float], i: int) -> int:
+    def obstacle(self, queue_row: int, queue: memoryview[float], i: int) -> int:
         """Why the path cannot take axis ``i`` with a segment: 0 it can, or does not want it."""
-        if not geometry.moves(queue, queue_base, self.count, i):
+        if not geometry.moves_axis(queue, queue_row, self.count, i):
             return 0
         if self.axes.independent[self.members[i]]:
             return 900435
-        if queue[queue_base + rows.START + i] != self.axes.command[self.members[i]]:
+        if queue[queue_row + rows.START + i] != self.axes.command[self.members[i]]:
             return 900420
         return 0
 
@@ -60,7 +60,7 @@ class PathAxes:
         """
         self.moved_count = 0
         for i in range(self.count):
-            if self.obstacle(self.base, self.ring, i) == 0:
+            if self.obstacle(self.row, self.history_rows, i) == 0:
                 self.claim_axis(i)
 
     def claim_again(self) -> None:
@@ -73,24 +73,24 @@ class PathAxes:
             if not self.axes.independent[self.members[i]]:
                 self.claim_axis(i)
 
-    def claim_free(self, place: int) -> None:
-        """``claim`` for a segment that is entered where its axes stand at ``place`` (MO-7)."""
+    def claim_free(self, column: int) -> None:
+        """``claim`` for a segment that is entered where its axes stand at ``column`` (MO-7)."""
         self.moved_count = 0
         for i in range(self.count):
             axis = self.members[i]
             if not self.axes.independent[axis]:
-                if self.ring[place + i] == self.axes.command[axis]:
+                if self.history_rows[column + i] == self.axes.command[axis]:
                     self.claim_axis(i)
 
     def claim_axis(self, i: int) -> None:
         """An axis belongs to the path, if the segment moves it; its target is the way's end."""
         self.axes.has_moved = True
-        if geometry.moves(self.ring, self.base, self.count, i):
+        if geometry.moves_axis(self.history_rows, self.row, self.count, i):
             self.moved[self.moved_count] = i
             self.moved_count += 1
             axis = self.members[i]
-            end = self.base + rows.START + (self.count if self.direction > 0 else 0)
-            self.axes.target[axis] = self.ring[end + i]
+            end = self.row + rows.START + (self.count if self.direction > 0 else 0)
+            self.axes.target[axis] = self.history_rows[end + i]
             self.axes.on_path[axis] = 1
             self.axes.show_state(axis, codes.SYNCHRONIZED_MOTION)
 
@@ -104,7 +104,7 @@ class PathAxes:
         for i in range(self.count):
             self.axes.publish_override(self.members[i], operator_pct)
 
-    def rest(self) -> None:
+    def show_standstill(self) -> None:
         """The tick behind a segment: its axes stand, unless they move on their own by now."""
         for k in range(self.moved_count):
             axis = self.members[self.moved[k]]
@@ -112,9 +112,9 @@ class PathAxes:
                 self.axes.show_state(axis, codes.STANDSTILL)
         self.moved_count = 0
 
-    def put_axes(self, place: int) -> None:
-        """Put the axes that the segment moves to what stands at ``place`` in the ring."""
+    def put_axes(self, column: int) -> None:
+        """Put the axes that the segment moves to what stands at ``column`` in the ring."""
         self.axes.has_moved = True
         for k in range(self.moved_count):
             i = self.moved[k]
-            self.axes.command[self.members[i]] = self.ring[place + i]
+            self.axes.command[self.members[i]] = self.history_rows[column + i]

@@ -22,21 +22,21 @@ from nctakt.kernel.path.arc_limits import ArcLimits
 class SegmentLimits:
     """The limits of the segments of one channel over ``count`` axes.
 
-    ``most_factor``: the highest override as a factor (P-CHAN-00056). ``capacity``: that of the
-    channel's queue, which keeps it current. ``has_smooth``: a segment had a limit of the jerk.
+    ``max_factor``: the highest override as a factor (P-CHAN-00056). ``capacity``: that of the
+    channel's queue, which keeps it current. ``has_jerk_limit``: a segment had a limit of the jerk.
     """
 
-    def __init__(self, count: int, cycle_time_us: int, blocks: int, most_factor: float) -> None:
+    def __init__(self, count: int, cycle_time_us: int, blocks: int, max_factor: float) -> None:
         self.count = count
         self.blocks = blocks
-        self.most_factor = max(1.0, most_factor)
+        self.max_factor = max(1.0, max_factor)
         self.tick_t = cycle_time_us / 1e6
         self.width = rows.segment_width(count)
         self.capacity = 0
         room = max(1, count)
         self.linear = memoryview(bytearray(8 * room)).cast("q")
         self.rapid_v = memoryview(bytearray(8 * room)).cast("d")
-        self.most_v = memoryview(bytearray(8 * room)).cast("d")
+        self.max_v = memoryview(bytearray(8 * room)).cast("d")
         self.rapid_a = memoryview(bytearray(8 * room)).cast("d")
         self.feed_a = memoryview(bytearray(8 * room)).cast("d")
         self.rapid_slope_a = memoryview(bytearray(8 * room)).cast("d")
@@ -44,7 +44,7 @@ class SegmentLimits:
         self.rapid_j = memoryview(bytearray(8 * room)).cast("d")
         self.feed_j = memoryview(bytearray(8 * room)).cast("d")
         self.arcs = ArcLimits(count)
-        self.arcs.share(self.most_v, self.feed_a)
+        self.arcs.share(self.max_v, self.feed_a)
         self.entering = memoryview(bytearray(8 * room)).cast("d")
         self.leaving = memoryview(bytearray(8 * room)).cast("d")
         self.steps = memoryview(bytearray(8 * room)).cast("d")
@@ -53,25 +53,25 @@ class SegmentLimits:
         self.leaving_curve = memoryview(bytearray(8 * room)).cast("d")
         self.turns = memoryview(bytearray(8 * room)).cast("d")
         self.spare = memoryview(bytearray(16 * self.width)).cast("d")
-        self.bend = 0.0
-        self.last_bend = 0.0
+        self.centripetal_share = 0.0
+        self.last_centripetal_share = 0.0
         self.last_length = 0.0
         self.last_deviation = 0.0
         self.corner_v = 0.0
         self.last_corner_v = 0.0
-        self.is_bent = False
-        self.last_is_bent = False
-        self.bend_row = memoryview(bytearray(8 * self.width)).cast("d")
-        self.way = 0.0
+        self.is_rounded = False
+        self.last_is_rounded = False
+        self.rounding_row = memoryview(bytearray(8 * self.width)).cast("d")
+        self.goal_d = 0.0
         self.entry_v = 0.0
-        self.free_v = 0.0
+        self.max_entry_v = 0.0
         self.goal_v = 0.0
         self.goal_a = 0.0
         self.goal_j = 0.0
         self.goal_kind = rows.LIMIT_GOAL
-        self.lent_a = 0.0
-        self.lent_j = 0.0
-        self.has_smooth = False
+        self.carried_a = 0.0
+        self.carried_j = 0.0
+        self.has_jerk_limit = False
 
     def limit(
         self,
@@ -83,7 +83,7 @@ class SegmentLimits:
         """The limits of one axis: rapid and highest speed, acceleration of rapid and feed."""
         check_index(index, self.count, "axis")
         self.linear[index] = is_linear
-        self.rapid_v[index], self.most_v[index] = speeds
+        self.rapid_v[index], self.max_v[index] = speeds
         self.rapid_a[index], self.feed_a[index] = accelerations
 
     def limit_slope(
@@ -96,57 +96,57 @@ class SegmentLimits:
 
     # --- the limits of a segment ----------------------------------------------------------------
 
-    def measure(self, row: memoryview[float], base: int) -> None:
-        """Way, speeds and acceleration of the segment in ``row``."""
-        self.bend = 0.0
+    def measure(self, segments: memoryview[float], row: int) -> None:
+        """Way, speeds and acceleration of the segment in ``segments``."""
+        self.centripetal_share = 0.0
         self.corner_v = 0.0
-        self.is_bent = False
-        row[base + rows.LENGTH] = self.straight_way(row, base)
-        if row[base + rows.SHAPE] == rows.ARC:
-            self.measure_arc(row, base)
+        self.is_rounded = False
+        segments[row + rows.LENGTH] = self.straight_length(segments, row)
+        if segments[row + rows.SHAPE] == rows.ARC:
+            self.measure_arc(segments, row)
         else:
-            self.bound(row, base)
-        if row[base + rows.HAS_JERK_LIMIT] > 0.0:
-            self.smooth(row, base)
-        row[base + rows.CORNER_SPEED] = 0.0
-        geometry.direct(row, base, self.count, 0, self.entering)
+            self.bound(segments, row)
+        if segments[row + rows.HAS_JERK_LIMIT] > 0.0:
+            self.limit_jerk(segments, row)
+        segments[row + rows.CORNER_SPEED] = 0.0
+        geometry.tangent(segments, row, self.count, 0, self.entering)
 
-    def smooth(self, row: memoryview[float], base: int) -> None:
+    def limit_jerk(self, segments: memoryview[float], row: int) -> None:
         """Acceleration and jerk of the jerk-limited slope."""
-        self.has_smooth = True
-        is_rapid = row[base + rows.MOTION] == rows.RAPID_MOTION
-        start = base + rows.START
+        self.has_jerk_limit = True
+        is_rapid = segments[row + rows.MOTION] == rows.RAPID_MOTION
+        start = row + rows.START
         target = start + self.count
         limit_a = 1e300
         limit_j = 1e300
         for i in range(self.count):
-            way = row[target + i] - row[start + i]
-            if way == 0.0 or self.in_plane(row, base, i):
+            distance = segments[target + i] - segments[start + i]
+            if distance == 0.0 or self.in_plane(segments, row, i):
                 continue
-            part = (way if way > 0.0 else 0.0 - way) / row[base + rows.LENGTH]
+            part = (distance if distance > 0.0 else 0.0 - distance) / segments[row + rows.LENGTH]
             slope_a = self.rapid_slope_a[i] if is_rapid else self.feed_slope_a[i]
             slope_j = self.rapid_j[i] if is_rapid else self.feed_j[i]
             limit_a = min(limit_a, slope_a / part)
             limit_j = min(limit_j, slope_j / part)
-        row[base + rows.ACCELERATION] = min(row[base + rows.ACCELERATION], limit_a)
-        row[base + rows.JERK] = limit_j
-        if row[base + rows.SHAPE] == rows.ARC:
-            self.smooth_arc(row, base, 0)
-        self.stand_at_end(row, base)
+        segments[row + rows.ACCELERATION] = min(segments[row + rows.ACCELERATION], limit_a)
+        segments[row + rows.JERK] = limit_j
+        if segments[row + rows.SHAPE] == rows.ARC:
+            self.limit_jerk_on_arc(segments, row, 0)
+        self.stand_at_end(segments, row)
 
-    def smooth_arc(self, row: memoryview[float], base: int, at_corner: int) -> None:
+    def limit_jerk_on_arc(self, segments: memoryview[float], row: int, at_corner: int) -> None:
         """Speed, acceleration and jerk on an arc.
 
         ``at_corner``: a corner uses ``shares`` of accelerations, ``turns`` of jerks.
         """
-        first = int(row[base + rows.ARC_FIRST_AXIS])
-        second = int(row[base + rows.ARC_SECOND_AXIS])
-        x = row[base + rows.START + first] - row[base + rows.ARC_FIRST_CENTRE]
-        y = row[base + rows.START + second] - row[base + rows.ARC_SECOND_CENTRE]
+        first = int(segments[row + rows.ARC_FIRST_AXIS])
+        second = int(segments[row + rows.ARC_SECOND_AXIS])
+        x = segments[row + rows.START + first] - segments[row + rows.ARC_FIRST_CENTRE]
+        y = segments[row + rows.START + second] - segments[row + rows.ARC_SECOND_CENTRE]
         radius = arithmetic.square_root(x * x + y * y)
-        turn = row[base + rows.ARC_ANGLE] * 0.017453292519943295
-        way = radius * (turn if turn > 0.0 else 0.0 - turn)
-        part = way / row[base + rows.LENGTH]
+        turn = segments[row + rows.ARC_ANGLE] * 0.017453292519943295
+        distance = radius * (turn if turn > 0.0 else 0.0 - turn)
+        part = distance / segments[row + rows.LENGTH]
         first_a = min(self.feed_a[first], self.feed_slope_a[first])
         second_a = min(self.feed_a[second], self.feed_slope_a[second])
         plane_a = min(first_a, second_a)
@@ -155,13 +155,15 @@ class SegmentLimits:
             plane_a = min(first_a - self.shares[first], second_a - self.shares[second])
             left_j = self.feed_j[first] - self.turns[first]
             plane_j = min(left_j, self.feed_j[second] - self.turns[second])
-        most_v = min(row[base + rows.SPEED] * self.most_factor, row[base + rows.MAX_SPEED]) * part
-        most_v = min(most_v, arithmetic.square_root(0.97 * plane_a * radius))
-        most_v = min(most_v, arithmetic.power(0.97 * plane_j * radius * radius, 1.0 / 3.0))
-        outer_a = row[base + rows.ACCELERATION] * part
-        outer_j = row[base + rows.JERK] * part
+        max_v = (
+            min(segments[row + rows.SPEED] * self.max_factor, segments[row + rows.MAX_SPEED]) * part
+        )
+        max_v = min(max_v, arithmetic.square_root(0.97 * plane_a * radius))
+        max_v = min(max_v, arithmetic.power(0.97 * plane_j * radius * radius, 1.0 / 3.0))
+        outer_a = segments[row + rows.ACCELERATION] * part
+        outer_j = segments[row + rows.JERK] * part
         best_t = 1e300
-        speed = most_v
+        speed = max_v
         for _ in range(8):
             centre_a = speed * speed / radius
             turned_j = centre_a * speed / radius
@@ -173,144 +175,152 @@ class SegmentLimits:
                     jerk = plane_j * plane_j - crossing_j * crossing_j
                     jerk = min(arithmetic.square_root(jerk) - turned_j, outer_j)
                     if jerk > 0.01 * plane_j:
-                        time = self.smooth_time(way, speed, ramp_a, jerk)
+                        time = self.rest_to_rest_time(distance, speed, ramp_a, jerk)
                         if time < best_t:
                             best_t = time
-                            row[base + rows.MAX_SPEED] = speed / part
-                            row[base + rows.ACCELERATION] = ramp_a / part
-                            row[base + rows.JERK] = jerk / part
+                            segments[row + rows.MAX_SPEED] = speed / part
+                            segments[row + rows.ACCELERATION] = ramp_a / part
+                            segments[row + rows.JERK] = jerk / part
                 ramp_a *= 0.7
             speed *= 0.88
 
-    def smooth_time(self, way: float, speed: float, limit_a: float, limit_j: float) -> float:
+    def rest_to_rest_time(
+        self, distance: float, speed: float, limit_a: float, limit_j: float
+    ) -> float:
         """How long a way takes from rest to rest with limited jerk."""
         ramp = limit_a / limit_j
         if speed < limit_a * ramp:
             ramp = 2.0 * arithmetic.square_root(speed / limit_j)
         else:
             ramp += speed / limit_a
-        if speed * ramp <= way:
-            return way / speed + ramp
+        if speed * ramp <= distance:
+            return distance / speed + ramp
         ramp = limit_a / limit_j
-        if way < 2.0 * limit_a * ramp * ramp:
-            return 4.0 * arithmetic.power(0.5 * way / limit_j, 1.0 / 3.0)
+        if distance < 2.0 * limit_a * ramp * ramp:
+            return 4.0 * arithmetic.power(0.5 * distance / limit_j, 1.0 / 3.0)
         half = 0.5 * limit_a * ramp
-        peak = arithmetic.square_root(half * half + limit_a * way) - half
-        return way / peak + peak / limit_a + ramp
+        peak = arithmetic.square_root(half * half + limit_a * distance) - half
+        return distance / peak + peak / limit_a + ramp
 
-    def stand_at_end(self, row: memoryview[float], base: int) -> None:
+    def stand_at_end(self, segments: memoryview[float], row: int) -> None:
         """A segment that nothing goes on from: it ends with a stand."""
-        row[base + rows.GOAL_LENGTH] = 0.0
-        row[base + rows.GOAL_SPEED] = 0.0
-        row[base + rows.GOAL_ACCELERATION] = 1e300
-        row[base + rows.GOAL_JERK] = 1e300
-        row[base + rows.GOAL_KIND] = rows.LIMIT_GOAL
-        row[base + rows.CARRIED_ACCELERATION] = row[base + rows.ACCELERATION]
-        row[base + rows.CARRIED_JERK] = row[base + rows.JERK]
+        segments[row + rows.GOAL_LENGTH] = 0.0
+        segments[row + rows.GOAL_SPEED] = 0.0
+        segments[row + rows.GOAL_ACCELERATION] = 1e300
+        segments[row + rows.GOAL_JERK] = 1e300
+        segments[row + rows.GOAL_KIND] = rows.LIMIT_GOAL
+        segments[row + rows.CARRIED_ACCELERATION] = segments[row + rows.ACCELERATION]
+        segments[row + rows.CARRIED_JERK] = segments[row + rows.JERK]
 
-    def straight_way(self, row: memoryview[float], base: int) -> float:
+    def straight_length(self, segments: memoryview[float], row: int) -> float:
         """The way in the linear axes, or in the rotary ones where no linear axis moves.
 
         What rounding leaves of a linear way, less than a nanometre, is none.
         """
-        start = base + rows.START
+        start = row + rows.START
         target = start + self.count
         linear2 = 0.0
         rotary2 = 0.0
         for i in range(self.count):
-            way = row[target + i] - row[start + i]
+            distance = segments[target + i] - segments[start + i]
             if self.linear[i]:
-                linear2 += way * way
+                linear2 += distance * distance
             else:
-                rotary2 += way * way
+                rotary2 += distance * distance
         if linear2 < 1e-12 and rotary2 > 0.0:
             return arithmetic.square_root(rotary2)
         return arithmetic.square_root(linear2)
 
-    def bound(self, row: memoryview[float], base: int) -> None:
+    def bound(self, segments: memoryview[float], row: int) -> None:
         """Speeds and acceleration on a line, or of the axes outside of an arc's plane."""
-        is_rapid = row[base + rows.MOTION] == rows.RAPID_MOTION
-        start = base + rows.START
+        is_rapid = segments[row + rows.MOTION] == rows.RAPID_MOTION
+        start = row + rows.START
         target = start + self.count
         highest = 1e300
         limit_a = 1e300
         rapid = 1e300
         for i in range(self.count):
-            way = row[target + i] - row[start + i]
-            if way == 0.0 or self.in_plane(row, base, i):
+            distance = segments[target + i] - segments[start + i]
+            if distance == 0.0 or self.in_plane(segments, row, i):
                 continue
-            part = (way if way > 0.0 else 0.0 - way) / row[base + rows.LENGTH]
+            part = (distance if distance > 0.0 else 0.0 - distance) / segments[row + rows.LENGTH]
             rapid = min(rapid, self.rapid_v[i] / part)
-            highest = min(highest, self.most_v[i] / part)
+            highest = min(highest, self.max_v[i] / part)
             limit_a = min(limit_a, (self.rapid_a[i] if is_rapid else self.feed_a[i]) / part)
         if is_rapid:
-            row[base + rows.SPEED] = rapid
-        row[base + rows.MAX_SPEED] = highest
-        row[base + rows.ACCELERATION] = limit_a
+            segments[row + rows.SPEED] = rapid
+        segments[row + rows.MAX_SPEED] = highest
+        segments[row + rows.ACCELERATION] = limit_a
 
-    def in_plane(self, row: memoryview[float], base: int, index: int) -> int:
+    def in_plane(self, segments: memoryview[float], row: int, index: int) -> int:
         """Whether an axis is one of the two of the arc."""
-        if row[base + rows.SHAPE] != rows.ARC:
+        if segments[row + rows.SHAPE] != rows.ARC:
             return 0
-        if row[base + rows.ARC_FIRST_AXIS] == index:
+        if segments[row + rows.ARC_FIRST_AXIS] == index:
             return 1
-        return 1 if row[base + rows.ARC_SECOND_AXIS] == index else 0
+        return 1 if segments[row + rows.ARC_SECOND_AXIS] == index else 0
 
-    def measure_arc(self, row: memoryview[float], base: int) -> None:
+    def measure_arc(self, segments: memoryview[float], row: int) -> None:
         """``measure`` for an arc, a helix where further axes move.
 
         Of the acceleration ``a`` that both axes of the plane have, the centripetal part takes a
         share ``s``, so that along the path ``a * sqrt(1 - s²)`` is left all along. Where that would
         limit the speed or lose time, the limits go by the angle (``arc_limits.py``).
         """
-        start = base + rows.START
+        start = row + rows.START
         target = start + self.count
-        first = int(row[base + rows.ARC_FIRST_AXIS])
-        second = int(row[base + rows.ARC_SECOND_AXIS])
-        x = row[start + first] - row[base + rows.ARC_FIRST_CENTRE]
-        y = row[start + second] - row[base + rows.ARC_SECOND_CENTRE]
+        first = int(segments[row + rows.ARC_FIRST_AXIS])
+        second = int(segments[row + rows.ARC_SECOND_AXIS])
+        x = segments[start + first] - segments[row + rows.ARC_FIRST_CENTRE]
+        y = segments[start + second] - segments[row + rows.ARC_SECOND_CENTRE]
         radius = arithmetic.square_root(x * x + y * y)
-        angle = row[base + rows.ARC_ANGLE] * 0.017453292519943295
-        way = radius * (angle if angle > 0.0 else 0.0 - angle)
-        length2 = way * way
+        angle = segments[row + rows.ARC_ANGLE] * 0.017453292519943295
+        distance = radius * (angle if angle > 0.0 else 0.0 - angle)
+        length2 = distance * distance
         for i in range(self.count):
-            if self.linear[i] and not self.in_plane(row, base, i):
-                rise = row[target + i] - row[start + i]
+            if self.linear[i] and not self.in_plane(segments, row, i):
+                rise = segments[target + i] - segments[start + i]
                 length2 += rise * rise
         length = arithmetic.square_root(length2)
-        row[base + rows.LENGTH] = length
-        self.bound(row, base)
-        part = way / length
+        segments[row + rows.LENGTH] = length
+        self.bound(segments, row)
+        part = distance / length
         plane_a = min(self.feed_a[first], self.feed_a[second])
         highest = min(
-            row[base + rows.MAX_SPEED], min(self.most_v[first], self.most_v[second]) / part
+            segments[row + rows.MAX_SPEED], min(self.max_v[first], self.max_v[second]) / part
         )
-        if row[base + rows.HAS_JERK_LIMIT] > 0.0:
-            row[base + rows.MAX_SPEED] = highest
+        if segments[row + rows.HAS_JERK_LIMIT] > 0.0:
+            segments[row + rows.MAX_SPEED] = highest
             return
-        wanted = row[base + rows.SPEED] * self.most_factor
-        share = wanted * part * wanted * part / (radius * plane_a)
-        self.bend = min(share, 0.5)
-        speed = min(arithmetic.square_root(self.bend * radius * plane_a) / part, wanted)
-        limit_a = plane_a * arithmetic.square_root(1.0 - self.bend * self.bend) / part
-        row[base + rows.ACCELERATION] = min(limit_a, row[base + rows.ACCELERATION])
-        row[base + rows.MAX_SPEED] = min(highest, speed)
-        if share > 0.5 or wanted > highest or not self.is_even(row, base, wanted):
-            by_speed = wanted > highest and highest * highest < radius * plane_a
-            self.divide(row, base, 3.0 if by_speed else 6.0)
+        commanded_v = segments[row + rows.SPEED] * self.max_factor
+        share = commanded_v * part * commanded_v * part / (radius * plane_a)
+        self.centripetal_share = min(share, 0.5)
+        speed = min(
+            arithmetic.square_root(self.centripetal_share * radius * plane_a) / part, commanded_v
+        )
+        limit_a = (
+            plane_a
+            * arithmetic.square_root(1.0 - self.centripetal_share * self.centripetal_share)
+            / part
+        )
+        segments[row + rows.ACCELERATION] = min(limit_a, segments[row + rows.ACCELERATION])
+        segments[row + rows.MAX_SPEED] = min(highest, speed)
+        if share > 0.5 or commanded_v > highest or not self.is_even(segments, row, commanded_v):
+            by_speed = commanded_v > highest and highest * highest < radius * plane_a
+            self.divide_arc(segments, row, 3.0 if by_speed else 6.0)
 
-    def is_even(self, row: memoryview[float], base: int, wanted_v: float) -> int:
+    def is_even(self, segments: memoryview[float], row: int, commanded_v: float) -> int:
         """Whether one acceleration all along an arc costs next to no time (choice: 1 %).
 
         What ramps at both ends lose beside the acceleration that the axes have there is compared
         with the time of the whole way at the wanted speed.
         """
-        slower = 1.0 / row[base + rows.ACCELERATION]
-        geometry.direct(row, base, self.count, 0, self.entering)
+        slower = 1.0 / segments[row + rows.ACCELERATION]
+        geometry.tangent(segments, row, self.count, 0, self.entering)
         slower -= 0.5 / self.straight_acceleration(self.entering)
-        geometry.direct(row, base, self.count, 1, self.entering)
+        geometry.tangent(segments, row, self.count, 1, self.entering)
         slower -= 0.5 / self.straight_acceleration(self.entering)
-        return 1 if wanted_v * wanted_v * slower <= 0.01 * row[base + rows.LENGTH] else 0
+        return 1 if commanded_v * commanded_v * slower <= 0.01 * segments[row + rows.LENGTH] else 0
 
     def straight_acceleration(self, parts: memoryview[float]) -> float:
         """What the axes can do together with a feed in a direction."""
@@ -321,15 +331,15 @@ class SegmentLimits:
                 limit_a = min(limit_a, self.feed_a[i] / part)
         return limit_a
 
-    def divide(self, row: memoryview[float], base: int, piece: float) -> None:
+    def divide_arc(self, segments: memoryview[float], row: int, piece: float) -> None:
         """Let the limits of an arc go by its angle, in pieces of so many degrees at most.
 
         Backward it is walked with one speed and acceleration for all of it.
         """
-        angle = row[base + rows.ARC_ANGLE]
+        angle = segments[row + rows.ARC_ANGLE]
         pieces = int((angle if angle > 0.0 else 0.0 - angle) / piece - 1e-9)
-        row[base + rows.ARC_PIECES] = max(pieces + 1, 2) + rows.MORE_PIECES
-        row[base + rows.BACKWARD_SPEED] = row[base + rows.MAX_SPEED]
-        row[base + rows.ACCELERATION] *= 0.99
-        self.arcs.open(row, base)
-        row[base + rows.MAX_SPEED] = self.arcs.highest_speed()
+        segments[row + rows.ARC_PIECES] = max(pieces + 1, 2) + rows.MORE_PIECES
+        segments[row + rows.BACKWARD_SPEED] = segments[row + rows.MAX_SPEED]
+        segments[row + rows.ACCELERATION] *= 0.99
+        self.arcs.open(segments, row)
+        segments[row + rows.MAX_SPEED] = self.arcs.highest_speed()

@@ -4,7 +4,7 @@ cimport cython
 from libc cimport math
 
 @cython.final
-cdef class Profile:
+cdef class TrapezoidProfile:
     cdef double first_t
     cdef double first_a
     cdef double first_d
@@ -18,7 +18,7 @@ cdef class Profile:
     cdef readonly double end_v
     cdef readonly bint is_endless
 
-    @cython.locals(brake_d=double, peak2=double, last_t=double, start2=double, rest2=double, highest_v=double)
+    @cython.locals(brake_d=double, peak2=double, last_t=double, start2=double, end_v2=double, highest_v=double)
     cdef void plan(self, double length_d, double start_v, double end_v, double limit_v, double limit_a) noexcept nogil
     @cython.locals(last_t=double)
     cdef void plan_ramps(self, double length_d, double start_v, double first_d, double cruise_v, double last_d, double end_v) noexcept nogil

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """One coordinate's way: state, target and limits -> a profile in closed form (MO-2, MO-5, MO-14).
 
-A ``Profile`` is planned from a distance, a start and an end speed, a speed limit and one
+A ``TrapezoidProfile`` is planned from a distance, a start and an end speed, a speed limit and one
 acceleration, time-optimal: change to the highest speed that can be used, keep it, brake to the end
 speed. Position and speed at any time are closed forms, so a hand can compute each tick. Units:
 ``_d`` mm or degrees, ``_v`` per second, ``_a`` per second squared, ``_t`` seconds.
@@ -12,7 +12,7 @@ from __future__ import annotations
 import math
 
 
-class Profile:
+class TrapezoidProfile:
     """Three phases: constant acceleration, constant speed, constant deceleration.
 
     ``is_endless`` tells that the end is never reached, because the speed limit is zero: the way is
@@ -55,8 +55,8 @@ class Profile:
         self.end_v = min(end_v, limit_v, highest_v)
         brake_d = (start2 - self.end_v * self.end_v) / (2.0 * limit_a)
         if brake_d >= length_d:
-            rest2 = max(start2 - 2.0 * limit_a * length_d, 0.0)
-            self.end_v = min(end_v, math.sqrt(rest2))
+            end_v2 = max(start2 - 2.0 * limit_a * length_d, 0.0)
+            self.end_v = min(end_v, math.sqrt(end_v2))
             self.brake_only()
             return
         if start_v > limit_v:

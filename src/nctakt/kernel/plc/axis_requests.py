@@ -41,14 +41,14 @@ class AxisRequests:
         self.single_axes.check_command(axis, value, speed_v, mode, direction, codes.PLC_OWNER)
         if self.posted - self.latched >= self.capacity:
             return 0
-        place = self.posted % self.capacity
-        self.kind[place] = kind
-        self.axis[place] = axis
-        self.value[place] = value
-        self.speed_v[place] = speed_v
-        self.mode[place] = mode
-        self.direction[place] = direction
-        self.answer[place] = -1
+        slot = self.posted % self.capacity
+        self.kind[slot] = kind
+        self.axis[slot] = axis
+        self.value[slot] = value
+        self.speed_v[slot] = speed_v
+        self.mode[slot] = mode
+        self.direction[slot] = direction
+        self.answer[slot] = -1
         self.posted += 1
         return codes.PLC_OWNER + self.posted - 1
 
@@ -86,27 +86,27 @@ class AxisRequests:
             self.give(self.latched % self.capacity)
             self.latched += 1
 
-    def give(self, place: int) -> None:
+    def give(self, slot: int) -> None:
         """One request."""
-        axis = self.axis[place]
+        axis = self.axis[slot]
         owner = codes.PLC_OWNER + self.latched
-        mode = int(self.mode[place])
-        direction = int(self.direction[place])
-        kind = self.kind[place]
+        mode = int(self.mode[slot])
+        direction = int(self.direction[slot])
+        kind = self.kind[slot]
         self.single_axes.order(0, 0)
         if kind == codes.ABSOLUTE:
-            self.answer[place] = self.single_axes.move_to(
-                axis, self.value[place], self.speed_v[place], mode, direction, owner
+            self.answer[slot] = self.single_axes.move_to(
+                axis, self.value[slot], self.speed_v[slot], mode, direction, owner
             )
         elif kind == codes.RELATIVE:
-            self.answer[place] = self.single_axes.move_by(
-                axis, self.value[place], self.speed_v[place], mode, owner
+            self.answer[slot] = self.single_axes.move_by(
+                axis, self.value[slot], self.speed_v[slot], mode, owner
             )
         elif kind == codes.VELOCITY:
-            self.answer[place] = self.single_axes.run_endless(
-                axis, self.speed_v[place], direction, mode, owner
+            self.answer[slot] = self.single_axes.run_endless(
+                axis, self.speed_v[slot], direction, mode, owner
             )
         elif kind == codes.HALT:
-            self.answer[place] = self.single_axes.stop(axis, owner)
+            self.answer[slot] = self.single_axes.stop(axis, owner)
         else:
-            self.answer[place] = self.single_axes.clear_fault(axis)
+            self.answer[slot] = self.single_axes.clear_fault(axis)

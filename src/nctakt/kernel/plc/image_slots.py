@@ -161,6 +161,6 @@ class SpindleUnits(Units):
         self.words[word + cells.IMAGE_TIME] = self.spindles.taken_tick[i] * self.cycle_time_us
         ticks = self.spindles.done_tick[i] - self.spindles.taken_tick[i]
         self.words[word + cells.IMAGE_DURATION] = ticks * self.cycle_time_us
-        self.reals[word + cells.IMAGE_SPEED] = self.spindles.wanted_v[i] / 6.0
-        self.reals[word + cells.IMAGE_POSITION] = self.spindles.wanted_position[i]
+        self.reals[word + cells.IMAGE_SPEED] = self.spindles.commanded_v[i] / 6.0
+        self.reals[word + cells.IMAGE_POSITION] = self.spindles.commanded_position[i]
         self.halves[first + cells.SPINDLE_JOB] = self.spindles.job[i]

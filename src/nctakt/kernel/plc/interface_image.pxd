@@ -22,7 +22,7 @@ cdef class InterfaceImage:
     cdef Py_ssize_t count
     cdef Py_ssize_t event_bound
     cdef Py_ssize_t refused_count
-    cdef Py_ssize_t refused_told
+    cdef Py_ssize_t refused_reported
     cdef Py_ssize_t word_count
     cdef Py_ssize_t clock_word
     cdef Py_ssize_t first_input_word
@@ -53,7 +53,7 @@ cdef class InterfaceImage:
     cdef int is_as_published(self) noexcept nogil
     @cython.locals(i=Py_ssize_t, first=Py_ssize_t)
     cdef int has_come(self, Py_ssize_t entry) noexcept nogil
-    @cython.locals(i=Py_ssize_t, first=Py_ssize_t, place=Py_ssize_t)
+    @cython.locals(i=Py_ssize_t, first=Py_ssize_t, character=Py_ssize_t)
     cdef void take_string(self, Py_ssize_t entry) noexcept nogil
     @cython.locals(i=Py_ssize_t, first=Py_ssize_t, cell=Py_ssize_t, value=double)
     cdef void take_number(self, Py_ssize_t entry) noexcept nogil
@@ -66,7 +66,7 @@ cdef class InterfaceImage:
     @cython.locals(i=Py_ssize_t)
     cdef void publish_cells(self) noexcept nogil
     cdef void put(self, Py_ssize_t entry) noexcept nogil
-    @cython.locals(i=Py_ssize_t, first=Py_ssize_t, place=Py_ssize_t)
+    @cython.locals(i=Py_ssize_t, first=Py_ssize_t, character=Py_ssize_t)
     cdef void put_string(self, Py_ssize_t entry) noexcept nogil
     @cython.locals(i=Py_ssize_t, first=Py_ssize_t)
     cdef void put_number(self, Py_ssize_t entry) noexcept nogil

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The image of the HLI that a PLC sees, kept equal to the cells of the memory (RC-301).
 
-A table says which variable stands at which byte (``hli/places.py``, and for the packed V.E
+A table says which variable stands at which byte (``hli/positions.py``, and for the packed V.E
 ``lists/machine/variables_layout.py``). ``latch`` takes over what the PLC has written where it may:
 bytes that differ from those that were published last. ``publish`` writes the variables that have
 changed since, the slots of technology functions (``image_slots.py``) and the clock. Numbers have
@@ -120,7 +120,7 @@ class InterfaceImage:
             1 for _, kind, _, _, is_input in table if is_input and kind == codes.IMAGE_REAL64
         )
         self.refused_count = 0
-        self.refused_told = 0
+        self.refused_reported = 0
         self.word_count = len(image) // 8
         self.publish(ticks)
         self.is_attached = True
@@ -134,7 +134,7 @@ class InterfaceImage:
         self.stale_count = 0
         self.event_bound = 0
         self.refused_count = 0
-        self.refused_told = 0
+        self.refused_reported = 0
         self.word_count = 0
         self.clock_word = 0
         self.first_input_word = 0
@@ -159,9 +159,9 @@ class InterfaceImage:
 
     def next_refused(self) -> int:
         """The cell of the next 900346 that was not asked for yet, in the order of the events."""
-        check_index(self.refused_told, self.refused_count, "refused value")
-        cell = self.refused_cells[self.refused_told]
-        self.refused_told += 1
+        check_index(self.refused_reported, self.refused_count, "refused value")
+        cell = self.refused_cells[self.refused_reported]
+        self.refused_reported += 1
         return cell
 
     # --- the tick -------------------------------------------------------------------------------
@@ -196,9 +196,9 @@ class InterfaceImage:
     def take_string(self, entry: int) -> None:
         """Copy a string into the memory."""
         first = self.offset[entry]
-        place = 8 * self.cell[entry]
+        character = 8 * self.cell[entry]
         for i in range(self.size[entry]):
-            self.characters[place + i] = self.published[first + i] = self.image[first + i]
+            self.characters[character + i] = self.published[first + i] = self.image[first + i]
         self.remember(entry)
 
     def take_number(self, entry: int) -> None:
@@ -293,9 +293,9 @@ class InterfaceImage:
     def put_string(self, entry: int) -> None:
         """Copy a string into the image."""
         first = self.offset[entry]
-        place = 8 * self.cell[entry]
+        character = 8 * self.cell[entry]
         for i in range(self.size[entry]):
-            self.image[first + i] = self.published[first + i] = self.characters[place + i]
+            self.image[first + i] = self.published[first + i] = self.characters[character + i]
 
     def put_number(self, entry: int) -> None:
         """Convert a number into the image; cells of integers hold what fits their type."""

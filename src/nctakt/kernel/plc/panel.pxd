@@ -26,12 +26,12 @@ cdef class Panel:
     cdef readonly bint start_taken
     cdef readonly bint reset_taken
 
-    @cython.locals(base=Py_ssize_t, is_backward=bint)
+    @cython.locals(cell=Py_ssize_t, is_backward=bint)
     cdef void latch(self) noexcept nogil
     cdef void take_start(self, int can_start) noexcept nogil
-    cdef int lets_go(self, long long line, bint moves, bint is_begun) noexcept nogil
+    cdef int permits_block(self, long long line, bint moves_axis, bint is_started) noexcept nogil
     cdef int stop_for_program(self, bint is_optional) noexcept nogil
-    @cython.locals(base=Py_ssize_t)
+    @cython.locals(cell=Py_ssize_t)
     cdef void publish(self, int state, int message) noexcept nogil
     cdef void show_loop(self, bint is_inside) noexcept nogil
-    cdef void show_history(self, int retrace, long long blocks) noexcept nogil
+    cdef void show_history(self, int state, long long blocks) noexcept nogil

@@ -77,22 +77,22 @@ class Panel:
 
     def latch(self) -> None:
         """Start of a tick: the commands of now are in force."""
-        base = self.first_cell
-        self.override_pct = max(self.cells[base + cells.PANEL_OVERRIDE], 0.0)
-        self.feed_hold = self.cells[base + cells.PANEL_FEED_HOLD] != 0.0
-        self.single_block = self.cells[base + cells.PANEL_SINGLE_BLOCK] != 0.0
-        self.start_pressed = self.cells[base + cells.PANEL_START] != 0.0
-        self.reset_pressed = self.cells[base + cells.PANEL_RESET] != 0.0
-        self.plc_present = self.cells[base + cells.PANEL_PLC_PRESENT] != 0.0
-        is_backward = self.cells[base + cells.PANEL_BACKWARD_MOTION] != 0.0
+        cell = self.first_cell
+        self.override_pct = max(self.cells[cell + cells.PANEL_OVERRIDE], 0.0)
+        self.feed_hold = self.cells[cell + cells.PANEL_FEED_HOLD] != 0.0
+        self.single_block = self.cells[cell + cells.PANEL_SINGLE_BLOCK] != 0.0
+        self.start_pressed = self.cells[cell + cells.PANEL_START] != 0.0
+        self.reset_pressed = self.cells[cell + cells.PANEL_RESET] != 0.0
+        self.plc_present = self.cells[cell + cells.PANEL_PLC_PRESENT] != 0.0
+        is_backward = self.cells[cell + cells.PANEL_BACKWARD_MOTION] != 0.0
         self.turns_back = is_backward and not self.backward_motion
         self.backward_motion = is_backward
-        self.probe = self.cells[base + cells.PANEL_PROBE] != 0.0
-        self.optional_stop = self.cells[base + cells.PANEL_OPTIONAL_STOP] != 0.0
+        self.probe = self.cells[cell + cells.PANEL_PROBE] != 0.0
+        self.optional_stop = self.cells[cell + cells.PANEL_OPTIONAL_STOP] != 0.0
         if self.start_pressed:
-            self.cells[base + cells.PANEL_START] = 0.0
+            self.cells[cell + cells.PANEL_START] = 0.0
         if self.reset_pressed:
-            self.cells[base + cells.PANEL_RESET] = 0.0
+            self.cells[cell + cells.PANEL_RESET] = 0.0
             self.reset_taken = True
 
     def take_start(self, can_start: int) -> None:
@@ -104,24 +104,24 @@ class Panel:
             self.is_armed = False
             self.start_taken = True
 
-    def lets_go(self, line: int, moves: bool, is_begun: bool) -> int:
+    def permits_block(self, line: int, moves_axis: bool, is_started: bool) -> int:
         """Whether a command may be taken: single block stops in front of each block.
 
         A block is a line of a program; one that moves or dwells again is another one. What the
-        path has begun already (``is_begun``) goes on, and so does what has no line: the program's
+        path has begun already (``is_started``) goes on, and so does what has no line: the program's
         end.
         """
-        if line == 0 and not moves:
+        if line == 0 and not moves_axis:
             return 1
-        if line == self.block_line and not (moves and self.block_moves):
-            self.block_moves = self.block_moves or moves
+        if line == self.block_line and not (moves_axis and self.block_moves):
+            self.block_moves = self.block_moves or moves_axis
             return 1
-        if self.single_block and not self.is_released and not is_begun:
+        if self.single_block and not self.is_released and not is_started:
             self.is_paused = True
             return 0
         self.is_released = False
         self.block_line = line
-        self.block_moves = moves
+        self.block_moves = moves_axis
         return 1
 
     def stop_for_program(self, is_optional: bool) -> int:
@@ -132,19 +132,19 @@ class Panel:
 
     def publish(self, state: int, message: int) -> None:
         """End of a tick: the lamps. ``state``: error, reset or ready; ID of the error."""
-        base = self.first_cell
+        cell = self.first_cell
         if state == codes.CHANNEL_READY and self.is_running:
             state = codes.CHANNEL_RUNNING
-        self.cells[base + cells.PANEL_STATE] = state
-        self.cells[base + cells.PANEL_PAUSED] = self.is_paused
-        self.cells[base + cells.PANEL_ARMED] = self.is_armed
-        self.cells[base + cells.PANEL_ERROR] = message
+        self.cells[cell + cells.PANEL_STATE] = state
+        self.cells[cell + cells.PANEL_PAUSED] = self.is_paused
+        self.cells[cell + cells.PANEL_ARMED] = self.is_armed
+        self.cells[cell + cells.PANEL_ERROR] = message
 
     def show_loop(self, is_inside: bool) -> None:
         """The path is in a realtime loop, or no longer."""
         self.cells[self.first_cell + cells.PANEL_INSIDE_RT_LOOP] = is_inside
 
-    def show_history(self, retrace: int, blocks: int) -> None:
+    def show_history(self, state: int, blocks: int) -> None:
         """How the path walks over its history (``codes.AT_FRONT`` …), and the blocks in it."""
-        self.cells[self.first_cell + cells.PANEL_RETRACE] = retrace
+        self.cells[self.first_cell + cells.PANEL_RETRACE] = state
         self.cells[self.first_cell + cells.PANEL_HISTORY] = blocks

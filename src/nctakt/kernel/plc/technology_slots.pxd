@@ -13,7 +13,7 @@ cdef class Section:
     cdef long long[::1] tick
     cdef long long[::1] serial
     cdef long long[::1] value
-    cdef Py_ssize_t latest
+    cdef Py_ssize_t last_slot
     cdef long long[::1] done
     cdef readonly long long issued_in_tick
     cdef readonly long long taken_count

@@ -36,7 +36,7 @@ class Section:
         self.done = memoryview(bytearray(8 * slot_count)).cast("q")
         self.serial = memoryview(bytearray(8 * slot_count)).cast("q")
         self.value = memoryview(bytearray(8 * slot_count)).cast("q")
-        self.latest = 0
+        self.last_slot = 0
         self.issued_in_tick = 0
         self.taken_count = 0
         self.issued = 0
@@ -73,13 +73,13 @@ class Section:
                 self.tick[i] = tick
                 self.done[i] = tick + ticks
                 self.value[i] = 0
-                self.latest = i
+                self.last_slot = i
                 return self.issued_in_tick
         return -1
 
     def give_value(self, value: int) -> None:
         """The function that was put in last has this value (M110 = 130)."""
-        self.value[self.latest] = value
+        self.value[self.last_slot] = value
 
     def is_waiting(self, function: int) -> int:
         """Whether the PLC still has to acknowledge this function."""
@@ -112,12 +112,12 @@ class Section:
 
     def entries(self) -> list[tuple[int, int, int, int, int]]:
         """What waits, oldest first: (slot, function, number in its tick, tick, serial)."""
-        found = [
+        waiting = [
             (i, self.function[i], self.sequence[i], self.tick[i], self.serial[i])
             for i in range(self.slot_count)
             if self.state[i] == codes.WAITING
         ]
-        return sorted(found, key=_order)
+        return sorted(waiting, key=_order)
 
     def acknowledge(self, slot: int, serial: int) -> bool:
         """The PLC has taken the function of this serial; return whether the slot holds it."""

@@ -3,10 +3,10 @@
 cimport cython
 from nctakt.kernel cimport cells, codes, rows
 from nctakt.kernel.base cimport arithmetic
-from nctakt.kernel.tick.command_execution cimport Commands
+from nctakt.kernel.tick.command_execution cimport CommandExecutor
 
 @cython.final
-cdef class Channel(Commands):
+cdef class Channel(CommandExecutor):
     cdef double total_pct
     cdef public Py_ssize_t low_water
     cdef public bint decoder_open
@@ -16,8 +16,8 @@ cdef class Channel(Commands):
     cdef bint is_reset_due
     cdef public bint is_paced
     cdef long long starved_since
-    cdef bint has_told_wait
-    cdef bint has_told_spindle
+    cdef bint has_warned_of_wait
+    cdef bint has_warned_of_spindle
 
     @cython.locals(commands=Py_ssize_t, single=Py_ssize_t)
     cdef Py_ssize_t event_bound(self) noexcept nogil
@@ -29,31 +29,31 @@ cdef class Channel(Commands):
     @cython.locals(i=Py_ssize_t)
     cdef void begin_tick(self, long long tick) noexcept nogil
     cdef void run_cycles(self) noexcept nogil
-    @cython.locals(factor=double, stops=bint, goes_on=int, total_pct=double)
+    @cython.locals(factor=double, is_stopping=bint, has_time_left=int, total_pct=double)
     cdef void interpolate(self) noexcept nogil
     @cython.locals(cycle_pct=double, factor=double)
     cdef double override(self) noexcept nogil
     cdef void watch_stops(self) noexcept nogil
-    @cython.locals(goes_on=int)
-    cdef int step_back(self, double factor, int stops) noexcept nogil
-    @cython.locals(waits=bint, base=Py_ssize_t, source=cython.longlong)
-    cdef void tell_wait(self) noexcept nogil
+    @cython.locals(has_time_left=int)
+    cdef int step_back(self, double factor, int is_stopping) noexcept nogil
+    @cython.locals(waits=bint, row=Py_ssize_t, source=cython.longlong)
+    cdef void warn_of_wait(self) noexcept nogil
     @cython.locals(number=double)
     cdef void publish_block(self) noexcept nogil
     @cython.locals(source=cython.longlong)
     cdef void watch_spindle(self, double factor) noexcept nogil
     @cython.locals(spindle=Py_ssize_t)
     cdef Py_ssize_t resting_spindle(self) noexcept nogil
-    @cython.locals(position=Py_ssize_t, base=Py_ssize_t, kind=int, message=int, source=cython.longlong)
-    cdef void go_on(self, int stops) noexcept nogil
+    @cython.locals(position=Py_ssize_t, row=Py_ssize_t, kind=int, message=int, source=cython.longlong)
+    cdef void pass_block_ends(self, int is_stopping) noexcept nogil
     @cython.locals(message=int)
     cdef void report_axes(self) noexcept nogil
-    @cython.locals(state=int, base=Py_ssize_t)
+    @cython.locals(state=int, row=Py_ssize_t)
     cdef void end_tick(self) noexcept nogil
     cdef void begin_reset(self) noexcept nogil
     @cython.locals(i=Py_ssize_t)
     cdef void end_reset(self) noexcept nogil
-    @cython.locals(message=int, base=Py_ssize_t, source=cython.longlong)
+    @cython.locals(message=int, row=Py_ssize_t, source=cython.longlong)
     cdef int axes_stand(self) noexcept nogil
-    @cython.locals(base=Py_ssize_t, cell=Py_ssize_t)
+    @cython.locals(row=Py_ssize_t, cell=Py_ssize_t)
     cdef void answer_waiting(self) noexcept nogil

@@ -19,13 +19,13 @@ from nctakt.kernel.cycles.cycles import CycleManager
 from nctakt.kernel.path.lookahead import LookAhead
 from nctakt.kernel.path.path import Path
 from nctakt.kernel.plc.technology_slots import Hli
-from nctakt.kernel.tick.command_execution import Commands
+from nctakt.kernel.tick.command_execution import CommandExecutor
 
 #: Commands that take time below which the kernel asks for more.
 LOW_WATER = 8
 
 
-class Channel(Commands):
+class Channel(CommandExecutor):
     """One channel with its path, its cycles and its image of the PLC."""
 
     def __init__(
@@ -38,13 +38,15 @@ class Channel(Commands):
         path: Path,
         timers: Timers,
         max_override_pct: float,
-        ahead: LookAhead,
+        look_ahead: LookAhead,
         single_axes: SingleAxes,
     ) -> None:
-        super().__init__(memory, first_cell, record, hli, manager, path, timers, ahead, single_axes)
-        self.overrides.most_pct = max_override_pct
+        super().__init__(
+            memory, first_cell, record, hli, manager, path, timers, look_ahead, single_axes
+        )
+        self.overrides.max_pct = max_override_pct
         self.total_pct = 100.0
-        self.low_water = max(LOW_WATER, ahead.blocks)
+        self.low_water = max(LOW_WATER, look_ahead.blocks)
         self.decoder_open = False
         self.wants_slot = False
         self.answer = 0.0
@@ -52,10 +54,10 @@ class Channel(Commands):
         self.is_reset_due = False
         self.is_paced = False
         self.starved_since = -1
-        self.has_told_wait = False
-        self.has_told_spindle = False
+        self.has_warned_of_wait = False
+        self.has_warned_of_spindle = False
         for i in range(self.path.count):
-            single_axes.belong(self.path.members[i])
+            single_axes.assign_to_channel(self.path.members[i])
 
     # --- Python's side, between two runs --------------------------------------------------------
 
@@ -90,14 +92,14 @@ class Channel(Commands):
             + self.manager.capacity
         )
 
-    def awaits(self) -> tuple[str, int, int]:
+    def wait_reason(self) -> tuple[str, int, int]:
         """What holds the program up, as ``run/wait_reasons.py`` calls it: word, place of the block,
         detail.
 
         Empty where nothing does: the path moves, or a dwell goes on.
         """
-        base = self.head % self.capacity * self.width
-        queued = int(self.queue[base + rows.SOURCE]) if self.head < self.tail else self.taken_source
+        row = self.head % self.capacity * self.width
+        queued = int(self.queue[row + rows.SOURCE]) if self.head < self.tail else self.taken_source
         if self.is_stopped or self.is_resetting:
             return ("reset" if self.is_stopped else "", queued, 0)
         if not self.panel.is_running:
@@ -113,21 +115,21 @@ class Channel(Commands):
             is_programmed = is_programmed and int(source) == self.taken_source
             return ("programmed stop" if is_programmed else "single block", self.taken_source, 0)
         if self.path.is_active:
-            word, detail = self.path_awaits()
-            return (word, int(self.path.ring[self.path.base + rows.SOURCE]), detail)
+            word, detail = self.path_wait_reason()
+            return (word, int(self.path.history_rows[self.path.row + rows.SOURCE]), detail)
         if self.head == self.tail:
             return ("", queued, 0)
-        word, detail = self.command_awaits(base)
+        word, detail = self.command_wait_reason(row)
         return (word, queued, detail)
 
-    def path_awaits(self) -> tuple[str, int]:
+    def path_wait_reason(self) -> tuple[str, int]:
         """What holds up the current block of a path that stands."""
         if self.panel.feed_hold:
             return ("feed hold", 0)
         if self.path.is_dwell:
             return ("", 0)
-        is_free = self.path.ring[self.path.base + rows.IGNORES_OVERRIDE] != 0.0
-        if self.panel.override_pct == 0.0 and not is_free:
+        ignores_override = self.path.history_rows[self.path.row + rows.IGNORES_OVERRIDE] != 0.0
+        if self.panel.override_pct == 0.0 and not ignores_override:
             return ("override", 0)
         if self.overrides.cycle_pct == 0.0:
             return ("cycle override", 0)
@@ -138,22 +140,22 @@ class Channel(Commands):
             else ("", 0)
         )
 
-    def command_awaits(self, base: int) -> tuple[str, int]:
+    def command_wait_reason(self, row: int) -> tuple[str, int]:
         """What holds up the command at the head of the queue, while the path stands."""
-        kind = int(self.queue[base + rows.KIND])
+        kind = int(self.queue[row + rows.KIND])
         if kind == rows.TECHNOLOGY:
-            return ("free place", int(self.queue[base + rows.TECHNOLOGY_FUNCTION]))
+            return ("free place", int(self.queue[row + rows.TECHNOLOGY_FUNCTION]))
         if kind == rows.AWAIT_ACKNOWLEDGE:
-            return ("acknowledgement", int(self.queue[base + rows.AWAITED_FUNCTION]))
+            return ("acknowledgement", int(self.queue[row + rows.AWAITED_FUNCTION]))
         if kind in (rows.SPINDLE, rows.AWAIT_SPINDLE):
-            spindle = int(self.queue[base + rows.JOB_SPINDLE])
+            spindle = int(self.queue[row + rows.JOB_SPINDLE])
             is_plc = self.context.spindles.has_plc(spindle)
             word = "spindle acknowledged" if is_plc else "spindle"
             return (word, self.context.spindles.first_number + spindle)
         if kind == rows.MEASURE_END:
-            return ("acknowledgement", self.edge.function)
-        if kind == rows.POSITIONS and self.context.single_axes.asked(self.queue, base):
-            return ("axis", self.context.single_axes.asked_axis)
+            return ("acknowledgement", self.edge_probe.function)
+        if kind == rows.POSITIONS and self.context.single_axes.request_state(self.queue, row):
+            return ("axis", self.context.single_axes.requested_axis)
         return ("", 0)
 
     # --- the tick -------------------------------------------------------------------------------
@@ -173,7 +175,7 @@ class Channel(Commands):
         if self.is_paced:
             return codes.DONE
         if self.decoder_open and self.wants_slot:
-            has_slot = self.manager.dead_count > 0 or self.is_idle()
+            has_slot = self.manager.ended_count > 0 or self.is_idle()
             return codes.REFILL if has_slot else codes.DONE
         if self.decoder_open and self.timed_count < self.low_water:
             return codes.REFILL
@@ -227,52 +229,58 @@ class Channel(Commands):
     def interpolate(self) -> None:
         """One increment of the path with this tick's override (RC-305, MO-5)."""
         factor = self.override()
-        stops = self.is_stopped or self.is_resetting or self.panel.feed_hold or self.is_at_stop
-        if self.is_looping and not self.path.is_away:
+        is_stopping = (
+            self.is_stopped or self.is_resetting or self.panel.feed_hold or self.is_at_fixed_stop
+        )
+        if self.is_looping and not self.path.is_retracing:
             self.prolong_loop()
-        if self.edge.phase != codes.NOT_MEASURING and self.path.is_active and not self.path.is_away:
-            if self.edge.watch(self.context.tick):
-                stops = True
+        if (
+            self.edge_probe.phase != codes.NOT_MEASURING
+            and self.path.is_active
+            and not self.path.is_retracing
+        ):
+            if self.edge_probe.watch(self.context.tick):
+                is_stopping = True
         self.publish_block()
         self.path.publish_overrides(self.panel.override_pct)
         if self.path.is_single != self.panel.single_block:
             self.path.set_single(self.panel.single_block)
-        if self.path.is_away or self.panel.backward_motion:
-            goes_on = self.step_back(factor, stops)
-            stops = stops or (self.panel.backward_motion and self.path.history_size > 0)
+        if self.path.is_retracing or self.panel.backward_motion:
+            has_time_left = self.step_back(factor, is_stopping)
+            is_stopping = is_stopping or (self.panel.backward_motion and self.path.history_size > 0)
         else:
-            goes_on = self.path.step(factor, stops)
-        if goes_on:
-            self.go_on(stops)
+            has_time_left = self.path.step(factor, is_stopping)
+        if has_time_left:
+            self.pass_block_ends(is_stopping)
         total_pct = arithmetic.round_half_even(self.total_pct)
         self.cells[self.first_cell + cells.CHANNEL_OVERRIDE_VEL_TOTAL] = total_pct
-        if self.stops.count > 0 and not self.path.is_away:
+        if self.fixed_stops.count > 0 and not self.path.is_retracing:
             self.watch_stops()
-        if (factor == 0.0 and not stops) or self.has_told_spindle:
+        if (factor == 0.0 and not is_stopping) or self.has_warned_of_spindle:
             self.watch_spindle(factor)
 
     def watch_spindle(self, factor: float) -> None:
         """Warn, once for each standing, that the path waits for a spindle (G95): it is silent."""
         if factor != 0.0:
-            self.has_told_spindle = False
-        elif not self.has_told_spindle and self.resting_spindle() > 0:
-            self.has_told_spindle = True
-            source = int(self.path.ring[self.path.base + rows.SOURCE])
+            self.has_warned_of_spindle = False
+        elif not self.has_warned_of_spindle and self.resting_spindle() > 0:
+            self.has_warned_of_spindle = True
+            source = int(self.path.history_rows[self.path.row + rows.SOURCE])
             self.record.event(rows.EVENT_ERROR, source, 0, 900819)
 
     def resting_spindle(self) -> int:
         """Counted from 1 the spindle that rests while the path stands and follows it; else 0."""
         if not self.path.is_active or self.path.is_dwell or self.path.speed_v != 0.0:
             return 0
-        spindle = int(self.path.ring[self.path.base + rows.FEED_SPINDLE])
-        return spindle if spindle > 0 and self.context.spindles.rests(spindle - 1) else 0
+        spindle = int(self.path.history_rows[self.path.row + rows.FEED_SPINDLE])
+        return spindle if spindle > 0 and self.context.spindles.is_resting(spindle - 1) else 0
 
     def watch_stops(self) -> None:
         """At the fixed stop the path brakes, and what is left of its block is dropped (MO-12)."""
-        if self.stops.watch() and self.path.is_active:
-            self.is_at_stop = True
-        if self.is_at_stop and self.path.speed_v == 0.0:
-            self.is_at_stop = False
+        if self.fixed_stops.watch() and self.path.is_active:
+            self.is_at_fixed_stop = True
+        if self.is_at_fixed_stop and self.path.speed_v == 0.0:
+            self.is_at_fixed_stop = False
             self.path.abandon()
 
     def override(self) -> float:
@@ -284,43 +292,43 @@ class Channel(Commands):
         cycle_pct = self.cells[self.first_cell + cells.CHANNEL_OVERRIDE_VEL_CYCLE]
         self.overrides.cycle_pct = cycle_pct
         self.path.common_factor = self.overrides.parts(0) / 100.0
-        self.path.bare_factor = self.overrides.parts(1) / 100.0
+        self.path.unoverridden_factor = self.overrides.parts(1) / 100.0
         if self.path.is_active and not self.path.is_dwell:
-            factor = self.overrides.factor(self.path.ring, self.path.base)
+            factor = self.overrides.factor(self.path.history_rows, self.path.row)
         else:
             factor = self.overrides.none()
         self.total_pct = self.overrides.total_pct
         return factor
 
-    def step_back(self, factor: float, stops: int) -> int:
+    def step_back(self, factor: float, is_stopping: int) -> int:
         """One increment while backward motion is commanded, or forward over the history (MO-7)."""
         if self.path.history_size == 0:
             if self.panel.turns_back:
                 self.record.event(rows.EVENT_ERROR, 0, 0, 900880)
-            return self.path.step(factor, stops)
-        if not self.path.is_away:
-            if self.is_stopped or self.is_resetting or not self.retrace.takes_over():
-                self.tell_wait()
+            return self.path.step(factor, is_stopping)
+        if not self.path.is_retracing:
+            if self.is_stopped or self.is_resetting or not self.backward.can_take_over():
+                self.warn_of_wait()
                 return self.path.step(factor, 1)
-            self.retrace.leave()
+            self.backward.leave()
             self.publish_block()
-        goes_on = self.retrace.step(factor, stops)
-        if self.retrace.entered >= 0.0:
-            self.cells[self.first_cell + cells.CHANNEL_BLOCK] = self.retrace.entered
-        if self.retrace.fault != 0:
-            self.report(self.retrace.fault_source, self.retrace.fault, self.path.refused_axis)
-            self.retrace.fault = 0
-        return goes_on
+        has_time_left = self.backward.step(factor, is_stopping)
+        if self.backward.entered >= 0.0:
+            self.cells[self.first_cell + cells.CHANNEL_BLOCK] = self.backward.entered
+        if self.backward.fault != 0:
+            self.report(self.backward.fault_source, self.backward.fault, self.path.refused_axis)
+            self.backward.fault = 0
+        return has_time_left
 
-    def tell_wait(self) -> None:
+    def warn_of_wait(self) -> None:
         """Warn, once, that a program waits because backward has no way: it would be silent."""
         if self.panel.turns_back or self.is_resetting:
-            self.has_told_wait = False
+            self.has_warned_of_wait = False
         waits = self.head < self.tail and not self.path.is_active
-        if waits and not self.has_told_wait and not self.is_stopped and not self.is_resetting:
-            self.has_told_wait = True
-            base = self.head % self.capacity * self.width
-            source = int(self.queue[base + rows.SOURCE])
+        if waits and not self.has_warned_of_wait and not self.is_stopped and not self.is_resetting:
+            self.has_warned_of_wait = True
+            row = self.head % self.capacity * self.width
+            source = int(self.queue[row + rows.SOURCE])
             self.record.event(rows.EVENT_ERROR, source, 0, 900890)
 
     def publish_block(self) -> None:
@@ -328,35 +336,35 @@ class Channel(Commands):
         number = self.path.block_number() if self.path.is_active else 0.0
         self.cells[self.first_cell + cells.CHANNEL_BLOCK] = number
 
-    def go_on(self, stops: int) -> None:
+    def pass_block_ends(self, is_stopping: int) -> None:
         """The path passes block ends: what stands between is taken in the next tick (RC-003).
 
         A block that it cannot take is an error; with speed left, it brakes on this block with the
         axes that are free, since it must not stop in a step (MO-1, MO-6).
         """
-        position = max(self.head, self.begun + 1)
+        position = max(self.head, self.started + 1)
         if self.path.is_single and self.path.speed_v == 0.0:
             return
         while position < self.tail:
-            base = position % self.capacity * self.width
-            kind = int(self.queue[base + rows.KIND])
+            row = position % self.capacity * self.width
+            kind = int(self.queue[row + rows.KIND])
             if kind == rows.SEGMENT:
-                message = self.path.refusal(base, self.queue)
+                message = self.path.refusal(row, self.queue)
                 if message:
                     if self.path.speed_v == 0.0:
                         return
-                    source = int(self.queue[base + rows.SOURCE])
+                    source = int(self.queue[row + rows.SOURCE])
                     self.report(source, message, self.path.refused_axis)
-                    stops = 1
-                self.begun = position
-                self.path.begin(base, self.queue, self.path.left_t)
-                if self.path.goes_on():
-                    self.path.leave_rest(self.rest_of_block(position))
+                    is_stopping = 1
+                self.started = position
+                self.path.begin(row, self.queue, self.path.left_t)
+                if self.path.continues_block():
+                    self.path.set_remaining(self.remaining_of_block(position))
                 if self.path.left_t > 0.0:
                     self.publish_block()
-                if not self.path.step_carried(self.override(), stops):
+                if not self.path.step_carried(self.override(), is_stopping):
                     return
-            elif not self.passes(kind):
+            elif not self.is_transparent(kind):
                 return
             position += 1
 
@@ -367,11 +375,11 @@ class Channel(Commands):
             state = codes.CHANNEL_RESET
         elif self.is_stopped:
             state = codes.CHANNEL_ERROR
-        if self.path.stands():
-            if not self.is_stopped and not self.path.is_away:
+        if self.path.is_standing():
+            if not self.is_stopped and not self.path.is_retracing:
                 if self.waiting == rows.LOOP_END:
-                    base = self.head % self.capacity * self.width
-                    self.leave_loop(int(self.queue[base + rows.SOURCE]))
+                    row = self.head % self.capacity * self.width
+                    self.leave_loop(int(self.queue[row + rows.SOURCE]))
                 if self.waiting in (rows.FLUSH, rows.READ, rows.LOOP_END) or self.axes_stand():
                     self.answer_waiting()
             if self.is_resetting:
@@ -382,10 +390,10 @@ class Channel(Commands):
         self.hli.run_default_plc(self.context.tick)
         self.panel.publish(state, self.error_message)
         if self.path.history_size > 0:
-            self.panel.show_history(self.retrace.way(), self.path.used - self.path.oldest)
+            self.panel.show_history(self.backward.state(), self.path.used - self.path.oldest)
         self.cells[self.first_cell + cells.CHANNEL_PATH_SPEED] = self.path.speed_v
         self.cells[self.first_cell + cells.CHANNEL_CYCLES_ACTIVE] = self.manager.running_count
-        self.cells[self.first_cell + cells.CHANNEL_PATH_DIST_TO_GO] = self.path.rest_d()
+        self.cells[self.first_cell + cells.CHANNEL_PATH_DIST_TO_GO] = self.path.distance_to_go()
 
     def report_axes(self) -> None:
         """An independent motion of one of the channel's axes has failed: error state."""
@@ -397,21 +405,21 @@ class Channel(Commands):
         """Whether the axes of a waiting position request stand; one that never will is an error."""
         if self.waiting != rows.POSITIONS:
             return 0
-        base = self.head % self.capacity * self.width
-        message = self.context.single_axes.asked(self.queue, base)
+        row = self.head % self.capacity * self.width
+        message = self.context.single_axes.request_state(self.queue, row)
         if message > codes.MOVES_STILL:
-            source = int(self.queue[base + rows.SOURCE])
-            self.report(source, message, self.context.single_axes.asked_axis)
+            source = int(self.queue[row + rows.SOURCE])
+            self.report(source, message, self.context.single_axes.requested_axis)
         return 1 if message == codes.STANDS else 0
 
     def answer_waiting(self) -> None:
         """Flush and synchronous read at the head: answered with the values of now."""
-        base = self.head % self.capacity * self.width
+        row = self.head % self.capacity * self.width
         self.answer = 0.0
         if self.waiting == rows.READ:
-            cell = int(self.queue[base + rows.READ_CELL])
+            cell = int(self.queue[row + rows.READ_CELL])
             self.answer = self.cells[cell]
-        if self.queue[base + rows.IS_ANSWERED] != 0.0:
+        if self.queue[row + rows.IS_ANSWERED] != 0.0:
             self.answer_ready = True
         self.waiting = 0
         self.head += 1
@@ -426,13 +434,13 @@ class Channel(Commands):
             self.context.single_axes.reopen(self.path.members[i])
         self.path.abandon()
         self.give_up_loop()
-        self.is_at_stop = False
-        self.stops.clear()
-        self.edge.clear()
+        self.is_at_fixed_stop = False
+        self.fixed_stops.clear()
+        self.edge_probe.clear()
         self.head = self.tail
         self.timed_count = 0
-        self.begun = -1
-        self.latest = -1
+        self.started = -1
+        self.last_segment = -1
 
     def request_reset(self) -> None:
         """Python asks for a reset, which begins with the next tick."""

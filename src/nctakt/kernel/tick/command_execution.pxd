@@ -11,12 +11,12 @@ from nctakt.kernel.cycles.context cimport Context
 from nctakt.kernel.plc.panel cimport Panel
 from nctakt.kernel.base.record cimport Record
 from nctakt.kernel.path.override cimport Overrides
-from nctakt.kernel.path.backward cimport Retrace
-from nctakt.kernel.tick.command_queue cimport CommandRing
+from nctakt.kernel.path.backward cimport BackwardMotion
+from nctakt.kernel.tick.command_queue cimport CommandQueue
 from nctakt.kernel.axes.single_axes cimport SingleAxes
 from nctakt.kernel.base.timers cimport Timers
 
-cdef class Commands(CommandRing):
+cdef class CommandExecutor(CommandQueue):
     cdef double[::1] cells
     cdef unsigned char[::1] characters
     cdef readonly Py_ssize_t first_cell
@@ -24,11 +24,11 @@ cdef class Commands(CommandRing):
     cdef readonly Hli hli
     cdef readonly Panel panel
     cdef readonly CycleManager manager
-    cdef readonly Retrace retrace
+    cdef readonly BackwardMotion backward
     cdef Overrides overrides
-    cdef readonly FixedStops stops
-    cdef bint is_at_stop
-    cdef readonly EdgeProbe edge
+    cdef readonly FixedStops fixed_stops
+    cdef bint is_at_fixed_stop
+    cdef readonly EdgeProbe edge_probe
     cdef readonly Context context
     cdef public Timers program_timers
     cdef int waiting
@@ -44,61 +44,61 @@ cdef class Commands(CommandRing):
     cdef readonly bint is_fatal
     cdef readonly bint is_resetting
 
-    @cython.locals(base=Py_ssize_t, kind=int)
+    @cython.locals(row=Py_ssize_t, kind=int)
     cdef void take_commands(self, long long tick) noexcept nogil
     @cython.locals(stands=bint)
     cdef int is_at_stand(self) noexcept nogil
-    cdef int goes_back(self) noexcept nogil
+    cdef int is_reversing(self) noexcept nogil
     @cython.locals(source=cython.longlong, how=int)
-    cdef void take_loop(self, Py_ssize_t base) noexcept nogil
+    cdef void take_loop(self, Py_ssize_t row) noexcept nogil
     @cython.locals(member=Py_ssize_t)
-    cdef void take_fixed_stop(self, Py_ssize_t base) noexcept nogil
+    cdef void take_fixed_stop(self, Py_ssize_t row) noexcept nogil
     @cython.locals(source=cython.longlong, member=Py_ssize_t)
-    cdef void take_fixed_stop_end(self, Py_ssize_t base) noexcept nogil
+    cdef void take_fixed_stop_end(self, Py_ssize_t row) noexcept nogil
     @cython.locals(source=cython.longlong, function=cython.longlong, ticks=cython.longlong)
-    cdef void take_measure(self, Py_ssize_t base) noexcept nogil
-    @cython.locals(found=int)
-    cdef int take_measure_end(self, long long tick, Py_ssize_t base) noexcept nogil
+    cdef void take_measure(self, Py_ssize_t row) noexcept nogil
+    @cython.locals(outcome=int)
+    cdef int take_measure_end(self, long long tick, Py_ssize_t row) noexcept nogil
     @cython.locals(is_enabled=bint)
-    cdef int goes_round(self) noexcept nogil
+    cdef int loop_repeats(self) noexcept nogil
     cdef void prolong_loop(self) noexcept nogil
     cdef void leave_loop(self, long long source) noexcept nogil
     cdef void give_up_loop(self) noexcept nogil
-    @cython.locals(source=cython.longlong, line=cython.longlong, is_begun=bint)
-    cdef int enter_block(self, Py_ssize_t base) noexcept nogil
+    @cython.locals(source=cython.longlong, line=cython.longlong, is_started=bint)
+    cdef int enter_block(self, Py_ssize_t row) noexcept nogil
     @cython.locals(kind=int)
-    cdef bint is_motion(self, Py_ssize_t base) noexcept nogil
+    cdef bint is_motion(self, Py_ssize_t row) noexcept nogil
     @cython.locals(timer=int, message=int)
-    cdef int take(self, long long tick, Py_ssize_t base, int kind) noexcept nogil
+    cdef int take(self, long long tick, Py_ssize_t row, int kind) noexcept nogil
     @cython.locals(source=cython.longlong, number=cython.longlong, serial=cython.longlong, name=double, value=double, decoded_tick=double, reason=cython.longlong, cell=double)
-    cdef void take_event(self, Py_ssize_t base, int kind) noexcept nogil
+    cdef void take_event(self, Py_ssize_t row, int kind) noexcept nogil
     @cython.locals(is_current=bint, message=int, source=cython.longlong)
-    cdef int take_block(self, Py_ssize_t base) noexcept nogil
-    cdef int counts_of(self, Py_ssize_t base) noexcept nogil
-    @cython.locals(last=cython.longlong, base=Py_ssize_t, rest=double, limit_v=double)
-    cdef double rest_of_block(self, long long position) noexcept nogil
-    @cython.locals(base=Py_ssize_t)
-    cdef int continues(self, long long position) noexcept nogil
+    cdef int take_block(self, Py_ssize_t row) noexcept nogil
+    cdef int time_units(self, Py_ssize_t row) noexcept nogil
+    @cython.locals(last=cython.longlong, row=Py_ssize_t, remaining=double, limit_v=double)
+    cdef double remaining_of_block(self, long long position) noexcept nogil
+    @cython.locals(row=Py_ssize_t)
+    cdef int block_continues(self, long long position) noexcept nogil
     @cython.locals(slot=Py_ssize_t, message=int, source=cython.longlong)
-    cdef int take_definition(self, long long tick, Py_ssize_t base) noexcept nogil
+    cdef int take_definition(self, long long tick, Py_ssize_t row) noexcept nogil
     @cython.locals(source=cython.longlong, identity=cython.longlong, action=int, message=int)
-    cdef int take_control(self, long long tick, Py_ssize_t base) noexcept nogil
+    cdef int take_control(self, long long tick, Py_ssize_t row) noexcept nogil
     @cython.locals(function=cython.longlong, ticks=cython.longlong, value=cython.longlong, has_value=cython.bint, source=cython.longlong)
-    cdef int take_technology(self, long long tick, Py_ssize_t base) noexcept nogil
+    cdef int take_technology(self, long long tick, Py_ssize_t row) noexcept nogil
     @cython.locals(spindle=Py_ssize_t, ticks=cython.longlong)
-    cdef int take_spindle(self, long long tick, Py_ssize_t base) noexcept nogil
+    cdef int take_spindle(self, long long tick, Py_ssize_t row) noexcept nogil
     @cython.locals(spindle=Py_ssize_t, number=Py_ssize_t)
-    cdef int take_spindle_wait(self, Py_ssize_t base) noexcept nogil
+    cdef int take_spindle_wait(self, Py_ssize_t row) noexcept nogil
     @cython.locals(cell=Py_ssize_t)
-    cdef void take_write(self, Py_ssize_t base) noexcept nogil
+    cdef void take_write(self, Py_ssize_t row) noexcept nogil
     @cython.locals(cell=Py_ssize_t, first=Py_ssize_t, count=Py_ssize_t, zeros=Py_ssize_t, i=Py_ssize_t)
-    cdef void take_characters(self, Py_ssize_t base) noexcept nogil
+    cdef void take_characters(self, Py_ssize_t row) noexcept nogil
     @cython.locals(axis=Py_ssize_t, offset=int)
-    cdef void take_offset(self, Py_ssize_t base, int kind) noexcept nogil
+    cdef void take_offset(self, Py_ssize_t row, int kind) noexcept nogil
     @cython.locals(program=cython.longlong, source=cython.longlong)
-    cdef int take_program_end(self, long long tick, Py_ssize_t base) noexcept nogil
+    cdef int take_program_end(self, long long tick, Py_ssize_t row) noexcept nogil
     @cython.locals(source=cython.longlong, identity=double, reaction=double, keyword=double, text=double, value=double)
-    cdef void take_user_error(self, Py_ssize_t base, int kind) noexcept nogil
+    cdef void take_user_error(self, Py_ssize_t row, int kind) noexcept nogil
     cdef void stop_for_user(self, int reaction) noexcept nogil
     cdef void enter_error(self, int message) noexcept nogil
     cdef void report(self, long long source, int message, double detail) noexcept nogil

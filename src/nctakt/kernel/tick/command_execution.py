@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """What the commands of a channel's queue do when they are taken (RC-003, RC-004).
 
-``Commands.take_commands`` is the first phase of a channel's tick; ``channel.py`` has the others.
-The channel's cells (``cells.py``) stand from ``first_cell`` on.
+``CommandExecutor.take_commands`` is the first phase of a channel's tick; ``channel.py`` has the
+others. The channel's cells (``cells.py``) stand from ``first_cell`` on.
 """
 
 from __future__ import annotations
@@ -15,17 +15,17 @@ from nctakt.kernel.base.timers import Timers
 from nctakt.kernel.cycles.context import Context
 from nctakt.kernel.cycles.cycles import CycleManager
 from nctakt.kernel.path import geometry
-from nctakt.kernel.path.backward import Retrace
+from nctakt.kernel.path.backward import BackwardMotion
 from nctakt.kernel.path.edge_probe import EdgeProbe
 from nctakt.kernel.path.fixed_stops import FixedStops
 from nctakt.kernel.path.lookahead import LookAhead
 from nctakt.kernel.path.override import Overrides
 from nctakt.kernel.path.path import Path
 from nctakt.kernel.plc.technology_slots import Hli
-from nctakt.kernel.tick.command_queue import CommandRing
+from nctakt.kernel.tick.command_queue import CommandQueue
 
 
-class Commands(CommandRing):
+class CommandExecutor(CommandQueue):
     """The queue of a channel with all that its commands act on, and the channel's error state."""
 
     def __init__(
@@ -37,10 +37,10 @@ class Commands(CommandRing):
         manager: CycleManager,
         path: Path,
         timers: Timers,
-        ahead: LookAhead,
+        look_ahead: LookAhead,
         single_axes: SingleAxes,
     ) -> None:
-        super().__init__(path, ahead)
+        super().__init__(path, look_ahead)
         self.cells = memoryview(memory).cast("d")
         self.characters = memoryview(memory)
         self.first_cell = first_cell
@@ -48,12 +48,14 @@ class Commands(CommandRing):
         self.hli = hli
         self.panel = hli.panel
         self.manager = manager
-        self.stops = FixedStops(path, record)
-        self.is_at_stop = False
-        self.edge = EdgeProbe(path, hli, record, memory, first_cell + cells.CHANNEL_MEAS_DELTA)
+        self.fixed_stops = FixedStops(path, record)
+        self.is_at_fixed_stop = False
+        self.edge_probe = EdgeProbe(
+            path, hli, record, memory, first_cell + cells.CHANNEL_MEAS_DELTA
+        )
         self.context = Context(memory, record, hli, timers, single_axes)
         self.overrides = Overrides(self.context)
-        self.retrace = Retrace(path, hli.panel, record, ahead, self.overrides)
+        self.backward = BackwardMotion(path, hli.panel, record, look_ahead, self.overrides)
         self.program_timers = timers
         self.waiting = 0
         self.taken_source = 0
@@ -68,32 +70,32 @@ class Commands(CommandRing):
         self.is_fatal = False
         self.is_resetting = False
 
-    def set_spindles(self, spindles: Spindles, action_places: int) -> None:
+    def set_spindles(self, spindles: Spindles, max_open_actions: int) -> None:
         """The channel's spindles; so many actions of a realtime cycle are open (P-CHAN-00480)."""
         self.context.spindles = spindles
-        self.context.action_places = action_places
+        self.context.max_open_actions = max_open_actions
         self.manager.spindles = spindles
 
     def take_commands(self, tick: int) -> None:
         """Take commands in order until one takes time or has to wait (RC-003, RC-004)."""
         self.manager.leave_blocks(self.path.block_serial())
-        if self.is_stopped or self.is_resetting or self.goes_back():
+        if self.is_stopped or self.is_resetting or self.is_reversing():
             return
         while self.head < self.tail and self.waiting == 0 and not self.is_stopped:
             if self.panel.is_paused:
                 return
-            if self.path.is_active and self.begun < self.head:
+            if self.path.is_active and self.started < self.head:
                 return
-            base = self.head % self.capacity * self.width
-            kind = int(self.queue[base + rows.KIND])
-            if kind == rows.LOOP_END and self.goes_round():
+            row = self.head % self.capacity * self.width
+            kind = int(self.queue[row + rows.KIND])
+            if kind == rows.LOOP_END and self.loop_repeats():
                 self.repeat_body()
                 continue
-            if self.is_between and not self.goes_round() and self.is_at_stand():
+            if self.is_between and not self.loop_repeats() and self.is_at_stand():
                 self.is_skipping = True
             if self.is_skipping and kind != rows.LOOP_END:
-                self.timed_count -= self.counts_of(base)
-            elif not self.enter_block(base) or not self.take(tick, base, kind):
+                self.timed_count -= self.time_units(row)
+            elif not self.enter_block(row) or not self.take(tick, row, kind):
                 return
             else:
                 self.is_between = kind == rows.LOOP_PASS
@@ -101,185 +103,187 @@ class Commands(CommandRing):
 
     def is_at_stand(self) -> int:
         """Whether the path stands between two blocks, and has begun none that is still queued."""
-        stands = self.path.speed_v == 0.0 and not self.path.is_active and not self.path.goes_on()
-        return 1 if stands and self.begun < self.head else 0
+        stands = (
+            self.path.speed_v == 0.0 and not self.path.is_active and not self.path.continues_block()
+        )
+        return 1 if stands and self.started < self.head else 0
 
-    def goes_back(self) -> int:
+    def is_reversing(self) -> int:
         """Whether the path is away from its front or about to leave it: nothing is taken."""
-        if self.path.is_away:
+        if self.path.is_retracing:
             return 1
         if not self.panel.backward_motion or self.path.history_size == 0:
             return 0
         return 1 if self.path.speed_v == 0.0 else 0
 
-    def enter_block(self, base: int) -> int:
-        """Whether the command at ``base`` may be taken: single block stops in front of a block."""
-        source = int(self.queue[base + rows.SOURCE])
+    def enter_block(self, row: int) -> int:
+        """Whether the command at ``row`` may be taken: single block stops in front of a block."""
+        source = int(self.queue[row + rows.SOURCE])
         self.taken_source = source
-        line = source >> 20  # file and line (``base/source_ids.py``)
-        is_begun = self.head <= self.begun or self.path.speed_v > 0.0
-        if self.path.goes_on():
+        line = source >> 20  # file and line (``row/source_ids.py``)
+        is_started = self.head <= self.started or self.path.speed_v > 0.0
+        if self.path.continues_block():
             return 1
-        if self.panel.lets_go(line, self.is_motion(base), is_begun):
+        if self.panel.permits_block(line, self.is_motion(row), is_started):
             return 1
         self.record.event(rows.EVENT_PAUSED, source)
         return 0
 
-    def is_motion(self, base: int) -> bool:
+    def is_motion(self, row: int) -> bool:
         """Whether a command is a segment or a dwell."""
-        kind = int(self.queue[base + rows.KIND])
+        kind = int(self.queue[row + rows.KIND])
         return kind in (rows.SEGMENT, rows.DWELL)
 
-    def take(self, tick: int, base: int, kind: int) -> int:
-        """Take the command at ``base``: 0 when it stays at the head of the queue."""
+    def take(self, tick: int, row: int, kind: int) -> int:
+        """Take the command at ``row``: 0 when it stays at the head of the queue."""
         if kind in (rows.SEGMENT, rows.DWELL):
-            return self.take_block(base)
+            return self.take_block(row)
         if kind == rows.DEFINE_CYCLE:
-            return self.take_definition(tick, base)
+            return self.take_definition(tick, row)
         if kind == rows.CONTROL_CYCLE:
-            return self.take_control(tick, base)
+            return self.take_control(tick, row)
         if kind == rows.TECHNOLOGY:
-            return self.take_technology(tick, base)
+            return self.take_technology(tick, row)
         if kind == rows.AWAIT_ACKNOWLEDGE:
-            if self.hli.program.is_waiting(int(self.queue[base + rows.AWAITED_FUNCTION])):
+            if self.hli.program.is_waiting(int(self.queue[row + rows.AWAITED_FUNCTION])):
                 return 0
             self.timed_count -= 1
         elif kind == rows.WRITE_VARIABLE:
-            self.take_write(base)
+            self.take_write(row)
         elif kind == rows.WRITE_TEXT:
-            self.take_characters(base)
+            self.take_characters(row)
         elif kind == rows.PROGRAM_END:
-            return self.take_program_end(tick, base)
+            return self.take_program_end(tick, row)
         elif kind in (rows.SET_OFFSET, rows.SET_ORIGIN, rows.SET_TURN):
-            self.take_offset(base, kind)
+            self.take_offset(row, kind)
         elif kind in (rows.USER_ERROR, rows.USER_VALUE, rows.USER_TEXT, rows.USER_STOP):
-            self.take_user_error(base, kind)
+            self.take_user_error(row, kind)
         elif kind == rows.SPINDLE:
-            return self.take_spindle(tick, base)
+            return self.take_spindle(tick, row)
         elif kind == rows.AWAIT_SPINDLE:
-            return self.take_spindle_wait(base)
+            return self.take_spindle_wait(row)
         elif kind == rows.TIMER:
-            timer = int(self.queue[base + rows.TIMER_NUMBER])
-            self.program_timers.command(int(self.queue[base + rows.TIMER_ACTION]), timer, tick)
+            timer = int(self.queue[row + rows.TIMER_NUMBER])
+            self.program_timers.command(int(self.queue[row + rows.TIMER_ACTION]), timer, tick)
         elif kind == rows.CLEAR_HISTORY:
             self.path.forget()
         elif kind == rows.MEASURE:
-            self.take_measure(base)
+            self.take_measure(row)
         elif kind == rows.MEASURE_END:
-            return self.take_measure_end(tick, base)
+            return self.take_measure_end(tick, row)
         elif kind == rows.FIXED_STOP:
-            self.take_fixed_stop(base)
+            self.take_fixed_stop(row)
         elif kind == rows.FIXED_STOP_END:
-            self.take_fixed_stop_end(base)
+            self.take_fixed_stop_end(row)
         elif kind == rows.LOOP_BEGIN:
-            self.take_loop(base)
+            self.take_loop(row)
         elif kind == rows.LOOP_PASS:
             self.cells[self.first_cell + cells.CHANNEL_LOOP_COUNT] += 1.0
         elif kind == rows.PROGRAM_STOP:
             self.timed_count -= 1
-            if self.panel.stop_for_program(self.queue[base + rows.STOP_IS_OPTIONAL] != 0.0):
-                self.record.event(rows.EVENT_PAUSED, int(self.queue[base + rows.SOURCE]))
+            if self.panel.stop_for_program(self.queue[row + rows.STOP_IS_OPTIONAL] != 0.0):
+                self.record.event(rows.EVENT_PAUSED, int(self.queue[row + rows.SOURCE]))
         elif kind == rows.GIVE_UP:
             self.timed_count -= 1
-            message = int(self.queue[base + rows.GIVE_UP_MESSAGE])
-            self.report(int(self.queue[base + rows.SOURCE]), message, 0.0)
+            message = int(self.queue[row + rows.GIVE_UP_MESSAGE])
+            self.report(int(self.queue[row + rows.SOURCE]), message, 0.0)
         elif kind in (rows.MESSAGE, rows.FREEZE, rows.BLOCK_MARK, rows.WAIT_MARK):
-            self.take_event(base, kind)
+            self.take_event(row, kind)
         else:
             self.waiting = kind
             return 0
         return 1
 
-    def take_event(self, base: int, kind: int) -> None:
+    def take_event(self, row: int, kind: int) -> None:
         """A command that is nothing but an event."""
-        source = int(self.queue[base + rows.SOURCE])
+        source = int(self.queue[row + rows.SOURCE])
         if kind == rows.MESSAGE:
-            number = int(self.queue[base + rows.MESSAGE_TEXT])
+            number = int(self.queue[row + rows.MESSAGE_TEXT])
             self.record.event(rows.EVENT_MESSAGE, source, number)
         elif kind == rows.FREEZE:
-            serial = int(self.queue[base + rows.FROZEN_CYCLE])
-            name = self.queue[base + rows.FROZEN_NAME]
-            value = self.queue[base + rows.FROZEN_VALUE]
+            serial = int(self.queue[row + rows.FROZEN_CYCLE])
+            name = self.queue[row + rows.FROZEN_NAME]
+            value = self.queue[row + rows.FROZEN_VALUE]
             self.record.event(rows.EVENT_FROZEN, source, serial, name, value)
         elif kind == rows.BLOCK_MARK:
-            number = int(self.queue[base + rows.BLOCK_NUMBER])
-            decoded_tick = self.queue[base + rows.MARK_TICK]
+            number = int(self.queue[row + rows.BLOCK_NUMBER])
+            decoded_tick = self.queue[row + rows.MARK_TICK]
             self.record.event(rows.EVENT_BLOCK, source, number, decoded_tick)
         else:
-            reason = int(self.queue[base + rows.WAIT_REASON])
-            cell = self.queue[base + rows.WAIT_CELL]
+            reason = int(self.queue[row + rows.WAIT_REASON])
+            cell = self.queue[row + rows.WAIT_CELL]
             self.record.event(rows.EVENT_WAIT, source, reason, cell)
 
-    def take_block(self, base: int) -> int:
+    def take_block(self, row: int) -> int:
         """A segment or dwell: current from now on, unless the path has passed its start already.
 
         BLOCK cycles that stood before it run with it, or once where it is over by now (RC-105).
         """
-        self.timed_count -= self.counts_of(base)
-        if self.head <= self.begun:
-            is_current = self.head == self.begun and self.path.is_active
+        self.timed_count -= self.time_units(row)
+        if self.head <= self.started:
+            is_current = self.head == self.started and self.path.is_active
             self.manager.enter_block(self.path.serial if is_current else -1)
-            if self.head == self.begun:
-                self.begun = -1
+            if self.head == self.started:
+                self.started = -1
             return 1
-        if self.queue[base + rows.KIND] == rows.SEGMENT:
-            message = self.path.refusal(base, self.queue)
+        if self.queue[row + rows.KIND] == rows.SEGMENT:
+            message = self.path.refusal(row, self.queue)
             if message:
-                source = int(self.queue[base + rows.SOURCE])
+                source = int(self.queue[row + rows.SOURCE])
                 self.report(source, message, self.path.refused_axis)
                 return 1
-        self.path.begin(base, self.queue, 0.0)
-        if self.path.goes_on():
-            self.path.leave_rest(self.rest_of_block(self.head))
+        self.path.begin(row, self.queue, 0.0)
+        if self.path.continues_block():
+            self.path.set_remaining(self.remaining_of_block(self.head))
         self.manager.enter_block(self.path.serial)
         return 1
 
-    def counts_of(self, base: int) -> int:
+    def time_units(self, row: int) -> int:
         """How much a segment or dwell counts among the commands that take time."""
-        if self.queue[base + rows.KIND] == rows.SEGMENT:
-            return 0 if self.queue[base + rows.SHAPE] == rows.ROUNDING else 1
-        return 1 if self.queue[base + rows.KIND] == rows.DWELL else 0
+        if self.queue[row + rows.KIND] == rows.SEGMENT:
+            return 0 if self.queue[row + rows.SHAPE] == rows.ROUNDING else 1
+        return 1 if self.queue[row + rows.KIND] == rows.DWELL else 0
 
-    def rest_of_block(self, position: int) -> float:
-        """What ``Path.leave_rest`` wants of a segment whose block goes on; 0: it is not known."""
+    def remaining_of_block(self, position: int) -> float:
+        """Remaining length or end speed of a block for ``Path.set_remaining``; 0 if unknown."""
         last = position
-        while self.continues(last):
+        while self.block_continues(last):
             last += 1
             if last >= self.tail:
                 return 0.0
-        rest = 0.0
+        remaining = 0.0
         while last > position:
-            base = last % self.capacity * self.width
-            if self.queue[base + rows.JERK] > 0.0:
-                rest += geometry.whole_way(self.queue, base)
+            row = last % self.capacity * self.width
+            if self.queue[row + rows.JERK] > 0.0:
+                remaining += geometry.total_length(self.queue, row)
             else:
-                limit_v = self.queue[base + rows.MAX_SPEED]
-                rest = self.ahead.entry_speed(self.queue, base, rest, limit_v)
+                limit_v = self.queue[row + rows.MAX_SPEED]
+                remaining = self.look_ahead.entry_speed(self.queue, row, remaining, limit_v)
             last -= 1
-        return rest
+        return remaining
 
-    def continues(self, position: int) -> int:
+    def block_continues(self, position: int) -> int:
         """Whether a command is a segment whose block continues with the next one."""
-        base = position % self.capacity * self.width
-        if self.queue[base + rows.KIND] != rows.SEGMENT:
+        row = position % self.capacity * self.width
+        if self.queue[row + rows.KIND] != rows.SEGMENT:
             return 0
-        return 1 if self.queue[base + rows.CONTINUES] > 0.0 else 0
+        return 1 if self.queue[row + rows.CONTINUES] > 0.0 else 0
 
-    def take_definition(self, tick: int, base: int) -> int:
+    def take_definition(self, tick: int, row: int) -> int:
         """The definition of a realtime cycle."""
-        slot = int(self.queue[base + rows.CYCLE_SLOT])
-        message = self.manager.define(slot, int(self.queue[base + rows.CYCLE_STARTS]), tick)
+        slot = int(self.queue[row + rows.CYCLE_SLOT])
+        message = self.manager.define(slot, int(self.queue[row + rows.CYCLE_STARTS]), tick)
         if message != 0:
-            source = int(self.queue[base + rows.SOURCE])
-            self.report(source, message, self.manager.wanted(slot, message))
+            source = int(self.queue[row + rows.SOURCE])
+            self.report(source, message, self.manager.refused_value(slot, message))
         return 1
 
-    def take_control(self, tick: int, base: int) -> int:
+    def take_control(self, tick: int, row: int) -> int:
         """A management command; DELETE and HOLD may have to wait (RC-004)."""
-        source = int(self.queue[base + rows.SOURCE])
-        action = int(self.queue[base + rows.CONTROL_ACTION])
-        identity = int(self.queue[base + rows.CONTROL_IDENTITY])
-        if action in (codes.CONTROL_HOLD, codes.CONTROL_DELETE) and self.manager.is_fresh(
+        source = int(self.queue[row + rows.SOURCE])
+        action = int(self.queue[row + rows.CONTROL_ACTION])
+        identity = int(self.queue[row + rows.CONTROL_IDENTITY])
+        if action in (codes.CONTROL_HOLD, codes.CONTROL_DELETE) and self.manager.started_this_tick(
             identity, tick
         ):
             return 0
@@ -288,133 +292,133 @@ class Commands(CommandRing):
             self.report(source, message, identity)
         return 1
 
-    def take_technology(self, tick: int, base: int) -> int:
+    def take_technology(self, tick: int, row: int) -> int:
         """An M or H function of the main program; waits while no slot is free."""
-        function = int(self.queue[base + rows.TECHNOLOGY_FUNCTION])
-        ticks = int(self.queue[base + rows.TECHNOLOGY_TICKS])
+        function = int(self.queue[row + rows.TECHNOLOGY_FUNCTION])
+        ticks = int(self.queue[row + rows.TECHNOLOGY_TICKS])
         if self.hli.program.issue(function, tick, ticks) <= 0:
             return 0
-        value = int(self.queue[base + rows.TECHNOLOGY_VALUE])
+        value = int(self.queue[row + rows.TECHNOLOGY_VALUE])
         self.hli.program.give_value(value)
-        has_value = self.queue[base + rows.TECHNOLOGY_HAS_VALUE] != 0.0
-        source = int(self.queue[base + rows.SOURCE])
+        has_value = self.queue[row + rows.TECHNOLOGY_HAS_VALUE] != 0.0
+        source = int(self.queue[row + rows.SOURCE])
         self.record.event(rows.EVENT_TECHNOLOGY, source, has_value, function, value)
         return 1
 
-    def take_spindle(self, tick: int, base: int) -> int:
+    def take_spindle(self, tick: int, row: int) -> int:
         """A spindle's job of the main program; waits until the spindle can take it."""
-        spindle = int(self.queue[base + rows.JOB_SPINDLE])
+        spindle = int(self.queue[row + rows.JOB_SPINDLE])
         if not self.context.spindles.is_ready(spindle, tick):
             return 0
         self.context.spindles.command(
             spindle,
-            int(self.queue[base + rows.JOB_FUNCTION]),
-            self.queue[base + rows.JOB_SPEED],
-            self.queue[base + rows.JOB_POSITION],
-            int(self.queue[base + rows.JOB_DIRECTION]),
+            int(self.queue[row + rows.JOB_FUNCTION]),
+            self.queue[row + rows.JOB_SPEED],
+            self.queue[row + rows.JOB_POSITION],
+            int(self.queue[row + rows.JOB_DIRECTION]),
             0,
             tick,
         )
-        self.context.spindles.tell(spindle, int(self.queue[base + rows.SOURCE]), 0)
-        ticks = int(self.queue[base + rows.JOB_TICKS])
+        self.context.spindles.record_job(spindle, int(self.queue[row + rows.SOURCE]), 0)
+        ticks = int(self.queue[row + rows.JOB_TICKS])
         self.context.spindles.hand_over(spindle, tick + ticks)
         return 1
 
-    def take_spindle_wait(self, base: int) -> int:
+    def take_spindle_wait(self, row: int) -> int:
         """Speed or position of a spindle is waited for; a held job would never have them."""
-        spindle = int(self.queue[base + rows.JOB_SPINDLE])
+        spindle = int(self.queue[row + rows.JOB_SPINDLE])
         if self.context.spindles.is_busy(spindle):
             if not self.context.spindles.is_held[spindle]:
                 return 0
             number = self.context.spindles.first_number + spindle
-            self.report(int(self.queue[base + rows.SOURCE]), 900811, number)
+            self.report(int(self.queue[row + rows.SOURCE]), 900811, number)
         self.timed_count -= 1
         return 1
 
-    def take_write(self, base: int) -> None:
+    def take_write(self, row: int) -> None:
         """A synchronous variable written by the decoder (RC-308)."""
-        cell = int(self.queue[base + rows.VARIABLE_CELL])
-        self.cells[cell] = self.queue[base + rows.VARIABLE_VALUE]
-        if self.queue[base + rows.VARIABLE_IS_REPORTED] != 0.0:
-            self.record.written(int(self.queue[base + rows.SOURCE]), 0, cell, self.cells[cell])
+        cell = int(self.queue[row + rows.VARIABLE_CELL])
+        self.cells[cell] = self.queue[row + rows.VARIABLE_VALUE]
+        if self.queue[row + rows.VARIABLE_IS_REPORTED] != 0.0:
+            self.record.written(int(self.queue[row + rows.SOURCE]), 0, cell, self.cells[cell])
 
-    def take_characters(self, base: int) -> None:
+    def take_characters(self, row: int) -> None:
         """Part of a string, and zeros behind it."""
-        cell = int(self.queue[base + rows.TEXT_CELL])
-        first = int(self.queue[base + rows.TEXT_FIRST])
+        cell = int(self.queue[row + rows.TEXT_CELL])
+        first = int(self.queue[row + rows.TEXT_FIRST])
         first += 8 * cell
-        count = int(self.queue[base + rows.TEXT_COUNT])
-        zeros = int(self.queue[base + rows.TEXT_ZEROS])
+        count = int(self.queue[row + rows.TEXT_COUNT])
+        zeros = int(self.queue[row + rows.TEXT_ZEROS])
         for i in range(count):
-            self.characters[first + i] = int(self.queue[base + rows.TEXT_CHARACTERS + i])
+            self.characters[first + i] = int(self.queue[row + rows.TEXT_CHARACTERS + i])
         for i in range(count, count + zeros):
             self.characters[first + i] = 0
 
-    def take_offset(self, base: int, kind: int) -> None:
+    def take_offset(self, row: int, kind: int) -> None:
         """An offset, the origin or the turn of a system: the cycles of this tick see it (MO-8)."""
         if kind == rows.SET_TURN:
-            self.path.axes.turn(self.queue, base)
+            self.path.axes.turn(self.queue, row)
         elif kind == rows.SET_ORIGIN:
-            axis = int(self.queue[base + rows.ORIGIN_AXIS])
-            self.path.axes.set_origin(axis, self.queue[base + rows.ORIGIN_VALUE])
+            axis = int(self.queue[row + rows.ORIGIN_AXIS])
+            self.path.axes.set_origin(axis, self.queue[row + rows.ORIGIN_VALUE])
         else:
-            axis = int(self.queue[base + rows.OFFSET_AXIS])
-            offset = int(self.queue[base + rows.OFFSET_KIND])
-            self.path.axes.set_offset(axis, offset, self.queue[base + rows.OFFSET_VALUE])
+            axis = int(self.queue[row + rows.OFFSET_AXIS])
+            offset = int(self.queue[row + rows.OFFSET_KIND])
+            self.path.axes.set_offset(axis, offset, self.queue[row + rows.OFFSET_VALUE])
 
-    def take_loop(self, base: int) -> None:
+    def take_loop(self, row: int) -> None:
         """The begin of a realtime loop: without its condition it is passed over."""
         self.cells[self.first_cell + cells.CHANNEL_LOOP_COUNT] = 0.0
         self.is_skipping = self.cells[self.first_cell + cells.CHANNEL_LOOP_ENABLED] == 0.0
         self.is_looping = not self.is_skipping
         self.panel.show_loop(self.is_looping)
-        source = int(self.queue[base + rows.SOURCE])
+        source = int(self.queue[row + rows.SOURCE])
         how = rows.LOOP_SKIPPED if self.is_skipping else rows.LOOP_BEGUN
         self.record.event(rows.EVENT_LOOP, source, how)
         self.prolong_loop()
 
     def prolong_loop(self) -> None:
         """While the loop's condition holds there is always another pass ahead of the path."""
-        if self.goes_round():
+        if self.loop_repeats():
             while self.needs_pass():
                 self.repeat_body()
 
-    def take_fixed_stop(self, base: int) -> None:
+    def take_fixed_stop(self, row: int) -> None:
         """An axis is monitored from now on, or no longer."""
-        member = int(self.queue[base + rows.FIXED_STOP_AXIS])
-        if self.queue[base + rows.FIXED_STOP_IS_ON] != 0.0:
-            self.stops.arm(member, int(self.queue[base + rows.SOURCE]), self.queue, base)
+        member = int(self.queue[row + rows.FIXED_STOP_AXIS])
+        if self.queue[row + rows.FIXED_STOP_IS_ON] != 0.0:
+            self.fixed_stops.arm(member, int(self.queue[row + rows.SOURCE]), self.queue, row)
         else:
-            self.stops.disarm(member)
+            self.fixed_stops.disarm(member)
 
-    def take_fixed_stop_end(self, base: int) -> None:
+    def take_fixed_stop_end(self, row: int) -> None:
         """The block that moves to a fixed stop is over."""
         self.timed_count -= 1
-        member = self.stops.missing()
+        member = self.fixed_stops.missing()
         if member >= 0:
-            source = int(self.queue[base + rows.SOURCE])
+            source = int(self.queue[row + rows.SOURCE])
             self.report(source, 50885, self.path.members[member])
 
-    def take_measure(self, base: int) -> None:
+    def take_measure(self, row: int) -> None:
         """Start measuring in the next block."""
-        source = int(self.queue[base + rows.SOURCE])
-        function = int(self.queue[base + rows.MEASURE_FUNCTION])
-        ticks = int(self.queue[base + rows.MEASURE_TICKS])
-        self.edge.arm(source, function, ticks, self.queue[base + rows.MEASURE_RESIDUAL])
-        self.edge.has_value = self.queue[base + rows.MEASURE_HAS_VALUE] != 0.0
-        self.edge.value = int(self.queue[base + rows.MEASURE_VALUE])
+        source = int(self.queue[row + rows.SOURCE])
+        function = int(self.queue[row + rows.MEASURE_FUNCTION])
+        ticks = int(self.queue[row + rows.MEASURE_TICKS])
+        self.edge_probe.arm(source, function, ticks, self.queue[row + rows.MEASURE_RESIDUAL])
+        self.edge_probe.has_value = self.queue[row + rows.MEASURE_HAS_VALUE] != 0.0
+        self.edge_probe.value = int(self.queue[row + rows.MEASURE_VALUE])
 
-    def take_measure_end(self, tick: int, base: int) -> int:
+    def take_measure_end(self, tick: int, row: int) -> int:
         """Finish measuring in a block: 0 while its function waits for the PLC."""
-        found = self.edge.finish(tick)
-        if found == 0:
+        outcome = self.edge_probe.finish(tick)
+        if outcome == 0:
             return 0
         self.timed_count -= 1
-        if found < 0:
-            self.report(int(self.queue[base + rows.SOURCE]), 50891, 0.0)
+        if outcome < 0:
+            self.report(int(self.queue[row + rows.SOURCE]), 50891, 0.0)
         return 1
 
-    def goes_round(self) -> int:
+    def loop_repeats(self) -> int:
         """Whether the condition of the loop that the path is in holds."""
         is_enabled = self.cells[self.first_cell + cells.CHANNEL_LOOP_ENABLED] != 0.0
         return 1 if self.is_looping and is_enabled else 0
@@ -431,41 +435,41 @@ class Commands(CommandRing):
         self.is_skipping = False
         self.is_between = False
         self.panel.show_loop(False)
-        self.body.give_up()
+        self.loop_body.give_up()
 
-    def take_program_end(self, tick: int, base: int) -> int:
+    def take_program_end(self, tick: int, row: int) -> int:
         """M30; not in the tick in which a cycle that it deletes was started (RC-004, RC-106)."""
-        if self.manager.has_fresh(tick):
+        if self.manager.has_started_this_tick(tick):
             return 0
         self.timed_count -= 1
         self.path.forget()
-        self.stops.clear()
-        self.edge.clear()
+        self.fixed_stops.clear()
+        self.edge_probe.clear()
         self.manager.end_program()
-        program = int(self.queue[base + rows.PROGRAM_NUMBER])
-        source = int(self.queue[base + rows.SOURCE])
+        program = int(self.queue[row + rows.PROGRAM_NUMBER])
+        source = int(self.queue[row + rows.SOURCE])
         self.record.event(rows.EVENT_PROGRAM_END, source, program)
         self.program_ended = True
         self.waiting = rows.PROGRAM_END
         return 1
 
-    def take_user_error(self, base: int, kind: int) -> None:
+    def take_user_error(self, row: int, kind: int) -> None:
         """``#ERROR`` of the main program: told, then its values, then it may stop the channel."""
-        source = int(self.queue[base + rows.SOURCE])
+        source = int(self.queue[row + rows.SOURCE])
         if kind == rows.USER_ERROR:
-            identity = self.queue[base + rows.ERROR_IDENTITY]
-            reaction = self.queue[base + rows.ERROR_REACTION]
+            identity = self.queue[row + rows.ERROR_IDENTITY]
+            reaction = self.queue[row + rows.ERROR_REACTION]
             self.record.event(rows.EVENT_USER_ERROR, source, 0, identity, reaction)
         elif kind == rows.USER_STOP:
             self.timed_count -= 1
-            self.stop_for_user(int(self.queue[base + rows.STOP_REACTION]))
+            self.stop_for_user(int(self.queue[row + rows.STOP_REACTION]))
         elif kind == rows.USER_TEXT:
-            keyword = self.queue[base + rows.USER_TEXT_KEYWORD]
-            text = self.queue[base + rows.USER_TEXT_NUMBER]
+            keyword = self.queue[row + rows.USER_TEXT_KEYWORD]
+            text = self.queue[row + rows.USER_TEXT_NUMBER]
             self.record.event(rows.EVENT_USER_TEXT, source, 0, keyword, text)
         else:
-            keyword = self.queue[base + rows.VALUE_KEYWORD]
-            value = self.queue[base + rows.VALUE_NUMBER]
+            keyword = self.queue[row + rows.VALUE_KEYWORD]
+            value = self.queue[row + rows.VALUE_NUMBER]
             self.record.event(rows.EVENT_USER_VALUE, source, 0, keyword, value)
 
     def stop_for_user(self, reaction: int) -> None:

@@ -6,46 +6,46 @@ from nctakt.kernel.path.lookahead cimport LookAhead
 from nctakt.kernel.tick.loop_body cimport LoopBody
 from nctakt.kernel.path.path cimport Path
 
-cdef class CommandRing:
+cdef class CommandQueue:
     cdef readonly Path path
-    cdef readonly LookAhead ahead
+    cdef readonly LookAhead look_ahead
     cdef readonly Py_ssize_t width
     cdef Py_ssize_t capacity
     cdef double[::1] queue
     cdef Py_ssize_t head
     cdef Py_ssize_t tail
     cdef readonly Py_ssize_t timed_count
-    cdef Py_ssize_t begun
-    cdef Py_ssize_t latest
-    cdef readonly LoopBody body
+    cdef Py_ssize_t started
+    cdef Py_ssize_t last_segment
+    cdef readonly LoopBody loop_body
     cdef double[::1] end_row
 
     @cython.locals(length=double, oldest=Py_ssize_t, before=Py_ssize_t, back=Py_ssize_t)
-    cdef void prepare(self, Py_ssize_t base) noexcept nogil
-    @cython.locals(promised_v=double, promised_free_v=double)
+    cdef void prepare(self, Py_ssize_t row) noexcept nogil
+    @cython.locals(promised_v=double, promised_max_v=double)
     cdef void connect(self, Py_ssize_t back, Py_ssize_t oldest) noexcept nogil
-    @cython.locals(number=Py_ssize_t, bend=Py_ssize_t, base=Py_ssize_t, i=Py_ssize_t, before=Py_ssize_t)
-    cdef Py_ssize_t insert_bend(self, Py_ssize_t oldest) noexcept nogil
-    @cython.locals(base=Py_ssize_t, target=Py_ssize_t, i=Py_ssize_t)
+    @cython.locals(number=Py_ssize_t, rounding=Py_ssize_t, row=Py_ssize_t, i=Py_ssize_t, before=Py_ssize_t)
+    cdef Py_ssize_t insert_rounding(self, Py_ssize_t oldest) noexcept nogil
+    @cython.locals(row=Py_ssize_t, target=Py_ssize_t, i=Py_ssize_t)
     cdef void copy_row(self, Py_ssize_t number, Py_ssize_t to) noexcept nogil
     @cython.locals(i=Py_ssize_t)
-    cdef void begin_segment(self, Py_ssize_t base, double source, double number, int motion, int exact_stop, int limits_jerk) noexcept nogil
+    cdef void begin_segment(self, Py_ssize_t row, double source, double number, int motion, int exact_stop, int limits_jerk) noexcept nogil
     @cython.locals(first=Py_ssize_t, i=Py_ssize_t)
-    cdef void put_ends(self, Py_ssize_t base, double[::1] start, double[::1] target) noexcept nogil
+    cdef void put_ends(self, Py_ssize_t row, double[::1] start, double[::1] target) noexcept nogil
     @cython.locals(exact_stop=bint)
-    cdef void end_segment(self, Py_ssize_t base) noexcept nogil
-    @cython.locals(base=Py_ssize_t)
+    cdef void end_segment(self, Py_ssize_t row) noexcept nogil
+    @cython.locals(row=Py_ssize_t)
     cdef void put_line(self, double source, double number, double[::1] start, double[::1] target, int motion, double feed_v, int exact_stop, double deviation, int limits_jerk) noexcept nogil
-    @cython.locals(base=Py_ssize_t, i=Py_ssize_t)
+    @cython.locals(row=Py_ssize_t, i=Py_ssize_t)
     cdef void put_arc(self, double source, double number, double[::1] start, double[::1] target, double[::1] arc, int motion, double feed_v, int exact_stop, double deviation, int limits_jerk) noexcept nogil
-    @cython.locals(base=Py_ssize_t)
-    cpdef void block_goes_on(self) noexcept
+    @cython.locals(row=Py_ssize_t)
+    cpdef void continue_block(self) noexcept
     @cython.locals(before=Py_ssize_t, limits_jerk=bint)
-    cdef int is_like(self, Py_ssize_t number, Py_ssize_t base) noexcept nogil
-    cdef int passes(self, int kind) noexcept nogil
-    @cython.locals(count=Py_ssize_t, way=double, need=double, position=Py_ssize_t, base=Py_ssize_t)
+    cdef int has_same_slope(self, Py_ssize_t number, Py_ssize_t row) noexcept nogil
+    cdef int is_transparent(self, int kind) noexcept nogil
+    @cython.locals(count=Py_ssize_t, length=double, needed=double, position=Py_ssize_t, row=Py_ssize_t)
     cdef int needs_pass(self) noexcept nogil
-    @cython.locals(fastest_v=double, speed=double, acceleration=double, way=double)
-    cdef double brake_way_in(self, Py_ssize_t base) noexcept nogil
-    @cython.locals(end=Py_ssize_t, i=Py_ssize_t, k=Py_ssize_t, base=Py_ssize_t, kept=Py_ssize_t)
+    @cython.locals(fastest_v=double, speed=double, acceleration=double, length=double)
+    cdef double braking_distance_in(self, Py_ssize_t row) noexcept nogil
+    @cython.locals(end=Py_ssize_t, i=Py_ssize_t, k=Py_ssize_t, row=Py_ssize_t, kept=Py_ssize_t)
     cdef void repeat_body(self) noexcept nogil

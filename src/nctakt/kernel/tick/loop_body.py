@@ -13,7 +13,8 @@ from nctakt.kernel import rows
 class LoopBody:
     """Rows of ``width`` numbers; ``is_open`` while they come, ``is_complete`` from the end on.
 
-    ``stops``: the last block ends with a stand, so that nothing is to be looked ahead for.
+    ``ends_with_stand``: the last block ends with a stand, so that nothing is to be looked ahead
+    for.
     """
 
     def __init__(self, width: int) -> None:
@@ -22,7 +23,7 @@ class LoopBody:
         self.count = 0
         self.is_open = False
         self.is_complete = False
-        self.stops = False
+        self.ends_with_stand = False
 
     def begin(self) -> None:
         """A loop begins: what comes is its body."""
@@ -30,11 +31,11 @@ class LoopBody:
         self.is_open = True
         self.is_complete = False
 
-    def end(self, axis_count: int, stops: bool) -> None:
+    def end(self, axis_count: int, ends_with_stand: bool) -> None:
         """All of the body has come; a pass begins bit by bit where the one before has ended."""
         self.is_open = False
         self.is_complete = True
-        self.stops = stops
+        self.ends_with_stand = ends_with_stand
         begins = [self.width * k for k in range(self.count)]
         segments = [begin for begin in begins if self.rows[begin + rows.KIND] == rows.SEGMENT]
         first = segments[0] + rows.START
@@ -47,8 +48,8 @@ class LoopBody:
         self.is_open = False
         self.is_complete = False
 
-    def keep(self, queue: memoryview[float], base: int) -> None:
-        """Keep the row of the queue that begins at ``base``."""
+    def append(self, queue: memoryview[float], row: int) -> None:
+        """Keep the row of the queue that begins at ``row``."""
         if (self.count + 1) * self.width > len(self.rows):
             larger = memoryview(bytearray(16 * len(self.rows))).cast("d")
             for i in range(self.count * self.width):
@@ -56,5 +57,5 @@ class LoopBody:
             self.rows = larger
         begin = self.count * self.width
         for i in range(self.width):
-            self.rows[begin + i] = queue[base + i]
+            self.rows[begin + i] = queue[row + i]
         self.count += 1

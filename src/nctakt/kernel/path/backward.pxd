@@ -70,7 +70,7 @@ cdef class BackwardMotion(History):
     cdef double border(self, int stage) noexcept nogil
     @cython.locals(length=double, i=int)
     cdef double length(self) noexcept nogil
-    @cython.locals(other=cython.longlong, refusal=int)
+    @cython.locals(other=cython.longlong, refusal=int, end=Py_ssize_t)
     cdef int cross(self) noexcept nogil
     cdef int keeps_moving(self) noexcept nogil
     @cython.locals(row=Py_ssize_t, end=Py_ssize_t, i=Py_ssize_t, axis=Py_ssize_t)

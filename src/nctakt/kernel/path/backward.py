@@ -341,12 +341,8 @@ class BackwardMotion(History):
         The place of the border is reached bit by bit, whatever the speed.
         """
         other = self.neighbour(self.number, self.path.direction)
-        if self.path.direction > 0:
-            self.path.put_axes(
-                geometry.end_column(self.path.history_rows, self.path.row, self.path.count)
-            )
-        else:
-            self.path.put_axes(self.path.row + rows.START)
+        end = geometry.end_column(self.path.history_rows, self.path.row, self.path.count)
+        self.path.put_axes(end if self.path.direction > 0 else self.path.row + rows.START)
         refusal = self.refusal_into(other)
         if refusal and (self.path.speed_v == 0.0 or other < self.path.oldest):
             self.stay(refusal)
@@ -363,12 +359,8 @@ class BackwardMotion(History):
         self.path.release()
         self.path.show_standstill()
         self.path.row = self.path.row_of(other)
-        if self.path.direction > 0:
-            self.path.claim_free(self.path.row + rows.START)
-        else:
-            self.path.claim_free(
-                geometry.end_column(self.path.history_rows, self.path.row, self.path.count)
-            )
+        end = geometry.end_column(self.path.history_rows, self.path.row, self.path.count)
+        self.path.claim_free(self.path.row + rows.START if self.path.direction > 0 else end)
         self.path.covered_d = 0.0 if self.path.direction > 0 else self.length()
         self.enter_stage()
         return self.keeps_moving()

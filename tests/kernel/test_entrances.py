@@ -67,7 +67,7 @@ ENTRANCES: dict[str, _Entrance] = {
     "manager.state_of": lambda rig, n: rig.channel.manager.state_of(n),
     "path.segment_row": lambda rig, n: rig.channel.path.segment_row(n),
     "path members": lambda rig, n: KernelPath(rig.machine.axes, [0, n], 1000),
-    "queue.row": lambda rig, n: rig.channel.row(n),
+    "queue.row": lambda rig, n: rig.channel.command(n),
     "ahead.limit": lambda rig, n: rig.channel.look_ahead.limit(n, True, (1.0, 1.0), (1.0, 1.0)),
     "ahead.limit_slope": lambda rig, n: rig.channel.look_ahead.limit_slope(
         n, (1.0, 1.0), (1.0, 1.0)

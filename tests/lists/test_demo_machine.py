@@ -3,13 +3,17 @@
 
 from __future__ import annotations
 
+import shutil
 from math import inf
+from pathlib import Path
 
 import pytest
 
+from nctakt.base.failure import Failure
 from nctakt.lists.machine.axis_configuration import AxisType
-from nctakt.lists.machine.machine import Machine, load_machine
+from nctakt.lists.machine.machine import BUILT_IN_MACHINES, Machine, load_machine
 from nctakt.lists.machine.variables import AccessRights, Leaf
+from nctakt.run.controller import Controller, NcText
 
 
 @pytest.fixture(scope="module")
@@ -141,3 +145,52 @@ def test_channel_variables(demo: Machine) -> None:
     found = {one.name: one for one in demo.channels[0].channel_variables}
     assert not found["VarTest1"].node.synchronous
     assert found["Total"].node.synchronous
+
+
+@pytest.mark.parametrize("name", BUILT_IN_MACHINES)
+def test_each_built_in_machine_has_a_name(name: str) -> None:
+    """It loads by its name without any finding; a folder of that name counts before it."""
+    machine = load_machine(name)
+    assert (machine.name, machine.diagnostics) == (name, ())
+    assert load_machine(name, detail="effects").diagnostics == ()
+
+
+def test_five_axes() -> None:
+    """X, Y, Z, B within ±110° and C modulo 360°, and a program that moves them together."""
+    machine = load_machine("demo5")
+    assert [axis.name for axis in machine.axes] == ["X", "Y", "Z", "B", "C", "S"]
+    b, c = machine.axes[3:5]
+    assert (b.type, b.software_limit_low, b.software_limit_high) == (AxisType.ROTARY, -110, 110)
+    assert (c.is_modulo, c.modulo_range) == (True, 360)
+    controller = Controller(machine)
+    run = controller.run(NcText("p.nc", "T1 D1\nM6\nS1000 M3\nG01 X10 B90 C450 F6000\nM9\nM30\n"))
+    assert run.state == "ended", run.diagnostics
+    axes = [controller.read(f"V.RTA.ACS.ACT_POS.{name}") for name in "XBC"]
+    assert axes == pytest.approx([10, 90, 90])
+    outside = controller.run(NcText("p.nc", "G00 B111\nM30\n"))
+    assert outside.state == "error"
+
+
+def test_a_folder_counts_before_a_built_in_machine(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """``demo5`` in the working directory is a folder of the user's."""
+    shutil.copytree(Path(load_machine(None).folder), tmp_path / "demo5")
+    monkeypatch.chdir(tmp_path)
+    assert [axis.name for axis in load_machine("demo5").axes][3] == "A"
+
+
+def test_a_machine_that_is_not_there() -> None:
+    """The remedy names the built-in ones."""
+    with pytest.raises(Failure) as failure:
+        load_machine("demo6")
+    assert failure.value.diagnostics[0].remedy("en").endswith("demo, demo5")
+
+
+def test_functions_of_usual_machines(demo: Machine) -> None:
+    """Tool change, coolant, gear steps and the first H functions are defined, spindles have M3."""
+    parameters = demo.channels[0].parameters
+    assert {6, 7, 8, 9, 10, 11, 40, 41, 42, 43, 44, 45} <= parameters.m_functions.keys()
+    assert set(range(1, 10)) <= parameters.h_functions.keys()
+    program = "M6\nM8\nS1000 M3\nM40\nH1 H9\nM5\nM19 S.POS=90\nM9\nM30\n"
+    assert Controller(demo).run(NcText("p.nc", program)).state == "ended"

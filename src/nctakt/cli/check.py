@@ -77,7 +77,9 @@ class Options:
 @click.command("check", epilog=_EPILOG, short_help="Find mistakes without running anything.")
 @click.argument("paths", metavar="FILE|DIR...", nargs=-1, required=True)
 @click.option(
-    "--machine", metavar="DIR", help="Folder with the lists of the programs' machine [demo]."
+    "--machine",
+    metavar="DIR",
+    help="Folder with the lists of the programs' machine, or demo5 [demo].",
 )
 @click.option(
     "--root",

@@ -48,7 +48,7 @@ _EPILOG = """\b
     "--from",
     "source",
     metavar="DIR",
-    help="Write the lists of this machine, instead of the demo machine's.",
+    help="Write the lists of this machine, or of demo5, instead of the demo machine's.",
 )
 @click.option("--root", metavar="DIR", help="Controller's root folder, where lists name files.")
 @click.option(

@@ -55,7 +55,9 @@ def run_options(language_of: str) -> Callable[[_Command], _Command]:
             help="Run a program in channel N at the same time; again for the one after it.",
         ),
         click.option(
-            "--machine", metavar="DIR", help="Folder with the machine's lists [default: demo]."
+            "--machine",
+            metavar="DIR",
+            help="Folder with the machine's lists, or demo5 [default: demo].",
         ),
         click.option(
             "--root", metavar="DIR", help="Controller's root folder, where lists name files."

@@ -44,6 +44,10 @@ _GERMAN: Mapping[str, str] = MappingProxyType(
         "Linear axis X": "Linearachse X",
         "Linear axis Y": "Linearachse Y",
         "Linear axis Z": "Linearachse Z",
+        "M functions of usual machines: tool change, coolant, clamping, gear steps": (
+            "M-Funktionen üblicher Maschinen: Werkzeugwechsel, Kühlmittel, Klemmen, Getriebestufen"
+        ),
+        "H functions of usual machines": "H-Funktionen üblicher Maschinen",
         "M functions, one of each synchronisation type from M111 on": (
             "M-Funktionen, ab M111 eine jeder Synchronisationsart"
         ),

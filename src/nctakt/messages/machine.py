@@ -9,10 +9,10 @@ MACHINE_FOLDER_MISSING = error(
     900060,
     en="the machine folder {path} does not exist",
     de="den Maschinenordner {path} gibt es nicht",
-    remedy_en="Name a folder with a start-up list, or omit it to use the demo machine.",
-    remedy_de="Einen Ordner mit einer Hochlaufliste angeben oder weglassen, um die Demo-Maschine "
-    "zu verwenden.",
+    remedy_en="Name a folder with a start-up list or a built-in machine: {names}",
+    remedy_de="Einen Ordner mit einer Hochlaufliste oder eine eingebaute Maschine nennen: {names}",
     path=("the folder as the user gave it", "der Ordner, wie angegeben"),
+    names=("the built-in machines", "die eingebauten Maschinen"),
 )
 STARTUP_LIST_MISSING = error(
     900061,

@@ -79,7 +79,9 @@ from nctakt.messages.variables import CHANNEL_VARIABLES_TOO_LARGE
 
 #: NC cycle without rtconf.lis, in µs.
 DEFAULT_CYCLE_TIME_US = 1000
-_DEMO = Path(__file__).parent.parent.parent / "machines" / "demo"
+#: The built-in machines by name, the one that counts without any other first.
+BUILT_IN_MACHINES = ("demo", "demo5")
+_MACHINES = Path(__file__).parent.parent.parent / "machines"
 
 
 @dataclass(frozen=True, slots=True)
@@ -134,7 +136,7 @@ class Machine:
     @property
     def is_demo(self) -> bool:
         """Whether this is the built-in demo machine."""
-        return self.folder == _DEMO
+        return self.folder == _MACHINES / BUILT_IN_MACHINES[0]
 
     def __repr__(self) -> str:
         count = len(self.channels)
@@ -153,7 +155,8 @@ def load_machine(
 ) -> Machine:
     """Return the machine of ``folder``; without one, the built-in demo machine.
 
-    ``folder`` may also be the start-up list itself, or a folder with one somewhere in it. ``root``:
+    ``folder`` may also be the start-up list itself, a folder with one somewhere in it, or the name
+    of a built-in machine, where no such folder exists. ``root``:
     the controller's root folder, where files are searched that the lists name. ``detail``: how much
     is reported of entries without effect. ``rtconf``: how its scheduling list is read. ``access``
     remembers the files, and says which may be read; without it, all. Raises ``Failure`` if the
@@ -162,8 +165,9 @@ def load_machine(
     """
     root = None if root is None else Path(root)
     access = access or FileAccess()
-    if folder is None:
-        startup_file = _DEMO / STARTUP_NAMES[0]
+    name = BUILT_IN_MACHINES[0] if folder is None else str(folder)
+    if folder is None or (name in BUILT_IN_MACHINES and not Path(name).exists()):
+        startup_file = _MACHINES / name / STARTUP_NAMES[0]
         return load_startup(startup_file, None, root, access, detail=detail, rtconf=rtconf)
     collector = Collector()
     startup_file = _startup_file(Path(folder), collector)
@@ -194,7 +198,8 @@ def _startup_file(folder: Path, collector: Collector) -> Path:
     if folder.is_file():
         return folder
     if not folder.is_dir():
-        collector.report(MACHINE_FOLDER_MISSING, None, path=folder.as_posix())
+        names = ", ".join(BUILT_IN_MACHINES)
+        collector.report(MACHINE_FOLDER_MISSING, None, path=folder.as_posix(), names=names)
         raise Failure(*collector.diagnostics)
     lists = startup_lists(folder)
     if lists and lists[0].name.casefold() in STARTUP_NAMES:

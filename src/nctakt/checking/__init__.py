@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: MIT
-"""Files and folders -> all diagnostics of all programs and lists, without running anything."""
+"""Files and folders -> all diagnostics of all programs and lists, without a run."""

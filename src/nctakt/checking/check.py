@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""What there is to check -> every diagnostic, in one order.
+"""Files, folders and texts -> their diagnostics, in one order.
 
-In: files, folders, texts, and the machine that programs shall run on. Out: ``CheckResult``. Nothing
-is executed, and one file's mistakes keep no other from being checked. Beyond the errors of programs
-what is likely meant otherwise is found (``nc/lint``).
+In: files, folders, texts, and the machine for programs. Out: ``CheckResult``. Nothing is executed,
+and mistakes in a file do not keep others from being checked. Beside errors, suspicious code in
+programs is reported (``nc/lint``).
 """
 
 from __future__ import annotations
@@ -52,7 +52,7 @@ _Key = tuple[str, int, int, int, str]
 
 @dataclass(frozen=True, slots=True)
 class CheckedFile:
-    """A file that was checked, and as what."""
+    """A checked file and its kind."""
 
     file: str
     kind: str
@@ -60,22 +60,22 @@ class CheckedFile:
 
 @dataclass(frozen=True, slots=True)
 class CheckResult:
-    """All files that were checked, by name; all that was found, by file, line, column, number.
+    """The checked files by name, and all diagnostics by file, line, column and number.
 
-    ``machines``: the folders with a start-up list. ``takes_default``: some program was checked for
-    the machine that was given, since it belongs to none of these. ``around``: the start-up lists
-    of the machines in whose folders programs lie that were named without the machine.
+    ``machines``: the folders with a start-up list. ``uses_default``: a program was checked for the
+    default machine, since it belongs to none of these. ``around``: the start-up lists of machines
+    that are not inputs themselves, in whose folders programs lie.
     """
 
     files: tuple[CheckedFile, ...]
     found: tuple[Found, ...]
     machines: tuple[str, ...] = ()
-    takes_default: bool = False
+    uses_default: bool = False
     around: tuple[str, ...] = ()
 
     def count(self, severity: Severity) -> int:
-        """How many findings of one severity there are."""
-        return sum(one.diagnostic.severity is severity for one in self.found)
+        """Return the number of diagnostics of a severity."""
+        return sum(item.diagnostic.severity is severity for item in self.found)
 
 
 def check_files(
@@ -87,19 +87,19 @@ def check_files(
     for_all: bool = True,
     rtconf: RtconfOptions = STANDARD_OPTIONS,
 ) -> CheckResult:
-    """Check files, folders with all that is in them, texts, and the files that programs call.
+    """Check files, folders with their contents, texts, and the files that programs call.
 
-    ``detail``: how much is reported of list entries without effect. ``root``: another folder where
-    the files are searched that lists name. ``for_all``: all programs are for ``machine``, even
-    those in the folder of another one. ``rtconf``: how scheduling lists are read. What cannot be
-    read is a diagnostic as well; no file checked at all leaves ``files`` empty.
+    ``detail``: the extent of reports on list entries without effect. ``root``: a further folder for
+    the files that lists name. ``for_all``: all programs are for ``machine``, even those in the
+    folder of another one. ``rtconf``: the reading of scheduling lists. An unreadable file is a
+    diagnostic as well; ``files`` of the result is empty if no file was checked.
     """
     return _Checker(machine, detail, root, for_all, rtconf).check(inputs)
 
 
 @dataclass(frozen=True, slots=True)
 class _Waiting:
-    """A program that is still to be checked; it is read once for all its channels."""
+    """A program to be checked; it is read once for all its channels."""
 
     path: Path
     targets: tuple[Target, ...]
@@ -107,7 +107,7 @@ class _Waiting:
 
 
 class _Checker:
-    """Gathers files and diagnostics of one call."""
+    """Gathers the files and diagnostics of one call."""
 
     def __init__(
         self,
@@ -134,8 +134,8 @@ class _Checker:
         self._global_cycles: list[GlobalCycles] = []
 
     def check(self, inputs: Sequence[str | Path | NcText]) -> CheckResult:
-        texts = [one for one in inputs if isinstance(one, NcText)]
-        paths = [Path(one) for one in inputs if not isinstance(one, NcText)]
+        texts = [item for item in inputs if isinstance(item, NcText)]
+        paths = [Path(item) for item in inputs if not isinstance(item, NcText)]
         gathered = gather(paths, self._access, self._found)
         for startup, folder in gathered.machines:
             self._machine(startup, folder)
@@ -150,7 +150,7 @@ class _Checker:
         for path in first_of.values() if not self._for_all else ():
             self._machine_around(path)
         for path in gathered.programs:
-            self._want(path, self._targets.of(path), "either")
+            self._queue(path, self._targets.of(path), "either")
         for text in texts:
             for target in self._targets.of(None):
                 self._program(text.name, split_lines(text.text), target, "either")
@@ -160,19 +160,21 @@ class _Checker:
         self._keep("", collector.diagnostics)
         files = tuple(CheckedFile(file, kind) for file, kind in sorted(self._files.items()))
         machines = tuple(startup.parent.as_posix() for startup, _ in gathered.machines)
-        taken = self._targets.taken
-        around = tuple(one.as_posix() for one in self._around if one.parent in taken)
+        folders = self._targets.folders
+        around = tuple(path.as_posix() for path in self._around if path.parent in folders)
         found = _ordered(self._found, self._channels)
-        return CheckResult(files, found, machines, self._targets.took_default, around)
+        return CheckResult(files, found, machines, self._targets.uses_default, around)
 
     def _keep(
         self, file: str, diagnostics: Sequence[Diagnostic], channels: tuple[int, ...] = ()
     ) -> None:
-        for one in diagnostics:
-            self._found.append(Found(file if one.span is None else one.span.file, one, channels))
+        for message in diagnostics:
+            self._found.append(
+                Found(file if message.span is None else message.span.file, message, channels)
+            )
 
     def _read(self, path: Path) -> bytes | None:
-        """The bytes of a file of text; ``None`` where there are none, which is reported."""
+        """Return the bytes of a text file; ``None`` with a report for any other file."""
         try:
             data = self._access.read_bytes(path)
         except Failure as failure:
@@ -181,8 +183,8 @@ class _Checker:
         return data if self._is_text(path, data[:BEGIN_BYTES]) else None
 
     def _lines(self, path: Path) -> Sequence[str] | None:
-        """Return the lines of a program, however long it is; ``None`` as above."""
-        if not path.is_file():  # what a pipe gives comes only once
+        """Return the lines of a program of any length; ``None`` as above."""
+        if not path.is_file():  # a pipe can be read only once
             data = self._read(path)
             return None if data is None else split_lines(decode_text(data).text)
         try:
@@ -193,7 +195,7 @@ class _Checker:
             return None
 
     def _is_text(self, path: Path, begin: bytes) -> bool:
-        """Return whether a file is no binary one, by its first bytes; reported if it is."""
+        """Return False and report if the file is binary, judged by its first bytes."""
         if b"\0" not in begin or begin.startswith(_UTF16_MARKS):
             return True
         number = FILE_ENCRYPTED if path.suffix.casefold() == _ENCRYPTED_SUFFIX else NOT_A_TEXT_FILE
@@ -203,7 +205,7 @@ class _Checker:
     # --- lists -----------------------------------------------------------------------------------
 
     def _machine(self, startup: Path, folder: Path | None) -> None:
-        """A start-up list, found in ``folder``, with all lists that it names."""
+        """Check a start-up list, found in ``folder``, with all lists that it names."""
         self._covered[startup.resolve()] = None
         self._files[startup.as_posix()] = "startup"
         try:
@@ -220,7 +222,7 @@ class _Checker:
         self._targets.add(machine)
 
     def _machine_around(self, program: Path) -> None:
-        """The machine in whose folder a program lies; only errors of its lists are told."""
+        """Load the machine in whose folder a program lies; report only errors of its lists."""
         startup = startup_list_around(program)
         if startup is None or startup.resolve() in self._covered or startup in self._around:
             return
@@ -230,7 +232,7 @@ class _Checker:
         except Failure as error:
             self._keep(startup.as_posix(), error.diagnostics)
             return
-        errors = [one for one in machine.diagnostics if one.severity is Severity.ERROR]
+        errors = [message for message in machine.diagnostics if message.severity is Severity.ERROR]
         self._keep(startup.as_posix(), errors)
         self._targets.add(machine)
 
@@ -242,17 +244,17 @@ class _Checker:
             return False
 
     def _list(self, path: Path) -> None:
-        """A list by itself: its kind is that of most of its entries."""
+        """Check a single list; its kind is that of most of its entries."""
         data = self._read(path)
         if data is None:
             return
-        place = Span(path.as_posix(), 1, 1, 2)
+        position = Span(path.as_posix(), 1, 1, 2)
         schema = kind_of(path.name, data)
         if schema is None:
-            titles = [one.title for one in SCHEMAS]
+            titles = [known_schema.title for known_schema in SCHEMAS]
             unknown = diagnostic(
                 LIST_KIND_NOT_RECOGNISED,
-                place,
+                position,
                 kinds=Text(
                     ", ".join(title.en for title in titles),
                     ", ".join(title.de for title in titles),
@@ -262,29 +264,29 @@ class _Checker:
             return
         self._files[path.as_posix()] = schema.kind
         collector = Collector()
-        collector.report(LIST_CHECKED_ALONE, place, kind=schema.title)
+        collector.report(LIST_CHECKED_ALONE, position, kind=schema.title)
         check_list_alone(schema, path, data, collector, detail=self._detail, rtconf=self._rtconf)
         self._keep(path.as_posix(), collector.diagnostics)
 
     # --- programs --------------------------------------------------------------------------------
 
-    def _want(self, path: Path, targets: Sequence[Target], role: Role) -> None:
-        """Check a program, once for each channel; by its own name where the user has named it."""
+    def _queue(self, path: Path, targets: Sequence[Target], role: Role) -> None:
+        """Queue a program for a check, once for each channel, by the name of the user's input."""
         key = path.resolve()
-        new = tuple(one for one in targets if (key, one) not in self._known)
+        new = tuple(target for target in targets if (key, target) not in self._known)
         if new:
-            self._known.update(((key, one), None) for one in new)
+            self._known.update(((key, target), None) for target in new)
             self._waiting.append(_Waiting(self._names.get(key, path), new, role))
 
     def _programs(self) -> None:
-        """The programs that wait, and those that they call."""
+        """Check the queued programs, and those that they call."""
         while self._waiting:
-            one = self._waiting.pop(0)
-            lines = self._lines(one.path)
+            program = self._waiting.pop(0)
+            lines = self._lines(program.path)
             if lines is None:
                 continue
-            for target in one.targets:
-                self._program(one.path.as_posix(), lines, target, one.role)
+            for target in program.targets:
+                self._program(program.path.as_posix(), lines, target, program.role)
 
     def _program(self, name: str, lines: Sequence[str], target: Target, role: Role) -> None:
         self._files[name] = PROGRAM
@@ -304,20 +306,20 @@ class _Checker:
         self._global_cycles.append(checked.global_cycles)
         self._keep(name, collector.diagnostics, (target.channel,))
         for path in checked.called:
-            named = path.resolve() in self._names
-            self._want(path, (target,), "either" if named else "called")
+            is_input = path.resolve() in self._names
+            self._queue(path, (target,), "either" if is_input else "called")
 
 
 def _ordered(found: Sequence[Found], channels: Mapping[str, set[int]]) -> tuple[Found, ...]:
     """Return each finding once, in the order of file, line, column, number.
 
-    ``channels``: file -> the channels for which it was checked. What all of them share names none.
+    ``channels``: file -> the channels for which it was checked; a diagnostic of all has none.
     """
     first: dict[_Key, Found] = {}
     concerned: dict[_Key, set[int]] = {}
-    for one in found:
-        first.setdefault(_key(one), one)
-        concerned.setdefault(_key(one), set()).update(one.channels)
+    for item in found:
+        first.setdefault(_key(item), item)
+        concerned.setdefault(_key(item), set()).update(item.channels)
     return tuple(
         replace(first[key], channels=_named(concerned[key], channels.get(first[key].file, set())))
         for key in sorted(first)
@@ -329,6 +331,6 @@ def _named(concerned: set[int], checked: set[int]) -> tuple[int, ...]:
 
 
 def _key(found: Found) -> _Key:
-    one = found.diagnostic
-    line, column = (0, 0) if one.span is None else (one.span.line, one.span.column)
-    return found.file, line, column, one.id, one.text()
+    message = found.diagnostic
+    line, column = (0, 0) if message.span is None else (message.span.line, message.span.column)
+    return found.file, line, column, message.id, message.text()

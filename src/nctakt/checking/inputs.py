@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""Files and folders as a user names them -> what there is to check.
+"""Files and folders as a user names them -> the inputs of a check.
 
-In: paths. Out: start-up lists of machines, lists, programs, each file once; what cannot be found is
-reported. A file that is named is a list if it ends with ``.lis`` or ``.xml``, else a program; a
-start-up list stands for its machine. A folder is searched with all its folders but hidden ones;
-where a start-up list lies is a machine.
+In: paths. Out: start-up lists of machines, lists, programs, each file once; a missing file is
+reported. A file is a list if its name ends with ``.lis`` or ``.xml``, else a program; a start-up
+list stands for its machine. A folder is searched with all its folders except hidden ones; each
+folder with a start-up list is a machine.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from nctakt.messages import diagnostic
 from nctakt.messages.checking import NOTHING_TO_CHECK
 from nctakt.messages.files import FILE_MISSING, FILE_NOT_READABLE
 
-#: How names of programs end, for those that are found in folders.
+#: Suffixes of programs in folders.
 PROGRAM_SUFFIXES = (".nc", ".ncp", ".cnc", ".sub", ".cyc", ".ecy")
 LIST_SUFFIX, XML_SUFFIX = ".lis", ".xml"
 LIST_SUFFIXES = (LIST_SUFFIX, XML_SUFFIX)
@@ -32,9 +32,9 @@ LIST_SUFFIXES = (LIST_SUFFIX, XML_SUFFIX)
 
 @dataclass(frozen=True, slots=True)
 class Found:
-    """A diagnostic and the file that it is about, whether it has a place there or not.
+    """A diagnostic and its file, even if it has no position there.
 
-    ``channels``: the channels that it concerns, where several run the program, and not all of them.
+    ``channels``: the channels that it concerns, if it does not concern all that run the program.
     """
 
     file: str
@@ -44,10 +44,10 @@ class Found:
 
 @dataclass(frozen=True, slots=True)
 class Inputs:
-    """What there is to check.
+    """The inputs of a check.
 
-    ``machines``: start-up lists, each with the folder in which it was found, ``None`` for one that
-    the user named.
+    ``machines``: start-up lists, each with the folder in which it was found, ``None`` for an input
+    of the user.
     """
 
     machines: tuple[tuple[Path, Path | None], ...]
@@ -55,21 +55,21 @@ class Inputs:
     programs: tuple[Path, ...]
 
 
-def gather(paths: Sequence[Path], access: FileAccess, found: list[Found]) -> Inputs:
-    """Look for files; what is wrong with the paths themselves is added to ``found``."""
+def gather(paths: Sequence[Path], access: FileAccess, diagnostics: list[Found]) -> Inputs:
+    """Return the files of the paths; mistakes in the paths are added to ``diagnostics``."""
     machines: dict[Path, tuple[Path, Path | None]] = {}
     lists: dict[Path, Path] = {}
     programs: dict[Path, Path] = {}
     for path in paths:
         if not path.exists():
-            found.append(Found(path.as_posix(), diagnostic(FILE_MISSING, file=str(path))))
+            diagnostics.append(Found(path.as_posix(), diagnostic(FILE_MISSING, file=str(path))))
         elif path.is_file() and is_startup_name(path.name):
             machines.setdefault(path.resolve(), (path, None))
         elif not path.is_dir():
             group = lists if path.suffix.casefold() in LIST_SUFFIXES else programs
             group.setdefault(path.resolve(), path)
         else:
-            _search(path, machines, lists, programs, access, found)
+            _search(path, machines, lists, programs, access, diagnostics)
     return Inputs(tuple(machines.values()), tuple(lists.values()), tuple(programs.values()))
 
 
@@ -79,10 +79,10 @@ def _search(
     lists: dict[Path, Path],
     programs: dict[Path, Path],
     access: FileAccess,
-    found: list[Found],
+    diagnostics: list[Found],
 ) -> None:
     empty = True
-    for path in _files(folder, found):
+    for path in _files(folder, diagnostics):
         suffix = path.suffix.casefold()
         if suffix not in (*LIST_SUFFIXES, *PROGRAM_SUFFIXES):
             continue
@@ -90,7 +90,7 @@ def _search(
             continue
         empty = False
         if not path.exists():
-            found.append(Found(path.as_posix(), diagnostic(FILE_MISSING, file=str(path))))
+            diagnostics.append(Found(path.as_posix(), diagnostic(FILE_MISSING, file=str(path))))
         elif is_startup_name(path.name):
             machines.setdefault(path.resolve(), (path, folder))
         elif path.is_file():
@@ -99,11 +99,11 @@ def _search(
     if empty:
         suffixes = ", ".join(PROGRAM_SUFFIXES)
         message = diagnostic(NOTHING_TO_CHECK, folder=str(folder), suffixes=suffixes)
-        found.append(Found(folder.as_posix(), message))
+        diagnostics.append(Found(folder.as_posix(), message))
 
 
 def _is_list(path: Path, access: FileAccess) -> bool:
-    """Return whether an XML file is a list of parameters; there are others."""
+    """Return whether an XML file is a list of parameters."""
     try:
         begin = access.read_begin(path)
     except Failure:
@@ -111,13 +111,13 @@ def _is_list(path: Path, access: FileAccess) -> bool:
     return is_xml(begin) and kind_of(path.name, begin) is not None
 
 
-def _files(folder: Path, found: list[Found]) -> Iterator[Path]:
-    """All files in a folder and those below it, in order of their names; links are not followed."""
+def _files(folder: Path, diagnostics: list[Found]) -> Iterator[Path]:
+    """Yield all files in a folder and its folders by name; links are not followed."""
 
     def unreadable(error: OSError) -> None:
         name = str(error.filename)
         reason = error.strerror or str(error)
-        found.append(Found(name, diagnostic(FILE_NOT_READABLE, file=name, reason=reason)))
+        diagnostics.append(Found(name, diagnostic(FILE_NOT_READABLE, file=name, reason=reason)))
 
     for root, folders, names in os.walk(folder, onerror=unreadable):
         folders[:] = sorted(name for name in folders if not name.startswith("."))

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""One program -> everything that can be told of it, statement by statement.
+"""One program -> its diagnostics, statement by statement.
 
 In: its text. Out: diagnostics of parser, checker and lint in the order of the text, the files that
-it calls, and what it does with GLOBAL realtime cycles. No more than one statement is in memory at a
-time, so a program of any length can be checked.
+it calls, and its GLOBAL realtime cycles. Only one statement is in memory at a time, so that a
+program of any length can be checked.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ from nctakt.run.program_loader import find_program, missing, search_folders
 
 @dataclass(frozen=True, slots=True)
 class Checked:
-    """What others have to know of a program: its GLOBAL cycles, the files that it calls."""
+    """The links of a checked program to others: its GLOBAL cycles, the files that it calls."""
 
     global_cycles: GlobalCycles
     called: tuple[Path, ...]
@@ -47,35 +47,35 @@ def check_program(
     tools: Mapping[int, Tool],
     role: Role = "either",
 ) -> Checked:
-    """Check a program with its local subprograms, each up to its end.
+    """Check a program with its local subprograms and return its links to others.
 
-    ``access`` says which files may be read. ``tools``: those of the channel. ``role``: ``called``
-    where only others begin it. The files that it calls have to be there, and those that the channel
-    list lets run with each main program.
+    ``access`` admits the files that may be read. ``tools``: those of the channel. ``role``:
+    ``called`` if it is only called by others. Called files must exist, as well as those that the
+    channel list runs with each main program.
     """
-    found = Collector()
-    linter = Linter(source, names, limits, found, tools, channel.tool_selection)
-    program = inspect(source, names, channel, found, role=role, watcher=linter)
-    wanted: list[tuple[str, Span]] = []
+    program_diagnostics = Collector()
+    linter = Linter(source, names, limits, program_diagnostics, tools, channel.tool_selection)
+    program = inspect(source, names, channel, program_diagnostics, role=role, watcher=linter)
+    calls: list[tuple[str, Span]] = []
     for call in program.calls:
         assert isinstance(call.name, StringLiteral)
-        wanted.append((call.name.value, call.span))
+        calls.append((call.name.value, call.span))
     if role != "called":
-        wanted += [(name, program.main.span) for name in channel.implicit_programs.names]
+        calls += [(name, program.main.span) for name in channel.implicit_programs.names]
     folders = search_folders(source.file, channel, machine_folder)
     called: dict[Path, None] = {}
-    for name, span in wanted:
+    for name, span in calls:
         path = find_program(name, folders, access)
         if path is None:
             line = source.line_of(span)
-            found.diagnostics.append(missing(name, folders, access, span, line))
+            program_diagnostics.diagnostics.append(missing(name, folders, access, span, line))
         else:
             called[path] = None
-    found.diagnostics.sort(key=_place)
-    collector.diagnostics += found.diagnostics
+    program_diagnostics.diagnostics.sort(key=_position)
+    collector.diagnostics += program_diagnostics.diagnostics
     return Checked(linter.global_cycles, tuple(called))
 
 
-def _place(diagnostic: Diagnostic) -> tuple[int, int]:
+def _position(diagnostic: Diagnostic) -> tuple[int, int]:
     span = diagnostic.span
     return (span.line, span.column) if span is not None else (0, 0)

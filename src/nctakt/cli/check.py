@@ -215,7 +215,7 @@ def _closing(result: CheckResult, selection: Selection, options: Options) -> str
     if options.quiet:
         return ""
     remarks = [diagnostic(CHECKED_FOR_MACHINE_OF_FILE, file=file) for file in result.around]
-    if options.machine is None and result.takes_default:
+    if options.machine is None and result.uses_default:
         folder = result.machines[0] if len(result.machines) == 1 else "DIR"
         remarks.append(diagnostic(CHECKED_FOR_DEMO_MACHINE, folder=folder))
     lines = [one.render(options.language) for one in remarks if selection.takes(one.id)]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The PLC: what runs on the other side of the HLI, in a file of the user's or another process."""
+"""The PLC on the other side of the HLI: a class in a user's file, or another process."""
 
 from __future__ import annotations
 

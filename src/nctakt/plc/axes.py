@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: MIT
-"""Function blocks with which a PLC moves single axes, as PLCopen has them (P-AXIS-00457).
+"""PLCopen function blocks with which a PLC moves single axes (P-AXIS-00457).
 
 ``MC_MoveAbsolute``, ``MC_MoveRelative``, ``MC_MoveVelocity``, ``MC_Halt``, ``MC_Reset``: one object
-for each use, called behind each tick with its inputs. A rising ``execute`` gives the command, which
-is latched by the next tick; the outputs are attributes: ``busy``, ``active``, ``done``
+for each use, called after each tick with its inputs. A rising ``execute`` gives the command, which
+the next tick latches; the outputs are attributes: ``busy``, ``active``, ``done``
 (``in_velocity``), ``command_aborted``, ``error``, ``error_id``. They fall with ``execute``, but
-stand for one call at least. Speeds are mm/s or °/s and at most those of the axis; acceleration and
-jerk are the axis'.
-An axis has one owner at a time (MO-13): what another command takes over is aborted, what the path
-moves is refused.
+last for one call at least. Speeds are mm/s or °/s and at most those of the axis; acceleration and
+jerk are those of the axis.
+An axis has one owner at a time (MO-13): a further command aborts the previous one, a command for an
+axis in motion on the path is refused.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ _ERROR_STOP = 5
 
 
 class AxisBlock:
-    """What the blocks have in common: the outputs, and how they follow a command."""
+    """The common part of the blocks: the outputs, and how they follow a command."""
 
     def __init__(self, axis: str) -> None:
         self.axis = axis
@@ -52,14 +52,14 @@ class AxisBlock:
         value: float,
         speed: float,
         mode: int,
-        way: int,
+        direction: int,
     ) -> None:
-        """One call: a rising edge gives a command, else the last one is followed."""
+        """Give a command at a rising edge, else follow the last one."""
         rises = execute and not self._executed
         self._executed = execute
         if rises:
             self._clear()
-            self._owner = hli.request_axis(kind, self.axis, value, speed, mode, way)
+            self._owner = hli.request_axis(kind, self.axis, value, speed, mode, direction)
             self._is_accepted = False
             self.busy = True
         elif self.busy:
@@ -77,7 +77,7 @@ class AxisBlock:
             self._look(hli)
 
     def _look(self, hli: PlcView) -> None:
-        """The command was accepted: what has become of it."""
+        """Set the outputs of an accepted command."""
         self.active = hli.is_axis_active(self.axis, self._owner)
         if hli.is_axis_open(self._owner):
             return
@@ -101,7 +101,7 @@ class AxisBlock:
 
 
 class MC_MoveAbsolute(AxisBlock):
-    """To a position in ACS, mm or °."""
+    """MC_MoveAbsolute: moves to a position in ACS, in mm or °."""
 
     def __call__(
         self,
@@ -113,12 +113,12 @@ class MC_MoveAbsolute(AxisBlock):
         direction: int = SHORTEST,
         buffered: bool = False,
     ) -> None:
-        """``direction`` counts for modulo axes; ``buffered``: behind the running motion."""
+        """``direction``: of a modulo axis; ``buffered``: after the running motion."""
         self._call(hli, execute, codes.ABSOLUTE, position, velocity, int(buffered), direction)
 
 
 class MC_MoveRelative(AxisBlock):
-    """By a distance from where the axis is commanded to be."""
+    """MC_MoveRelative: moves by a distance from the command position, in mm or °."""
 
     def __call__(
         self,
@@ -129,12 +129,12 @@ class MC_MoveRelative(AxisBlock):
         velocity: float,
         buffered: bool = False,
     ) -> None:
-        """``buffered``: behind the running motion, from where that one ends."""
+        """``buffered``: after the running motion, from its end."""
         self._call(hli, execute, codes.RELATIVE, distance, velocity, int(buffered), SHORTEST)
 
 
 class MC_MoveVelocity(AxisBlock):
-    """On and on; ``in_velocity`` while the speed is reached. Ends by another command."""
+    """MC_MoveVelocity: runs until another command; ``in_velocity`` at speed."""
 
     in_velocity = False
 
@@ -153,10 +153,10 @@ class MC_MoveVelocity(AxisBlock):
 
 
 class MC_Halt(AxisBlock):
-    """Brake to a stand, whoever has commanded the motion; the axis takes commands meanwhile."""
+    """MC_Halt: brakes any motion to a stand; the axis accepts commands meanwhile."""
 
     def __call__(self, hli: PlcView, *, execute: bool) -> None:
-        """Done when the axis stands, aborted when it moves again before."""
+        """``done`` when the axis stands, ``command_aborted`` if it moves again before."""
         self._call(hli, execute, codes.HALT, 0.0, 0.0, 0, SHORTEST)
 
     def _look(self, hli: PlcView) -> None:
@@ -173,10 +173,10 @@ class MC_Halt(AxisBlock):
 
 
 class MC_Reset(AxisBlock):
-    """Leave ErrorStop: the axis takes commands again. The channel's own error stays until RESET."""
+    """MC_Reset: leaves ErrorStop, so that the axis accepts commands; a channel's error stays."""
 
     def __call__(self, hli: PlcView, *, execute: bool) -> None:
-        """Done in the tick that latches it, with an axis that has no error as well."""
+        """``done`` in the tick that latches it, even for an axis without an error."""
         self._call(hli, execute, codes.CLEAR_FAULT, 0.0, 0.0, 0, SHORTEST)
 
     def _look(self, hli: PlcView) -> None:

@@ -3,7 +3,7 @@
 
 The first row names the columns: ``time``, then variables (``V.E.DOOR``, ``HLI.OVERRIDE``). Each
 further row has a time, as on the command line (``0.5s``, ``1500us``), and values; an empty cell
-leaves its variable as it is. Lines that are empty or begin with ``#`` are passed over.
+leaves its variable as it is. Empty lines and lines that begin with ``#`` are skipped.
 """
 
 from __future__ import annotations
@@ -24,15 +24,15 @@ from nctakt.run.stimuli import Stimulus, parse_assignment
 def read_inputs(path: Path) -> tuple[Stimulus, ...]:
     """Return the values of a file in the order of its rows.
 
-    Raises one ``Failure`` with all that is wrong: the file cannot be read (900503), a row that is
-    none (900654), times (900510) and values (900512) that are none.
+    Raises one ``Failure`` with all mistakes: an unreadable file (900503), invalid rows (900654),
+    times (900510) and values (900512).
     """
     try:
         lines = path.read_text("utf-8").splitlines()
     except OSError as error:
         reason = error.strerror or str(error)
         raise Failure(diagnostic(FILE_NOT_READABLE, file=str(path), reason=reason)) from error
-    found: list[Diagnostic] = []
+    diagnostics: list[Diagnostic] = []
     values: list[Stimulus] = []
     rows = _rows(lines)
     number, head = next(rows, (1, [""]))
@@ -42,7 +42,7 @@ def read_inputs(path: Path) -> tuple[Stimulus, ...]:
     for number, row in rows:
         if len(row) != len(names):
             wide = len(names)
-            found.append(
+            diagnostics.append(
                 diagnostic(
                     INPUT_CELL_COUNT, file=str(path), line=number, count=len(row), expected=wide
                 )
@@ -51,9 +51,9 @@ def read_inputs(path: Path) -> tuple[Stimulus, ...]:
         try:
             values.extend(_stimuli(names, row))
         except Failure as failure:
-            found.extend(failure.diagnostics)
-    if found:
-        raise Failure(*found)
+            diagnostics.extend(failure.diagnostics)
+    if diagnostics:
+        raise Failure(*diagnostics)
     return tuple(values)
 
 

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 """Finds slips in a PLC's file when it is loaded, before it costs a run.
 
-In: the file, its class. Out: diagnostics with their places: names that ``hli``, a function or the
-class do not have, attributes that cannot be set, values of a wrong type, methods that cannot be
-called as they will be. Only what is certain is reported: an attribute of the user's own that is
-read somewhere is never taken for a misspelt one.
+In: the file, its class. Out: diagnostics with their positions: names that ``hli``, a function or
+the class does not have, attributes that cannot be set, values of a wrong type, methods with wrong
+parameters. Only certain slips are reported: a user's own attribute that is read somewhere never
+counts as a misspelt one.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ from nctakt.run.plc_view import (
     public_names,
 )
 
-#: What a PLC's class may have that is called or read by its name.
+#: The members of a PLC's class that are called or read by name.
 _MEMBERS = ("cycle", "each_tick", "acknowledge", "spindles", "inputs")
 _VIEW = tuple(public_names(PlcView))
 _ENTRY = tuple(dict.fromkeys([*public_names(TechnologyEntry), *public_names(SpindleEntry)]))
@@ -52,22 +52,22 @@ _TRUTH = Text("True or False", "True oder False")
 
 
 def inspect_plc(path: Path, kind: type) -> list[Diagnostic]:
-    """Return the slips in the file of a PLC of class ``kind``, in the order of their places."""
+    """Return the slips in the file of a PLC of class ``kind``, in the order of their positions."""
     data = path.read_bytes()
     inspection = _Inspection(str(path), split_lines(decode_text(data).text))
     tree = ast.parse(data)
-    own = {one.__name__: one for one in kind.__mro__ if one.__module__ == kind.__module__}
+    classes = {base.__name__: base for base in kind.__mro__ if base.__module__ == kind.__module__}
     for node in tree.body:
-        if isinstance(node, ast.ClassDef) and node.name in own:
-            inspection.check_class(node, own[node.name], _names_read(tree))
+        if isinstance(node, ast.ClassDef) and node.name in classes:
+            inspection.check_class(node, classes[node.name], _names_read(tree))
     inspection.check_views(tree)
-    return sorted(inspection.diagnostics, key=lambda one: one.span or Span("", 0, 0, 0))
+    return sorted(inspection.diagnostics, key=lambda message: message.span or Span("", 0, 0, 0))
 
 
 def nearest_member(kind: type) -> str:
     """Return the method of a class that may be a misspelt ``cycle``; empty without one."""
-    known = KnownNames(["cycle"])
-    return next((name for name in vars(kind) if known.nearest(name) is not None), "")
+    names = KnownNames(["cycle"])
+    return next((name for name in vars(kind) if names.nearest(name) is not None), "")
 
 
 def _names_read(tree: ast.AST) -> frozenset[str]:
@@ -80,7 +80,7 @@ def _names_read(tree: ast.AST) -> frozenset[str]:
 
 
 class _Inspection(Collector):
-    """The slips found in one file."""
+    """Gathers the slips in a file."""
 
     def __init__(self, file: str, lines: list[str]) -> None:
         super().__init__()
@@ -91,7 +91,7 @@ class _Inspection(Collector):
 
     def _report(self, message: Message, node: ast.AST, word: str = "", /, **values: object) -> None:
         """Report at ``node``, or at ``word`` on the line on which the node ends or begins."""
-        line, column, end = _place(node, self._lines, word)
+        line, column, end = _position(node, self._lines, word)
         text = self._lines[line - 1] if line <= len(self._lines) else ""
         self.report(message, Span(self._file, line, column, end), text, **values)
 
@@ -114,14 +114,14 @@ class _Inspection(Collector):
                         self._check_member(target, target.attr, node.name, read)
 
     def _check_member(self, node: ast.AST, name: str, owner: str, read: frozenset[str]) -> None:
-        """Report a member that is nearly one of ``Plc`` and that nobody reads."""
+        """Report a member whose name is nearly one of ``Plc`` and that is not read."""
         near = None if name in _MEMBERS or name in read else KnownNames(_MEMBERS).nearest(name)
         if near is not None:
             self._report(UNKNOWN_PLC_NAME, node, name, owner=owner, name=name, nearest=near)
 
     def _check_type(self, node: ast.stmt, name: str, value: object) -> None:
-        given = node.value if isinstance(node, ast.Assign | ast.AnnAssign) else None
-        shown = NOTHING if given is None else ast.unparse(given)
+        expression = node.value if isinstance(node, ast.Assign | ast.AnnAssign) else None
+        shown = NOTHING if expression is None else ast.unparse(expression)
         if name in ("acknowledge", "spindles"):
             if isinstance(value, type) or not callable(getattr(value, "answers", None)):
                 self._report(WRONG_PLC_TYPE, node, name, name=name, value=shown, expected=_POLICY)
@@ -145,11 +145,11 @@ class _Inspection(Collector):
                 expected=", ".join(needed),
             )
             return
-        named = [one.arg for one in (*node.args.posonlyargs, *node.args.args)]
-        view, entry = (*named[1:3], "", "")[:2]
+        parameters = [parameter.arg for parameter in (*node.args.posonlyargs, *node.args.args)]
+        view, entry = (*parameters[1:3], "", "")[:2]
         self._parameters[node] = (view, entry if len(needed) > 2 else "")
 
-    # --- what is done with the HLI ---------------------------------------------------------------
+    # --- uses of the HLI -------------------------------------------------------------------------
 
     def check_views(self, tree: ast.Module) -> None:
         """Check each function of the file that has the HLI as a parameter."""
@@ -190,8 +190,8 @@ class _Inspection(Collector):
         if node.attr.startswith("_"):
             return
         if node.attr not in _VIEW:
-            known = _VIEW if isinstance(node.ctx, ast.Load) else SETTABLE
-            near = nearest(node.attr, known) or NOTHING
+            names = _VIEW if isinstance(node.ctx, ast.Load) else SETTABLE
+            near = nearest(node.attr, names) or NOTHING
             self._report(
                 UNKNOWN_PLC_NAME, node, node.attr, owner="hli", name=node.attr, nearest=near
             )
@@ -200,13 +200,15 @@ class _Inspection(Collector):
             self._report(PLC_NAME_NOT_SETTABLE, node, node.attr, name=node.attr, settable=settable)
 
     def _check_value(self, target: ast.Attribute, value: ast.expr) -> None:
-        """Check a constant that an attribute of the HLI gets."""
+        """Check a constant that is assigned to an attribute of the HLI."""
         if target.attr not in SETTABLE or not isinstance(value, ast.Constant):
             return
-        given = value.value
-        is_number = isinstance(given, int | float)
+        constant = value.value
+        is_number = isinstance(constant, int | float)
         is_percentage = target.attr.endswith("_pct")
-        fits = is_number and (not isinstance(given, bool) if is_percentage else given in (0, 1))
+        fits = is_number and (
+            not isinstance(constant, bool) if is_percentage else constant in (0, 1)
+        )
         if not fits:
             self._report(
                 WRONG_PLC_TYPE,
@@ -221,17 +223,17 @@ class _Inspection(Collector):
         called = node.value.func if isinstance(node.value, ast.Call) else None
         if not isinstance(called, ast.Attribute) or not _is_view(called.value, view):
             return
-        known = _VALUES.get(called.attr)
+        names = _VALUES.get(called.attr)
         key = node.slice.value if isinstance(node.slice, ast.Constant) else None
-        if known is not None and isinstance(key, str) and key not in known:
-            near = nearest(key, known) or NOTHING
+        if names is not None and isinstance(key, str) and key not in names:
+            near = nearest(key, names) or NOTHING
             self._report(
-                UNKNOWN_HLI_VALUE, node.slice, name=key, nearest=near, known=", ".join(known)
+                UNKNOWN_HLI_VALUE, node.slice, name=key, nearest=near, known=", ".join(names)
             )
 
     def _check_entries(self, nodes: Iterable[ast.AST], name: str) -> None:
-        """Check what is read of a function or a job of a spindle."""
-        for node in (inner for one in nodes for inner in ast.walk(one)):
+        """Check the attributes read of a function or a spindle job."""
+        for node in (inner for part in nodes for inner in ast.walk(part)):
             if (
                 isinstance(node, ast.Attribute)
                 and isinstance(node.value, ast.Name)
@@ -244,8 +246,8 @@ class _Inspection(Collector):
                 )
 
 
-def _place(node: ast.AST, lines: list[str], name: str) -> tuple[int, int, int]:
-    """Line, column and end of a node, or of ``name`` in it, counted in characters from 1."""
+def _position(node: ast.AST, lines: list[str], name: str) -> tuple[int, int, int]:
+    """Return line, column and end of a node, or of ``name`` in it, in characters from 1."""
     line = getattr(node, "lineno", 1)
     last = getattr(node, "end_lineno", line) or line
     if name and isinstance(node, ast.Attribute):
@@ -267,7 +269,7 @@ def _characters(text: str, offset: int) -> int:
 
 
 def _assigned(statement: ast.stmt) -> Iterator[str]:
-    """Yield the names that a statement of a class gives a value."""
+    """Yield the names to which a statement of a class assigns."""
     targets: list[ast.expr] = []
     if isinstance(statement, ast.Assign):
         targets = statement.targets
@@ -279,7 +281,7 @@ def _assigned(statement: ast.stmt) -> Iterator[str]:
 
 
 def _own_attributes(function: ast.FunctionDef, own: str) -> Iterator[ast.Attribute]:
-    """Yield the attributes of itself that a method sets."""
+    """Yield the attributes of ``self`` that a method sets."""
     for node in ast.walk(function):
         if (
             isinstance(node, ast.Attribute)
@@ -292,23 +294,25 @@ def _own_attributes(function: ast.FunctionDef, own: str) -> Iterator[ast.Attribu
 
 def _view_parameter(node: ast.FunctionDef | ast.Lambda) -> str:
     """Return the parameter ``hli`` of any function, unless it is annotated as something else."""
-    for one in (*node.args.posonlyargs, *node.args.args, *node.args.kwonlyargs):
-        annotation = "PlcView" if one.annotation is None else ast.unparse(one.annotation)
-        if one.arg == "hli" and annotation.strip("'\"").endswith("PlcView"):
-            return one.arg
+    for parameter in (*node.args.posonlyargs, *node.args.args, *node.args.kwonlyargs):
+        annotation = (
+            "PlcView" if parameter.annotation is None else ast.unparse(parameter.annotation)
+        )
+        if parameter.arg == "hli" and annotation.strip("'\"").endswith("PlcView"):
+            return parameter.arg
     return ""
 
 
 def _condition(node: ast.AST) -> ast.Lambda | None:
-    """The lambda of ``@when(lambda view: …)`` whose parameter has another name than ``hli``."""
+    """Return the lambda of ``@when(lambda view: …)`` if its parameter is not called ``hli``."""
     if not isinstance(node, ast.Call) or len(node.args) != 1:
         return None
     name = node.func.attr if isinstance(node.func, ast.Attribute) else None
     name = node.func.id if isinstance(node.func, ast.Name) else name
-    given = node.args[0]
-    if name != "when" or not isinstance(given, ast.Lambda) or len(given.args.args) != 1:
+    condition = node.args[0]
+    if name != "when" or not isinstance(condition, ast.Lambda) or len(condition.args.args) != 1:
         return None
-    return None if given.args.args[0].arg == "hli" else given
+    return None if condition.args.args[0].arg == "hli" else condition
 
 
 def _is_view(node: ast.expr, view: str) -> bool:

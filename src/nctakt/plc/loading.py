@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""The user's PLC: what runs on the other side of the interface image (HLI).
+"""The user's PLC on the other side of the interface image (HLI).
 
-In: a Python file of the user's with one class that has a method ``cycle(self, hli)``. Out: an
-object whose ``cycle`` the controller calls after each tick; what it answers counts from the next
-tick on (RC-002). Without one the controller acknowledges everything by itself. What goes wrong in
-the user's file is a diagnostic that shows the way through the user's files, not through ours.
+In: a user's Python file with one class that has a method ``cycle(self, hli)``. Out: an object whose
+``cycle`` the controller calls after each tick; its answers count from the next tick on (RC-002).
+Without one the controller acknowledges everything by itself. A mistake in the user's file is a
+diagnostic with a traceback of the user's files only.
 """
 
 from __future__ import annotations
@@ -42,9 +42,9 @@ _OUR_FOLDER = Path(__file__).parent.parent
 def load_plc(path: str | Path) -> AnyPlc:
     """Return the PLC of a file: an object of its one class with a method ``cycle``.
 
-    Classes whose names begin with an underscore, and those that another one derives from, are not
-    counted. Raises ``PlcError``: no such file (900500), a folder (900501), not readable (900503),
-    no class (900520), several (900521), an exception of the file's own (900522).
+    Classes whose names begin with an underscore, and base classes of others, do not count. Raises
+    ``PlcError``: no such file (900500), a folder (900501), not readable (900503), no class
+    (900520), several classes (900521), an exception in the file (900522).
     """
     path = Path(path)
     module = _load_module(path)
@@ -67,7 +67,7 @@ def load_plc(path: str | Path) -> AnyPlc:
 
 
 class _LoadedPlc(WatchedPlc):
-    """A PLC from a file; what it raises while it runs becomes a ``PlcError`` (900523)."""
+    """A PLC from a file; its exceptions become a ``PlcError`` (900523)."""
 
     def __init__(self, plc: AnyPlc, path: Path) -> None:
         self._plc = plc
@@ -75,7 +75,7 @@ class _LoadedPlc(WatchedPlc):
         self._path = path
 
     def begin_run(self, hli: PlcView) -> None:
-        """Compare the names that it waits for with the machine's; raise ``PlcError`` for others."""
+        """Raise ``PlcError`` if the PLC waits for names that the machine does not have."""
         if isinstance(self._plc, WatchedPlc):
             try:
                 self._plc.begin_run(hli)
@@ -83,29 +83,29 @@ class _LoadedPlc(WatchedPlc):
                 raise PlcError(*map(self._as_named, failure.diagnostics)) from failure
 
     def unused_handlers(self, hli: PlcView) -> list[Diagnostic]:
-        """Return what its class says, with the file's name as the user gave it."""
+        """Return the diagnostics of its class, with the file's name as the user wrote it."""
         if not isinstance(self._plc, WatchedPlc):
             return []
-        return [self._as_named(found) for found in self._plc.unused_handlers(hli)]
+        return [self._as_named(message) for message in self._plc.unused_handlers(hli)]
 
-    def _as_named(self, found: Diagnostic) -> Diagnostic:
-        """Return the diagnostic with the file's name as the user gave it."""
-        if found.span is None or found.span.file != str(self._path.absolute()):
-            return found
-        return replace(found, span=replace(found.span, file=str(self._path)))
+    def _as_named(self, message: Diagnostic) -> Diagnostic:
+        """Return the diagnostic with the file's name as the user wrote it."""
+        if message.span is None or message.span.file != str(self._path.absolute()):
+            return message
+        return replace(message, span=replace(message.span, file=str(self._path)))
 
     def cycle(self, hli: PlcView) -> None:
         """Run the user's PLC once."""
         try:
             self._cycle(hli)
         except (Exception, SystemExit) as error:  # the user's code may raise what it likes
-            reason, text = _told(error, self._path)
-            found = diagnostic(PLC_FAILED, tick=hli.tick, reason=reason, traceback=text)
-            raise PlcError(found, *_refused(error)) from error
+            reason, text = _reason_and_traceback(error, self._path)
+            message = diagnostic(PLC_FAILED, tick=hli.tick, reason=reason, traceback=text)
+            raise PlcError(message, *_refused(error)) from error
 
 
 def _load_module(path: Path) -> ModuleType:
-    """Run the user's file as a module; files beside it can be imported while it is loaded."""
+    """Return the user's file as a module; while it is loaded it can import files beside it."""
     if not path.exists():
         raise PlcError(diagnostic(FILE_MISSING, file=str(path)))
     if path.is_dir():
@@ -152,9 +152,9 @@ def _candidates(module: ModuleType) -> list[type[AnyPlc]]:
     ]
     unique = list(dict.fromkeys(classes))
     return [
-        one
-        for one in unique
-        if not any(other is not one and issubclass(other, one) for other in unique)
+        candidate
+        for candidate in unique
+        if not any(other is not candidate and issubclass(other, candidate) for other in unique)
     ]
 
 
@@ -170,32 +170,32 @@ def _misspelt(module: ModuleType) -> Iterator[Diagnostic]:
 
 
 def _load_error(error: BaseException, path: Path) -> PlcError:
-    reason, text = _told(error, path)
+    reason, text = _reason_and_traceback(error, path)
     return PlcError(diagnostic(PLC_LOAD_FAILED, reason=reason, traceback=text), *_refused(error))
 
 
 def _refused(error: BaseException) -> tuple[Diagnostic, ...]:
-    """What we say ourselves to something that the PLC asked for and cannot have."""
+    """Return the diagnostics of a request of the PLC that nctakt has refused."""
     return error.diagnostics if isinstance(error, Failure) else ()
 
 
 def _is_users(file: Path, plc: Path) -> bool:
-    """Whether a file is the PLC's own or stands beside it: the rest is not the user's to mend."""
+    """Return whether a file is the PLC's or lies beside it, and so is the user's."""
     parents = file.absolute().parents
     installed = any(parent.name == "site-packages" for parent in parents)
     return plc.absolute().parent in parents and _OUR_FOLDER not in parents and not installed
 
 
-def _told(error: BaseException, path: Path) -> tuple[str, str]:
-    """Return the exception on one line, and the way to it from the user's file on, without ours."""
+def _reason_and_traceback(error: BaseException, path: Path) -> tuple[str, str]:
+    """Return the exception on one line, and its traceback through the user's files."""
     frames = traceback.extract_tb(error.__traceback__)
     files = (str(path), str(path.absolute()))
     first = next((i for i, frame in enumerate(frames) if frame.filename in files), len(frames))
     shown = [frame for frame in frames[first:] if _is_users(Path(frame.filename), path)]
     lines = traceback.format_list(shown)
     reason = traceback.format_exception_only(error)[-1].strip()
-    if isinstance(error, SyntaxError):  # its place is in its text, not in a frame
+    if isinstance(error, SyntaxError):  # its position is in its text, not in a frame
         lines = traceback.format_exception_only(error)[:-1]
-    if isinstance(error, Failure):  # what it asked of us
+    if isinstance(error, Failure):  # a refused request
         reason = error.diagnostics[0].headline()
     return reason, "".join(lines).rstrip()

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 """A PLC in another process, in step with the CNC: both see the HLI in shared memory.
 
-After each tick it is the PLC's turn: the CNC counts ``turn`` of the header up and waits until the
-PLC has written the same number into ``turn`` of the link. So a run gives the same results however
-fast the processes are, and what the PLC answers counts from the next tick on (RC-002), as that of
-a scripted one. How to wait is said from outside: nothing here reads a clock.
+After each tick it is the PLC's turn: the CNC increments ``turn`` of the header and waits until the
+PLC has written the same number into ``turn`` of the link. So a run has the same results however
+fast the processes are, and the PLC's answers count from the next tick on (RC-002), as those of a
+scripted one. The caller passes the function that waits: this module reads no clock.
 """
 
 from __future__ import annotations
@@ -21,15 +21,15 @@ if TYPE_CHECKING:
     from nctakt.run.plc_view import PlcView
     from nctakt.run.shared_image import SharedImage
 
-#: Waits until a condition holds; False when that takes too long.
+#: Waits until a condition is true; returns False if that takes too long.
 Wait = Callable[[Callable[[], bool]], bool]
 
 
 class PartnerPlc:
-    """The PLC that looks at ``image`` from another process.
+    """A PLC in another process that works with ``image``.
 
-    ``cycle`` raises ``PlcError`` where it does not answer in time (900651) or has gone (900652): it
-    says so, or its process has ended.
+    ``cycle`` raises ``PlcError`` if it does not answer in time (900651) or has gone (900652): it
+    reports that, or its process has ended.
     """
 
     def __init__(self, image: SharedImage, wait: Wait) -> None:
@@ -38,7 +38,7 @@ class PartnerPlc:
         self._process: ProcessWatch | None = None
 
     def await_presence(self) -> None:
-        """Wait until the PLC is there; raises ``PlcError`` (900650) where none comes."""
+        """Wait until the PLC is present; raises ``PlcError`` (900650) if none comes."""
         if not self._wait(lambda: self._image.plc_is_present):
             raise PlcError(diagnostic(NO_PLC_AT_HLI, name=self._image.name or ""))
 
@@ -60,5 +60,5 @@ class PartnerPlc:
 
 
 def _is_gone(image: SharedImage, process: ProcessWatch) -> bool:
-    """Return whether the PLC says that it has gone, or its process has ended."""
+    """Return whether the PLC reports that it has gone, or its process has ended."""
     return not image.plc_is_present or process.is_gone

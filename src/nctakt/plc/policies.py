@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""When a PLC acknowledges functions, and jobs of spindles that it turns: as small objects.
+"""Policies of a PLC for the acknowledgement of functions, and of jobs of its spindles.
 
-``ALL`` at once, ``NONE`` never, ``after("20 ms")`` late, ``only("M100", "H7")`` some of them;
-``run_up(rpm_per_s)`` spindles alone, when they have the speed.
+``ALL`` at once, ``NONE`` never, ``after("20 ms")`` later, ``only("M100", "H7")`` some of them;
+``run_up(rpm_per_s)`` spindles only, when they have reached their speed.
 """
 
 from __future__ import annotations
@@ -17,27 +17,27 @@ if TYPE_CHECKING:
 
 
 class Policy(Protocol):
-    """Says whether a function, or a spindle's job, is acknowledged after this tick."""
+    """Decides whether a function, or a spindle's job, is acknowledged after this tick."""
 
     def answers(self, function: TechnologyEntry | SpindleEntry, hli: PlcView) -> bool:
-        """Asked after each tick for each one that waits."""
+        """Return whether to acknowledge it; called after each tick for each waiting one."""
 
 
 class SpindlePolicy(Protocol):
-    """Says whether a spindle's job is acknowledged after this tick."""
+    """Decides whether a spindle's job is acknowledged after this tick."""
 
     def answers(self, job: SpindleEntry, hli: PlcView, /) -> bool:
-        """Asked after each tick for each job that waits."""
+        """Return whether to acknowledge it; called after each tick for each waiting job."""
 
 
 @dataclass(frozen=True, slots=True)
 class Always:
-    """Acknowledges or not, whatever waits."""
+    """Acknowledges everything, or nothing."""
 
     answer: bool
 
     def answers(self, function: TechnologyEntry | SpindleEntry, hli: PlcView) -> bool:
-        """Return the same for all."""
+        """Return the same answer for all."""
         return self.answer
 
 
@@ -50,38 +50,38 @@ NONE = Always(False)
 
 @dataclass(frozen=True, slots=True)
 class After:
-    """Acknowledges once a function has waited for this time; 0: behind its own tick."""
+    """Acknowledges a function when it has waited for this time; 0: after its own tick."""
 
     time: Time
 
     def answers(self, function: TechnologyEntry | SpindleEntry, hli: PlcView) -> bool:
-        """Return whether its time has come."""
+        """Return whether the time has passed."""
         return hli.time_us - function.time_us >= self.time.us(hli.cycle_time_us)
 
 
 @dataclass(frozen=True, slots=True)
 class Only:
-    """Acknowledges the functions or spindles of these names as ``then`` says, all others never."""
+    """Acknowledges functions or spindles of these names by the policy ``then``, no others."""
 
     names: frozenset[str]
     then: Policy = ALL
 
     def answers(self, function: TechnologyEntry | SpindleEntry, hli: PlcView) -> bool:
-        """Return whether it is one of them, and ``then`` answers."""
+        """Return whether it has one of the names and ``then`` acknowledges it."""
         return function.name in self.names and self.then.answers(function, hli)
 
 
 @dataclass(frozen=True, slots=True)
 class RunUp:
-    """Acknowledges a job when the spindle can have its speed, from that of its last job on.
+    """Acknowledges a job after the time that the spindle needs for its change of speed.
 
-    M19 turns up to its speed and down to a stand.
+    M19 runs up to its speed and down to a stand.
     """
 
     rpm_per_s: float
 
     def answers(self, job: SpindleEntry, hli: PlcView) -> bool:
-        """Return whether the time of the change of speed is over with this tick."""
+        """Return whether the time for the change of speed is over after this tick."""
         speed = {3: job.speed, 4: -job.speed, 19: job.speed}.get(job.function, 0.0)
         change = abs(speed - job.speed_before)
         if job.function == _POSITION:
@@ -93,19 +93,19 @@ class RunUp:
 def after(time: TimeLike) -> After:
     """Acknowledge each function this time after the tick in which it appeared.
 
-    ``after("20 ticks")``, ``after("5 ms")``; a number alone means seconds. Raises ``Failure`` for
-    what is not a time.
+    ``after("20 ticks")``, ``after("5 ms")``; a plain number means seconds. Raises ``Failure`` for
+    an invalid time (900510).
     """
     return After(read_time(time))
 
 
 def run_up(rpm_per_s: float) -> RunUp:
-    """Acknowledge a spindle's job when its speed, which changes so fast, is reached."""
+    """Acknowledge a spindle's job when its speed is reached at this change in rpm per second."""
     if not 0.0 < rpm_per_s < float("inf"):
         raise ValueError(f"a spindle cannot change its speed by {rpm_per_s} per second")
     return RunUp(rpm_per_s)
 
 
 def only(*names: str, then: Policy = ALL) -> Only:
-    """Acknowledge ``M100``, ``H7``, ``S3`` … alone; ``then`` says when."""
+    """Acknowledge only ``M100``, ``H7``, ``S3`` …, by the policy ``then``."""
     return Only(frozenset(name.upper() for name in names), then)

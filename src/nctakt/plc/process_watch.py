@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""Whether another process still lives.
+"""A watch that notices the end of another process.
 
-In: the process ID. Out: ``is_gone``. Where the system has no means to watch a process of that
-number, it counts as living.
+In: the process ID. Out: ``is_gone``. If the system cannot watch the process, it counts as living.
 """
 
 from __future__ import annotations
@@ -12,7 +11,7 @@ import select
 
 
 class ProcessWatch:
-    """Watches a process; 0, or a number that no process has, is never gone."""
+    """Watches a process; the ID 0, and one without a process, is never gone."""
 
     def __init__(self, process: int) -> None:
         self._poll: select.poll | None = None
@@ -32,7 +31,7 @@ class ProcessWatch:
         return self._poll is not None and bool(self._poll.poll(0))
 
     def close(self) -> None:
-        """End the watch; twice is no harm."""
+        """End the watch; may be repeated."""
         if self._handle >= 0:
             os.close(self._handle)
             self._handle = -1

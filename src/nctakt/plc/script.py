@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A PLC to derive from: what it does stands as methods with a mark that says when.
+"""A base class for PLCs, whose methods are marked with the time or event of their call.
 
     class Cell(Plc):
         acknowledge = after("20 ticks")
@@ -13,12 +13,12 @@
         def clamp(self, hli, function):
             ...
 
-Spindles that the PLC turns get their jobs in the same way: ``spindles`` says when they are
-done, ``@on("S3")`` gets each one.
+Spindles that the PLC turns get their jobs in the same way: ``spindles`` is the policy for their
+acknowledgement, ``@on("S3")`` gets each job.
 
-What is done behind tick n counts from tick n + 1 on (RC-002). Behind each tick come, in this order:
-inputs from the file, ``at``, ``when``, ``on``, ``each_tick``, acknowledgements; among methods of
-one kind the order is that in which they stand in the class.
+Actions after tick n count from tick n + 1 on (RC-002). After each tick come, in this order: inputs
+from the file, ``at``, ``when``, ``on``, ``each_tick``, acknowledgements; methods of one kind are
+called in the order of the class.
 """
 
 from __future__ import annotations
@@ -67,11 +67,11 @@ class _On:
 
 
 def at(time: TimeLike) -> Callable[[_Method], _Method]:
-    """Call the method once, so that what it writes is in force at this time of the run.
+    """Call the method once, so that its outputs count from this time of the run on.
 
     ``time``: a text with a unit (``"0.5 s"``, ``"20 ms"``, ``"300 ticks"``), a number of seconds
-    or a ``datetime.timedelta``. The method is called behind the first tick at the earliest. Raises
-    ``Failure`` for what is not a time.
+    or a ``datetime.timedelta``. The method is called after the first tick at the earliest. Raises
+    ``Failure`` for an invalid time (900510, 900513).
     """
     return _marked(_At(read_time(time)))
 
@@ -96,7 +96,7 @@ def _wrong_type(name: str, value: object, expected: Text) -> Failure:
 
 
 def handler_parameters(name: str, method: object, *, is_plc: bool) -> tuple[str, ...]:
-    """Return the parameters with which a method is called; none for one that is not called.
+    """Return the parameters with which a method is called; empty if it is not called.
 
     ``is_plc``: its class derives from ``Plc``.
     """
@@ -118,7 +118,7 @@ def _marked(mark: object) -> Callable[[_Method], _Method]:
 
 @dataclass(slots=True)
 class _Memory:
-    """What a PLC remembers from tick to tick."""
+    """The state of a PLC from tick to tick."""
 
     inputs: list[Stimulus]
     first_tick: int | None = None
@@ -129,8 +129,9 @@ class _Memory:
 
 
 class Plc(WatchedPlc):
-    """Derive from it. ``acknowledge``: a policy; ``inputs``: a CSV file beside the PLC's own.
+    """The base class of a PLC, whose methods are marked with ``at``, ``on`` and ``when``.
 
+    ``acknowledge``: the policy for M and H functions; ``inputs``: a CSV file beside the PLC's own;
     ``spindles``: the policy for the jobs of spindles that the PLC turns.
     """
 
@@ -155,43 +156,46 @@ class Plc(WatchedPlc):
             for index, mark in enumerate(getattr(getattr(cls, name), _MARK, ()))
         )
 
-    def __new__(cls, *words: object, **named: object) -> Self:
-        """Not ``__init__``: a class of the user's may have its own without calling ours."""
+    def __new__(cls, *words: object, **keywords: object) -> Self:
+        """Set up the state here, so that a user's ``__init__`` need not call that of this class."""
         plc = super().__new__(cls)
         inputs = () if cls.inputs is None else read_inputs(cls._folder / cls.inputs)
         plc._memory = _Memory(list(inputs))
         return plc
 
     def begin_run(self, hli: PlcView) -> None:
-        """Compare the names of ``@on`` and ``only`` with the channel's (901013)."""
-        known = hli.known_functions()
-        upper = {name.upper() for name in known}
-        wanted = [(name, kind.names) for name, _, kind in self._of(_On)]
+        """Raise ``Failure`` (901013) for unknown functions in ``@on`` and ``only``."""
+        functions = hli.known_functions()
+        upper = {name.upper() for name in functions}
+        requested = [(name, kind.names) for name, _, kind in self._of(_On)]
         for attribute in ("acknowledge", "spindles"):
             policy = getattr(self, attribute)
             if isinstance(policy, Only):
-                wanted.append((attribute, policy.names))
+                requested.append((attribute, policy.names))
         unknown = [
             diagnostic(
                 UNKNOWN_FUNCTION_IN_PLC,
-                *_place(type(self), place, name),
+                *_source_position(type(self), member, name),
                 name=name,
-                nearest=nearest(name, known) or NOTHING,
+                nearest=nearest(name, functions) or NOTHING,
             )
-            for place, names in wanted
+            for member, names in requested
             for name in sorted(names - upper)
         ]
         if unknown:
             raise Failure(*unknown)
 
     def unused_handlers(self, hli: PlcView) -> list[Diagnostic]:
-        """Return what is left over at the end of a run: methods (901014), inputs (901007)."""
+        """Return a diagnostic for each method (901014) and input (901007) left at the end."""
         memory = self._memory
         first_tick = hli.tick + 1 if memory.first_tick is None else memory.first_tick
         end_us = (hli.tick + 1 - first_tick) * hli.cycle_time_us
         unused = [
             diagnostic(
-                HANDLER_NOT_CALLED, *_place(type(self), name), name=name, reason=_reason(mark)
+                HANDLER_NOT_CALLED,
+                *_source_position(type(self), name),
+                name=name,
+                reason=_reason(mark),
             )
             for name, index, mark in self._marks
             if (name, index) not in memory.called
@@ -199,15 +203,15 @@ class Plc(WatchedPlc):
         return [*not_reached(memory.inputs, end_us), *unused]
 
     def each_tick(self, hli: PlcView) -> None:
-        """For what has to be done behind each tick; nothing unless overridden."""
+        """Do nothing; a class overrides it for actions after each tick."""
 
     def cycle(self, hli: PlcView) -> None:
-        """Behind each tick: do what is due."""
+        """Call the methods that are due after a tick, and acknowledge."""
         memory = self._memory
         tick_us = hli.cycle_time_us
         if memory.first_tick is None:
             memory.first_tick = hli.tick
-            memory.inputs.sort(key=lambda one: one.time.us(tick_us))
+            memory.inputs.sort(key=lambda stimulus: stimulus.time.us(tick_us))
         next_tick = hli.tick + 1 - memory.first_tick
         while memory.inputs and memory.inputs[0].time.ticks(tick_us) <= next_tick:
             stimulus = memory.inputs.pop(0)
@@ -222,10 +226,10 @@ class Plc(WatchedPlc):
                 self._call(name, index, hli)
             memory.was_true[(name, index)] = is_true
         functions, jobs = hli.functions(), hli.spindle_jobs()
-        for one in self._new([*functions, *jobs]):
+        for entry in self._new([*functions, *jobs]):
             for name, index, mark in self._of(_On):
-                if one.name.upper() in mark.names:
-                    self._call(name, index, hli, one)
+                if entry.name.upper() in mark.names:
+                    self._call(name, index, hli, entry)
         self.each_tick(hli)
         for function in functions:
             if self.acknowledge.answers(function, hli):
@@ -246,16 +250,16 @@ class Plc(WatchedPlc):
     def _new(
         self, entries: Sequence[TechnologyEntry | SpindleEntry]
     ) -> Iterator[TechnologyEntry | SpindleEntry]:
-        """Yield the functions and jobs that were not there after the tick before."""
+        """Yield the functions and jobs that were not waiting after the previous tick."""
         seen = self._memory.seen
-        for one in entries:
-            if seen.get(one.key) != one.stamp:
-                seen[one.key] = one.stamp
-                yield one
+        for entry in entries:
+            if seen.get(entry.key) != entry.stamp:
+                seen[entry.key] = entry.stamp
+                yield entry
 
 
 def _reason(mark: object) -> Text:
-    """What did not come to pass for a mark."""
+    """Return the reason why the method of a mark was not called."""
     if isinstance(mark, _At):
         return Text(f"the run ended before {mark.time}", f"der Lauf endete vor {mark.time}")
     if isinstance(mark, _On):
@@ -265,20 +269,20 @@ def _reason(mark: object) -> Text:
     return Text("its condition did not become true", "seine Bedingung wurde nicht wahr")
 
 
-def _place(kind: type[Plc], member: str, word: str = "") -> tuple[Span, str] | tuple[()]:
+def _source_position(kind: type[Plc], member: str, word: str = "") -> tuple[Span, str] | tuple[()]:
     """Return the span of a method, or of a word at it or in its class, and the source line.
 
-    Empty where the source is not at hand.
+    The result is empty if the source is not available.
     """
-    import linecache  # noqa: PLC0415 - only what is told needs it
+    import linecache  # noqa: PLC0415 - only a diagnostic needs it
     import re  # noqa: PLC0415
 
     code = getattr(getattr(kind, member), "__code__", None)
     file, first = kind._source if code is None else (code.co_filename, code.co_firstlineno)
     lines = linecache.getlines(file)
-    sought = re.escape(word) if word else rf"(?<=def ){re.escape(member)}"
+    pattern = re.escape(word) if word else rf"(?<=def ){re.escape(member)}"
     for number, line in enumerate(lines[first - 1 :], first):
-        found = re.search(rf"{sought}\b", line, re.IGNORECASE)
-        if found is not None:
-            return Span(file, number, found.start() + 1, found.end() + 1), line.rstrip("\n")
+        match = re.search(rf"{pattern}\b", line, re.IGNORECASE)
+        if match is not None:
+            return Span(file, number, match.start() + 1, match.end() + 1), line.rstrip("\n")
     return ()

@@ -232,8 +232,8 @@ class DiagnosisReport:
         shown = [level for level in Level if level <= level_limit]
         pushed_out = sum(self._counts[level] - len(self._kept[level]) for level in shown)
         if pushed_out:
-            told = _PUSHED_OUT.get(language)
-            text.append(told.format(capacity=self._capacity, count=pushed_out))
+            note = _PUSHED_OUT.get(language)
+            text.append(note.format(capacity=self._capacity, count=pushed_out))
         heads = _COLUMNS.format(*(head.get(language) for head in _HEADS))
         text += ["", heads, "-" * _WIDTH]
         text += [

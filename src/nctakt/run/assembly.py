@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A machine put together: memory, axes, channels, kernel.
+"""The assembly of a machine: memory, axes, channels, kernel.
 
 In: ``Machine``. Out: ``AssembledMachine``, which the controller runs.
 """
@@ -40,10 +40,10 @@ from nctakt.run.event_registry import EventRegistry
 from nctakt.run.spindle_setup import all_names, channel_spindles, max_speeds
 from nctakt.run.variable_access import VariableAccess
 
-#: What an elementary instruction is taken to cost in virtual time, in ns (RC-503).
+#: The assumed execution time of an elementary instruction, in ns (RC-503).
 INSTRUCTION_COST_NS = 10
 
-#: Owners of independent motions that a channel has room for: one for each slot of a cycle.
+#: Owners of independent motions in a channel: one for each slot of a cycle.
 CYCLE_OWNERS = 1024
 
 #: V.RTG.CYCLES.DIAG_LEVEL at start-up (RC-603).
@@ -54,9 +54,9 @@ _DIAGNOSIS_LEVEL_CELL = 2
 
 @dataclass(frozen=True, slots=True)
 class AssembledChannel:
-    """What belongs to one channel; ``index`` counts from 0, ``members`` are indices of axes.
+    """The parts of one channel; ``index`` counts from 0, ``members`` are indices of axes.
 
-    ``panel`` are the operator's values by name, ``offsets`` those that count for its axes.
+    ``panel`` are the operator's values by name, ``offsets`` the active offsets of its axes.
     """
 
     index: int
@@ -68,12 +68,12 @@ class AssembledChannel:
 
     @property
     def parameters(self) -> ChannelParameters:
-        """Its list."""
+        """The parameters of its list."""
         return self.configuration.parameters
 
     @property
     def prefix(self) -> str:
-        """What stands in front of its names where there is more than one channel."""
+        """The prefix of its names on a machine with several channels: ``CH2.``."""
         return f"CH{self.index + 1}."
 
 
@@ -83,17 +83,17 @@ def _offsets_of(channel: ChannelConfiguration) -> ActiveOffsets:
 
 
 def _signals_of(channel: AssembledChannel) -> dict[str, tuple[int, str, bool]]:
-    """What can be recorded of a channel."""
+    """Return the signals of a channel: name -> cell, unit, whether it is an integer."""
     rows = channel.names.signals()
-    known = {name: (cell, row.unit, row.type != "REAL64") for name, cell, row in rows}
+    signals = {name: (cell, row.unit, row.type != "REAL64") for name, cell, row in rows}
     for name, cell, type_ in channel.names.values():
         scalar = SCALARS[type_]
         if scalar.is_numeric:
-            known[name] = (cell, "", scalar.is_integer)
+            signals[name] = (cell, "", scalar.is_integer)
     for value in channel.panel.values():
         entry = value.entry
-        known[value.name] = (value.cell, entry.unit, entry.type != "REAL64")
-    return known
+        signals[value.name] = (value.cell, entry.unit, entry.type != "REAL64")
+    return signals
 
 
 def _default_signals(channel: AssembledChannel) -> list[str]:
@@ -106,19 +106,19 @@ def _default_signals(channel: AssembledChannel) -> list[str]:
 
 
 def do_nothing() -> None:
-    """Nobody is there who has to be asked."""
+    """Do nothing: the default of ``poll``."""
 
 
-def _ignore(_found: Diagnostic) -> None:
-    """Nobody is there who takes a diagnostic."""
+def _ignore(_diagnostic: Diagnostic) -> None:
+    """Do nothing: the default of ``report``."""
 
 
 class AssembledMachine:
     """One machine's realtime part with its names.
 
-    ``names``, ``parameters`` and ``members`` are those of the first channel. ``report`` takes what
-    is found while it runs; nobody does unless given. ``file_access`` reads the programs. ``poll``
-    is called between ticks, and again and again while programs are read and decoded.
+    ``names``, ``parameters`` and ``members`` are those of the first channel. ``report`` receives
+    the diagnostics of a run; by default it does nothing. ``file_access`` reads the programs.
+    ``poll`` is called between ticks, and repeatedly while programs are read and decoded.
     """
 
     def __init__(self, configuration: Machine, access: FileAccess | None = None) -> None:
@@ -157,13 +157,13 @@ class AssembledMachine:
         self.assembled = tuple(
             AssembledChannel(
                 index,
-                one,
+                channel,
                 names,
-                tuple(axis.index for axis in one.axes),
+                tuple(axis.index for axis in channel.axes),
                 {value.name: value for value in panel_values(layout.panel_cell(index))},
-                _offsets_of(one),
+                _offsets_of(channel),
             )
-            for index, (one, names) in enumerate(
+            for index, (channel, names) in enumerate(
                 zip(configuration.channels, layout.tables, strict=True)
             )
         )
@@ -179,7 +179,7 @@ class AssembledMachine:
         )
         self.access = VariableAccess(
             layout.tables,
-            [one.panel for one in self.assembled],
+            [channel.panel for channel in self.assembled],
             self.memory,
             self.kernel,
             (diagnostic(NAMES_OF_DEMO_MACHINE),) if configuration.is_demo else (),
@@ -190,13 +190,13 @@ class AssembledMachine:
         self.poll: Callable[[], None] = do_nothing
 
     def report_stale(self, name: str) -> None:
-        """Report, once for each name, that the PLC acknowledges what no longer waits (900671)."""
+        """Report, once for each name, an acknowledgement of an entry that has gone (900671)."""
         if name not in self._stale_names:
             self._stale_names[name] = None
             self.report(diagnostic(STALE_ACKNOWLEDGEMENT, name=name, tick=self.kernel.tick - 1))
 
     def _axis_names(self) -> list[str]:
-        """What the axes are called: by their channel, else by their list."""
+        """Return the names of the axes in their channel, else in their list."""
         names = [axis.name for axis in self.configuration.axes]
         for channel in self.configuration.channels:
             for axis in channel.axes:
@@ -249,11 +249,11 @@ class AssembledMachine:
     # --- running --------------------------------------------------------------------------------
 
     def reserve(self) -> None:
-        """Room in the record for a tick of the present load."""
+        """Reserve memory in the record for a tick of the present load."""
         self.kernel.reserve()
 
     def number_in_names(self, channel: int) -> int:
-        """The number that names of cycles and events have: 0 where there is one channel only."""
+        """Return the channel's number in names of cycles and events; 0 for a single channel."""
         return channel + 1 if len(self.assembled) > 1 else 0
 
     def positions(self, channel: int = 0) -> list[float]:
@@ -261,14 +261,14 @@ class AssembledMachine:
         return list(map(self.axes.positions().__getitem__, self.assembled[channel].members))
 
     def path_stands(self, channel: int = 0) -> bool:
-        """Return whether nothing moves on the channel's path."""
+        """Return whether the channel's path stands."""
         return bool(self.channels[channel].path.has_stopped())
 
     def stands(self) -> bool:
-        """Return whether all stands but for axes and spindles in motion without an end (RC-006)."""
-        ending = sum(one.context.spindles.ending_count() for one in self.channels)
+        """Return whether all but endless motions of axes and spindles has stopped (RC-006)."""
+        ending = sum(channel.context.spindles.ending_count() for channel in self.channels)
         ending += self.single_axes.ending_count()
-        return ending == 0 and all(self.path_stands(one.index) for one in self.assembled)
+        return ending == 0 and all(self.path_stands(channel.index) for channel in self.assembled)
 
     def environment(
         self,
@@ -278,13 +278,13 @@ class AssembledMachine:
         channel: int,
         marks_blocks: bool,
     ) -> DecoderEnvironment:
-        """What the decoder of a program of this channel works with."""
+        """Return the environment of the decoder of a program of this channel."""
         own = self.assembled[channel]
         axes = tuple(self.configuration.axes[i] for i in own.members)
         return DecoderEnvironment(
             own.names,
             own.parameters,
-            {axis.name: place for place, axis in enumerate(own.configuration.axes)},
+            {axis.name: index for index, axis in enumerate(own.configuration.axes)},
             axes,
             own.offsets,
             own.configuration.tools,
@@ -307,48 +307,60 @@ class AssembledMachine:
         )
 
     def _moving_axes(self, channel: int) -> tuple[str, ...]:
-        """Return the channel's axes that move beside its path, now or when they may go on."""
+        """Return the channel's axes in independent motion, held or running."""
         axes = self.configuration.channels[channel].axes
         return tuple(axis.name for axis in axes if self.single_axes.moves(axis.index))
 
     # --- variables by name ----------------------------------------------------------------------
 
     def read(self, name: str) -> float | bool | str:
-        """Return the value of a variable; a value that waits for the next tick is read already."""
+        """Return the value of a variable; a written value is returned before it is latched."""
         return self.access.read(name)
 
     def write(self, name: str, value: float | bool | str) -> None:
-        """A value for the next tick."""
+        """Write a variable with effect from the next tick."""
         self.access.write(name, value)
 
     def _name_of_cell(self, cell: int) -> str:
         if not self._cell_names:
-            for one in reversed(self.assembled):
-                self._cell_names.update((place, name) for name, place, _ in one.names.values())
-                self._cell_names.update((place, name) for name, place in one.names.realtime())
-                self._cell_names.update((value.cell, value.name) for value in one.panel.values())
+            for channel in reversed(self.assembled):
+                self._cell_names.update(
+                    (cell_index, name) for name, cell_index, _ in channel.names.values()
+                )
+                self._cell_names.update(
+                    (cell_index, name) for name, cell_index in channel.names.realtime()
+                )
+                self._cell_names.update(
+                    (value.cell, value.name) for value in channel.panel.values()
+                )
         return self._cell_names[cell]
 
     # --- signals --------------------------------------------------------------------------------
 
     def signals(self) -> dict[str, tuple[int, str, bool]]:
-        """Everything that can be recorded: name -> cell, unit, whether it is a whole number.
+        """Return all signals: name -> cell, unit, whether it is an integer.
 
-        A name with a channel's number in front, ``CH2.BLOCK``, is its own, else the first one's.
+        ``CH2.BLOCK`` is a signal of the second channel, a name without a prefix one of the first.
         """
-        known = _signals_of(self.assembled[0])
-        for one in self.assembled:
-            known |= {f"{one.prefix}{name}": signal for name, signal in _signals_of(one).items()}
-        return known
+        signals = _signals_of(self.assembled[0])
+        for channel in self.assembled:
+            signals |= {
+                f"{channel.prefix}{name}": signal for name, signal in _signals_of(channel).items()
+            }
+        return signals
 
     def default_signals(self) -> list[str]:
         """Return the positions of all axes, path speed, override, block number, active cycles."""
         if len(self.assembled) == 1:
             return _default_signals(self.assembled[0])
-        return [f"{one.prefix}{name}" for one in self.assembled for name in _default_signals(one)]
+        return [
+            f"{channel.prefix}{name}"
+            for channel in self.assembled
+            for name in _default_signals(channel)
+        ]
 
     def unknown_signal(self, name: str) -> Diagnostic:
-        """Return the diagnostic of a signal that is none."""
+        """Return the diagnostic of an unknown signal."""
         near = nearest(name, self.signals())
         if near:
             return diagnostic(MISSPELLED_SIGNAL, name=name, nearest=near)

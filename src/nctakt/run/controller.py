@@ -291,23 +291,24 @@ class Controller:
 
         ``set`` gives variables values before the first tick, ``at`` at times of the run:
         ``at=[("20 ms", "V.E.DOOR", 1)]``. ``until`` and ``ticks`` limit the run (10 minutes unless
-        given), ``after`` is how long the machine goes on after the last program. Times are texts
-        with a unit (us, ms, s, min, h, ticks), seconds or ``datetime.timedelta``. With
-        ``wait_for_start`` each program is begun by START on the HLI, again after a RESET. Blocks
-        of the levels ``skip``, 1 … 10, are left out. ``sinks`` get the trace, which
-        ``memory_trace`` keeps in the result, of ``signals`` (``default_signals`` unless given);
-        with ``record_writes`` each new value that a cycle gives a variable is an event in it.
-        ``why`` keeps what each condition of the realtime cycles saw and did, and counts it
-        (``Run.coverage``). ``blocks``: events tell when each block was decoded and when it is
-        carried out, and why the channel is emptied. ``on_cycle`` is called with the name and the
-        definition of each realtime cycle when it is decoded.
+        given), ``after`` is the time that the machine goes on after the last program. Times are
+        texts with a unit (us, ms, s, min, h, ticks), seconds or ``datetime.timedelta``. With
+        ``wait_for_start`` START on the HLI begins each program, again after a RESET. Blocks of the
+        levels ``skip``, 1 … 10, are skipped. ``sinks`` receive the trace of ``signals`` (by default
+        ``default_signals``), which ``memory_trace`` keeps in the result; with ``record_writes``
+        each new value that a cycle assigns to a variable is an event in it. ``why`` records the
+        history of each condition of the realtime cycles (``Run.why``) and counts it
+        (``Run.coverage``). ``blocks``: events for the decoding and the execution of each block, and
+        for each flush of the channel. ``on_message`` is called with each message of a program,
+        ``on_progress`` with the number of ticks so far and of the whole run, ``on_cycle`` with the
+        name and the definition of each realtime cycle when it is decoded.
 
-        Raises ``Failure`` for a program that cannot be read and for a name, a value or a time that
-        does not fit; mistakes in the programs are in the result.
+        Raises ``Failure`` for a program that cannot be read and for an invalid name, value or time;
+        mistakes in the programs are in the result.
         """
         limit = self._limit(None if until is None else read_time(until), ticks)
         rest_ticks = read_time(after).ticks(self.cycle_time_us)
-        stimuli = [read_stimulus(one) for one in at]
+        stimuli = [read_stimulus(stimulus) for stimulus in at]
         by_channel = {1: programs, **(channels or {})}
         for number in by_channel:
             self._index(number)
@@ -333,7 +334,7 @@ class Controller:
         for channel in self._channels:
             channel.channel.hli.acknowledges_itself = plc is None
         self._recording.on_message = on_message
-        self._stimuli = sorted(stimuli, key=lambda one: one.time.us(self.cycle_time_us))
+        self._stimuli = sorted(stimuli, key=lambda stimulus: stimulus.time.us(self.cycle_time_us))
         self._stimuli_from = first_tick
         end = first_tick + limit
         self._machine.poll = functools.partial(self._report_progress, on_progress, end)

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Methods in which one thread works at a time.
+"""Methods that only one thread at a time may run.
 
-In: a method of an object with an ``OneAtATime`` as ``turn``. Out: the same, which raises
-``Failure`` (901005) while another thread is in one of them; what such a method calls itself, a PLC
-for example, may call them.
+In: a method of an object with an ``OneAtATime`` as ``turn``. Out: the same method, which raises
+``Failure`` (901005) while another thread runs one of them. The thread itself may call them again,
+for example from a PLC.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ _T = TypeVar("_T")
 
 
 class OneAtATime:
-    """Is entered by one thread at a time; raises ``Failure`` for a second one."""
+    """A context of one thread at a time; raises ``Failure`` (901005) for a second one."""
 
     def __init__(self) -> None:
         self._lock = threading.RLock()
@@ -46,11 +46,11 @@ _Owner = TypeVar("_Owner", bound=_HasTurn)
 def alone(
     method: Callable[Concatenate[_Owner, _P], _T],
 ) -> Callable[Concatenate[_Owner, _P], _T]:
-    """Let a method work only while no other thread is in one of its object."""
+    """Let a method run only while no other thread runs one of the same object."""
 
     @functools.wraps(method)
-    def guarded(owner: _Owner, /, *words: _P.args, **named: _P.kwargs) -> _T:
+    def guarded(owner: _Owner, /, *words: _P.args, **keywords: _P.kwargs) -> _T:
         with owner.turn:
-            return method(owner, *words, **named)
+            return method(owner, *words, **keywords)
 
     return guarded

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What a scripted PLC gets in each tick: the HLI by names.
+"""The view of a scripted PLC on the machine in each tick: the HLI by names.
 
 Everything that it writes counts from the next tick on (RC-002).
 """
@@ -31,27 +31,27 @@ from nctakt.run.variable_access import split_channel
 
 
 class AnyPlc(Protocol):
-    """What plays the PLC; a user's class need not derive from it."""
+    """Any object that plays the PLC; a user's class need not derive from it."""
 
     def cycle(self, hli: PlcView) -> None:
-        """Take part after each tick, through the interface image."""
+        """Read inputs and set outputs through the interface image; called after each tick."""
 
 
 class WatchedPlc:
-    """A PLC that knows before a run which methods shall be called when."""
+    """A PLC whose methods and their times are known before a run."""
 
     def begin_run(self, hli: PlcView) -> None:
-        """Compare the names that it waits for with the machine's; raise ``Failure`` for others."""
+        """Raise ``Failure`` if the PLC waits for names that the machine does not have."""
 
     def unused_handlers(self, hli: PlcView) -> Sequence[Diagnostic]:
-        """Return what is told at the end of a run of methods and inputs that it did not need."""
+        """Return a diagnostic for each method and input that a run did not use."""
         return ()
 
 
 #: The states of a channel in the order of their numbers.
 STATES = ("ready", "running", "error", "reset")
 
-#: How a path walks over its history, in the order of the numbers.
+#: The states of backward motion on the path, in the order of their numbers.
 RETRACES = ("front", "backward", "forward")
 
 
@@ -67,11 +67,11 @@ class TechnologyEntry:
     """A function that waits for its acknowledgement.
 
     ``letter`` is M or H, ``sequence`` its number among those of the same tick and section,
-    ``time_us`` the stamp, ``is_realtime`` tells that a realtime cycle has commanded it (POS_RT),
-    ``process_time_us`` is the time that the channel list gives it (P-CHAN-00040, P-CHAN-00026),
-    ``axis`` the axis or spindle that it is for (P-CHAN-00039, P-CHAN-00025), empty: the channel.
-    ``value`` is what the program gives it, as in ``M110=130``, 0 for none. ``serial`` tells it from
-    the ones that had its slot before.
+    ``time_us`` its time stamp. ``is_realtime``: a realtime cycle has commanded it (POS_RT).
+    ``process_time_us`` is its time in the channel list (P-CHAN-00040, P-CHAN-00026), ``axis`` its
+    axis or spindle (P-CHAN-00039, P-CHAN-00025), empty for the channel. ``value`` is its value in
+    the program, as in ``M110=130``, 0 without one. ``serial`` distinguishes it from earlier entries
+    in its slot.
     """
 
     letter: str
@@ -87,17 +87,17 @@ class TechnologyEntry:
 
     @property
     def name(self) -> str:
-        """As in a program: ``M100``."""
+        """The function as in a program: ``M100``."""
         return f"{self.letter}{self.number}"
 
     @property
     def key(self) -> tuple[str, int]:
-        """Its place: section and slot."""
+        """Its section and slot."""
         return "realtime" if self.is_realtime else "program", self.slot
 
     @property
     def stamp(self) -> tuple[int, int]:
-        """What tells it from the ones that had this place before."""
+        """The numbers that distinguish it from earlier entries in its slot."""
         return self.time_us, self.sequence
 
 
@@ -105,10 +105,10 @@ class TechnologyEntry:
 class SpindleEntry:
     """A job of a spindle that the PLC turns, until it is acknowledged.
 
-    ``function``: M 3, 4, 5 or 19. ``speed``: revolutions per minute. ``position``: degrees, that of
-    M19. ``direction`` of M19: 1 forward, -1 back, 0 the shorter way. ``speed_before``: what the
-    last job that was acknowledged has left, revolutions per minute, negative under M4. ``serial``
-    tells it from the spindle's jobs before.
+    ``function``: M 3, 4, 5 or 19. ``speed``: in revolutions per minute. ``position``: of M19, in
+    degrees. ``direction``: of M19, 1 forward, -1 backward, 0 the shorter way. ``speed_before``: the
+    speed after the last acknowledged job, in revolutions per minute, negative under M4. ``index``:
+    that of the spindle in the channel. ``serial`` distinguishes it from earlier jobs.
     """
 
     spindle: str
@@ -118,27 +118,27 @@ class SpindleEntry:
     direction: int
     time_us: int
     speed_before: float
-    place: int
+    index: int
     serial: int = 0
 
     @property
     def name(self) -> str:
-        """That of the spindle."""
+        """The name of the spindle."""
         return self.spindle
 
     @property
     def key(self) -> tuple[str, int]:
-        """Its place: that of the spindle."""
-        return "spindle", self.place
+        """The index of its spindle."""
+        return "spindle", self.index
 
     @property
     def stamp(self) -> tuple[int, int]:
-        """What tells it from the spindle's jobs before."""
+        """The numbers that distinguish it from earlier jobs of the spindle."""
         return self.time_us, self.function
 
 
 class NamedValues(dict[str, float]):
-    """Values by the names of the interface; another name is a ``Failure`` (901012)."""
+    """Values by the names of the interface; raises ``Failure`` (901012) for another name."""
 
     __slots__ = ()
 
@@ -150,7 +150,7 @@ class NamedValues(dict[str, float]):
 class PlcView:
     """The PLC's side of one channel; ``of_channel(2)`` is that of the second one.
 
-    It takes no other attributes than those that can be set, and names the nearest one.
+    Raises ``Failure`` for an unknown attribute and suggests the nearest one.
     """
 
     __slots__ = ("_hli", "_index", "_machine")
@@ -163,7 +163,7 @@ class PlcView:
         _set(self, "_index", index)
         _set(self, "_hli", machine.channels[index].hli)
 
-    if not TYPE_CHECKING:  # which would take any name for known
+    if not TYPE_CHECKING:  # type checkers would accept any name
 
         def __getattr__(self, name: str) -> NoReturn:
             raise AttributeError(_unknown(name, public_names(PlcView)), name=name, obj=self)
@@ -177,7 +177,7 @@ class PlcView:
         return f"<PlcView of channel {self._index + 1}: {self.state}, after tick {self.tick}>"
 
     def of_channel(self, number: int) -> PlcView:
-        """Return the PLC's side of a channel, from 1; ``Failure`` where there is none."""
+        """Return the PLC's side of a channel, from 1; raises ``Failure`` if there is none."""
         count = len(self._machine.channels)
         if not 0 < number <= count:
             raise Failure(diagnostic(UNKNOWN_CHANNEL, channel=number, count=count))
@@ -185,31 +185,31 @@ class PlcView:
 
     @property
     def tick(self) -> int:
-        """The tick that has just been run."""
+        """The number of the latest tick."""
         return self._machine.kernel.tick - 1
 
     @property
     def time_us(self) -> int:
-        """The time at which it began."""
+        """The time at which the latest tick began, in microseconds."""
         return self.tick * self._machine.configuration.cycle_time_us
 
     @property
     def cycle_time_us(self) -> int:
-        """The length of a tick."""
+        """The length of a tick in microseconds."""
         return self._machine.configuration.cycle_time_us
 
     def channel(self) -> NamedValues:
-        """The state of the channel, by the names of ``hli_channel``: ``path_speed``, ``block`` …"""
+        """Return the channel by the names of ``hli_channel``: ``path_speed``, ``block`` …"""
         machine = self._machine
         panel = machine.assembled[self._index].panel
-        shown = {one.entry.name: one.cell for one in panel.values() if not one.is_command}
+        shown = {value.entry.name: value.cell for value in panel.values() if not value.is_command}
         for entry in CHANNEL.entries:
             if entry.source:
                 shown[entry.name] = machine.layout.channel_value(self._index, entry.source)
         return NamedValues({name: machine.cells[cell] for name, cell in shown.items()})
 
     def axis(self, name: str) -> NamedValues:
-        """Return an axis, by the names of ``hli_axis``: ``command``, ``target``, ``state`` …"""
+        """Return an axis by the names of ``hli_axis``: ``command``, ``target``, ``state`` …"""
         machine, index = self._machine, self._axis(name)
         return NamedValues(
             {
@@ -219,21 +219,21 @@ class PlcView:
             }
         )
 
-    # --- single axes: what the function blocks of ``plc/axes.py`` need --------------------------
+    # --- single axes, for the function blocks of ``plc/axes.py`` --------------------------------
 
     def _axis(self, name: str) -> int:
-        """Return the number of an axis; raises ``Failure`` (900656) where there is none."""
+        """Return the number of an axis; raises ``Failure`` (900656) for an unknown name."""
         names = {axis.name: i for i, axis in enumerate(self._machine.configuration.axes)}
         if name not in names:
             near = nearest(str(name), names) or NOTHING
-            known = ", ".join(names)
-            raise Failure(diagnostic(UNKNOWN_PLC_AXIS, name=name, nearest=near, known=known))
+            known_names = ", ".join(names)
+            raise Failure(diagnostic(UNKNOWN_PLC_AXIS, name=name, nearest=near, known=known_names))
         return names[name]
 
     def request_axis(
         self, kind: int, name: str, value: float, speed: float, mode: int, direction: int
     ) -> int:
-        """A request for the next tick (``kernel/plc/axis_requests.py``): its owner number."""
+        """Request a motion for the next tick and return its owner's number."""
         axis = self._axis(name)
         if kind not in (codes.HALT, codes.CLEAR_FAULT) and not (
             math.isfinite(value) and 0.0 < speed < math.inf
@@ -245,27 +245,27 @@ class PlcView:
         return owner
 
     def axis_answer(self, owner: int) -> int:
-        """0 accepted, else the number of the message that refuses; -1: no tick has latched it."""
+        """Return 0 if a request is accepted, -1 before it is latched, else the error's number."""
         return self._machine.kernel.requests.answer_to(owner)
 
     def is_axis_open(self, owner: int) -> bool:
-        """Return whether what was requested runs or waits."""
+        """Return whether a requested motion runs or waits."""
         return self._machine.kernel.requests.is_open(owner)
 
     def is_axis_active(self, name: str, owner: int) -> bool:
-        """Return whether it is what the axis does."""
+        """Return whether a requested motion is that of the axis now."""
         return self._machine.kernel.requests.is_active(self._axis(name), owner)
 
     def has_axis_arrived(self, name: str, owner: int) -> bool:
-        """Return whether it has come to its target, and no motion behind it has."""
+        """Return whether a requested motion has reached its target, and no later one has."""
         return self._machine.kernel.requests.has_arrived(self._axis(name), owner)
 
     def is_axis_at_speed(self, name: str) -> bool:
-        """Return whether an endless motion has its speed."""
+        """Return whether an endless motion has reached its speed."""
         return self._machine.single_axes.at_speed(self._axis(name))
 
     def axis_fault(self, name: str) -> int:
-        """Return the number of the error that the axis is in."""
+        """Return the number of the error that has stopped the axis."""
         return self._machine.single_axes.fault_of(self._axis(name))
 
     def known_functions(self) -> list[str]:
@@ -280,7 +280,7 @@ class PlcView:
     # --- M and H functions ----------------------------------------------------------------------
 
     def functions(self) -> list[TechnologyEntry]:
-        """The functions that wait, the main program's first, then in the order of commanding."""
+        """Return the waiting functions, those of the main program first, in their order."""
         return [*self._waiting(is_realtime=False), *self._waiting(is_realtime=True)]
 
     def _waiting(self, *, is_realtime: bool) -> Iterator[TechnologyEntry]:
@@ -291,22 +291,22 @@ class PlcView:
             letter, number = ("H", -function - 1) if function < 0 else ("M", function)
             stamp_us = tick * cycle_time_us
             table = parameters.m_functions if letter == "M" else parameters.h_functions
-            known = table[number]
+            parameter = table[number]
             yield TechnologyEntry(
                 letter,
                 number,
                 sequence,
                 stamp_us,
                 is_realtime,
-                known.process_time_us,
-                known.axis_name,
+                parameter.process_time_us,
+                parameter.axis_name,
                 slot,
                 section.value_of(slot),
                 serial,
             )
 
     def acknowledge(self, entry: TechnologyEntry) -> None:
-        """The PLC has taken this function; 900671 once where it no longer waits.
+        """Acknowledge a function; a warning (900671) is reported if it no longer waits.
 
         Raises ``ValueError`` for an entry that is not one of ``functions``.
         """
@@ -318,44 +318,44 @@ class PlcView:
         """Return the jobs of spindles that the PLC turns, in the order of the channel list."""
         spindles = self._machine.channels[self._index].context.spindles
         cycle_time_us = self._machine.configuration.cycle_time_us
-        name = self._machine.registry.spindle
+        name, jobs = self._machine.registry.spindle, spindles.jobs()
         return [
             SpindleEntry(
-                name(spindles.first_number + place),
+                name(spindles.first_number + index),
                 function,
                 speed_v / 6.0,
                 position,
-                way,
+                sense,
                 tick * cycle_time_us,
                 before_v / 6.0,
-                place,
+                index,
                 serial,
             )
-            for place, function, speed_v, position, way, tick, before_v, serial in spindles.jobs()
+            for index, function, speed_v, position, sense, tick, before_v, serial in jobs
         ]
 
     def acknowledge_spindle(self, job: SpindleEntry) -> None:
-        """The PLC has done this job; 900671 once where it no longer waits.
+        """Acknowledge a job as done; a warning (900671) is reported if it no longer waits.
 
         Raises ``ValueError`` for a job that is not one of ``spindle_jobs``.
         """
         spindles = self._machine.channels[self._index].context.spindles
-        if not spindles.acknowledge(job.place, job.serial):
+        if not spindles.acknowledge(job.index, job.serial):
             self._machine.report_stale(job.name)
 
     def acknowledge_all(self) -> None:
-        """The PLC has taken everything that waits."""
+        """Acknowledge all waiting functions and spindle jobs."""
         for job in self.spindle_jobs():
             self.acknowledge_spindle(job)
         for entry in self.functions():
             self.acknowledge(entry)
 
     def read(self, name: str) -> float | bool | str:
-        """The value of a V. variable after this tick; V.CH is not the PLC's to see (RC-309)."""
+        """Return a V. variable after this tick; raises ``Failure`` for V.CH (RC-309)."""
         return self._machine.read(self._own(name))
 
     def write(self, name: str, value: float | bool | str) -> None:
-        """A value for a V.E variable; raises ``Failure`` for a wrong name or value."""
+        """Write a V.E variable; raises ``Failure`` for a wrong name or value."""
         self._machine.write(self._own(name), value)
 
     @property
@@ -380,7 +380,7 @@ class PlcView:
 
     @property
     def single_block(self) -> bool:
-        """Whether the channel stops in front of each block (MO-6)."""
+        """Whether the channel stops before each block (MO-6)."""
         return bool(self.read("HLI.SINGLE_BLOCK"))
 
     @single_block.setter
@@ -407,30 +407,30 @@ class PlcView:
 
     @property
     def retrace(self) -> str:
-        """``front``, or how the path walks over its history: ``backward`` or ``forward``."""
+        """Backward motion on the path: ``front``, or in the history ``backward`` or ``forward``."""
         return RETRACES[int(self.read("HLI.RETRACE"))]
 
     @property
     def history(self) -> int:
-        """How many blocks the history of the path holds now."""
+        """The number of blocks in the history of the path."""
         return int(self.read("HLI.HISTORY"))
 
     @property
     def history_size(self) -> int:
-        """How many blocks fit into it (P-STUP-00033)."""
+        """The maximum number of blocks in the history (P-STUP-00033)."""
         return int(self.read("HLI.HISTORY_SIZE"))
 
     def start(self) -> None:
-        """Press START: the selected program begins, or goes on behind M00 or single block."""
+        """Press START: the selected program begins, or continues after M00 or single block."""
         self.write("HLI.START", 1.0)
 
     def reset(self) -> None:
-        """Press RESET: the program is given up, the path brakes to a stand (RC-007)."""
+        """Press RESET: the program is aborted, the path brakes to a stand (RC-007)."""
         self.write("HLI.RESET", 1.0)
 
     @property
     def state(self) -> str:
-        """``ready``, ``running``, ``error`` or ``reset``."""
+        """The state of the channel: ``ready``, ``running``, ``error`` or ``reset``."""
         return STATES[int(self.read("HLI.STATE"))]
 
     @property
@@ -449,16 +449,16 @@ class PlcView:
         return int(self.read("HLI.ERROR"))
 
     def _own(self, name: str) -> str:
-        """The name with its channel, unless it is that of a variable that a PLC does not see."""
+        """Return the name with its channel; raises ``Failure`` for V.CH (RC-309)."""
         prefix, _, path = split_channel(name)
         own = self._machine.assembled[self._index].prefix if self._index else ""
         return f"{prefix or own}{_seen(path)}"
 
 
-#: Sets an attribute without asking for its name.
+#: Sets an attribute without a check of its name.
 _set = object.__setattr__
 
-#: The attributes of ``PlcView`` that a PLC sets.
+#: The attributes of ``PlcView`` that a PLC may set.
 SETTABLE = tuple(
     name
     for name, value in vars(PlcView).items()
@@ -467,17 +467,17 @@ SETTABLE = tuple(
 
 
 def public_names(kind: type) -> list[str]:
-    """Return the names of a class that its users may use."""
+    """Return the public names of a class."""
     return [name for name in dir(kind) if not name.startswith("_")]
 
 
-def _unknown(name: str, known: Iterable[str]) -> str:
-    near = nearest(name, known)
+def _unknown(name: str, names: Iterable[str]) -> str:
+    near = nearest(name, names)
     return f"hli has no {name} to use" + (f"; did you mean {near}?" if near else "")
 
 
 def _seen(name: str) -> str:
-    """Return the name, unless it is that of a variable that a PLC does not see."""
+    """Return the name of a variable that a PLC sees; raises ``Failure`` for V.CH (RC-309)."""
     if name.upper().replace(" ", "").startswith(("V.CH.", "VS.CH.")):
         raise Failure(diagnostic(NOT_VISIBLE_TO_PLC, name=name))
     return name

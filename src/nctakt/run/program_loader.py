@@ -3,7 +3,7 @@
 
 All mistakes are reported at once: those of the program, of the files that it calls by constant
 names, of the files that these call, and so on. A subprogram whose name is computed is read when it
-is called. Where files are searched: ``search_folders``.
+is called. ``search_folders`` returns the folders in which files are searched.
 """
 
 from __future__ import annotations
@@ -32,46 +32,46 @@ from nctakt.nc.source import Source
 from nctakt.nc.tree import StringLiteral
 from nctakt.run.assembly import AssembledMachine
 
-#: Errors in names that the lists of a machine give.
+#: Errors about names that the lists of a machine define.
 _LIST_NAMES = (UNKNOWN_VARIABLE, UNKNOWN_AXIS_OF_VARIABLE, UNKNOWN_WORD, FUNCTION_NOT_DEFINED)
 
-#: Characters of a text that are shown where a file name was expected.
+#: Maximum number of characters shown of a text in place of a file name.
 SHOWN_TEXT = 40
 
 
 class ProgramErrors(Failure):
-    """The errors in a program that was read; they are among the controller's diagnostics."""
+    """The errors in a program, which are among the controller's diagnostics as well."""
 
 
 @dataclass(frozen=True, slots=True)
 class NcText:
-    """A program given as text; ``name`` stands for the file in diagnostics and results."""
+    """A program as text; ``name`` stands for the file in diagnostics and results."""
 
     name: str
     text: str
 
 
 def name_of(program: str | Path | NcText) -> str:
-    """Return the name of a program as the user gave it."""
+    """Return the name of a program as the user wrote it."""
     return program.name if isinstance(program, NcText) else str(program)
 
 
 def search_folders(caller: str, parameters: ChannelParameters, machine_folder: Path) -> list[Path]:
-    """Where a subprogram that the file ``caller`` calls is searched, one folder after the other.
+    """Return the folders in which a subprogram called by the file ``caller`` is searched.
 
     The caller's own folder; then those of the channel list for subprograms, by priority, then in
     their order (P-CHAN-00401 … 00404), relative to the machine's folder or to the one above it.
     """
     folders = [Path(caller).parent]
     paths = [path for path in parameters.program_paths if path.holds_subprograms]
-    for path in sorted(paths, key=lambda one: one.priority):
+    for path in sorted(paths, key=lambda path: path.priority):
         folders.append(program_folder(path.folder, machine_folder))
     return list(dict.fromkeys(folders))
 
 
-def program_folder(named: str, machine_folder: Path) -> Path:
+def program_folder(name: str, machine_folder: Path) -> Path:
     """Return a folder of programs as a channel list names it (P-CHAN-00401)."""
-    plain = Path(named.replace("\\", "/"))
+    plain = Path(name.replace("\\", "/"))
     near, above = machine_folder / plain, machine_folder / ".." / plain
     return above if not near.is_dir() and above.is_dir() else near
 
@@ -81,13 +81,13 @@ def find_program(name: str, folders: list[Path], access: FileAccess) -> Path | N
     if PureWindowsPath(name).drive or Path(name).is_absolute():
         path = Path(name.replace("\\", "/"))
         return path if access.admits(path) and path.is_file() else None
-    return next((found for folder in folders if (found := find_below(name, folder, access))), None)
+    return next((file for folder in folders if (file := find_below(name, folder, access))), None)
 
 
 def missing(
     name: str, folders: list[Path], access: FileAccess, span: Span, line: str
 ) -> Diagnostic:
-    """The diagnostic of a file that is in none of the folders, or outside of what may be read."""
+    """Return the diagnostic of a file that is missing in all folders, or must not be read."""
     plain = name.replace("\\", "/")
     if not any(access.admits(folder / plain) for folder in folders):
         return diagnostic(FILE_OUTSIDE, span, line, file=name, folders=access.shown_folders)
@@ -114,11 +114,11 @@ class LoadedProgram:
 
     @property
     def text(self) -> ProgramText:
-        """The main program's."""
+        """The text of the main program."""
         return self.texts[0]
 
     def add(self, source: Source, collector: Collector, role: Role) -> ProgramText:
-        """Check a text."""
+        """Check a text, register it and return it."""
         self._machine.files.add(source.file, source.lines)
         text = inspect(
             source, self._names, self.parameters, collector, role=role, poll=self._machine.poll
@@ -127,26 +127,26 @@ class LoadedProgram:
         return text
 
     def add_called(self, text: ProgramText, collector: Collector) -> None:
-        """Check the files that a text calls, and those that these call."""
+        """Check the files that a text calls, and those that they call."""
         waiting = [text]
         while waiting:
             text = waiting.pop(0)
             for call in text.calls:
                 assert isinstance(call.name, StringLiteral)
-                known = len(self.texts)
+                text_count = len(self.texts)
                 self._find(call.name.value, text.source.file, call.span, collector)
-                waiting += self.texts[known:]
+                waiting += self.texts[text_count:]
 
     def add_implicit(self, collector: Collector) -> None:
         """Check the programs that the channel list names, as if the main program called them."""
         for name in self.parameters.implicit_programs.names:
-            known = len(self.texts)
+            text_count = len(self.texts)
             self._find(name, self.text.source.file, self.text.main.span, collector)
-            for text in self.texts[known:]:
+            for text in self.texts[text_count:]:
                 self.add_called(text, collector)
 
     def _find(self, name: str, caller: str, span: Span, collector: Collector) -> ProgramText | None:
-        """Return the text of a file that is called; what is wrong goes to ``collector``."""
+        """Return the text of a called file; its diagnostics go to ``collector``."""
         folders = search_folders(caller, self.parameters, self._folder)
         access = self._machine.file_access
         path = find_program(name, folders, access)
@@ -171,19 +171,19 @@ class LoadedProgram:
     def subprogram(self, name: str, caller: str, span: Span) -> ProgramText:
         """Return the text of a file that the file ``caller`` calls at ``span``.
 
-        It is read and checked now if it has not been before. Raises ``DecodeError`` with the first
-        of the errors in it.
+        It is read and checked now if it has not been read before. Raises ``DecodeError`` with its
+        first error.
         """
         collector = Collector()
-        known = len(self.texts)
-        found = self._find(name, caller, span, collector)
-        if found is not None and len(self.texts) > known:
-            self.add_called(found, collector)
-        errors = [one for one in collector.diagnostics if one.severity.name == "ERROR"]
+        text_count = len(self.texts)
+        text = self._find(name, caller, span, collector)
+        if text is not None and len(self.texts) > text_count:
+            self.add_called(text, collector)
+        errors = [message for message in collector.diagnostics if message.severity.name == "ERROR"]
         if errors:
             raise DecodeError(errors[0])
-        assert found is not None
-        return found
+        assert text is not None
+        return text
 
 
 def load(
@@ -192,10 +192,10 @@ def load(
     diagnostics: list[Diagnostic],
     channel: int = 0,
 ) -> LoadedProgram:
-    """Read, parse and check a program with all that it calls; findings go to ``diagnostics``.
+    """Read, parse and check a program with all files that it calls.
 
-    ``channel``: the index of the channel that it is for, from 0. Raises ``Failure`` if it cannot be
-    read, ``ProgramErrors`` with the errors in it.
+    All findings go to ``diagnostics``. ``channel``: the index of its channel, from 0. Raises
+    ``Failure`` if the program cannot be read, ``ProgramErrors`` if it has errors.
     """
     collector = Collector()
     if isinstance(program, NcText):
@@ -209,8 +209,8 @@ def load(
     loaded.add_called(main, collector)
     loaded.add_implicit(collector)
     diagnostics += collector.diagnostics
-    errors = [found for found in collector.diagnostics if found.severity.name == "ERROR"]
-    if machine.configuration.is_demo and any(one.message in _LIST_NAMES for one in errors):
+    errors = [message for message in collector.diagnostics if message.severity.name == "ERROR"]
+    if machine.configuration.is_demo and any(message.message in _LIST_NAMES for message in errors):
         diagnostics.append(diagnostic(NAMES_OF_DEMO_MACHINE))
     if errors:
         raise ProgramErrors(*errors)

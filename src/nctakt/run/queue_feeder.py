@@ -25,7 +25,7 @@ from nctakt.run.assembly import AssembledMachine
 from nctakt.run.decode_budget import DecodeBudget
 from nctakt.run.program_loader import LoadedProgram
 
-#: The queue is filled with so many commands that take time beyond those of the look-ahead.
+#: Number of commands with a duration in the queue beyond those of the look-ahead.
 HIGH_WATER = 64
 
 

@@ -3,8 +3,8 @@
 
 In: a running controller (``Controller.interface_image``). Out: its HLI in memory of this process or
 in named shared memory; the layout is that of ``nctakt.hli``. The V.E variables have one section for
-GLOBAL and one for each channel; V.CH is in none. What the PLC writes counts from the next tick on;
-what a tick does is in the image at the end of the tick (``kernel/plc/interface_image.py``).
+GLOBAL and one for each channel; V.CH is in none. Writes of the PLC count from the next tick on;
+results of a tick are in the image at its end (``kernel/plc/interface_image.py``).
 """
 
 from __future__ import annotations
@@ -127,9 +127,9 @@ class SharedImage:
 
     @property
     def plc_process(self) -> int:
-        """The ID of the PLC's process as it says it, 0 where it does not."""
-        place = self.layout.link_offset + entry(LINK, "process").offset
-        return int(struct.unpack_from("=Q", self.memory, place)[0])
+        """The ID of the PLC's process as the PLC reports it, 0 without a report."""
+        offset = self.layout.link_offset + entry(LINK, "process").offset
+        return int(struct.unpack_from("=Q", self.memory, offset)[0])
 
     def hand_over(self) -> None:
         """Give the turn to the PLC."""
@@ -210,7 +210,7 @@ class _Resources:
 
 
 def _put_header(memory: memoryview, layout: ImageLayout, machine: Machine) -> None:
-    """Write what never changes: the header, names and numbers of axes and spindles."""
+    """Write the constant values: the header, names and numbers of axes and spindles."""
     values = {
         "version": VERSION,
         "size": layout.size,
@@ -316,7 +316,7 @@ def _units(
     layout: ImageLayout,
     machine: Machine,
 ) -> Units:
-    """The functions and spindle jobs that wait for the PLC, those of the last channel first."""
+    """Return the waiting functions and spindle jobs, those of the last channel first."""
     units = Units()
     cycle_time_us = machine.cycle_time_us
     for index, channel in reversed(list(enumerate(channels))):

@@ -47,7 +47,7 @@ def channel_spindles(
 def max_speeds(configuration: Machine, index: int) -> dict[int, float]:
     """Return the maximum speeds, in °/s, of a channel's spindles that the CNC turns.
 
-    The keys are their positions in the channel list; spindles without an axis list are missing.
+    The keys are their indices in the channel list; spindles without an axis list are missing.
     """
     spindles = configuration.channels[index].parameters.spindles
     axes = {i: _axis_of(configuration, spindle) for i, spindle in enumerate(spindles)}

@@ -3,7 +3,7 @@
 
 In: ``("1.5 ms", "V.E.VALUE", 5)`` or the words ``1.5ms V.E.VALUE=5``. Out: ``Stimulus`` objects. A
 stimulus is latched at the start of the first tick that begins at or after its time (RC-001,
-RC-002). The controller knows whether the variable exists, and what it can hold.
+RC-002). The controller checks the variable and its range.
 """
 
 from __future__ import annotations
@@ -26,13 +26,13 @@ from nctakt.messages.inputs import (
 _NUMBER = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?", re.ASCII)
 _TRUTH = {"TRUE": 1.0, "FALSE": 0.0}
 
-#: No variable of 64 bits holds more.
+#: The limit of the values of a 64-bit variable.
 _LARGEST = 1.7976931348623157e308
 
 
 @dataclass(frozen=True, slots=True, init=False)
 class Stimulus:
-    """A variable that gets a value at a time of the run, counted from the run's first tick.
+    """A value for a variable at a time of the run, counted from the run's first tick.
 
     ``Stimulus("20 ms", "V.E.DOOR", 1)``: the time is a text with a unit (us, ms, s, min, h, ticks),
     a number of seconds or a ``datetime.timedelta``. Raises ``Failure`` for any other time.
@@ -48,12 +48,12 @@ class Stimulus:
         object.__setattr__(self, "value", value)
 
 
-#: Whatever stands for a stimulus in the Python interface.
+#: A stimulus in the Python interface.
 StimulusLike = Stimulus | tuple[TimeLike, str, float | str]
 
 
 def read_stimulus(value: StimulusLike) -> Stimulus:
-    """Return the stimulus that ``value`` is, or that its time, name and value make.
+    """Return ``value`` itself, or the stimulus of its time, name and value.
 
     Raises ``Failure`` for anything else (900514) and for a wrong time (900510, 900513).
     """
@@ -65,18 +65,18 @@ def read_stimulus(value: StimulusLike) -> Stimulus:
 
 
 def not_reached(stimuli: Iterable[Stimulus], end_us: int) -> list[Diagnostic]:
-    """Return a warning (901007) for each stimulus that is left over at the end of a run."""
+    """Return a warning (901007) for each stimulus whose time a run has not reached."""
     end = str(Time(end_us))
     return [
-        diagnostic(STIMULUS_NOT_REACHED, name=one.name, time=str(one.time), end=end)
-        for one in stimuli
+        diagnostic(STIMULUS_NOT_REACHED, name=stimulus.name, time=str(stimulus.time), end=end)
+        for stimulus in stimuli
     ]
 
 
 def parse_assignment(text: str) -> tuple[str, float | str]:
     """Return name and value of ``V.E.VALUE=5`` or ``V.E.TEXT="part"``; TRUE is 1, FALSE is 0.
 
-    Raises ``Failure``: no assignment (900511), no value (900512).
+    Raises ``Failure`` for another text (900511) and for an invalid value (900512).
     """
     name, equals, value = text.partition("=")
     name = name.strip()
@@ -86,7 +86,7 @@ def parse_assignment(text: str) -> tuple[str, float | str]:
 
 
 def parse_stimulus(time: str, assignment: str) -> Stimulus:
-    """Return the stimulus of ``--at TIME NAME=VALUE``; raises ``Failure`` as its parts do."""
+    """Return the stimulus of ``--at TIME NAME=VALUE``; raises ``Failure`` for mistakes."""
     return Stimulus(time, *parse_assignment(assignment))
 
 

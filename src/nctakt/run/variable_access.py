@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Variables by name, for all who are outside of programs: API, command line, scripted PLC.
+"""Variables by name, for the access from outside of programs: API, command line, scripted PLC.
 
-In: names such as ``V.E.LIST[3]`` and values. Out: the values of now, and writes that the next tick
-latches (RC-002). Values are checked when they come (RC-307); what cannot be is a ``Failure``.
+In: names such as ``V.E.LIST[3]`` and values. Out: the present values, and writes that the next tick
+latches (RC-002). Values are checked at once (RC-307); an invalid one is a ``Failure``.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ _CHANNEL = re.compile(r"\s*[Cc][Hh](\d{1,4})\.")
 
 
 def split_channel(name: str) -> tuple[str, int, str]:
-    """``CH2.V.E.X`` -> ``("CH2.", 2, "V.E.X")``; channel 1 for a name without one."""
+    """Divide ``CH2.V.E.X`` into ``("CH2.", 2, "V.E.X")``; channel 1 for a name without one."""
     match = _CHANNEL.match(name)
     if match is None:
         return "", 1, name
@@ -45,7 +45,7 @@ def split_channel(name: str) -> tuple[str, int, str]:
 
 @dataclass(frozen=True, slots=True)
 class Write:
-    """A checked value on its way to the cells from ``cell`` on."""
+    """A checked value for the cells from ``cell`` on."""
 
     cell: int
     value: float | bytes
@@ -54,8 +54,8 @@ class Write:
 class VariableAccess:
     """The variables of all channels, with the writes that wait for the next tick.
 
-    ``CH2.V.E.X`` is that of the second channel; without a channel a name is the first one's.
-    ``panels`` are the operator's values of each channel, ``remarks`` what else is told about an
+    ``CH2.V.E.X`` is that of the second channel; a name without a channel is one of the first.
+    ``panels`` are the operator's values of each channel, ``remarks`` further diagnostics about an
     unknown name.
     """
 
@@ -78,16 +78,16 @@ class VariableAccess:
     def _find(self, name: str) -> tuple[Location, int]:
         prefix, number, path = split_channel(name)
         names = self._names[self._index(number)]
-        found = names.resolve_text(path)
-        if isinstance(found, NotFound):
-            near = found.nearest or nearest(path, (known for known, _, _ in names.values()))
+        location = names.resolve_text(path)
+        if isinstance(location, NotFound):
+            near = location.nearest or nearest(path, (other for other, _, _ in names.values()))
             unknown = (
                 diagnostic(MISSPELLED_MACHINE_VARIABLE, name=name, nearest=f"{prefix}{near}")
                 if near
                 else diagnostic(UNKNOWN_MACHINE_VARIABLE, name=name)
             )
             raise Failure(unknown, *self._remarks)
-        return found
+        return location
 
     def _find_panel(self, name: str) -> PanelValue | None:
         """Return the operator's value of this name; ``None`` for a variable."""
@@ -96,11 +96,11 @@ class VariableAccess:
         if not upper.startswith(PREFIX):
             return None
         panel = self._panels[self._index(number)]
-        found = panel.get(upper)
-        if found is None:
+        value = panel.get(upper)
+        if value is None:
             near = f"{prefix}{nearest(upper, panel)}"
             raise Failure(diagnostic(MISSPELLED_MACHINE_VARIABLE, name=name, nearest=near))
-        return found
+        return value
 
     def _index(self, number: int) -> int:
         if not 0 < number <= len(self._names):
@@ -108,7 +108,7 @@ class VariableAccess:
         return number - 1
 
     def read(self, name: str) -> float | bool | str:
-        """Return the value of a variable; a value that waits for the next tick is read already."""
+        """Return the value of a variable; a written value is returned before it is latched."""
         shown = self._find_panel(name)
         if shown is not None:
             value = self._pending.get(shown.cell, self._cells[shown.cell])
@@ -124,7 +124,7 @@ class VariableAccess:
         return value != 0.0 if location.type == "BOOLEAN" else value
 
     def check(self, name: str, value: float | bool | str) -> Write:
-        """The converted value; ``Failure`` where there is no such variable or it cannot hold it."""
+        """Return the converted value; raises ``Failure`` for an unknown name and a wrong value."""
         shown = self._find_panel(name)
         if shown is not None:
             return _command(shown, value)
@@ -138,12 +138,12 @@ class VariableAccess:
         return Write(cell, _number(name, location.type, float(value)))
 
     def write(self, name: str, value: float | bool | str) -> None:
-        """A value for the next tick."""
+        """Write a variable with effect from the next tick."""
         write = self.check(name, value)
         self._pending[write.cell] = write.value
 
     def post_writes(self) -> None:
-        """Put what was written into the image that the next tick latches."""
+        """Post the writes for the next tick to latch."""
         for cell, value in self._pending.items():
             if isinstance(value, bytes):
                 self._kernel.post_bytes(cell, value)
@@ -152,7 +152,7 @@ class VariableAccess:
         self._pending.clear()
 
     def apply_writes(self) -> None:
-        """Values before the first tick are there at once, so that the decoder sees them."""
+        """Apply the writes at once, before the first tick, so that the decoder sees them."""
         for cell, value in self._pending.items():
             if isinstance(value, bytes):
                 strings.write(self._bytes, cell, value)
@@ -162,7 +162,7 @@ class VariableAccess:
 
 
 def _characters(name: str, location: Location, text: str) -> bytes:
-    """Return the bytes of a text, up to the end of the last cell that they stand in."""
+    """Return the bytes of a text, filled up to the end of their last cell."""
     size = location.size_bytes
     wrong = strings.misfit(name, location.type, size, text)
     if wrong is not None:
@@ -171,7 +171,7 @@ def _characters(name: str, location: Location, text: str) -> bytes:
 
 
 def _command(shown: PanelValue, value: float | bool | str) -> Write:
-    """Return an operator's command; the override is no less than 0."""
+    """Return the checked value of an operator's command; the override is at least 0."""
     if not shown.is_command:
         raise Failure(diagnostic(VARIABLE_NOT_SETTABLE, name=shown.name))
     if isinstance(value, str):
@@ -190,7 +190,7 @@ def _command(shown: PanelValue, value: float | bool | str) -> Write:
 
 
 def _number(name: str, type_: str, number: float) -> float:
-    """Return the number as a variable of this type takes it (RC-307)."""
+    """Return the number as converted for a variable of this type (RC-307)."""
     if not math.isfinite(number):
         raise Failure(diagnostic(VALUE_NOT_FINITE, name=name, value=number))
     scalar = SCALARS[type_]

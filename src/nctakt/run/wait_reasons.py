@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Why a program waits when a run comes to its limit.
+"""The reasons why a program waits when a run reaches its limit.
 
 In: a channel of the realtime part (``kernel.tick.channel.Channel.wait_reason``). Out: a note with
 the block, its line and the reason, or none if the program is at work.
@@ -63,7 +63,7 @@ _REASONS = {
 
 
 def wait_reasons(machine: AssembledMachine, channels: Sequence[ChannelRun]) -> list[Diagnostic]:
-    """Return, at the limit, what each program waits for that has not come to its end."""
+    """Return a note for each program that is waiting for something at the limit."""
     reasons = [
         wait_reason(machine, index)
         for index, channel in enumerate(channels)
@@ -73,7 +73,7 @@ def wait_reasons(machine: AssembledMachine, channels: Sequence[ChannelRun]) -> l
 
 
 def wait_reason(machine: AssembledMachine, index: int) -> Diagnostic | None:
-    """Return a note on what the program of a channel waits for; ``None`` if it does not wait."""
+    """Return a note with the reason why a channel's program waits, ``None`` if it does not."""
     word, source, detail = machine.channels[index].wait_reason()
     if not word:
         return None

@@ -128,7 +128,7 @@ def test_diagnosis_data_follow_the_programs_level(language: str) -> None:
     ("words", "file", "code", "told"),
     [
         ("missing.nc", None, 2, "error 900500: missing.nc does not exist"),
-        (".", None, 2, "error 900501: . is a folder"),
+        (".", None, 2, "error 901015: . is a folder; a program is a file"),
         ("e.nc", ("e.nc", b""), 0, "warning 900109: the program is empty"),
         ("b.nc", ("b.nc", bytes(range(256)) * 40), 1, "error"),
         ("l.nc", ("l.nc", b"G00 X1" + b" " * 1_000_000), 1, "error 20301"),
@@ -141,7 +141,7 @@ def test_diagnosis_data_follow_the_programs_level(language: str) -> None:
         ("part.nc --plc p.py", ("p.py", b"raise ValueError(5)"), 2, "ValueError: 5"),
         (
             "part.nc --plc p.py",
-            ("p.py", b"class P:\n  def cycle(self, hli):\n    hli.no"),
+            ("p.py", b"class P:\n  def cycle(self, hli):\n    getattr(hli, 'no')"),
             1,
             "error 900523: the PLC failed after tick 0: AttributeError",
         ),

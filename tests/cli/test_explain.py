@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
 from nctakt.cli import main
@@ -104,3 +106,43 @@ def test_lines_are_short(capsys: Captured) -> None:
     numbers = [article.name for article in TOPICS[0].articles()]
     assert main(["explain", *numbers]) == 0
     assert all(len(line) <= WIDTH for line in capsys.readouterr().out.splitlines())
+
+
+@pytest.mark.parametrize(
+    ("word", "head"),
+    [
+        ("hli_axis", "hli_axis: structure of the interface to the PLC"),
+        ("hli_axis.command", "hli_axis.command: value of the interface to the PLC"),
+        ("PATH_SPEED", "hli_channel.path_speed: value of the interface to the PLC"),
+        ("HLI.OVERRIDE", "hli_command.override: value of the interface to the PLC"),
+        ("rc-105", "RC-105: rule of realtime cycles"),
+        ("RC-001", "RC-001: rule of realtime cycles"),
+        ("V.E.CONDITION", "V.E.CONDITION: variable of the machine demo"),
+        ("Vs.e.condition", "V.E.CONDITION: variable of the machine demo"),
+    ],
+)
+def test_the_hli_rules_and_the_machines_variables(word: str, head: str, capsys: Captured) -> None:
+    """Names of the HLI, numbers of rules, variables with their declaration."""
+    assert main(["explain", word]) == 0
+    assert capsys.readouterr().out.split("\n")[0] == head
+
+
+def test_a_variable_of_another_machine(capsys: Captured, tmp_path: Path) -> None:
+    """``--machine`` says whose; an unknown one is told with the nearest (900541, 901006)."""
+    assert main(["new", str(tmp_path / "m"), "--quiet"]) == 0
+    assert main(["explain", "V.E.CONDITIO", "--machine", str(tmp_path / "m")]) == 2
+    told = capsys.readouterr().err
+    assert "Did you mean V.E.CONDITION?" in told
+    assert "901006" not in told
+    assert main(["explain", "V.E.CONDITIO"]) == 2
+    assert "901006" in capsys.readouterr().err
+
+
+def test_a_word_without_an_article_is_searched_in_all_texts(capsys: Captured) -> None:
+    """Names and meanings first; those that are too many are counted."""
+    assert main(["explain", "cannot be written"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert lines[0].startswith("'cannot be written' stands in ")
+    assert any(line.startswith("22009 ") for line in lines)
+    assert main(["explain", "gleich", "--lang", "de"]) == 0
+    assert capsys.readouterr().out.startswith("'gleich' steht in ")

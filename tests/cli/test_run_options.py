@@ -311,7 +311,7 @@ def test_ctrl_c_ends_a_run_between_two_ticks(asked: Asked) -> None:
     ("words", "numbers"),
     [
         ("run missing.nc", [900500]),
-        ("run .", [900501]),
+        ("run .", [901015]),
         ("run - -", [900504]),
         ("run part.nc --machine missing", [900500]),
         ("run part.nc --machine part.nc", [900502]),

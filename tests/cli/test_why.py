@@ -137,7 +137,9 @@ def test_wrong_words_are_wrong_usage(
 
 def test_a_plc_that_fails_is_told(capsys: pytest.CaptureFixture[str]) -> None:
     """Exit code 1, as with ``nctakt run``."""
-    Path("plc.py").write_text("class P:\n  def cycle(self, hli):\n    hli.no\n", "utf-8")
+    Path("plc.py").write_text(
+        "class P:\n  def cycle(self, hli):\n    getattr(hli, 'no')\n", "utf-8"
+    )
     assert main(["why", "part.nc", "--plc", "plc.py"]) == 1
     assert "error 900523" in capsys.readouterr().err
 

@@ -372,3 +372,31 @@ def test_without_the_option_nothing_is_told(sessions: Sessions) -> None:
     """And runs do not count."""
     project(sessions.folder, part_nc=COVERED)
     assert "branches of realtime cycles" not in sessions.run()[1]
+
+
+FOREVER = "; expect: X = 0\nG04 700\nM30\n"
+ASKING = """
+import pytest
+from nctakt import Failure
+
+def test_forever(run_nc):
+    with pytest.raises(Failure, match="901016"):
+        run_nc("part.nc")
+
+def test_asked(run_nc):
+    assert not run_nc("part.nc", ticks=5).ended
+    assert not run_nc("part.nc", until="5ms").ended
+    with pytest.raises(Failure, match="901016"):
+        run_nc("part.nc", ticks=5, limit_fails=True)
+"""
+
+
+@pytest.mark.slow
+def test_a_run_at_its_limit_fails_unless_the_limit_was_given(sessions: Sessions) -> None:
+    """901016 for a program that ten minutes of the machine's time do not end."""
+    shown = failure(sessions, FOREVER, test_asking_py=ASKING)
+    assert "part.nc: error 901016: the run reached its limit, 600 s" in shown
+    assert "2 passed" in shown
+    (sessions.folder / "part.nc").write_text("; given: until 5ms\n" + FOREVER, "utf-8")
+    code, shown = sessions.run("part.nc")
+    assert code == 0, shown

@@ -59,7 +59,7 @@ class _LazyGroup(click.Group):
         return command
 
 
-@click.group(cls=_LazyGroup)
+@click.group(cls=_LazyGroup, context_settings={"help_option_names": ["-h", "--help"]})
 @click.version_option(__version__, prog_name="nctakt")
 def group() -> None:
     """A virtual CNC controller that runs NC programs with realtime cycles tick by tick."""

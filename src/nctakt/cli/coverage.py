@@ -16,12 +16,21 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from nctakt.base.diagnostics import Language, Severity
+from nctakt.base.diagnostics import Language
 from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN, EXIT_USAGE
 from nctakt.cli.file_options import file_access
 from nctakt.cli.request import Options, read_request
-from nctakt.cli.running import choose_mode, run_options, run_programs, start_controller
+from nctakt.cli.running import (
+    RUN_CODES,
+    choose_mode,
+    exit_code,
+    run_options,
+    run_programs,
+    shown_from,
+    start_controller,
+    told,
+)
 from nctakt.cli.terminal import print_diagnostics, show_at_the_end
 from nctakt.files.access import FileAccess
 from nctakt.files.output import OutputFile
@@ -36,10 +45,11 @@ from nctakt.messages.coverage import (
 if TYPE_CHECKING:
     from nctakt.results.coverage import Coverage
 
-_EPILOG = """\b
+_EPILOG = f"""\b
 For each branch: in how many ticks its condition was evaluated, true and false,
 and its body ran. Without a program only the files of earlier runs count.
 
+{RUN_CODES}
 \b
   nctakt coverage part.nc --set V.E.VALUE=5
   nctakt coverage part.nc --data all.json --format source
@@ -138,10 +148,9 @@ def _run(options: Options, access: FileAccess) -> tuple[int, Coverage | None]:
     run = run_programs(options, request, start_controller(options, access), why=True)
     if run is None:
         return EXIT_NC_ERROR, None
-    print_diagnostics(run.diagnostics, options.language, Severity.WARNING)
-    stopped = run.state in ("error", "interrupted")
-    code = EXIT_NC_ERROR if stopped or run.errors else EXIT_RAN
-    return code, run.coverage if run.ticks else None
+    run = told(options, run)
+    print_diagnostics(run.diagnostics, options.language, shown_from(options))
+    return exit_code(options, run), run.coverage if run.ticks else None
 
 
 def _sum(parts: list[Coverage], language: Language) -> Coverage:

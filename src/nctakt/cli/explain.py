@@ -2,30 +2,52 @@
 """``nctakt explain``: what a message, parameter, variable or word of the language means.
 
 In: words. Out: their articles on standard output, from the tables that the controller itself uses.
-A word that nobody knows is told with the nearest known one (900570, 900571): exit code 2.
+A word without an article is searched in all texts; one that stands nowhere is told with the nearest
+known one (900570, 900571): exit code 2.
 """
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 
 import click
 
-from nctakt.base.diagnostics import Diagnostic, Language
+from nctakt.base.dataclass import dataclass
+from nctakt.base.diagnostics import Diagnostic, Language, Text
+from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_RAN, EXIT_USAGE
+from nctakt.cli.formats import diagnostics_as_json
+from nctakt.cli.json_documents import as_json, plain
+from nctakt.cli.running import FORMAT_OPTION
 from nctakt.cli.terminal import print_diagnostics, show_at_the_end
 from nctakt.messages import diagnostic
 from nctakt.messages.explaining import MISSPELLED_TOPIC, UNKNOWN_TOPIC
+from nctakt.reference.article import Article
 from nctakt.reference.layout import article_lines, list_lines, topic_lines
-from nctakt.reference.topics import TOPICS, explain, nearest_word, topic
+from nctakt.reference.topics import TOPICS, explain, nearest_word, search, topic
+
+#: A variable of a machine's own lists.
+_MACHINE_VARIABLE = re.compile(r"Vs?\.(E|CH)\.", re.IGNORECASE)
+
+#: A word of fewer characters is in almost every text.
+_SHORTEST_SEARCHED = 3
+#: So many articles that contain a word are named.
+_MAX_FOUND = 30
+
+_FOUND = Text("'{word}' stands in {count} articles:", "'{word}' steht in {count} Artikeln:")
+_FURTHER = Text("… {count} further", "… {count} weitere")
 
 _EPILOG = """\b
 Words with # or $ stand in quotation marks, so that the shell leaves them alone.
 Without a word the topics are listed; the name of a topic lists all its words.
+Exit codes: 0 each word is known, 2 one is not, 3 an error of nctakt's own.
 
 \b
   nctakt explain 22009
-  nctakt explain P-CHAN-00425 V.RTA.ACS.ACT_POS.X
+  nctakt explain P-CHAN-00425 V.RTA.ACS.ACT_POS.X RC-105 hli_axis.command
+  nctakt explain V.E.DOOR --machine mymachine
+  nctakt explain "cannot be written"
   nctakt explain "#RT CYCLE" ONCE --lang de
 """
 
@@ -33,28 +55,89 @@ Without a word the topics are listed; the name of a topic lists all its words.
 @click.command("explain", epilog=_EPILOG, short_help="Explain a message, parameter or word.")
 @click.argument("words", metavar="[WORD]...", nargs=-1)
 @click.option(
+    "--machine", metavar="DIR", help="The machine whose V.E and V.CH are meant [default: demo]."
+)
+@FORMAT_OPTION
+@click.option(
     "--lang",
     "language",
     type=click.Choice(["en", "de"]),
     default="en",
     help="Language of the explanation.",
 )
-def command(words: tuple[str, ...], language: Language) -> int:
-    """Explain messages, parameters of lists, variables and words of NC programs."""
-    if not words:
+def command(words: tuple[str, ...], machine: str | None, form: str, language: Language) -> int:
+    """Explain messages, parameters of lists, variables and words of NC programs.
+
+    A word that has no article is searched in the texts of all articles.
+    """
+    try:
+        return _explain(words, machine, form, language)
+    except Failure as failure:
+        print_diagnostics(failure.diagnostics, language)
+        return EXIT_USAGE
+
+
+def _explain(words: Sequence[str], machine: str | None, form: str, language: Language) -> int:
+    """Tell what is known; raises ``Failure`` for a machine that cannot be used."""
+    if not words and form == "text":
         _show([*topic_lines(TOPICS, language)])
         return EXIT_RAN
+    answers = [_answer(word, machine, language) for word in dict.fromkeys(_phrases(words))]
+    unknown = [found for one in answers for found in one.unknown]
+    if form == "json":
+        _show([as_json(_document(answers, unknown, language)).rstrip()])
+        return EXIT_USAGE if unknown else EXIT_RAN
     paragraphs: list[list[str]] = []
-    unknown: list[Diagnostic] = []
-    for word in _phrases(words):
-        lines = list(_lines(word, language))
-        if not lines:
-            unknown.append(_unknown(word))
-        elif lines not in paragraphs:
+    for answer in answers:
+        lines = list(_lines(answer, language))
+        if lines and lines not in paragraphs:
             paragraphs.append(lines)
     _show([line for lines in paragraphs for line in (*lines, "")][:-1])
     print_diagnostics(unknown, language)
     return EXIT_USAGE if unknown else EXIT_RAN
+
+
+@dataclass(frozen=True, slots=True)
+class _Answer:
+    """What is known of a word: articles, all those of a topic, articles that contain it."""
+
+    word: str
+    articles: tuple[Article, ...] = ()
+    listed: tuple[Article, ...] = ()
+    containing: tuple[Article, ...] = ()
+    unknown: tuple[Diagnostic, ...] = ()
+
+
+def _answer(word: str, machine: str | None, language: Language) -> _Answer:
+    """Return what is known of a word; raises ``Failure`` for a machine that cannot be used."""
+    named = topic(word)
+    listed = () if named is None else tuple(named.articles())
+    articles = explain(word)
+    if _MACHINE_VARIABLE.match(word):
+        from nctakt.reference.machine_variables import MachineVariables  # noqa: PLC0415 - few need it
+
+        variables = MachineVariables(machine)
+        own = variables.find(word)
+        return _Answer(word, (*own, *articles), unknown=() if own else variables.unknown(word))
+    if articles or listed:
+        return _Answer(word, articles, listed)
+    containing = tuple(search(word, language)) if len(word) >= _SHORTEST_SEARCHED else ()
+    return _Answer(word, containing=containing, unknown=() if containing else (_unknown(word),))
+
+
+def _document(
+    answers: Sequence[_Answer], unknown: Sequence[Diagnostic], language: Language
+) -> dict[str, object]:
+    """The answers as JSON has them."""
+    told = [
+        {
+            "word": one.word,
+            "articles": plain([*one.articles, *one.listed], language),
+            "found_in": [article.name for article in one.containing],
+        }
+        for one in answers
+    ]
+    return {"words": told, "diagnostics": diagnostics_as_json(unknown, "", language)}
 
 
 def _phrases(words: Sequence[str]) -> Iterator[str]:
@@ -71,15 +154,20 @@ def _phrases(words: Sequence[str]) -> Iterator[str]:
         begin = end
 
 
-def _lines(word: str, language: Language) -> Iterator[str]:
+def _lines(answer: _Answer, language: Language) -> Iterator[str]:
     """All that is known of a word, an empty line between two articles; nothing of unknown ones."""
-    for number, article in enumerate(explain(word)):
+    for number, article in enumerate(answer.articles):
         if number:
             yield ""
         yield from article_lines(article, language)
-    named = topic(word)
-    if named is not None:
-        yield from list_lines(list(named.articles()), language)
+    if answer.listed:
+        yield from list_lines(answer.listed, language)
+    if answer.containing:
+        yield _FOUND.get(language).format(word=answer.word, count=len(answer.containing))
+        yield from list_lines(answer.containing[:_MAX_FOUND], language)
+        further = len(answer.containing) - _MAX_FOUND
+        if further > 0:
+            yield _FURTHER.get(language).format(count=further)
 
 
 def _unknown(word: str) -> Diagnostic:

@@ -118,9 +118,10 @@ def diagnostics_as_json(
     diagnostics: Sequence[Diagnostic], file: str, language: Language
 ) -> list[dict[str, object]]:
     """Return diagnostics as ``as_json`` has them; ``file``: that of those without a place."""
+    found = [Found(one.span.file if one.span is not None else file, one) for one in diagnostics]
     return [
-        _json_of(Found(one.span.file if one.span is not None else file, one), language, Path.cwd())
-        for one in diagnostics
+        {**_json_of(one, language, Path.cwd()), **({} if one.file else {"file": None})}
+        for one in found
     ]
 
 

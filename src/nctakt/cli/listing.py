@@ -14,12 +14,23 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from nctakt.base.diagnostics import Diagnostic, Severity
+from nctakt.base.dataclass import dataclass
+from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
-from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN, EXIT_USAGE
+from nctakt.cli import EXIT_NC_ERROR, EXIT_USAGE
 from nctakt.cli.file_options import file_access
 from nctakt.cli.request import Options, read_request
-from nctakt.cli.running import choose_mode, run_options, run_programs, start_controller
+from nctakt.cli.running import (
+    FORMAT_OPTION,
+    RUN_CODES,
+    choose_mode,
+    exit_code,
+    run_options,
+    run_programs,
+    shown_from,
+    start_controller,
+    told,
+)
 from nctakt.cli.terminal import print_diagnostics, show_at_the_end
 from nctakt.messages import diagnostic
 from nctakt.messages.command_line import LISTING_INCOMPLETE, NO_CYCLE_DEFINED
@@ -29,18 +40,29 @@ if TYPE_CHECKING:
     from nctakt.results.run import Run
     from nctakt.run.controller import Controller
 
-_EPILOG = """\b
+_EPILOG = f"""\b
 A variable that is not synchronous is read when the definition is decoded: the
 listing shows the value that was frozen then. Count: elementary instructions.
 
+{RUN_CODES}
 \b
   nctakt list part.nc
   nctakt list part.nc --set V.E.LIMIT=200 --until 5s
 """
 
 
+@dataclass(frozen=True, slots=True)
+class Listed:
+    """A definition: the name of its cycle, its memory in bytes, the lines of its listing."""
+
+    name: str
+    size_bytes: int
+    lines: tuple[str, ...]
+
+
 @click.command("list", epilog=_EPILOG, short_help="List realtime cycles as their instructions.")
 @run_options("listing and diagnostics")
+@FORMAT_OPTION
 def command(**words: Any) -> int:
     """Run NC programs and list each realtime cycle that they define ('-': standard input)."""
     options = Options(**words)
@@ -57,22 +79,30 @@ def _list(options: Options) -> int:
     access = file_access(options.confined)
     request = read_request(options, access)
     controller = start_controller(options, access)
-    lines: list[str] = []
-    run = run_programs(options, request, controller, on_cycle=_lister(options, controller, lines))
-    if lines:
-        show_at_the_end(lambda file: print(*lines, sep="\n", file=file))
+    listed: list[Listed] = []
+    run = run_programs(options, request, controller, on_cycle=_lister(options, controller, listed))
+    if options.form == "json" and run is not None:
+        from nctakt.cli.json_documents import as_json, run_document  # noqa: PLC0415
+
+        text = as_json(run_document(told(options, run), options.language, listing=listed))
+    else:
+        text = "\n".join("".join(f"{line}\n" for line in one.lines) for one in listed)
+    if text:
+        show_at_the_end(lambda file: print(text, end="", file=file))
     if run is None:
         return EXIT_NC_ERROR
-    print_diagnostics(run.diagnostics, options.language, Severity.WARNING)
-    print_diagnostics(_notes(run, lines), options.language)
-    stopped = run.state in ("error", "interrupted")
-    return EXIT_NC_ERROR if stopped or run.errors else EXIT_RAN
+    run = told(options, run)
+    if options.form == "text":
+        print_diagnostics(run.diagnostics, options.language, shown_from(options))
+        if not options.quiet:
+            print_diagnostics(_notes(run, listed), options.language)
+    return exit_code(options, run)
 
 
 def _lister(
-    options: Options, controller: Controller, lines: list[str]
+    options: Options, controller: Controller, listed: list[Listed]
 ) -> Callable[[str, CycleDefinition], None]:
-    """What adds the lines of a definition to ``lines``, an empty one between two definitions."""
+    """What adds a definition to ``listed``."""
     from nctakt.decoder.cycles.memory_budget import memory_bytes  # noqa: PLC0415 - the mode is chosen before
     from nctakt.results.listing import Listing  # noqa: PLC0415
 
@@ -80,17 +110,15 @@ def _lister(
     places = controller.machine.channels[0].parameters.realtime_cycles.buffers
 
     def add(name: str, definition: CycleDefinition) -> None:
-        if lines:
-            lines.append("")
         size = memory_bytes(definition.statement, places)
-        lines.extend(listing.lines(name, definition, size))
+        listed.append(Listed(name, size, tuple(listing.lines(name, definition, size))))
 
     return add
 
 
-def _notes(run: Run, lines: Sequence[str]) -> Iterator[Diagnostic]:
+def _notes(run: Run, listed: Sequence[Listed]) -> Iterator[Diagnostic]:
     """What the listing cannot show."""
-    if not lines and run.state in ("ended", "limit"):
+    if not listed and run.state in ("ended", "limit"):
         yield diagnostic(NO_CYCLE_DEFINED)
     if run.state == "limit":
         yield diagnostic(LISTING_INCOMPLETE, ticks=run.ticks)

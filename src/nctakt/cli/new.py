@@ -35,6 +35,10 @@ from nctakt.messages.folders import (
 #: So many entries that XML has no place for are named.
 _NAMED_ENTRIES = 5
 _EPILOG = """\b
+Exit codes: 0 the lists are written, 2 the folder is in use or cannot be
+written, or a list cannot be read, 3 an error of nctakt's own.
+
+\b
   nctakt new mymachine
   nctakt check mymachine
   nctakt run part.nc --machine mymachine
@@ -65,8 +69,14 @@ _EPILOG = """\b
     default="en",
     help="Language of the lists' comments.",
 )
+@click.option("--quiet", is_flag=True, help="Say nothing of what was written.")
 def command(
-    folder: str, source: str | None, root: str | None, list_format: ListFormat, language: Language
+    folder: str,
+    source: str | None,
+    root: str | None,
+    list_format: ListFormat,
+    language: Language,
+    quiet: bool,
 ) -> int:
     """Write the lists of a machine with four axes and three spindles, with comments."""
     try:
@@ -78,6 +88,8 @@ def command(
     except Failure as failure:
         print_diagnostics(failure.diagnostics, language)
         return EXIT_USAGE
+    if quiet:
+        return EXIT_RAN
     written = diagnostic(LISTS_WRITTEN, folder=folder, count=len(lists))
     click.echo(written.text(language))
     click.echo(f"  {written.remedy(language)}")

@@ -24,7 +24,7 @@ from nctakt.messages.command_line import INVALID_SKIP_OPTION, RECORDING_WITHOUT_
 from nctakt.messages.files import (
     FILE_MISSING,
     FILE_NOT_READABLE,
-    FOLDER_INSTEAD_OF_FILE,
+    FOLDER_INSTEAD_OF_PROGRAM,
     NEITHER_FOLDER_NOR_LIST,
     STDIN_NAMED_TWICE,
 )
@@ -73,6 +73,8 @@ class Options:
     load: str | None = None
     system: str | None = None
     quiet: bool = False
+    form: str = "text"
+    limit_fails: bool = False
     confined: tuple[str, ...] = ()
 
 
@@ -181,7 +183,7 @@ def _check_program(program: str, access: FileAccess) -> None:
     if not Path(program).exists():
         raise Failure(diagnostic(FILE_MISSING, file=program))
     if Path(program).is_dir():
-        raise Failure(diagnostic(FOLDER_INSTEAD_OF_FILE, file=program))
+        raise Failure(diagnostic(FOLDER_INSTEAD_OF_PROGRAM, folder=program))
     if not os.access(program, os.R_OK):
         reason = os.strerror(errno.EACCES)
         raise Failure(diagnostic(FILE_NOT_READABLE, file=program, reason=reason))

@@ -18,11 +18,20 @@ import click
 
 from nctakt.base.diagnostics import Severity
 from nctakt.base.failure import Failure
-from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN, EXIT_USAGE
+from nctakt.cli import EXIT_NC_ERROR, EXIT_USAGE
 from nctakt.cli.file_options import file_access
 from nctakt.cli.plotting import Plot
 from nctakt.cli.request import Options, Request, read_request
-from nctakt.cli.running import choose_mode, run_options, run_programs, start_controller
+from nctakt.cli.running import (
+    FORMAT_OPTION,
+    RUN_CODES,
+    choose_mode,
+    exit_code,
+    run_options,
+    run_programs,
+    start_controller,
+    told,
+)
 from nctakt.cli.terminal import (
     message_line,
     print_diagnostics,
@@ -47,12 +56,7 @@ if TYPE_CHECKING:
 _PARTNER_COMES_S = 30.0
 _PARTNER_ANSWERS_S = 10.0
 
-_EPILOG = """\b
-Times are numbers with us, ms, s, min, h or ticks ('300 ticks'); a number
-alone means seconds.
-Exit codes: 0 it ran (also up to a limit), 1 an NC error or interrupted by
-Ctrl-C, 2 wrong usage or unusable input, 3 an error of nctakt's own.
-
+_EPILOG = f"""{RUN_CODES}
 \b
   nctakt run part.nc
   nctakt run part.nc --set V.E.VALUE=5 --at 1.5ms V.E.VALUE=-1
@@ -62,7 +66,8 @@ Ctrl-C, 2 wrong usage or unusable input, 3 an error of nctakt's own.
 
 
 @click.command("run", epilog=_EPILOG, short_help="Run NC programs one after another.")
-@run_options("diagnostics, summary and diagnosis data")
+@run_options("diagnostics, summary and diagnosis data", "No summary and no notes.")
+@FORMAT_OPTION
 @click.option("--trace", metavar="FILE", help="Record each tick in a .csv or .jsonl file.")
 @click.option("--signals", metavar="NAME,...", help="What to record.")
 @click.option("--plot", metavar="FILE", help="Draw the motion: .png, .svg or .html.")
@@ -74,7 +79,6 @@ Ctrl-C, 2 wrong usage or unusable input, 3 an error of nctakt's own.
 )
 @click.option("--hli", metavar="NAME", help="Share the HLI; a PLC in another process answers.")
 @click.option("--error-log", metavar="FILE", help="Write the user errors (#ERROR) to a file.")
-@click.option("--quiet", is_flag=True, help="No summary and no notes.")
 def command(**words: Any) -> int:
     """Run NC programs one after another on the same controller ('-': standard input)."""
     options = Options(**words)
@@ -195,7 +199,8 @@ def _run_controller(
     """The result of the run, its messages shown and saved as they come."""
 
     def show_message(message: ProgramMessage) -> None:
-        click.echo(message_line(message))
+        if options.form == "text":
+            click.echo(message_line(message))
         if messages is not None:
             messages.write(saved_message(message))
 
@@ -208,9 +213,15 @@ def _tell(options: Options, run: Run, wall_s: float) -> int:
     """Show diagnostics and summary; the exit code."""
     from nctakt.results.summary import print_summary  # noqa: PLC0415 - the mode is chosen before
 
+    run = told(options, run)
+    if options.form == "json":
+        from nctakt.cli.json_documents import as_json, run_document  # noqa: PLC0415
+
+        text = as_json(run_document(run, options.language))
+        show_at_the_end(lambda file: print(text, end="", file=file))
+        return exit_code(options, run)
     lowest = Severity.WARNING if options.quiet else Severity.NOTE
     print_diagnostics(run.diagnostics, options.language, lowest)
     if not options.quiet:
         show_at_the_end(lambda file: print_summary(run, file, options.language, wall_s))
-    stopped = run.state in ("error", "interrupted")
-    return EXIT_NC_ERROR if stopped or run.errors else EXIT_RAN
+    return exit_code(options, run)

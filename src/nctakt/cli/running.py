@@ -9,21 +9,25 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
-from nctakt.base.diagnostics import Diagnostic
+from nctakt.base.diagnostics import Diagnostic, Severity
 from nctakt.base.failure import Failure
+from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN
 from nctakt.cli.file_options import CONFINE_OPTION
 from nctakt.cli.request import Options, Request
 from nctakt.cli.terminal import InterruptRequest, ProgressBar, print_diagnostics
 from nctakt.files.access import FileAccess
+from nctakt.lists.format.times import Time
 from nctakt.lists.machine.files import startup_list_around
 from nctakt.messages import diagnostic
 from nctakt.messages.command_line import (
     COMPILED_PART_MISSING,
+    RUN_NOT_ENDED,
     RUN_ON_DEMO_MACHINE,
     RUNNING_UNCOMPILED,
 )
@@ -39,7 +43,28 @@ if TYPE_CHECKING:
 _Command = TypeVar("_Command", bound=Callable[..., Any])
 
 
-def run_options(language_of: str) -> Callable[[_Command], _Command]:
+#: Text, or one object for scripts.
+FORMAT_OPTION = click.option(
+    "--format",
+    "form",
+    type=click.Choice(["text", "json"]),
+    default="text",
+    help="Text, or all results as one JSON object [default: text].",
+)
+
+#: The end of the help of commands that run programs.
+RUN_CODES = """\b
+Times are numbers with us, ms, s, min, h or ticks ('300 ticks'); a number
+alone means seconds.
+Exit codes: 0 it ran (also up to a limit, unless --limit-fails), 1 an NC error
+or interrupted by Ctrl-C, 2 wrong usage or unusable input, 3 an error of
+nctakt's own.
+"""
+
+
+def run_options(
+    language_of: str, quiet_help: str = "No notes and no warnings."
+) -> Callable[[_Command], _Command]:
     """Programs, machine, values, limits, PLC, language, mode, as a decorator.
 
     ``language_of`` names what the language is that of.
@@ -81,6 +106,7 @@ def run_options(language_of: str) -> Callable[[_Command], _Command]:
             "--ticks", type=click.IntRange(min=1), metavar="N", help="Run at most N ticks."
         ),
         click.option("--until", metavar="TIME", help="Run at most so long [default: 10min]."),
+        click.option("--limit-fails", is_flag=True, help="Exit code 1 where that limit ends it."),
         click.option(
             "--after", metavar="TIME", default="0", help="Go on so long after the last program."
         ),
@@ -108,6 +134,7 @@ def run_options(language_of: str) -> Callable[[_Command], _Command]:
             default="en",
             help=f"Language of {language_of}.",
         ),
+        click.option("--quiet", is_flag=True, help=quiet_help),
         click.option(
             "--compiled/--plain",
             default=None,
@@ -228,3 +255,23 @@ def run_programs(
         return None
     finally:
         bar.hide()
+
+
+def exit_code(options: Options, run: Run) -> int:
+    """Return 1 after an NC error, Ctrl-C, or at a limit with ``--limit-fails``; else 0."""
+    is_missed = options.limit_fails and run.state == "limit"
+    stopped = is_missed or run.state in ("error", "interrupted")
+    return EXIT_NC_ERROR if stopped or run.errors else EXIT_RAN
+
+
+def told(options: Options, run: Run) -> Run:
+    """Return the run with what the options add to its diagnostics: a limit that fails (901016)."""
+    if not options.limit_fails or run.state != "limit":
+        return run
+    found = diagnostic(RUN_NOT_ENDED, time=str(Time(run.virtual_time_us)))
+    return replace(run, diagnostics=(*run.diagnostics, found))
+
+
+def shown_from(options: Options) -> Severity:
+    """Return the least severity that a command shows that has another main result."""
+    return Severity.ERROR if options.quiet else Severity.WARNING

@@ -17,6 +17,7 @@ from nctakt.base.diagnostics import Diagnostic, Language
 from nctakt.cli.schedule_compare import compare
 from nctakt.cli.schedule_learn import learn
 from nctakt.cli.schedule_options import (
+    EXIT_CODES,
     LIST_OPTIONS,
     MODEL_OPTIONS,
     OUTPUT_OPTIONS,
@@ -37,12 +38,7 @@ from nctakt.cli.schedule_suggest import suggest
 from nctakt.messages import Collector, diagnostic
 from nctakt.messages.schedule_check import LIST_REWRITTEN
 
-_EPILOG = """\b
-Times are numbers with us, ms, s, min, h or ticks ('300 ticks'); a number
-alone means seconds.
-Exit codes: 0 all well, 1 the schedule has errors (or warnings with --strict),
-2 the list has errors, or something cannot be used.
-
+_EPILOG = f"""{EXIT_CODES}
 \b
   nctakt schedule show rtconf.lis
   nctakt schedule simulate rtconf.lis --load load.toml --plot schedule.svg
@@ -65,7 +61,7 @@ command.add_command(run)
 command.add_command(suggest)
 
 
-@command.command("show", short_help="The list as it stands and as it counts.")
+@command.command("show", epilog=EXIT_CODES, short_help="The list as it stands and as it counts.")
 @with_options(
     *LIST_OPTIONS,
     click.option(
@@ -81,14 +77,16 @@ def show(**words: Any) -> int:
     return guarded(_show, words)
 
 
-@command.command("simulate", short_help="The schedule in virtual time.")
+@command.command("simulate", epilog=EXIT_CODES, short_help="The schedule in virtual time.")
 @with_options(*LIST_OPTIONS, *MODEL_OPTIONS, *OUTPUT_OPTIONS)
 def simulate(**words: Any) -> int:
     """Simulate the schedule; tables per thread and of Windows, pictures, traces."""
     return guarded(_simulate, words)
 
 
-@command.command("analyse", short_help="Response times in closed form, and limits.")
+@command.command(
+    "analyse", epilog=EXIT_CODES, short_help="Response times in closed form, and limits."
+)
 @with_options(*LIST_OPTIONS, *MODEL_OPTIONS)
 def analyse(**words: Any) -> int:
     """Response times without simulation, load against supply, and how much more would fit."""

@@ -15,6 +15,7 @@ import click
 
 from nctakt.base.dataclass import dataclass
 from nctakt.cli.schedule_options import (
+    EXIT_CODES,
     LIST_OPTIONS,
     MODEL_OPTIONS,
     drawn_cycles,
@@ -37,7 +38,9 @@ if TYPE_CHECKING:
     from nctakt.schedule.model import Model
 
 
-@click.command("compare", short_help="Two lists: what became better, what worse.")
+@click.command(
+    "compare", epilog=EXIT_CODES, short_help="Two lists: what became better, what worse."
+)
 @click.argument("file", metavar="A.LIS")
 @click.argument("second", metavar="B.LIS")
 @with_options(*LIST_OPTIONS[1:], *MODEL_OPTIONS)

@@ -14,6 +14,7 @@ import click
 
 from nctakt.base.failure import Failure
 from nctakt.cli.schedule_options import (
+    EXIT_CODES,
     LIST_OPTIONS,
     guarded,
     make_model,
@@ -31,7 +32,9 @@ if TYPE_CHECKING:
 _STANDARD_RULES = {"overflow": "skip", "calls": "block", "suspension": "ticks"}
 
 
-@click.command("learn", short_help="Execution times from a recording of trace bits.")
+@click.command(
+    "learn", epilog=EXIT_CODES, short_help="Execution times from a recording of trace bits."
+)
 @with_options(LIST_OPTIONS[0])
 @click.argument("recording", metavar="RECORDING")
 @with_options(*LIST_OPTIONS[1:])

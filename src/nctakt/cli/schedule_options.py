@@ -27,7 +27,8 @@ from nctakt.cli.selection import read_selection
 from nctakt.cli.terminal import print_diagnostics
 from nctakt.files.access import FileAccess
 from nctakt.files.output import OutputFile
-from nctakt.messages import Collector
+from nctakt.messages import Collector, diagnostic
+from nctakt.messages.inputs import INVALID_TIME
 
 if TYPE_CHECKING:
     from nctakt.lists.declared.rtconf import RtconfConfiguration
@@ -65,10 +66,23 @@ RTCONF_OPTIONS = (
         help="A function of your own in rtconf.lis.",
     ),
 )
+#: The end of the help of each command.
+EXIT_CODES = """\b
+Times are numbers with us, ms, s, min, h or ticks ('300 ticks'); a number
+alone means seconds.
+Exit codes: 0 all well, 1 the schedule has errors (or warnings with --strict),
+2 the list has errors, or something cannot be used, 3 an error of nctakt's own.
+"""
+
+
 LIST_OPTIONS = (
     click.argument("file", metavar="RTCONF.LIS"),
     *RTCONF_OPTIONS,
-    click.option("--hal-timer", type=int, metavar="US", help="The period that RTX is set to."),
+    click.option(
+        "--hal-timer",
+        metavar="TIME",
+        help="The period that RTX is set to; a number alone means µs.",
+    ),
     click.option(
         "--winsmall",
         type=click.Choice(["slice", "off"]),
@@ -179,12 +193,24 @@ def read_list(words: dict[str, Any], access: FileAccess | None = None) -> ListRe
         words["functions"],
         words["winsmall"] == "off",
         words["ignore_windows"],
-        words["hal_timer"],
+        _microseconds(words["hal_timer"]),
         words["lenient"],
     )
     access = access or file_access(words["confined"])
     data = access.read_bytes(Path(words["file"]), is_replaced=bool(words.get("fix")))
     return read_list_text(words["file"], data, access, options)
+
+
+def _microseconds(text: str | None) -> int | None:
+    """Return a time in µs; a number alone means µs, as in a list. Raises ``Failure``."""
+    from nctakt.lists.format.times import read_time  # noqa: PLC0415 - not for the help
+
+    if text is None:
+        return None
+    time = read_time(f"{text.strip()}us" if text.strip().isdigit() else text)
+    if time.is_in_ticks:  # whose length this very period decides
+        raise Failure(diagnostic(INVALID_TIME, text=text))
+    return time.us(1)
 
 
 def read_list_text(file: str, data: bytes, access: FileAccess, options: RtconfOptions) -> ListRead:

@@ -14,6 +14,7 @@ import click
 
 from nctakt.base.failure import Failure
 from nctakt.cli.schedule_options import (
+    EXIT_CODES,
     LIST_OPTIONS,
     MODEL_OPTIONS,
     OUTPUT_OPTIONS,
@@ -64,7 +65,7 @@ _RUN_OPTIONS = (
 )
 
 
-@click.command("run", short_help="The schedule for real (Linux).")
+@click.command("run", epilog=EXIT_CODES, short_help="The schedule for real (Linux).")
 @with_options(*LIST_OPTIONS, *MODEL_OPTIONS, *_RUN_OPTIONS, *OUTPUT_OPTIONS)
 def run(**words: Any) -> int:
     """Run the schedule: a process for each thread, that works as long as the load says.

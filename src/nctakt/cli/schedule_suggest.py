@@ -14,6 +14,7 @@ import click
 
 from nctakt.base.failure import Failure
 from nctakt.cli.schedule_options import (
+    EXIT_CODES,
     LIST_OPTIONS,
     MODEL_OPTIONS,
     guarded,
@@ -36,7 +37,9 @@ if TYPE_CHECKING:
 _NAMES = ["windows_time", "time_slice", "priorities", "cpus", "calls"]
 
 
-@click.command("suggest", short_help="Values that leave each thread the slack asked for.")
+@click.command(
+    "suggest", epilog=EXIT_CODES, short_help="Values that leave each thread the slack asked for."
+)
 @with_options(*LIST_OPTIONS, *MODEL_OPTIONS)
 @click.option(
     "--slack",

@@ -13,12 +13,21 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from nctakt.base.diagnostics import Severity
 from nctakt.base.failure import Failure
-from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN, EXIT_USAGE
+from nctakt.cli import EXIT_NC_ERROR, EXIT_USAGE
 from nctakt.cli.file_options import file_access
 from nctakt.cli.request import Options, read_request
-from nctakt.cli.running import choose_mode, run_options, run_programs, start_controller
+from nctakt.cli.running import (
+    FORMAT_OPTION,
+    RUN_CODES,
+    choose_mode,
+    exit_code,
+    run_options,
+    run_programs,
+    shown_from,
+    start_controller,
+    told,
+)
 from nctakt.cli.terminal import print_diagnostics, show_at_the_end
 from nctakt.lists.format.times import read_time
 from nctakt.messages import diagnostic
@@ -27,12 +36,11 @@ from nctakt.messages.inputs import STIMULUS_WITHOUT_VALUE
 if TYPE_CHECKING:
     from nctakt.results.run import Run
 
-_EPILOG = """\b
+_EPILOG = f"""\b
 For each $IF: when its condition was evaluated, what it compared when it became
 true or false, when its body ran; if it never ran, why, and how near it came.
-Times are numbers with us, ms, s, min, h or ticks ('300 ticks'); a number
-alone means seconds.
 
+{RUN_CODES}
 \b
   nctakt why part.nc
   nctakt why part.nc --cycle 17 --line 4 --at 1.5ms V.E.VALUE=-1
@@ -42,6 +50,7 @@ alone means seconds.
 
 @click.command("why", epilog=_EPILOG, short_help="Tell why reactions fired or did not.")
 @run_options("report and diagnostics")
+@FORMAT_OPTION
 @click.option("--cycle", metavar="ID", help="Only this realtime cycle (#1: the first without ID).")
 @click.option(
     "--line",
@@ -73,25 +82,32 @@ def _why(options: Options, cycle: str | None, line: int | None, state: str | Non
     length_us = controller.cycle_time_us
     tick = None if moment is None else moment.us(length_us) // length_us
     if tick is not None:  # what comes behind that tick is of no interest
-        options = replace(options, ticks=min(tick + 1, options.ticks or tick + 1))
+        last = min(tick + 1, options.ticks or tick + 1)
+        options = replace(options, ticks=last, limit_fails=False)
     run = run_programs(options, request, controller, why=True)
     if run is None:
         return EXIT_NC_ERROR
-    print_diagnostics(run.diagnostics, options.language, Severity.WARNING)
-    if run.ticks:
+    run = told(options, run)
+    if options.form == "text":
+        print_diagnostics(run.diagnostics, options.language, shown_from(options))
+    if run.ticks or options.form == "json":
         text = _report(options, run, cycle, line, tick)
         show_at_the_end(lambda file: print(text, end="", file=file))
-    stopped = run.state in ("error", "interrupted")
-    return EXIT_NC_ERROR if stopped or run.errors else EXIT_RAN
+    return exit_code(options, run)
 
 
 def _report(
     options: Options, run: Run, cycle: str | None, line: int | None, tick: int | None
 ) -> str:
+    from nctakt.cli.json_documents import as_json, run_document  # noqa: PLC0415 - as below
     from nctakt.results.summary import headline  # noqa: PLC0415 - the mode is chosen before
 
-    assert run.why is not None
+    if run.why is None or not run.ticks:
+        return as_json(run_document(run, options.language))
     report = run.why.select(cycle, line)
+    if options.form == "json":
+        state = None if tick is None else report.render_at(tick, options.language).splitlines()
+        return as_json(run_document(run, options.language, why=report, state_at_tick=state))
     if tick is not None:
         return report.render_at(tick, options.language)
     return f"{headline(run, options.language, None)}\n\n{report.render(options.language)}"

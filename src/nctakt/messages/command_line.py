@@ -140,3 +140,12 @@ NO_DIAGNOSIS_DATA = note(
     remedy_en="Write configuration.rt_cycles.enable 1 (P-CHAN-00406) in the channel list.",
     remedy_de="configuration.rt_cycles.enable 1 (P-CHAN-00406) in die Kanalliste schreiben.",
 )
+RUN_NOT_ENDED = error(
+    901016,
+    en="the run reached its limit, {time}, before the program ended",
+    de="der Lauf hat seine Grenze, {time}, vor dem Programmende erreicht",
+    remedy_en="Set another limit (--until, --ticks), or find out what the program waits for.",
+    remedy_de="Eine andere Grenze setzen (--until, --ticks) oder ergründen, worauf das Programm "
+    "wartet.",
+    time=("how long the run lasted", "die Dauer des Laufs"),
+)

@@ -130,3 +130,15 @@ OUTPUT_IN_USE = error(
     remedy_de="Dessen Ende abwarten oder einen anderen Namen wählen.",
     file=("the path as it was given", "der Pfad, wie angegeben"),
 )
+FOLDER_INSTEAD_OF_PROGRAM = error(
+    901015,
+    en="{folder} is a folder; a program is a file",
+    de="{folder} ist ein Ordner; ein Programm ist eine Datei",
+    remedy_en="To run a program on the machine of a folder: nctakt run part.nc --machine {folder}",
+    remedy_de="Ein Programm auf der Maschine eines Ordners: nctakt run part.nc --machine {folder}",
+    cause_en="A machine folder holds the lists of a machine (nctakt new writes one); programs run "
+    "on that machine.",
+    cause_de="Ein Maschinenordner enthält die Listen einer Maschine (nctakt new schreibt einen); "
+    "Programme laufen auf dieser Maschine.",
+    folder=("the folder", "der Ordner"),
+)

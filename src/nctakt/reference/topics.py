@@ -7,11 +7,14 @@ word.
 
 from __future__ import annotations
 
+from nctakt.base.diagnostics import Language
 from nctakt.base.text import nearest
 from nctakt.reference.article import Article, Topic
+from nctakt.reference.interface import HLI
 from nctakt.reference.language import EXPRESSIONS, KEYWORDS_TOPIC, WORDS
 from nctakt.reference.messages import MESSAGES
 from nctakt.reference.parameters import PARAMETERS
+from nctakt.reference.rules import RULES_TOPIC
 from nctakt.reference.variables import VARIABLES
 
 #: The topics in the order of their display.
@@ -22,6 +25,8 @@ TOPICS: tuple[Topic, ...] = (
     WORDS,
     EXPRESSIONS,
     KEYWORDS_TOPIC,
+    RULES_TOPIC,
+    HLI,
 )
 
 
@@ -43,3 +48,20 @@ def nearest_word(word: str) -> str:
     """Return the known word most similar to this one, empty if none is."""
     names = {name for topic in TOPICS for name in topic.names()}
     return nearest(word, sorted(names))
+
+
+def search(words: str, language: Language) -> list[Article]:
+    """Return the articles whose texts contain words; those with them in name or meaning first."""
+    wanted = " ".join(words.casefold().split())
+    first: list[Article] = []
+    others: list[Article] = []
+    for one in (article for each in TOPICS for article in each.articles()):
+        if wanted in _folded(one.name, one.meaning.get(language)):
+            first.append(one)
+        elif wanted in _folded(*(part.value.get(language) for part in one.facts)):
+            others.append(one)
+    return [*first, *others]
+
+
+def _folded(*texts: str) -> str:
+    return " ".join(" ".join(texts).casefold().split())

@@ -41,7 +41,10 @@ class NcItem(pytest.Item):
         try:
             script = read_script(self.path, text)
             run = self._run(script, text)
-            wrong = list(differences(run, script.expectations, self._shown()))
+            is_limited = script.until is not None
+            wrong = list(
+                differences(run, script.expectations, self._shown(), is_limited=is_limited)
+            )
         except Failure as failure:
             raise UnmetError(
                 "\n".join(diagnostic.render() for diagnostic in failure.diagnostics)

@@ -18,6 +18,7 @@ from nctakt.base.failure import Failure
 from nctakt.lists.format.times import Time, TimeLike, read_time
 from nctakt.lists.machine.machine import Machine, load_machine
 from nctakt.messages import diagnostic
+from nctakt.messages.command_line import RUN_NOT_ENDED
 from nctakt.messages.inputs import NO_BRANCH_IN_LINE
 from nctakt.plc import AnyPlc, load_plc
 from nctakt.results.run import Run
@@ -54,11 +55,14 @@ def run_program(
     wait_for_start: bool = False,
     signals: Iterable[str] = (),
     why: bool = False,
+    limit_fails: bool | None = None,
 ) -> NcRun:
     """Run a program: a file (relative to ``folder``), or a text of several lines.
 
     ``plc``: an object, or its file; ``signals`` are recorded beside positions, path speed,
-    override, block and active cycles; the other parameters are those of ``Controller.run``.
+    override, block and active cycles; the other parameters are those of ``Controller.run``. A run
+    that comes to its limit raises ``Failure`` (901016) if ``limit_fails``, which is so unless a
+    limit is given.
     """
     if isinstance(program, str) and "\n" in program:
         source: Path | NcText = NcText(TEXT_NAME, program)
@@ -80,6 +84,11 @@ def run_program(
         signals=names,
         why=why,
     )
+    if limit_fails is None:
+        limit_fails = until is None and ticks is None
+    if limit_fails and run.state == "limit":
+        found = diagnostic(RUN_NOT_ENDED, time=str(Time(run.virtual_time_us)))
+        raise Failure(found, *run.diagnostics)
     return NcRun(run, start)
 
 

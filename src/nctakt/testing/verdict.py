@@ -10,13 +10,20 @@ from collections.abc import Iterator, Sequence
 
 from nctakt.base.diagnostics import Diagnostic, Severity
 from nctakt.lists.format.times import Time
+from nctakt.messages import diagnostic
+from nctakt.messages.command_line import RUN_NOT_ENDED
 from nctakt.testing.expectations import Expectation
 from nctakt.testing.queries import NcRun, Occurrences
 from nctakt.trace.events import number_text
 
 
-def differences(run: NcRun, expectations: Sequence[Expectation], file: str) -> Iterator[str]:
-    """Yield a text for each unmet expectation and for each unexpected error."""
+def differences(
+    run: NcRun, expectations: Sequence[Expectation], file: str, *, is_limited: bool = True
+) -> Iterator[str]:
+    """Yield a text for each unmet expectation and for each unexpected error.
+
+    One more where the run came to its limit (901016) and none was given (``is_limited``).
+    """
     for expectation in expectations:
         wrong = _wrong(run, expectation)
         if wrong:
@@ -25,6 +32,9 @@ def differences(run: NcRun, expectations: Sequence[Expectation], file: str) -> I
             head = f"{file}:{expectation.line}: expect: {expectation.text}"
             yield "\n".join((head, *(f"    {line}" for line in lines)))
     numbers = [(error.number, error.about) for error in expectations if error.kind == "error"]
+    if run.run.state == "limit" and not is_limited:
+        found = diagnostic(RUN_NOT_ENDED, time=str(Time(run.run.virtual_time_us)))
+        yield f"{file}: {found.render()}"
     for error in run.run.errors:
         line = None if error.span is None else error.span.line
         if (error.id, line) not in numbers and (error.id, None) not in numbers:

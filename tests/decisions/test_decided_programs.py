@@ -264,9 +264,13 @@ NEUTRAL = """
 #VECTOR LIMIT OFF
 #TLC OFF
 #RTCP OFF
+#FGROUP
+#FGROUP [X, Y, Z]
+#FGROUP [Z Y, X]
 G12
 G20
 G52
+G52 0
 G117
 G137
 G150
@@ -288,7 +292,18 @@ def test_what_switches_off_what_is_off_changes_nothing() -> None:
     assert {one.id for one in neutral.diagnostics} <= {900201}
 
 
-@pytest.mark.parametrize("line", ["G131=50", "G231=0", "#TRAFO ON", "G21"])
+@pytest.mark.parametrize(
+    "line",
+    [
+        "G131=50",
+        "G231=0",
+        "#TRAFO ON",
+        "G21",
+        "#FGROUP [X]",
+        "#FGROUP [X, Y, Z, A]",
+        "#FGROUP [X=1]",
+    ],
+)
 def test_what_would_change_the_motion_stays_refused(line: str) -> None:
     """Any other value of a weight, and what switches on."""
     assert [one.id for one in perform(f"{line}\nG01 X10 F1000\nM30\n").errors] == [900200]

@@ -72,8 +72,9 @@ class GFunction(Entry):
     Functions of one ``group`` are modal and exclude each other in a block; those without a group
     act in their block only. ``plain``: the fast paths know the function. In the group ``MOTION`` it
     may appear in a plain line (``nc/fast/plain_lines.py``); in any other group plain lines may be
-    decoded while it is active (``decoder/fast``). ``neutral``: the value with which a refused
-    function changes nothing and is therefore accepted: ``G131=100``.
+    decoded while it is active (``decoder/fast``). ``neutral``: the value with which a
+    function that is not simulated changes nothing and is therefore accepted: ``G131=100``,
+    ``G52 0``.
     """
 
     number: int = -1
@@ -105,9 +106,12 @@ def plain(number: int, en: str, de: str, form: Form = Form.ALONE) -> GFunction:
     return simulated(number, en, de, form, plain=True)
 
 
-def accepted(number: int, en: str, de: str, *, plain: bool = False) -> GFunction:
+def accepted(
+    number: int, en: str, de: str, *, plain: bool = False, neutral: float | None = None
+) -> GFunction:
     """Return the row of a function that is checked and has no effect."""
-    return replace(simulated(number, en, de, plain=plain), support=ACCEPTED)
+    row = simulated(number, en, de, plain=plain)
+    return replace(row, support=ACCEPTED, neutral=neutral)
 
 
 def refused(number: int, en: str, de: str, instead: Text = NOTHING_INSTEAD) -> GFunction:

@@ -131,7 +131,7 @@ G_FUNCTIONS: Mapping[int, GFunction] = by_number(
     group(
         None,
         refused(51, "diameter programming on", "Durchmesserprogrammierung ein"),
-        accepted(52, "diameter programming off", "Durchmesserprogrammierung aus"),
+        accepted(52, "diameter programming off", "Durchmesserprogrammierung aus", neutral=0.0),
     ),
     group(
         Group.ZERO_OFFSET,

@@ -15,7 +15,7 @@ cpdef double floor(double value) noexcept nogil
 cpdef double ceiling(double value) noexcept nogil
 cpdef double truncate(double value) noexcept nogil
 cpdef double fraction(double value) noexcept nogil
-@cython.locals(below=double, rest=double)
+@cython.locals(below=double, fraction=double)
 cpdef double round_half_even(double value) noexcept nogil
 @cython.locals(inside=double)
 cpdef double within(double value, double low, double full) noexcept nogil

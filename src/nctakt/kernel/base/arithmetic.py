@@ -75,10 +75,10 @@ def fraction(value: float) -> float:
 def round_half_even(value: float) -> float:
     """Nearest integral number; the even one where two are as near (RC-307)."""
     below = floor(value)
-    rest = value - below
-    if rest > 0.5:
+    fraction = value - below
+    if fraction > 0.5:
         return below + 1.0
-    if rest == 0.5 and floor(below * 0.5) * 2.0 != below:
+    if fraction == 0.5 and floor(below * 0.5) * 2.0 != below:
         return below + 1.0
     return below
 

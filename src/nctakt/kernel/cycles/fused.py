@@ -167,8 +167,8 @@ class SumOfFour(Expression):
 
     def __init__(self, scale: float, terms: Sequence[tuple[int, float]]) -> None:
         self.scale = scale
-        (self.a, self.factor_a), (self.b, self.factor_b), *rest = terms
-        (self.c, self.factor_c), (self.d, self.factor_d) = rest
+        (self.a, self.factor_a), (self.b, self.factor_b), *others = terms
+        (self.c, self.factor_c), (self.d, self.factor_d) = others
 
     def value(self, context: Context) -> float:
         total = self.factor_a * context.cells[self.a] + self.factor_b * context.cells[self.b]

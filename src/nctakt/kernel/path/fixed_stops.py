@@ -16,7 +16,7 @@ from nctakt.kernel.path.path import Path
 class FixedStops:
     """The monitored axes of one channel's path, by their places in it.
 
-    ``count``: how many are monitored; ``found``: how many of these have found their stop.
+    ``count``: how many are monitored; ``detected_count``: how many of these have found their stop.
     """
 
     def __init__(self, path: Path, record: Record) -> None:
@@ -33,7 +33,7 @@ class FixedStops:
         self.from_part = memoryview(bytearray(8 * room)).cast("d")
         self.to_part = memoryview(bytearray(8 * room)).cast("d")
         self.count = 0
-        self.found = 0
+        self.detected_count = 0
 
     def arm(self, i: int, source: int, queue: memoryview[float], row: int) -> None:
         """Monitor an axis as the command at ``base`` says."""
@@ -52,7 +52,7 @@ class FixedStops:
         """An axis is not monitored any more, and has no stop."""
         if self.active[i]:
             self.count -= 1
-            self.found -= self.detected[i]
+            self.detected_count -= self.detected[i]
         self.active[i] = 0
         self.detected[i] = 0
         self.ticks[i] = 0
@@ -72,12 +72,12 @@ class FixedStops:
 
     def watch(self) -> int:
         """One tick: 1 when the last monitored axis has found its stop in it."""
-        before = self.found
+        before = self.detected_count
         part = self.path.covered_part()
         for i in range(self.path.count):
             if self.active[i] and not self.detected[i]:
                 self.watch_axis(i, part)
-        return 1 if self.found > before and self.found == self.count else 0
+        return 1 if self.detected_count > before and self.detected_count == self.count else 0
 
     def watch_axis(self, i: int, part: float) -> None:
         """One tick of an axis that has not found its stop."""
@@ -91,7 +91,7 @@ class FixedStops:
         self.ticks[i] += 1
         if self.ticks[i] >= self.min_ticks[i]:
             self.detected[i] = 1
-            self.found += 1
+            self.detected_count += 1
             self.show(i, actual)
             self.record.event(rows.EVENT_FIXED_STOP, self.sources[i], 0, axis, actual)
 

@@ -52,7 +52,7 @@ cdef class InterfaceImage:
     @cython.locals(i=Py_ssize_t)
     cdef int is_as_published(self) noexcept nogil
     @cython.locals(i=Py_ssize_t, first=Py_ssize_t)
-    cdef int has_come(self, Py_ssize_t entry) noexcept nogil
+    cdef int has_changed(self, Py_ssize_t entry) noexcept nogil
     @cython.locals(i=Py_ssize_t, first=Py_ssize_t, character=Py_ssize_t)
     cdef void take_string(self, Py_ssize_t entry) noexcept nogil
     @cython.locals(i=Py_ssize_t, first=Py_ssize_t, cell=Py_ssize_t, value=double)

@@ -76,8 +76,8 @@ class InterfaceImage:
         for offset, kind, cell, size, _ in table:
             check_range(offset, 0, len(image) - size, "byte of a variable")
             check_range(kind, codes.IMAGE_BOOLEAN, codes.IMAGE_STRING, "kind of a variable")
-            most = len(image) if kind == codes.IMAGE_STRING else len(self.scratch)
-            check_range(size, 1, most, "bytes of a variable")
+            max_size = len(image) if kind == codes.IMAGE_STRING else len(self.scratch)
+            check_range(size, 1, max_size, "bytes of a variable")
             check_range(cell, 0, len(self.cells) - -(-size // 8), "cell of a variable")
         self.image = image
         self.image_words = image.cast("q")
@@ -172,7 +172,7 @@ class InterfaceImage:
             return
         self.units.latch()
         for i in range(self.count):
-            if self.is_input[i] and self.has_come(i):
+            if self.is_input[i] and self.has_changed(i):
                 if self.kind[i] == codes.IMAGE_STRING:
                     self.take_string(i)
                 else:
@@ -185,7 +185,7 @@ class InterfaceImage:
                 return 0
         return 1
 
-    def has_come(self, entry: int) -> int:
+    def has_changed(self, entry: int) -> int:
         """Whether a byte of this variable has changed."""
         first = self.offset[entry]
         for i in range(first, first + self.size[entry]):

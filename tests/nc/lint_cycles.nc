@@ -204,3 +204,21 @@ G71
     M100
   $ENDIF
 #RT CYCLE END
+; --- constants that are rounded (RC-307)
+#RT CYCLE [ID=1 SCOPE=PROG]
+  $IF V.E.VALUE > 5
+    V.RTG.OVERRIDE.VEL.CYCLE = 0.5 ; warning 901050 "0.5 is rounded to 0"
+    V.RTA.OVERRIDE.VEL.CYCLE.X = 50
+    V.E.COUNT = 2.6 ; warning 901050 "V.E.COUNT is of type UNS32: 2.6 is rounded to 3"
+    V.E.COUNT += 0.4 ; warning 901050 "0.4 is rounded to 0"
+    V.E.COUNT = 5 / 2 ; warning 901050 "2.5 is rounded to 2"
+    V.E.COUNT = 4 / 2 + 1
+    V.E.COUNT = V.E.COUNT / 2
+    V.E.TIME = 2.6
+  $ENDIF
+#RT CYCLE END
+V.E.COUNT = 2.6 ; warning 901050 "2.6 is rounded to 3"
+V.E.TIME = 2.6
+P1 = 2.6
+V.E.COUNT = 1 / 0 ; error 21241
+M30

@@ -279,3 +279,15 @@ INDP_WORD_WITHOUT_EFFECT = note(
     word=("the keyword", "das Schlüsselwort"),
     reason=("the reason", "der Grund"),
 )
+CONSTANT_ROUNDED = warning(
+    901050,
+    en="{name} is of type {type}: {value} is rounded to {rounded}",
+    de="{name} ist vom Typ {type}: {value} wird auf {rounded} gerundet",
+    remedy_en="Write a whole number, or use a variable of type REAL64. {percent}",
+    remedy_de="Eine ganze Zahl schreiben oder eine Variable vom Typ REAL64 verwenden. {percent}",
+    name=("the variable", "die Variable"),
+    type=("its type", "ihr Typ"),
+    value=("the constant", "die Konstante"),
+    rounded=("the constant, rounded", "die Konstante, gerundet"),
+    percent=("what percentages mean, or –", "was Prozente bedeuten, oder –"),
+)

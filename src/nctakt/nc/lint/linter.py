@@ -31,6 +31,7 @@ from nctakt.nc.check.findings import Findings
 from nctakt.nc.check.motion_words import check_feed, has_radius, lacks_centre, leaves_arc
 from nctakt.nc.lint.channel_flush import FlushChecker
 from nctakt.nc.lint.realtime_cycles import CycleLinter, KnownValue, StepLimits
+from nctakt.nc.lint.rounding import check_rounding
 from nctakt.nc.lint.uses import element_name, integer_value, operand_key
 from nctakt.nc.parse.open_structures import is_false
 from nctakt.nc.source import Source
@@ -158,6 +159,7 @@ class Linter:
         self._source = source
         self._tools = tools
         self._selection = selection
+        self._names = names
         self._findings = Findings(source, collector)
         self._cycles = CycleLinter(names, self._findings, limits)
         self._channel = FlushChecker(names, self._findings)
@@ -253,6 +255,7 @@ class Linter:
     def _assignment(self, statement: Assignment) -> None:
         """Forget the values of the target and its parts; note a constant that is assigned."""
         target = statement.target
+        check_rounding(statement, self._names, self._findings)
         if isinstance(target, Parameter) and target.call:
             return
         key = operand_key(target)

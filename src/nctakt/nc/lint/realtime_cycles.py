@@ -34,6 +34,7 @@ from nctakt.messages.lints import (
 )
 from nctakt.nc.check.cost import is_live, max_steps
 from nctakt.nc.check.findings import Findings
+from nctakt.nc.lint.rounding import check_rounding
 from nctakt.nc.lint.uses import (
     always,
     comparisons_in,
@@ -227,6 +228,7 @@ class CycleLinter:
         target = statement.target
         if statement.operator not in ("=", "+="):
             self._extension(COMPOUND_ASSIGNMENT, statement.span)
+        check_rounding(statement, self._names, self._findings)
         if isinstance(target, Variable):
             for index in indices_of(target):
                 self._frozen(index)

@@ -35,7 +35,11 @@ def test_the_limit_of_open_actions_is_exact(count: int, found: list[int]) -> Non
 
 def test_without_places_there_is_no_action() -> None:
     """RC-408: P-CHAN-00480 may be 0."""
-    assert numbers(commanding(0, MOVES[0])) == [51028]
+    run = commanding(0, MOVES[0])
+    assert numbers(run) == [51028]
+    assert "it has no slots for actions at all" in run.errors[0].text("en")
+    only = commanding(1, *MOVES[:2])
+    assert "an action is open in its only slot" in only.errors[0].text("en")
 
 
 def test_a_motion_that_is_replaced_frees_its_place_first() -> None:

@@ -42,6 +42,7 @@ def test_a_block_cycle_whose_program_ends_first_never_runs() -> None:
         "1 end part.nc",
     ]
     assert run.cycles[0].runs == 0
+    assert numbers(run) == [900413]
 
 
 def test_cycles_end_in_the_order_of_their_creation_before_the_program_does() -> None:
@@ -61,6 +62,16 @@ def test_hold_and_continue_where_they_change_nothing_are_noticed() -> None:
     )
     assert told(run, "notice", "held") == ["1 notice 900412", "1 held 1", "1 notice 900411"]
     assert run.state == "ended"
+    assert numbers(run) == [900412, 900411]
+    assert [found.span and found.span.line for found in run.diagnostics] == [6, 8]
+
+
+def test_a_notice_of_a_loop_is_one_diagnostic() -> None:
+    """RC-603, level 2: the events tell each time, the diagnostics each place once."""
+    run = perform("$FOR P1 = 1, 4, 1\n#RT CYCLE DELETE [ID=7]\n$ENDFOR\nM30")
+    assert told(run, "notice") == [f"{tick} notice 900410" for tick in range(4)]
+    assert numbers(run) == [900410]
+    assert numbers(perform("#RT CYCLE DELETE [ID=7]\nM30", Controller())) == [900410]
 
 
 def test_deleting_an_unknown_id_is_harmless() -> None:
@@ -68,6 +79,7 @@ def test_deleting_an_unknown_id_is_harmless() -> None:
     run = perform("#RT CYCLE DELETE [ID=7]\nM30")
     assert told(run) == ["0 notice 900410", "1 end part.nc"]
     assert run.state == "ended"
+    assert numbers(run) == [900410]
 
 
 def test_abort_action_leaves_the_cycle_running() -> None:

@@ -241,3 +241,27 @@ def test_keywords_without_effect_change_no_motion(plain: str, with_idle_word: st
         assert not found.errors
         ways.append([z(found, tick) for tick in range(200)])
     assert ways[0] == ways[1]
+
+
+@pytest.mark.parametrize(("value", "speed"), [(1, 1.0), (-1, -1.0), (0, 1.0)])
+def test_an_expression_of_dir_results_in_one_of_the_three_values(value: int, speed: float) -> None:
+    """RC-405, manual 4.5.1: 1 as POS, -1 as NEG, 0 as CUR, which is positive at first."""
+    cycle = "#RT CYCLE [ID=1 SCOPE=PROG]\n$IF ONCE 1\nZ[INDP FEED=60 DIR={}]\n$ENDIF\n"
+    found = run(cycle.format("V.E.VALUE") + "#RT CYCLE END\n#TIME 1\nM30", set={"V.E.VALUE": value})
+    assert found.errors == ()
+    assert z(found, 900) - z(found, 800) == pytest.approx(0.1 * speed)
+
+
+@pytest.mark.parametrize("command", ["Z[INDP FEED=60 DIR={}]", "A[INDP G90 G00 POS=10 DIR={}]"])
+@pytest.mark.parametrize("value", [2, 0.5, -1.5, 1e-12])
+def test_another_value_of_dir_is_a_fault(command: str, value: float) -> None:
+    """RC-405, manual 4.5.1: 50967 in the tick of the command, and nothing moves."""
+    body = command.format("V.E.VALUE")
+    found = run(
+        f"#RT CYCLE [ID=1 SCOPE=PROG]\n{body}\n#RT CYCLE END\n#TIME 0.1\nM30",
+        set={"V.E.VALUE": value},
+    )
+    (error,) = found.errors
+    assert (error.id, error.span and error.span.line) == (50967, 2)
+    assert "DIR must be POS (1), CUR (0) or NEG (-1)" in error.text("en")
+    assert told(found, "axis") == []

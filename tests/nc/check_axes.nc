@@ -65,6 +65,12 @@
   X[INDP G90 POS=1 FEED=-1] ; error 50967 "above 0"
   X[INDP G90 POS=1 DIR=POS]
   A[INDP G91 G00 POS=1 DIR=POS] ; error 50967 "with G91"
+  X[INDP FEED=1 DIR=1]
+  X[INDP FEED=1 DIR=0]
+  X[INDP FEED=1 DIR=-1]
+  X[INDP FEED=1 DIR=2] ; error 50967 "DIR must be POS (1), CUR (0) or NEG (-1)"
+  X[INDP FEED=1 DIR=-0.5] ; error 50967 "DIR must be"
+  A[INDP G90 G00 POS=1 DIR=3] ; error 50967 "DIR must be"
   X[INDP] ; error 50967 "POS, FEED or STOP is missing"
   X[INDP DIR=POS] ; error 50967 "POS, FEED or STOP is missing"
   X[INDP G00] ; error 50967 "POS, FEED or STOP is missing"

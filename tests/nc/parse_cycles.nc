@@ -63,6 +63,17 @@ $IF P1 == 1
 $ENDIF
 #RT CYCLE END
 G0 X1
+; --- an '=' before the condition, as the manual's syntax line has it (2.7.2)
+#RT CYCLE [ID = 99]
+  $IF ONCE = V.E.COUNT > 5 ; error 901041 "there is no '=' in front of what $IF tests"
+    M100
+  $ENDIF
+  $IF = V.E.COUNT == 5 ; error 901041 "$IF"
+    V.E.COUNT = 0
+  $ELSEIF = V.E.COUNT == 6 ; error 901041 "$ELSEIF"
+    V.E.COUNT = 1
+  $ENDIF
+#RT CYCLE END
 ; --- brackets of the definition's line
 #RT CYCLE [SCOPE=PROG ; error 900102 "bracket"
 M100

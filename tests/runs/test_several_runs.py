@@ -32,3 +32,16 @@ def test_a_run_ends_with_its_motions_and_lasts_as_long_as_asked_for() -> None:
     assert Controller().run(text).ticks == 11
     assert Controller().run(text, after="5 ms").ticks == 16
     assert Controller().run(text, after="4.001 ms").ticks == 16
+
+
+def test_a_run_that_is_reset_goes_on_for_as_long_as_asked_for() -> None:
+    """RC-007, RC-107: ``after`` counts behind a reset as well; GLOBAL cycles run in it.
+
+    The reset is latched in tick 5; in it no cycle runs. Five ticks follow.
+    """
+    text = NcText("reset.nc", GLOBAL.replace("0.002", "1"))
+    for after, ticks, count in (("0 ms", 6, 5), ("5 ms", 11, 10)):
+        controller = Controller()
+        run = controller.run(text, at=[("5 ms", "HLI.RESET", 1)], after=after)
+        assert (run.state, run.ticks) == ("reset", ticks)
+        assert controller.read("V.CH.Total") == count

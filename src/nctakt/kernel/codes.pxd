@@ -71,6 +71,7 @@ cdef enum:
     VELOCITY = 3
     HALT = 4
     CLEAR_FAULT = 5
+    DIRECTION_UNKNOWN = 6
     FEED_UNKNOWN = 7
     FEED_ZERO = 8
     FEED_NEGATIVE = 12

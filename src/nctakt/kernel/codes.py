@@ -110,7 +110,7 @@ ABSOLUTE, RELATIVE, VELOCITY, HALT, CLEAR_FAULT = range(1, 6)
 
 #: Why a cycle's command for an axis is refused in the tick: numbers of ``REFUSALS`` in
 #: ``nc/vocabulary/axis_commands.py``.
-FEED_UNKNOWN, FEED_ZERO = range(7, 9)
+DIRECTION_UNKNOWN, FEED_UNKNOWN, FEED_ZERO = range(6, 9)
 FEED_NEGATIVE = 12
 
 #: The unknown of a trajectory: how far its highest speed lies above the slowest that makes sense,

@@ -21,6 +21,18 @@ VALUE_EXPECTED = error(
     remedy_de="Eine Zahl, eine Variable oder einen Ausdruck schreiben.",
     found=("the text at this position", "der Text an dieser Stelle"),
 )
+EQUALS_BEFORE_CONDITION = error(
+    901041,
+    en="there is no '=' in front of what {word} tests",
+    de="vor dem, was {word} prüft, steht kein '='",
+    remedy_en="Leave it out, as in $IF ONCE V.E.COUNT > 5.",
+    remedy_de="Weglassen, wie in $IF ONCE V.E.COUNT > 5.",
+    cause_en="The syntax line of the manual has '=' between the frequency and the condition; its "
+    "programs do not.",
+    cause_de="In der Syntaxzeile des Handbuchs steht '=' zwischen Häufigkeit und Bedingung, in "
+    "seinen Programmen nicht.",
+    word=("the word before it", "das Wort davor"),
+)
 BRACKET_NOT_CLOSED = error(
     900102,
     en="this bracket is not closed",

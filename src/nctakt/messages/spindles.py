@@ -46,13 +46,13 @@ SPINDLE_AXIS_LIST_MISSING = error(
 )
 CYCLE_ACTIONS_FULL = error(
     51028,
-    en="realtime cycle {cycle} has {places} open actions and no slot for another",
-    de="Echtzeit-Zyklus {cycle} hat {places} offene Aktionen und keinen Platz für eine weitere",
+    en="realtime cycle {cycle} cannot open another action: {used}",
+    de="Echtzeit-Zyklus {cycle} kann keine weitere Aktion beginnen: {used}",
     remedy_en="Let actions end first, or increase configuration.rt_cycles.buffers (P-CHAN-00480).",
     remedy_de="Aktionen vorher enden lassen oder configuration.rt_cycles.buffers (P-CHAN-00480) "
     "erhöhen.",
     cycle=("the cycle at fault", "der fehlerhafte Zyklus"),
-    places=("P-CHAN-00480", "P-CHAN-00480"),
+    used=("what its slots are used for", "wofür seine Plätze verwendet werden"),
     reaction=6,
     clearing=6,
 )

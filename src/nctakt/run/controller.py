@@ -413,8 +413,6 @@ class Controller:
             self._advance(min(end, self.tick + count))
             self._machine.poll()
         state = worst_state(channels, "ended")
-        if state == "reset":
-            return state
         stop = self.tick + rest_ticks
         while self.tick < min(stop, end):
             self._advance(min(stop, end, self.tick + PROGRESS_TICKS))
@@ -425,7 +423,7 @@ class Controller:
             self._advance(self.tick + 1)
         if self.state == "error":
             return "error"
-        return "limit" if self.tick < stop else "ended"
+        return "limit" if self.tick < stop else state
 
     def _proceed(self, channels: Sequence[ChannelRun]) -> bool:
         """Let each channel begin the program that is due; return whether any is still at work."""

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""Error events of the realtime part -> diagnostics with their spans."""
+"""Error events and notices of the realtime part -> diagnostics with their spans."""
 
 from __future__ import annotations
 
 import re
 
-from nctakt.base.diagnostics import Diagnostic
+from nctakt.base.diagnostics import Diagnostic, Text
 from nctakt.base.source_ids import statement_span
 from nctakt.kernel.cycles.expressions import OPERATIONS
 from nctakt.lists.declared.variables import SCALARS
@@ -38,6 +38,8 @@ from nctakt.messages.fixed_stops import FIXED_STOP_NOT_FOUND
 from nctakt.messages.memory import PLC_VALUE_NOT_FINITE
 from nctakt.messages.plc import CHANNEL_BEING_RESET
 from nctakt.messages.realtime import (
+    BLOCK_CYCLE_NEVER_RAN,
+    CONTINUE_WITHOUT_EFFECT,
     CYCLE_ID_IN_USE,
     CYCLE_MEMORY_FULL,
     CYCLE_OPERATION_WITHOUT_RESULT,
@@ -45,6 +47,8 @@ from nctakt.messages.realtime import (
     CYCLE_VALUE_OUT_OF_RANGE,
     CYCLES_EXCEED_DURATION,
     CYCLES_EXCEED_STEP_LIMIT,
+    HOLD_WITHOUT_EFFECT,
+    NO_CYCLE_TO_DELETE,
     PLC_INTERFACE_FULL,
     TOO_MANY_CYCLES,
     TOO_MANY_FUNCTIONS_IN_TICK,
@@ -124,13 +128,17 @@ def realtime_diagnostic(event: Event, machine: AssembledMachine) -> Diagnostic:
         case SPINDLE_BUSY.id:
             values = {"spindle": machine.registry.spindle(int(a))}
         case CYCLE_ACTIONS_FULL.id:
-            values = {"cycle": cycle, "places": int(a)}
+            values = {"cycle": cycle, "used": _used_slots(int(a))}
         case (
             M19_SPEED_ZERO.id
             | WAITING_FOR_MAIN_SPINDLE.id
             | BACKWARD_WITHOUT_HISTORY.id
             | BACKWARD_AT_HISTORY_START.id
             | EDGE_NOT_FOUND.id
+            | NO_CYCLE_TO_DELETE.id
+            | HOLD_WITHOUT_EFFECT.id
+            | CONTINUE_WITHOUT_EFFECT.id
+            | BLOCK_CYCLE_NEVER_RAN.id
         ):
             values = {}
         case INVALID_USER_ERROR_ID.id | INVALID_USER_ERROR_RC.id | INVALID_SPINDLE_SPEED.id:
@@ -157,6 +165,15 @@ def realtime_diagnostic(event: Event, machine: AssembledMachine) -> Diagnostic:
             raise AssertionError(number)
     line = "" if event.span is None else machine.files.line_at(event.span)
     return diagnostic(catalogue()[number], statement_span(event.span, line), line, **values)
+
+
+def _used_slots(count: int) -> Text:
+    """What the slots for actions (P-CHAN-00480) of a cycle that has no free one are used for."""
+    if count == 0:
+        return Text("it has no slots for actions at all", "er hat gar keine Plätze für Aktionen")
+    if count == 1:
+        return Text("an action is open in its only slot", "sein einziger Platz ist belegt")
+    return Text(f"actions are open in all {count} slots", f"alle {count} Plätze sind belegt")
 
 
 def _array(event: Event, machine: AssembledMachine) -> str:

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
-from nctakt.base.diagnostics import Diagnostic
+from nctakt.base.diagnostics import Diagnostic, Span
 from nctakt.base.failure import Failure
 from nctakt.kernel import codes, rows
 from nctakt.nc.outline import ProgramText
@@ -32,6 +32,7 @@ _WATCHED = frozenset(
     (
         rows.EVENT_MESSAGE,
         rows.EVENT_ERROR,
+        rows.EVENT_NOTICE,
         rows.EVENT_USER_ERROR,
         rows.EVENT_USER_VALUE,
         rows.EVENT_USER_TEXT,
@@ -59,6 +60,7 @@ class Recording:
         self._events = EventDecoder(machine.configuration.cycle_time_us, machine.registry)
         self._sinks: Sequence[Sink] = ()
         self._probes: ProbeLog | None = None
+        self._noticed: set[tuple[str, Span | None]] = set()
         self.messages: list[ProgramMessage] = []
         self.on_message: Callable[[ProgramMessage], None] | None = None
 
@@ -82,6 +84,7 @@ class Recording:
         self._probes = self._probe_log() if why else None
         self._machine.record.records_series = why
         self.messages = []
+        self._noticed = set()
 
     def close(self) -> None:
         """End the recording of a run."""
@@ -158,8 +161,17 @@ class Recording:
                 report = next(reports)
                 line = "" if report.span is None else machine.files.line_at(report.span)
                 self._report(report.diagnostic(machine.configuration.user_texts, line))
+            elif event.kind == "notice":
+                self._report_notice(event)
             elif event.kind in ("error", "warning") and not self._is_reported(event):
                 self._report(realtime_diagnostic(event, machine))
+
+    def _report_notice(self, event: Event) -> None:
+        """Report a notice of the realtime cycles, once for each place of the program."""
+        notice = event.text, event.span
+        if notice not in self._noticed:
+            self._noticed.add(notice)
+            self._report(realtime_diagnostic(event, self._machine))
 
     def _select(
         self, names: Sequence[str] | None, records: bool, record_writes: bool

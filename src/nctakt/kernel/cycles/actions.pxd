@@ -34,6 +34,7 @@ cdef int complete(AxisStatement statement, Context context, double value) noexce
 @cython.locals(open_count=cython.longlong)
 cdef int has_room_for_action(AxisStatement statement, Context context, int is_buffered) noexcept nogil
 cdef int sign(double value) noexcept nogil
+cdef int direction_of(AxisStatement statement, Context context, double value) noexcept nogil
 
 cdef class StopAxis(AxisStatement):
     @cython.locals(message=int)

@@ -102,6 +102,20 @@ def has_room_for_action(statement: AxisStatement, context: Context, is_buffered:
     return 1 if open_count < context.max_open_actions else 0
 
 
+def sign(value: float) -> int:
+    """1, 0 or -1."""
+    if value > 0.0:
+        return 1
+    return -1 if value < 0.0 else 0
+
+
+def direction_of(statement: AxisStatement, context: Context, value: float) -> int:
+    """The direction that a value of DIR means; any but 1, 0 and -1 is a fault (RC-405)."""
+    if value != sign(value) and context.fault == 0:
+        context.fail(50967, statement.source, statement.axis, codes.DIRECTION_UNKNOWN)
+    return sign(value)
+
+
 class StopAxis(AxisStatement):
     """``X[INDP STOP]``."""
 
@@ -138,13 +152,6 @@ class MovingStatement(AxisStatement):
         self.speed.memory.speed_v = 0.0
 
 
-def sign(value: float) -> int:
-    """1, 0 or -1."""
-    if value > 0.0:
-        return 1
-    return -1 if value < 0.0 else 0
-
-
 class MoveAxis(MovingStatement):
     """``X[INDP G90|G91 … POS=p]``.
 
@@ -179,7 +186,7 @@ class MoveAxis(MovingStatement):
         position_d = self.position.value(context) * self.unit_d
         direction = codes.SHORTEST
         if self.has_direction:
-            direction = sign(self.direction.value(context))
+            direction = direction_of(self, context, self.direction.value(context))
         if complete(self, context, position_d + speed_v):
             return 1
         if speed_v < 0.0:
@@ -215,7 +222,7 @@ class RunAxis(MovingStatement):
         speed_v = self.speed.value(context)
         direction = sign(speed_v)
         if self.has_direction:
-            direction = sign(self.direction.value(context))
+            direction = direction_of(self, context, self.direction.value(context))
         if complete(self, context, speed_v):
             return 1
         if not has_room_for_action(self, context, self.is_buffered):

@@ -366,8 +366,10 @@ _REALTIME = (
         "configuration.rt_cycles.memory",
         ValueType.UNS32,
         48_000,
-        "Memory for realtime cycles",
-        "Speicher für Echtzeit-Zyklen",
+        "Memory for realtime cycles, all of it: the default is not added to the value, and what "
+        "other functions of the channel have is not counted",
+        "Speicher für Echtzeit-Zyklen, insgesamt: der Standardwert kommt nicht hinzu, und was "
+        "andere Funktionen des Kanals haben, zählt nicht",
         high=MAX_UNS32 - 1,
         unit="byte",
         restart=True,

@@ -189,7 +189,8 @@ class CycleLinter:
                     self._block(statement, around)
 
     def _if(self, statement: If, around: _Surrounding) -> None:
-        self._condition(statement.condition, statement.frequency or "")
+        if statement.condition.span != statement.span:  # else it is missing, which is reported
+            self._condition(statement.condition, statement.frequency or "")
         if statement.frequency is not None:
             self._nesting(statement, around)
             self._all(statement.body, _inside(statement.frequency, around))
@@ -197,7 +198,8 @@ class CycleLinter:
         asked = [statement.condition]
         self._branch(statement.body, asked, around)
         for branch in statement.elseifs:
-            self._condition(branch.condition, "")
+            if branch.condition.span != branch.span:
+                self._condition(branch.condition, "")
             asked.append(branch.condition)
             self._branch(branch.body, asked, around)
         self._branch(statement.else_body or (), asked, around)

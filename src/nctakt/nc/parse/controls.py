@@ -17,6 +17,7 @@ from nctakt.messages.backward import RT_WHILE_NESTED
 from nctakt.messages.nc_text import (
     BRANCH_AFTER_ELSE,
     CYCLE_BEGIN_END_MISMATCH,
+    EQUALS_BEFORE_CONDITION,
     NAME_EXPECTED,
     STRUCTURE_NOT_OPENED,
     UNEXPECTED_TEXT,
@@ -151,7 +152,16 @@ def hash_line(text: BlockText, head: Head, structures: StructureStack) -> None:
 
 
 def _value(current: CurrentLine) -> Expression:
-    """Return the expression that follows; report a missing one and return TRUE for it."""
+    """Return the expression that follows; report a missing one and return TRUE for it.
+
+    An ``=`` in front of it is reported and left out.
+    """
+    equals = current.text.match(EQUALS)
+    if equals is not None:
+        error = BlockError(
+            EQUALS_BEFORE_CONDITION, equals.end() - 1, equals.end(), word=current.word
+        )
+        current.structures.block_error(current.text, error)
     try:
         return parse_expression(current.text)
     except BlockError as error:

@@ -29,6 +29,7 @@ from nctakt.nc.vocabulary.functions import ABSOLUTE, G_FUNCTIONS, LINE, RAPID, R
 OFFSETS = ("ZERO", "ADD_ZERO", "PSET", "CLAMP", "TOOL", "MEASURE", "MANUAL", "ALL")
 #: Values of DIR as numbers of the realtime part.
 DIRECTIONS = MappingProxyType({"POS": 1.0, "CUR": 0.0, "NEG": -1.0})
+_SIGNS = tuple(DIRECTIONS.values())
 
 _FLAGS = ("INDP", "ABORTING", "BUFFERED", "STOP")
 _VALUES = ("OFFSET", "FEED", "POS", "DIR")
@@ -46,6 +47,10 @@ REFUSALS = MappingProxyType(
         3: Text("either G90 or G91", "entweder G90 oder G91"),
         4: Text("either G00 or G01", "entweder G00 oder G01"),
         5: Text("POS needs G90 or G91", "POS braucht G90 oder G91"),
+        6: Text(
+            "DIR must be POS (1), CUR (0) or NEG (-1)",
+            "DIR muss POS (1), CUR (0) oder NEG (-1) sein",
+        ),
         7: Text(
             "POS with G01 needs FEED, here or in an earlier command of the cycle for this axis",
             "POS mit G01 braucht FEED, hier oder in einem früheren Befehl des Zyklus an die Achse",
@@ -266,6 +271,8 @@ def _combination(command: AxisCommand, keywords: dict[str, Keyword]) -> list[int
         )
         if all(word in keywords for word in pair)
     ]
+    if isinstance(command.direction, Number) and command.direction.value not in _SIGNS:
+        refused.append(6)
     if isinstance(command.feed, Number) and command.feed.value == 0.0:
         refused.append(8)
     if command.position is None:

@@ -2,6 +2,7 @@
 """The public face: what ``import nctakt`` gives, and what it does not load."""
 
 import ast
+import doctest
 import json
 import pydoc
 import subprocess
@@ -93,6 +94,16 @@ def test_the_example_of_the_docstring_runs(capsys: pytest.CaptureFixture[str]) -
     lines = (nctakt.__doc__ or "").split("\n\n", 1)[1].split("\nPrograms and what", 1)[0]
     exec(compile(textwrap.dedent(lines), "help(nctakt)", "exec"), {})
     assert capsys.readouterr().out.startswith("ended ")
+
+
+@pytest.mark.parametrize("name", nctakt.__all__)
+def test_the_example_of_each_public_name_runs(name: str) -> None:
+    """Each docstring has an example, which gives what it shows."""
+    names = {name: getattr(nctakt, name) for name in nctakt.__all__}
+    finder = doctest.DocTestFinder(recurse=False)
+    (example,) = finder.find(names[name], name, module=False, globs=names)
+    assert example.examples
+    assert doctest.DocTestRunner().run(example).failed == 0
 
 
 def test_a_schedule_is_simulated_for_a_time() -> None:

@@ -157,6 +157,11 @@ class Diagnostic:
     ``source_line`` is the whole text line of the span, without its end, for the excerpt.
     ``is_lenient``: an error that is only a warning here. ``entry``: the entry of a list that it
     concerns, which may be missing there.
+
+    >>> run = Controller().run(NcText("part.nc", "G01 X100 F6000 Q1 M30"))
+    >>> diagnostic = run.diagnostics[0]
+    >>> diagnostic.id, str(diagnostic.span), diagnostic.remedy()
+    (900203, 'part.nc:1:16', 'Axes of the channel: X, Y, Z, A')
     """
 
     message: Message

@@ -11,7 +11,15 @@ from nctakt.base.diagnostics import Diagnostic
 
 
 class Failure(Exception):
-    """``diagnostics`` say what is wrong, at least one; the exception's text is theirs."""
+    """A request that cannot be carried out, with the reasons in ``diagnostics``, at least one.
+
+    >>> try:
+    ...     Controller("nowhere")
+    ... except Failure as failure:
+    ...     print(failure.diagnostics[0])
+    error 900060: the machine folder nowhere does not exist
+      remedy: Name a folder with a start-up list or a built-in machine: demo, demo5
+    """
 
     def __init__(self, *diagnostics: Diagnostic) -> None:
         assert diagnostics

@@ -91,10 +91,15 @@ class RunUp:
 
 
 def after(time: TimeLike) -> After:
-    """Acknowledge each function this time after the tick in which it appeared.
+    r"""Acknowledge each function this time after the tick in which it appeared.
 
     ``after("20 ticks")``, ``after("5 ms")``; a plain number means seconds. Raises ``Failure`` for
     an invalid time (900510).
+
+    >>> class Cell(Plc):
+    ...     acknowledge = after("20 ms")
+    >>> Controller().run(NcText("clamp.nc", "M100\nG01 X10 F6000\nM30"), plc=Cell()).ticks
+    126
     """
     return After(read_time(time))
 

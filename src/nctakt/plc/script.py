@@ -72,19 +72,42 @@ def at(time: TimeLike) -> Callable[[_Method], _Method]:
     ``time``: a text with a unit (``"0.5 s"``, ``"20 ms"``, ``"300 ticks"``), a number of seconds
     or a ``datetime.timedelta``. The method is called after the first tick at the earliest. Raises
     ``Failure`` for an invalid time (900510, 900513).
+
+    >>> class Cell(Plc):
+    ...     @at("0.5 s")
+    ...     def halve_the_speed(self, hli):
+    ...         hli.override_pct = 50
+    >>> Controller().run(NcText("move.nc", "G01 X100 F6000 M30"), plc=Cell()).ticks
+    1526
     """
     return _marked(_At(read_time(time)))
 
 
 def when(condition: Callable[[PlcView], object]) -> Callable[[_Method], _Method]:
-    """Call the method each time that ``condition(hli)`` becomes true."""
+    """Call the method each time that ``condition(hli)`` becomes true.
+
+    >>> class Cell(Plc):
+    ...     @when(lambda hli: hli.read("V.RTA.ACS.ACT_POS.X") > 50)
+    ...     def report(self, hli):
+    ...         print("X beyond 50 mm after tick", hli.tick)
+    >>> run = Controller().run(NcText("move.nc", "G01 X100 F6000 M30"), plc=Cell())
+    X beyond 50 mm after tick 512
+    """
     if not callable(condition):
         raise _wrong_type("@when(…)", condition, _CONDITION)
     return _marked(_When(condition))
 
 
 def on(*names: str) -> Callable[[_Method], _Method]:
-    """Call the method with each function (``M100``, ``H7``), each job of a spindle (``S3``)."""
+    """Call the method with each function (``M100``, ``H7``), each job of a spindle (``S3``).
+
+    >>> class Cell(Plc):
+    ...     @on("M100")
+    ...     def clamp(self, hli, function):
+    ...         print(function.name, "after tick", hli.tick)
+    >>> run = Controller().run(NcText("clamp.nc", "G01 X10 F6000 M100 M30"), plc=Cell())
+    M100 after tick 0
+    """
     for name in names:
         if not isinstance(name, str):
             raise _wrong_type("@on(…)", name, _NAMES)
@@ -133,6 +156,18 @@ class Plc(WatchedPlc):
 
     ``acknowledge``: the policy for M and H functions; ``inputs``: a CSV file beside the PLC's own;
     ``spindles``: the policy for the jobs of spindles that the PLC turns.
+
+    >>> class Cell(Plc):
+    ...     acknowledge = after("20 ms")
+    ...
+    ...     @on("M100")
+    ...     def clamp(self, hli, function):
+    ...         hli.write("V.E.VALUE", 1)
+    >>> controller = Controller()
+    >>> controller.run(NcText("clamp.nc", "M100 G01 X10 F6000 M30"), plc=Cell()).state
+    'ended'
+    >>> controller.read("V.E.VALUE")
+    1.0
     """
 
     acknowledge: ClassVar[Policy] = ALL

@@ -169,6 +169,14 @@ class Run:
     trace in memory (``None`` and empty without one); messages and counts are always there. ``why``
     has the history of each condition, ``coverage`` the counts, if the run recorded them.
     ``schedule``: the scheduling list of the run; ``starved``, ``overflows``: its effects.
+
+    >>> run = Controller().run(NcText("part.nc", "M100 G01 X100 F6000 M30"))
+    >>> run.state, run.ticks
+    ('ended', 1026)
+    >>> run.technology
+    [<0 s: M100, part.nc:1:1>]
+    >>> run.trace.at(1025, "X.ACS.ACT_POS")
+    100.0
     """
 
     programs: tuple[str, ...]

@@ -63,8 +63,14 @@ class Controller:
     decoder, interpolation and PLC get. ``access`` limits the files that may be read
     (``FileAccess([folder])``: only those in a folder). Raises ``Failure`` if no machine results.
 
-    Times are texts with a unit (``"20 ms"``, ``"300 ticks"``), seconds or ``datetime.timedelta``.
+    Times are texts with a unit (us, ms, s, min, h, ticks), seconds or ``datetime.timedelta``.
     ``diagnostics``: findings in the machine's lists and in all programs so far.
+
+    >>> controller = Controller()
+    >>> controller.run(NcText("move.nc", "G01 X100 F6000 M30"))
+    <Run of move.nc: ended after 1.026 s, 1026 ticks; 0 messages, 0 errors, 0 warnings>
+    >>> controller.read("V.RTA.ACS.ACT_POS.X")
+    100.0
     """
 
     def __init__(
@@ -125,10 +131,7 @@ class Controller:
 
     @property
     def state(self) -> str:
-        """``running`` while a program runs, ``error`` after an NC error, else ``ready``.
-
-        With several channels an error in one of them comes first, then a running program.
-        """
+        """``error`` if a channel has one, else ``running`` during a program, else ``ready``."""
         if any(channel.is_stopped for channel in self._channels):
             return "error"
         return "running" if any(channel.is_running for channel in self._channels) else "ready"
@@ -140,10 +143,7 @@ class Controller:
 
     @property
     def default_signals(self) -> tuple[str, ...]:
-        """The signals recorded by default.
-
-        Positions of all axes, path speed, override, block number, active cycles.
-        """
+        """The signals recorded by default: axes, path speed, override, block, active cycles."""
         return tuple(self._machine.default_signals())
 
     @property
@@ -291,17 +291,16 @@ class Controller:
 
         ``set`` gives variables values before the first tick, ``at`` at times of the run:
         ``at=[("20 ms", "V.E.DOOR", 1)]``. ``until`` and ``ticks`` limit the run (10 minutes unless
-        given), ``after`` is the time that the machine goes on after the last program. Times are
-        texts with a unit (us, ms, s, min, h, ticks), seconds or ``datetime.timedelta``. With
+        given), ``after`` is the time that the machine goes on after the last program. With
         ``wait_for_start`` START on the HLI begins each program, again after a RESET. Blocks of the
         levels ``skip``, 1 … 10, are skipped. ``sinks`` receive the trace of ``signals`` (by default
         ``default_signals``), which ``memory_trace`` keeps in the result; with ``record_writes``
         each new value that a cycle assigns to a variable is an event in it. ``why`` records the
         history of each condition of the realtime cycles (``Run.why``) and counts it
-        (``Run.coverage``). ``blocks``: events for the decoding and the execution of each block, and
-        for each flush of the channel. ``on_message`` is called with each message of a program,
-        ``on_progress`` with the number of ticks so far and of the whole run, ``on_cycle`` with the
-        name and the definition of each realtime cycle when it is decoded.
+        (``Run.coverage``). ``blocks``: events for decoding and execution of blocks, and for each
+        flush of the channel. ``on_message`` is called with each message of a program,
+        ``on_progress`` with the ticks so far and of the whole run, ``on_cycle`` with the name and
+        the definition of each realtime cycle when it is decoded.
 
         Raises ``Failure`` for a program that cannot be read and for an invalid name, value or time;
         mistakes in the programs are in the result.

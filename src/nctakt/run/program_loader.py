@@ -45,7 +45,12 @@ class ProgramErrors(Failure):
 
 @dataclass(frozen=True, slots=True)
 class NcText:
-    """A program as text; ``name`` stands for the file in diagnostics and results."""
+    r"""A program as text; ``name`` stands for the file in diagnostics and results.
+
+    >>> program = NcText("part.nc", "G01 X50 F6000\nG01 Y50\nM30")
+    >>> Controller().run(program).virtual_time_us
+    1051000
+    """
 
     name: str
     text: str

@@ -36,6 +36,12 @@ class Stimulus:
 
     ``Stimulus("20 ms", "V.E.DOOR", 1)``: the time is a text with a unit (us, ms, s, min, h, ticks),
     a number of seconds or a ``datetime.timedelta``. Raises ``Failure`` for any other time.
+
+    >>> stimulus = Stimulus("20 ms", "V.E.VALUE", 5)
+    >>> controller = Controller()
+    >>> run = controller.run(NcText("move.nc", "G01 X10 F6000 M30"), at=[stimulus])
+    >>> controller.read("V.E.VALUE")
+    5.0
     """
 
     time: Time

@@ -55,7 +55,13 @@ def open_schedule(
 ) -> RunSchedule:
     """Return the schedule of a list (rtconf.lis) and a load file, by default assumed times.
 
-    Raises ``Failure`` with all that is wrong in both files.
+    Raises ``Failure`` with all mistakes in both files.
+
+    >>> schedule = open_schedule(load_machine().folder / "rtconf.lis")
+    >>> [task.name for task in schedule.model.tasks]
+    ['GEO', 'BACKGROUND']
+    >>> Controller(schedule=schedule).run(NcText("move.nc", "G01 X100 F6000 M30")).state
+    'ended'
     """
     options = options or RtconfOptions()
     access = access or FileAccess()
@@ -76,7 +82,11 @@ def open_schedule(
 def simulate_schedule(schedule: RunSchedule, until: TimeLike = "1 s") -> Simulation:
     """Simulate a schedule for this time, at least for one NC cycle, without a controller.
 
-    ``until`` in ticks counts NC cycles. Raises ``Failure`` for what is not a time.
+    ``until`` in ticks counts NC cycles. Raises ``Failure`` for an invalid time (900510, 900513).
+
+    >>> schedule = open_schedule(load_machine().folder / "rtconf.lis")
+    >>> simulate_schedule(schedule, "100 ms").cycles
+    100
     """
     return simulate(schedule.model, cycles_within(schedule.model, read_time(until)))
 

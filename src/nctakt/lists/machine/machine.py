@@ -111,14 +111,18 @@ class ChannelConfiguration:
 
 @dataclass(frozen=True, slots=True, repr=False)
 class Machine:
-    """A machine as its lists describe it, immutable; ``load_machine`` makes it of a folder.
+    """A machine as its lists describe it, immutable; ``load_machine`` reads it from a folder.
 
-    ``folder`` is that of the start-up list.
+    ``folder`` is that of the start-up list. ``cycle_time_us``: the length of a tick. ``axes``: axes
+    and spindles with a list, in the order of the start-up list. ``global_variables``: each GLOBAL
+    V.E variable once, even if several lists declare it. ``user_texts``: the texts of the user's own
+    errors by their ID. ``lists``: kind and file of each list, the start-up list first.
 
-    ``cycle_time_us``: the tick. ``axes``: axes and spindles that have a list, in the order of the
-    start-up list. ``global_variables``: each GLOBAL V.E variable once, whoever declares it.
-    ``user_texts``: the texts of the user's own errors by their ID. ``lists``: kind and file of each
-    list that was read, the start-up list first.
+    >>> machine = load_machine()
+    >>> machine.cycle_time_us, [axis.name for axis in machine.axes]
+    (1000, ['X', 'Y', 'Z', 'A', 'S', 'S2'])
+    >>> Controller(machine).read("V.RTA.ACS.ACT_POS.X")
+    0.0
     """
 
     name: str
@@ -156,12 +160,14 @@ def load_machine(
     """Return the machine of ``folder``; without one, the built-in demo machine.
 
     ``folder`` may also be the start-up list itself, a folder with one somewhere in it, or the name
-    of a built-in machine, where no such folder exists. ``root``:
-    the controller's root folder, where files are searched that the lists name. ``detail``: how much
-    is reported of entries without effect. ``rtconf``: how its scheduling list is read. ``access``
-    remembers the files, and says which may be read; without it, all. Raises ``Failure`` if the
-    folder, the start-up list or every channel list is missing; what is wrong otherwise stands in
-    ``Machine.diagnostics``.
+    of a built-in machine if there is no such folder. ``root``: the controller's root folder, in
+    which the files that the lists name are searched. ``detail``: the extent of reports on entries
+    without effect. ``rtconf``: the reading of its scheduling list. ``access`` limits the files that
+    may be read; by default all. Raises ``Failure`` if the folder, the start-up list or every
+    channel list is missing; other mistakes are in ``Machine.diagnostics``.
+
+    >>> load_machine()
+    <Machine demo: 1 channel, axes X, Y, Z, A, S, S2, tick 0.001 s>
     """
     root = None if root is None else Path(root)
     access = access or FileAccess()

@@ -19,7 +19,7 @@ cdef class FixedStops:
     cdef double[::1] from_part
     cdef double[::1] to_part
     cdef readonly long long count
-    cdef readonly long long found
+    cdef readonly long long detected_count
 
     cdef void arm(self, Py_ssize_t i, long long source, double[::1] queue, Py_ssize_t row) noexcept nogil
     cdef void disarm(self, Py_ssize_t i) noexcept nogil

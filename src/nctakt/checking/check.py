@@ -302,6 +302,8 @@ class _Checker:
             access=self._access,
             tools=target.tools,
             role=role,
+            axes=target.axes,
+            is_shifted=target.is_shifted,
         )
         self._global_cycles.append(checked.global_cycles)
         self._keep(name, collector.diagnostics, (target.channel,))

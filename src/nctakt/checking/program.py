@@ -10,19 +10,23 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from pathlib import Path
+from types import MappingProxyType
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Span
+from nctakt.checking.path_checker import MAX_LINES, PathChecker
 from nctakt.files.access import FileAccess
 from nctakt.lists.declared.tools import Tool
+from nctakt.lists.machine.axis_configuration import AxisConfiguration
 from nctakt.lists.machine.channel_configuration import ChannelParameters
 from nctakt.messages import Collector
 from nctakt.nc.check.blocks import Role
+from nctakt.nc.check.findings import Findings
 from nctakt.nc.inspection import inspect
 from nctakt.nc.lint.linter import GlobalCycles, Linter
 from nctakt.nc.lint.realtime_cycles import StepLimits
 from nctakt.nc.source import Source
-from nctakt.nc.tree import StringLiteral
+from nctakt.nc.tree import Statement, StringLiteral
 from nctakt.nc.vocabulary.variable_table import NameTable
 from nctakt.run.program_loader import find_program, missing, search_folders
 
@@ -33,6 +37,26 @@ class Checked:
 
     global_cycles: GlobalCycles
     called: tuple[Path, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class _Watchers:
+    """The linter and the checker of the path, which see the same statements."""
+
+    linter: Linter
+    path: PathChecker
+    sees_each_block: bool
+
+    def section(self, *, is_main: bool) -> None:
+        """Begin a main program or a subprogram."""
+        self.linter.section()
+        self.path.section(is_main=is_main)
+
+    def statement(self, statement: Statement) -> None:
+        """Visit a statement; the path of a long program is not followed."""
+        self.linter.statement(statement)
+        if self.sees_each_block:
+            self.path.statement(statement)
 
 
 def check_program(
@@ -46,16 +70,25 @@ def check_program(
     access: FileAccess,
     tools: Mapping[int, Tool],
     role: Role = "either",
+    axes: Mapping[str, AxisConfiguration] = MappingProxyType({}),
+    is_shifted: bool = False,
 ) -> Checked:
     """Check a program with its local subprograms and return its links to others.
 
-    ``access`` admits the files that may be read. ``tools``: those of the channel. ``role``:
-    ``called`` if it is only called by others. Called files must exist, as well as those that the
-    channel list runs with each main program.
+    ``access`` admits the files that may be read. ``tools``, ``axes``: those of the channel.
+    ``is_shifted``: offsets act from the start. ``role``: ``called`` if it is only called by others.
+    Called files must exist, as well as those that the channel list runs with each main program.
     """
     program_diagnostics = Collector()
     linter = Linter(source, names, limits, program_diagnostics, tools, channel.tool_selection)
-    program = inspect(source, names, channel, program_diagnostics, role=role, watcher=linter)
+    of_path = Collector()
+    path_checker = PathChecker(
+        channel, axes, Findings(source, of_path), begins=role != "called", is_shifted=is_shifted
+    )
+    watcher = _Watchers(linter, path_checker, sees_each_block=len(source.lines) <= MAX_LINES)
+    program = inspect(source, names, channel, program_diagnostics, role=role, watcher=watcher)
+    if role == "main" or not path_checker.ends_as_subprogram:
+        program_diagnostics.diagnostics += of_path.diagnostics
     calls: list[tuple[str, Span]] = []
     for call in program.calls:
         assert isinstance(call.name, StringLiteral)

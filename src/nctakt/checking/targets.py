@@ -29,7 +29,11 @@ class Target:
         context = machine.channels[channel].context
         self.names: NameTable = assembled.names
         self.parameters: ChannelParameters = assembled.parameters
-        self.tools = assembled.configuration.tools
+        configuration = assembled.configuration
+        self.tools = configuration.tools
+        axes = machine.configuration.axes
+        self.axes = {axis.name: axes[axis.index] for axis in configuration.axes}
+        self.is_shifted = configuration.is_shifted
         self.limits = StepLimits(context.max_steps, context.budget_steps)
         self.folder = machine.configuration.folder
 

@@ -59,7 +59,11 @@ PlainShape = tuple[str | float, ...]
 class Watcher(Protocol):
     """Observer of the statements that are checked."""
 
-    def section(self) -> None:
+    @property
+    def sees_each_block(self) -> bool:
+        """Whether it is called with plain blocks whose shape has been checked before, too."""
+
+    def section(self, *, is_main: bool) -> None:
         """Called when a main program or subprogram begins."""
 
     def statement(self, statement: Statement) -> None:
@@ -140,6 +144,7 @@ class _ProgramInspector:
         self._checker = checker
         self._scanner = scanner
         self._watcher = watcher
+        self._sees_each_block = watcher is not None and watcher.sees_each_block
         self._collector = collector
         self._found = collector.diagnostics
         self._role = role
@@ -174,7 +179,7 @@ class _ProgramInspector:
     def skip_known(self, statements: StatementReader) -> None:
         """Skip lines of known valid shapes while statements are not kept."""
         self._new = None
-        if self._section is None or self._section.kept is not None:
+        if self._section is None or self._section.kept is not None or self._sees_each_block:
             return
         lines = statements.lines
         templates = self._program.templates
@@ -219,13 +224,15 @@ class _ProgramInspector:
         self._checker.begin("called" if self._number > 0 else self._role)
         self._ended = False
         if self._watcher is not None:
-            self._watcher.section()
+            self._watcher.section(is_main=self._number == 0)
 
     # --- statements ------------------------------------------------------------------------------
 
     def _block(self, block: Block) -> None:
         shape = _shape(block)
         if shape in self._in_order:
+            if self._watcher is not None and self._sees_each_block:
+                self._watcher.statement(block)
             return
         before = len(self._found)
         self._check(block)

@@ -104,6 +104,16 @@ class ChannelConfiguration:
     clamp_offsets: ClampOffsets
 
     @property
+    def is_shifted(self) -> bool:
+        """Whether offsets act when its first program starts."""
+        zero, clamp = self.zero_offsets, self.clamp_offsets
+        shifts = (
+            *zero.groups.get(zero.default_group, {}).values(),
+            *clamp.groups.get(0, {}).values(),
+        )
+        return any(shifts)
+
+    @property
     def main_spindle(self) -> ChannelSpindle | None:
         """The spindle that S, M3, M4, M5 and M19 as words mean."""
         return next((one for one in self.spindles if one.spindle.is_main), None)

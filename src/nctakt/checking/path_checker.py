@@ -1,0 +1,445 @@
+# SPDX-License-Identifier: MIT
+"""Mistakes of the path that no run is needed for: arcs off their circle, targets out of the limits.
+
+In: the statements of a program in the order of execution, each once. Out: the diagnostics that a
+run would give. Only constants count, and only what is certain: where a position, a plane or an
+offset depends on a value, a call, a branch or a realtime cycle, nothing is said.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+from nctakt.base.dataclass import dataclass, field
+from nctakt.base.diagnostics import Span
+from nctakt.decoder.blocks.path_motion import CENTRE_WORDS
+from nctakt.decoder.state.arcs import PLANES, Arc, ArcError, arc_about, arc_of_radius, extremes
+from nctakt.lists.machine.axis_configuration import AxisConfiguration
+from nctakt.lists.machine.channel_configuration import (
+    CENTRE_GROUP,
+    DIMENSION_GROUP,
+    MOTION_GROUP,
+    PLANE_GROUP,
+    UNIT_GROUP,
+    ChannelParameters,
+)
+from nctakt.messages.decoder import TARGET_OUTSIDE_LIMITS
+from nctakt.messages.motion import ARC_OUTSIDE_LIMITS
+from nctakt.nc.check.dwells import dwell_of
+from nctakt.nc.check.findings import Findings
+from nctakt.nc.tree import (
+    Assignment,
+    AxisWord,
+    Block,
+    BracketCommand,
+    CycleControl,
+    Do,
+    Expression,
+    Flush,
+    For,
+    HashCommand,
+    If,
+    MacroDefinition,
+    Number,
+    RealtimeCycle,
+    RealtimeLoop,
+    Repeat,
+    Statement,
+    StringWord,
+    Switch,
+    Time,
+    Timer,
+    Unary,
+    UserError,
+    UserMessage,
+    Variable,
+    VariableDeclarations,
+    While,
+    Word,
+)
+from nctakt.nc.vocabulary import support_level
+from nctakt.nc.vocabulary.entries import Support
+from nctakt.nc.vocabulary.function_rows import Form, Group
+from nctakt.nc.vocabulary.functions import (
+    ABSOLUTE,
+    ABSOLUTE_CENTRE,
+    ARC_CLOCKWISE,
+    ARC_RADIUS,
+    ARCS,
+    EDGE_BANDING,
+    INCH,
+    REFERENCE_OFFSET,
+    SUBPROGRAM_ENDS,
+    TOOL_CHANGE,
+    group_of,
+)
+
+#: Programs up to this length are followed block by block; others only where a block is new.
+MAX_LINES = 5000
+_MM_PER_INCH = 25.4
+#: ``#`` commands that move nothing and shift nothing.
+_QUIET_COMMANDS = ("CONTOUR", "SLOPE", "OVERRIDE", "EXPL", "FILENAME")
+_QUIET_STATEMENTS = (
+    CycleControl,
+    Flush,
+    MacroDefinition,
+    Time,
+    Timer,
+    UserError,
+    UserMessage,
+    VariableDeclarations,
+)
+
+
+@dataclass(slots=True)
+class _Facts:
+    """What is certain at a point of the program; ``None``: unknown.
+
+    ``positions``: axis -> programmed position in mm or degrees. ``radius_mm``: that of R.
+    ``is_shifted`` is false while no offset acts.
+    """
+
+    positions: dict[str, float] = field(default_factory=dict)
+    motion: int | None = None
+    plane: int | None = None
+    is_absolute: bool | None = None
+    has_absolute_centre: bool | None = None
+    is_inch: bool | None = None
+    radius_mm: float | None = None
+    is_shifted: bool | None = None
+
+    def copy(self) -> _Facts:
+        return replace(self, positions=dict(self.positions))
+
+    def join(self, other: _Facts) -> None:
+        """Keep only the facts that also hold in the other state."""
+        for name in self.__slots__:
+            if name != "positions" and getattr(self, name) != getattr(other, name):
+                setattr(self, name, None)
+        self.positions = {
+            axis: position
+            for axis, position in self.positions.items()
+            if other.positions.get(axis) == position
+        }
+
+
+class PathChecker:
+    """Follows one program; ``axes``: those of the channel by name, in the order of the path.
+
+    ``begins``: the program may be a main program, and then begins as the channel list says.
+    """
+
+    def __init__(
+        self,
+        channel: ChannelParameters,
+        axes: Mapping[str, AxisConfiguration],
+        findings: Findings,
+        *,
+        begins: bool,
+        is_shifted: bool,
+    ) -> None:
+        self._channel = channel
+        self._axes = axes
+        self._names = list(axes)
+        self._findings = findings
+        self._begins = begins and not channel.implicit_programs.program_start
+        self._starts_shifted = is_shifted
+        self._facts = _Facts()
+        self._has_axis_cycles = False
+        #: The main program ends as a subprogram does: how it begins is its caller's matter.
+        self.ends_as_subprogram = False
+        self._is_main = False
+
+    def section(self, *, is_main: bool) -> None:
+        """Begin a main program or a subprogram."""
+        self._is_main = is_main
+        self._facts = _Facts()
+        if is_main and self._begins:
+            functions = self._channel.program_start.g_functions
+            self._facts = _Facts(
+                motion=functions[MOTION_GROUP],
+                plane=functions[PLANE_GROUP],
+                is_absolute=functions[DIMENSION_GROUP] == ABSOLUTE,
+                has_absolute_centre=functions[CENTRE_GROUP] == ABSOLUTE_CENTRE,
+                is_inch=functions[UNIT_GROUP] == INCH,
+                is_shifted=None if self._starts_shifted else False,
+            )
+
+    def statement(self, statement: Statement) -> None:
+        """Follow one statement with all statements inside it."""
+        if statement.head.label is not None:
+            self._facts = _Facts()  # a jump may lead here from anywhere
+        before = self._facts.copy() if statement.head.skip is not None else None
+        match statement:
+            case Block():
+                self._block(statement)
+            case If():
+                self._branches(
+                    statement.body,
+                    *(branch.body for branch in statement.elseifs),
+                    statement.else_body or (),
+                )
+            case Switch():
+                self._branches((), *(case.body for case in statement.cases))
+            case For() | While() | Do() | Repeat() | RealtimeLoop():
+                self._facts = _Facts()
+                self._all(statement.body)
+                self._facts = _Facts()
+            case RealtimeCycle():
+                self._has_axis_cycles |= _commands_axes(statement.body)
+            case Assignment():
+                if isinstance(statement.target, Variable) and statement.target.family == "G":
+                    self._shift()
+            case HashCommand():
+                if not _is_quiet(statement):
+                    self._shift()
+            case _ if not isinstance(statement, _QUIET_STATEMENTS):
+                self._facts = _Facts()
+        if self._has_axis_cycles:
+            self._facts.positions.clear()
+        if before is not None:
+            self._facts.join(before)
+
+    def _all(self, statements: Sequence[Statement]) -> None:
+        for statement in statements:
+            self.statement(statement)
+
+    def _branches(self, *bodies: Sequence[Statement]) -> None:
+        before, after = self._facts, []
+        for body in bodies:
+            self._facts = before.copy()
+            self._all(body)
+            after.append(self._facts)
+        self._facts = after[0]
+        for other in after[1:]:
+            self._facts.join(other)
+
+    def _shift(self) -> None:
+        """Forget where the axes are, and whether offsets act."""
+        self._facts.positions.clear()
+        self._facts.is_shifted = None
+
+    # --- blocks ----------------------------------------------------------------------------------
+
+    def _block(self, block: Block) -> None:
+        if dwell_of(block) is not None:
+            return
+        facts = self._facts
+        for word in block.words:
+            if isinstance(word, StringWord) or _calls(word):
+                self._facts = _Facts()
+                return
+            if isinstance(word, BracketCommand) and word.name in self._axes:
+                facts.positions.clear()
+            elif isinstance(word, Word) and word.name == "M" and _is_one_of(word, SUBPROGRAM_ENDS):
+                self.ends_as_subprogram |= self._is_main
+            elif isinstance(word, Word) and word.name in ("T", "D"):
+                self._shift()
+        numbers = [word for word in block.words if isinstance(word, Word) and word.name == "G"]
+        if any(not isinstance(word.value, Number) for word in numbers):
+            self._facts = _Facts()
+            return
+        functions = [int(word.value.value) for word in numbers if isinstance(word.value, Number)]
+        for function in functions:
+            self._function(function)
+        self._radius(block)
+        if REFERENCE_OFFSET in functions:
+            self._shift()
+            return
+        self._move(block)
+
+    def _function(self, function: int) -> None:
+        facts = self._facts
+        match group_of(function):
+            case Group.MOTION:
+                facts.motion = function
+            case Group.PLANE:
+                facts.plane = function
+            case Group.DIMENSION:
+                facts.is_absolute = function == ABSOLUTE
+            case Group.ARC_CENTRE:
+                facts.has_absolute_centre = function == ABSOLUTE_CENTRE
+            case Group.UNIT:
+                facts.is_inch = function == INCH
+            case Group.ZERO_OFFSET:
+                self._shift()
+            case Group.COMPENSATION:
+                facts.positions.clear()
+            case Group.EDGE_BANDING if function == EDGE_BANDING:
+                facts.positions.clear()
+
+    def _radius(self, block: Block) -> None:
+        for word in block.words:
+            if not isinstance(word, Word):
+                continue
+            value = None
+            if word.name == "R":
+                value = word.value
+            elif word.name == "G" and _is_one_of(word, (ARC_RADIUS,)):
+                value = word.additional
+            if value is not None:
+                self._facts.radius_mm = self._length(value)
+
+    def _move(self, block: Block) -> None:
+        facts = self._facts
+        words = [word for word in block.words if isinstance(word, AxisWord)]
+        centre = {
+            word.name: word
+            for word in block.words
+            if isinstance(word, Word) and word.name in CENTRE_WORDS
+        }
+        if not words and not centre:
+            return
+        start = dict(facts.positions)
+        for word in words:
+            self._target(word)
+        if facts.motion in ARCS and facts.plane is not None:
+            arc = self._arc(block.span, start, centre)
+            if arc is not None and facts.is_shifted is False:
+                self._arc_limits(arc, start, block.span)
+
+    def _target(self, word: AxisWord) -> None:
+        """Note where a word leads its axis, and check its limits."""
+        facts, axis = self._facts, self._axes.get(word.name)
+        if axis is None:
+            return
+        value = None if word.value is None else self._constant(word.value)
+        if value is not None and axis.is_linear:
+            value = None if facts.is_inch is None else value * self._unit()
+        if value is not None and facts.is_absolute is False:
+            begin = facts.positions.get(word.name)
+            value = None if begin is None else begin + value
+        if value is None or facts.is_absolute is None:
+            facts.positions.pop(word.name, None)
+            return
+        facts.positions[word.name] = value
+        low, high = axis.software_limit_low, axis.software_limit_high
+        if facts.is_shifted is False and not axis.is_modulo and not low <= value <= high:
+            self._findings.report(
+                TARGET_OUTSIDE_LIMITS, word.span, axis=word.name, position=value, low=low, high=high
+            )
+
+    # --- arcs ------------------------------------------------------------------------------------
+
+    def _arc(
+        self, span: Span, start: Mapping[str, float], centre: Mapping[str, Word]
+    ) -> Arc | None:
+        """Return the arc of a block whose geometry is known; report what makes it impossible."""
+        facts = self._facts
+        assert facts.plane is not None
+        plane = PLANES[facts.plane]
+        if max(plane) >= len(self._names):
+            return None
+        begin, end = self._position_of(start, plane), self._position_of(facts.positions, plane)
+        if begin is None or end is None:
+            return None
+        clockwise = facts.motion == ARC_CLOCKWISE
+        try:
+            if centre:
+                middle = self._centre(begin, plane, centre)
+                if middle is None:
+                    return None
+                tolerance = self._channel.centre_tolerance
+                return arc_about(begin, end, facts.plane, middle, clockwise, tolerance)
+            if facts.radius_mm and begin != end:
+                return arc_of_radius(begin, end, facts.plane, facts.radius_mm, clockwise)
+        except ArcError as error:
+            self._findings.report(error.message, span, **error.values)
+        return None
+
+    def _position_of(
+        self, positions: Mapping[str, float], plane: tuple[int, int]
+    ) -> list[float] | None:
+        """Return a position as the path has it; ``None`` where one of the plane is unknown."""
+        names = self._names[: max(plane) + 1]
+        if any(self._names[index] not in positions for index in plane):
+            return None
+        return [positions.get(name, 0.0) for name in names]
+
+    def _centre(
+        self, begin: Sequence[float], plane: tuple[int, int], centre: Mapping[str, Word]
+    ) -> tuple[float, float] | None:
+        if self._facts.has_absolute_centre is None:
+            return None
+        if any(CENTRE_WORDS.index(name) not in plane for name in centre):
+            return None
+        values = []
+        for index in plane:
+            word = centre.get(CENTRE_WORDS[index])
+            value = 0.0
+            if word is not None:
+                length = None if word.value is None else self._length(word.value)
+                if length is None:
+                    return None
+                value = length
+            values.append(value if self._facts.has_absolute_centre else begin[index] + value)
+        return values[0], values[1]
+
+    def _arc_limits(self, arc: Arc, start: Mapping[str, float], span: Span) -> None:
+        begin = self._position_of(start, (arc.first, arc.second))
+        assert begin is not None
+        for index, position in extremes(arc, begin):
+            name = self._names[index]
+            axis = self._axes[name]
+            low, high = axis.software_limit_low, axis.software_limit_high
+            if not axis.is_modulo and not low <= position <= high:
+                self._findings.report(
+                    ARC_OUTSIDE_LIMITS, span, axis=name, position=position, low=low, high=high
+                )
+
+    # --- values ----------------------------------------------------------------------------------
+
+    def _unit(self) -> float:
+        return _MM_PER_INCH if self._facts.is_inch else 1.0
+
+    def _length(self, expression: Expression) -> float | None:
+        """Return a constant length in mm."""
+        value = self._constant(expression)
+        return None if value is None or self._facts.is_inch is None else value * self._unit()
+
+    def _constant(self, expression: Expression) -> float | None:
+        if isinstance(expression, Number):
+            return expression.value
+        if isinstance(expression, Unary) and expression.operator == "-":
+            value = self._constant(expression.operand)
+            return None if value is None else -value
+        return None
+
+
+def _is_one_of(word: Word, numbers: Sequence[int]) -> bool:
+    return isinstance(word.value, Number) and word.value.value in numbers
+
+
+def _calls(word: object) -> bool:
+    """Return whether a word may call a program, or run one."""
+    if not isinstance(word, Word) or word.name not in ("G", "M"):
+        return False
+    if not isinstance(word.value, Number):
+        return True
+    if word.name == "M":
+        return word.value.value == TOOL_CHANGE
+    row = support_level.g_function(word.value.value)
+    return row is None or row.form is Form.SUBPROGRAM
+
+
+def _is_quiet(command: HashCommand) -> bool:
+    words = [word.name for word in command.words]
+    entry = support_level.hash_command(words)
+    if entry is None:
+        return False
+    return entry.support is Support.ACCEPTED or words[0] in _QUIET_COMMANDS
+
+
+def _commands_axes(statements: Sequence[Statement]) -> bool:
+    """Return whether a realtime cycle may move an axis."""
+    for statement in statements:
+        match statement:
+            case Block() if any(isinstance(word, BracketCommand) for word in statement.words):
+                return True
+            case If():
+                bodies = [statement.body, *(branch.body for branch in statement.elseifs)]
+                bodies.append(statement.else_body or ())
+                if any(_commands_axes(body) for body in bodies):
+                    return True
+    return False

@@ -85,6 +85,12 @@ def test_the_manuals_example_in_english() -> None:
         ("axis", "Z held", "ACTION", "Cycle 1: the motion of axis Z is put on hold"),
         ("axis", "Z continued", "ACTION", "Cycle 1: the motion of axis Z goes on"),
         ("axis", "Z stopped", "ACTION", "Cycle 1: the motion of axis Z has come to a stand"),
+        ("spindle", "S2 M3 1000.5", "ACTION", "Cycle 1: spindle S2: M3 with 1000.5 1/min"),
+        ("spindle", "S M5 0", "ACTION", "Cycle 1: spindle S: M5"),
+        ("spindle_position", "S 90", "ACTION", "Cycle 1: spindle S is positioned at 90 degrees"),
+        ("spindle_reached", "S", "ACTION", "Cycle 1: the job of spindle S is done"),
+        ("timer", "3 START", "ACTION", "Cycle 1: #TIMER START of timer 3"),
+        ("timer", "3 READ 17", "ACTION", "Cycle 1: #TIMER READ of timer 3: 17 ms"),
         ("H", "33 1 426098", "ACTION", "Cycle 1: H33 was output, number 1 of the tick"),
     ],
 )
@@ -130,6 +136,22 @@ def test_the_note_says_what_the_manuals_says() -> None:
     english, german = (" ".join(manual_example().render(3, one).split()) for one in ("en", "de"))
     assert "Note: Messages may be missing here. The documentation of the realtime" in english
     assert "Hinweis: Hier koennen Nachrichten fehlen." in german
+
+
+def test_a_user_error_is_an_action_and_what_it_says() -> None:
+    """RC-603, manual 5: #ERROR is listed at its own level, and among the actions of level 4."""
+    report = DiagnosisReport()
+    report.add([event("user_error", "7 0"), event("user_error", "8 2")])
+    assert [line.level for line in report.lines(3)] == [2, 1]
+    assert [line.level for line in report.lines(4)] == [2, 4, 1, 4]
+    assert body(report)[3].endswith("Cycle 1: #ERROR with ID 8 and RC 2")
+
+
+def test_spindles_and_timers_of_the_program_make_no_line() -> None:
+    """Manual 5: level 4 tells of the actions of cycles."""
+    report = DiagnosisReport()
+    report.add([event("spindle", "S M3 100", cycle=""), event("spindle_reached", "S", cycle="")])
+    assert report.lines(4) == []
 
 
 def test_motions_in_german() -> None:

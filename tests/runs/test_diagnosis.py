@@ -100,3 +100,46 @@ def test_a_channel_without_realtime_cycles_has_no_diagnosis_data(
     assert main(words) == 0
     assert written.read_text("utf-8") == ""
     assert "901040" in capsys.readouterr().err
+
+
+ACTIONS = """V.RTG.CYCLES.DIAG_LEVEL = 4
+#RT CYCLE [ID = 7 SCOPE = PROG]
+  $IF ONCE 1
+    S[M3 REV=600]
+    S2[M3 M19 REV=60 POS=90]
+    #TIMER START SYN [ID = 3]
+    #ERROR [ID = 455 RC = 0]
+    Z[INDP G90 G00 POS=0.1]
+    V.E.COUNT = 5
+    M100
+  $ENDIF
+  $IF ONCE V.RTG.TIMER[3] == 0 && V.E.TRIGGER
+    #TIMER READ SYN [ID = 3]
+    S[M5]
+  $ENDIF
+#RT CYCLE END
+#TIME 0.04
+M30
+"""
+
+
+def test_level_4_lists_all_actions_of_cycles(tmp_path: Path) -> None:
+    """RC-603, manual 5: spindle jobs, timers, #ERROR, motions, writes, M functions."""
+    program, written = tmp_path / "actions.nc", tmp_path / "diagnosis.txt"
+    program.write_text(ACTIONS, "utf-8")
+    words = ["--at", "11 ms", "V.E.TRIGGER=1", "--quiet", "--diagnosis", str(written)]
+    assert main(["run", str(program), *words]) == 0
+    lines = [line.split(None, 2) for line in written.read_text("utf-8").splitlines()]
+    actions = [(line[0], line[2].removeprefix("Cycle 7: ")) for line in lines if "ACTION" in line]
+    assert actions[:8] == [
+        ("1000", "the branch in line 3 runs"),
+        ("1000", "spindle S: M3 with 600 1/min"),
+        ("1000", "spindle S2: M19 with 60 1/min"),
+        ("1000", "spindle S2 is positioned at 90 degrees"),
+        ("1000", "#TIMER START of timer 3"),
+        ("1000", "#ERROR with ID 455 and RC 0"),
+        ("1000", "axis Z moves to 0.1"),
+        ("1000", "V.E.COUNT = 5"),
+    ]
+    assert ("11000", "#TIMER READ of timer 3: 10 ms") in actions
+    assert ("11000", "spindle S: M5") in actions

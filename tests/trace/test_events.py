@@ -5,7 +5,7 @@ import pytest
 from event_rows import Names, row
 
 from nctakt.base.diagnostics import Span
-from nctakt.kernel import rows
+from nctakt.kernel import codes, rows
 from nctakt.trace.chunks import EventChunk
 from nctakt.trace.events import Event, EventDecoder
 
@@ -46,6 +46,8 @@ PLACE = Span("part.nc", 5, 3, 4)
         (row(rows.EVENT_USER_ERROR, 1, 666, 2), "user_error", "666 2", "17"),
         (row(rows.EVENT_USER_VALUE, 1, 3, 99.5), "user_value", "PV1 99.5", "17"),
         (row(rows.EVENT_USER_TEXT, 0, 6, 6), "user_value", "PV2 worn", ""),
+        (row(rows.EVENT_TIMER, 1, 3, codes.TIMER_START), "timer", "3 START", "17"),
+        (row(rows.EVENT_TIMER, 1, 3, codes.TIMER_READ, 1501.0), "timer", "3 READ 1501", "17"),
         (row(rows.EVENT_BLOCK, 10, 5), "block", "10 decoded 5", ""),
         (row(rows.EVENT_WAIT), "waits", "flush", ""),
         (row(rows.EVENT_WAIT, 1, 40), "waits", "read V.E.VALUE", ""),

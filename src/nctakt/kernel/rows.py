@@ -345,7 +345,8 @@ FEED_MOTION, RAPID_MOTION = range(2)
     EVENT_STARVED,  # the source is the last command that was taken
     EVENT_FED,  # subject: ticks for which the queue was empty
     EVENT_OVERFLOW,  # subject: number of the thread
-) = range(1, 36)
+    EVENT_TIMER,  # timer, ``codes.TIMER_START`` …, the value in ms that READ latches
+) = range(1, 37)
 
 ENDED_BY_SCOPE, ENDED_BY_DELETE, ENDED_BY_RESET, ENDED_BY_ERROR = range(4)
 

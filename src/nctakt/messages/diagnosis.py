@@ -197,3 +197,93 @@ LOG_MOTION_STATE = note(
     axis=("the axis", "die Achse"),
     state=("its new state", "ihr neuer Zustand"),
 )
+LOG_SPINDLE_TURNS = note(
+    901042,
+    en="Cycle {cycle}: spindle {spindle}: {function} with {speed} 1/min",
+    de="Zyklus {cycle}: Spindel {spindle}: {function} mit {speed} 1/min",
+    remedy_en="V.RTG.CYCLES.DIAG_LEVEL below 4 keeps such lines out of the diagnosis data.",
+    remedy_de="V.RTG.CYCLES.DIAG_LEVEL unter 4 hält solche Zeilen aus den Diagnosedaten heraus.",
+    cycle=(
+        "the cycle's ID, or # and a number when it has none",
+        "die ID des Zyklus, ohne ID # und eine Nummer",
+    ),
+    spindle=("the spindle", "die Spindel"),
+    function=("M3, M4 or M19", "M3, M4 oder M19"),
+    speed=("its speed", "ihre Drehzahl"),
+)
+LOG_SPINDLE_STOPS = note(
+    901043,
+    en="Cycle {cycle}: spindle {spindle}: M5",
+    de="Zyklus {cycle}: Spindel {spindle}: M5",
+    remedy_en="V.RTG.CYCLES.DIAG_LEVEL below 4 keeps such lines out of the diagnosis data.",
+    remedy_de="V.RTG.CYCLES.DIAG_LEVEL unter 4 hält solche Zeilen aus den Diagnosedaten heraus.",
+    cycle=(
+        "the cycle's ID, or # and a number when it has none",
+        "die ID des Zyklus, ohne ID # und eine Nummer",
+    ),
+    spindle=("the spindle", "die Spindel"),
+)
+LOG_SPINDLE_POSITION = note(
+    901044,
+    en="Cycle {cycle}: spindle {spindle} is positioned at {position} degrees",
+    de="Zyklus {cycle}: Spindel {spindle} wird auf {position} Grad positioniert",
+    remedy_en="V.RTG.CYCLES.DIAG_LEVEL below 4 keeps such lines out of the diagnosis data.",
+    remedy_de="V.RTG.CYCLES.DIAG_LEVEL unter 4 hält solche Zeilen aus den Diagnosedaten heraus.",
+    cycle=(
+        "the cycle's ID, or # and a number when it has none",
+        "die ID des Zyklus, ohne ID # und eine Nummer",
+    ),
+    spindle=("the spindle", "die Spindel"),
+    position=("its position", "ihre Position"),
+)
+LOG_SPINDLE_REACHED = note(
+    901045,
+    en="Cycle {cycle}: the job of spindle {spindle} is done",
+    de="Zyklus {cycle}: der Auftrag der Spindel {spindle} ist erledigt",
+    remedy_en="V.RTG.CYCLES.DIAG_LEVEL below 4 keeps such lines out of the diagnosis data.",
+    remedy_de="V.RTG.CYCLES.DIAG_LEVEL unter 4 hält solche Zeilen aus den Diagnosedaten heraus.",
+    cycle=(
+        "the cycle's ID, or # and a number when it has none",
+        "die ID des Zyklus, ohne ID # und eine Nummer",
+    ),
+    spindle=("the spindle", "die Spindel"),
+)
+LOG_TIMER = note(
+    901046,
+    en="Cycle {cycle}: #TIMER {action} of timer {timer}",
+    de="Zyklus {cycle}: #TIMER {action} des Zeitgebers {timer}",
+    remedy_en="V.RTG.CYCLES.DIAG_LEVEL below 4 keeps such lines out of the diagnosis data.",
+    remedy_de="V.RTG.CYCLES.DIAG_LEVEL unter 4 hält solche Zeilen aus den Diagnosedaten heraus.",
+    cycle=(
+        "the cycle's ID, or # and a number when it has none",
+        "die ID des Zyklus, ohne ID # und eine Nummer",
+    ),
+    action=("START, STOP or CLEAR", "START, STOP oder CLEAR"),
+    timer=("0 … 127", "0 … 127"),
+)
+LOG_TIMER_READ = note(
+    901047,
+    en="Cycle {cycle}: #TIMER READ of timer {timer}: {value} ms",
+    de="Zyklus {cycle}: #TIMER READ des Zeitgebers {timer}: {value} ms",
+    remedy_en="V.RTG.CYCLES.DIAG_LEVEL below 4 keeps such lines out of the diagnosis data.",
+    remedy_de="V.RTG.CYCLES.DIAG_LEVEL unter 4 hält solche Zeilen aus den Diagnosedaten heraus.",
+    cycle=(
+        "the cycle's ID, or # and a number when it has none",
+        "die ID des Zyklus, ohne ID # und eine Nummer",
+    ),
+    timer=("0 … 127", "0 … 127"),
+    value=("the time that it has counted", "die Zeit, die er gezählt hat"),
+)
+LOG_USER_ERROR = note(
+    901048,
+    en="Cycle {cycle}: #ERROR with ID {id} and RC {rc}",
+    de="Zyklus {cycle}: #ERROR mit ID {id} und RC {rc}",
+    remedy_en="V.RTG.CYCLES.DIAG_LEVEL below 4 keeps such lines out of the diagnosis data.",
+    remedy_de="V.RTG.CYCLES.DIAG_LEVEL unter 4 hält solche Zeilen aus den Diagnosedaten heraus.",
+    cycle=(
+        "the cycle's ID, or # and a number when it has none",
+        "die ID des Zyklus, ohne ID # und eine Nummer",
+    ),
+    id=("the error's number", "die Nummer des Fehlers"),
+    rc=("its reaction", "seine Reaktion"),
+)

@@ -13,7 +13,7 @@ from typing import Protocol
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Severity, Span
-from nctakt.kernel import rows
+from nctakt.kernel import codes, rows
 from nctakt.messages.catalogue import catalogue
 from nctakt.nc.check.user_errors import KEYWORDS
 
@@ -27,6 +27,12 @@ _ENDED_BY = {
     rows.ENDED_BY_DELETE: "delete",
     rows.ENDED_BY_RESET: "reset",
     rows.ENDED_BY_ERROR: "error",
+}
+_TIMER_ACTIONS = {
+    codes.TIMER_START: "START",
+    codes.TIMER_STOP: "STOP",
+    codes.TIMER_READ: "READ",
+    codes.TIMER_CLEAR: "CLEAR",
 }
 _LOOPS = {
     rows.LOOP_BEGUN: "begun",
@@ -162,6 +168,7 @@ class EventDecoder:
             rows.EVENT_STARVED: self._starved,
             rows.EVENT_FED: self._fed,
             rows.EVENT_OVERFLOW: self._overflow,
+            rows.EVENT_TIMER: self._timer,
         }
 
     def decode(self, data: bytes | memoryview) -> list[Event]:
@@ -303,6 +310,12 @@ class EventDecoder:
 
     def _overflow(self, number: int, _a: float, _b: float, _c: float) -> tuple[str, str]:
         return "overflow", self._names.thread(number)
+
+    def _timer(
+        self, _serial: int, timer: float, action: float, latched_ms: float
+    ) -> tuple[str, str]:
+        value = f" {number_text(latched_ms)}" if action == codes.TIMER_READ else ""
+        return "timer", f"{int(timer)} {_TIMER_ACTIONS[int(action)]}{value}"
 
     def _program_end(self, number: int, _a: float, _b: float, _c: float) -> tuple[str, str]:
         return "end", self._names.program(number)

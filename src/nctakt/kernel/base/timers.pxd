@@ -16,5 +16,6 @@ cdef class Timers:
     cdef void command(self, int action, Py_ssize_t timer, long long tick) noexcept nogil
     @cython.locals(running=cython.longlong)
     cdef long long elapsed(self, Py_ssize_t timer, long long tick) noexcept nogil
+    cdef double latched(self, Py_ssize_t timer) noexcept nogil
     @cython.locals(time_us=cython.longlong, milliseconds=double)
     cdef void latch(self, Py_ssize_t timer, long long tick) noexcept nogil

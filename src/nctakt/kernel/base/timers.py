@@ -46,6 +46,10 @@ class Timers:
         running = tick - self.started_tick[timer] if self.is_running[timer] else 0
         return self.elapsed_ticks[timer] + running
 
+    def latched(self, timer: int) -> float:
+        """The milliseconds that the last READ has latched."""
+        return self.cells[self.first_cell + timer]
+
     def latch(self, timer: int, tick: int) -> None:
         """READ: whole milliseconds; the largest number of UNS32 where they are more."""
         time_us = self.elapsed(timer, tick) * self.cycle_time_us

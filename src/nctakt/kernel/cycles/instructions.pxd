@@ -95,5 +95,5 @@ cdef class IssueTechnology(Counted):
 cdef class CommandTimer(Counted):
     cdef int action
     cdef Expression timer
-    @cython.locals(value=double)
+    @cython.locals(value=double, latched_ms=double)
     cdef int run(self, Context context) noexcept nogil

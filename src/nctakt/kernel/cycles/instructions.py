@@ -365,4 +365,9 @@ class CommandTimer(Counted):
             context.fail(900421, self.source, value, 127.0)
             return 1
         context.timers.command(self.action, int(value), context.tick)
+        if context.record.records_writes:
+            latched_ms = context.timers.latched(int(value))
+            context.record.event(
+                rows.EVENT_TIMER, self.source, context.serial, value, self.action, latched_ms
+            )
         return 0

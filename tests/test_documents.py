@@ -413,7 +413,7 @@ def test_the_kinds_of_events_are_those_of_the_code() -> None:
     section = text_of("docs/traces.md").split("## Events")[1]
     lines = re.findall(r"^\| (`.+?) \|", section, re.MULTILINE)
     named = [kind for line in lines for kind in re.findall(r"`(\w+)`", line)]
-    kinds = range(rows.EVENT_CREATED, rows.EVENT_OVERFLOW + 1)
+    kinds = range(rows.EVENT_CREATED, rows.EVENT_TIMER + 1)
     decoder = EventDecoder(1000, _Names())
     with_choices = (rows.EVENT_CREATED, rows.EVENT_ENDED)
     with_choices += (rows.EVENT_USER_VALUE, rows.EVENT_USER_TEXT)
@@ -424,7 +424,7 @@ def test_the_kinds_of_events_are_those_of_the_code() -> None:
         for kind in kinds
         for number in (numbers if kind not in with_choices else (0.0,))
         for event in decoder.decode(
-            array("d", (0.0, kind, 0.0, 0.0, 1.0, number, 0.0, 0.0)).tobytes()
+            array("d", (0.0, kind, 0.0, 0.0, 1.0, number, 1.0, 0.0)).tobytes()
         )
     }
     assert sorted(named) == sorted(told)

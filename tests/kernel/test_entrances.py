@@ -9,7 +9,18 @@ import pytest
 from kernel_rig import DEMO, Rig
 
 from nctakt.kernel import codes
+from nctakt.kernel.axes.axes import Axes
+from nctakt.kernel.axes.coordinates import Offsets
+from nctakt.kernel.axes.spindles import Spindles
+from nctakt.kernel.axes.trajectory import Trajectories
+from nctakt.kernel.base.record import Record
+from nctakt.kernel.base.timers import Timers
+from nctakt.kernel.cycles.cycles import CycleManager
+from nctakt.kernel.path.edge_probe import EdgeProbe
 from nctakt.kernel.path.path import Path as KernelPath
+from nctakt.kernel.plc.image_slots import SectionUnits, Units
+from nctakt.kernel.plc.panel import Panel
+from nctakt.kernel.plc.technology_slots import Hli, Section
 from nctakt.kernel.tick.channel import LOW_WATER
 from nctakt.run.queue_feeder import HIGH_WATER
 
@@ -84,6 +95,51 @@ def test_a_number_out_of_its_range_is_refused(name: str) -> None:
         with pytest.raises((ValueError, OverflowError), match="is not in"):
             ENTRANCES[name](rig, number)  # type: ignore[arg-type]
     assert bytes(rig.machine.memory) == before
+
+
+#: Constructors with one number from outside: a first cell, a size, a member, a byte of the image.
+CONSTRUCTORS: dict[str, _Entrance] = {
+    "Axes first": lambda rig, n: Axes(bytearray(800), n, 2),
+    "Axes count": lambda rig, n: Axes(bytearray(800), 0, n),
+    "Offsets": lambda rig, n: Offsets(n),
+    "Trajectories": lambda rig, n: Trajectories(n),
+    "Spindles first": lambda rig, n: Spindles(bytearray(800), n, 2, rig.machine.record, 1000),
+    "Spindles count": lambda rig, n: Spindles(bytearray(800), 0, n, rig.machine.record, 1000),
+    "Timers": lambda rig, n: Timers(bytearray(2000), n, 1000),
+    "Record rows": lambda rig, n: Record(bytearray(800), row_capacity=n),
+    "Record events": lambda rig, n: Record(bytearray(800), event_capacity=n),
+    "Record probes": lambda rig, n: Record(bytearray(800), probe_capacity=n),
+    "Panel": lambda rig, n: Panel(bytearray(800), n),
+    "Section": lambda rig, n: Section(n),
+    "Hli": lambda rig, n: Hli(rig.channel.hli.panel, n),
+    "KernelPath member": lambda rig, n: KernelPath(rig.machine.axes, [n], 1000),
+    "KernelPath history": lambda rig, n: KernelPath(rig.machine.axes, [0], 1000, n),
+    "EdgeProbe": lambda rig, n: EdgeProbe(
+        rig.channel.path, rig.channel.hli, rig.machine.record, bytearray(800), n
+    ),
+    "CycleManager": lambda rig, n: CycleManager(rig.machine.record, rig.machine.single_axes, 0, n),
+    "SectionUnits first": lambda rig, n: units_of(rig, n, 0),
+    "SectionUnits acknowledged": lambda rig, n: units_of(rig, 0, n),
+}
+
+
+def units_of(rig: Rig, first: int, acknowledged: int) -> SectionUnits:
+    """Units of a section in an image of 64 KiB."""
+    image = memoryview(bytearray(1 << 16))
+    axes = bytearray(8)
+    return SectionUnits(
+        rig.channel.hli.program, image, image, first, acknowledged, 1000, axes, axes, Units()
+    )
+
+
+@pytest.mark.parametrize("name", CONSTRUCTORS)
+def test_an_object_that_would_leave_its_memory_is_not_made(name: str) -> None:
+    """Sizes and first cells; a size that no memory has is no attempt to reserve it."""
+    rig = Rig()
+    sizes = (-1, -(10**9), 1 << 62, -(1 << 63), 10**30)
+    for number in sizes:
+        with pytest.raises((ValueError, OverflowError)):
+            CONSTRUCTORS[name](rig, number)
 
 
 @pytest.mark.parametrize("value", [float("nan"), float("inf"), -float("inf")])

@@ -26,13 +26,15 @@ from __future__ import annotations
 from nctakt.kernel import cells, codes, rows
 from nctakt.kernel.axes.coordinates import Offsets, Turns
 from nctakt.kernel.base import arithmetic
-from nctakt.kernel.base.bounds import check_index
+from nctakt.kernel.base.bounds import check_cells, check_index, check_size
 
 
 class Axes:
     """``count`` axes whose cells begin at ``first_cell``."""
 
     def __init__(self, memory: bytearray, first_cell: int, count: int) -> None:
+        check_size(count, "number of axes")
+        check_cells(first_cell, cells.AXIS_CELLS * count, memory)
         self.cells = memoryview(memory).cast("d")
         self.first_cell = first_cell
         self.count = count

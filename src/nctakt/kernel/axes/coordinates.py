@@ -11,13 +11,14 @@ in ``codes.py``.
 from __future__ import annotations
 
 from nctakt.kernel import codes, rows
-from nctakt.kernel.base.bounds import check_index
+from nctakt.kernel.base.bounds import check_index, check_size
 
 
 class Offsets:
     """The offsets of ``count`` axes."""
 
     def __init__(self, count: int) -> None:
+        check_size(count, "number of axes")
         self.count = count
         self.values = memoryview(bytearray(8 * codes.OFFSET_KINDS * count)).cast("d")
         self.program = memoryview(bytearray(8 * count)).cast("d")

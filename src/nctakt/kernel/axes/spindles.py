@@ -18,7 +18,7 @@ import math
 from nctakt.kernel import cells, codes, rows
 from nctakt.kernel.axes.trajectory import Trajectories
 from nctakt.kernel.base import arithmetic
-from nctakt.kernel.base.bounds import check_index
+from nctakt.kernel.base.bounds import check_cells, check_index, check_size
 from nctakt.kernel.base.record import Record
 
 
@@ -31,6 +31,8 @@ class Spindles:
     def __init__(
         self, memory: bytearray, first_cell: int, count: int, record: Record, cycle_time_us: int
     ) -> None:
+        check_size(count, "number of spindles")
+        check_cells(first_cell, cells.SPINDLE_CELLS * count, memory)
         size = 8 * max(1, count)
         self.cells = memoryview(memory).cast("d")
         self.first_cell = first_cell

@@ -24,6 +24,7 @@ from __future__ import annotations
 import math
 
 from nctakt.kernel import codes, rows
+from nctakt.kernel.base.bounds import check_size
 
 
 class Trajectories:
@@ -33,6 +34,7 @@ class Trajectories:
     """
 
     def __init__(self, count: int) -> None:
+        check_size(count, "number of axes")
         self.rows = memoryview(bytearray(8 * rows.PLAN_WIDTH * max(1, count))).cast("d")
         self.distance_d = 0.0
         self.speed_v = 0.0

@@ -7,6 +7,9 @@ that Python calls checks numbers that become an index, a length or an integer of
 
 from __future__ import annotations
 
+#: No table of the realtime part has more rows.
+MAX_SIZE = 1 << 24
+
 
 def check_index(number: int, count: int, what: str) -> None:
     """Raise ``ValueError`` unless ``number`` is one of ``count`` from 0 on; ``what`` names it."""
@@ -23,3 +26,13 @@ def check_finite(number: float, what: str) -> None:
     """Raise ``ValueError`` for infinity and what is not a number; ``what`` names it."""
     if number - number != 0.0:
         raise ValueError(f"{what} {number} is not a finite number")
+
+
+def check_size(number: int, what: str) -> None:
+    """Raise ``ValueError`` unless ``number`` is a size of a table; ``what`` names it."""
+    check_range(number, 0, MAX_SIZE, what)
+
+
+def check_cells(first_cell: int, count: int, memory: bytearray) -> None:
+    """Raise ``ValueError`` unless ``count`` cells from ``first_cell`` on lie in ``memory``."""
+    check_range(first_cell, 0, len(memory) // 8 - count, "first cell")

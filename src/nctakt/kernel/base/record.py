@@ -10,7 +10,7 @@ a row is a copy of the chosen cells. ``rows.py`` has the columns of events and p
 from __future__ import annotations
 
 from nctakt.kernel import rows
-from nctakt.kernel.base.bounds import check_index
+from nctakt.kernel.base.bounds import check_index, check_size
 
 
 class Record:
@@ -27,6 +27,8 @@ class Record:
         event_capacity: int = 8192,
         probe_capacity: int = 8192,
     ) -> None:
+        for capacity in (row_capacity, event_capacity, probe_capacity):
+            check_size(capacity, "capacity")
         self.cells = memoryview(memory).cast("d")
         self.row_capacity = row_capacity
         self.select([])

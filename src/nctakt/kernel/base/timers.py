@@ -9,12 +9,14 @@ from __future__ import annotations
 
 from nctakt.kernel import cells, codes
 from nctakt.kernel.base import arithmetic
+from nctakt.kernel.base.bounds import check_cells
 
 
 class Timers:
     """``first_cell`` is that of V.RTG.TIMER[0]."""
 
     def __init__(self, memory: bytearray, first_cell: int, cycle_time_us: int) -> None:
+        check_cells(first_cell, cells.TIMERS, memory)
         self.cells = memoryview(memory).cast("d")
         self.first_cell = first_cell
         self.cycle_time_us = cycle_time_us

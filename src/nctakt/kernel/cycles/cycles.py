@@ -11,7 +11,7 @@ from __future__ import annotations
 from nctakt.kernel import codes, rows
 from nctakt.kernel.axes.single_axes import SingleAxes
 from nctakt.kernel.axes.spindles import Spindles
-from nctakt.kernel.base.bounds import check_index, check_range
+from nctakt.kernel.base.bounds import check_index, check_range, check_size
 from nctakt.kernel.base.record import Record
 from nctakt.kernel.cycles.context import Context
 from nctakt.kernel.cycles.instructions import Statement
@@ -92,6 +92,7 @@ class CycleManager:
     def __init__(
         self, record: Record, single_axes: SingleAxes, first_owner: int, capacity: int = 256
     ) -> None:
+        check_size(capacity, "number of slots")
         self.record = record
         self.spindles = Spindles(bytearray(8), 0, 0, record, 1000)
         self.single_axes = single_axes

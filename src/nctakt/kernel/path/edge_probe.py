@@ -10,6 +10,7 @@ the path stands then.
 from __future__ import annotations
 
 from nctakt.kernel import codes, rows
+from nctakt.kernel.base.bounds import check_cells
 from nctakt.kernel.base.record import Record
 from nctakt.kernel.path.path import Path
 from nctakt.kernel.plc.technology_slots import Hli
@@ -22,6 +23,7 @@ class EdgeProbe:
     """
 
     def __init__(self, path: Path, hli: Hli, record: Record, memory: bytearray, cell: int) -> None:
+        check_cells(cell, 1, memory)
         self.path = path
         self.hli = hli
         self.record = record

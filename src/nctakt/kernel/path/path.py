@@ -14,7 +14,7 @@ from __future__ import annotations
 from nctakt.kernel import codes, rows
 from nctakt.kernel.axes.axes import Axes
 from nctakt.kernel.base import arithmetic
-from nctakt.kernel.base.bounds import check_index
+from nctakt.kernel.base.bounds import check_index, check_size
 from nctakt.kernel.path import geometry
 from nctakt.kernel.path.arc_speed import ArcSpeed
 from nctakt.kernel.path.jerk_profile import JerkProfile
@@ -34,6 +34,7 @@ class Path(PathAxes):
     def __init__(
         self, axes: Axes, members: list[int], cycle_time_us: int, history_size: int = 0
     ) -> None:
+        check_size(history_size, "size of the history")
         super().__init__(axes, members)
         self.cycle_time_t = cycle_time_us / 1e6
         self.cycle_time_us = cycle_time_us

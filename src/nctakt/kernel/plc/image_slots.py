@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from nctakt.kernel import cells, codes
 from nctakt.kernel.axes.spindles import Spindles
+from nctakt.kernel.base.bounds import check_range
 from nctakt.kernel.plc.technology_slots import Section
 
 
@@ -47,6 +48,9 @@ class SectionUnits(Units):
         h_axes: bytearray,
         others: Units,
     ) -> None:
+        units = 4 * cells.UNIT_WIDTH * section.slot_count
+        check_range(first, 0, image.nbytes - units, "first byte")
+        check_range(acknowledged, 0, image.nbytes - 4 * section.slot_count, "first byte")
         self.section = section
         self.m_axes = memoryview(m_axes).cast("q")
         self.h_axes = memoryview(h_axes).cast("q")
@@ -118,6 +122,12 @@ class SpindleUnits(Units):
         cycle_time_us: int,
         others: Units,
     ) -> None:
+        last = max(0, spindles.count - 1)
+        job_bytes = 4 * cells.SPINDLE_JOB_TIMES + 8 * (cells.IMAGE_POSITION + 1)
+        for stride in (size, answer_size):
+            check_range(stride, 0, image.nbytes, "size")
+        check_range(job, 0, image.nbytes - last * size - job_bytes, "first byte")
+        check_range(acknowledged, 0, image.nbytes - last * answer_size - 4, "first byte")
         self.spindles = spindles
         self.halves = image.cast("i")
         self.words = image.cast("q")

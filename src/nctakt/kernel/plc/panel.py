@@ -9,7 +9,7 @@ the tick that finds one pressed takes it and writes 0.
 from __future__ import annotations
 
 from nctakt.kernel import cells, codes
-from nctakt.kernel.base.bounds import check_range
+from nctakt.kernel.base.bounds import check_cells, check_range
 
 
 class Panel:
@@ -22,6 +22,7 @@ class Panel:
     """
 
     def __init__(self, memory: bytearray, first_cell: int) -> None:
+        check_cells(first_cell, cells.PANEL_CELLS, memory)
         self.cells = memoryview(memory).cast("d")
         self.first_cell = first_cell
         self.is_armed = False

@@ -12,7 +12,7 @@ by the ticks that the function takes (P-CHAN-00040, P-CHAN-00026).
 from __future__ import annotations
 
 from nctakt.kernel import codes
-from nctakt.kernel.base.bounds import check_index
+from nctakt.kernel.base.bounds import check_index, check_size
 from nctakt.kernel.plc.panel import Panel
 
 #: Slots of a section: a number of ours, no source gives one (RC-403).
@@ -28,6 +28,7 @@ class Section:
     """
 
     def __init__(self, slot_count: int) -> None:
+        check_size(slot_count, "number of slots")
         self.slot_count = slot_count
         self.state = memoryview(bytearray(8 * slot_count)).cast("q")
         self.function = memoryview(bytearray(8 * slot_count)).cast("q")

@@ -10,6 +10,7 @@ from __future__ import annotations
 from nctakt.kernel import cells, codes, rows
 from nctakt.kernel.axes.single_axes import SingleAxes
 from nctakt.kernel.axes.spindles import Spindles
+from nctakt.kernel.base.bounds import check_cells
 from nctakt.kernel.base.record import Record
 from nctakt.kernel.base.timers import Timers
 from nctakt.kernel.cycles.context import Context
@@ -40,6 +41,7 @@ class CommandExecutor(CommandQueue):
         look_ahead: LookAhead,
         single_axes: SingleAxes,
     ) -> None:
+        check_cells(first_cell, cells.CHANNEL_TIMER, memory)
         super().__init__(path, look_ahead)
         self.cells = memoryview(memory).cast("d")
         self.characters = memoryview(memory)

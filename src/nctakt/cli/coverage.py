@@ -29,7 +29,7 @@ from nctakt.cli.running import (
     run_programs,
     shown_from,
     start_controller,
-    told,
+    with_limit_error,
 )
 from nctakt.cli.terminal import print_diagnostics, show_at_the_end
 from nctakt.files.access import FileAccess
@@ -148,7 +148,7 @@ def _run(options: Options, access: FileAccess) -> tuple[int, Coverage | None]:
     run = run_programs(options, request, start_controller(options, access), why=True)
     if run is None:
         return EXIT_NC_ERROR, None
-    run = told(options, run)
+    run = with_limit_error(options, run)
     print_diagnostics(run.diagnostics, options.language, shown_from(options))
     return exit_code(options, run), run.coverage if run.ticks else None
 

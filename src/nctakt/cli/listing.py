@@ -29,7 +29,7 @@ from nctakt.cli.running import (
     run_programs,
     shown_from,
     start_controller,
-    told,
+    with_limit_error,
 )
 from nctakt.cli.terminal import print_diagnostics, show_at_the_end
 from nctakt.messages import diagnostic
@@ -84,14 +84,16 @@ def _list(options: Options) -> int:
     if options.form == "json" and run is not None:
         from nctakt.cli.json_documents import as_json, run_document  # noqa: PLC0415
 
-        text = as_json(run_document(told(options, run), options.language, listing=listed))
+        text = as_json(
+            run_document(with_limit_error(options, run), options.language, listing=listed)
+        )
     else:
         text = "\n".join("".join(f"{line}\n" for line in one.lines) for one in listed)
     if text:
         show_at_the_end(lambda file: print(text, end="", file=file))
     if run is None:
         return EXIT_NC_ERROR
-    run = told(options, run)
+    run = with_limit_error(options, run)
     if options.form == "text":
         print_diagnostics(run.diagnostics, options.language, shown_from(options))
         if not options.quiet:

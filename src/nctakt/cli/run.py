@@ -30,7 +30,7 @@ from nctakt.cli.running import (
     run_options,
     run_programs,
     start_controller,
-    told,
+    with_limit_error,
 )
 from nctakt.cli.terminal import (
     message_line,
@@ -213,7 +213,7 @@ def _tell(options: Options, run: Run, wall_s: float) -> int:
     """Show diagnostics and summary; the exit code."""
     from nctakt.results.summary import print_summary  # noqa: PLC0415 - the mode is chosen before
 
-    run = told(options, run)
+    run = with_limit_error(options, run)
     if options.form == "json":
         from nctakt.cli.json_documents import as_json, run_document  # noqa: PLC0415
 

@@ -264,7 +264,7 @@ def exit_code(options: Options, run: Run) -> int:
     return EXIT_NC_ERROR if stopped or run.errors else EXIT_RAN
 
 
-def told(options: Options, run: Run) -> Run:
+def with_limit_error(options: Options, run: Run) -> Run:
     """Return the run with what the options add to its diagnostics: a limit that fails (901016)."""
     if not options.limit_fails or run.state != "limit":
         return run

@@ -26,7 +26,7 @@ from nctakt.cli.running import (
     run_programs,
     shown_from,
     start_controller,
-    told,
+    with_limit_error,
 )
 from nctakt.cli.terminal import print_diagnostics, show_at_the_end
 from nctakt.lists.format.times import read_time
@@ -87,7 +87,7 @@ def _why(options: Options, cycle: str | None, line: int | None, state: str | Non
     run = run_programs(options, request, controller, why=True)
     if run is None:
         return EXIT_NC_ERROR
-    run = told(options, run)
+    run = with_limit_error(options, run)
     if options.form == "text":
         print_diagnostics(run.diagnostics, options.language, shown_from(options))
     if run.ticks or options.form == "json":

@@ -70,12 +70,12 @@ def _all() -> Iterator[Article]:
 
 def _find(word: str) -> tuple[Article, ...]:
     """A structure, a value with or without its structure, or its name from outside."""
-    wanted = word.lower()
+    name = word.lower()
     outside = PREFIX.lower()
-    if wanted.startswith(outside):
-        wanted = wanted.removeprefix(outside)
+    if name.startswith(outside):
+        name = name.removeprefix(outside)
     return tuple(
-        article for article in _all() if wanted in (article.name, article.name.rpartition(".")[2])
+        article for article in _all() if name in (article.name, article.name.rpartition(".")[2])
     )
 
 

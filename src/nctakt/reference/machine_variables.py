@@ -52,20 +52,20 @@ class MachineVariables:
 
     def find(self, word: str) -> list[Article]:
         """Return the articles of all variables of this name, those of each channel apart."""
-        wanted = _plain(word).casefold()
+        folded = _plain(word).casefold()
         return [
             _article(self._machine, name, variable, node, channel)
             for name, variable, node, channel in _declared(self._machine)
-            if name.casefold() == wanted
+            if name.casefold() == folded
         ]
 
     def unknown(self, word: str) -> tuple[Diagnostic, ...]:
         """Return what is told of a name that the machine does not declare."""
         near = nearest(_plain(word), sorted({name for name, _, _, _ in _declared(self._machine)}))
-        found = diagnostic(UNKNOWN_MACHINE_VARIABLE, name=word)
+        error = diagnostic(UNKNOWN_MACHINE_VARIABLE, name=word)
         if near:
-            found = diagnostic(MISSPELLED_MACHINE_VARIABLE, name=word, nearest=near)
-        return (found, diagnostic(NAMES_OF_DEMO_MACHINE)) if self._machine.is_demo else (found,)
+            error = diagnostic(MISSPELLED_MACHINE_VARIABLE, name=word, nearest=near)
+        return (error, diagnostic(NAMES_OF_DEMO_MACHINE)) if self._machine.is_demo else (error,)
 
 
 def _plain(word: str) -> str:

@@ -52,14 +52,14 @@ def nearest_word(word: str) -> str:
 
 def search(words: str, language: Language) -> list[Article]:
     """Return the articles whose texts contain words; those with them in name or meaning first."""
-    wanted = " ".join(words.casefold().split())
+    phrase = " ".join(words.casefold().split())
     first: list[Article] = []
     others: list[Article] = []
-    for one in (article for each in TOPICS for article in each.articles()):
-        if wanted in _folded(one.name, one.meaning.get(language)):
-            first.append(one)
-        elif wanted in _folded(*(part.value.get(language) for part in one.facts)):
-            others.append(one)
+    for article in (article for topic in TOPICS for article in topic.articles()):
+        if phrase in _folded(article.name, article.meaning.get(language)):
+            first.append(article)
+        elif phrase in _folded(*(fact.value.get(language) for fact in article.facts)):
+            others.append(article)
     return [*first, *others]
 
 

@@ -7,6 +7,7 @@ a channel is its view of that block, with what the channel's cycles need beside 
 
 from __future__ import annotations
 
+from nctakt.kernel import cells
 from nctakt.kernel.axes.axes import Axes
 from nctakt.kernel.axes.single_axes import SingleAxes
 from nctakt.kernel.axes.spindles import Spindles
@@ -99,4 +100,6 @@ def context_of(memory: bytearray) -> Context:
     """A context whose cells are this memory, at least ten, for what Python's side computes."""
     record = Record(memory, row_capacity=1, event_capacity=1, probe_capacity=1)
     single_axes = SingleAxes(Axes(memory, 0, 0), record, 1000)
-    return Context(memory, record, Hli(Panel(memory, 0)), Timers(memory, 0, 1000), single_axes)
+    own = bytearray(8 * (cells.PANEL_CELLS + cells.TIMERS))
+    hli, timers = Hli(Panel(own, 0)), Timers(own, cells.PANEL_CELLS, 1000)
+    return Context(memory, record, hli, timers, single_axes)

@@ -505,15 +505,15 @@ def test_a_reader_that_closes_early_is_no_error() -> None:
 
 
 @pytest.mark.slow
-def test_ten_thousand_unknown_entries_are_a_few_lines(check: Check) -> None:
+def test_thousands_of_unknown_entries_are_a_few_lines(check: Check) -> None:
     """The first 20 have a line each, one more counts the others; with --verbose each has one."""
-    entries = "".join(f"lr_param.group[{i % 7}].key_{i} {i}\n" for i in range(10_000))
+    entries = "".join(f"lr_param.group[{i % 7}].key_{i} {i}\n" for i in range(2000))
     write("x.lis", f"kopf.achs_nr 1\n{entries}Ende\n")
     checked = check("x.lis")
     assert (checked.ids, checked.code) == ([900583, *[900008] * 20, 900010], 0)
     verbose = check("x.lis", "--verbose")
-    assert len(verbose.ids) == 10_001
-    assert verbose.lines[-1].startswith("1 file: 0 errors, 10000 warnings")
+    assert len(verbose.ids) == 2001
+    assert verbose.lines[-1].startswith("1 file: 0 errors, 2000 warnings")
 
 
 # --- what programs call --------------------------------------------------------------------------

@@ -188,7 +188,7 @@ MODAL = [
 ]
 
 
-@each_seed(150, 30)
+@each_seed(60, 12)
 def test_both_ways_give_the_same_commands(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
     """Random programs: the rows of the queue are equal to the bit, and so are the diagnostics."""
     content = text(seed)
@@ -225,7 +225,7 @@ def test_plain_blocks_follow_the_table_of_functions(
     assert rows(content) == short
 
 
-@each_seed(20, 20)
+@each_seed(20, 5)
 def test_the_queue_is_filled_as_far(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
     """Decoding stops at the same block when the queue is full (what is read later, is later)."""
     content = text(1000 + seed)
@@ -281,7 +281,7 @@ def contour(seed: int) -> str:
     return "\n".join(["#VAR", "V.P.A = 1", "#ENDVAR", *lines])
 
 
-@each_seed(150, 30)
+@each_seed(60, 12)
 def test_both_ways_give_the_same_contours(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
     """MO-9: random contours beside which the tool goes, with what interrupts them."""
     content = contour(seed)

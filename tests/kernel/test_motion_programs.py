@@ -77,7 +77,7 @@ def wrong_with(seed: int) -> list[str]:
     return violations(program, run, chosen)
 
 
-@seeds_in_parts(1000, 20, 20)
+@seeds_in_parts(400, 10, 20)
 def test_programs_of_all_motions_keep_limits_way_and_ends(seeds: range) -> None:
     """MO-1: in each tick, with all that an operator may do in any tick."""
     for seed in seeds:

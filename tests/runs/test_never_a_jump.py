@@ -160,7 +160,7 @@ def run_of(seed: int) -> Run:
     return Controller().run(program, ticks=TICKS)
 
 
-@seeds_in_parts(400, 40, 100)
+@seeds_in_parts(200, 10, 50)
 def test_no_axis_moves_or_changes_faster_than_it_can(seeds: range) -> None:
     """RC-409, MO-1: no command position ever changes by more than the axis' speed × tick.
 

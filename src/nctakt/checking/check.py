@@ -25,7 +25,7 @@ from nctakt.lists.declared.startup import STARTUP
 from nctakt.lists.format.without_effect import Detail
 from nctakt.lists.machine.files import startup_list_around
 from nctakt.lists.machine.list_kinds import check_list_alone, kind_of
-from nctakt.lists.machine.machine import load_startup
+from nctakt.lists.machine.machine import load_machine, load_startup
 from nctakt.lists.machine.scheduling_profile import STANDARD_OPTIONS, RtconfOptions
 from nctakt.messages import Collector, diagnostic
 from nctakt.messages.checking import (
@@ -37,6 +37,8 @@ from nctakt.messages.checking import (
 from nctakt.nc.check.blocks import Role
 from nctakt.nc.lint.linter import GlobalCycles, never_deleted
 from nctakt.nc.source import Source
+from nctakt.project.machine_choice import MachineChoice, choose_machine
+from nctakt.project.project_file import find_project
 from nctakt.run.assembly import AssembledMachine
 from nctakt.run.program_loader import NcText
 
@@ -64,7 +66,8 @@ class CheckResult:
 
     ``machines``: the folders with a start-up list. ``uses_default``: a program was checked for the
     default machine, since it belongs to none of these. ``around``: the start-up lists of machines
-    that are not inputs themselves, in whose folders programs lie.
+    that are not inputs themselves, in whose folders programs lie. ``settings``: the machines that
+    settings name, and which.
     """
 
     files: tuple[CheckedFile, ...]
@@ -72,6 +75,7 @@ class CheckResult:
     machines: tuple[str, ...] = ()
     uses_default: bool = False
     around: tuple[str, ...] = ()
+    settings: tuple[MachineChoice, ...] = ()
 
     def count(self, severity: Severity) -> int:
         """Return the number of diagnostics of a severity."""
@@ -126,6 +130,7 @@ class _Checker:
         self._files: dict[str, str] = {}
         self._found: list[Found] = []
         self._around: dict[Path, None] = {}
+        self._settings: dict[MachineChoice, None] = {}
         self._channels: dict[str, set[int]] = {}
         self._covered: dict[Path, None] = {}
         self._waiting: list[_Waiting] = []
@@ -148,7 +153,9 @@ class _Checker:
         self._names = {path.resolve(): path for path in gathered.programs}
         first_of = {path.resolve().parent: path for path in gathered.programs}
         for path in first_of.values() if not self._for_all else ():
-            self._machine_around(path)
+            self._machine_of(path)
+        if texts and not self._for_all:
+            self._machine_of(None)
         for path in gathered.programs:
             self._queue(path, self._targets.of(path), "either")
         for text in texts:
@@ -163,7 +170,8 @@ class _Checker:
         folders = self._targets.folders
         around = tuple(path.as_posix() for path in self._around if path.parent in folders)
         found = _ordered(self._found, self._channels)
-        return CheckResult(files, found, machines, self._targets.uses_default, around)
+        settings = tuple(one for one in self._settings if one.path in self._targets.assigned)
+        return CheckResult(files, found, machines, self._targets.uses_default, around, settings)
 
     def _keep(
         self, file: str, diagnostics: Sequence[Diagnostic], channels: tuple[int, ...] = ()
@@ -220,6 +228,37 @@ class _Checker:
             self._files[path.as_posix()] = kind
         self._keep(startup.as_posix(), machine.diagnostics)
         self._targets.add(machine)
+
+    def _machine_of(self, program: Path | None) -> None:
+        """The machine that the project of a program names, else the one around the program.
+
+        ``None``: a text, which belongs to the project of the working directory.
+        """
+        try:
+            project = find_project(Path() if program is None else program, self._access)
+        except Failure as failure:
+            self._keep("", failure.diagnostics)
+            return
+        if project is not None and project.machine is not None:
+            self._machine_of_setting(program, choose_machine(program, project, self._access))
+        elif program is not None:
+            self._machine_around(program)
+
+    def _machine_of_setting(self, program: Path | None, choice: MachineChoice) -> None:
+        """A machine that a setting names; only errors of its lists are told."""
+        if choice not in self._settings:
+            self._settings[choice] = None
+            try:
+                machine = load_machine(
+                    choice.path, root=self._root, rtconf=self._rtconf, access=self._access
+                )
+            except Failure as error:
+                self._keep(choice.path.as_posix(), error.diagnostics)
+                return
+            errors = [one for one in machine.diagnostics if one.severity is Severity.ERROR]
+            self._keep(choice.path.as_posix(), errors)
+            self._targets.assign(choice.path, machine)
+        self._targets.use(choice.path, None if program is None else program.resolve().parent)
 
     def _machine_around(self, program: Path) -> None:
         """Load the machine in whose folder a program lies; report only errors of its lists."""

@@ -47,7 +47,8 @@ class Targets:
     """The channels of ``default``, and of the machines that are added.
 
     ``for_all``: all programs are for ``default``. ``folders``: the folders of other machines that
-    have programs. ``uses_default``: ``default`` has programs.
+    have programs. ``uses_default``: ``default`` has programs. ``assigned``: the machines that
+    settings name, by their path.
     """
 
     def __init__(self, default: AssembledMachine, for_all: bool) -> None:
@@ -56,6 +57,8 @@ class Targets:
         self._machines: list[Sequence[Target]] = []
         self.uses_default = False
         self.folders: dict[Path, None] = {}
+        self.assigned: dict[Path, Sequence[Target]] = {}
+        self._assigned_to: dict[Path | None, Path] = {}
 
     def add(self, configuration: Machine) -> None:
         """Add a machine whose folder is checked."""
@@ -65,7 +68,7 @@ class Targets:
     def of(self, program: Path | None) -> Sequence[Target]:
         """Return the channels of a program; ``None``: a text without a folder."""
         folder = None if program is None else program.resolve().parent
-        channels = self._default if folder is None else self._machine_of(folder)
+        channels = self._machine_of(folder)
         if channels is self._default:
             self.uses_default = True
         else:
@@ -75,8 +78,27 @@ class Targets:
         ]
         return searching or channels[:1]
 
-    def _machine_of(self, folder: Path) -> Sequence[Target]:
-        """Return the innermost machine around a folder, else one that searches in the folder."""
+    def assign(self, path: Path, configuration: Machine) -> None:
+        """Add a machine that a setting names by ``path``; ``use`` says for which programs."""
+        self.assigned[path] = _channels(AssembledMachine(configuration))
+
+    def use(self, path: Path, folder: Path | None) -> None:
+        """Let the programs of a folder (``None``: texts) be for the machine assigned to ``path``.
+
+        One that could not be loaded leaves them to the others.
+        """
+        if path in self.assigned:
+            self._assigned_to[folder] = path
+
+    def _machine_of(self, folder: Path | None) -> Sequence[Target]:
+        """Return the machine of a folder's programs.
+
+        The assigned one, else the innermost one around it, else one that searches in the folder.
+        """
+        if folder in self._assigned_to:
+            return self.assigned[self._assigned_to[folder]]
+        if folder is None:
+            return self._default
         candidates = [
             channels
             for channels in self._machines

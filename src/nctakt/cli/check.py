@@ -22,9 +22,11 @@ from nctakt.checking.check import CheckResult, check_files
 from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN, EXIT_USAGE
 from nctakt.cli.file_options import CONFINE_OPTION, file_access, read_standard_input
 from nctakt.cli.formats import as_github, as_json, as_text, closing_line
+from nctakt.cli.language import language_option
 from nctakt.cli.sarif import as_sarif
 from nctakt.cli.schedule_options import RTCONF_OPTIONS, with_options
 from nctakt.cli.selection import Selection, read_selection
+from nctakt.cli.settings import project_around
 from nctakt.cli.terminal import print_diagnostics, show_at_the_end
 from nctakt.files.access import FileAccess
 from nctakt.files.output import OutputFile
@@ -32,8 +34,13 @@ from nctakt.lists.format.without_effect import Detail
 from nctakt.lists.machine.machine import load_machine
 from nctakt.lists.machine.scheduling_profile import PROFILES, Convention, RtconfOptions
 from nctakt.messages import diagnostic
-from nctakt.messages.checking import CHECKED_FOR_DEMO_MACHINE, CHECKED_FOR_MACHINE_OF_FILE
+from nctakt.messages.checking import (
+    CHECKED_FOR_DEMO_MACHINE,
+    CHECKED_FOR_MACHINE_OF_FILE,
+    NOTHING_NAMED_TO_CHECK,
+)
 from nctakt.messages.files import STDIN_NAMED_TWICE
+from nctakt.project.machine_choice import MachineChoice, machine_of_environment
 from nctakt.run.assembly import AssembledMachine
 from nctakt.run.program_loader import NcText
 
@@ -54,7 +61,7 @@ nothing to check, 3 an error of nctakt's own.
 
 @dataclass(frozen=True, slots=True)
 class Options:
-    """The words of the command line as they were given; ``None``: not given."""
+    """The words of the command line with the settings of the project; ``None``: not given."""
 
     paths: tuple[str, ...]
     machine: str | None
@@ -75,7 +82,7 @@ class Options:
 
 
 @click.command("check", epilog=_EPILOG, short_help="Find mistakes without running anything.")
-@click.argument("paths", metavar="FILE|DIR...", nargs=-1, required=True)
+@click.argument("paths", metavar="FILE|DIR...", nargs=-1)
 @click.option(
     "--machine",
     metavar="DIR",
@@ -92,13 +99,7 @@ class Options:
     default="text",
     help="How findings are told.",
 )
-@click.option(
-    "--lang",
-    "language",
-    type=click.Choice(["en", "de"]),
-    default="en",
-    help="Language of the findings.",
-)
+@language_option("Language of the findings [default: en].", None)
 @click.option("--select", metavar="ID,...", multiple=True, help="Only these messages.")
 @click.option("--ignore", metavar="ID,...", multiple=True, help="Not these messages.")
 @with_options(*RTCONF_OPTIONS)
@@ -114,36 +115,50 @@ class Options:
 @CONFINE_OPTION
 def command(**words: Any) -> int:
     """Check NC programs, lists and folders with both in them."""
-    options = Options(**words)
+    language: Language = words["language"] or "en"
     try:
-        return _check(options)
+        access = file_access(words["confined"])
+        project = project_around(words["paths"], access)
+        if project is not None:
+            language = words["language"] or project.language or language
+            words["paths"] = words["paths"] or tuple(str(path) for path in project.paths)
+        return _check(Options(**{**words, "language": language}), access)
     except Failure as failure:
-        print_diagnostics(failure.diagnostics, options.language)
+        print_diagnostics(failure.diagnostics, language)
         return EXIT_USAGE
 
 
-def _check(options: Options) -> int:
+def _check(options: Options, access: FileAccess) -> int:
     """Check and tell; raises ``Failure`` for words that cannot be used."""
+    if not options.paths:
+        raise Failure(diagnostic(NOTHING_NAMED_TO_CHECK))
     selection = read_selection(options.select, options.ignore)
     if options.paths.count(_STANDARD_INPUT) > 1:
         raise Failure(diagnostic(STDIN_NAMED_TWICE))
-    access = file_access(options.confined)
-    machine = _machine(options, access)
+    named = options.machine
+    from_environment = None if named is not None else machine_of_environment()
+    if from_environment is not None:
+        named = str(from_environment.path)
+    machine = _machine(options, named, access)
     with contextlib.ExitStack() as files:
         output = None
         if options.output is not None:
             for path in options.paths:
                 access.note(path)
             output = files.enter_context(OutputFile(options.output, "--output", access))
-        return _tell(options, selection, machine, output)
+        return _tell(options, selection, machine, from_environment, output)
 
 
 def _tell(
-    options: Options, selection: Selection, machine: AssembledMachine, output: OutputFile | None
+    options: Options,
+    selection: Selection,
+    machine: AssembledMachine,
+    from_environment: MachineChoice | None,
+    output: OutputFile | None,
 ) -> int:
     """Check and tell; the exit code."""
     inputs = [_standard_input() if path == _STANDARD_INPUT else path for path in options.paths]
-    is_named = options.machine is not None
+    is_named = options.machine is not None or from_environment is not None
     checked = check_files(
         inputs,
         machine,
@@ -154,6 +169,8 @@ def _tell(
     )
     lowest = Severity.WARNING if options.quiet else Severity.NOTE
     result = _selected(checked, selection, lowest)
+    if from_environment is not None:
+        result = replace(result, settings=(from_environment,))
     told = _told(result, options)
     closing = _closing(result, selection, options)
     if output is None:
@@ -171,10 +188,10 @@ def _detail(options: Options) -> Detail:
     return "effects" if options.effects else "summary"
 
 
-def _machine(options: Options, access: FileAccess) -> AssembledMachine:
+def _machine(options: Options, named: str | None, access: FileAccess) -> AssembledMachine:
     """The machine that programs are checked for; what is wrong with its lists is told, too."""
     configuration = load_machine(
-        options.machine, root=options.root, rtconf=_rtconf_options(options), access=access
+        named, root=options.root, rtconf=_rtconf_options(options), access=access
     )
     print_diagnostics(configuration.diagnostics, options.language, Severity.ERROR)
     return AssembledMachine(configuration, access)
@@ -215,7 +232,8 @@ def _closing(result: CheckResult, selection: Selection, options: Options) -> str
     if options.quiet:
         return ""
     remarks = [diagnostic(CHECKED_FOR_MACHINE_OF_FILE, file=file) for file in result.around]
-    if options.machine is None and result.uses_default:
+    remarks += [note for one in result.settings if (note := one.note()) is not None]
+    if options.machine is None and not result.settings and result.uses_default:
         folder = result.machines[0] if len(result.machines) == 1 else "DIR"
         remarks.append(diagnostic(CHECKED_FOR_DEMO_MACHINE, folder=folder))
     lines = [one.render(options.language) for one in remarks if selection.takes(one.id)]

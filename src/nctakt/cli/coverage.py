@@ -18,8 +18,7 @@ import click
 
 from nctakt.base.diagnostics import Language
 from nctakt.base.failure import Failure
-from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN, EXIT_USAGE
-from nctakt.cli.file_options import file_access
+from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN
 from nctakt.cli.request import Options, read_request
 from nctakt.cli.running import (
     RUN_CODES,
@@ -31,6 +30,7 @@ from nctakt.cli.running import (
     start_controller,
     with_limit_error,
 )
+from nctakt.cli.settings import carry_out
 from nctakt.cli.terminal import print_diagnostics, show_at_the_end
 from nctakt.files.access import FileAccess
 from nctakt.files.output import OutputFile
@@ -89,16 +89,18 @@ def command(
     form: str, data: str | None, merge: tuple[str, ...], least: float | None, **words: Any
 ) -> int:
     """Run NC programs and tell which branches of their realtime cycles ran, and how often."""
-    options = Options(**words)
-    try:
-        return _cover(options, form, data, merge, least)
-    except Failure as failure:
-        print_diagnostics(failure.diagnostics, options.language)
-        return EXIT_USAGE
+    return carry_out(
+        words, lambda options, access: _cover(options, access, form, data, merge, least)
+    )
 
 
 def _cover(
-    options: Options, form: str, data: str | None, merge: tuple[str, ...], least: float | None
+    options: Options,
+    access: FileAccess,
+    form: str,
+    data: str | None,
+    merge: tuple[str, ...],
+    least: float | None,
 ) -> int:
     """Read, run, add, tell; raises ``Failure`` for what cannot be used."""
     choose_mode(options)
@@ -106,7 +108,6 @@ def _cover(
 
     if not options.programs and not options.others and data is None and not merge:
         raise Failure(diagnostic(NOTHING_TO_COVER))
-    access = file_access(options.confined)
     before = [_read(file, access) for file in merge]
     if data is not None and Path(data).exists():
         before.insert(0, _read(data, access, is_replaced=True))

@@ -19,6 +19,7 @@ from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_RAN, EXIT_USAGE
 from nctakt.cli.formats import diagnostics_as_json
 from nctakt.cli.json_documents import as_json, plain
+from nctakt.cli.language import language_option
 from nctakt.cli.running import FORMAT_OPTION
 from nctakt.cli.terminal import print_diagnostics, show_at_the_end
 from nctakt.messages import diagnostic
@@ -58,13 +59,7 @@ Exit codes: 0 each word is known, 2 one is not, 3 an error of nctakt's own.
     "--machine", metavar="DIR", help="The machine whose V.E and V.CH are meant [default: demo]."
 )
 @FORMAT_OPTION
-@click.option(
-    "--lang",
-    "language",
-    type=click.Choice(["en", "de"]),
-    default="en",
-    help="Language of the explanation.",
-)
+@language_option("Language of the explanation.")
 def command(words: tuple[str, ...], machine: str | None, form: str, language: Language) -> int:
     """Explain messages, parameters of lists, variables and words of NC programs.
 

@@ -16,9 +16,7 @@ import click
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic
-from nctakt.base.failure import Failure
-from nctakt.cli import EXIT_NC_ERROR, EXIT_USAGE
-from nctakt.cli.file_options import file_access
+from nctakt.cli import EXIT_NC_ERROR
 from nctakt.cli.request import Options, read_request
 from nctakt.cli.running import (
     FORMAT_OPTION,
@@ -31,7 +29,9 @@ from nctakt.cli.running import (
     start_controller,
     with_limit_error,
 )
+from nctakt.cli.settings import carry_out
 from nctakt.cli.terminal import print_diagnostics, show_at_the_end
+from nctakt.files.access import FileAccess
 from nctakt.messages import diagnostic
 from nctakt.messages.command_line import LISTING_INCOMPLETE, NO_CYCLE_DEFINED
 
@@ -65,18 +65,12 @@ class Listed:
 @FORMAT_OPTION
 def command(**words: Any) -> int:
     """Run NC programs and list each realtime cycle that they define ('-': standard input)."""
-    options = Options(**words)
-    try:
-        return _list(options)
-    except Failure as failure:
-        print_diagnostics(failure.diagnostics, options.language)
-        return EXIT_USAGE
+    return carry_out(words, _list)
 
 
-def _list(options: Options) -> int:
+def _list(options: Options, access: FileAccess) -> int:
     """Run and list; raises ``Failure`` for what cannot be used."""
     choose_mode(options)
-    access = file_access(options.confined)
     request = read_request(options, access)
     controller = start_controller(options, access)
     listed: list[Listed] = []

@@ -15,6 +15,7 @@ import click
 from nctakt.base.diagnostics import Language, Severity
 from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_RAN, EXIT_USAGE
+from nctakt.cli.language import language_option
 from nctakt.cli.terminal import print_diagnostics
 from nctakt.files.access import FileAccess
 from nctakt.files.output import write_file
@@ -62,13 +63,7 @@ written, or a list cannot be read, 3 an error of nctakt's own.
     default="ascii",
     help="Format of the lists [ascii].",
 )
-@click.option(
-    "--lang",
-    "language",
-    type=click.Choice(["en", "de"]),
-    default="en",
-    help="Language of the lists' comments.",
-)
+@language_option("Language of the lists' comments.")
 @click.option("--quiet", is_flag=True, help="Say nothing of what was written.")
 def command(
     folder: str,

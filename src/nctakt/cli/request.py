@@ -19,6 +19,7 @@ from nctakt.base.failure import Failure
 from nctakt.cli.file_options import read_standard_input
 from nctakt.files.access import FileAccess
 from nctakt.lists.format.times import Time, read_time
+from nctakt.lists.machine.files import machine_folder
 from nctakt.messages import diagnostic
 from nctakt.messages.command_line import INVALID_SKIP_OPTION, RECORDING_WITHOUT_TRACE
 from nctakt.messages.files import (
@@ -45,11 +46,15 @@ _T = TypeVar("_T")
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Options:
-    """The words of the command line as they were given; ``None``: not given."""
+    """The words of the command line with the settings of the project; ``None``: not given.
+
+    ``machine_note`` tells which setting names the machine.
+    """
 
     programs: tuple[str, ...]
     others: tuple[tuple[str, str], ...] = ()
     machine: str | None
+    machine_note: Diagnostic | None = None
     root: str | None = None
     assignments: tuple[str, ...]
     stimuli: tuple[tuple[str, str], ...]
@@ -62,6 +67,7 @@ class Options:
     plot: str | None = None
     blocks: bool = False
     signals: str | None = None
+    project_signals: tuple[str, ...] | None = None
     diagnosis: str | None = None
     error_log: str | None = None
     messages: str | None = None
@@ -128,8 +134,8 @@ def read_request(options: Options, access: FileAccess) -> Request:
         reader.read(_check_program, program, access)
     numbers = [reader.read(_channel_number, number) for number, _ in options.others]
     if options.machine is not None:
-        reader.read(_check_machine, options.machine)
-        reader.read(access.check_admitted, options.machine)
+        reader.read(_check_machine, machine_folder(options.machine))
+        reader.read(access.check_admitted, machine_folder(options.machine))
     assignments = [reader.read(parse_assignment, text) for text in options.assignments]
     stimuli = [reader.read(parse_stimulus, *pair) for pair in options.stimuli]
     until = () if options.until is None else reader.read(read_time, options.until)
@@ -144,6 +150,8 @@ def read_request(options: Options, access: FileAccess) -> Request:
             reader.found.append(diagnostic(RECORDING_WITHOUT_TRACE, option=option))
     if reader.found:
         raise Failure(*reader.found)
+    if signals is None and options.trace is not None:
+        signals = options.project_signals
     programs: dict[int, list[Path | NcText]] = {1: [_program(one) for one in options.programs]}
     for (number,), (_, program) in zip(numbers, options.others, strict=True):
         programs.setdefault(number, []).append(_program(program))
@@ -189,13 +197,12 @@ def _check_program(program: str, access: FileAccess) -> None:
         raise Failure(diagnostic(FILE_NOT_READABLE, file=program, reason=reason))
 
 
-def _check_machine(machine: str) -> None:
+def _check_machine(path: Path) -> None:
     """A folder, or the start-up list in it."""
-    path = Path(machine)
     if not path.exists():
-        raise Failure(diagnostic(FILE_MISSING, file=machine))
+        raise Failure(diagnostic(FILE_MISSING, file=str(path)))
     if not path.is_dir() and path.suffix.casefold() not in {".lis", ".xml"}:
-        raise Failure(diagnostic(NEITHER_FOLDER_NOR_LIST, folder=machine))
+        raise Failure(diagnostic(NEITHER_FOLDER_NOR_LIST, folder=str(path)))
 
 
 def _program(program: str) -> Path | NcText:

@@ -17,9 +17,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from nctakt.base.diagnostics import Severity
-from nctakt.base.failure import Failure
-from nctakt.cli import EXIT_NC_ERROR, EXIT_USAGE
-from nctakt.cli.file_options import file_access
+from nctakt.cli import EXIT_NC_ERROR
 from nctakt.cli.plotting import Plot
 from nctakt.cli.request import Options, Request, read_request
 from nctakt.cli.running import (
@@ -32,6 +30,7 @@ from nctakt.cli.running import (
     start_controller,
     with_limit_error,
 )
+from nctakt.cli.settings import carry_out
 from nctakt.cli.terminal import (
     message_line,
     print_diagnostics,
@@ -39,6 +38,7 @@ from nctakt.cli.terminal import (
     show_at_the_end,
 )
 from nctakt.cli.waiting import waiter
+from nctakt.files.access import FileAccess
 from nctakt.files.output import OutputFile
 from nctakt.messages import diagnostic
 from nctakt.messages.command_line import NO_DIAGNOSIS_DATA
@@ -81,18 +81,12 @@ _EPILOG = f"""{RUN_CODES}
 @click.option("--error-log", metavar="FILE", help="Write the user errors (#ERROR) to a file.")
 def command(**words: Any) -> int:
     """Run NC programs one after another on the same controller ('-': standard input)."""
-    options = Options(**words)
-    try:
-        return _run(options)
-    except Failure as failure:
-        print_diagnostics(failure.diagnostics, options.language)
-        return EXIT_USAGE
+    return carry_out(words, _run)
 
 
-def _run(options: Options) -> int:
+def _run(options: Options, access: FileAccess) -> int:
     """Prepare, run, tell; raises ``Failure`` for what cannot be used."""
     choose_mode(options)
-    access = file_access(options.confined)
     request = read_request(options, access)
     controller = start_controller(options, access)
     with contextlib.ExitStack() as files:

@@ -8,27 +8,25 @@ chooses the mode before anything of the realtime part is imported, and runs.
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
-from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
-from nctakt.base.diagnostics import Diagnostic, Severity
+from nctakt.base.diagnostics import Severity
 from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN
 from nctakt.cli.file_options import CONFINE_OPTION
+from nctakt.cli.language import language_option
 from nctakt.cli.request import Options, Request
 from nctakt.cli.terminal import InterruptRequest, ProgressBar, print_diagnostics
 from nctakt.files.access import FileAccess
 from nctakt.lists.format.times import Time
-from nctakt.lists.machine.files import startup_list_around
 from nctakt.messages import diagnostic
 from nctakt.messages.command_line import (
     COMPILED_PART_MISSING,
     RUN_NOT_ENDED,
-    RUN_ON_DEMO_MACHINE,
     RUNNING_UNCOMPILED,
 )
 from nctakt.messages.scheduled_runs import OPTION_WITHOUT_SCHEDULE
@@ -82,7 +80,8 @@ def run_options(
         click.option(
             "--machine",
             metavar="DIR",
-            help="Folder with the machine's lists, or demo5 [default: demo].",
+            help="Folder with the machine's lists, demo or demo5 [default: the project's, else the "
+            "one around the program, else demo].",
         ),
         click.option(
             "--root", metavar="DIR", help="Controller's root folder, where lists name files."
@@ -126,14 +125,12 @@ def run_options(
             help="Whose priorities the list of --rtconf has [default: rtx].",
         ),
         CONFINE_OPTION,
-        click.option("--plc", metavar="FILE.py", help="A class of yours that plays the PLC."),
         click.option(
-            "--lang",
-            "language",
-            type=click.Choice(["en", "de"]),
-            default="en",
-            help=f"Language of {language_of}.",
+            "--plc",
+            metavar="FILE.py",
+            help="A class of yours that plays the PLC; default: the built-in one.",
         ),
+        language_option(f"Language of {language_of} [default: en].", None),
         click.option("--quiet", is_flag=True, help=quiet_help),
         click.option(
             "--compiled/--plain",
@@ -166,27 +163,16 @@ def choose_mode(options: Options) -> None:
 
 
 def start_controller(options: Options, access: FileAccess) -> Controller:
-    """A controller of the machine that was asked for; a note where another one may be meant."""
+    """Return a controller of the machine; a note tells which, if no word names it."""
     from nctakt.lists.machine.machine import Machine, load_machine  # noqa: PLC0415 - as below
     from nctakt.run.controller import Controller  # noqa: PLC0415 - the mode is chosen before
 
-    if options.machine is None and not options.quiet:
-        print_diagnostics(_machines_around(options), options.language)
+    if options.machine_note is not None and not options.quiet:
+        print_diagnostics([options.machine_note], options.language)
     machine: Machine | str | None = options.machine
     if options.root is not None:
         machine = load_machine(options.machine, root=options.root, access=access)
     return Controller(machine, _schedule(options, access), access)
-
-
-def _machines_around(options: Options) -> Iterator[Diagnostic]:
-    """One for each machine in whose folder a program lies that the demo machine shall run."""
-    programs = (*options.programs, *(program for _, program in options.others))
-    startups = {startup_list_around(Path(name)): None for name in programs if name != "-"}
-    for startup in startups:
-        if startup is not None:
-            yield diagnostic(
-                RUN_ON_DEMO_MACHINE, file=startup.as_posix(), folder=startup.parent.as_posix()
-            )
 
 
 def _schedule(options: Options, access: FileAccess) -> RunSchedule | None:

@@ -23,6 +23,7 @@ from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN, EXIT_USAGE
 from nctakt.cli.file_options import CONFINE_OPTION, file_access
 from nctakt.cli.formats import diagnostics_as_json
+from nctakt.cli.language import language_option
 from nctakt.cli.selection import read_selection
 from nctakt.cli.terminal import print_diagnostics
 from nctakt.files.access import FileAccess
@@ -99,9 +100,7 @@ LIST_OPTIONS = (
         default="text",
         help="Tables and findings as text, or one object with both.",
     ),
-    click.option(
-        "--lang", "language", type=click.Choice(["en", "de"]), default="en", help="Language."
-    ),
+    language_option("Language."),
     click.option("--quiet", is_flag=True, help="No notes."),
     CONFINE_OPTION,
 )

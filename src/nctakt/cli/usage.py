@@ -7,6 +7,7 @@ In: the error of click, the words. Out: a diagnostic on standard error, in the l
 
 from __future__ import annotations
 
+import os
 from collections.abc import Sequence
 from typing import cast
 
@@ -14,6 +15,7 @@ import click
 
 from nctakt.base.diagnostics import NOTHING, Diagnostic, Language, Text
 from nctakt.base.text import nearest
+from nctakt.cli.language import LANGUAGE_VARIABLE
 from nctakt.cli.terminal import print_diagnostics
 from nctakt.messages import diagnostic
 from nctakt.messages.command_line import (
@@ -32,12 +34,12 @@ def tell_usage(error: click.ClickException, words: Sequence[str]) -> None:
 
 
 def _language(words: Sequence[str]) -> Language:
-    """What ``--lang`` says, or ``--lang=``; English where it says nothing of use."""
+    """What ``--lang`` says, or the environment; English where they say nothing of use."""
     for word, following in zip(words, [*words[1:], ""], strict=False):
         language = word.partition("=")[2] if word.startswith("--lang=") else following
         if word.startswith("--lang") and language in ("en", "de"):
             return cast(Language, language)
-    return "en"
+    return "de" if os.environ.get(LANGUAGE_VARIABLE) == "de" else "en"
 
 
 def _diagnostic(error: click.ClickException) -> Diagnostic:
@@ -112,5 +114,8 @@ def _name(error: click.BadParameter) -> str:
     if parameter is None:
         return error.param_hint if isinstance(error.param_hint, str) else NOTHING
     if isinstance(parameter, click.Option):
+        in_environment = os.environ.get(LANGUAGE_VARIABLE) == _value(error)
+        if parameter.envvar == LANGUAGE_VARIABLE and in_environment:
+            return LANGUAGE_VARIABLE
         return max(parameter.opts, key=len)
     return parameter.human_readable_name

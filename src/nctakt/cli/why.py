@@ -14,8 +14,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from nctakt.base.failure import Failure
-from nctakt.cli import EXIT_NC_ERROR, EXIT_USAGE
-from nctakt.cli.file_options import file_access
+from nctakt.cli import EXIT_NC_ERROR
 from nctakt.cli.request import Options, read_request
 from nctakt.cli.running import (
     FORMAT_OPTION,
@@ -28,7 +27,9 @@ from nctakt.cli.running import (
     start_controller,
     with_limit_error,
 )
+from nctakt.cli.settings import carry_out
 from nctakt.cli.terminal import print_diagnostics, show_at_the_end
+from nctakt.files.access import FileAccess
 from nctakt.lists.format.times import read_time
 from nctakt.messages import diagnostic
 from nctakt.messages.inputs import STIMULUS_WITHOUT_VALUE
@@ -61,21 +62,17 @@ true or false, when its body ran; if it never ran, why, and how near it came.
 @click.option("--state", metavar="TIME", help="How everything stood at this time of the run.")
 def command(cycle: str | None, line: int | None, state: str | None, **words: Any) -> int:
     """Run NC programs and tell why reactions of their realtime cycles fired or did not."""
-    options = Options(**words)
-    try:
-        return _why(options, cycle, line, state)
-    except Failure as failure:
-        print_diagnostics(failure.diagnostics, options.language)
-        return EXIT_USAGE
+    return carry_out(words, lambda options, access: _why(options, access, cycle, line, state))
 
 
-def _why(options: Options, cycle: str | None, line: int | None, state: str | None) -> int:
+def _why(
+    options: Options, access: FileAccess, cycle: str | None, line: int | None, state: str | None
+) -> int:
     """Run and tell; raises ``Failure`` for what cannot be used."""
     choose_mode(options)
     for time, assignment in options.stimuli:
         if "=" not in assignment:
             raise Failure(diagnostic(STIMULUS_WITHOUT_VALUE, time=time))
-    access = file_access(options.confined)
     request = read_request(options, access)
     moment = None if state is None else read_time(state)
     controller = start_controller(options, access)

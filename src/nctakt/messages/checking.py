@@ -16,6 +16,13 @@ NOTHING_TO_CHECK = warning(
     folder=("the path as it was given", "der Pfad, wie angegeben"),
     suffixes=("the suffixes of programs", "die Endungen von Programmen"),
 )
+NOTHING_NAMED_TO_CHECK = error(
+    901066,
+    en="no file or folder was named, and no project file says what to check",
+    de="es wurde weder Datei noch Ordner angegeben, und keine Projektdatei sagt, was zu prüfen ist",
+    remedy_en='Name them (nctakt check .), or write paths = ["programs"] in nctakt.toml.',
+    remedy_de='Sie angeben (nctakt check .) oder paths = ["programme"] in nctakt.toml schreiben.',
+)
 NOT_A_TEXT_FILE = error(
     900581,
     en="{file} is not a text file",

@@ -38,18 +38,6 @@ WAITING_AT_RUN_LIMIT = note(
     "(--until, --ticks).",
     awaited=("what is waited for", "worauf gewartet wird"),
 )
-RUN_ON_DEMO_MACHINE = note(
-    900816,
-    en="the program runs on the demo machine, not on the machine of {file}",
-    de="das Programm läuft auf der Demo-Maschine, nicht auf der Maschine von {file}",
-    remedy_en="--machine {folder} runs it on that one.",
-    remedy_de="--machine {folder} lässt es auf jener laufen.",
-    file=(
-        "the start-up list in whose folder the program lies",
-        "die Hochlaufliste, in deren Ordner das Programm liegt",
-    ),
-    folder=("a machine folder", "ein Maschinenordner"),
-)
 LISTING_INCOMPLETE = note(
     900590,
     en="the listing ends at the limit of the run, tick {ticks}; what would be decoded later is "

@@ -79,7 +79,7 @@ class NcItem(pytest.Item):
 
     def _machine(self, script: Script) -> Machine:
         if script.machine is None:
-            return configured_machine(self.config)
+            return configured_machine(self.config, self.path)
         return load_machine(self.path.parent / script.machine)
 
     def _shown(self) -> str:

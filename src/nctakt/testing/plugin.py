@@ -13,6 +13,8 @@ from typing import TYPE_CHECKING, Any
 
 import pytest
 
+from nctakt.testing.machines_told import MACHINES_TOLD
+
 if TYPE_CHECKING:
     from nctakt.lists.machine.machine import Machine
     from nctakt.run.controller import Controller
@@ -22,7 +24,9 @@ if TYPE_CHECKING:
 def pytest_addoption(parser: pytest.Parser) -> None:
     """Add the plugin's entries to pytest's configuration."""
     parser.addini(
-        "nctakt_machine", "folder with the lists of the machine under test [demo]", default=""
+        "nctakt_machine",
+        "folder with the lists of the machine under test [the project's]",
+        default="",
     )
     parser.addini(
         "nctakt_files",
@@ -68,12 +72,20 @@ def pytest_collect_file(file_path: Path, parent: pytest.Collector) -> pytest.Col
     return NcFile.from_parent(parent, path=file_path)
 
 
+def pytest_terminal_summary(
+    terminalreporter: pytest.TerminalReporter, config: pytest.Config
+) -> None:
+    """Tell which machines the tests had that no test and no entry of pytest's names."""
+    for text in config.stash.get(MACHINES_TOLD, {}):
+        terminalreporter.write_line(f"nctakt: {text}")
+
+
 @pytest.fixture
-def machine(pytestconfig: pytest.Config) -> Machine:
-    """The machine under test: ``nctakt_machine`` of the configuration, else the demo machine."""
+def machine(request: pytest.FixtureRequest) -> Machine:
+    """The machine under test: ``nctakt_machine``, else that of the project around the test."""
     from nctakt.testing.queries import configured_machine  # noqa: PLC0415 - see above
 
-    return configured_machine(pytestconfig)
+    return configured_machine(request.config, request.path)
 
 
 @pytest.fixture

@@ -22,6 +22,11 @@ from nctakt.messages import Collector
 from nctakt.messages.files import FILE_OUTSIDE
 from nctakt.messages.machine import LIST_FILE_MISSING, PATHS_TAKEN_AS
 
+#: The built-in machines by name, the one that counts without any other first.
+BUILT_IN_MACHINES = ("demo", "demo5")
+_MACHINES = Path(__file__).parent.parent.parent / "machines"
+#: The folder of the first of them.
+DEMO_FOLDER = _MACHINES / BUILT_IN_MACHINES[0]
 #: How the start-up list of a machine's folder is called.
 STARTUP_NAMES = ("hochlauf.lis", "startup.lis", "hochlauf.xml", "startup.xml")
 #: How else start-up lists are called in the field.
@@ -191,6 +196,15 @@ def _entries(folder: Path) -> list[str]:
         return sorted(entry.name for entry in folder.iterdir())
     except OSError:
         return []
+
+
+def machine_folder(name: str | Path, base: Path = Path()) -> Path:
+    """Return the folder or start-up list that ``name`` means, seen from the folder ``base``.
+
+    The name of a built-in machine means that one, unless something there is called so.
+    """
+    folder = base / name
+    return _MACHINES / name if str(name) in BUILT_IN_MACHINES and not folder.exists() else folder
 
 
 def is_startup_name(name: str) -> bool:

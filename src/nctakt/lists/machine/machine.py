@@ -48,7 +48,15 @@ from nctakt.lists.machine.channel_axes import (
     channel_spindles,
 )
 from nctakt.lists.machine.channel_configuration import ChannelParameters, channel_parameters
-from nctakt.lists.machine.files import STARTUP_NAMES, ListSearch, startup_lists, startup_lists_below
+from nctakt.lists.machine.files import (
+    BUILT_IN_MACHINES,
+    DEMO_FOLDER,
+    STARTUP_NAMES,
+    ListSearch,
+    machine_folder,
+    startup_lists,
+    startup_lists_below,
+)
 from nctakt.lists.machine.linked_lists import LinkedLists
 from nctakt.lists.machine.scheduling import load_rtconf
 from nctakt.lists.machine.scheduling_checks import check_contexts, check_time_limits
@@ -79,9 +87,6 @@ from nctakt.messages.variables import CHANNEL_VARIABLES_TOO_LARGE
 
 #: NC cycle without rtconf.lis, in µs.
 DEFAULT_CYCLE_TIME_US = 1000
-#: The built-in machines by name, the one that counts without any other first.
-BUILT_IN_MACHINES = ("demo", "demo5")
-_MACHINES = Path(__file__).parent.parent.parent / "machines"
 
 
 @dataclass(frozen=True, slots=True)
@@ -150,7 +155,7 @@ class Machine:
     @property
     def is_demo(self) -> bool:
         """Whether this is the built-in demo machine."""
-        return self.folder == _MACHINES / BUILT_IN_MACHINES[0]
+        return self.folder == DEMO_FOLDER
 
     def __repr__(self) -> str:
         count = len(self.channels)
@@ -181,13 +186,10 @@ def load_machine(
     """
     root = None if root is None else Path(root)
     access = access or FileAccess()
-    name = BUILT_IN_MACHINES[0] if folder is None else str(folder)
-    if folder is None or (name in BUILT_IN_MACHINES and not Path(name).exists()):
-        startup_file = _MACHINES / name / STARTUP_NAMES[0]
-        return load_startup(startup_file, None, root, access, detail=detail, rtconf=rtconf)
+    folder = DEMO_FOLDER if folder is None else machine_folder(folder)
     collector = Collector()
-    startup_file = _startup_file(Path(folder), collector)
-    named = Path(folder) if Path(folder).is_dir() else None
+    startup_file = _startup_file(folder, collector)
+    named = folder if folder.is_dir() else None
     machine = load_startup(startup_file, named, root, access, detail=detail, rtconf=rtconf)
     return replace(machine, diagnostics=(*collector.diagnostics, *machine.diagnostics))
 

@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: MIT
+"""Messages about the project file and the machine that programs run on."""
+
+from __future__ import annotations
+
+from nctakt.messages.catalogue import error, note
+
+INVALID_PROJECT_FILE = error(
+    901060,
+    en="the project file is not valid TOML: {reason}",
+    de="die Projektdatei ist kein gültiges TOML: {reason}",
+    remedy_en='Correct the text; entries look like this: machine = "lists"',
+    remedy_de='Den Text berichtigen; Einträge sehen so aus: machine = "listen"',
+    reason=("the error of the TOML reader", "der Fehler beim Lesen von TOML"),
+)
+UNKNOWN_PROJECT_ENTRY = error(
+    901061,
+    en="project file: unknown entry {key}",
+    de="Projektdatei: unbekannter Eintrag {key}",
+    remedy_en="Did you mean {nearest}? Possible entries: {names}.",
+    remedy_de="War {nearest} gemeint? Mögliche Einträge: {names}.",
+    key=("the entry", "der Eintrag"),
+    nearest=("the nearest known name", "der ähnlichste bekannte Name"),
+    names=("the possible entries", "die möglichen Einträge"),
+)
+INVALID_PROJECT_VALUE = error(
+    901062,
+    en="project file: {key}: {value} is not {expected}",
+    de="Projektdatei: {key}: {value} ist nicht {expected}",
+    remedy_en="Write it like this: {example}",
+    remedy_de="So schreiben: {example}",
+    key=("the entry", "der Eintrag"),
+    value=("its value", "sein Wert"),
+    expected=("what is expected", "was erwartet wird"),
+    example=("an example", "ein Beispiel"),
+)
+PROJECT_PATH_MISSING = error(
+    901063,
+    en="project file: {key}: {path} does not exist",
+    de="Projektdatei: {key}: {path} gibt es nicht",
+    remedy_en="Paths are relative to the folder of the project file.",
+    remedy_de="Pfade gehen vom Ordner der Projektdatei aus.",
+    key=("the entry", "der Eintrag"),
+    path=("the path as written", "der Pfad, wie geschrieben"),
+)
+MACHINE_OF_SETTING = note(
+    901064,
+    en="the machine is {machine}, as {source} says",
+    de="die Maschine ist {machine}, wie {source} es angibt",
+    remedy_en="--machine DIR takes another one, --machine demo the built-in one.",
+    remedy_de="--machine DIR nimmt eine andere, --machine demo die eingebaute.",
+    machine=("the folder with its lists", "der Ordner mit ihren Listen"),
+    source=(
+        "the project file or the environment variable",
+        "die Projektdatei oder die Umgebungsvariable",
+    ),
+)
+RUN_ON_MACHINE_OF_FILE = note(
+    900816,
+    en="the program runs on the machine of {file}",
+    de="das Programm läuft auf der Maschine von {file}",
+    remedy_en="--machine DIR takes another one, --machine demo the built-in one.",
+    remedy_de="--machine DIR nimmt eine andere, --machine demo die eingebaute.",
+    file=(
+        "the start-up list in whose folder the program lies",
+        "die Hochlaufliste, in deren Ordner das Programm liegt",
+    ),
+)
+PROGRAMS_OF_DIFFERENT_MACHINES = error(
+    901065,
+    en="the programs belong to different machines: {first} runs on {machine}, {second} on {other}",
+    de="die Programme gehören zu verschiedenen Maschinen: {first} läuft auf {machine}, {second} "
+    "auf {other}",
+    remedy_en="Name the machine for all of them: --machine DIR",
+    remedy_de="Die Maschine für alle angeben: --machine DIR",
+    first=("the first program", "das erste Programm"),
+    machine=("its machine", "seine Maschine"),
+    second=("another program", "ein anderes Programm"),
+    other=("the machine of that one", "die Maschine von jenem"),
+)

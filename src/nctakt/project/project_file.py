@@ -1,0 +1,236 @@
+# SPDX-License-Identifier: MIT
+"""The project file: settings that count for all programs in its folder and below.
+
+In: a program or a folder. Out: ``Project``, from the nearest ``nctakt.toml``, or ``pyproject.toml``
+with a table ``tool.nctakt``, in that folder or above. Paths in it are relative to its folder::
+
+    machine = "lists"                 # a machine's folder, or a built-in machine
+    plc = "cell_plc.py"               # the PLC of the runs
+    language = "de"
+    signals = ["X.ACS.ACT_POS"]       # what --trace records
+    paths = ["programs", "lists"]     # what `nctakt check` checks if nothing is named
+"""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any, cast
+
+from nctakt.base.dataclass import dataclass
+from nctakt.base.diagnostics import NOTHING, Diagnostic, Language, Span, Text, whole_file
+from nctakt.base.failure import Failure
+from nctakt.base.text import nearest
+from nctakt.files.access import FileAccess
+from nctakt.lists.machine.files import machine_folder
+from nctakt.messages import Collector
+from nctakt.messages.project import (
+    INVALID_PROJECT_FILE,
+    INVALID_PROJECT_VALUE,
+    PROJECT_PATH_MISSING,
+    UNKNOWN_PROJECT_ENTRY,
+)
+
+#: The names of a project file; the first one counts if a folder has both.
+OWN_NAME = "nctakt.toml"
+PYTHON_NAME = "pyproject.toml"
+
+_KEYS = ("machine", "plc", "language", "signals", "paths")
+_POSITION = re.compile(r" ?\(at line (\d+), column (\d+)\)")
+_TABLE = re.compile(r"\s*\[\s*(.*?)\s*\]\s*(#.*)?")
+_TEXT = Text("a text", "ein Text")
+_TEXTS = Text("a list of texts", "eine Liste von Texten")
+_LANGUAGE = Text("a language", "eine Sprache")
+_ON_TABLE = Text("a table", "eine Tabelle")
+
+
+@dataclass(frozen=True, slots=True)
+class Project:
+    """The settings of a project file; ``None`` and empty: not set.
+
+    Paths are relative to the working directory where they lie below it, else absolute.
+    """
+
+    file: Path
+    machine: Path | None = None
+    plc: Path | None = None
+    language: Language | None = None
+    signals: tuple[str, ...] | None = None
+    paths: tuple[Path, ...] = ()
+
+
+def find_project(begin: Path, access: FileAccess) -> Project | None:
+    """Return the project of a program or folder; ``None`` if no folder above has a project file.
+
+    Only files that ``access`` admits are looked for. Raises ``Failure`` for a file that cannot be
+    read (900503), that is not TOML (901060) or has wrong entries (901061 … 901063).
+    """
+    begin = begin.resolve()
+    for folder in (begin, *begin.parents):
+        for name in (OWN_NAME, PYTHON_NAME):
+            file = folder / name
+            if access.admits(file) and _is_file(file):
+                project = _read(from_here(file), access)
+                if project is not None:
+                    return project
+    return None
+
+
+def from_here(path: Path) -> Path:
+    """Return the path as seen from the working directory if it lies below, else as it is."""
+    working = Path.cwd()
+    return path.relative_to(working) if path.is_relative_to(working) else path
+
+
+def _is_file(path: Path) -> bool:
+    try:
+        return path.is_file()
+    except OSError:  # a folder that nobody may look into
+        return False
+
+
+def _read(file: Path, access: FileAccess) -> Project | None:
+    """Return the project of a file; ``None`` for a pyproject.toml without our table."""
+    data = access.read_bytes(file)
+    is_own = file.name == OWN_NAME
+    if not is_own and b"nctakt" not in data:  # most have nothing for us, and need no reader
+        return None
+    collector = Collector()
+    reader = _Reader(file, data, collector)
+    entries = reader.entries(is_own=is_own)
+    project = None if entries is None else reader.project(entries)
+    if collector.diagnostics:
+        raise Failure(*sorted(collector.diagnostics, key=_line_of))
+    return project
+
+
+def _line_of(found: Diagnostic) -> int:
+    return 0 if found.span is None else found.span.line
+
+
+class _Reader:
+    """Reads one file entry for entry and reports what is wrong with its place."""
+
+    def __init__(self, file: Path, data: bytes, collector: Collector) -> None:
+        self._file = file
+        self._name = file.as_posix()
+        self._folder = file.resolve().parent
+        self._text = data.decode("utf-8-sig", errors="replace")
+        self._is_text = "\0" not in self._text and "\ufffd" not in self._text
+        self._lines = self._text.splitlines()
+        self._header = ""
+        self._collector = collector
+
+    def entries(self, *, is_own: bool) -> dict[str, Any] | None:
+        """Return the settings; ``None`` if there are none, or for a text that is not TOML."""
+        import tomllib  # noqa: PLC0415 - only where a project file is
+
+        if not self._is_text:
+            self._invalid("the text is not UTF-8")
+            return None
+        try:
+            tables = tomllib.loads(self._text)
+        except (tomllib.TOMLDecodeError, RecursionError) as error:
+            self._invalid(str(error))
+            return None
+        if is_own:
+            return tables
+        self._header = "tool.nctakt"
+        tool = tables.get("tool")
+        entries = tool.get("nctakt") if isinstance(tool, dict) else None
+        if entries is None or isinstance(entries, dict):
+            return entries
+        self._wrong("tool.nctakt", entries, _ON_TABLE, "[tool.nctakt]")
+        return None
+
+    def _invalid(self, reason: str) -> None:
+        """Report a text that is not TOML, at the place that the reader of TOML names."""
+        found = _POSITION.search(reason)
+        span, line = whole_file(self._name), ""
+        if found is not None and int(found[1]) <= len(self._lines):
+            number, column = int(found[1]), int(found[2])
+            span, line = Span(self._name, number, column, column + 1), self._lines[number - 1]
+        reason = _POSITION.sub("", reason)
+        self._collector.report(INVALID_PROJECT_FILE, span, line, reason=reason)
+
+    def project(self, entries: dict[str, Any]) -> Project:
+        for key in entries:
+            if key not in _KEYS:
+                near = nearest(key, _KEYS) or NOTHING
+                names = ", ".join(_KEYS)
+                self._collector.report(
+                    UNKNOWN_PROJECT_ENTRY, *self._place(key), key=key, nearest=near, names=names
+                )
+        return Project(
+            self._file,
+            self._path("machine", entries.get("machine"), 'machine = "lists"'),
+            self._path("plc", entries.get("plc"), 'plc = "cell_plc.py"'),
+            self._language(entries.get("language")),
+            self._signals(entries.get("signals")),
+            self._paths(entries.get("paths")),
+        )
+
+    def _path(self, key: str, value: Any, example: str) -> Path | None:
+        if value is None:
+            return None
+        if not isinstance(value, str) or not value or "\0" in value:
+            self._wrong(key, value, _TEXT, example)
+            return None
+        path = machine_folder(value, self._folder) if key == "machine" else self._folder / value
+        if not path.exists():
+            self._collector.report(PROJECT_PATH_MISSING, *self._place(key), key=key, path=value)
+        return from_here(Path(os.path.normpath(path)))
+
+    def _paths(self, value: Any) -> tuple[Path, ...]:
+        texts = self._texts("paths", value, 'paths = ["programs"]') or ()
+        found = (self._path("paths", text, 'paths = ["programs"]') for text in texts)
+        return tuple(path for path in found if path is not None)
+
+    def _signals(self, value: Any) -> tuple[str, ...] | None:
+        return self._texts("signals", value, 'signals = ["X.ACS.ACT_POS"]')
+
+    def _texts(self, key: str, value: Any, example: str) -> tuple[str, ...] | None:
+        if value is None:
+            return None
+        if not isinstance(value, list) or not all(isinstance(one, str) for one in value):
+            self._wrong(key, value, _TEXTS, example)
+            return None
+        return tuple(value)
+
+    def _language(self, value: Any) -> Language | None:
+        if value is not None and value not in ("en", "de"):
+            self._wrong("language", value, _LANGUAGE, 'language = "en", language = "de"')
+            return None
+        return cast("Language | None", value)
+
+    def _wrong(self, key: str, value: Any, expected: Text, example: str) -> None:
+        self._collector.report(
+            INVALID_PROJECT_VALUE,
+            *self._place(key),
+            key=key,
+            value=value,
+            expected=expected,
+            example=example,
+        )
+
+    def _place(self, key: str) -> tuple[Span, str]:
+        """Return the place of an entry's name and its line, else the file as a whole."""
+        pattern = re.compile(rf"""\s*\[?\s*["']?(?P<key>{re.escape(key)})["']?\s*[].=]""")
+        for number, line in self._own_lines():
+            found = pattern.match(line)
+            if found is not None:
+                begin, end = found.span("key")
+                return Span(self._name, number, begin + 1, end + 1), line
+        return whole_file(self._name), ""
+
+    def _own_lines(self) -> Iterator[tuple[int, str]]:
+        """Yield the lines of our table with their numbers, its header as if it began the file."""
+        table = ""
+        for number, line in enumerate(self._lines, 1):
+            found = _TABLE.fullmatch(line)
+            if found is not None:
+                table = "".join(found[1].split())
+            if table == self._header:
+                yield number, line

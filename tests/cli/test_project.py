@@ -1,0 +1,225 @@
+# SPDX-License-Identifier: MIT
+"""The project file and the environment: which machine, PLC and language a command takes."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from nctakt.cli import main
+from nctakt.files.access import FileAccess
+from nctakt.lists.machine.files import DEMO_FOLDER
+from nctakt.project.machine_choice import machine_of
+from nctakt.project.project_file import find_project
+
+#: A program that runs on demo5 only, where C is an axis, and needs some ticks.
+PROGRAM = "G01 C10 F1000\nM30\n"
+
+Told = Callable[..., tuple[int, str, str]]
+
+
+@pytest.fixture
+def told(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> Told:
+    """Run a command in a project with the program ``programs/a.nc``; exit code and both outputs."""
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.delenv("NCTAKT_MACHINE", raising=False)
+    monkeypatch.delenv("NCTAKT_LANGUAGE", raising=False)
+    write("programs/a.nc", PROGRAM)
+
+    def command(*words: str) -> tuple[int, str, str]:
+        code = main(words)
+        shown = capsys.readouterr()
+        return code, shown.out, shown.err
+
+    return command
+
+
+def write(name: str, text: str) -> None:
+    """A file in the working directory."""
+    Path(name).parent.mkdir(parents=True, exist_ok=True)
+    Path(name).write_text(text, "utf-8")
+
+
+@pytest.mark.parametrize(
+    ("name", "header"), [("nctakt.toml", ""), ("pyproject.toml", "[tool.nctakt]\n")]
+)
+def test_all_commands_take_the_same_machine(told: Told, name: str, header: str) -> None:
+    """run, check, why, coverage and list run the program on the machine of the file, and say so."""
+    write(name, f'{header}machine = "demo5"\n')
+    for command in ("run", "check", "why", "coverage", "list"):
+        code, out, err = told(command, "programs/a.nc")
+        assert code == 0, (command, out, err)
+        assert f"note 901064: the machine is demo5, as {name} says" in out + err, command
+    code, out, err = told("run", "programs/a.nc", "--quiet")
+    assert (code, err) == (0, "")
+
+
+def test_the_command_line_comes_before_environment_and_file(
+    told: Told, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """--machine, then NCTAKT_MACHINE, then the file; NCTAKT_LANGUAGE before the file's."""
+    write("nctakt.toml", 'machine = "demo"\nlanguage = "de"\n')
+    assert told("run", "programs/a.nc")[0] == 1
+    assert "Fehler 900203" in told("check", "programs/a.nc")[1]
+    monkeypatch.setenv("NCTAKT_MACHINE", "demo5")
+    for command in ("run", "check"):
+        code, out, err = told(command, "programs/a.nc")
+        assert code == 0
+        assert "Hinweis 901064: die Maschine ist demo5, wie NCTAKT_MACHINE es angibt" in out + err
+        assert told(command, "programs/a.nc", "--machine", "demo")[0] == 1
+        assert "901064" not in "".join(told(command, "programs/a.nc", "--machine", "demo")[1:])
+    monkeypatch.setenv("NCTAKT_LANGUAGE", "en")
+    assert "note 901064" in told("run", "programs/a.nc")[2]
+    assert "Hinweis 901064" in told("run", "programs/a.nc", "--lang", "de")[2]
+
+
+def test_a_language_that_is_none(told: Told, monkeypatch: pytest.MonkeyPatch) -> None:
+    """900908 names the environment variable."""
+    monkeypatch.setenv("NCTAKT_LANGUAGE", "fr")
+    code, _, err = told("run", "programs/a.nc")
+    assert code == 2
+    assert "error 900908: fr is not a valid value for NCTAKT_LANGUAGE" in err
+    monkeypatch.setenv("NCTAKT_LANGUAGE", "de")
+    assert "Fehler 900907" in told("run", "programs/a.nc", "--nothing")[2]
+
+
+def test_the_machine_around_a_program_counts_behind_the_file(told: Told) -> None:
+    """run takes the machine in whose folder the program lies (900816), unless a file names one."""
+    assert told("new", "shop", "--from", "demo5")[0] == 0
+    write("shop/nc/b.nc", PROGRAM)
+    code, _, err = told("run", "shop/nc/b.nc")
+    assert code == 0
+    assert "note 900816: the program runs on the machine of shop/hochlauf.lis" in err
+    write("nctakt.toml", 'machine = "demo"\n')
+    assert told("run", "shop/nc/b.nc")[0] == 1
+    assert told("check", "shop/nc/b.nc")[0] == 1
+    write("shop/nctakt.toml", "")
+    assert told("run", "shop/nc/b.nc")[0] == 0
+    code, _, err = told("run", "programs/a.nc", "shop/nc/b.nc")
+    assert code == 2
+    assert "error 901065: " in err
+    assert "programs/a.nc runs on demo, shop/nc/b.nc on shop/hochlauf.lis" in err
+
+
+def test_a_check_of_folders_takes_each_project(told: Told) -> None:
+    """Programs in one folder, checked for the machines of their own projects."""
+    write("one/nctakt.toml", 'machine = "demo"\n')
+    write("one/a.nc", PROGRAM)
+    write("two/nctakt.toml", 'machine = "demo5"\n')
+    write("two/a.nc", PROGRAM)
+    code, out, _ = told("check", "one", "two")
+    assert code == 1
+    assert "one/a.nc:1:5: error 900203" in out
+    assert "two/a.nc" not in out.replace("two/nctakt.toml", "")
+    assert out.count("note 901064") == 2
+
+
+def test_plc_signals_and_paths(told: Told) -> None:
+    """The PLC of runs, what a trace records, what is checked where nothing is named."""
+    write(
+        "nctakt.toml",
+        'machine = "demo5"\nplc = "plc/cell.py"\nsignals = ["BLOCK"]\npaths = ["programs"]\n',
+    )
+    write("plc/cell.py", "class Cell:\n    def cycle(self, hli):\n        hli.override_pct = 50\n")
+    slow = told("run", "programs/a.nc", "--trace", "out.csv")[1]
+    fast = told("run", "programs/a.nc", "--plc", "default")[1]
+    assert slow != fast
+    assert "BLOCK" in Path("out.csv").read_text("utf-8")
+    assert "ACT_POS" not in Path("out.csv").read_text("utf-8")
+    code, out, _ = told("check")
+    assert code == 0
+    assert "1 file: " in out
+
+
+def test_nothing_to_check(told: Told) -> None:
+    """901066 where neither words nor a project file say what."""
+    code, _, err = told("check")
+    assert code == 2
+    assert "error 901066: " in err
+
+
+@pytest.mark.parametrize(
+    ("text", "first_line", "excerpt"),
+    [
+        ("machine = \n", "nctakt.toml:1:11: error 901060: ", "machine ="),
+        ("a = [\n", "error 901060: ", ""),
+        ('\nmashine = "lists"\n', "nctakt.toml:2:1: error 901061: ", "Did you mean machine?"),
+        ("machine = 3\n", "nctakt.toml:1:1: error 901062: ", "machine = 3"),
+        ("machine = true\n", "nctakt.toml:1:1: error 901062: ", "a text"),
+        ('signals = ["X", 1]\n', "nctakt.toml:1:1: error 901062: ", "a list of texts"),
+        ('paths = "programs"\n', "nctakt.toml:1:1: error 901062: ", "a list of texts"),
+        ('language = "fr"\n', "nctakt.toml:1:1: error 901062: ", "a language"),
+        ('machine = "none"\n', "nctakt.toml:1:1: error 901063: ", "does not exist"),
+        ('# x\nplc = "none.py"\n', "nctakt.toml:2:1: error 901063: ", "does not exist"),
+        ('paths = ["none"]\n', "nctakt.toml:1:1: error 901063: ", "does not exist"),
+        ("[machine]\nfolder = 1\n", "error 901062: ", "machine"),
+        ("[" * 5000, "error 901060: ", ""),
+    ],
+)
+def test_what_is_wrong_with_the_file(told: Told, text: str, first_line: str, excerpt: str) -> None:
+    """Number, file, line, remedy; nothing runs."""
+    write("nctakt.toml", text)
+    for command in ("run", "check"):
+        code, out, err = told(command, "programs/a.nc")
+        assert code == 2
+        assert out == ""
+        assert first_line in err
+        assert excerpt in err
+        assert "remedy: " in err
+        assert "Traceback" not in err
+
+
+def test_bytes_that_are_no_text(told: Told) -> None:
+    """901060; a byte order mark is none of them."""
+    Path("nctakt.toml").write_bytes(b'machine = "\xff"\n')
+    assert "error 901060: " in told("run", "programs/a.nc")[2]
+    Path("nctakt.toml").write_bytes(b'\xef\xbb\xbfmachine = "demo5"\n')
+    assert told("run", "programs/a.nc")[0] == 0
+
+
+def test_a_place_in_a_python_project(told: Told) -> None:
+    """The line within the table, not one of another table with the same name."""
+    write("pyproject.toml", "[tool.other]\nmachine = 1\n\n[tool.nctakt]\nmachine = 2\n")
+    assert "pyproject.toml:5:1: error 901062: " in told("run", "programs/a.nc")[2]
+    write("pyproject.toml", "[tool]\nnctakt = 3\n")
+    assert "pyproject.toml: error 901062: " in told("run", "programs/a.nc")[2]
+
+
+def test_a_python_project_of_others_is_passed_over(told: Told) -> None:
+    """Without the table the search goes on above, even past one that is not valid TOML."""
+    write("nctakt.toml", 'machine = "demo5"\n')
+    write("programs/pyproject.toml", "name = \n")
+    assert told("run", "programs/a.nc")[0] == 0
+    write("programs/pyproject.toml", '[project]\nname = "nctakt-cell"\n')
+    assert told("run", "programs/a.nc")[0] == 0
+
+
+@pytest.mark.usefixtures("told")
+def test_both_files_in_a_folder(tmp_path: Path) -> None:
+    """nctakt.toml counts."""
+    write("nctakt.toml", 'machine = "demo5"\n')
+    write("pyproject.toml", '[tool.nctakt]\nmachine = "demo"\n')
+    choice = machine_of(tmp_path / "programs" / "a.nc", FileAccess())
+    assert (choice.path, choice.setting) == (DEMO_FOLDER.parent / "demo5", "nctakt.toml")
+
+
+def test_confined_runs_take_no_file_from_outside(told: Told) -> None:
+    """With --confine neither a project file nor a machine outside of the folder counts."""
+    write("nctakt.toml", 'machine = "demo5"\n')
+    write("hochlauf.lis", "kanal_anzahl 1\n")
+    write("programs/b.nc", "G01 A10 F1000\nM30\n")
+    code, _, err = told("run", "programs/b.nc", "--confine", "programs")
+    assert (code, err) == (0, "")
+    assert find_project(Path("programs"), FileAccess(["programs"])) is None
+
+
+def test_formats_of_a_check_are_as_ever(told: Told) -> None:
+    """The note stands below the text only."""
+    write("nctakt.toml", 'machine = "demo5"\n')
+    found = json.loads(told("check", "programs/a.nc", "--format", "json")[1])
+    assert found["diagnostics"] == []

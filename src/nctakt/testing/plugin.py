@@ -13,8 +13,6 @@ from typing import TYPE_CHECKING, Any
 
 import pytest
 
-from nctakt.testing.machines_told import MACHINES_TOLD
-
 if TYPE_CHECKING:
     from nctakt.lists.machine.machine import Machine
     from nctakt.run.controller import Controller
@@ -76,6 +74,8 @@ def pytest_terminal_summary(
     terminalreporter: pytest.TerminalReporter, config: pytest.Config
 ) -> None:
     """Tell which machines the tests had that no test and no entry of pytest's names."""
+    from nctakt.testing.machines_told import MACHINES_TOLD  # noqa: PLC0415 - see above
+
     for text in config.stash.get(MACHINES_TOLD, {}):
         terminalreporter.write_line(f"nctakt: {text}")
 

@@ -9,8 +9,11 @@ and what no longer waits is told once. ``NCTAKT_SEEDS=100000`` makes as many PLC
 
 from __future__ import annotations
 
+import contextlib
 import dataclasses
 import math
+from collections.abc import Callable
+from random import Random
 
 import pytest
 from hypothesis import HealthCheck, Phase, seed, settings
@@ -48,7 +51,11 @@ CYCLES = (
 NUMBERS = st.one_of(
     st.integers(-3, 300), st.sampled_from([-(10**9), 1 << 31, 1 << 62, -(1 << 63), 10**30])
 )
+#: A number that stands for another one; ``None``: it stays as it is.
+CHANGED = st.one_of(st.none(), NUMBERS)
 REALS = st.floats(width=64)
+WRITTEN = ("V.E.TRIGGER", "V.E.COUNT", "HLI.OVERRIDE", "V.E.NOPE", "HLI.NOPE")
+KEYS = ("reset", "start", "feed_hold", "single_block", "backward_motion")
 NAMES = st.sampled_from(["X", "Y", "A", "S", "S3", "Q", "", "x"])
 
 
@@ -62,6 +69,8 @@ class RandomPlc(RuleBasedStateMachine):
         super().__init__()
         self.controller = Controller(DEMO)
         self.hli: PlcView = self.controller.hli
+        #: Section and serial of the functions that waited behind the last step.
+        self.seen: set[tuple[bool, int]] = set()
         self.answered: set[tuple[bool, int]] = set()
         self.resets = 0
 
@@ -70,24 +79,26 @@ class RandomPlc(RuleBasedStateMachine):
         words=st.lists(st.sampled_from(WORDS), min_size=1, max_size=9),
     )
     def begin(self, cycle: str, words: list[str]) -> None:
-        """Start a program; the PLC is there."""
+        """Start a program that repeats its words; the PLC is there."""
         self.controller.write("HLI.PLC_PRESENT", 1)
-        self.controller.start(NcText("p.nc", cycle + "\n".join(words) + "\nM30\n"))
+        lines = [cycle, "$FOR P1 = 1, 100, 1", *words, "$ENDFOR", "M30"]
+        self.controller.start(NcText("p.nc", "\n".join(lines)))
 
     @rule(ticks=st.integers(1, 12))
     def step(self, ticks: int) -> None:
         """Let the controller run: what was acknowledged waits no longer, all others still do."""
-        before = self._waiting()
         self.controller.step(ticks)
-        after = self._waiting()
+        before, self.seen = self.seen, self._waiting()
         if not self.resets and self.hli.state != "error":
-            assert not after & self.answered
-            assert before - self.answered <= after
+            assert not self.seen & self.answered
+            assert before - self.answered <= self.seen
         self.resets = 0
 
-    @rule(target=functions)
-    def look(self) -> object:
+    @rule(target=functions, ticks=st.integers(0, 4))
+    def look(self, ticks: int) -> object:
         """Keep the functions that wait, to acknowledge them now, later or again."""
+        if ticks:
+            self.step(ticks)
         return multiple(*self.hli.functions())
 
     @rule(target=jobs)
@@ -101,6 +112,12 @@ class RandomPlc(RuleBasedStateMachine):
         self.hli.acknowledge(entry)
         self.answered.add((entry.is_realtime, entry.serial))
 
+    @rule(entry=functions, ticks=st.integers(1, 3))
+    def acknowledge_and_step(self, entry: TechnologyEntry, ticks: int) -> None:
+        """The usual PLC; for an entry of before, a stale one."""
+        self.acknowledge(entry)
+        self.step(ticks)
+
     @rule(job=jobs)
     def acknowledge_spindle(self, job: SpindleEntry) -> None:
         """As a function."""
@@ -112,82 +129,68 @@ class RandomPlc(RuleBasedStateMachine):
         self.answered |= self._waiting()
         self.hli.acknowledge_all()
 
-    @rule(entry=functions, slot=NUMBERS, serial=NUMBERS, is_realtime=st.booleans())
-    def forge(self, entry: TechnologyEntry, slot: int, serial: int, is_realtime: bool) -> None:
-        """Another slot, serial or section."""
+    @rule(entry=functions, slot=CHANGED, serial=CHANGED, is_realtime=st.booleans())
+    def forge(
+        self, entry: TechnologyEntry, slot: int | None, serial: int | None, is_realtime: bool
+    ) -> None:
+        """Another slot, serial or section, or several of them."""
         waiting = {(kind, one.serial, one.slot) for kind, one in self._entries()}
-        forged = dataclasses.replace(entry, slot=slot, serial=serial, is_realtime=is_realtime)
-        try:
+        forged = dataclasses.replace(
+            entry,
+            slot=entry.slot if slot is None else slot,
+            serial=entry.serial if serial is None else serial,
+            is_realtime=is_realtime,
+        )
+        with contextlib.suppress(ValueError, OverflowError):
             self.hli.acknowledge(forged)
-        except (ValueError, OverflowError):
-            return
-        if (is_realtime, serial, slot) in waiting:
-            self.answered.add((is_realtime, serial))
+        if (is_realtime, forged.serial, forged.slot) in waiting:
+            self.answered.add((is_realtime, forged.serial))
+        self.step(1)
 
-    @rule(job=jobs, place=NUMBERS, serial=NUMBERS)
-    def forge_a_job(self, job: SpindleEntry, place: int, serial: int) -> None:
-        """Another spindle or serial."""
-        forged = dataclasses.replace(job, place=place, serial=serial)
-        try:
+    @rule(job=jobs, index=CHANGED, serial=CHANGED)
+    def forge_a_job(self, job: SpindleEntry, index: int | None, serial: int | None) -> None:
+        """Another spindle or serial: a job that waits still does, unless it is the one."""
+        forged = dataclasses.replace(
+            job,
+            index=job.index if index is None else index,
+            serial=job.serial if serial is None else serial,
+        )
+        before = {(one.index, one.serial) for one in self.hli.spindle_jobs()}
+        with contextlib.suppress(ValueError, OverflowError):
             self.hli.acknowledge_spindle(forged)
-        except (ValueError, OverflowError):
-            return
+        after = {(one.index, one.serial) for one in self.hli.spindle_jobs()}
+        assert before - after <= {(forged.index, forged.serial)}
 
-    @rule(
-        kind=st.sampled_from([codes.ABSOLUTE, codes.RELATIVE, codes.VELOCITY, codes.HALT, 9, -1]),
-        name=NAMES,
-        value=REALS,
-        speed=REALS,
-        mode=NUMBERS,
-        way=NUMBERS,
-    )
-    def move(self, kind: int, name: str, value: float, speed: float, mode: int, way: int) -> None:
-        """Command a single axis, mostly with nonsense."""
-        try:
-            owner = self.hli.request_axis(kind, name, value, speed, mode, way)
-            self.hli.is_axis_active(name, owner)
-            self.hli.axis_answer(owner)
-        except (ValueError, OverflowError, Failure):
-            return
+    @rule(chance=st.randoms(use_true_random=False), number=NUMBERS, real=REALS, name=NAMES)
+    def do_anything(self, chance: Random, number: int, real: float, name: str) -> None:
+        """Command an axis, ask for one, write a value, press a key: mostly with nonsense."""
+        hli = self.hli
+        numbers = [number, int(chance.random() * 5), -1, 300]
+        deeds: list[Callable[[], object]] = [
+            lambda: hli.request_axis(
+                chance.choice([codes.ABSOLUTE, codes.VELOCITY, codes.HALT, 9, -1]),
+                name,
+                chance.choice([real, 1.0]),
+                chance.choice([real, 5.0]),
+                chance.choice(numbers),
+                chance.choice(numbers),
+            ),
+            lambda: hli.axis_answer(number),
+            lambda: hli.is_axis_open(number),
+            lambda: hli.is_axis_active(name, number),
+            lambda: hli.write(chance.choice(WRITTEN), chance.choice([number, real, 1, 0, name])),
+            lambda: hli.axis(name),
+            lambda: self._press(chance.choice(KEYS)),
+        ]
+        with contextlib.suppress(ValueError, OverflowError, Failure):
+            chance.choice(deeds)()
 
-    @rule(owner=NUMBERS)
-    def ask(self, owner: int) -> None:
-        """Follow a command that was never given."""
-        for question in (self.hli.axis_answer, self.hli.is_axis_open):
-            try:
-                question(owner)
-            except (ValueError, OverflowError):
-                continue
-
-    @rule(
-        name=st.sampled_from(["V.E.TRIGGER", "V.E.COUNT", "HLI.OVERRIDE", "V.E.NOPE", "HLI.NOPE"]),
-        value=st.one_of(NUMBERS, REALS, st.text(max_size=3)),
-    )
-    def write(self, name: str, value: float | str) -> None:
-        """Any value; what cannot be is a diagnostic."""
-        try:
-            self.hli.write(name, value)
-        except (Failure, OverflowError):
-            return
-
-    @rule(key=st.sampled_from(["reset", "start", "feed_hold", "single_block", "backward_motion"]))
-    def press(self, key: str) -> None:
-        """The operator's keys."""
+    def _press(self, key: str) -> None:
         if key in ("reset", "start"):
             getattr(self.hli, key)()
             self.resets += key == "reset"
         else:
             setattr(self.hli, key, not getattr(self.hli, key))
-
-    @rule(name=NAMES)
-    def read(self, name: str) -> None:
-        """An axis by a name that may be none."""
-        try:
-            values = self.hli.axis(name)
-        except Failure as failure:
-            assert failure.diagnostics[0].id == 900656
-            return
-        assert all(math.isfinite(value) for value in values.values())
 
     @invariant()
     def the_channel_is_in_a_state(self) -> None:

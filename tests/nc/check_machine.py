@@ -54,6 +54,7 @@ def demo_channel() -> Channel:
         tuple(spindle.name for spindle in channel.parameters.spindles),
         modulo,
         single,
+        {number: machine.axes[number].reachable for _, number in axes},
     )
     of_axis = TechnologyFunction(200, "MOS", (), 0.0, "X")
     parameters = replace(

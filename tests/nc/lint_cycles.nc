@@ -221,4 +221,82 @@ V.E.COUNT = 2.6 ; warning 901050 "2.6 is rounded to 3"
 V.E.TIME = 2.6
 P1 = 2.6
 V.E.COUNT = 1 / 0 ; error 21241
+; --- constants out of the range of their type (RC-307)
+#RT CYCLE [ID=1 SCOPE=PROG]
+  $IF V.E.VALUE > 5
+    V.RTG.OVERRIDE.VEL.CYCLE = -1 ; error 50892 "-1 is outside the range 0 … 65535"
+    V.RTG.OVERRIDE.VEL.CYCLE = 70000 ; error 50892 "70000"
+    V.RTG.OVERRIDE.VEL.CYCLE = 65535
+    V.E.COUNT = 5 - 6 ; error 50892 "-1 is outside the range 0 … 4294967295 of V.E.COUNT"
+    V.E.COUNT -= 5
+    V.E.FLAG = 7 ; warning 901051 "V.E.FLAG is of type BOOLEAN: 7 counts as 1"
+    V.E.FLAG = 0.2 ; warning 901051 "0.2 counts as 0"
+    V.E.FLAG = 1
+  $ENDIF
+#RT CYCLE END
+V.E.COUNT = 99999999999 ; error 50892 "99999999999"
+V.E.FLAG = -1 ; warning 901051 "-1 counts as 1"
+; --- positions that an axis never reaches
+#RT CYCLE [ID=1 SCOPE=PROG]
+  $IF ONCE V.RTA.ACS.ACT_POS.X > 10000.1 ; warning 901052 "between -10000 and 10000: this comparison is never true"
+    M100
+  $ENDIF
+  $IF ONCE -10001 < V.RTA.ACS.CMD_POS.X ; warning 901052 "V.RTA.ACS.CMD_POS.X is between -10000 and 10000: this comparison is always true"
+    M100
+  $ENDIF
+  $IF ONCE V.RTA.ACS.ACT_POS.A > 400 ; warning 901052 "between 0 and 360: this comparison is never true"
+    M100
+  $ENDIF
+  $IF ONCE V.RTA.ACS.ACT_POS.A <= 360 && V.RTA.ACS.ACT_POS.X >= 10000
+    M100
+  $ENDIF
+  $IF ONCE V.RTA.WCS.ACT_POS.X > 20000
+    M100
+  $ENDIF
+  $IF ONCE V.E.VALUE > 1
+    X[INDP G90 POS=20000] ; error 900432 "the target 20000 of axis X"
+    X[INDP G90 POS=20000 OFFSET=ZERO]
+    X[INDP G91 POS=20000]
+    A[INDP G90 POS=720]
+  $ENDIF
+#RT CYCLE END
+; --- in inches 10000 mm are 393.7 (manual 4.5.3)
+G70
+#RT CYCLE [ID=1 SCOPE=PROG]
+  $IF ONCE V.RTA.ACS.ACT_POS.X > 400 ; warning 901052 "never true"; note 901001 "in inches"
+    M100
+  $ENDIF
+#RT CYCLE END
+; --- the same ID twice (RC-108)
+#RT CYCLE [ID=5 SCOPE=PROG]
+#RT CYCLE END
+#RT CYCLE [ID=5 SCOPE=PROG] ; error 50900 "the ID 5"
+#RT CYCLE END
+P1 = 5
+#RT CYCLE [ID=P1 SCOPE=GLOBAL] ; error 50900 "the ID 5"
+#RT CYCLE END
+#RT CYCLE DELETE [ID=5]
+#RT CYCLE [ID=5 SCOPE=PROG]
+#RT CYCLE END
+; --- the same ID in branches of which one runs, and behind a call that may delete
+$IF P2 == 1
+#RT CYCLE [ID=6 SCOPE=PROG]
+#RT CYCLE END
+$ELSE
+#RT CYCLE [ID=6 SCOPE=PROG]
+#RT CYCLE END
+$ENDIF
+#RT CYCLE [ID=6 SCOPE=PROG] ; error 50900 "the ID 6"
+#RT CYCLE END
+$IF P2 == 1
+#RT CYCLE DELETE [ID=6]
+$ENDIF
+#RT CYCLE [ID=6 SCOPE=PROG]
+#RT CYCLE END
+; --- a BLOCK cycle frees its ID
+#RT CYCLE [ID=7 SCOPE=BLOCK]
+#RT CYCLE END
+G00 X1
+#RT CYCLE [ID=7 SCOPE=PROG]
+#RT CYCLE END
 M30

@@ -26,6 +26,7 @@ from nctakt.lists.machine.channel_configuration import (
 )
 from nctakt.messages.decoder import TARGET_OUTSIDE_LIMITS
 from nctakt.messages.motion import ARC_OUTSIDE_LIMITS
+from nctakt.nc.check.calls import may_call
 from nctakt.nc.check.dwells import dwell_of
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.tree import (
@@ -46,7 +47,6 @@ from nctakt.nc.tree import (
     RealtimeLoop,
     Repeat,
     Statement,
-    StringWord,
     Switch,
     Time,
     Timer,
@@ -60,7 +60,7 @@ from nctakt.nc.tree import (
 )
 from nctakt.nc.vocabulary import support_level
 from nctakt.nc.vocabulary.entries import Support
-from nctakt.nc.vocabulary.function_rows import Form, Group
+from nctakt.nc.vocabulary.function_rows import Group
 from nctakt.nc.vocabulary.functions import (
     ABSOLUTE,
     ABSOLUTE_CENTRE,
@@ -71,7 +71,6 @@ from nctakt.nc.vocabulary.functions import (
     INCH,
     REFERENCE_OFFSET,
     SUBPROGRAM_ENDS,
-    TOOL_CHANGE,
     group_of,
 )
 
@@ -225,11 +224,11 @@ class PathChecker:
     def _block(self, block: Block) -> None:
         if dwell_of(block) is not None:
             return
+        if may_call(block):
+            self._facts = _Facts()
+            return
         facts = self._facts
         for word in block.words:
-            if isinstance(word, StringWord) or _calls(word):
-                self._facts = _Facts()
-                return
             if isinstance(word, BracketCommand) and word.name in self._axes:
                 facts.positions.clear()
             elif isinstance(word, Word) and word.name == "M" and _is_one_of(word, SUBPROGRAM_ENDS):
@@ -409,18 +408,6 @@ class PathChecker:
 
 def _is_one_of(word: Word, numbers: Sequence[int]) -> bool:
     return isinstance(word.value, Number) and word.value.value in numbers
-
-
-def _calls(word: object) -> bool:
-    """Return whether a word may call a program, or run one."""
-    if not isinstance(word, Word) or word.name not in ("G", "M"):
-        return False
-    if not isinstance(word.value, Number):
-        return True
-    if word.name == "M":
-        return word.value.value == TOOL_CHANGE
-    row = support_level.g_function(word.value.value)
-    return row is None or row.form is Form.SUBPROGRAM
 
 
 def _is_quiet(command: HashCommand) -> bool:

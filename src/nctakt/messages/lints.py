@@ -291,3 +291,26 @@ CONSTANT_ROUNDED = warning(
     rounded=("the constant, rounded", "die Konstante, gerundet"),
     percent=("what percentages mean, or –", "was Prozente bedeuten, oder –"),
 )
+CONSTANT_NOT_BOOLEAN = warning(
+    901051,
+    en="{name} is of type BOOLEAN: {value} counts as {stored}",
+    de="{name} ist vom Typ BOOLEAN: {value} zählt als {stored}",
+    remedy_en="Write 0 or 1 (FALSE or TRUE), or use a variable of another type.",
+    remedy_de="0 oder 1 schreiben (FALSE oder TRUE) oder eine Variable eines anderen Typs "
+    "verwenden.",
+    name=("the variable", "die Variable"),
+    value=("the constant", "die Konstante"),
+    stored=("the value that is stored", "der gespeicherte Wert"),
+)
+POSITION_NEVER_REACHED = warning(
+    901052,
+    en="{name} is between {low} and {high}: this comparison is {result}",
+    de="{name} liegt zwischen {low} und {high}: dieser Vergleich ist {result}",
+    remedy_en="Compare with a position within the software limits or the modulo range.",
+    remedy_de="Mit einer Position innerhalb der Software-Endschalter oder des Modulobereichs "
+    "vergleichen.",
+    name=("the position", "die Position"),
+    low=("lowest position of the axis", "kleinste Position der Achse"),
+    high=("highest position of the axis", "größte Position der Achse"),
+    result=("never true or always true", "nie wahr oder immer wahr"),
+)

@@ -32,10 +32,8 @@ ARC_RADIUS_TOO_SMALL = error(
 )
 ARC_CENTRE_TOO_FAR_OFF = error(
     900702,
-    en="the centre of the arc would have to be moved by {shift} mm so that the target lies on the "
-    "circle; {allowed} mm are allowed",
-    de="der Mittelpunkt des Kreisbogens müsste um {shift} mm verschoben werden, damit das Ziel auf "
-    "dem Kreis liegt; erlaubt sind {allowed} mm",
+    en="the target is off the circle: its centre would have to move {shift} mm (at most {allowed})",
+    de="Ziel neben dem Kreis: der Mittelpunkt müsste um {shift} mm wandern (höchstens {allowed})",
     remedy_en="Correct the target or the centre; centres are absolute with G161, relative to the "
     "start with G162.",
     remedy_de="Ziel oder Mittelpunkt berichtigen; Mittelpunkte sind mit G161 absolut, mit G162 "

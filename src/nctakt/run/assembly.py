@@ -129,6 +129,7 @@ class AssembledMachine:
         single = frozenset(
             i for i, axis in enumerate(configuration.axes) if axis.enable_single_axis
         )
+        ranges = {i: axis.reachable for i, axis in enumerate(configuration.axes)}
         layout = Layout(
             [
                 ChannelNames(
@@ -139,6 +140,7 @@ class AssembledMachine:
                     names_of(channel.parameters.spindles),
                     modulo,
                     single,
+                    ranges,
                 )
                 for channel in configuration.channels
             ],

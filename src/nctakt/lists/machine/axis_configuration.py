@@ -164,6 +164,13 @@ class AxisConfiguration:
         return self.dynamics.modulo_high - self.dynamics.modulo_low
 
     @property
+    def reachable(self) -> tuple[float, float]:
+        """The software limits, or the modulo range."""
+        if self.is_modulo:
+            return self.dynamics.modulo_low, self.dynamics.modulo_high
+        return self.software_limit_low, self.software_limit_high
+
+    @property
     def rapid_speed(self) -> float:
         """Speed of G00, never above ``max_speed``."""
         return self.dynamics.rapid_speed

@@ -16,7 +16,20 @@ from nctakt.messages.program_structure import INVALID_CALL_PARAMETER
 from nctakt.nc.check.blocks import WordChecker
 from nctakt.nc.check.expressions import ValueChecker
 from nctakt.nc.check.findings import Findings
-from nctakt.nc.tree import Block, Expression, Keyword, StringLiteral, SubprogramCall
+from nctakt.nc.tree import (
+    Block,
+    BlockWord,
+    Expression,
+    Keyword,
+    Number,
+    StringLiteral,
+    StringWord,
+    SubprogramCall,
+    Word,
+)
+from nctakt.nc.vocabulary import support_level
+from nctakt.nc.vocabulary.function_rows import Form
+from nctakt.nc.vocabulary.functions import TOOL_CHANGE
 
 #: Maximum number of a parameter of a call.
 CALL_PARAMETERS = 200
@@ -90,3 +103,19 @@ def _given(call: SubprogramCall) -> list[Expression]:
     """Return the values that the call passes."""
     keywords = (item for item in call.keywords if isinstance(item, Keyword))
     return [keyword.value for keyword in keywords if keyword.value is not None]
+
+
+def may_call(block: Block) -> bool:
+    """Return whether a block may call a program: by a macro, M6, G80 … or a computed number."""
+    return any(isinstance(word, StringWord) or _may_call(word) for word in block.words)
+
+
+def _may_call(word: BlockWord) -> bool:
+    if not isinstance(word, Word) or word.name not in ("G", "M"):
+        return False
+    if not isinstance(word.value, Number):
+        return True
+    if word.name == "M":
+        return word.value.value == TOOL_CHANGE
+    row = support_level.g_function(word.value.value)
+    return row is None or row.form is Form.SUBPROGRAM

@@ -26,12 +26,14 @@ from nctakt.messages.lints import (
     TOOL_NOT_IN_LIST,
     VARIABLE_WRITTEN_BY_SEVERAL_CYCLES,
 )
+from nctakt.messages.realtime import CYCLE_ID_IN_USE
 from nctakt.messages.tools import TOOL_NOT_VALID, UNKNOWN_TOOL
+from nctakt.nc.check.calls import may_call
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.check.motion_words import check_feed, has_radius, lacks_centre, leaves_arc
 from nctakt.nc.lint.channel_flush import FlushChecker
+from nctakt.nc.lint.constants import check_constant
 from nctakt.nc.lint.realtime_cycles import CycleLinter, KnownValue, StepLimits
-from nctakt.nc.lint.rounding import check_rounding
 from nctakt.nc.lint.uses import element_name, integer_value, operand_key
 from nctakt.nc.parse.open_structures import is_false
 from nctakt.nc.source import Source
@@ -103,7 +105,8 @@ class _State:
     """Facts that are certain at a point of the program.
 
     The active compensation (``G41``, ``G42``), values that were set, whether no radius of arcs has
-    been set, whether G02 or G03 is active, whether lengths are in inch.
+    been set, whether G02 or G03 is active, whether lengths are in inch, the IDs of the realtime
+    cycles that live.
     """
 
     compensation: str = ""
@@ -111,6 +114,7 @@ class _State:
     lacks_radius: bool = False
     is_arc: bool = False
     is_inch: bool = False
+    living: frozenset[int] = frozenset()
 
     def copy(self) -> _State:
         return replace(self, values=dict(self.values))
@@ -123,6 +127,7 @@ class _State:
             self.lacks_radius = self.lacks_radius and other.lacks_radius
             self.is_arc = self.is_arc and other.is_arc
             self.is_inch = self.is_inch and other.is_inch
+            self.living &= other.living
             self.values = {
                 number: value
                 for number, value in self.values.items()
@@ -208,6 +213,7 @@ class Linter:
                 self._state.lacks_radius = False
                 self._state.is_arc = False
                 self._state.is_inch = False
+                self._state.living = frozenset()
 
     # --- states through the program
     # ----------------------------------------------------------------
@@ -244,9 +250,11 @@ class Linter:
         self._state.values.clear()
         self._state.is_arc = False
         self._state.is_inch = False
+        self._state.living = frozenset()
         before = self._state.copy()
         self._all(loop.body)
         self._state.values.clear()
+        self._state.living = frozenset()
         if isinstance(loop, For | While | RealtimeLoop):
             self._state.join(before)
 
@@ -255,7 +263,7 @@ class Linter:
     def _assignment(self, statement: Assignment) -> None:
         """Forget the values of the target and its parts; note a constant that is assigned."""
         target = statement.target
-        check_rounding(statement, self._names, self._findings)
+        check_constant(statement, self._names, self._findings)
         if isinstance(target, Parameter) and target.call:
             return
         key = operand_key(target)
@@ -278,9 +286,17 @@ class Linter:
         name = scope.name if isinstance(scope, Name) else "PROG"
         writes = self._cycles.cycle(cycle, self._state.values, is_inch=self._state.is_inch)
         self._writes(writes, _Writer(cycle.span.line, name, identity))
+        if identity is not None and name != "BLOCK":
+            self._lives(identity, cycle)
         if name == "GLOBAL" and identity is not None and identity > 0:
             line = self._source.line_of(cycle.span)
             self._defined.append(GlobalCycle(identity, cycle.span, line))
+
+    def _lives(self, identity: int, cycle: RealtimeCycle) -> None:
+        """Note that a cycle lives; report the ID of one that certainly lives already."""
+        if identity in self._state.living:
+            self._findings.report(CYCLE_ID_IN_USE, cycle.span, id=identity)
+        self._state.living |= {identity}
 
     def _writes(self, writes: dict[str, Variable], writer: _Writer) -> None:
         """Report variables written by two cycles that may live at the same time, once for both."""
@@ -304,7 +320,9 @@ class Linter:
         identity = self._identity(values[0]) if values else 0
         if identity is None:
             self._deletes_any = True
+            self._state.living = frozenset()
         else:
+            self._state.living -= {identity}
             self._deleted.append(identity)
             self._writers = {
                 name: writer
@@ -323,6 +341,8 @@ class Linter:
 
     def _block(self, block: Block) -> None:
         check_feed(block, self._findings)
+        if may_call(block):
+            self._state.living = frozenset()
         if has_radius(block) or any(isinstance(word, StringWord) for word in block.words):
             self._state.lacks_radius = False
         elif self._state.lacks_radius and lacks_centre(block, is_modal=self._state.is_arc):

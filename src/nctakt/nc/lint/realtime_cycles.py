@@ -34,7 +34,8 @@ from nctakt.messages.lints import (
 )
 from nctakt.nc.check.cost import is_live, max_steps
 from nctakt.nc.check.findings import Findings
-from nctakt.nc.lint.rounding import check_rounding
+from nctakt.nc.lint.constants import check_constant, constant
+from nctakt.nc.lint.reach import ALWAYS_TRUE, NEVER_TRUE, check_comparison, check_target
 from nctakt.nc.lint.uses import (
     always,
     comparisons_in,
@@ -90,8 +91,6 @@ _THOSE = Text(
     "the values that they have when the cycle is defined",
     "die Werte, die sie bei der Definition des Zyklus haben",
 )
-_ALWAYS_TRUE = Text("always true", "immer wahr")
-_NEVER_TRUE = Text("never true", "nie wahr")
 
 
 @dataclass(frozen=True, slots=True)
@@ -230,7 +229,7 @@ class CycleLinter:
         target = statement.target
         if statement.operator not in ("=", "+="):
             self._extension(COMPOUND_ASSIGNMENT, statement.span)
-        check_rounding(statement, self._names, self._findings)
+        check_constant(statement, self._names, self._findings)
         if isinstance(target, Variable):
             for index in indices_of(target):
                 self._frozen(index)
@@ -262,6 +261,7 @@ class CycleLinter:
         if wrong:
             return
         self._idle_words(bracket, command)
+        check_target(command, self._names, self._findings, is_inch=self._is_inch)
         if command.buffered:
             self._extension(BUFFERED_MOTION, _keyword(bracket, "BUFFERED").span)
         if around.single or around.resets:
@@ -318,10 +318,21 @@ class CycleLinter:
         left, right, operator = comparison.left, comparison.right, comparison.operator
         for operand in (left, right):
             self._unit(operand)
-        if isinstance(left, Number):
+        if constant(left) is not None:
             left, right, operator = right, left, _MIRRORED.get(operator, operator)
-        if isinstance(left, Variable) and isinstance(right, Number):
-            self._range(comparison, left, operator, right.value)
+        value = constant(right)
+        if isinstance(left, Variable) and value is not None:
+            if isinstance(right, Number):
+                self._range(comparison, left, operator, value)
+            check_comparison(
+                comparison,
+                left,
+                operator,
+                value,
+                self._names,
+                self._findings,
+                is_inch=self._is_inch,
+            )
         if operator == "==":
             self._exact(left, right)
 
@@ -353,7 +364,7 @@ class CycleLinter:
             comparison.span,
             name=location.name,
             type=location.type,
-            result=_ALWAYS_TRUE if truth else _NEVER_TRUE,
+            result=ALWAYS_TRUE if truth else NEVER_TRUE,
             low=int(scalar.low),
             high=int(scalar.high),
         )

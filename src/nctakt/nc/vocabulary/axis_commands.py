@@ -79,12 +79,16 @@ DIRECTION_OF_LINEAR_AXIS = Text(
 class AxisTraits:
     """The properties of an axis that programs depend on; ``number`` is that of the whole
     machine.
+
+    ``low``, ``high``: its software limits or modulo range, in mm or degrees.
     """
 
     number: int
     is_linear: bool
     is_modulo: bool
     moves_alone: bool
+    low: float
+    high: float
 
 
 @dataclass(frozen=True, slots=True)

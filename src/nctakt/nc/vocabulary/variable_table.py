@@ -11,10 +11,11 @@ from __future__ import annotations
 
 import enum
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from math import inf
 
-from nctakt.base.dataclass import dataclass
+from nctakt.base.dataclass import dataclass, field
 from nctakt.base.text import nearest
 from nctakt.lists.declared.variables import SCALARS
 from nctakt.lists.machine.variables import AccessRights, Node, Variable, VariableScope
@@ -113,6 +114,7 @@ class ChannelNames:
 
     ``linear``: numbers of axes whose positions are lengths; ``spindles``: names; ``modulo``:
     numbers of modulo axes; ``single``: numbers of axes that may move independently (P-AXIS-00457).
+    ``ranges``: number of an axis -> its software limits or modulo range; infinite where missing.
     """
 
     axes: tuple[tuple[str, int], ...]
@@ -122,6 +124,7 @@ class ChannelNames:
     spindles: tuple[str, ...] = ()
     modulo: frozenset[int] = frozenset()
     single: frozenset[int] = frozenset()
+    ranges: Mapping[int, tuple[float, float]] = field(default_factory=dict)
 
 
 def _row_cells(rows: Sequence[RealtimeVariable]) -> int:
@@ -207,6 +210,7 @@ class NameTable:
                 number in channel.linear,
                 number in channel.modulo,
                 number in channel.single,
+                *channel.ranges.get(number, (-inf, inf)),
             )
             for name, number in channel.axes
         }

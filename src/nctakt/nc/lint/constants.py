@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""Constants that lose their fraction in a variable of whole numbers (RC-307).
+"""Constants that a variable of whole numbers does not hold as they are (RC-307).
 
 In: an assignment of a program or realtime cycle. Out: a warning (901050) where its constant value
-is rounded: ``V.RTG.OVERRIDE.VEL.CYCLE = 0.5`` stops the path, ``V.E.COUNT += 0.4`` adds nothing.
+is rounded: ``V.RTG.OVERRIDE.VEL.CYCLE = 0.5`` stops the path, ``V.E.COUNT += 0.4`` adds nothing;
+one (901051) where a BOOLEAN gets another number than 0 and 1; the error of a run (50892) where the
+value is out of the range of the type.
 """
 
 from __future__ import annotations
@@ -11,7 +13,8 @@ from math import isfinite
 
 from nctakt.base.diagnostics import NOTHING, Text
 from nctakt.lists.declared.variables import SCALARS
-from nctakt.messages.lints import CONSTANT_ROUNDED
+from nctakt.messages.lints import CONSTANT_NOT_BOOLEAN, CONSTANT_ROUNDED
+from nctakt.messages.realtime import CYCLE_VALUE_OUT_OF_RANGE
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.lint.uses import is_override
 from nctakt.nc.tree import Assignment, Binary, Expression, Number, Unary, Variable
@@ -23,28 +26,43 @@ _PERCENT = Text(
 )
 
 
-def check_rounding(statement: Assignment, names: NameTable, findings: Findings) -> None:
-    """Report a constant with a fraction that a variable of whole numbers gets."""
+def check_constant(statement: Assignment, names: NameTable, findings: Findings) -> None:
+    """Report a constant with a fraction, or out of the range, for a variable of whole numbers."""
     target = statement.target
     if statement.operator not in ("=", "+=", "-=") or not isinstance(target, Variable):
         return
     value = constant(statement.value)
-    if value is None or value == round(value):
+    if value is None:
         return
     location = resolve(target, names)
     if not isinstance(location, Location) or not location.is_numeric:
         return
-    if not SCALARS[location.type].is_integer:
+    scalar = SCALARS[location.type]
+    if not scalar.is_integer:
         return
-    findings.report(
-        CONSTANT_ROUNDED,
-        statement.value.span,
-        name=path_text(target),
-        type=location.type,
-        value=value,
-        rounded=round(value),
-        percent=_PERCENT if is_override(target) else NOTHING,
-    )
+    name, span = path_text(target), statement.value.span
+    if location.type == "BOOLEAN":
+        if value not in (0, 1):
+            findings.report(
+                CONSTANT_NOT_BOOLEAN, span, name=name, value=value, stored=int(abs(value) >= 0.5)
+            )
+        return
+    rounded = round(value)
+    if statement.operator == "=" and not scalar.low <= rounded <= scalar.high:
+        low, high = int(scalar.low), int(scalar.high)
+        findings.report(
+            CYCLE_VALUE_OUT_OF_RANGE, span, variable=name, value=rounded, low=low, high=high
+        )
+    elif rounded != value:
+        findings.report(
+            CONSTANT_ROUNDED,
+            span,
+            name=name,
+            type=location.type,
+            value=value,
+            rounded=rounded,
+            percent=_PERCENT if is_override(target) else NOTHING,
+        )
 
 
 def constant(expression: Expression) -> float | None:

@@ -35,3 +35,8 @@ def seeds_in_parts(compiled: int, plain: int, part: int) -> pytest.MarkDecorator
 def all_seeds(compiled: int, plain: int) -> range:
     """Return the seeds of one kind."""
     return range(FIRST, FIRST + int(MANY or (compiled if is_compiled() else plain)))
+
+
+def examples(count: int) -> int:
+    """Return how many examples a test of hypothesis makes that makes ``count`` unless told."""
+    return int(MANY or count)

@@ -9,7 +9,6 @@ ticks. ``NCTAKT_SEEDS=100000`` makes as many folders.
 
 from __future__ import annotations
 
-import os
 import re
 import traceback
 from pathlib import Path
@@ -17,6 +16,7 @@ from random import Random
 
 import pytest
 from machine_mutations import mutated, write
+from random_seeds import seeds_in_parts
 
 from nctakt.base.diagnostics import Severity
 from nctakt.base.failure import Failure
@@ -30,9 +30,6 @@ DEMO = {
     path.name: decode_text(path.read_bytes()).text
     for path in sorted(load_machine(None).folder.glob("*.lis"))
 }
-FOLDERS = int(os.environ.get("NCTAKT_SEEDS", "300"))
-#: Folders of one test.
-BATCH = 25
 TICKS = 40
 #: Words of all axes and spindles of the built-in machine, its variables, functions, offsets, tools.
 PROGRAMS = (
@@ -70,11 +67,11 @@ def outcome(lists: dict[str, str], program: str, folder: Path) -> str:
     return ""
 
 
-@pytest.mark.parametrize("batch", range(-(-FOLDERS // BATCH)))
-def test_where_the_check_finds_no_error_the_machine_runs(tmp_path: Path, batch: int) -> None:
+@seeds_in_parts(300, 300, 25)
+def test_where_the_check_finds_no_error_the_machine_runs(tmp_path: Path, seeds: range) -> None:
     """The seed of a folder that is treated wrongly stands in front of what happens to it."""
     wrong = []
-    for seed in range(batch * BATCH, min((batch + 1) * BATCH, FOLDERS)):
+    for seed in seeds:
         chance = Random(seed)
         lists = mutated(DEMO, chance)
         told = outcome(lists, chance.choice(PROGRAMS), tmp_path / str(seed))

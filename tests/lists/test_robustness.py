@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from random_seeds import examples
 
 from nctakt.lists.all_parameters import SCHEMAS
 from nctakt.lists.declared.axis import AXIS
@@ -45,14 +46,14 @@ def load_all(data: bytes) -> None:
         assert found.render("en") and found.render("de")
 
 
-@settings(max_examples=150, deadline=None, derandomize=True)
+@settings(max_examples=examples(150), deadline=None, derandomize=True)
 @given(st.binary(max_size=200))
 def test_any_bytes(data: bytes) -> None:
     """Arbitrary bytes are read to the end."""
     load_all(data)
 
 
-@settings(max_examples=150, deadline=None, derandomize=True)
+@settings(max_examples=examples(150), deadline=None, derandomize=True)
 @given(st.lists(st.one_of([lines(schema) for schema in SCHEMAS]), max_size=12))
 def test_any_entries(entries: list[str]) -> None:
     """Known names with values of all kinds are read to the end."""

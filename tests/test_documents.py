@@ -332,6 +332,23 @@ def test_each_decision_has_its_reason_and_its_test() -> None:
     assert [row for row in rows if "`tests/" not in row[3] and row[3] != "no test yet"] == []
 
 
+SEEDED = re.compile(r"(?:@seeds_in_parts|@each_seed|all_seeds)\((\d[\d_]*), (\d[\d_]*)")
+EXAMPLES = re.compile(r"max_examples=examples\((\d+)\)")
+
+
+def test_how_often_chance_tries_is_said_as_it_is() -> None:
+    """``docs/reliability.md`` has the numbers of each test that it names, compiled and plain."""
+    rows = re.findall(
+        r"^\| `(tests/\S+)` \|.*\| ([\d /,]+) \|$", text_of("docs/reliability.md"), re.M
+    )
+    assert len(rows) > 10
+    for file, told in rows:
+        text = text_of(file)
+        numbers = [f"{int(one)} / {int(other)}" for one, other in SEEDED.findall(text)]
+        numbers += [f"{one} / {one}" for one in EXAMPLES.findall(text)]
+        assert (file, told) == (file, ", ".join(numbers))
+
+
 # --- scheduling --------------------------------------------------------------------------------
 
 

@@ -262,6 +262,10 @@ def test_a_file_that_is_read_behind_its_begin_keeps_its_place(tmp_path: Path) ->
     "words",
     [
         ["check", "/dev/zero"],
+        ["check", "endless.lis"],
+        ["run", "/dev/zero"],
+        ["run", "part.nc", "--plc", "endless.py"],
+        ["run", "part.nc", "--plc", "inputs.py"],
         ["run", "part.nc", "--machine", "machine"],
         ["check", "machine"],
         ["run", "part.nc", "--rtconf", "/dev/zero"],
@@ -283,7 +287,10 @@ def test_an_endless_file_is_read_up_to_a_bound(
     with (folder / "machine" / "ext_var1.lis").open("ab") as long:
         long.truncate((1 << 20) + 1)
     (folder / "calls.nc").write_text('L "ENDLESS.NC"\nM30\n', "utf-8")
-    (folder / "ENDLESS.NC").symlink_to("/dev/zero")
+    for name in ("ENDLESS.NC", "endless.lis", "endless.py", "endless.csv"):
+        (folder / name).symlink_to("/dev/zero")
+    plc = "from nctakt import Plc\n\nclass Cell(Plc):\n    inputs = 'endless.csv'\n"
+    (folder / "inputs.py").write_text(plc, "utf-8")
     code = main(words)
     err = capsys.readouterr()
     found = err.err + err.out

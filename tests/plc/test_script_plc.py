@@ -214,11 +214,11 @@ def test_all_mistakes_of_a_file_of_inputs_are_told(
 
 
 def test_a_file_of_inputs_that_is_not_there(tmp_path: Path) -> None:
-    """900503 with what the system says."""
+    """900500 below the error of the PLC's file."""
     (tmp_path / "plc.py").write_text(PLC_FILE, "utf-8")
     with pytest.raises(PlcError) as caught:
         load_plc(tmp_path / "plc.py")
-    assert [found.id for found in caught.value.diagnostics] == [900522, 900503]
+    assert [found.id for found in caught.value.diagnostics] == [900522, 900500]
 
 
 # --- mistakes in the user's code -----------------------------------------------------------------

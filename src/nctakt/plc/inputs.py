@@ -14,9 +14,10 @@ from pathlib import Path
 
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
+from nctakt.base.text import decode_text, split_lines
+from nctakt.files.access import FileAccess
 from nctakt.lists.format.times import read_time
 from nctakt.messages import diagnostic
-from nctakt.messages.files import FILE_NOT_READABLE
 from nctakt.messages.plc import INPUT_CELL_COUNT, INPUT_HEADER_MISSING
 from nctakt.run.stimuli import Stimulus, parse_assignment
 
@@ -24,14 +25,10 @@ from nctakt.run.stimuli import Stimulus, parse_assignment
 def read_inputs(path: Path) -> tuple[Stimulus, ...]:
     """Return the values of a file in the order of its rows.
 
-    Raises one ``Failure`` with all mistakes: an unreadable file (900503), invalid rows (900654),
-    times (900510) and values (900512).
+    Raises one ``Failure`` with all mistakes: a file that is missing (900500), unreadable
+    (900503) or endless (900915), invalid rows (900654), times (900510) and values (900512).
     """
-    try:
-        lines = path.read_text("utf-8").splitlines()
-    except OSError as error:
-        reason = error.strerror or str(error)
-        raise Failure(diagnostic(FILE_NOT_READABLE, file=str(path), reason=reason)) from error
+    lines = split_lines(decode_text(FileAccess().read_bytes(path)).text)
     diagnostics: list[Diagnostic] = []
     values: list[Stimulus] = []
     rows = _rows(lines)

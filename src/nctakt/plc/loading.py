@@ -20,8 +20,8 @@ from typing import TYPE_CHECKING
 
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
+from nctakt.files.access import FileAccess
 from nctakt.messages import diagnostic
-from nctakt.messages.files import FILE_MISSING, FILE_NOT_READABLE, FOLDER_INSTEAD_OF_FILE
 from nctakt.messages.plc import (
     PLC_CLASS_AMBIGUOUS,
     PLC_CLASS_MISSING,
@@ -106,10 +106,10 @@ class _LoadedPlc(WatchedPlc):
 
 def _load_module(path: Path) -> ModuleType:
     """Return the user's file as a module; while it is loaded it can import files beside it."""
-    if not path.exists():
-        raise PlcError(diagnostic(FILE_MISSING, file=str(path)))
-    if path.is_dir():
-        raise PlcError(diagnostic(FOLDER_INSTEAD_OF_FILE, file=str(path)))
+    try:
+        FileAccess().read_bytes(path)  # the import would read an endless file without end
+    except Failure as failure:
+        raise PlcError(*failure.diagnostics) from failure
     name = f"nctakt_plc_{path.stem}"
     spec = importlib.util.spec_from_file_location(name, path)
     if spec is None or spec.loader is None:  # not named .py
@@ -120,11 +120,6 @@ def _load_module(path: Path) -> ModuleType:
     sys.path.insert(0, str(path.parent.resolve()))
     try:
         spec.loader.exec_module(module)
-    except OSError as error:
-        if error.filename is not None and Path(error.filename) == path:
-            reason = error.strerror or str(error)
-            raise PlcError(diagnostic(FILE_NOT_READABLE, file=str(path), reason=reason)) from error
-        raise _load_error(error, path) from error
     except (Exception, SystemExit) as error:  # the user's code may raise what it likes
         raise _load_error(error, path) from error
     finally:

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from dataclasses import replace
 from pathlib import Path
 
@@ -179,3 +180,16 @@ def test_the_source_of_the_interrupt_keeps_its_meaning(tmp_path: Path) -> None:
     before, after = load_machine(source).rtconf, load_machine(target).rtconf
     assert before is not None and after is not None
     assert before.interrupt_source is after.interrupt_source
+
+
+@pytest.mark.parametrize("list_format", ["ascii", "xml"])
+@pytest.mark.parametrize("name", ["workshop", "centre"])
+def test_a_full_folder_stays_what_it_is(name: str, list_format: str, tmp_path: Path) -> None:
+    """Hundreds of entries of all kinds: the same machine, and no finding that was not there."""
+    source = Path(__file__).parent.parent / "machines" / name
+    target = tmp_path / "lists"
+    assert main(["new", str(target), "--from", str(source), "--format", list_format]) == 0
+    before, after = load_machine(source), load_machine(target)
+    assert without_files(before) == without_files(after)
+    new = Counter(one.id for one in after.diagnostics)
+    assert new - Counter(one.id for one in before.diagnostics) == Counter()

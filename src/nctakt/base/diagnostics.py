@@ -46,6 +46,10 @@ _LABELS: dict[Language, tuple[str, str, str]] = {
 }
 
 
+#: A longer value, such as a name of a million letters, is cut off in messages.
+_LONGEST_VALUE = 400
+
+
 @dataclass(frozen=True, slots=True, order=True)
 class Span:
     """A position in a text: lines and columns count from 1, ``end_column`` is exclusive.
@@ -232,6 +236,8 @@ class Diagnostic:
 def _shown_value(value: object, language: Language) -> object:
     if isinstance(value, Text):
         return value.get(language)
+    if isinstance(value, str) and len(value) > _LONGEST_VALUE:
+        return f"{value[:_LONGEST_VALUE]}…"
     return number_text(value) if isinstance(value, float) else value
 
 

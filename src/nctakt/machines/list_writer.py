@@ -55,7 +55,7 @@ def _ascii_lines(items: Iterable[Comment | Item], language: Language) -> Iterato
         if isinstance(item, Comment):
             yield f"# {item.text}".rstrip()
             continue
-        entry = f"{item.name:{_KEY_WIDTH}}{_ascii_value(item)}"
+        entry = f"{item.name:{_KEY_WIDTH - 1}} {_ascii_value(item)}"
         comment = _comment(item, explained, language, has_id=True)
         yield f"{entry:{_KEY_WIDTH + _VALUE_WIDTH}} ( {comment}" if comment else entry
 

@@ -139,7 +139,9 @@ def parse_integer(text: str, *, hexadecimal: bool) -> int | None:
 
 def parse_real(text: str, *, hexadecimal: bool) -> float | None:
     """``text`` as a finite real number: decimal point and exponent allowed."""
-    if len(text) <= _LONGEST_REAL and _REAL.fullmatch(text):
+    if len(text) > _LONGEST_REAL:
+        return None
+    if _REAL.fullmatch(text):
         value = float(text)
         return value if abs(value) != float("inf") else None
     integer = parse_integer(text, hexadecimal=hexadecimal)

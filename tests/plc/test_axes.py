@@ -293,7 +293,7 @@ def test_during_a_reset_an_axis_takes_no_command() -> None:
     made = Controller().run(NcText("p.nc", WAIT), plc=plc, after="200 ms")
     assert plc.told[1] == [(0, ""), (55, "busy"), (56, "error 900810")]
     assert made.state == "reset"
-    assert made.ticks == 76
+    assert made.ticks == 276
 
 
 def test_reset_leaves_error_stop() -> None:

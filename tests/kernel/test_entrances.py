@@ -79,8 +79,10 @@ ENTRANCES: dict[str, _Entrance] = {
     "path.segment_row": lambda rig, n: rig.channel.path.segment_row(n),
     "path members": lambda rig, n: KernelPath(rig.machine.axes, [0, n], 1000),
     "queue.row": lambda rig, n: rig.channel.command(n),
-    "ahead.limit": lambda rig, n: rig.channel.look_ahead.limit(n, True, (1.0, 1.0), (1.0, 1.0)),
-    "ahead.limit_slope": lambda rig, n: rig.channel.look_ahead.limit_slope(
+    "ahead.limit": lambda rig, n: rig.channel.look_ahead.limits.limit(
+        n, True, (1.0, 1.0), (1.0, 1.0)
+    ),
+    "ahead.limit_slope": lambda rig, n: rig.channel.look_ahead.limits.limit_slope(
         n, (1.0, 1.0), (1.0, 1.0)
     ),
 }

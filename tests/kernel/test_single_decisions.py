@@ -89,7 +89,7 @@ def test_the_goal_of_a_walk_is_in_its_row() -> None:
         stretch_end=-1,
         max_stretch=4,
         path=SimpleNamespace(direction=-1),
-        look_ahead=SimpleNamespace(goal_d=12.0, goal_v=34.0, goal_kind=rows.EXEMPT_FEED_GOAL),
+        goal=SimpleNamespace(distance_d=12.0, speed_v=34.0, kind=rows.EXEMPT_FEED_GOAL),
         limit_a=56.0,
         limit_j=78.0,
         rounding_a=1e300,

@@ -23,13 +23,15 @@ def look_ahead(
     """Return the look-ahead of a channel with these axes."""
     ahead = LookAhead(len(axes), cycle_time_us, blocks, max_override_pct / 100.0)
     for index, axis in enumerate(axes):
-        ahead.limit(
+        ahead.limits.limit(
             index,
             axis.is_linear,
             (axis.rapid_speed, axis.max_speed),
             (axis.dynamics.rapid_acceleration, axis.dynamics.feed_acceleration),
         )
-        ahead.limit_slope(index, axis.dynamics.smooth_accelerations, axis.dynamics.smooth_jerks)
+        ahead.limits.limit_slope(
+            index, axis.dynamics.smooth_accelerations, axis.dynamics.smooth_jerks
+        )
     return ahead
 
 

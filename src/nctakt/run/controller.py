@@ -154,7 +154,7 @@ class Controller:
     @property
     def has_limited_jerk(self) -> bool:
         """Whether any block of the first channel so far had the jerk-limited slope."""
-        return self._machine.channels[0].look_ahead.has_jerk_limit
+        return self._machine.channels[0].look_ahead.limits.has_jerk_limit
 
     @property
     def instructions_in_tick(self) -> int:

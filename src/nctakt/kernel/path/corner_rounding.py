@@ -20,19 +20,30 @@ from __future__ import annotations
 
 from nctakt.kernel import rows
 from nctakt.kernel.base import arithmetic
-from nctakt.kernel.path.jerk_lookahead import JerkLookAhead
+from nctakt.kernel.path.corner import Corner
+from nctakt.kernel.path.segment_limits import SegmentLimits
 
 
-class CornerRounding(JerkLookAhead):
-    """Makes the bends of one channel, in ``rounding_row``."""
+class CornerRounding:
+    """Makes the roundings of one channel, one at a time, in ``row``.
 
-    def round_with_jerk(self, segments: memoryview[float], before: int, row: int, back: int) -> int:
+    ``spare``: both segments as they were before, the newer one first.
+    """
+
+    def __init__(self, limits: SegmentLimits, corner: Corner) -> None:
+        self.limits = limits
+        self.corner = corner
+        self.width = rows.segment_width(limits.count)
+        self.row = memoryview(bytearray(8 * self.width)).cast("d")
+        self.spare = memoryview(bytearray(16 * self.width)).cast("d")
+
+    def round(self, segments: memoryview[float], before: int, row: int, back: int) -> int:
         """A bend over the corner between two segments, which end and begin there: 0 if none fits.
 
         None is made either where the path is as fast without. ``spare`` keeps both segments as they
         were; ``back``: how many commands lie between them.
         """
-        if segments[row + rows.JERK] == 0.0 or self.last_deviation <= 0.0:
+        if segments[row + rows.JERK] == 0.0 or self.corner.last_deviation <= 0.0:
             return 0
         if segments[before + rows.SHAPE] != rows.LINE or segments[row + rows.SHAPE] != rows.LINE:
             return 0
@@ -46,10 +57,16 @@ class CornerRounding(JerkLookAhead):
         for i in range(self.width):
             self.spare[i] = segments[row + i]
             self.spare[self.width + i] = segments[before + i]
-            self.rounding_row[i] = 0.0
+            self.row[i] = 0.0
         self.limit_rounding(segments, before, row, half, speed)
         self.put_rounding(segments, before, row, half)
         return 1
+
+    def restore(self, segments: memoryview[float], before: int, row: int) -> None:
+        """Give both segments back as they were before ``round``."""
+        for i in range(self.width):
+            segments[row + i] = self.spare[i]
+            segments[before + i] = self.spare[self.width + i]
 
     def rounding_half(self, segments: memoryview[float], before: int, row: int) -> float:
         """How far from the corner the bend may begin and end: less than half of either line.
@@ -57,31 +74,34 @@ class CornerRounding(JerkLookAhead):
         In front of it three ticks are left where the line begins with a corner that uses the jerk.
         """
         size2 = 0.0
-        for i in range(self.count):
-            step = self.entering[i] - self.leaving[i]
-            self.steps[i] = step if step >= 0.0 else 0.0 - step
-            if self.linear[i]:
+        for i in range(self.limits.count):
+            step = self.corner.entering[i] - self.corner.leaving[i]
+            self.corner.steps[i] = step if step >= 0.0 else 0.0 - step
+            if self.limits.linear[i]:
                 size2 += step * step
         size = arithmetic.square_root(size2)
         if size < 1e-6 or size > 1.99:
             return 0.0
-        shorter = min(self.last_length, segments[row + rows.LENGTH])
-        half = min(6.0 * self.last_deviation / size, 0.49 * shorter)
-        return min(half, segments[before + rows.LENGTH] - 3.0 * self.tick_t * self.last_corner_v)
+        shorter = min(self.corner.last_length, segments[row + rows.LENGTH])
+        half = min(6.0 * self.corner.last_deviation / size, 0.49 * shorter)
+        return min(
+            half,
+            segments[before + rows.LENGTH] - 3.0 * self.limits.tick_t * self.corner.last_corner_v,
+        )
 
     def rounding_speed(
         self, segments: memoryview[float], before: int, row: int, half: float
     ) -> float:
         """The highest speed on the bend; 0 where the corner lets the path pass as fast."""
         shortest = min(segments[before + rows.LENGTH], segments[row + rows.LENGTH])
-        speed = min(self.speed_of(segments, before), self.speed_of(segments, row))
+        speed = min(self.limits.speed_of(segments, before), self.limits.speed_of(segments, row))
         corner_v = 1e300
-        for i in range(self.count):
-            corner_v = min(corner_v, self.corner_speed(i, shortest, 0.0))
-            step = self.steps[i]
+        for i in range(self.limits.count):
+            corner_v = min(corner_v, self.corner.corner_speed(i, shortest, 0.0))
+            step = self.corner.steps[i]
             if step > 0.0:
-                max_v2 = 0.8 * self.min_acceleration(i) * half / step
-                max_v3 = 0.75 * self.axis_jerk(i) * half * half / step
+                max_v2 = 0.8 * self.limits.min_acceleration(i) * half / step
+                max_v3 = 0.75 * self.limits.axis_jerk(i) * half * half / step
                 speed = min(speed, arithmetic.square_root(max_v2))
                 speed = min(speed, arithmetic.power(max_v3, 1.0 / 3.0))
         return speed if speed > corner_v else 0.0
@@ -96,7 +116,7 @@ class CornerRounding(JerkLookAhead):
         """
         limit_a = min(segments[before + rows.ACCELERATION], segments[row + rows.ACCELERATION])
         limit_j = min(segments[before + rows.JERK], segments[row + rows.JERK])
-        top_v = min(self.speed_of(segments, before), self.speed_of(segments, row))
+        top_v = min(self.limits.speed_of(segments, before), self.limits.speed_of(segments, row))
         room = min(segments[before + rows.LENGTH], segments[row + rows.LENGTH])
         time = self.ramp_time(top_v, limit_a, limit_j)
         while top_v > speed and top_v * time > room:
@@ -115,36 +135,33 @@ class CornerRounding(JerkLookAhead):
             return change / limit_a + limit_a / limit_j
         return 2.0 * arithmetic.square_root(change / limit_j)
 
-    def min_acceleration(self, index: int) -> float:
-        """What an axis can do in both segments of a corner."""
-        min_a = min(self.rapid_slope_a[index], self.feed_slope_a[index])
-        return min(min_a, self.rapid_a[index], self.feed_a[index])
-
     def limit_rounding(
         self, segments: memoryview[float], before: int, row: int, half: float, speed: float
     ) -> None:
         """Speed, acceleration and jerk of the bend."""
         limit_a = min(segments[before + rows.ACCELERATION], segments[row + rows.ACCELERATION])
         limit_j = min(segments[before + rows.JERK], segments[row + rows.JERK])
-        for i in range(self.count):
-            step = self.steps[i]
-            part = max(self.leaving[i], 0.0 - self.leaving[i])
-            part = max(part, self.entering[i], 0.0 - self.entering[i])
-            left_a = 0.98 * (self.min_acceleration(i) - speed * speed * step / half)
-            left_j = 0.98 * (self.axis_jerk(i) - speed * speed * speed * step / (half * half))
+        for i in range(self.limits.count):
+            step = self.corner.steps[i]
+            part = max(self.corner.leaving[i], 0.0 - self.corner.leaving[i])
+            part = max(part, self.corner.entering[i], 0.0 - self.corner.entering[i])
+            left_a = 0.98 * (self.limits.min_acceleration(i) - speed * speed * step / half)
+            left_j = 0.98 * (
+                self.limits.axis_jerk(i) - speed * speed * speed * step / (half * half)
+            )
             if step > 0.0:
                 left_j *= 0.5
                 limit_a = min(limit_a, left_j * half / (3.0 * speed * step))
             if part > 0.0:
                 limit_a = min(limit_a, left_a / part)
                 limit_j = min(limit_j, left_j / part)
-        self.rounding_row[rows.MAX_SPEED] = speed
-        self.rounding_row[rows.ACCELERATION] = limit_a
-        self.rounding_row[rows.JERK] = limit_j
+        self.row[rows.MAX_SPEED] = speed
+        self.row[rows.ACCELERATION] = limit_a
+        self.row[rows.JERK] = limit_j
 
     def put_rounding(self, segments: memoryview[float], before: int, row: int, half: float) -> None:
         """Shorten both lines by the bend, and put it between them."""
-        rounding = self.rounding_row
+        rounding = self.row
         rounding[rows.KIND] = rows.SEGMENT
         rounding[rows.SOURCE] = segments[before + rows.SOURCE]
         rounding[rows.BLOCK_NUMBER] = segments[before + rows.BLOCK_NUMBER]
@@ -159,12 +176,12 @@ class CornerRounding(JerkLookAhead):
         rounding[rows.PREDECESSOR] = 1.0
         rounding[rows.CORNER_SPEED] = 1e300
         start = rows.START
-        target = start + self.count
-        corners = target + self.count + self.count
-        for i in range(self.count):
+        target = start + self.limits.count
+        corners = target + self.limits.count + self.limits.count
+        for i in range(self.limits.count):
             corner = segments[row + start + i]
-            rounding[start + i] = corner - half * self.leaving[i]
-            rounding[target + i] = corner + half * self.entering[i]
+            rounding[start + i] = corner - half * self.corner.leaving[i]
+            rounding[target + i] = corner + half * self.corner.entering[i]
             rounding[corners + i] = corner
             segments[before + target + i] = rounding[start + i]
             segments[row + start + i] = rounding[target + i]
@@ -175,6 +192,6 @@ class CornerRounding(JerkLookAhead):
         segments[before + rows.ROUNDING_LENGTH] = rounding[rows.LENGTH]
         segments[before + rows.ROUNDING_ACCELERATION] = rounding[rows.ACCELERATION]
         segments[before + rows.ROUNDING_JERK] = rounding[rows.JERK]
-        self.stand_at_end(segments, before)
-        self.stand_at_end(rounding, 0)
-        self.is_rounded = True
+        self.limits.stand_at_end(segments, before)
+        self.limits.stand_at_end(rounding, 0)
+        self.corner.is_rounded = True

@@ -3,12 +3,14 @@
 cimport cython
 from nctakt.kernel cimport rows
 from nctakt.kernel.path cimport geometry
+from nctakt.kernel.path.goal cimport Goal
 from nctakt.kernel.path.lookahead cimport LookAhead
 from nctakt.kernel.path.path cimport Path
 
 cdef class History:
     cdef Path path
     cdef LookAhead look_ahead
+    cdef Goal goal
     cdef long long[::1] foreign
     cdef long long number
     cdef long long front_number

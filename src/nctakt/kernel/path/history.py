@@ -13,6 +13,7 @@ from __future__ import annotations
 
 from nctakt.kernel import rows
 from nctakt.kernel.path import geometry
+from nctakt.kernel.path.goal import Goal
 from nctakt.kernel.path.lookahead import LookAhead
 from nctakt.kernel.path.path import Path
 
@@ -30,6 +31,7 @@ class History:
     def __init__(self, path: Path, ahead: LookAhead) -> None:
         self.path = path
         self.look_ahead = ahead
+        self.goal = Goal()
         self.foreign = memoryview(bytearray(8 * max(1, path.count))).cast("q")
         self.number = 0
         self.front_number = 0
@@ -103,11 +105,11 @@ class History:
         self.find_goal(count)
         self.goal_row[rows.JERK] = self.limit_j
         self.goal_row[rows.ROUNDING_LENGTH] = 1.0 if self.rounding_a < 1e299 else 0.0
-        self.goal_row[rows.GOAL_LENGTH] = self.look_ahead.goal_d
-        self.goal_row[rows.GOAL_SPEED] = self.look_ahead.goal_v
+        self.goal_row[rows.GOAL_LENGTH] = self.goal.distance_d
+        self.goal_row[rows.GOAL_SPEED] = self.goal.speed_v
         self.goal_row[rows.GOAL_ACCELERATION] = 1e300
         self.goal_row[rows.GOAL_JERK] = 1e300
-        self.goal_row[rows.GOAL_KIND] = self.look_ahead.goal_kind
+        self.goal_row[rows.GOAL_KIND] = self.goal.kind
         self.goal_row[rows.CARRIED_ACCELERATION] = self.limit_a
         self.goal_row[rows.CARRIED_JERK] = self.limit_j
 
@@ -123,37 +125,41 @@ class History:
         self.limit_j = self.path.history_rows[row + rows.JERK]
         self.rounding_a = 1e300
         self.rounding_j = 1e300
-        self.look_ahead.goal_d = 0.0
-        self.look_ahead.goal_v = 0.0
-        self.look_ahead.goal_kind = rows.LIMIT_GOAL
+        self.goal.distance_d = 0.0
+        self.goal.speed_v = 0.0
+        self.goal.kind = rows.LIMIT_GOAL
         while last > 0:
             row = self.path.row_of(self.stretch[last])
             last -= 1
             before = self.path.row_of(self.stretch[last])
             first = before if self.path.direction > 0 else row
-            self.look_ahead.goal_a = self.limit_a
-            self.look_ahead.goal_j = self.limit_j
-            self.look_ahead.goal_d += self.path.history_rows[row + rows.LENGTH]
+            self.goal.acceleration_a = self.limit_a
+            self.goal.jerk_j = self.limit_j
+            self.goal.distance_d += self.path.history_rows[row + rows.LENGTH]
             self.take_over(before, row)
             corner_v = self.path.history_rows[first + rows.CORNER_SPEED]
-            self.look_ahead.stop_at(self.path.history_rows, before, row, corner_v)
+            self.look_ahead.jerk.slow_before(
+                self.goal, self.path.history_rows, before, row, corner_v
+            )
 
     def take_over(self, before: int, row: int) -> None:
         """Go on from ``row`` to the segment before it, and to what the walk may do on that.
 
         Acceleration that it brings into a segment in front of a bend has to fade on it. A bend it
-        comes to without any; if it cannot, the bend's limits count (``look_ahead.carried_a``).
+        comes to without any; if it cannot, the bend's limits count (``Goal.carried_a``).
         """
         own_a = self.path.history_rows[before + rows.ACCELERATION]
         own_j = self.path.history_rows[before + rows.JERK]
         fades_d = (
-            self.look_ahead.speed_of(self.path.history_rows, row) * self.limit_a / self.limit_j
+            self.look_ahead.limits.speed_of(self.path.history_rows, row)
+            * self.limit_a
+            / self.limit_j
         )
         if self.path.history_rows[row + rows.LENGTH] < fades_d:
             self.limit_a = min(self.limit_a, self.rounding_a)
             self.limit_j = min(self.limit_j, self.rounding_j)
-        self.look_ahead.carried_a = min(self.limit_a, own_a)
-        self.look_ahead.carried_j = min(self.limit_j, own_j)
+        self.goal.carried_a = min(self.limit_a, own_a)
+        self.goal.carried_j = min(self.limit_j, own_j)
         self.rounding_a = 1e300
         self.rounding_j = 1e300
         if self.path.history_rows[row + rows.SHAPE] == rows.ROUNDING:
@@ -162,5 +168,5 @@ class History:
             self.limit_a = own_a
             self.limit_j = own_j
         else:
-            self.limit_a = self.look_ahead.carried_a
-            self.limit_j = self.look_ahead.carried_j
+            self.limit_a = self.goal.carried_a
+            self.limit_j = self.goal.carried_j

@@ -23,36 +23,51 @@ from __future__ import annotations
 from nctakt.kernel import codes, rows
 from nctakt.kernel.base import arithmetic
 from nctakt.kernel.path import geometry
+from nctakt.kernel.path.corner import Corner
 from nctakt.kernel.path.corner_rounding import CornerRounding
+from nctakt.kernel.path.jerk_lookahead import JerkLookAhead
+from nctakt.kernel.path.segment_limits import SegmentLimits
 
 
-class LookAhead(CornerRounding):
-    """The preparation of one channel: how its segments go on into each other."""
+class LookAhead:
+    """The preparation of one channel: how its segments go on into each other.
+
+    Its parts: the ``limits`` of a segment, the ``corner`` in front of the newest one, and for a
+    limited jerk the ``rounding`` of corners and the look-ahead ``jerk``. ``blocks``: how many
+    blocks are looked ahead; ``capacity``: rows of the queue.
+    """
+
+    def __init__(self, count: int, cycle_time_us: int, blocks: int, max_factor: float) -> None:
+        self.limits = SegmentLimits(count, cycle_time_us, max_factor)
+        self.corner = Corner(self.limits)
+        self.rounding = CornerRounding(self.limits, self.corner)
+        self.jerk = JerkLookAhead(self.limits, self.corner, blocks)
+        self.blocks = blocks
+        self.width = rows.segment_width(count)
+        self.capacity = 0
+        self.spare = memoryview(bytearray(16 * self.width)).cast("d")
+
+    def resize(self, capacity: int) -> None:
+        """Work on a queue of ``capacity`` rows from now on."""
+        self.capacity = capacity
+        self.jerk.capacity = capacity
+
+    def measure(self, segments: memoryview[float], row: int) -> None:
+        """Prepare the newest segment alone: its limits, and its direction at its start."""
+        self.corner.enter(segments, row, self.limits.measure(segments, row))
 
     # --- from one segment to the next -----------------------------------------------------------
-
-    def leave(self, segments: memoryview[float], row: int, length: float) -> None:
-        """Keep what the next segment needs to know of this one, ``length`` as programmed."""
-        geometry.tangent(segments, row, self.count, 1, self.leaving)
-        if segments[row + rows.JERK] > 0.0:
-            self.leave_with_jerk(segments, row)
-        self.last_centripetal_share = self.centripetal_share
-        self.last_length = length
-        self.last_deviation = segments[row + rows.DEVIATION]
 
     def join(self, segments: memoryview[float], before: int, row: int) -> None:
         """Settle how the path passes from the segment at ``before`` to that at ``row``."""
         segments[before + rows.NEXT_SPEED] = segments[row + rows.SPEED]
         segments[before + rows.NEXT_IGNORES_OVERRIDE] = segments[row + rows.IGNORES_OVERRIDE]
-        for i in range(self.count):
-            self.steps[i] = self.entering[i] - self.leaving[i]
-            if self.steps[i] < 0.0:
-                self.steps[i] = 0.0 - self.steps[i]
+        self.corner.set_steps()
         if segments[row + rows.JERK] > 0.0:
-            self.join_with_jerk(segments, before, row)
+            self.jerk.join(segments, before, row)
             return
         if segments[before + rows.SHAPE] == rows.LINE and segments[row + rows.SHAPE] == rows.LINE:
-            if self.last_deviation > 0.0 and self.round_corner(segments, before, row):
+            if self.corner.last_deviation > 0.0 and self.round_corner(segments, before, row):
                 return
         self.pass_corner(segments, before, row)
         speed = min(segments[before + rows.CORNER_SPEED], self.arc_speed(segments, before, 1))
@@ -62,36 +77,39 @@ class LookAhead(CornerRounding):
         """The highest speed at the begin or end of an arc whose limits go by its angle."""
         if geometry.pieces(segments, row) == 0:
             return 1e300
-        self.arcs.open(segments, row)
-        return self.arcs.end_cap(at_end)
-
-    def axis_acceleration(self, index: int) -> float:
-        """What an axis can do in both segments of a corner."""
-        return min(self.rapid_a[index], self.feed_a[index])
+        self.limits.arcs.open(segments, row)
+        return self.limits.arcs.end_cap(at_end)
 
     def pass_corner(self, segments: memoryview[float], before: int, row: int) -> None:
         """The highest speed at a corner, and the zones around it with acceleration in reserve."""
-        share = max(self.centripetal_share, self.last_centripetal_share)
+        share = max(self.corner.centripetal_share, self.corner.last_centripetal_share)
         reserve = min(0.7, 1.0 - arithmetic.square_root(share * share + 0.0025))
         shortest = min(segments[before + rows.LENGTH], segments[row + rows.LENGTH])
         limit_v = 1e300
         min_a = 1e300
-        for i in range(self.count):
-            if self.steps[i] > 0.0:
-                step_a = self.axis_acceleration(i) * reserve / self.steps[i]
-                limit_v = min(limit_v, step_a * self.tick_t)
+        for i in range(self.limits.count):
+            if self.corner.steps[i] > 0.0:
+                step_a = self.limits.axis_acceleration(i) * reserve / self.corner.steps[i]
+                limit_v = min(limit_v, step_a * self.limits.tick_t)
                 limit_v = min(limit_v, arithmetic.square_root(step_a * shortest))
-                min_a = min(min_a, self.axis_acceleration(i))
-        if limit_v < 2.5 * min_a * self.tick_t and limit_v < 1e299:
+                min_a = min(min_a, self.limits.axis_acceleration(i))
+        if limit_v < 2.5 * min_a * self.limits.tick_t and limit_v < 1e299:
             segments[before + rows.CORNER_SPEED] = 0.0
             return
         segments[before + rows.CORNER_SPEED] = limit_v
-        speed = min(limit_v, self.speed_of(segments, before), self.speed_of(segments, row))
-        density = max(1.0, speed * self.tick_t / shortest)
+        speed = min(
+            limit_v, self.limits.speed_of(segments, before), self.limits.speed_of(segments, row)
+        )
+        density = max(1.0, speed * self.limits.tick_t / shortest)
         max_share = 0.0
-        for i in range(self.count):
-            used = self.steps[i] * speed * density / (self.axis_acceleration(i) * self.tick_t)
-            self.shares[i] = used
+        for i in range(self.limits.count):
+            used = (
+                self.corner.steps[i]
+                * speed
+                * density
+                / (self.limits.axis_acceleration(i) * self.limits.tick_t)
+            )
+            self.corner.shares[i] = used
             max_share = max(max_share, used)
         if max_share > 1e-6:
             self.reserve_zone(segments, before, 1, speed, max_share)
@@ -101,26 +119,29 @@ class LookAhead(CornerRounding):
         self, segments: memoryview[float], row: int, at_end: int, speed: float, max_share: float
     ) -> None:
         """Less acceleration within a tick of a corner; on a short segment, on all of it."""
-        length = speed * self.tick_t + segments[row + rows.ACCELERATION] * self.tick_t * self.tick_t
+        length = (
+            speed * self.limits.tick_t
+            + segments[row + rows.ACCELERATION] * self.limits.tick_t * self.limits.tick_t
+        )
         if geometry.pieces(segments, row) > 0:
-            first_a = self.feed_a[int(segments[row + rows.ARC_FIRST_AXIS])]
-            second_a = self.feed_a[int(segments[row + rows.ARC_SECOND_AXIS])]
-            length += (first_a + second_a) * self.tick_t * self.tick_t
+            first_a = self.limits.feed_a[int(segments[row + rows.ARC_FIRST_AXIS])]
+            second_a = self.limits.feed_a[int(segments[row + rows.ARC_SECOND_AXIS])]
+            length += (first_a + second_a) * self.limits.tick_t * self.limits.tick_t
             column = row + (rows.ARC_EXIT_SHARE if at_end else rows.ARC_ENTRY_SHARE)
             if 3.0 * length > segments[row + rows.LENGTH]:
                 column = row + rows.ARC_SHARE
             segments[column] = max(segments[column], max_share)
         limit_a = segments[row + rows.ACCELERATION]
         if segments[row + rows.SHAPE] == rows.ARC:
-            share = self.last_centripetal_share if at_end else self.centripetal_share
+            share = self.corner.last_centripetal_share if at_end else self.corner.centripetal_share
             left2 = (1.0 - max_share) * (1.0 - max_share) - share * share
             limit_a *= arithmetic.square_root(left2 / (1.0 - share * share))
         else:
-            for i in range(self.count):
-                part = self.leaving[i] if at_end else self.entering[i]
+            for i in range(self.limits.count):
+                part = self.corner.leaving[i] if at_end else self.corner.entering[i]
                 part = part if part >= 0.0 else 0.0 - part
                 if part > 0.0:
-                    left_a = self.axis_acceleration(i) * (1.0 - self.shares[i])
+                    left_a = self.limits.axis_acceleration(i) * (1.0 - self.corner.shares[i])
                     limit_a = min(limit_a, left_a / part)
         if 3.0 * length > segments[row + rows.LENGTH]:
             segments[row + rows.ACCELERATION] = min(segments[row + rows.ACCELERATION], limit_a)
@@ -141,35 +162,35 @@ class LookAhead(CornerRounding):
         Its begin and end are equally far from the corner, on each segment at most half its way.
         """
         size2 = 0.0
-        for i in range(self.count):
-            if self.linear[i]:
-                size2 += self.steps[i] * self.steps[i]
+        for i in range(self.limits.count):
+            if self.limits.linear[i]:
+                size2 += self.corner.steps[i] * self.corner.steps[i]
         size = arithmetic.square_root(size2)
         if size < 1e-6 or size > 1.99:
             return 0
-        shorter = min(self.last_length, segments[row + rows.LENGTH])
-        half = min(4.0 * self.last_deviation / size, 0.5 * shorter)
+        shorter = min(self.corner.last_length, segments[row + rows.LENGTH])
+        half = min(4.0 * self.corner.last_deviation / size, 0.5 * shorter)
         curve_v2 = 1e300
-        for i in range(self.count):
-            if self.steps[i] > 0.0:
-                step_a = 0.9 * self.axis_acceleration(i) / self.steps[i]
+        for i in range(self.limits.count):
+            if self.corner.steps[i] > 0.0:
+                step_a = 0.9 * self.limits.axis_acceleration(i) / self.corner.steps[i]
                 curve_v2 = min(curve_v2, 2.0 * half * step_a)
-        speed = min(self.speed_of(segments, before), self.speed_of(segments, row))
+        speed = min(self.limits.speed_of(segments, before), self.limits.speed_of(segments, row))
         share = 0.9 * min(1.0, speed * speed / curve_v2)
         curve_a = 1e300
-        for i in range(self.count):
-            part = max(self.leaving[i], 0.0 - self.leaving[i])
-            part = max(part, self.entering[i], 0.0 - self.entering[i])
+        for i in range(self.limits.count):
+            part = max(self.corner.leaving[i], 0.0 - self.corner.leaving[i])
+            part = max(part, self.corner.entering[i], 0.0 - self.corner.entering[i])
             if part > 0.0:
-                curve_a = min(curve_a, self.axis_acceleration(i) * (1.0 - share) / part)
+                curve_a = min(curve_a, self.limits.axis_acceleration(i) * (1.0 - share) / part)
         segments[before + rows.CURVE_HALF] = half
         segments[before + rows.CURVE_SPEED] = min(arithmetic.square_root(curve_v2), speed)
         segments[before + rows.CURVE_ACCELERATION] = curve_a
         start = row + rows.START
-        corner = before + rows.START + self.count
-        curve_end = corner + self.count
-        for i in range(self.count):
-            position = segments[corner + i] + half * self.entering[i]
+        corner = before + rows.START + self.limits.count
+        curve_end = corner + self.limits.count
+        for i in range(self.limits.count):
+            position = segments[corner + i] + half * self.corner.entering[i]
             segments[curve_end + i] = position
             segments[start + i] = position
         segments[row + rows.LENGTH] -= half
@@ -192,45 +213,53 @@ class LookAhead(CornerRounding):
         been promised the speed at its end: 0 where that cannot be kept.
         """
         row = number % self.capacity * self.width
-        self.enter(segments, row, 0.0, 0.0)
+        entry_v = self.feed_entry_speed(segments, row, 0.0)
+        max_entry_v = self.max_entry_speed(segments, row, entry_v, 0.0, 0.0)
         passed = 0
         while segments[row + rows.PREDECESSOR] > 0.0:
             back = int(segments[row + rows.PREDECESSOR])
             number = number - back
             if number < oldest:
-                return 1 if self.entry_v >= promised_v and self.max_entry_v >= promised_max_v else 0
+                return 1 if entry_v >= promised_v and max_entry_v >= promised_max_v else 0
             row = number % self.capacity * self.width
-            self.entry_v = min(self.entry_v, segments[row + rows.CORNER_SPEED])
-            self.max_entry_v = min(self.max_entry_v, segments[row + rows.CORNER_SPEED])
+            entry_v = min(entry_v, segments[row + rows.CORNER_SPEED])
+            max_entry_v = min(max_entry_v, segments[row + rows.CORNER_SPEED])
             end_v = segments[row + rows.END_SPEED]
             max_end_v = segments[row + rows.MAX_END_SPEED]
-            if passed > 0 and self.entry_v == end_v and self.max_entry_v == max_end_v:
+            if passed > 0 and entry_v == end_v and max_entry_v == max_end_v:
                 return 1
-            if passed >= self.blocks and self.entry_v >= end_v and self.max_entry_v >= max_end_v:
+            if passed >= self.blocks and entry_v >= end_v and max_entry_v >= max_end_v:
                 return 1
-            segments[row + rows.END_SPEED] = self.entry_v
-            segments[row + rows.MAX_END_SPEED] = self.max_entry_v
-            self.enter(segments, row, self.entry_v, self.max_entry_v)
+            segments[row + rows.END_SPEED] = entry_v
+            segments[row + rows.MAX_END_SPEED] = max_entry_v
+            end_v = entry_v
+            max_end_v = max_entry_v
+            entry_v = self.feed_entry_speed(segments, row, end_v)
+            max_entry_v = self.max_entry_speed(segments, row, entry_v, end_v, max_end_v)
             passed += 1
         return 1
 
-    def enter(self, segments: memoryview[float], row: int, end_v: float, max_end_v: float) -> None:
-        """The speeds at the begin of a segment from those at its end: with its feed, without."""
+    def feed_entry_speed(self, segments: memoryview[float], row: int, end_v: float) -> float:
+        """Return the highest speed at a segment's start under its feed, from that at its end."""
         speed = min(segments[row + rows.SPEED], segments[row + rows.MAX_SPEED])
-        self.entry_v = self.entry_speed(segments, row, end_v, speed)
-        self.max_entry_v = self.entry_v
-        if max_end_v != end_v or self.entry_v == speed:
-            self.max_entry_v = self.entry_speed(
-                segments, row, max_end_v, segments[row + rows.MAX_SPEED]
-            )
+        return self.entry_speed(segments, row, end_v, speed)
+
+    def max_entry_speed(
+        self, segments: memoryview[float], row: int, entry_v: float, end_v: float, max_end_v: float
+    ) -> float:
+        """``feed_entry_speed`` without the feed; ``entry_v``: that with it, from ``end_v``."""
+        speed = min(segments[row + rows.SPEED], segments[row + rows.MAX_SPEED])
+        if max_end_v != end_v or entry_v == speed:
+            return self.entry_speed(segments, row, max_end_v, segments[row + rows.MAX_SPEED])
+        return entry_v
 
     def entry_speed(
         self, segments: memoryview[float], row: int, end_v: float, limit_v: float
     ) -> float:
         """The highest speed at the begin of a segment from which that at its end is kept."""
         if geometry.pieces(segments, row) > 0:
-            self.arcs.open(segments, row)
-            return self.arcs.entry_speed(end_v, limit_v)
+            self.limits.arcs.open(segments, row)
+            return self.limits.arcs.entry_speed(end_v, limit_v)
         return geometry.entry_speed(segments, row, codes.ENTRY_ZONE, end_v, limit_v)
 
     def connect(
@@ -268,7 +297,7 @@ class LookAhead(CornerRounding):
         promised_v: float,
         promised_max_v: float,
     ) -> int:
-        """``spread``, or ``spread_with_jerk``: a speed below 0 is none that is promised."""
+        """``spread``, or ``JerkLookAhead.spread``: a speed below 0 is none that is promised."""
         if segments[number % self.capacity * self.width + rows.JERK] > 0.0:
-            return self.spread_with_jerk(segments, number, oldest, promised_v >= 0.0)
+            return self.jerk.spread(segments, number, oldest, promised_v >= 0.0)
         return self.spread(segments, number, oldest, promised_v, promised_max_v)

@@ -6,13 +6,11 @@ from nctakt.kernel.base cimport arithmetic
 from nctakt.kernel.path cimport geometry
 from nctakt.kernel.path.arc_limits cimport ArcLimits
 
+@cython.final
 cdef class SegmentLimits:
     cdef readonly Py_ssize_t count
-    cdef readonly Py_ssize_t blocks
     cdef double max_factor
     cdef double tick_t
-    cdef readonly Py_ssize_t width
-    cdef public Py_ssize_t capacity
     cdef long long[::1] linear
     cdef double[::1] rapid_v
     cdef double[::1] max_v
@@ -23,39 +21,16 @@ cdef class SegmentLimits:
     cdef double[::1] rapid_j
     cdef double[::1] feed_j
     cdef ArcLimits arcs
-    cdef double[::1] entering
-    cdef double[::1] leaving
-    cdef double[::1] steps
-    cdef double[::1] shares
-    cdef double[::1] entering_curve
-    cdef double[::1] leaving_curve
-    cdef double[::1] turns
-    cdef double[::1] spare
-    cdef double centripetal_share
-    cdef double last_centripetal_share
-    cdef double last_length
-    cdef double last_deviation
-    cdef double corner_v
-    cdef double last_corner_v
-    cdef bint is_rounded
-    cdef bint last_is_rounded
-    cdef double[::1] rounding_row
-    cdef double goal_d
-    cdef double entry_v
-    cdef double max_entry_v
-    cdef double goal_v
-    cdef double goal_a
-    cdef double goal_j
-    cdef int goal_kind
-    cdef double carried_a
-    cdef double carried_j
+    cdef double[::1] direction
+    cdef double[::1] unused
     cdef readonly bint has_jerk_limit
 
-    cdef void measure(self, double[::1] segments, Py_ssize_t row) noexcept nogil
+    @cython.locals(share=double)
+    cdef double measure(self, double[::1] segments, Py_ssize_t row) noexcept nogil
     @cython.locals(is_rapid=bint, start=Py_ssize_t, target=Py_ssize_t, limit_a=double, limit_j=double, i=Py_ssize_t, distance=double, part=double, slope_a=double, slope_j=double)
     cdef void limit_jerk(self, double[::1] segments, Py_ssize_t row) noexcept nogil
-    @cython.locals(first=Py_ssize_t, second=Py_ssize_t, x=double, y=double, radius=double, turn=double, distance=double, part=double, first_a=double, second_a=double, left_j=double, plane_a=double, plane_j=double, max_v=double, outer_a=double, outer_j=double, best_t=double, speed=double, centre_a=double, turned_j=double, free_a=double, ramp_a=double, crossing_j=double, jerk=double, time=double, _=int)
-    cdef void limit_jerk_on_arc(self, double[::1] segments, Py_ssize_t row, int at_corner) noexcept nogil
+    @cython.locals(first=Py_ssize_t, second=Py_ssize_t, x=double, y=double, radius=double, turn=double, distance=double, part=double, first_a=double, second_a=double, plane_a=double, plane_j=double, max_v=double, outer_a=double, outer_j=double, best_t=double, speed=double, centre_a=double, turned_j=double, free_a=double, ramp_a=double, crossing_j=double, jerk=double, time=double, _=int)
+    cdef void limit_jerk_on_arc(self, double[::1] segments, Py_ssize_t row, double[::1] shares, double[::1] turns) noexcept nogil
     @cython.locals(ramp=double, half=double, peak=double)
     cdef double rest_to_rest_time(self, double distance, double speed, double limit_a, double limit_j) noexcept nogil
     cdef void stand_at_end(self, double[::1] segments, Py_ssize_t row) noexcept nogil
@@ -64,11 +39,15 @@ cdef class SegmentLimits:
     @cython.locals(is_rapid=bint, start=Py_ssize_t, target=Py_ssize_t, highest=double, limit_a=double, rapid=double, i=Py_ssize_t, distance=double, part=double)
     cdef void bound(self, double[::1] segments, Py_ssize_t row) noexcept nogil
     cdef int in_plane(self, double[::1] segments, Py_ssize_t row, Py_ssize_t index) noexcept nogil
-    @cython.locals(start=Py_ssize_t, target=Py_ssize_t, first=Py_ssize_t, second=Py_ssize_t, x=double, y=double, radius=double, angle=double, distance=double, length2=double, i=Py_ssize_t, rise=double, length=double, part=double, plane_a=double, highest=double, commanded_v=double, share=double, speed=double, limit_a=double, by_speed=bint)
-    cdef void measure_arc(self, double[::1] segments, Py_ssize_t row) noexcept nogil
+    @cython.locals(start=Py_ssize_t, target=Py_ssize_t, first=Py_ssize_t, second=Py_ssize_t, x=double, y=double, radius=double, angle=double, distance=double, length2=double, i=Py_ssize_t, rise=double, length=double, part=double, plane_a=double, highest=double, commanded_v=double, share=double, centripetal=double, speed=double, limit_a=double, by_speed=bint)
+    cdef double measure_arc(self, double[::1] segments, Py_ssize_t row) noexcept nogil
     @cython.locals(slower=double)
     cdef int is_even(self, double[::1] segments, Py_ssize_t row, double commanded_v) noexcept nogil
     @cython.locals(limit_a=double, i=Py_ssize_t, part=double)
     cdef double straight_acceleration(self, double[::1] parts) noexcept nogil
     @cython.locals(angle=double, pieces=Py_ssize_t)
     cdef void divide_arc(self, double[::1] segments, Py_ssize_t row, double piece) noexcept nogil
+    cdef double speed_of(self, double[::1] segments, Py_ssize_t row) noexcept nogil
+    cdef double axis_jerk(self, Py_ssize_t index) noexcept nogil
+    cdef double axis_acceleration(self, Py_ssize_t index) noexcept nogil
+    cdef double min_acceleration(self, Py_ssize_t index) noexcept nogil

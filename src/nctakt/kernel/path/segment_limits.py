@@ -20,57 +20,31 @@ from nctakt.kernel.path.arc_limits import ArcLimits
 
 
 class SegmentLimits:
-    """The limits of the segments of one channel over ``count`` axes.
+    """The limits of one channel's axes, and what they allow on a segment.
 
-    ``max_factor``: the highest override as a factor (P-CHAN-00056). ``capacity``: that of the
-    channel's queue, which keeps it current. ``has_jerk_limit``: a segment had a limit of the jerk.
+    An axis is ``linear`` or not; ``rapid_…`` limits hold for rapid motions, ``feed_…`` for the
+    others, ``…_slope_a`` with limited jerk. A speed is at most ``max_factor`` times the programmed
+    one (P-CHAN-00056). ``has_jerk_limit``: a segment had a limit of the jerk.
     """
 
-    def __init__(self, count: int, cycle_time_us: int, blocks: int, max_factor: float) -> None:
+    def __init__(self, count: int, cycle_time_us: int, max_factor: float) -> None:
         self.count = count
-        self.blocks = blocks
         self.max_factor = max(1.0, max_factor)
         self.tick_t = cycle_time_us / 1e6
-        self.width = rows.segment_width(count)
-        self.capacity = 0
-        room = max(1, count)
-        self.linear = memoryview(bytearray(8 * room)).cast("q")
-        self.rapid_v = memoryview(bytearray(8 * room)).cast("d")
-        self.max_v = memoryview(bytearray(8 * room)).cast("d")
-        self.rapid_a = memoryview(bytearray(8 * room)).cast("d")
-        self.feed_a = memoryview(bytearray(8 * room)).cast("d")
-        self.rapid_slope_a = memoryview(bytearray(8 * room)).cast("d")
-        self.feed_slope_a = memoryview(bytearray(8 * room)).cast("d")
-        self.rapid_j = memoryview(bytearray(8 * room)).cast("d")
-        self.feed_j = memoryview(bytearray(8 * room)).cast("d")
+        room = 8 * max(1, count)
+        self.linear = memoryview(bytearray(room)).cast("q")
+        self.rapid_v = memoryview(bytearray(room)).cast("d")
+        self.max_v = memoryview(bytearray(room)).cast("d")
+        self.rapid_a = memoryview(bytearray(room)).cast("d")
+        self.feed_a = memoryview(bytearray(room)).cast("d")
+        self.rapid_slope_a = memoryview(bytearray(room)).cast("d")
+        self.feed_slope_a = memoryview(bytearray(room)).cast("d")
+        self.rapid_j = memoryview(bytearray(room)).cast("d")
+        self.feed_j = memoryview(bytearray(room)).cast("d")
         self.arcs = ArcLimits(count)
         self.arcs.share(self.max_v, self.feed_a)
-        self.entering = memoryview(bytearray(8 * room)).cast("d")
-        self.leaving = memoryview(bytearray(8 * room)).cast("d")
-        self.steps = memoryview(bytearray(8 * room)).cast("d")
-        self.shares = memoryview(bytearray(8 * room)).cast("d")
-        self.entering_curve = memoryview(bytearray(8 * room)).cast("d")
-        self.leaving_curve = memoryview(bytearray(8 * room)).cast("d")
-        self.turns = memoryview(bytearray(8 * room)).cast("d")
-        self.spare = memoryview(bytearray(16 * self.width)).cast("d")
-        self.centripetal_share = 0.0
-        self.last_centripetal_share = 0.0
-        self.last_length = 0.0
-        self.last_deviation = 0.0
-        self.corner_v = 0.0
-        self.last_corner_v = 0.0
-        self.is_rounded = False
-        self.last_is_rounded = False
-        self.rounding_row = memoryview(bytearray(8 * self.width)).cast("d")
-        self.goal_d = 0.0
-        self.entry_v = 0.0
-        self.max_entry_v = 0.0
-        self.goal_v = 0.0
-        self.goal_a = 0.0
-        self.goal_j = 0.0
-        self.goal_kind = rows.LIMIT_GOAL
-        self.carried_a = 0.0
-        self.carried_j = 0.0
+        self.direction = memoryview(bytearray(room)).cast("d")
+        self.unused = memoryview(bytearray(room)).cast("d")
         self.has_jerk_limit = False
 
     def limit(
@@ -96,20 +70,21 @@ class SegmentLimits:
 
     # --- the limits of a segment ----------------------------------------------------------------
 
-    def measure(self, segments: memoryview[float], row: int) -> None:
-        """Way, speeds and acceleration of the segment in ``segments``."""
-        self.centripetal_share = 0.0
-        self.corner_v = 0.0
-        self.is_rounded = False
+    def measure(self, segments: memoryview[float], row: int) -> float:
+        """Prepare length, speeds and acceleration of the segment at ``row``.
+
+        Return the share of the acceleration of an arc's plane that the centripetal part takes.
+        """
+        share = 0.0
         segments[row + rows.LENGTH] = self.straight_length(segments, row)
         if segments[row + rows.SHAPE] == rows.ARC:
-            self.measure_arc(segments, row)
+            share = self.measure_arc(segments, row)
         else:
             self.bound(segments, row)
         if segments[row + rows.HAS_JERK_LIMIT] > 0.0:
             self.limit_jerk(segments, row)
         segments[row + rows.CORNER_SPEED] = 0.0
-        geometry.tangent(segments, row, self.count, 0, self.entering)
+        return share
 
     def limit_jerk(self, segments: memoryview[float], row: int) -> None:
         """Acceleration and jerk of the jerk-limited slope."""
@@ -131,13 +106,19 @@ class SegmentLimits:
         segments[row + rows.ACCELERATION] = min(segments[row + rows.ACCELERATION], limit_a)
         segments[row + rows.JERK] = limit_j
         if segments[row + rows.SHAPE] == rows.ARC:
-            self.limit_jerk_on_arc(segments, row, 0)
+            self.limit_jerk_on_arc(segments, row, self.unused, self.unused)
         self.stand_at_end(segments, row)
 
-    def limit_jerk_on_arc(self, segments: memoryview[float], row: int, at_corner: int) -> None:
-        """Speed, acceleration and jerk on an arc.
+    def limit_jerk_on_arc(
+        self,
+        segments: memoryview[float],
+        row: int,
+        shares: memoryview[float],
+        turns: memoryview[float],
+    ) -> None:
+        """Limit speed, acceleration and jerk on an arc.
 
-        ``at_corner``: a corner uses ``shares`` of accelerations, ``turns`` of jerks.
+        A corner uses ``shares`` of the axes' accelerations and ``turns`` of their jerks.
         """
         first = int(segments[row + rows.ARC_FIRST_AXIS])
         second = int(segments[row + rows.ARC_SECOND_AXIS])
@@ -149,12 +130,8 @@ class SegmentLimits:
         part = distance / segments[row + rows.LENGTH]
         first_a = min(self.feed_a[first], self.feed_slope_a[first])
         second_a = min(self.feed_a[second], self.feed_slope_a[second])
-        plane_a = min(first_a, second_a)
-        plane_j = min(self.feed_j[first], self.feed_j[second])
-        if at_corner:
-            plane_a = min(first_a - self.shares[first], second_a - self.shares[second])
-            left_j = self.feed_j[first] - self.turns[first]
-            plane_j = min(left_j, self.feed_j[second] - self.turns[second])
+        plane_a = min(first_a - shares[first], second_a - shares[second])
+        plane_j = min(self.feed_j[first] - turns[first], self.feed_j[second] - turns[second])
         max_v = (
             min(segments[row + rows.SPEED] * self.max_factor, segments[row + rows.MAX_SPEED]) * part
         )
@@ -260,7 +237,7 @@ class SegmentLimits:
             return 1
         return 1 if segments[row + rows.ARC_SECOND_AXIS] == index else 0
 
-    def measure_arc(self, segments: memoryview[float], row: int) -> None:
+    def measure_arc(self, segments: memoryview[float], row: int) -> float:
         """``measure`` for an arc, a helix where further axes move.
 
         Of the acceleration ``a`` that both axes of the plane have, the centripetal part takes a
@@ -291,23 +268,18 @@ class SegmentLimits:
         )
         if segments[row + rows.HAS_JERK_LIMIT] > 0.0:
             segments[row + rows.MAX_SPEED] = highest
-            return
+            return 0.0
         commanded_v = segments[row + rows.SPEED] * self.max_factor
         share = commanded_v * part * commanded_v * part / (radius * plane_a)
-        self.centripetal_share = min(share, 0.5)
-        speed = min(
-            arithmetic.square_root(self.centripetal_share * radius * plane_a) / part, commanded_v
-        )
-        limit_a = (
-            plane_a
-            * arithmetic.square_root(1.0 - self.centripetal_share * self.centripetal_share)
-            / part
-        )
+        centripetal = min(share, 0.5)
+        speed = min(arithmetic.square_root(centripetal * radius * plane_a) / part, commanded_v)
+        limit_a = plane_a * arithmetic.square_root(1.0 - centripetal * centripetal) / part
         segments[row + rows.ACCELERATION] = min(limit_a, segments[row + rows.ACCELERATION])
         segments[row + rows.MAX_SPEED] = min(highest, speed)
         if share > 0.5 or commanded_v > highest or not self.is_even(segments, row, commanded_v):
             by_speed = commanded_v > highest and highest * highest < radius * plane_a
             self.divide_arc(segments, row, 3.0 if by_speed else 6.0)
+        return centripetal
 
     def is_even(self, segments: memoryview[float], row: int, commanded_v: float) -> int:
         """Whether one acceleration all along an arc costs next to no time (choice: 1 %).
@@ -316,10 +288,10 @@ class SegmentLimits:
         with the time of the whole way at the wanted speed.
         """
         slower = 1.0 / segments[row + rows.ACCELERATION]
-        geometry.tangent(segments, row, self.count, 0, self.entering)
-        slower -= 0.5 / self.straight_acceleration(self.entering)
-        geometry.tangent(segments, row, self.count, 1, self.entering)
-        slower -= 0.5 / self.straight_acceleration(self.entering)
+        geometry.tangent(segments, row, self.count, 0, self.direction)
+        slower -= 0.5 / self.straight_acceleration(self.direction)
+        geometry.tangent(segments, row, self.count, 1, self.direction)
+        slower -= 0.5 / self.straight_acceleration(self.direction)
         return 1 if commanded_v * commanded_v * slower <= 0.01 * segments[row + rows.LENGTH] else 0
 
     def straight_acceleration(self, parts: memoryview[float]) -> float:
@@ -343,3 +315,22 @@ class SegmentLimits:
         segments[row + rows.ACCELERATION] *= 0.99
         self.arcs.open(segments, row)
         segments[row + rows.MAX_SPEED] = self.arcs.highest_speed()
+
+    # --- what axes can do -----------------------------------------------------------------------
+
+    def speed_of(self, segments: memoryview[float], row: int) -> float:
+        """The highest speed that a segment is ever driven with."""
+        return min(segments[row + rows.SPEED] * self.max_factor, segments[row + rows.MAX_SPEED])
+
+    def axis_jerk(self, index: int) -> float:
+        """The jerk that an axis can do in both segments of a corner."""
+        return min(self.rapid_j[index], self.feed_j[index])
+
+    def axis_acceleration(self, index: int) -> float:
+        """What an axis can do in both segments of a corner."""
+        return min(self.rapid_a[index], self.feed_a[index])
+
+    def min_acceleration(self, index: int) -> float:
+        """What an axis can do in both segments of a corner."""
+        min_a = min(self.rapid_slope_a[index], self.feed_slope_a[index])
+        return min(min_a, self.rapid_a[index], self.feed_a[index])

@@ -28,8 +28,8 @@ class CommandQueue:
         self.look_ahead = look_ahead
         self.width = path.width
         self.capacity = 256
-        look_ahead.capacity = self.capacity
-        self.path.arc.share(self.look_ahead.max_v, self.look_ahead.feed_a)
+        look_ahead.resize(self.capacity)
+        self.path.arc.share(self.look_ahead.limits.max_v, self.look_ahead.limits.feed_a)
         self.queue = memoryview(bytearray(8 * self.width * self.capacity)).cast("d")
         self.head = 0
         self.tail = 0
@@ -200,11 +200,11 @@ class CommandQueue:
         if self.last_segment >= oldest and self.has_same_slope(self.last_segment, row):
             before = self.last_segment % self.capacity * self.width
             back = self.tail - 1 - self.last_segment
-            if self.look_ahead.round_with_jerk(self.queue, before, row, back):
+            if self.look_ahead.rounding.round(self.queue, before, row, back):
                 row = self.insert_rounding(oldest)
             else:
                 self.connect(back, oldest)
-        self.look_ahead.leave(self.queue, row, length)
+        self.look_ahead.corner.leave(self.queue, row, length)
 
     def connect(self, back: int, oldest: int) -> None:
         """Let the path go on into the latest segment from the one ``back`` commands before it."""
@@ -226,18 +226,16 @@ class CommandQueue:
         rounding = (self.last_segment + 1) % self.capacity * self.width
         row = (self.tail - 1) % self.capacity * self.width
         for i in range(self.width):
-            self.queue[rounding + i] = self.look_ahead.rounding_row[i]
-        if self.look_ahead.spread_with_jerk(self.queue, self.tail - 1, oldest, self.path.is_active):
+            self.queue[rounding + i] = self.look_ahead.rounding.row[i]
+        if self.look_ahead.jerk.spread(self.queue, self.tail - 1, oldest, self.path.is_active):
             return row
         for number in range(self.last_segment + 1, self.tail - 1):
             self.copy_row(number + 1, number)
         self.tail -= 1
         before = self.last_segment % self.capacity * self.width
         row = (self.tail - 1) % self.capacity * self.width
-        for i in range(self.width):
-            self.queue[row + i] = self.look_ahead.spare[i]
-            self.queue[before + i] = self.look_ahead.spare[self.width + i]
-        self.look_ahead.spread_with_jerk(self.queue, self.tail - 1, oldest, 0)
+        self.look_ahead.rounding.restore(self.queue, before, row)
+        self.look_ahead.jerk.spread(self.queue, self.tail - 1, oldest, 0)
         return row
 
     def copy_row(self, number: int, to: int) -> None:
@@ -268,7 +266,7 @@ class CommandQueue:
         """Double the queue: many commands without motion stand in a row."""
         commands = [self.command(n) for n in range(self.head, self.tail)]
         self.capacity *= 2
-        self.look_ahead.capacity = self.capacity
+        self.look_ahead.resize(self.capacity)
         self.queue = memoryview(bytearray(8 * self.width * self.capacity)).cast("d")
         self.started = max(self.started - self.head, -1)
         self.last_segment = max(self.last_segment - self.head, -1)
@@ -339,7 +337,7 @@ class CommandQueue:
 
     def braking_distance_in(self, row: int) -> float:
         """How far the path brakes from a segment's highest speed, with three ticks more."""
-        fastest_v = self.queue[row + rows.SPEED] * self.look_ahead.max_factor
+        fastest_v = self.queue[row + rows.SPEED] * self.look_ahead.limits.max_factor
         speed = min(fastest_v, self.queue[row + rows.MAX_SPEED])
         acceleration = self.queue[row + rows.ACCELERATION]
         length = speed * (0.5 * speed / acceleration + 3.0 * self.path.cycle_time_t)

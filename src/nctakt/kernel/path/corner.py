@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: MIT
+"""The corner between the newest segment and the one before it (MO-1, MO-3).
+
+How the axes' parts of the path's length change from the one to the other: in a step where the
+direction does, and their changes along the path where the curvature does.
+"""
+
+from __future__ import annotations
+
+from nctakt.kernel import rows
+from nctakt.kernel.base import arithmetic
+from nctakt.kernel.path import geometry
+from nctakt.kernel.path.segment_limits import SegmentLimits
+
+
+class Corner:
+    """The directions at one corner, and what the segment before it has left.
+
+    ``entering`` and ``leaving``: each axis' part of the length behind the corner and in front of
+    it; ``entering_curve`` and ``leaving_curve``: the change of these per mm. ``steps``, ``shares``
+    and ``turns``: what the corner asks of each axis, as it is passed. ``centripetal_share``: of an
+    arc's acceleration; ``corner_v``: with which the newest segment is entered, 0 without a limit
+    of the jerk; ``is_rounded``: a rounding leads into it. ``last_…``: the same of the segment
+    before; ``last_length`` is its programmed length in mm, ``last_deviation`` the distance in mm
+    at which the path may pass its end.
+    """
+
+    def __init__(self, limits: SegmentLimits) -> None:
+        self.limits = limits
+        room = 8 * max(1, limits.count)
+        self.entering = memoryview(bytearray(room)).cast("d")
+        self.leaving = memoryview(bytearray(room)).cast("d")
+        self.entering_curve = memoryview(bytearray(room)).cast("d")
+        self.leaving_curve = memoryview(bytearray(room)).cast("d")
+        self.steps = memoryview(bytearray(room)).cast("d")
+        self.shares = memoryview(bytearray(room)).cast("d")
+        self.turns = memoryview(bytearray(room)).cast("d")
+        self.centripetal_share = 0.0
+        self.last_centripetal_share = 0.0
+        self.last_length = 0.0
+        self.last_deviation = 0.0
+        self.corner_v = 0.0
+        self.last_corner_v = 0.0
+        self.is_rounded = False
+        self.last_is_rounded = False
+
+    def enter(self, segments: memoryview[float], row: int, centripetal_share: float) -> None:
+        """Take the start of the newest segment as the one behind the corner."""
+        self.centripetal_share = centripetal_share
+        self.corner_v = 0.0
+        self.is_rounded = False
+        geometry.tangent(segments, row, self.limits.count, 0, self.entering)
+
+    def leave(self, segments: memoryview[float], row: int, length: float) -> None:
+        """Keep the end of the newest segment, ``length`` mm as programmed, for the next corner."""
+        geometry.tangent(segments, row, self.limits.count, 1, self.leaving)
+        if segments[row + rows.JERK] > 0.0:
+            geometry.curvature(segments, row, self.limits.count, 1, self.leaving_curve)
+            self.last_corner_v = self.corner_v
+            self.last_is_rounded = self.is_rounded
+        self.last_centripetal_share = self.centripetal_share
+        self.last_length = length
+        self.last_deviation = segments[row + rows.DEVIATION]
+
+    def set_steps(self) -> None:
+        """Settle the step of each axis' part of the length at the corner."""
+        for i in range(self.limits.count):
+            self.steps[i] = self.entering[i] - self.leaving[i]
+            if self.steps[i] < 0.0:
+                self.steps[i] = 0.0 - self.steps[i]
+
+    def corner_speed(self, i: int, shortest: float, turn: float) -> float:
+        """The highest speed at a corner for one axis: at most 0.7 of its jerk is used."""
+        step = self.steps[i]
+        if step <= 1e-12:
+            step = 0.0
+        if turn <= 1e-12:
+            turn = 0.0
+        max_a = (
+            self.limits.axis_jerk(i)
+            * self.limits.tick_t
+            * (0.35 if step > 0.0 and turn > 0.0 else 0.7)
+        )
+        speed = 1e300
+        if step > 0.0:
+            more = 6.0 * step * self.limits.tick_t * max_a * self.limits.tick_t / shortest
+            root = arithmetic.square_root(step * step + more)
+            speed = 2.0 * max_a * self.limits.tick_t / (step + root)
+        if turn > 0.0:
+            slower = arithmetic.square_root(max_a / (0.75 * turn))
+            density = 0.75 + min(slower, speed) * self.limits.tick_t / shortest
+            speed = min(speed, arithmetic.square_root(max_a / (density * turn)))
+        return speed

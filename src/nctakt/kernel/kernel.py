@@ -32,22 +32,22 @@ class Lane:
     """
 
     def needs_python(self) -> int:
-        """The first reason why one of the channels needs Python."""
+        """First reason of a channel to return to Python, else ``codes.DONE``."""
         return codes.DONE
 
     def event_bound(self) -> int:
-        """The most events of one tick."""
+        """Highest number of events in a tick."""
         return 0
 
     def probe_bound(self) -> int:
-        """The most probes of one tick."""
+        """Highest number of probes in a tick."""
         return 0
 
     def begin_tick(self, tick: int) -> None:
-        """Up to and with the command phase and the cycles of each channel, then its path."""
+        """Take commands, run the cycles and interpolate the path, channel by channel."""
 
     def end_tick(self) -> None:
-        """Answers and outputs of each channel."""
+        """Answer waiting commands and publish the outputs, channel by channel."""
 
 
 class ChannelLane(Lane):
@@ -119,7 +119,7 @@ class Kernel:
         self.post_bytes(cell, struct.pack("=d", value))
 
     def post_bytes(self, cell: int, data: bytes) -> None:
-        """As ``post``, for a character string that fills whole cells from ``cell`` on."""
+        """Put a character string that fills whole cells from ``cell`` on into that image."""
         words = memoryview(data).cast("q")
         check_range(cell, 0, len(self.words) - len(words), "cell")
         self.make_room(self.input_count + len(words))
@@ -129,7 +129,7 @@ class Kernel:
             self.input_count += 1
 
     def make_room(self, count: int) -> None:
-        """Let the image of inputs hold ``count`` cells."""
+        """Make room for ``count`` cells in the image of inputs."""
         if count <= self.input_capacity:
             return
         posted = [(self.input_cells[i], self.input_words[i]) for i in range(self.input_count)]
@@ -141,7 +141,7 @@ class Kernel:
             self.input_words[i] = word
 
     def run(self, ticks: int) -> int:
-        """Run up to ``ticks`` ticks: why it returned, ``codes.DONE`` after all of them."""
+        """Run up to ``ticks`` ticks; return why it ended, ``codes.DONE`` after all of them."""
         ticks = min(ticks, MAX_TICKS)
         with cython.nogil:
             reason = self.loop(ticks)
@@ -152,11 +152,11 @@ class Kernel:
         self.record.reserve(self.event_bound(), self.lane.probe_bound())
 
     def event_bound(self) -> int:
-        """The most events of one tick."""
+        """Highest number of events in a tick."""
         return self.lane.event_bound() + self.image.event_bound + self.requests.event_bound()
 
     def loop(self, ticks: int) -> int:
-        """The loop over ticks, without Python objects."""
+        """Run ticks without Python objects; return as ``run``."""
         end = self.tick + ticks
         while self.tick < end:
             reason = self.lane.needs_python()
@@ -168,7 +168,7 @@ class Kernel:
         return self.lane.needs_python()
 
     def run_tick(self) -> None:
-        """One tick: a table of its phases (RC-002)."""
+        """Run one tick: a table of its phases (RC-002)."""
         self.record.tick = self.tick
         self.record.channel = 0
         self.latch_inputs()
@@ -187,7 +187,7 @@ class Kernel:
         self.tick += 1
 
     def lose_tick(self) -> int:
-        """A tick without the interpolation (P-RTCF-00011): time goes on, nothing else does."""
+        """Pass a tick without interpolation (P-RTCF-00011): only time goes on."""
         self.record.tick = self.tick
         if self.image.is_attached:
             self.image.publish(self.tick + 1)
@@ -196,13 +196,13 @@ class Kernel:
         return codes.DONE
 
     def note_overflow(self, thread: int) -> None:
-        """A thread of the schedule overflows in the tick that comes."""
+        """Record that a thread of the schedule overflows in the coming tick."""
         self.record.tick = self.tick
         self.record.channel = 0
         self.record.event(rows.EVENT_OVERFLOW, 0, thread)
 
     def latch_inputs(self) -> None:
-        """What came since the last tick is in force now: the PLC's image, then what was posted."""
+        """Latch the PLC's image, then the posted values."""
         if self.image.is_attached:
             self.image.latch()
         for i in range(self.input_count):
@@ -211,6 +211,6 @@ class Kernel:
         self.requests.latch()
 
     def record_row(self) -> None:
-        """The trace row of this tick."""
+        """Record the trace row of this tick."""
         if self.record.signal_count > 0:
             self.record.take_row()

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""The pieces of the tool's way one behind the other, and where it crosses itself (MO-9).
+"""The pieces of the tool's path one behind the other, and where it crosses itself (MO-9).
 
-Each new piece is compared with those of the last motions, and a crossing is told; or (``masks``)
-the loop that it closes is left out, with the motions in it. A loop that is left out is kept as long
-as the way may lead back behind it.
+Each new piece is compared with those of the last motions, and a crossing is reported; or
+(``masks``) the loop that it closes is left out, with the motions in it. A loop that is left out is
+kept as long as the path may lead back behind it.
 """
 
 from __future__ import annotations
@@ -13,10 +13,10 @@ from nctakt.decoder.contour.pieces import Crossing
 
 
 class Chain:
-    """The pieces of one way.
+    """Pieces of one tool path.
 
-    ``side``: where the tool is, 1 left, -1 right of the contour. ``number``: of the latest motion,
-    counted from 1. ``crossed``: the motion whose way that of ``crossing`` crosses, 0 none.
+    ``side``: where the tool is, 1 left, -1 right of the contour. ``number``: of the newest motion,
+    counted from 1. ``crossed``: the motion whose path that of ``crossing`` crosses, 0 none.
     """
 
     def __init__(self) -> None:
@@ -35,17 +35,17 @@ class Chain:
         self.crossing = 0
 
     def count_motion(self) -> None:
-        """There is one more motion."""
+        """Count one more motion."""
         self.number += 1
 
     def separate(self) -> None:
-        """Compare nothing that comes with what was."""
+        """Compare later pieces with nothing that was before."""
         self.barrier = self.count
         self.left_out_count = 0
         self.hidden_count = 0
 
     def import_from(self, count: int, barrier: int) -> None:
-        """Let all be as it was with so many pieces, where nothing was crossed."""
+        """Restore the state with so many pieces, in which nothing was crossed."""
         self.count = count
         self.barrier = barrier
         self.crossed = 0
@@ -55,13 +55,13 @@ class Chain:
     def put_line(
         self, shape: int, x: float, y: float, x_2: float, y_2: float, is_contour: int
     ) -> None:
-        """One more line of the latest motion."""
+        """Append a line of the newest motion."""
         self.make_room()
         pieces.put_line(self.rows, self.count * rows.PIECE_WIDTH, shape, x, y, x_2, y_2)
         self.put(is_contour)
 
     def put(self, is_contour: int) -> None:
-        """The row behind the pieces is one more piece of the latest motion."""
+        """Append the row behind the pieces as a piece of the newest motion."""
         row = self.count * rows.PIECE_WIDTH
         self.rows[row + rows.MOTION] = self.number
         is_gap = self.rows[row + rows.SHAPE] == rows.GAP
@@ -84,7 +84,7 @@ class Chain:
         self.barrier = max(self.barrier - first, 0)
 
     def oldest(self, last: int) -> int:
-        """The first piece up to ``last`` that is within reach of the latest motion."""
+        """Index of the first piece up to ``last`` that is near to the newest motion."""
         first = last
         before = last - 1
         while before >= self.barrier and self.is_near(before):
@@ -93,14 +93,14 @@ class Chain:
         return first
 
     def is_near(self, piece: int) -> int:
-        """Whether the latest motion may cross this piece."""
+        """Return whether the newest motion may cross this piece."""
         motion = self.rows[piece * rows.PIECE_WIDTH + rows.MOTION]
         return 1 if motion >= self.number - rows.REACH else 0
 
     # --- crossings -------------------------------------------------------------------------------
 
     def compare(self) -> None:
-        """Find where the latest piece crosses earlier ones, and leave out the loops."""
+        """Find where the newest piece crosses earlier ones, and leave out the loops."""
         if self.masks:
             self.mask()
             return
@@ -112,9 +112,9 @@ class Chain:
             self.barrier = last
 
     def mask(self) -> None:
-        """Leave out the loops that the latest piece closes.
+        """Leave out the loops that the newest piece closes.
 
-        It may lead back behind what was left out, so that a part of that is way after all.
+        It may lead back behind what was left out, so that a part of that is path after all.
         """
         room = 8
         while True:
@@ -138,12 +138,12 @@ class Chain:
             self.cross(last, crossed_piece)
 
     def cross(self, last: int, crossed_piece: int) -> None:
-        """The latest piece crosses the motion of another one."""
+        """Note that the newest piece crosses the motion of another one."""
         motion = self.rows[crossed_piece * rows.PIECE_WIDTH + rows.MOTION]
         self.rows[last * rows.PIECE_WIDTH + rows.CROSSED] = motion
 
     def search(self, last: int, required_sense: float) -> int:
-        """The newest piece that the latest one crosses in this sense; -1: none.
+        """Newest piece that the newest one crosses in this sense; -1 without one.
 
         So the smallest loop is found first.
         """
@@ -151,7 +151,7 @@ class Chain:
         row = last * rows.PIECE_WIDTH
         piece = last - 1
         if piece >= 0 and self.rows[piece * rows.PIECE_WIDTH + rows.SHAPE] != rows.GAP:
-            piece -= 1  # the way goes on from this one
+            piece -= 1  # the path goes on from this one
         while piece >= self.barrier and self.is_near(piece):
             if self.is_crossed(piece, row):
                 return piece
@@ -159,7 +159,7 @@ class Chain:
         return -1
 
     def search_loops(self, last: int) -> int:
-        """The piece of a loop behind which the latest piece leads; -1: none."""
+        """Piece of a loop behind which the newest piece leads; -1 without one."""
         self.crossings.required_sense = -self.side
         row = last * rows.PIECE_WIDTH
         piece = rows.ROOM + self.left_out_count - 1
@@ -170,7 +170,7 @@ class Chain:
         return -1
 
     def is_crossed(self, piece: int, row: int) -> int:
-        """Whether the piece whose row begins at ``row`` crosses this one."""
+        """Return whether the piece whose row begins at ``row`` crosses this one."""
         begin = piece * rows.PIECE_WIDTH
         if self.rows[begin + rows.IS_CONTOUR] == 0.0:
             return 0
@@ -213,22 +213,22 @@ class Chain:
         self.left_out_count = at + 1 - rows.ROOM
 
     def forget_loop(self, first: int) -> None:
-        """The loop that begins with this row is left out for good."""
+        """Leave out the loop at this row for good."""
         behind = self.end_of_loop(first) + 1
         for piece in range(behind, rows.ROOM + self.left_out_count):
             self.copy(piece, first + piece - behind)
         self.left_out_count -= behind - first
 
     def end_of_loop(self, piece: int) -> int:
-        """The row behind the last piece of a loop."""
+        """Row behind the last piece of a loop."""
         while self.rows[piece * rows.PIECE_WIDTH + rows.SHAPE] != rows.LOOP_END:
             piece += 1
         return piece
 
     def restore_loop(self, crossed_piece: int, last: int) -> int:
-        """Lead the way around a loop again from where the latest piece crosses it: 1 done.
+        """Lead the path around a loop again from its crossing; return 1 if done.
 
-        What of it is not way after all the rest of the latest piece will leave out.
+        What of it is not path after all the rest of the newest piece will leave out.
         """
         table = self.rows
         end = self.end_of_loop(crossed_piece)
@@ -269,7 +269,7 @@ class Chain:
     # --- what is taken ---------------------------------------------------------------------------
 
     def take(self, number: int) -> int:
-        """Take the next piece of this motion; its shape, ``rows.NOTHING`` without one."""
+        """Take the next piece of this motion; return its shape, ``rows.NOTHING`` without one."""
         if not self.has_next(number):
             return rows.NOTHING
         row = self.taken_count * rows.PIECE_WIDTH
@@ -285,9 +285,9 @@ class Chain:
         return int(self.rows[row + rows.SHAPE])
 
     def hide(self, x: float, y: float, radius: float) -> None:
-        """The latest motion, an arc that the tool does not fit into, begins or ends here.
+        """Note an end of the newest motion, an arc that the tool does not fit into.
 
-        No way leads beside it, so that what is taken is compared with its ends.
+        No path leads beside it, so that what is taken is compared with its ends.
         """
         at = self.hidden_count % rows.MAX_HIDDEN * rows.HIDDEN_WIDTH
         self.hidden[at + rows.HIDDEN_X] = x
@@ -297,7 +297,7 @@ class Chain:
         self.hidden_count += 1
 
     def find_hidden(self) -> None:
-        """Tell where the next piece comes too near to an end that no way leads beside.
+        """Find where the next piece comes too near to a hidden end of an arc.
 
         A thousandth of the radius is left to rounding: ends of arcs, and corners that are none.
         """
@@ -316,20 +316,20 @@ class Chain:
                     self.hidden[at + rows.HIDDEN_RADIUS] = 0.0
 
     def has_next(self, number: int) -> bool:
-        """Whether there is one more piece of this motion."""
+        """Return whether there is one more piece of this motion."""
         if self.taken_count >= self.count:
             return False
         return self.rows[self.taken_count * rows.PIECE_WIDTH + rows.MOTION] == number
 
     def taken(self) -> tuple[float, ...]:
-        """The first columns of the piece that was taken last, up to its angle."""
+        """First columns of the piece taken last, up to its angle."""
         row = (self.taken_count - 1) * rows.PIECE_WIDTH
         return tuple([self.rows[row + i] for i in range(rows.RADIUS)])
 
     def taken_row(self) -> int:
-        """Where the row of the piece begins that was taken last."""
+        """Offset of the row of the piece taken last."""
         return (self.taken_count - 1) * rows.PIECE_WIDTH
 
     def taken_length(self) -> float:
-        """Its length."""
+        """Length of the piece taken last, in mm."""
         return pieces.length(self.rows, (self.taken_count - 1) * rows.PIECE_WIDTH)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Two motions of a contour, and how the ways beside them are joined at their corner (MO-9).
+"""Two motions of a contour, and how the paths beside them are joined at their corner (MO-9).
 
 The tool's centre goes at a signed distance to the left of a motion, which is a row (``rows.py``).
-At an inner corner the ways beside both motions cut each other, at an outer one further pieces join
+At an inner corner the paths beside both motions cut each other, at an outer one further pieces join
 them.
 
 A change of direction below 0.01° is none: ends and centres of arcs are rounded.
@@ -15,10 +15,10 @@ from nctakt.kernel.base import arithmetic
 
 
 class Corners:
-    """The motion that is known up to its end, the one behind it, and the first of the contour.
+    """Motions at a corner: the one before it, the one behind it, and the contour's first.
 
     ``by_arc``: around outer corners in an arc. ``is_direct``: to a contour and from it without a
-    way around a corner. Found by ``join``: the tool passes the first motion up to ``end_x``,
+    path around a corner. Found by ``join``: the tool passes the first motion up to ``end_x``,
     ``end_y``, then ``joint_count`` pieces in ``joint``, then the second one from ``next_x``,
     ``next_y`` on.
     """
@@ -44,7 +44,7 @@ class Corners:
         begin_d: float,
         end_d: float,
     ) -> None:
-        """A line with its distances, which is not nothing."""
+        """A line of non-zero length and its offsets."""
         motions = self.motions
         motions[at + rows.START_X] = x
         motions[at + rows.START_Y] = y
@@ -63,7 +63,7 @@ class Corners:
         motions[at + rows.IS_TOO_SMALL] = 0.0
 
     def bend(self, at: int, centre_x: float, centre_y: float, angle: float) -> None:
-        """Make the motion an arc; its start and end stand in it, and one distance."""
+        """Make the motion an arc; start, end and distance stand in it already."""
         motions = self.motions
         motions[at + rows.SHAPE] = rows.ARC
         motions[at + rows.CENTRE_X] = centre_x
@@ -85,7 +85,7 @@ class Corners:
         motions[at + rows.IS_TOO_SMALL] = 1.0 if is_too_small else 0.0
 
     def place_end(self, at: int) -> None:
-        """Let the tool pass the motion up to beside its end: nothing joins it."""
+        """Let the tool pass the motion up to beside its end, joined by nothing."""
         motions = self.motions
         self.joint_count = 0
         distance = motions[at + rows.END_DISTANCE]
@@ -102,12 +102,12 @@ class Corners:
         self.next_y = motions[at + rows.START_Y] + motions[at + rows.START_COSINE] * distance
 
     def add_line(self, shape: int, x: float, y: float, x_2: float, y_2: float) -> None:
-        """One more piece of the way between both."""
+        """Append a line to the pieces between both motions."""
         pieces.put_line(self.joint, self.joint_count * rows.PIECE_WIDTH, shape, x, y, x_2, y_2)
         self.joint_count += 1
 
     def join(self, first: int, second: int) -> int:
-        """Join two motions; 0: the ways beside them do not meet, there is a gap between them."""
+        """Join two motions; return 0 if the paths beside them leave a gap."""
         motions = self.motions
         distance = motions[first + rows.END_DISTANCE]
         self.joint_count = 0
@@ -128,7 +128,7 @@ class Corners:
         return 1
 
     def join_contour(self, first: int, second: int, distance: float) -> int:
-        """Both motions have the same distance at their corner."""
+        """Join two motions of a contour; return as ``join``."""
         motions = self.motions
         if self.is_outer(first, second, distance):
             self.go_around(first, second, distance)
@@ -153,7 +153,7 @@ class Corners:
         return 0
 
     def part(self, first: int, second: int) -> None:
-        """The tool passes both motions whole; between the ways beside them there is a gap."""
+        """Let the tool pass both motions whole, with a gap between them."""
         self.place_start(second)
         x = self.next_x
         y = self.next_y
@@ -163,7 +163,7 @@ class Corners:
         self.next_y = y
 
     def meets_inside(self, first: int, second: int) -> int:
-        """Whether ``join`` let both motions meet at an inner corner."""
+        """Return whether ``join`` let both motions meet at an inner corner."""
         distance = self.motions[first + rows.END_DISTANCE]
         if distance == 0.0 or self.motions[second + rows.START_DISTANCE] == 0.0:
             return 0
@@ -174,7 +174,7 @@ class Corners:
         return 1
 
     def put_cut_off(self, first: int, table: memoryview[float], row: int) -> None:
-        """Put the way beside a motion from where ``join`` ends it to beside its end into a row."""
+        """Put the part of a motion's tool path that ``join`` has cut off into a row."""
         motions = self.motions
         x = self.end_x
         y = self.end_y
@@ -190,14 +190,14 @@ class Corners:
         pieces.put_arc(table, row, centre_x, centre_y, angle)
 
     def meet(self, x: float, y: float) -> None:
-        """The tool goes from one motion on to the other at this place."""
+        """Let the tool change from one motion to the other at a point."""
         self.end_x = x
         self.end_y = y
         self.next_x = x
         self.next_y = y
 
     def meet_between(self, first: int, second: int, distance: float) -> None:
-        """Where the lines beside the directions at a corner cut each other."""
+        """Meet where the lines beside the directions at a corner intersect."""
         motions = self.motions
         share = distance / (1.0 + self.cosine(first, second))
         off_x = (motions[first + rows.END_SINE] + motions[second + rows.START_SINE]) * share
@@ -205,19 +205,19 @@ class Corners:
         self.meet(motions[first + rows.END_X] - off_x, motions[first + rows.END_Y] + off_y)
 
     def cosine(self, first: int, second: int) -> float:
-        """Of the change of direction at the corner."""
+        """Cosine of the change of direction at the corner."""
         motions = self.motions
         along = motions[first + rows.END_COSINE] * motions[second + rows.START_COSINE]
         return along + motions[first + rows.END_SINE] * motions[second + rows.START_SINE]
 
     def sine(self, first: int, second: int) -> float:
-        """Of the change of direction at the corner, above 0 to the left."""
+        """Sine of the change of direction at the corner, above 0 to the left."""
         motions = self.motions
         across = motions[first + rows.END_COSINE] * motions[second + rows.START_SINE]
         return across - motions[first + rows.END_SINE] * motions[second + rows.START_COSINE]
 
     def is_straight(self, first: int, second: int) -> int:
-        """Whether there is no corner."""
+        """Return whether there is no corner."""
         return (
             1
             if self.cosine(first, second) > 0.0
@@ -226,7 +226,7 @@ class Corners:
         )
 
     def is_outer(self, first: int, second: int, distance: float) -> int:
-        """Whether the tool has to go around this corner; it has where the contour goes back."""
+        """Return whether the tool has to go around this corner; a reversal counts as one."""
         sine = self.sine(first, second)
         if -0.00017453292431333680 < sine < 0.00017453292431333680:
             return 1 if self.cosine(first, second) < 0.0 else 0
@@ -235,7 +235,7 @@ class Corners:
     def is_within(
         self, first: int, low_x: float, high_x: float, low_y: float, high_y: float
     ) -> int:
-        """Whether the way that ``join`` has found surely keeps these bounds."""
+        """Return whether the path that ``join`` has found surely keeps these bounds."""
         x = self.end_x
         y = self.end_y
         extent = 0.0
@@ -252,7 +252,7 @@ class Corners:
     # --- outer corners ---------------------------------------------------------------------------
 
     def go_around(self, first: int, second: int, distance: float) -> None:
-        """The way around an outer corner, from beside one direction to beside the other.
+        """Lead the tool around an outer corner, from beside one direction to the other.
 
         In lines it goes straight on to where the lines beside both directions cut each other, at
         sharp corners no farther than the distance, and then across; what goes on straight is part
@@ -308,7 +308,7 @@ class Corners:
             self.add_line(rows.LINE, x_2, y_2, self.next_x, self.next_y)
 
     def add_arc(self, first: int, second: int, distance: float) -> None:
-        """About the corner; where the contour goes back by half a turn around its end."""
+        """Lead the tool around the corner by an arc; half a turn where the contour reverses."""
         motions = self.motions
         angle = pieces.turn(
             motions[first + rows.END_COSINE],
@@ -327,7 +327,7 @@ class Corners:
     # --- inner corners with arcs -----------------------------------------------------------------
 
     def meet_nearest(self, first: int, second: int, distance: float) -> int:
-        """Where the whole lines or circles beside two motions cut each other next to the corner."""
+        """Meet where the lines or circles beside two motions intersect next to the corner."""
         if (
             self.motions[first + rows.SHAPE] == rows.ARC
             and self.motions[second + rows.SHAPE] == rows.ARC
@@ -341,7 +341,7 @@ class Corners:
             else motions[first + rows.END_COSINE]
         )
         y = motions[second + rows.START_SINE] if arc == first else motions[first + rows.END_SINE]
-        # a place on the line beside the other motion, from the centre
+        # a point on the line beside the other motion, from the centre
         off_x = motions[first + rows.END_X] - y * distance - motions[arc + rows.CENTRE_X]
         off_y = motions[first + rows.END_Y] + x * distance - motions[arc + rows.CENTRE_Y]
         across = x * off_y - y * off_x
@@ -351,14 +351,14 @@ class Corners:
         if half2 < 0.0:
             return 0
         half = arithmetic.square_root(half2)
-        # the foot of the line is on the corner's perpendicular: the nearer one is the shorter way
+        # the foot of the line is on the corner's perpendicular: the nearer one is the shorter path
         along = middle + half if middle < 0.0 else middle - half
         at_x = motions[arc + rows.CENTRE_X] + off_x + x * along
         self.meet(at_x, motions[arc + rows.CENTRE_Y] + off_y + y * along)
         return 1
 
     def meet_of_arcs(self, first: int, second: int, distance: float) -> int:
-        """Two arcs."""
+        """Meet where the circles beside two arcs intersect next to the corner."""
         motions = self.motions
         x = motions[second + rows.CENTRE_X] - motions[first + rows.CENTRE_X]
         y = motions[second + rows.CENTRE_Y] - motions[first + rows.CENTRE_Y]
@@ -386,14 +386,14 @@ class Corners:
         return 1
 
     def shifted_radius(self, at: int, distance: float) -> float:
-        """The radius of the circle beside an arc."""
+        """Radius of the circle beside an arc, in mm."""
         sense = 1.0 if self.motions[at + rows.ANGLE] > 0.0 else -1.0
         return self.motions[at + rows.RADIUS] - sense * distance
 
     # --- a motion itself -------------------------------------------------------------------------
 
     def put_own(self, at: int, table: memoryview[float], row: int) -> int:
-        """Put the tool's way beside the motion into a row, up to its end: 0 it goes backwards."""
+        """Put the tool's path beside a motion into a row; return 0 if it runs backwards."""
         motions = self.motions
         x = motions[at + rows.TOOL_X]
         y = motions[at + rows.TOOL_Y]
@@ -409,7 +409,7 @@ class Corners:
         return self.put_own_arc(at, table, row)
 
     def put_own_arc(self, at: int, table: memoryview[float], row: int) -> int:
-        """As ``put_own``: the angle is the motion's less what is cut off, or more, at both ends."""
+        """``put_own`` of an arc: the angle is the motion's, corrected at both ends."""
         motions = self.motions
         centre_x = motions[at + rows.CENTRE_X]
         centre_y = motions[at + rows.CENTRE_Y]

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Lines and arcs in a plane as rows (``rows.py``), and where two of them cross (MO-9).
 
-A piece has its start, and not its end, so that a corner of a way is on one piece of it.
+A piece has its start, and not its end, so that a corner of a path is on one piece of it.
 """
 
 from __future__ import annotations
@@ -36,12 +36,12 @@ def put_arc(
 
 
 def turn(x: float, y: float, x_2: float, y_2: float) -> float:
-    """How far it is from one direction to another, to the left; above -180, up to 180."""
+    """Angle from one direction to another in degrees, to the left; above -180, up to 180."""
     return arithmetic.arc_tangent_2(x * y_2 - y * x_2, x * x_2 + y * y_2)
 
 
 def length(table: memoryview[float], row: int) -> float:
-    """The way from its start to its end."""
+    """Length of a piece in mm."""
     if table[row + rows.SHAPE] == rows.ARC:
         angle = table[row + rows.ANGLE]
         return table[row + rows.RADIUS] * (angle if angle > 0.0 else -angle) * 0.017453292519943295
@@ -51,7 +51,7 @@ def length(table: memoryview[float], row: int) -> float:
 
 
 def bound(table: memoryview[float], row: int) -> None:
-    """Put the least and the greatest places of a piece into its row."""
+    """Put the lowest and the highest coordinates of a piece into its row."""
     more = 0.0
     if table[row + rows.SHAPE] == rows.ARC:
         angle = table[row + rows.ANGLE]
@@ -66,7 +66,7 @@ def bound(table: memoryview[float], row: int) -> None:
 
 
 def are_apart(table: memoryview[float], first: int, second: int) -> int:
-    """Whether the bounds of two pieces have nothing in common."""
+    """Return whether the bounds of two pieces have nothing in common."""
     if table[first + rows.MAX_X] < table[second + rows.MIN_X]:
         return 1
     if table[second + rows.MAX_X] < table[first + rows.MIN_X]:
@@ -77,7 +77,7 @@ def are_apart(table: memoryview[float], first: int, second: int) -> int:
 
 
 def cut_end(table: memoryview[float], row: int, x: float, y: float) -> None:
-    """Let a piece end at this place on it."""
+    """Let a piece end at a point on it."""
     if table[row + rows.SHAPE] == rows.ARC:
         table[row + rows.ANGLE] = angle_to(table, row, x, y)
     table[row + rows.END_X] = x
@@ -86,7 +86,7 @@ def cut_end(table: memoryview[float], row: int, x: float, y: float) -> None:
 
 
 def cut_start(table: memoryview[float], row: int, x: float, y: float) -> None:
-    """Let a piece begin at this place on it."""
+    """Let a piece begin at a point on it."""
     if table[row + rows.SHAPE] == rows.ARC:
         table[row + rows.ANGLE] -= angle_to(table, row, x, y)
     table[row + rows.START_X] = x
@@ -95,7 +95,7 @@ def cut_start(table: memoryview[float], row: int, x: float, y: float) -> None:
 
 
 def swept(x: float, y: float, x_2: float, y_2: float, sense: float) -> float:
-    """From one direction to another in this sense of rotation, with its sign, up to a turn."""
+    """Angle from one direction to another in this sense of rotation, up to a full turn."""
     angle = turn(x, y, x_2, y_2)
     if sense > 0.0 and angle < 0.0:
         angle += 360.0
@@ -105,9 +105,9 @@ def swept(x: float, y: float, x_2: float, y_2: float, sense: float) -> float:
 
 
 def angle_to(table: memoryview[float], row: int, x: float, y: float) -> float:
-    """From the start of an arc to a place on it, in its sense.
+    """Angle in degrees from the start of an arc to a point on it, in its sense.
 
-    A place up to 1e-6 mm before the start is there, and not a turn away.
+    A point up to 1e-6 mm before the start is there, and not a turn away.
     """
     centre_x = table[row + rows.CENTRE_X]
     centre_y = table[row + rows.CENTRE_Y]
@@ -120,7 +120,7 @@ def angle_to(table: memoryview[float], row: int, x: float, y: float) -> float:
 
 
 def distance(table: memoryview[float], row: int, x: float, y: float) -> float:
-    """How far a place is from a line or an arc."""
+    """Distance in mm of a point from a line or an arc."""
     if table[row + rows.SHAPE] == rows.ARC:
         angle = angle_to(table, row, x, y)
         whole = table[row + rows.ANGLE]
@@ -149,7 +149,7 @@ def distance(table: memoryview[float], row: int, x: float, y: float) -> float:
 
 
 def direction_x(table: memoryview[float], row: int, y: float) -> float:
-    """The way's direction at a place, its part along the first axis."""
+    """Direction of a piece at a point, its part along the first axis."""
     if table[row + rows.SHAPE] != rows.ARC:
         return (table[row + rows.END_X] - table[row + rows.START_X]) / length(table, row)
     sense = 1.0 if table[row + rows.ANGLE] > 0.0 else -1.0
@@ -157,7 +157,7 @@ def direction_x(table: memoryview[float], row: int, y: float) -> float:
 
 
 def direction_y(table: memoryview[float], row: int, x: float) -> float:
-    """The way's direction at a place, its part along the second axis."""
+    """Direction of a piece at a point, its part along the second axis."""
     if table[row + rows.SHAPE] != rows.ARC:
         return (table[row + rows.END_Y] - table[row + rows.START_Y]) / length(table, row)
     sense = 1.0 if table[row + rows.ANGLE] > 0.0 else -1.0
@@ -165,9 +165,9 @@ def direction_y(table: memoryview[float], row: int, x: float) -> float:
 
 
 class Crossing:
-    """Where two pieces cross.
+    """Crossing of two pieces.
 
-    ``x``, ``y``: the place. ``along``: how far it is along the second one, mm. ``sense``: the sine
+    ``x``, ``y``: the point. ``along``: how far it is along the second one, mm. ``sense``: the sine
     from the first one's direction to the second one's, above 0 where that crosses to the left.
     ``required_sense``: only crossings whose sense has this sign, 0: any.
     """
@@ -180,7 +180,7 @@ class Crossing:
         self.sense = 0.0
 
     def find(self, table: memoryview[float], first: int, second: int) -> int:
-        """The first crossing along the second piece: 1 found."""
+        """Find the first crossing along the second piece; return 1 if there is one."""
         if table[first + rows.SHAPE] == rows.LINE and table[second + rows.SHAPE] == rows.LINE:
             return self.of_lines(table, first, second)
         if table[first + rows.SHAPE] == rows.ARC and table[second + rows.SHAPE] == rows.ARC:
@@ -190,7 +190,7 @@ class Crossing:
         return self.of_both(table, first, second, first, second)
 
     def of_lines(self, table: memoryview[float], first: int, second: int) -> int:
-        """Two lines; parallel ones do not cross."""
+        """Find the crossing of two lines; parallel ones do not cross."""
         x = table[first + rows.END_X] - table[first + rows.START_X]
         y = table[first + rows.END_Y] - table[first + rows.START_Y]
         x_2 = table[second + rows.END_X] - table[second + rows.START_X]
@@ -217,7 +217,7 @@ class Crossing:
     def of_both(
         self, table: memoryview[float], line: int, arc: int, first: int, second: int
     ) -> int:
-        """A line and an arc; one that only touches does not cross."""
+        """Find the crossing of a line and an arc; one that only touches does not cross."""
         x = table[line + rows.END_X] - table[line + rows.START_X]
         y = table[line + rows.END_Y] - table[line + rows.START_Y]
         size = arithmetic.square_root(x * x + y * y)
@@ -242,7 +242,7 @@ class Crossing:
         return 1 if count > 0 else 0
 
     def of_arcs(self, table: memoryview[float], first: int, second: int) -> int:
-        """Two arcs; those that only touch do not cross."""
+        """Find the crossing of two arcs; those that only touch do not cross."""
         x = table[second + rows.CENTRE_X] - table[first + rows.CENTRE_X]
         y = table[second + rows.CENTRE_Y] - table[first + rows.CENTRE_Y]
         apart = arithmetic.square_root(x * x + y * y)
@@ -266,7 +266,7 @@ class Crossing:
     def consider(
         self, table: memoryview[float], first: int, second: int, x: float, y: float, count: int
     ) -> int:
-        """A place where the whole lines or circles cross: 1 where it is on both, and the first."""
+        """Keep a crossing if it is on both pieces and the first; return 1 if kept."""
         if self.distance_along(table, first, x, y) < -1.0:
             return 0
         along = self.distance_along(table, second, x, y)
@@ -282,7 +282,7 @@ class Crossing:
         return 1
 
     def distance_along(self, table: memoryview[float], row: int, x: float, y: float) -> float:
-        """How far it is along the piece to a place; -2: it is not on it."""
+        """Distance along the piece to a point in mm; -2 if it is not on the piece."""
         if table[row + rows.SHAPE] == rows.LINE:
             x_2 = table[row + rows.END_X] - table[row + rows.START_X]
             y_2 = table[row + rows.END_Y] - table[row + rows.START_Y]
@@ -298,7 +298,7 @@ class Crossing:
         return length_to if -1e-6 <= length_to < size - 1e-6 else -2.0
 
     def sine(self, table: memoryview[float], first: int, second: int, x: float, y: float) -> float:
-        """The sine from the direction of the first piece at a place to that of the second one."""
+        """Sine from the direction of the first piece at a point to the second one's."""
         x_1 = direction_x(table, first, y)
         y_1 = direction_y(table, first, x)
         return x_1 * direction_y(table, second, x) - y_1 * direction_x(table, second, y)

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""The way of the tool's centre beside a contour, motion by motion (MO-9).
+"""The path of the tool's centre beside a contour, motion by motion (MO-9).
 
 In: motions of a plane in their order, each with the distance of the tool. Out: the pieces of each
-motion: the way beside it and, around an outer corner, what joins it with the next one. So a motion
+motion: the path beside it and, around an outer corner, what joins it with the next one. So a motion
 is known up to its end when the next one is there.
 
-Where the way crosses itself the tool cuts what it has made or will make (``chain.py``). Where that
+Where the path crosses itself the tool cuts what it has made or will make (``chain.py``). Where that
 is left out (``masks``), a motion that does not fit leaves a gap, which such a loop takes away, or
 which is found when its motion is taken.
 """
@@ -18,10 +18,10 @@ from nctakt.decoder.contour.corners import Corners
 
 
 class ToolPath(Chain):
-    """The way of one contour.
+    """Path of the tool's centre beside one contour.
 
-    ``is_open``: the latest motion is not known up to its end. ``at_x``, ``at_y``: where the tool is
-    behind the pieces so far. ``parts``: what comes behind the latest motion is not compared with
+    ``is_open``: the newest motion is not known up to its end. ``at_x``, ``at_y``: where the tool is
+    behind the pieces so far. ``parts``: what comes behind the newest motion is not compared with
     what was. ``first``: the motion that the tool has begun with; ``contour_start``: the first one
     of the contour, 0 none; ``closed``: the one that has ended where that begins.
     """
@@ -43,7 +43,7 @@ class ToolPath(Chain):
         self.closed = 0
 
     def set_corners(self, by_arc: bool, is_direct: bool) -> None:
-        """How the next corner is passed (``Corners``)."""
+        """Set how the next corner is passed (``Corners``)."""
         self.corners.by_arc = by_arc
         self.corners.is_direct = is_direct
 
@@ -59,7 +59,7 @@ class ToolPath(Chain):
         end_d: float,
         is_contour: bool,
     ) -> None:
-        """The next motion is a line; ``is_contour``: its way is compared with others."""
+        """Let the next motion be a line; ``is_contour``: its path is compared with others."""
         at = rows.SECOND_MOTION - self.last_motion
         self.corners.enter(at, x, y, x_2, y_2, begin_d, end_d)
         self.corners.motions[at + rows.IS_OF_CONTOUR] = is_contour
@@ -75,7 +75,7 @@ class ToolPath(Chain):
         centre_y: float,
         angle: float,
     ) -> bool:
-        """The next motion is an arc: false where its radius is not greater than the tool's."""
+        """Let the next motion be an arc; return false if the tool does not fit into it."""
         at = rows.SECOND_MOTION - self.last_motion
         motions = self.corners.motions
         motions[at + rows.START_X] = x
@@ -89,7 +89,7 @@ class ToolPath(Chain):
         return motions[at + rows.IS_TOO_SMALL] == 0.0
 
     def begin(self, x: float, y: float, is_perpendicular: bool) -> None:
-        """The motion is the first one: the tool is here; it may first go beside its start."""
+        """Begin with the motion at the tool's position; it may first go beside its start."""
         at = rows.SECOND_MOTION - self.last_motion
         self.open(at)
         self.contour_start = 0
@@ -105,7 +105,7 @@ class ToolPath(Chain):
         self.at_y = y
 
     def add(self) -> bool:
-        """Join the motion with the one before it: false where that one does not fit."""
+        """Join the motion with the one before it; return false if that one does not fit."""
         at = rows.SECOND_MOTION - self.last_motion
         meets = self.corners.join(self.last_motion, at)
         if not self.put_motion(meets, at):
@@ -119,9 +119,9 @@ class ToolPath(Chain):
         return True
 
     def try_add(self, low_x: float, high_x: float, low_y: float, high_y: float) -> bool:
-        """Join the motion with the one before it if there is nothing to tell of that.
+        """Join the motion with the one before it if there is nothing to report of that.
 
-        False, and all is as it was: that one does not fit, or its way crosses another one, or it
+        False, and all is as it was: that one does not fit, or its path crosses another one, or it
         may come near to these bounds.
         """
         at = rows.SECOND_MOTION - self.last_motion
@@ -146,7 +146,7 @@ class ToolPath(Chain):
         return False
 
     def close(self, is_perpendicular: bool) -> bool:
-        """The latest motion ends beside its end, or goes back from there to the contour."""
+        """End the newest motion beside its end, or go back from there to the contour."""
         self.corners.place_end(self.last_motion)
         if not self.put_motion(1, -1):
             return False
@@ -159,9 +159,9 @@ class ToolPath(Chain):
         return True
 
     def enclose(self) -> int:
-        """The latest motion ends where the contour begins: 0, or the motion that does not fit.
+        """End the newest motion at the contour's start; return the motion that does not fit.
 
-        In an inner corner the tool begins the contour and ends it where the ways beside both meet.
+        In an inner corner the tool begins the contour and ends it where the paths beside both meet.
         The first motion has led there, and nothing is taken yet.
         """
         number = self.number
@@ -193,20 +193,20 @@ class ToolPath(Chain):
         return 0
 
     def beside_end(self) -> tuple[float, float]:
-        """Where the latest motion ends if nothing joins it."""
+        """Point beside the end of the newest motion."""
         self.corners.place_end(self.last_motion)
         return (self.corners.end_x, self.corners.end_y)
 
     def last_motion_fits(self) -> bool:
-        """Whether the latest motion is no arc that is too small for the tool."""
+        """Return whether the newest motion is no arc that is too small for the tool."""
         return self.corners.motions[self.last_motion + rows.IS_TOO_SMALL] == 0.0
 
     def give_up(self) -> None:
-        """The latest motion is none."""
+        """Drop the newest motion."""
         self.is_open = False
 
     def open(self, at: int) -> None:
-        """The motion in this row is the latest one."""
+        """Make the motion in this row the newest one."""
         self.last_motion = at
         self.count_motion()
         self.is_open = True
@@ -214,7 +214,7 @@ class ToolPath(Chain):
     # --- pieces ----------------------------------------------------------------------------------
 
     def put_motion(self, meets: int, other: int) -> int:
-        """The pieces of the latest motion up to its end: 0 it does not fit.
+        """Append the pieces of the newest motion up to its end; return 0 if it does not fit.
 
         ``other``: the motion that it has been joined with, -1 none.
         """
@@ -248,10 +248,10 @@ class ToolPath(Chain):
         return 1
 
     def part(self, at: int, other: int, is_contour: int) -> None:
-        """The latest motion does not fit between its neighbours: all three are passed whole.
+        """Pass a motion that does not fit and both its neighbours whole.
 
-        So the way of one neighbour crosses that of another one where they really meet. The way
-        beside the latest motion is the row behind the pieces then, or a gap.
+        So the path of one neighbour crosses that of another one where they really meet. The path
+        beside the newest motion is the row behind the pieces then, or a gap.
         """
         corners = self.corners
         if self.cut_off_number == self.number:
@@ -297,7 +297,7 @@ class ToolPath(Chain):
                 self.closed = self.number
 
     def closes_contour(self) -> bool:
-        """Whether what crosses is the begin of a closed contour and its end."""
+        """Return whether start and end of a closed contour cross."""
         return self.crossed == self.contour_start and self.crossing == self.closed
 
     def keep_cut_off(self, at: int, other: int) -> None:

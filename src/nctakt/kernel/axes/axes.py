@@ -75,16 +75,16 @@ class Axes:
         self.has_moved = True
 
     def begin_tick(self) -> None:
-        """The CYCLE overrides are 100 % again (RC-305)."""
+        """Set the CYCLE overrides back to 100 % (RC-305)."""
         for i in range(self.count):
             self.cells[self.cell_of(i) + cells.AXIS_OVERRIDE_VEL_CYCLE] = 100.0
 
     def cell_of(self, i: int) -> int:
-        """The first cell of an axis."""
+        """Return the first cell of an axis."""
         return self.first_cell + i * cells.AXIS_CELLS
 
     def follow(self) -> None:
-        """The drives' tick, where any has a lag or gets its commands late."""
+        """Advance the drives by a tick, where any has a lag or gets its commands late."""
         for i in range(self.count):
             if self.lag_kept[i] > 0.0 or self.is_late:
                 sent = self.command[i]
@@ -100,14 +100,14 @@ class Axes:
                 self.lag_d[i] = self.drive_d[i] + self.distance(i, sent, self.command[i])
 
     def distance(self, i: int, begin: float, end: float) -> float:
-        """From one command to another: of a modulo axis the shorter way round."""
+        """Return how far it is from one command to another; on a modulo axis the shorter way."""
         if self.modulo_range[i] > 0.0:
             half = 0.5 * self.modulo_range[i]
             return arithmetic.within(end - begin, 0.0 - half, self.modulo_range[i])
         return end - begin
 
     def publish(self) -> None:
-        """Write what cycles, decoder and trace read."""
+        """Write the positions that cycles, decoder and trace read."""
         if not self.has_moved:
             return
         self.has_moved = False
@@ -125,7 +125,7 @@ class Axes:
                     self.publish_turned(i)
 
     def is_shown(self, i: int, actual: float) -> int:
-        """Whether the cells of an axis hold its positions."""
+        """Return whether the cells of an axis hold its positions."""
         if self.command[i] != self.shown_command[i] or actual != self.shown_actual[i]:
             return 0
         return 1 if self.target[i] == self.shown_target[i] else 0
@@ -148,7 +148,7 @@ class Axes:
         self.publish_system(cell, command - shift, actual - shift, target - shift, distance_to_go)
 
     def publish_turned(self, i: int) -> None:
-        """PCS of the three axes of a turned system: its inverse matrix from the other side."""
+        """Write PCS of the three axes of a turned system by its inverse matrix."""
         j = self.turns.second[i] - 1
         k = self.turns.third[i] - 1
         for cell in range(cells.SYSTEM_CELLS):
@@ -166,7 +166,7 @@ class Axes:
     def publish_inside(
         self, i: int, axis: int, column: int, cell: int, x: float, y: float, z: float
     ) -> None:
-        """One coordinate in PCS; the distance to go has no offset."""
+        """Write one coordinate in PCS; the distance to go has no offset."""
         first = rows.MATRIX_SIZE * i + column
         second = first + rows.MATRIX_SIDE
         third = second + rows.MATRIX_SIDE
@@ -177,7 +177,7 @@ class Axes:
         self.cells[self.cell_of(axis) + cells.AXIS_PCS_ACT_POS + cell] = value
 
     def actual_position(self, i: int) -> float:
-        """The actual position: behind the command by the lag, and never beyond an obstacle."""
+        """Actual position: behind the command by the lag, never beyond an obstacle."""
         actual = self.command[i] - self.lag_d[i]
         if self.has_stops:
             actual = max(min(actual, self.stop_high[i]), self.stop_low[i])
@@ -186,14 +186,14 @@ class Axes:
     def publish_system(
         self, cell: int, command: float, actual: float, target: float, distance_to_go: float
     ) -> None:
-        """Command, actual and target position and distance to go in one system."""
+        """Write command, actual and target position and distance to go in one system."""
         self.cells[cell + cells.SYSTEM_ACT_POS] = command
         self.cells[cell + cells.SYSTEM_CUR_POS] = actual
         self.cells[cell + cells.SYSTEM_CMD_POS] = target
         self.cells[cell + cells.SYSTEM_DIST_TO_GO] = distance_to_go
 
     def publish_override(self, i: int, operator_pct: float) -> None:
-        """The override of an independent motion: of the channel or the axis (P-AXIS-00491)."""
+        """Publish the override of an axis in independent motion, in percent (P-AXIS-00491)."""
         cell = self.cell_of(i)
         pct = operator_pct
         if self.override_mode[i] == codes.LOWER_OVERRIDE:
@@ -211,46 +211,46 @@ class Axes:
         self.cells[self.cell_of(i) + cells.AXIS_STATE] = state
 
     def set_offset(self, axis: int, kind: int, value: float) -> None:
-        """Another offset is active: the positions in PCS differ from now on (MO-8)."""
+        """Set an offset of an axis: its positions in PCS differ from now on (MO-8)."""
         self.offsets.set(axis, kind, value)
         self.is_shifted = True
         self.has_moved = True
         self.publish()
 
     def set_origin(self, axis: int, value: float) -> None:
-        """The coordinate system of the program begins elsewhere from now on."""
+        """Set the origin of the program's coordinate system on an axis (``#CS``, MO-8)."""
         self.offsets.set_origin(axis, value)
         self.is_shifted = True
         self.has_moved = True
         self.publish()
 
     def turn(self, queue: memoryview[float], row: int) -> None:
-        """The coordinate system of a program is turned otherwise from now on."""
+        """Turn the program's coordinate system as the command at ``row`` says (MO-8)."""
         self.turns.set(queue, row)
         self.is_shifted = True
         self.has_moved = True
         self.publish()
 
     def publish_all(self) -> None:
-        """``publish`` before the first tick."""
+        """Publish all positions before the first tick."""
         self.is_shifted = True
         self.has_moved = True
         self.publish()
 
     def shift(self, index: int, kind: int, value: float) -> None:
-        """``set_offset`` for Python's side: before the first tick."""
+        """Set an offset before the first tick; raise ``ValueError`` for an unknown axis or kind."""
         check_index(index, self.count, "axis")
         check_index(kind, codes.OFFSET_KINDS, "kind of offset")
         self.set_offset(index, kind, value)
 
     def set_modulo(self, index: int, low: float, full: float) -> None:
-        """Let the positions of an axis repeat after ``full`` (P-AXIS-00015)."""
+        """Let the positions of an axis repeat after ``full`` mm or degrees (P-AXIS-00015)."""
         check_index(index, self.count, "axis")
         self.modulo_low[index] = low
         self.modulo_range[index] = full
 
     def set_stop(self, index: int, position: float) -> None:
-        """Let an obstacle stand in the way of an axis that is at 0 (MO-12)."""
+        """Put an obstacle at ``position``, beside an axis that is at 0 (MO-12)."""
         check_index(index, self.count, "axis")
         self.has_stops = True
         if position > 0.0:
@@ -259,29 +259,29 @@ class Axes:
             self.stop_low[index] = position
 
     def set_lag(self, index: int, kept: float, gained: float) -> None:
-        """Let an axis lag: what a tick keeps of the error, and adds of its way."""
+        """Let an axis lag: the share of the error that a tick keeps, and what it adds to it."""
         check_index(index, self.count, "axis")
         self.lag_kept[index] = kept
         self.lag_gained[index] = gained
         self.has_lag = True
 
     def send_late(self) -> None:
-        """Let the drives get each command one tick later: before the first tick."""
+        """Delay each command of the drives by a tick (P-RTCF-00018); before the first tick."""
         self.has_lag = True
         self.is_late = True
 
     def set_override(self, index: int, mode: int, max_pct: float) -> None:
-        """P-AXIS-00491 and P-AXIS-00109 of an axis."""
+        """Set override mode and highest override in percent (P-AXIS-00491, P-AXIS-00109)."""
         check_index(index, self.count, "axis")
         self.override_mode[index] = mode
         self.max_override_pct[index] = max_pct
 
     def positions(self) -> list[float]:
-        """The command positions: for Python's side."""
+        """Command positions of all axes in ACS, in mm or degrees."""
         return [self.command[i] for i in range(self.count)]
 
     def set_position(self, index: int, position: float) -> None:
-        """Set one axis to a position without a motion: before the first tick."""
+        """Set one axis to a position without a motion, before the first tick."""
         check_index(index, self.count, "axis")
         self.command[index] = position
         self.followed[index] = position

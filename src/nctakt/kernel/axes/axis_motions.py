@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """What each axis does on its own, and its tick (MO-11): the motions behind ``single_axes.py``.
 
-Each axis has at most one present motion and one that waits behind it. ``begin`` only notes what is
-wanted; ``step``, once a tick behind the cycles and the paths, plans from the state of now
+Each axis has at most one present motion and one that waits behind it. ``begin`` only stores the
+command; ``step``, once a tick behind the cycles and the paths, plans from the present state
 (``trajectory.py``) wherever the motion or its speed limit has changed, and puts the axes where the
 plan has them. So another target, an override, a hold and its end take over speed and acceleration
 without a step.
@@ -86,7 +86,7 @@ class AxisMotions:
     def configure(
         self, axis: int, *, low: float, high: float, speed: float, acceleration: float, jerk: float
     ) -> None:
-        """Let an axis move on its own (P-AXIS-00457) within these limits; jerk 0: trapezoid."""
+        """Let an axis move on its own within these limits (P-AXIS-00457); jerk 0: trapezoid."""
         check_index(axis, self.count, "axis")
         self.enabled[axis] = 1
         self.low[axis] = low
@@ -96,13 +96,13 @@ class AxisMotions:
         self.limit_j[axis] = jerk
 
     def is_beyond(self, axis: int, target: float) -> int:
-        """Whether a target lies beyond the software limits."""
+        """Return whether a target lies beyond the software limits."""
         if self.axes.modulo_range[axis] > 0.0:
             return 0
         return 0 if self.low[axis] <= target <= self.high[axis] else 1
 
     def is_at_speed(self, axis: int) -> int:
-        """Whether an endless motion has reached its speed."""
+        """Return whether an endless motion has reached its speed."""
         if self.kind[axis] != codes.ENDLESS or self.planned_v[axis] <= 0.0:
             return 0
         return 1 if self.speed[axis] == self.direction[axis] * self.planned_v[axis] else 0
@@ -114,7 +114,7 @@ class AxisMotions:
     # --- beginnings and ends --------------------------------------------------------------------
 
     def begin(self, axis: int) -> None:
-        """Let the waiting motion be the present one; it is planned in the next step."""
+        """Make the waiting motion the present one; it is planned in the next step."""
         kind = self.next_kind[axis]
         position = self.axes.command[axis]
         self.next_kind[axis] = codes.IDLE
@@ -176,14 +176,14 @@ class AxisMotions:
         return distance_d - full_d * arithmetic.ceiling(turns)
 
     def in_range(self, axis: int, position: float) -> float:
-        """A position of a modulo axis within its range; any other as it is."""
+        """Position of a modulo axis within its range; that of any other as it is."""
         full_d = self.axes.modulo_range[axis]
         if full_d <= 0.0:
             return position
         return arithmetic.within(position, self.axes.modulo_low[axis], full_d)
 
     def drop(self, axis: int) -> None:
-        """Tell that the waiting and the present motion are given up."""
+        """Give up the waiting and the present motion, and record both."""
         if self.next_kind[axis]:
             self.drop_next(axis)
         if codes.IDLE < self.kind[axis] < codes.BRAKING:
@@ -196,24 +196,24 @@ class AxisMotions:
         self.next_kind[axis] = codes.IDLE
 
     def drop_present(self, axis: int) -> None:
-        """Tell that the present motion is given up; its owner has a place free."""
+        """Record that the present motion is given up; its owner may command another one."""
         self.event(rows.EVENT_AXIS_ENDED, axis, rows.MOTION_ABORTED)
         self.owner[axis] = 0
 
     def give_up(self, axis: int) -> None:
-        """Brake to a stand, whatever the axis had to do."""
+        """Brake to a stand and give up all motions of an axis."""
         self.drop(axis)
         if codes.IDLE < self.kind[axis] < codes.BRAKING:
             self.brake(axis)
 
     def brake(self, axis: int) -> None:
-        """The motion has been given up: only its speed is left."""
+        """Brake to a stand; the motion itself has been given up."""
         self.kind[axis] = codes.BRAKING
         self.held[axis] = 0
         self.axes.show_state(axis, codes.STOPPING)
 
     def come_to_stand(self, axis: int) -> None:
-        """The axis stands and has nothing to do, unless a motion waits."""
+        """End the motion of an axis, or begin the one that waits."""
         self.kind[axis] = codes.IDLE
         self.axes.independent[axis] = 0
         self.held[axis] = 0
@@ -229,7 +229,7 @@ class AxisMotions:
             self.axes.show_state(axis, codes.ERROR_STOP if self.fault[axis] else codes.STANDSTILL)
 
     def fail(self, axis: int, message: int) -> None:
-        """The motion ends with an error; what waits is dropped."""
+        """End the motion with the error ``message``, and drop the one that waits."""
         self.record.event(rows.EVENT_ERROR, self.sources[axis], self.serials[axis], message, axis)
         if self.next_kind[axis]:
             self.drop_next(axis)
@@ -246,7 +246,7 @@ class AxisMotions:
     # --- the tick -------------------------------------------------------------------------------
 
     def step(self) -> None:
-        """One tick of all axes in independent motion."""
+        """Advance all axes in independent motion by a tick."""
         if self.active_count == 0:
             return
         for axis in range(self.count):
@@ -254,7 +254,7 @@ class AxisMotions:
                 self.step_axis(axis)
 
     def step_axis(self, axis: int) -> None:
-        """Go to where the plan is at the end of this tick; plan anew where the limit changed."""
+        """Advance one axis by a tick; plan anew where its limit has changed."""
         top_v = 0.0
         if self.kind[axis] != codes.BRAKING and not self.held[axis]:
             top_v = self.commanded_v[axis] * self.axes.independent_pct[axis] / 100.0
@@ -280,7 +280,7 @@ class AxisMotions:
                 self.begin(axis)
 
     def plan(self, axis: int, top_v: float) -> None:
-        """Plan from the state of now."""
+        """Plan the rest of the motion from the present state, at most with ``top_v``."""
         self.planned_v[axis] = top_v
         self.ticks[axis] = 0
         self.start_d[axis] = self.axes.command[axis]
@@ -307,7 +307,7 @@ class AxisMotions:
         )
 
     def arrive(self, axis: int, top_v: float) -> int:
-        """The plan is over: 1 when the motion has ended with it."""
+        """Finish a plan that is over; return 1 if the motion has ended with it."""
         if self.kind[axis] == codes.BRAKING:
             self.plans.evaluate(axis, self.plans.duration_t(axis))
             position = self.start_d[axis] + self.plans.distance_d
@@ -331,7 +331,7 @@ class AxisMotions:
         return 1
 
     def take_fault(self, axis: int) -> int:
-        """The error of an axis that has not been reported to its channel yet, else 0."""
+        """Take the error of an axis that its channel has not reported yet; 0 without one."""
         if self.fault[axis] > 0:
             self.fault_count -= 1
             message = self.fault[axis]
@@ -342,6 +342,6 @@ class AxisMotions:
     # --- Python's side --------------------------------------------------------------------------
 
     def next_failed(self) -> int:
-        """The axis of the next error event that has not been asked for."""
+        """Axis of the next error event that was not asked for yet."""
         self.reported_count += 1
         return self.failed[(self.reported_count - 1) % self.ring_size]

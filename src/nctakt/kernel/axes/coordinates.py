@@ -25,25 +25,25 @@ class Offsets:
         self.origin = memoryview(bytearray(8 * count)).cast("d")
 
     def set(self, axis: int, kind: int, value: float) -> None:
-        """One offset of an axis gets another value."""
+        """Set one offset of an axis, in mm or degrees."""
         self.values[axis * codes.OFFSET_KINDS + kind] = value
         self.program[axis] = self.sum_of(axis, codes.ALL_OFFSETS) + self.origin[axis]
 
     def set_origin(self, axis: int, value: float) -> None:
-        """Where the coordinate system of the program begins on this axis."""
+        """Set the origin of the program's coordinate system on an axis, in mm or degrees."""
         self.origin[axis] = value
         self.program[axis] = self.sum_of(axis, codes.ALL_OFFSETS) + value
 
     def outer(self, axis: int) -> float:
-        """What lies outside of the turned system: its origin, the tool."""
+        """Offsets outside of the turned system: its origin and the tool."""
         return self.origin[axis] + self.values[axis * codes.OFFSET_KINDS + codes.TOOL_OFFSET]
 
     def inner(self, axis: int) -> float:
-        """What lies inside of the turned system: the offsets but the tool's."""
+        """Offsets inside of the turned system: all but the tool's."""
         return self.sum_of(axis, codes.OFFSETS_BUT_TOOL)
 
     def sum_of(self, axis: int, kinds: int) -> float:
-        """The sum of an axis' offsets of these kinds: bit k stands for kind k."""
+        """Sum of an axis' offsets of these kinds: bit k stands for kind k."""
         total = 0.0
         for kind in range(codes.OFFSET_KINDS):
             if kinds >> kind & 1:
@@ -51,7 +51,7 @@ class Offsets:
         return total
 
     def of(self, axis: int, kinds: int) -> float:
-        """``sum_of`` for Python's side."""
+        """Sum of an axis' offsets; raise ``ValueError`` for an unknown axis."""
         check_index(axis, self.count, "axis")
         return self.sum_of(axis, kinds)
 
@@ -66,7 +66,7 @@ class Turns:
         self.matrix = memoryview(bytearray(8 * rows.MATRIX_SIZE * count)).cast("d")
 
     def set(self, queue: memoryview[float], row: int) -> None:
-        """Take the turn of the command at ``base``."""
+        """Take the turn of the command at ``row``."""
         first = int(queue[row + rows.TURN_FIRST])
         before = 1 if self.second[first] else 0
         self.second[first] = int(queue[row + rows.TURN_SECOND])

@@ -22,14 +22,14 @@ class SingleAxes(AxisMotions):
     # --- commands -------------------------------------------------------------------------------
 
     def order(self, source: int, serial: int) -> None:
-        """Who gives the next commands: place in the text, serial of the cycle; for events."""
+        """Set who gives the next commands: source and serial of the cycle, for events."""
         self.source = source
         self.serial = serial
 
     def move_to(
         self, axis: int, target: float, speed_v: float, mode: int, direction: int, owner: int
     ) -> int:
-        """To a position; ``mode``: ``codes.ABORTING`` or ``codes.BUFFERED``.
+        """Move to a position; ``mode``: ``codes.ABORTING`` or ``codes.BUFFERED``.
 
         ``direction`` (``codes.POSITIVE`` …) counts for modulo axes only.
         """
@@ -41,7 +41,7 @@ class SingleAxes(AxisMotions):
         return message
 
     def move_by(self, axis: int, distance: float, speed_v: float, mode: int, owner: int) -> int:
-        """By a distance: from where the axis is commanded to be, BUFFERED from where it will be."""
+        """Move by a distance, from the commanded position, or BUFFERED from the goal."""
         message = self.refusal(axis, mode)
         start = self.axes.command[axis]
         if mode == codes.BUFFERED and self.kind[axis] == codes.TO_POSITION:
@@ -53,21 +53,21 @@ class SingleAxes(AxisMotions):
         return message
 
     def run_endless(self, axis: int, speed_v: float, direction: int, mode: int, owner: int) -> int:
-        """On and on in a direction (0: the present one), at most to the software limit."""
+        """Move without a target in a direction (0: the present one) up to the software limit."""
         message = self.refusal(axis, mode)
         if message == 0:
             self.put(axis, codes.ENDLESS, 0.0, speed_v, direction, mode, owner)
         return message
 
     def stop(self, axis: int, owner: int) -> int:
-        """Brake and stand; what the axis had to do is given up, whoever commanded it."""
+        """Brake to a stand; give up the axis' motions, whoever commanded them."""
         message = self.refusal(axis, codes.ABORTING)
         if message == 0:
             self.give_up(axis)
         return message
 
     def refusal(self, axis: int, mode: int) -> int:
-        """Why the axis takes no command now: 0 it does."""
+        """Return the message that refuses a command for the axis now; 0 if none does."""
         if not self.enabled[axis]:
             return 50966
         if self.closed[axis]:
@@ -88,7 +88,7 @@ class SingleAxes(AxisMotions):
         mode: int,
         owner: int,
     ) -> None:
-        """Note a motion: for the end of the present one (BUFFERED), or instead of it."""
+        """Store a motion: behind the present one (BUFFERED), or in its place."""
         if mode == codes.ABORTING:
             self.drop(axis)
         self.next_kind[axis] = kind
@@ -124,7 +124,7 @@ class SingleAxes(AxisMotions):
                 self.event(rows.EVENT_AXIS_CHANGED, axis, rows.MOTION_HELD)
 
     def resume(self, owner: int) -> None:
-        """Let the held motions of an owner go on, from the state of now."""
+        """Continue the held motions of an owner from the present state."""
         if self.active_count == 0:
             return
         for axis in range(self.count):
@@ -140,7 +140,7 @@ class SingleAxes(AxisMotions):
                 self.event(rows.EVENT_AXIS_CHANGED, axis, rows.MOTION_CONTINUED)
 
     def abort(self, owner: int) -> None:
-        """Brake the owner's motions and give them up, the held and the waiting ones, too."""
+        """Brake the owner's motions and give them up, the held and the waiting ones included."""
         if self.active_count == 0:
             return
         for axis in range(self.count):
@@ -151,7 +151,7 @@ class SingleAxes(AxisMotions):
                 self.brake(axis)
 
     def end_owner(self, owner: int, continues: int) -> None:
-        """The owner is gone: its motions are aborted, or go on without one (RC-110)."""
+        """Abort the motions of an owner that has ended, or let them continue (RC-110)."""
         if not continues:
             self.abort(owner)
             return
@@ -162,7 +162,7 @@ class SingleAxes(AxisMotions):
                 self.next_owner[axis] = 0
 
     def open_count(self, owner: int) -> int:
-        """How many motions of the owner are open, the waiting ones with them (RC-408)."""
+        """Number of open motions of an owner, the waiting ones included (RC-408)."""
         count = 0
         for axis in range(self.count):
             if codes.IDLE < self.kind[axis] < codes.BRAKING and self.owner[axis] == owner:
@@ -172,7 +172,7 @@ class SingleAxes(AxisMotions):
         return count
 
     def open_on(self, axis: int, owner: int) -> int:
-        """How many of the owner's open motions are motions of this axis."""
+        """Number of the owner's open motions of one axis."""
         count = 0
         if codes.IDLE < self.kind[axis] < codes.BRAKING and self.owner[axis] == owner:
             count += 1
@@ -181,14 +181,14 @@ class SingleAxes(AxisMotions):
         return count
 
     def all_free(self, members: memoryview[int], count: int) -> int:
-        """Whether none of these axes moves on its own."""
+        """Return whether none of these axes moves on its own."""
         for i in range(count):
             if not self.is_free(members[i]):
                 return 0
         return 1
 
     def take_faults(self, members: memoryview[int], count: int) -> int:
-        """``take_fault`` of all these axes: the last one's message."""
+        """Take the errors of all these axes (``take_fault``); return the last one's message."""
         last_message = 0
         for i in range(count):
             message = self.take_fault(members[i])
@@ -197,7 +197,7 @@ class SingleAxes(AxisMotions):
         return last_message
 
     def request_state(self, queue: memoryview[float], row: int) -> int:
-        """``obstacle`` of the axes in a position request: that of the first which has one."""
+        """First state of an axis in a position request that is not ``codes.STANDS``."""
         for i in range(int(queue[row + rows.POSITIONS_COUNT])):
             self.requested_axis = int(queue[row + rows.POSITIONS_AXES + i])
             message = self.obstacle(self.requested_axis)
@@ -206,7 +206,7 @@ class SingleAxes(AxisMotions):
         return 0
 
     def obstacle(self, axis: int) -> int:
-        """``codes.STANDS``, ``codes.MOVES_STILL``, or why it never will: a message (RC-409)."""
+        """``codes.STANDS``, ``codes.MOVES_STILL``, or the message of an error (RC-409)."""
         if self.held[axis]:
             return 900447
         if self.kind[axis] == codes.ENDLESS:
@@ -214,12 +214,12 @@ class SingleAxes(AxisMotions):
         return codes.STANDS if self.is_free(axis) else codes.MOVES_STILL
 
     def assign_to_channel(self, axis: int) -> None:
-        """A channel has this axis: it is told of the axis' errors, and resets it."""
+        """Let a channel have this axis: it gets the axis' errors, and resets it."""
         check_index(axis, self.count, "axis")
         self.in_channel[axis] = 1
 
     def reset(self, axis: int) -> None:
-        """The channel's reset: brake the axis, whoever moves it, and clear its error (RC-007).
+        """Brake the axis, whoever moves it, and clear its error (RC-007).
 
         Until ``reopen`` it takes no command, else the reset might never end.
         """
@@ -228,11 +228,11 @@ class SingleAxes(AxisMotions):
         self.clear_fault(axis)
 
     def reopen(self, axis: int) -> None:
-        """The channel's reset is over."""
+        """Let the axis take commands again behind the channel's reset."""
         self.closed[axis] = 0
 
     def clear_fault(self, axis: int) -> int:
-        """Leave ErrorStop (PLCopen's MC_Reset): 0, or the message that refuses it."""
+        """Leave ErrorStop (PLCopen's MC_Reset); return 0, or the message that refuses it."""
         if not self.enabled[axis]:
             return 50966
         if self.fault[axis]:
@@ -244,21 +244,21 @@ class SingleAxes(AxisMotions):
     # --- what can be asked ----------------------------------------------------------------------
 
     def is_free(self, axis: int) -> int:
-        """Whether the path may move the axis: no motion, none held, none braking (MO-13)."""
+        """Return whether the path may move the axis: no motion, none held, none braking (MO-13)."""
         return 1 if self.kind[axis] == codes.IDLE else 0
 
     def stands(self, axis: int) -> int:
-        """Whether the axis has come to a stand: without a motion, or held."""
+        """Return whether the axis stands: without a motion, or held."""
         if self.kind[axis] == codes.IDLE:
             return 1
         return 1 if self.held[axis] and self.speed[axis] == 0.0 else 0
 
     def is_held(self, axis: int) -> int:
-        """Whether a motion of the axis is held."""
+        """Return whether a motion of the axis is held."""
         return 1 if self.held[axis] else 0
 
     def is_endless(self, axis: int) -> int:
-        """Whether the axis moves without a target."""
+        """Return whether the axis moves without a target."""
         return 1 if self.kind[axis] == codes.ENDLESS else 0
 
     def state(self, axis: int) -> int:
@@ -267,7 +267,7 @@ class SingleAxes(AxisMotions):
         return shown
 
     def is_ending(self, axis: int) -> int:
-        """Whether the axis will stand without another command."""
+        """Return whether the axis will stand without another command."""
         if self.kind[axis] == codes.BRAKING:
             return 1
         if self.kind[axis] == codes.IDLE:
@@ -281,7 +281,7 @@ class SingleAxes(AxisMotions):
         return 1 if self.kind[axis] == codes.TO_POSITION else 0
 
     def event_bound(self, commands: int) -> int:
-        """The most events of a tick that takes so many commands of the queues."""
+        """Highest number of events in a tick that takes so many commands."""
         return 6 * self.count + 4 * commands * self.active_count
 
     # --- Python's side, between two ticks -------------------------------------------------------
@@ -300,22 +300,22 @@ class SingleAxes(AxisMotions):
     def absolute(
         self, axis: int, target: float, speed_v: float, mode: int, direction: int, owner: int
     ) -> int:
-        """``move_to``."""
+        """``move_to`` for Python: raises ``ValueError`` for numbers out of range."""
         self.check_command(axis, target, speed_v, mode, direction, owner)
         return self.move_to(axis, target, speed_v, mode, direction, owner)
 
     def relative(self, axis: int, distance: float, speed_v: float, mode: int, owner: int) -> int:
-        """``move_by``."""
+        """``move_by`` for Python: raises ``ValueError`` for numbers out of range."""
         self.check_command(axis, distance, speed_v, mode, codes.PRESENT, owner)
         return self.move_by(axis, distance, speed_v, mode, owner)
 
     def velocity(self, axis: int, speed_v: float, direction: int, mode: int, owner: int) -> int:
-        """``run_endless``."""
+        """``run_endless`` for Python: raises ``ValueError`` for numbers out of range."""
         self.check_command(axis, 0.0, speed_v, mode, direction, owner)
         return self.run_endless(axis, speed_v, direction, mode, owner)
 
     def halt(self, axis: int, owner: int) -> int:
-        """``stop``."""
+        """``stop`` for Python: raises ``ValueError`` for an unknown axis."""
         self.check_command(axis, 0.0, 0.0, codes.ABORTING, codes.PRESENT, owner)
         return self.stop(axis, owner)
 
@@ -332,46 +332,46 @@ class SingleAxes(AxisMotions):
             self.end_owner(owner, 1 if what == "leave" else 0)
 
     def clear(self, axis: int) -> None:
-        """``reset``, over at once."""
+        """Reset one axis and let it take commands at once."""
         check_index(axis, self.count, "axis")
         self.reset(axis)
         self.reopen(axis)
 
     def state_of(self, axis: int) -> tuple[int, float, float]:
-        """PLCopen state, speed and acceleration."""
+        """PLCopen state, speed per s and acceleration per s² of an axis."""
         check_index(axis, self.count, "axis")
         return self.state(axis), self.speed[axis], self.acceleration[axis]
 
     def present_owner(self, axis: int) -> int:
-        """Who has commanded the present motion."""
+        """Owner of the present motion, 0 without one."""
         check_index(axis, self.count, "axis")
         return self.owner[axis]
 
     def arrived_owner(self, axis: int) -> int:
-        """Who had commanded the motion that came to its target last."""
+        """Owner of the motion that came to its target last."""
         check_index(axis, self.count, "axis")
         return self.arrived[axis]
 
     def fault_of(self, axis: int) -> int:
-        """The message of the error that the axis is in, 0 without one."""
+        """Message of the error that the axis is in, 0 without one."""
         check_index(axis, self.count, "axis")
         return abs(self.fault[axis])
 
     def at_speed(self, axis: int) -> bool:
-        """``is_at_speed``."""
+        """Return whether an endless motion has reached its speed."""
         check_index(axis, self.count, "axis")
         return bool(self.is_at_speed(axis))
 
     def opened(self, owner: int) -> int:
-        """``open_count``."""
+        """Number of open motions of an owner; raise ``ValueError`` for no owner."""
         check_range(owner, 0, MAX_OWNER, "owner")
         return self.open_count(owner)
 
     def moves(self, axis: int) -> bool:
-        """Whether the axis has a motion of its own, a held one too."""
+        """Return whether the axis has a motion of its own, a held one included."""
         check_index(axis, self.count, "axis")
         return not self.is_free(axis)
 
     def ending_count(self) -> int:
-        """How many axes will stand by themselves: a run waits for them (RC-006)."""
+        """Number of axes that will stand by themselves: a run waits for them (RC-006)."""
         return sum(self.is_ending(axis) for axis in range(self.count))

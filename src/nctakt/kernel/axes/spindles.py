@@ -25,7 +25,7 @@ from nctakt.kernel.base.record import Record
 class Spindles:
     """``count`` spindles, whose signals stand from ``first_cell`` on.
 
-    ``first_number`` counts those of the channels before: events tell the machine's numbers.
+    ``first_number`` counts those of the channels before: events have the machine's numbers.
     """
 
     def __init__(
@@ -80,7 +80,7 @@ class Spindles:
         acceleration: float,
         jerk: float = 0.0,
     ) -> None:
-        """The limits of a spindle, degrees and seconds; a PLC spindle has none."""
+        """Set the limits of a spindle, degrees and seconds; a PLC spindle has none."""
         check_index(spindle, self.count, "spindle")
         self.is_plc[spindle] = plc
         self.limit_v[spindle] = speed
@@ -90,7 +90,7 @@ class Spindles:
     # --- jobs -----------------------------------------------------------------------------------
 
     def is_ready(self, spindle: int, tick: int) -> int:
-        """Whether the spindle takes a job in this tick (else 50935)."""
+        """Return whether the spindle takes a job in this tick (else 50935)."""
         return (
             1 if self.taken_tick[spindle] != tick and self.plc_state[spindle] == codes.FREE else 0
         )
@@ -105,7 +105,7 @@ class Spindles:
         owner: int,
         tick: int,
     ) -> None:
-        """A job: M ``function`` 3, 4, 5 or 19; ``direction`` 0 of 19: the shortest way."""
+        """Take a job: M ``function`` 3, 4, 5 or 19; ``direction`` 0 of 19: the shortest way."""
         self.taken_tick[spindle] = tick
         self.function[spindle] = function
         self.commanded_position[spindle] = position
@@ -121,7 +121,7 @@ class Spindles:
         self.plan(spindle, tick)
 
     def record_job(self, spindle: int, source: int, serial: int) -> None:
-        """The job that was just taken, as events; its end has the same place."""
+        """Record the job just taken; its end gets the same source."""
         self.source[spindle] = source
         self.serial[spindle] = serial
         number = self.first_number + spindle
@@ -133,7 +133,7 @@ class Spindles:
             self.record.event(rows.EVENT_SPINDLE_POSITION, source, serial, number, position)
 
     def hand_over(self, spindle: int, done_tick: int) -> None:
-        """The job just taken of a PLC spindle; the default PLC acknowledges it in ``done_tick``."""
+        """Hand the job just taken to the PLC; the default PLC is done in ``done_tick``."""
         if self.is_plc[spindle]:
             self.active_count += 1
             self.plc_state[spindle] = codes.WAITING
@@ -143,7 +143,7 @@ class Spindles:
             self.done_tick[spindle] = done_tick
 
     def plan(self, spindle: int, tick: int) -> None:
-        """From what the spindle does now to what its job wants."""
+        """Plan from the present state of a spindle to the goal of its job."""
         if self.mode[spindle] == codes.STANDING:
             self.active_count += 1
         self.begin_position[spindle] = self.position[spindle]
@@ -174,7 +174,7 @@ class Spindles:
         )
 
     def remaining_angle(self, spindle: int) -> float:
-        """Degrees to go to the position: to where braking ends, then on in the direction.
+        """Degrees to the position of a job: where braking ends, then on in the direction.
 
         Without a direction a spindle that turns goes on turning, one that stands takes the shorter
         way, forward where both are equal.
@@ -198,7 +198,7 @@ class Spindles:
     # --- the actions of realtime cycles ----------------------------------------------------------
 
     def open_count(self, owner: int) -> int:
-        """Open jobs of a realtime cycle (P-CHAN-00480)."""
+        """Number of open jobs of a realtime cycle (P-CHAN-00480)."""
         count = 0
         for spindle in range(self.count):
             if self.is_open[spindle] and self.owner[spindle] == owner:
@@ -206,33 +206,33 @@ class Spindles:
         return count
 
     def is_busy(self, spindle: int) -> int:
-        """Whether its speed or position is still to be reached, or the PLC to acknowledge."""
+        """Return whether a job is open or waits for the PLC's acknowledgement."""
         return 1 if self.is_open[spindle] or self.plc_state[spindle] else 0
 
     def is_resting(self, spindle: int) -> int:
-        """Whether the spindle stands and nothing is on its way that turns it."""
+        """Return whether the spindle stands and no job on its way turns it."""
         if self.speed_v[spindle] != 0.0 or self.plc_state[spindle]:
             return 0
         return 1 if self.mode[spindle] == codes.STANDING else 0
 
     def has_plc(self, spindle: int) -> bool:
-        """Whether the PLC turns the spindle."""
+        """Return whether the PLC turns the spindle."""
         check_index(spindle, self.count, "spindle")
         return bool(self.is_plc[spindle])
 
     def has_job(self, spindle: int, owner: int) -> int:
-        """Whether the spindle's open job is this cycle's: the next one takes its place."""
+        """Return whether the spindle's open job is this cycle's: the next one replaces it."""
         return 1 if self.is_open[spindle] and self.owner[spindle] == owner else 0
 
     def hold(self, owner: int, tick: int) -> None:
-        """HOLD: spindles with an open job brake to a stand and keep what they were to do."""
+        """Brake the spindles with an open job of the cycle to a stand; keep the jobs (HOLD)."""
         for spindle in range(self.count):
             if self.has_job(spindle, owner) and not self.is_plc[spindle]:
                 self.is_held[spindle] = 1
                 self.plan(spindle, tick)
 
     def resume(self, owner: int, tick: int) -> None:
-        """CONTINUE: held jobs go on from the speed of now."""
+        """Continue held jobs from the present speed (CONTINUE)."""
         for spindle in range(self.count):
             if self.is_held[spindle] and self.owner[spindle] == owner:
                 self.is_held[spindle] = 0
@@ -240,7 +240,7 @@ class Spindles:
                 self.plan(spindle, tick)
 
     def abort(self, owner: int, tick: int) -> None:
-        """ABORT ACTION: spindles with an open or held job brake to a stand, the job is gone."""
+        """Brake the spindles of the cycle to a stand and drop their jobs (ABORT ACTION)."""
         for spindle in range(self.count):
             if self.owner[spindle] == owner and not self.is_plc[spindle]:
                 if self.is_held[spindle] or self.is_open[spindle]:
@@ -249,7 +249,7 @@ class Spindles:
                     self.plan(spindle, tick)
 
     def leave(self, owner: int) -> None:
-        """A cycle has ended: its spindles go on without it; held ones stay where they brake to."""
+        """Let the spindles of an ended cycle go on without it; held ones stay at rest."""
         for spindle in range(self.count):
             if self.owner[spindle] == owner:
                 self.owner[spindle] = 0
@@ -262,7 +262,7 @@ class Spindles:
     # --- the tick -------------------------------------------------------------------------------
 
     def latch(self) -> None:
-        """Start of a tick: jobs that the PLC has acknowledged are over."""
+        """Free the jobs that the PLC has acknowledged, at the start of a tick."""
         if self.active_count == 0:
             return
         for spindle in range(self.count):
@@ -274,7 +274,7 @@ class Spindles:
                 self.finish(spindle)
 
     def plc_speed(self, spindle: int) -> float:
-        """What a PLC spindle turns with when its job is done; negative under M4."""
+        """Speed of a PLC spindle after its job in degrees/s; negative under M4."""
         if self.function[spindle] == codes.SPINDLE_FORWARD:
             return self.commanded_v[spindle]
         if self.function[spindle] == codes.SPINDLE_BACKWARD:
@@ -282,7 +282,7 @@ class Spindles:
         return 0.0
 
     def step(self, tick: int, acknowledges_itself: int) -> None:
-        """One increment of all spindles that turn; then the default PLC, if there is no other."""
+        """Advance all turning spindles by a tick; run the default PLC if there is no other."""
         if self.active_count == 0:
             return
         for spindle in range(self.count):
@@ -293,7 +293,7 @@ class Spindles:
                     self.plc_state[spindle] = codes.ACKNOWLEDGED
 
     def advance(self, spindle: int, tick: int) -> None:
-        """The increment of a spindle that has a plan."""
+        """Advance a spindle that has a plan by a tick, and publish its state."""
         time_t = (tick - self.begin_tick[spindle] + 1) * self.cycle_t
         self.plans.evaluate(spindle, time_t)
         self.position[spindle] = wrapped(self.begin_position[spindle] + self.plans.distance_d)
@@ -306,7 +306,7 @@ class Spindles:
         self.cells[cell + cells.SPINDLE_POSITION] = self.position[spindle]
 
     def arrive(self, spindle: int) -> None:
-        """Speed or position is reached, bit by bit the one that was wanted."""
+        """Settle a reached speed or position, bit by bit the commanded one."""
         self.acceleration[spindle] = 0.0
         stands = (
             self.mode[spindle] == codes.POSITIONING or self.function[spindle] == codes.SPINDLE_STOP
@@ -323,7 +323,7 @@ class Spindles:
             self.finish(spindle)
 
     def finish(self, spindle: int) -> None:
-        """The job is done."""
+        """End the open job and record it."""
         if self.is_open[spindle]:
             self.is_open[spindle] = 0
             number = self.first_number + spindle
@@ -333,7 +333,7 @@ class Spindles:
     # --- Python's side --------------------------------------------------------------------------
 
     def jobs(self) -> list[tuple[int, int, float, float, int, int, float, int]]:
-        """The PLC's jobs that wait.
+        """Jobs that wait for the PLC.
 
         Spindle, M, degrees per second, position, direction, tick, degrees per second before,
         serial.
@@ -354,7 +354,7 @@ class Spindles:
         ]
 
     def acknowledge(self, spindle: int, serial: int) -> bool:
-        """The PLC has done the job of this serial; return whether it is there to be done."""
+        """Acknowledge the job of this serial; return whether it waits."""
         check_index(spindle, self.count, "spindle")
         if self.plc_state[spindle] == codes.FREE or self.job[spindle] != serial:
             return False
@@ -362,7 +362,7 @@ class Spindles:
         return True
 
     def ending_count(self) -> int:
-        """How many spindles are on their way to a stand."""
+        """Number of spindles on their way to a stand."""
         return sum(
             1
             for spindle in range(self.count)
@@ -375,6 +375,6 @@ class Spindles:
 
 
 def wrapped(degrees: float) -> float:
-    """The position within a revolution: from 0 up to, but not, 360 degrees."""
+    """Position within a revolution: from 0 up to, but not including, 360 degrees."""
     turned = degrees - 360.0 * arithmetic.floor(degrees / 360.0)
     return 0.0 if turned >= 360.0 else turned

@@ -76,7 +76,7 @@ class Trajectories:
         limit_a: float,
         limit_j: float,
     ) -> None:
-        """Plan to stand after ``distance_d``, nowhere faster than ``top_v`` (> 0) but at first."""
+        """Plan to stand after ``distance_d``, at most with ``top_v`` (> 0) but at the start."""
         self.begin(axis, top_v, limit_a, limit_j)
         beyond_d = distance_d - self.stopping_d(start_v, start_a, limit_a, limit_j)
         self.side = 1.0 if beyond_d >= 0.0 else -1.0
@@ -104,11 +104,11 @@ class Trajectories:
         limit_j: float,
         fading_j: float,
     ) -> int:
-        """Plan to pass a place ahead with ``goal_v`` (not above ``top_v``) and no acceleration.
+        """Plan to pass a point ahead with ``goal_v`` (at most ``top_v``), no acceleration.
 
-        0 where the way is too short for it: then the speed changes to ``goal_v`` at once, and has
-        not got there when the place is passed. Only with a limit of the jerk; where ``fading_j`` is
-        not 0, the acceleration of the start first fades with this one.
+        Return 0 where the distance is too short: then the speed changes to ``goal_v`` at once, and
+        has not got there when the point is passed. Only with a limit of the jerk; where
+        ``fading_j`` is not 0, the acceleration of the start first fades with this one.
         """
         self.begin(axis, top_v, limit_a, limit_j)
         self.side = 1.0
@@ -152,7 +152,7 @@ class Trajectories:
         self.finish()
 
     def evaluate(self, axis: int, time_t: float) -> None:
-        """Distance, speed and acceleration at ``time_t`` since the plan's start, never going back.
+        """Evaluate distance, speed and acceleration at ``time_t`` since the plan's start.
 
         The times of one plan have to rise from call to call.
         """
@@ -178,15 +178,15 @@ class Trajectories:
         self.acceleration_a = rise_a + since * jerk
 
     def rewind(self, axis: int) -> None:
-        """Let ``evaluate`` be asked for an earlier time again."""
+        """Allow ``evaluate`` for an earlier time again."""
         self.rows[axis * rows.PLAN_WIDTH + rows.PLAN_PHASE] = 0.0
 
     def duration_t(self, axis: int) -> float:
-        """When the target, or the speed, is reached."""
+        """Time until the target, or the speed, is reached, in s."""
         return self.rows[axis * rows.PLAN_WIDTH + rows.PLAN_DURATION]
 
     def stopping_d(self, start_v: float, start_a: float, limit_a: float, limit_j: float) -> float:
-        """The way that braking at once takes."""
+        """Distance that braking at once takes, in mm or degrees."""
         self.goal_v = 0.0
         self.limit_a = limit_a
         self.limit_j = limit_j
@@ -197,7 +197,7 @@ class Trajectories:
     # --- the trapezoid --------------------------------------------------------------------------
 
     def trapezoid(self, distance_d: float) -> None:
-        """Change to the highest speed that can be used, keep it, brake."""
+        """Append a trapezoid: change to the highest usable speed, keep it, brake."""
         rise = self.limit_a
         highest_v = self.top_v
         if self.from_v > self.top_v:
@@ -219,13 +219,13 @@ class Trajectories:
     # --- the S-curve ----------------------------------------------------------------------------
 
     def settled(self) -> float:
-        """The speed that is left once the acceleration of the start has faded."""
+        """Speed that is left once the acceleration of the start has faded."""
         return self.from_v + 0.5 * self.from_a * math.fabs(self.from_a) / self.limit_j
 
     def peak2(
         self, start_v: float, start_a: float, end_v: float, end_a: float, sign: float
     ) -> float:
-        """The square of the peak that the acceleration needs for a change, where nothing limits."""
+        """Square of the acceleration's peak in a change of speed without limits."""
         return 0.5 * (start_a * start_a + end_a * end_a) + sign * self.limit_j * (end_v - start_v)
 
     def change(
@@ -237,9 +237,9 @@ class Trajectories:
         sign: float,
         peak2: float,
     ) -> float:
-        """From one speed and acceleration to another with the acceleration's peak in ``sign``.
+        """Change speed and acceleration with the acceleration's peak in ``sign``.
 
-        The way; its three times, peak and first jerk are kept for ``append_change``.
+        Return the length; its three times, peak and first jerk are kept for ``append_change``.
         """
         peak_a = math.sqrt(max(peak2, 0.0))
         self.hold_t = 0.0
@@ -268,16 +268,16 @@ class Trajectories:
         )
 
     def brake(self, start_v: float, start_a: float, sign: float) -> float:
-        """``change`` to the speed at the end, a stand unless it is to be passed."""
+        """Change to the speed at the goal (``change``); return the distance."""
         peak2 = self.peak2(start_v, start_a, self.goal_v, 0.0, sign)
         return self.change(start_v, start_a, self.goal_v, 0.0, sign, peak2)
 
     def direct(self, start_v: float, start_a: float) -> float:
-        """``brake`` with the sign of the speed that is missing once the acceleration has faded.
+        """Brake with the sign of the speed that is missing; return the distance.
 
         Where none is missing the peak is what there is. What rounding makes of it, less than 1e-12
         of the speeds, does not count: with the other sign its root would be a second peak, and the
-        way too long for a place that is just reached.
+        distance too long for a point that is just reached.
         """
         missing_v = self.goal_v - start_v - 0.5 * start_a * math.fabs(start_a) / self.limit_j
         size_v = math.fabs(start_v) + self.limit_a * self.limit_a / self.limit_j
@@ -287,7 +287,7 @@ class Trajectories:
         return self.brake(start_v, start_a, sign)
 
     def solve(self, distance_d: float) -> None:
-        """Find speed and acceleration in the middle for a distance that braking at once misses."""
+        """Find speed and acceleration between the two changes of speed for a distance."""
         self.cruise_t = 0.0
         settled_v = self.settled()
         self.slowest_v = max(settled_v, self.goal_v)
@@ -312,9 +312,9 @@ class Trajectories:
             self.search(codes.MIN_BRAKING, self.from_a, 0.0, distance_d)
 
     def guess(self, distance_d: float, longest_d: float) -> int:
-        """The highest speed where both changes keep the highest acceleration for a while: 1.
+        """Find the highest speed where both changes keep the limit for a while: 1 if found.
 
-        Then the way is v²/a + v·a/j + c, and a quadratic equation; c follows from the way to
+        Then the length is v²/a + v·a/j + c, and a quadratic equation; c follows from the length to
         ``top_v``.
         """
         ramp_v = self.limit_a * self.limit_a / self.limit_j
@@ -332,14 +332,14 @@ class Trajectories:
         return 1
 
     def crossing(self) -> float:
-        """The deceleration with which an axis that brakes at once passes ``top_v``."""
+        """Deceleration with which an axis that brakes at once passes ``top_v``."""
         rising = self.from_a * self.from_a + 2.0 * self.limit_j * (self.from_v - self.top_v)
         peak2 = 0.5 * self.from_a * self.from_a + self.limit_j * (self.from_v - self.goal_v)
         falling = 2.0 * self.limit_j * (self.top_v - self.goal_v)
         return min(self.limit_a, math.sqrt(max(min(rising, peak2, falling), 0.0)))
 
     def measure(self, unknown: int, value: float) -> float:
-        """The way of the whole plan for a value of the unknown (``codes.HIGHEST_SPEED`` …)."""
+        """Length of the plan for a value of the unknown (``codes.HIGHEST_SPEED`` …)."""
         if unknown == codes.HIGHEST_SPEED:
             self.middle_v = self.slowest_v + value * value
             self.first_peak2 = self.slowest_peak2 + self.limit_j * value * value
@@ -353,14 +353,14 @@ class Trajectories:
         return self.distance()
 
     def distance(self) -> float:
-        """The way of both changes."""
+        """Length of both changes of speed, in mm or degrees."""
         distance_d = self.change(
             self.from_v, self.from_a, self.middle_v, self.middle_a, self.sign, self.first_peak2
         )
         return distance_d + self.brake(self.middle_v, self.middle_a, -1.0)
 
     def search(self, unknown: int, low: float, high: float, distance_d: float) -> None:
-        """Find the value between two for which the way is ``distance_d``.
+        """Find the value between two for which the length is ``distance_d``.
 
         Inverse quadratic interpolation through the last three values where it can be trusted, else
         bisection (Chandrupatla 1997).
@@ -404,7 +404,7 @@ class Trajectories:
     # --- the row of phases ----------------------------------------------------------------------
 
     def begin(self, axis: int, top_v: float, limit_a: float, limit_j: float) -> None:
-        """An empty plan."""
+        """Begin an empty plan of an axis."""
         self.row = axis * rows.PLAN_WIDTH
         self.rows[self.row + rows.PLAN_PHASE] = 0.0
         self.count = 0
@@ -426,7 +426,7 @@ class Trajectories:
         self.end_v += time_t * (start_a + 0.5 * time_t * jerk_j)
 
     def put_phase(self, start_a: float, jerk_j: float) -> None:
-        """Write the phase that begins where the plan ends so far."""
+        """Write the phase that begins at the plan's present end."""
         begin = self.row + rows.PLAN_PHASES + rows.PHASE_WIDTH * self.count
         self.rows[begin + rows.PHASE_TIME] = self.end_t
         self.rows[begin + rows.PHASE_DISTANCE] = self.end_d
@@ -435,7 +435,7 @@ class Trajectories:
         self.rows[begin + rows.PHASE_JERK] = jerk_j
 
     def fade(self, fading_j: float) -> float:
-        """Append the fading of the acceleration of the start, and go on behind it: its way."""
+        """Append the fading of the start's acceleration; return the plan's length so far."""
         self.end_v = self.from_v
         jerk = 0.0 - fading_j if self.from_a > 0.0 else fading_j
         self.append(math.fabs(self.from_a) / fading_j, self.from_a, jerk)
@@ -444,7 +444,7 @@ class Trajectories:
         return self.end_d
 
     def append_both(self) -> None:
-        """Append both changes that ``solve`` has found, and the constant speed between them."""
+        """Append both changes found by ``solve``, and the constant speed between them."""
         self.change(
             self.from_v, self.from_a, self.middle_v, self.middle_a, self.sign, self.first_peak2
         )
@@ -456,7 +456,7 @@ class Trajectories:
         self.append_change(self.goal_v)
 
     def append_change(self, end_v: float) -> None:
-        """Append the three phases of a change that ends with exactly the speed ``end_v``."""
+        """Append the three phases of a change that ends with exactly ``end_v``."""
         if self.count == 0:
             self.end_v = self.side * self.from_v
         self.append(self.first_t, self.side * self.from_a, self.side * self.first_j)
@@ -466,7 +466,7 @@ class Trajectories:
         self.end_v = self.side * end_v
 
     def finish(self) -> None:
-        """The last phase: what has been reached is kept."""
+        """Append the last phase: the speed that was reached is kept."""
         self.rows[self.row + rows.PLAN_LAST] = self.count
         self.rows[self.row + rows.PLAN_DURATION] = self.end_t
         self.put_phase(0.0, 0.0)
@@ -476,18 +476,18 @@ class Trajectories:
     def prepare_distance(
         self, distance: float, v: float, a: float, top_v: float, limit_a: float, limit_j: float
     ) -> float:
-        """``plan_distance`` of axis 0: the duration."""
+        """Plan a distance of axis 0; return its duration in s."""
         self.plan_distance(0, distance, v, a, top_v, limit_a, limit_j)
         return self.duration_t(0)
 
     def prepare_speed(
         self, speed: float, v: float, a: float, limit_a: float, limit_j: float
     ) -> float:
-        """``plan_speed`` of axis 0: the duration."""
+        """Plan a speed of axis 0; return its duration in s."""
         self.plan_speed(0, speed, v, a, limit_a, limit_j)
         return self.duration_t(0)
 
     def at(self, time_t: float) -> tuple[float, float, float]:
-        """Distance, speed and acceleration of axis 0."""
+        """Distance, speed and acceleration of axis 0 at a time in s."""
         self.evaluate(0, time_t)
         return self.distance_d, self.speed_v, self.acceleration_a

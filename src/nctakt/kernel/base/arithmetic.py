@@ -14,7 +14,7 @@ INFINITY = float("inf")
 
 
 def is_finite(value: float) -> bool:
-    """Whether ``value`` is neither infinite nor NaN."""
+    """Return whether ``value`` is neither infinite nor NaN."""
     return value - value == 0.0
 
 
@@ -68,7 +68,7 @@ def truncate(value: float) -> float:
 
 
 def fraction(value: float) -> float:
-    """FRACT: what INT cuts off, with the sign of ``value``."""
+    """FRACT: the part that INT cuts off, with the sign of ``value``."""
     return value - truncate(value)
 
 
@@ -84,7 +84,7 @@ def round_half_even(value: float) -> float:
 
 
 def within(value: float, low: float, full: float) -> float:
-    """``value`` less so many times ``full`` (> 0) that it lies in [``low``, ``low + full``)."""
+    """Wrap ``value`` into [``low``, ``low + full``); ``full`` > 0."""
     if low <= value < low + full:
         return value
     inside = value - full * floor((value - low) / full)
@@ -192,7 +192,7 @@ def cosine(degrees: float) -> float:
 
 
 def tangent(degrees: float) -> float:
-    """TAN; NaN where the cosine is zero."""
+    """Put each axis' part of the length, at start or target, into ``directions``."""
     return divide(sine(degrees), cosine(degrees))
 
 
@@ -233,7 +233,7 @@ def arc_cotangent(value: float) -> float:
 
 
 def is_bit_pattern(value: float) -> bool:
-    """Whether ``value``, rounded, can take part in a bit operation: its size is below 2**53."""
+    """Return whether ``value``, rounded, fits a bit operation: its size is below 2**53."""
     return -9007199254740992.0 < value < 9007199254740992.0
 
 
@@ -273,5 +273,5 @@ def bit_invert(value: float) -> float:
 
 
 def is_true(value: float) -> bool:
-    """RC-202: a value is true from a magnitude of 0.5 on."""
+    """Return whether a value is true: its magnitude is 0.5 or more (RC-202)."""
     return value >= 0.5 or value <= -0.5

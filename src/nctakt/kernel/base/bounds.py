@@ -23,7 +23,7 @@ def check_range(number: int, low: int, high: int, what: str) -> None:
 
 
 def check_finite(number: float, what: str) -> None:
-    """Raise ``ValueError`` for infinity and what is not a number; ``what`` names it."""
+    """Raise ``ValueError`` unless ``number`` is finite; ``what`` names it."""
     if number - number != 0.0:
         raise ValueError(f"{what} {number} is not a finite number")
 

@@ -44,7 +44,7 @@ class Record:
         self.records_series = False
 
     def select(self, signals: list[int]) -> None:
-        """The cells that a row holds from now on; rows that were not taken are dropped."""
+        """Set the cells of a row; rows that were not taken are dropped."""
         for cell in signals:
             check_index(cell, len(self.cells), "cell")
         self.signal_count = len(signals)
@@ -70,7 +70,7 @@ class Record:
         b: float = 0.0,
         c: float = 0.0,
     ) -> None:
-        """Append an event of this tick; that there is room was seen before the tick began."""
+        """Append an event of this tick; ``has_room`` was asked before the tick."""
         row = self.event_count * rows.EVENT_WIDTH
         self.events[row + rows.EVENT_TICK] = self.tick
         self.events[row + rows.EVENT_KIND] = kind
@@ -83,7 +83,7 @@ class Record:
         self.event_count += 1
 
     def written(self, source: int, serial: int, cell: int, value: float) -> None:
-        """A variable has a new value: an event where writes are recorded."""
+        """Record the new value of a variable, where writes are recorded."""
         if self.records_writes:
             self.event(rows.EVENT_WRITTEN, source, serial, cell, value)
 
@@ -93,7 +93,7 @@ class Record:
         self.append_probe(kind, number, left, right, 0)
 
     def series(self, number: int, kind: int, next_tick: int) -> None:
-        """Append the begin of a series, where that is asked for."""
+        """Append the begin of a series, where series are recorded."""
         if self.records_series:
             self.append_probe(kind, number, 0.0, 0.0, next_tick)
 
@@ -111,7 +111,7 @@ class Record:
         self.probe_count += 1
 
     def has_room(self, events: int, probes: int) -> int:
-        """Whether a tick that records at most so many events and probes fits."""
+        """Return whether a tick that records at most so many events and probes fits."""
         if self.signal_count > 0 and self.row_count >= self.row_capacity:
             return 0
         if self.event_count + events > self.event_capacity:

@@ -44,7 +44,7 @@ class Timers:
             self.elapsed_ticks[timer] = 0
 
     def elapsed(self, timer: int, tick: int) -> int:
-        """Ticks that a timer has counted."""
+        """Number of ticks that a timer has counted."""
         running = tick - self.started_tick[timer] if self.is_running[timer] else 0
         return self.elapsed_ticks[timer] + running
 
@@ -53,7 +53,7 @@ class Timers:
         return self.cells[self.first_cell + timer]
 
     def latch(self, timer: int, tick: int) -> None:
-        """READ: whole milliseconds; the largest number of UNS32 where they are more."""
+        """Latch whole milliseconds, at most the largest number of UNS32 (READ)."""
         time_us = self.elapsed(timer, tick) * self.cycle_time_us
         milliseconds = arithmetic.floor(time_us / 1000.0)
         self.cells[self.first_cell + timer] = min(milliseconds, 4294967295.0)

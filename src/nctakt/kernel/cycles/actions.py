@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Statements of realtime cycles that move a single axis (RC-405 … RC-408).
 
-A statement computes feed, position and direction, looks for an action place (P-CHAN-00480), and
+A statement computes feed, position and direction, looks for room for an action (P-CHAN-00480), and
 gives the command to ``single_axes.py``, which accepts it or names the message that refuses it: a
 fault of the cycle. Positions go down in mm or degrees of ACS, speeds in mm/s or degrees/s. The
 numbers of 50967 are those of ``nc/vocabulary/axis_commands.py`` (``REFUSALS``).
@@ -33,7 +33,7 @@ class Speed:
         self.memory = memory
 
     def value(self, context: Context) -> float:
-        """The speed, with the sign of FEED, never above that of the axis; a fault is told."""
+        """Speed with the sign of FEED, at most that of the axis; a fault is in the context."""
         return self.highest_v
 
 
@@ -76,13 +76,13 @@ class AxisStatement(Counted):
 
 
 def refuse(statement: AxisStatement, context: Context, message: int, value: float) -> int:
-    """The command is a fault: ``message`` says why, ``value`` what it asked for."""
+    """Stop the cycle with ``message``; ``value``: what the command asked for. Return 1."""
     context.fail(message, statement.source, statement.axis, value)
     return 1
 
 
 def complete(statement: AxisStatement, context: Context, value: float) -> int:
-    """0 where all was computed; else the fault gets its place. ``value`` has to be finite."""
+    """Complete a fault by its source; return 0 without one. ``value`` has to be finite."""
     if context.fault:
         if context.fault == 50967:
             context.fault_a = statement.axis
@@ -94,7 +94,7 @@ def complete(statement: AxisStatement, context: Context, value: float) -> int:
 
 
 def has_room_for_action(statement: AxisStatement, context: Context, is_buffered: int) -> int:
-    """RC-408: whether one more action of this cycle may be open; what is replaced makes room."""
+    """Return whether the cycle may open one more action (RC-408, P-CHAN-00480)."""
     open_count = context.single_axes.open_count(context.owner)
     if not is_buffered:
         open_count -= context.single_axes.open_on(statement.axis, context.owner)
@@ -103,7 +103,7 @@ def has_room_for_action(statement: AxisStatement, context: Context, is_buffered:
 
 
 def sign(value: float) -> int:
-    """1, 0 or -1."""
+    """Sign of a number: 1, 0 or -1."""
     if value > 0.0:
         return 1
     return -1 if value < 0.0 else 0
@@ -148,7 +148,7 @@ class MovingStatement(AxisStatement):
         self.is_buffered = is_buffered
 
     def restart(self) -> None:
-        """START: no FEED is known any more."""
+        """Forget the FEED of earlier commands (START)."""
         self.speed.memory.speed_v = 0.0
 
 
@@ -197,7 +197,7 @@ class MoveAxis(MovingStatement):
         return self.command(context, position_d, speed_v, direction)
 
     def command(self, context: Context, position_d: float, speed_v: float, direction: int) -> int:
-        """Give the command; a refusal is a fault."""
+        """Give the command; return 1 if it is refused, which is a fault."""
         context.single_axes.order(self.source, context.serial)
         if self.is_absolute:
             position_d += context.single_axes.axes.offsets.sum_of(self.axis, self.offsets)
@@ -214,7 +214,7 @@ class MoveAxis(MovingStatement):
 
 
 class RunAxis(MovingStatement):
-    """``X[INDP FEED=f …]``: on and on, in the direction of DIR, or of the sign of FEED."""
+    """Endless motion ``X[INDP FEED=f …]``, in the direction of DIR or of FEED's sign."""
 
     def run(self, context: Context) -> int:
         if instructions.begin(self, context):

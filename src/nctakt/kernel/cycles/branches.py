@@ -13,9 +13,9 @@ from nctakt.kernel.cycles.instructions import Counted, Statement
 
 
 class Reaction(Counted):
-    """Base of what runs a body under a condition.
+    """Base of a body that runs under a condition.
 
-    Counts the body's run-throughs and tells the first of each series of consecutive ones.
+    Counts the body's run-throughs and records the first of each series of consecutive ones.
     ``next_tick`` is the tick behind the last of them, -1 before the first.
     """
 
@@ -64,14 +64,14 @@ class Branch(Reaction):
     """One branch of a plain ``$IF``."""
 
     def attempt(self, context: Context) -> int:
-        """Evaluate the condition and, where it holds, run the body; as ``judge``."""
+        """Evaluate the condition and, if it holds, run the body; as ``judge``."""
         result = judge(self, context)
         if result == codes.TRUE and react(self, context):
             return codes.STOPS
         return result
 
     def run(self, context: Context) -> int:
-        """A plain ``$IF`` with one branch."""
+        """Run a plain ``$IF`` with one branch."""
         truth = judge(self, context)
         return react(self, context) if truth == codes.TRUE else truth
 
@@ -119,7 +119,7 @@ class NoBranch(Branch):
 
 
 def branches(alternatives: list[Branch]) -> Branch:
-    """A plain ``$IF`` of these branches, nested no deeper than their number's logarithm."""
+    """Tie the branches of a plain ``$IF``, no deeper than their number's logarithm."""
     count = len(alternatives)
     if count == 1:
         return alternatives[0]

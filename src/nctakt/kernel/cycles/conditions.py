@@ -34,11 +34,11 @@ class Condition:
         self.nearest_tick = -1
 
     def decide(self, context: Context) -> int:
-        """Evaluate: 1 true, 0 false. A fault is noted in the context."""
+        """Evaluate the condition: 1 true, 0 false. A fault is noted in the context."""
         return 1
 
     def forget(self) -> None:
-        """START: the next evaluation is as the first one (RC-111)."""
+        """Forget the last truth: the next evaluation is as the first one (START, RC-111)."""
         self.truth = codes.UNKNOWN
 
 
@@ -58,7 +58,7 @@ def note(condition: Condition, context: Context, truth: int, left: float, right:
 def record_change(
     condition: Condition, context: Context, truth: int, left: float, right: float
 ) -> None:
-    """A series of evaluations begins, or the truth changes."""
+    """Record the begin of a series of evaluations, or a change of truth."""
     if context.tick != condition.next_tick:
         context.record.series(condition.probe, rows.PROBE_EVALUATED, condition.next_tick)
     if truth == condition.truth or context.fault:
@@ -71,7 +71,7 @@ def record_change(
 
 
 def approach(condition: Condition, context: Context, left: float, right: float) -> None:
-    """The sides are nearer to each other than ever."""
+    """Keep sides that are nearer to each other than ever before."""
     if context.fault:
         return
     distance = left - right
@@ -129,7 +129,7 @@ class IsTruePart(IsTrue):
 
 
 class Combination(Condition):
-    """Base of what combines two conditions, both of which are evaluated (RC-501)."""
+    """Base of a combination of two conditions, both of which are evaluated (RC-501)."""
 
     def __init__(self, first: Condition, second: Condition) -> None:
         super().__init__()

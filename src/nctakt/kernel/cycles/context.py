@@ -60,7 +60,7 @@ class Context:
         self.budget_steps = 75000
 
     def begin(self, tick: int) -> None:
-        """A new tick: nothing counted yet."""
+        """Begin a tick: no instruction is counted yet."""
         self.tick = tick
         self.steps = 0
         self.fault = 0
@@ -68,11 +68,11 @@ class Context:
         self.next_check()
 
     def next_check(self) -> None:
-        """The next count at which the limits are looked at."""
+        """Set the next count at which the limits are checked."""
         self.check_at = min(self.steps + self.cont_steps, self.max_steps)
 
     def over_limit(self, source: int) -> int:
-        """P-CHAN-00427, then P-CHAN-00425 in virtual time; 1 when the cycle must stop here."""
+        """Check P-CHAN-00427, then P-CHAN-00425 in virtual time; 1 if the cycle must stop."""
         if self.steps > self.max_steps:
             self.fail(50854, source, self.steps, self.max_steps)
             return 1
@@ -83,7 +83,7 @@ class Context:
         return 0
 
     def fail(self, message: int, source: int, a: float, b: float) -> None:
-        """Note the first fault of a statement; ``source`` 0 leaves the place to the statement."""
+        """Note the first fault of a statement; ``source`` 0: the statement adds its own."""
         if self.fault == 0:
             self.fault = message
             self.fault_source = source
@@ -92,12 +92,12 @@ class Context:
 
 
 def empty_context() -> Context:
-    """A context without variables, for expressions whose operands are all known."""
+    """Context without variables, for expressions whose operands are all constant."""
     return context_of(bytearray(8 * 10))
 
 
 def context_of(memory: bytearray) -> Context:
-    """A context whose cells are this memory, at least ten, for what Python's side computes."""
+    """Context whose cells are this memory, at least ten, for expressions of Python's side."""
     record = Record(memory, row_capacity=1, event_capacity=1, probe_capacity=1)
     single_axes = SingleAxes(Axes(memory, 0, 0), record, 1000)
     own = bytearray(8 * (cells.PANEL_CELLS + cells.TIMERS))

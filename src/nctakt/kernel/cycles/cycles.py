@@ -18,15 +18,15 @@ from nctakt.kernel.cycles.instructions import Statement
 
 
 class RunThrough:
-    """Base, and null object, of what the manager runs in a tick."""
+    """Base, and null object, of a node that the manager runs in a tick."""
 
     def run_through(self, manager: CycleManager, context: Context) -> int:
-        """0, or 1 when a fault stops the cycles of this tick."""
+        """Run the node; return 1 if a fault stops the cycles of this tick, else 0."""
         return 0
 
 
 class Group(RunThrough):
-    """Four of them, in order."""
+    """Four nodes in order."""
 
     def __init__(
         self, first: RunThrough, second: RunThrough, third: RunThrough, fourth: RunThrough
@@ -126,7 +126,7 @@ class CycleManager:
     # --- Python's side, between two runs --------------------------------------------------------
 
     def free_slot(self) -> int:
-        """A slot for another cycle, -1 when all are taken."""
+        """Slot for another cycle, -1 if all are taken."""
         for slot in range(self.capacity):
             if self.state[slot] == codes.EMPTY:
                 return slot
@@ -140,7 +140,7 @@ class CycleManager:
         source: int,
         moves_on: bool = False,
     ) -> int:
-        """Fill a slot: its number, or -1 when none is free. ``identity`` is 0 without an ID.
+        """Fill a slot; return its number, or -1 if none is free. ``identity`` 0: no ID.
 
         ``moves_on``: END_ACTION is MOVE_CONT (RC-110).
         """
@@ -164,7 +164,7 @@ class CycleManager:
         return slot
 
     def free_ended(self) -> list[RealtimeCycle]:
-        """Empty the slots of ended cycles and give the cycles back."""
+        """Empty the slots of ended cycles and return the cycles."""
         self.ended_count = 0
         ended = [cycle for cycle in self.loaded if self.state[cycle.slot] == codes.ENDED]
         if ended:
@@ -175,13 +175,13 @@ class CycleManager:
         return ended
 
     def drop_undefined(self) -> None:
-        """Forget cycles whose definition was never taken: their program was given up."""
+        """Drop cycles whose definition was never taken: their program was given up."""
         for cycle in self.loaded:
             if self.state[cycle.slot] == codes.LOADED:
                 self.state[cycle.slot] = codes.ENDED
 
     def arrange(self) -> None:
-        """Put the loaded cycles in the order of creation: the tree of groups, and their slots."""
+        """Arrange the loaded cycles in order of creation: tree of groups, and their slots."""
         level: list[RunThrough] = list(self.loaded)
         nothing = RunThrough()
         while len(level) > 1:
@@ -195,14 +195,14 @@ class CycleManager:
         self.probes_bound = sum(cycle.probes for cycle in self.loaded)
 
     def state_of(self, slot: int) -> int:
-        """The state of a slot."""
+        """State of a slot; raise ``ValueError`` for an unknown one."""
         check_index(slot, self.capacity, "slot")
         return self.state[slot]
 
     # --- the tick -------------------------------------------------------------------------------
 
     def find(self, identity: int) -> int:
-        """The slot of the living cycle with this ID, -1 if there is none."""
+        """Slot of the living cycle with this ID, -1 without one."""
         for index in range(self.loaded_count):
             slot = self.order[index]
             if self.identity[slot] == identity and self.is_alive(slot):
@@ -210,7 +210,7 @@ class CycleManager:
         return -1
 
     def is_alive(self, slot: int) -> int:
-        """Whether a cycle is defined and has not ended."""
+        """Return whether a cycle is defined and has not ended."""
         return 1 if codes.DEFINED <= self.state[slot] <= codes.HELD else 0
 
     def enter(self, slot: int, state: int) -> None:
@@ -234,13 +234,13 @@ class CycleManager:
                 self.memory_used -= self.size[slot]
 
     def awaits_block(self, slot: int) -> int:
-        """Whether a cycle with scope BLOCK was started, or held, and its block is still to come."""
+        """Return whether a started or held cycle with scope BLOCK still waits for its block."""
         if self.scope[slot] != codes.BLOCK_SCOPE or self.block[slot] != 0:
             return 0
         return 1 if self.state[slot] in (codes.ARMED, codes.HELD) else 0
 
     def define(self, slot: int, starts: int, tick: int) -> int:
-        """The definition is taken: 0, or the message that refuses it (RC-102, RC-108, RC-504)."""
+        """Define a cycle; return 0, or the refusing message (RC-102, RC-108, RC-504)."""
         if self.identity[slot] > 0 and self.find(self.identity[slot]) >= 0:
             self.enter(slot, codes.ENDED)
             return 50900
@@ -258,11 +258,11 @@ class CycleManager:
         return 0
 
     def refused_value(self, slot: int, message: int) -> int:
-        """What a refused definition asked for: its ID, or its bytes of memory."""
+        """Value that a refused definition asked for: its ID, or its bytes of memory."""
         return self.identity[slot] if message == 50900 else self.size[slot]
 
     def start(self, slot: int, tick: int, source: int) -> None:
-        """Run from now on; a cycle with scope BLOCK waits for the next block (RC-105, RC-111)."""
+        """Start a cycle; one with scope BLOCK waits for the next block (RC-105, RC-111)."""
         self.restarts[slot] = 1
         self.started_tick[slot] = tick
         self.latest_start = tick
@@ -273,14 +273,14 @@ class CycleManager:
         self.enter(slot, codes.ARMED if is_armed else codes.RUNNING)
 
     def started_this_tick(self, identity: int, tick: int) -> int:
-        """RC-004: whether the cycle with this ID was started in this tick."""
+        """Return whether the cycle with this ID was started in this tick (RC-004)."""
         if self.latest_start != tick:
             return 0
         slot = self.find(identity)
         return 1 if slot >= 0 and self.started_tick[slot] == tick else 0
 
     def has_started_this_tick(self, tick: int) -> int:
-        """RC-004: whether a cycle that the program's end deletes was started in this tick."""
+        """Return whether a cycle that M30 deletes was started in this tick (RC-004)."""
         if self.latest_start != tick:
             return 0
         for index in range(self.loaded_count):
@@ -291,7 +291,7 @@ class CycleManager:
         return 0
 
     def control(self, action: int, identity: int, tick: int, source: int) -> int:
-        """Carry out ``codes.CONTROL_START`` …: 0, or the message that refuses it (RC-111)."""
+        """Carry out ``codes.CONTROL_START`` …; return 0, or the refusing message (RC-111)."""
         slot = self.find(identity)
         if slot < 0:
             if action == codes.CONTROL_DELETE:
@@ -315,7 +315,7 @@ class CycleManager:
         return 0
 
     def hold(self, slot: int, source: int) -> None:
-        """HOLD: not run from now on, states kept; its motions brake and keep their targets."""
+        """Stop running a cycle and keep its states; its motions brake (HOLD, RC-111)."""
         if self.state[slot] in (codes.ARMED, codes.RUNNING):
             self.enter(slot, codes.HELD)
             self.record.event(rows.EVENT_HELD, source, self.serial[slot])
@@ -325,7 +325,7 @@ class CycleManager:
             self.record.event(rows.EVENT_NOTICE, source, self.serial[slot], 900411)
 
     def resume(self, slot: int, source: int) -> None:
-        """CONTINUE: run again with kept states; a BLOCK cycle held before its block waits again."""
+        """Run a held cycle again; before its block it waits again (CONTINUE, RC-111)."""
         if self.state[slot] == codes.HELD:
             is_armed = self.scope[slot] == codes.BLOCK_SCOPE and self.block[slot] == 0
             self.enter(slot, codes.ARMED if is_armed else codes.RUNNING)
@@ -336,7 +336,7 @@ class CycleManager:
             self.record.event(rows.EVENT_NOTICE, source, self.serial[slot], 900412)
 
     def enter_block(self, serial: int) -> None:
-        """A block that takes time was taken: armed cycles run with it.
+        """Let armed cycles run with the block that was just taken.
 
         A cycle that is held before its block belongs to that block all the same (RC-105).
         """
@@ -352,7 +352,7 @@ class CycleManager:
                     self.enter(slot, codes.RUNNING)
 
     def leave_blocks(self, serial: int) -> None:
-        """BLOCK cycles whose block is no longer current (``serial``; 0: none) have ended."""
+        """End the BLOCK cycles of other blocks than ``serial`` (0: of all blocks)."""
         if self.in_block_count == 0:
             return
         for index in range(self.loaded_count):
@@ -361,28 +361,28 @@ class CycleManager:
                 self.end(slot, rows.ENDED_BY_SCOPE)
 
     def end(self, slot: int, reason: int) -> None:
-        """A cycle has ended; one with DEF and scope BLOCK can be started again (RC-105)."""
+        """End a cycle; one with DEF and scope BLOCK can be started again (RC-105)."""
         self.record.event(rows.EVENT_ENDED, self.source[slot], self.serial[slot], reason)
         again = self.reusable[slot] and self.scope[slot] == codes.BLOCK_SCOPE
         self.enter(slot, codes.DEFINED if again else codes.ENDED)
         self.end_actions(slot)
 
     def end_actions(self, slot: int) -> None:
-        """A cycle has ended: END_ACTION decides about its motions, held ones too (RC-110)."""
+        """Treat the motions of an ended cycle, held ones too, by END_ACTION (RC-110)."""
         if self.moves_on[slot]:
             self.single_axes.resume(self.first_owner + slot)
         self.single_axes.end_owner(self.first_owner + slot, self.moves_on[slot])
 
     def abort_actions(self, slot: int) -> None:
-        """Its motions brake at the axes' limits, and end."""
+        """Brake the motions of a cycle at the axes' limits, and end them."""
         self.single_axes.abort(self.first_owner + slot)
 
     def end_program(self) -> None:
-        """M30: BLOCK and PROG cycles are deleted (RC-105, RC-106)."""
+        """Delete BLOCK and PROG cycles at M30 (RC-105, RC-106)."""
         self.delete_local(rows.ENDED_BY_SCOPE)
 
     def reset(self) -> None:
-        """RC-007: BLOCK and PROG cycles are deleted; GLOBAL ones keep their states."""
+        """Delete BLOCK and PROG cycles; GLOBAL ones keep their states (RC-007)."""
         self.delete_local(rows.ENDED_BY_RESET)
 
     def delete_local(self, reason: int) -> None:
@@ -399,13 +399,13 @@ class CycleManager:
                 self.end_actions(slot)
 
     def run_cycles(self, context: Context) -> int:
-        """Run all active cycles once, in the order of creation: 1 after a fault (RC-112)."""
+        """Run all active cycles once, in order of creation; return 1 after a fault (RC-112)."""
         if self.running_count == 0:
             return 0
         return self.root.run_through(self, context)
 
     def fail(self, slot: int, context: Context) -> None:
-        """RC-505: tell the fault; the cycle at fault is ended, its motions are aborted."""
+        """Record the fault, end the cycle at fault and abort its motions (RC-505)."""
         source, serial = context.fault_source, self.serial[slot]
         self.record.event(rows.EVENT_ERROR, source, serial, context.fault, context.fault_a)
         self.enter(slot, codes.ENDED)

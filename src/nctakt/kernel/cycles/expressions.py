@@ -13,19 +13,19 @@ from nctakt.kernel.cycles.context import Context
 
 
 class Expression:
-    """Base, and null object: zero."""
+    """Base of an expression, and null object: zero."""
 
     def value(self, context: Context) -> float:
-        """The value in this moment of this tick."""
+        """Evaluate the node."""
         return 0.0
 
     def measure(self, context: Context) -> float:
-        """``value`` for Python's side: tests, and listings of constants."""
+        """Evaluate the node for Python's side: tests, and listings of constants."""
         return self.value(context)
 
 
 class Constant(Expression):
-    """A number that was known when the cycle was decoded (RC-302)."""
+    """Number that was known when the cycle was decoded (RC-302)."""
 
     def __init__(self, number: float) -> None:
         self.number = number

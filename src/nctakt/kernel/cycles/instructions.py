@@ -19,14 +19,14 @@ from nctakt.kernel.cycles.expressions import Expression
 
 
 class Statement:
-    """Base, and null object: does nothing."""
+    """Base of a statement, and null object: no effect."""
 
     def run(self, context: Context) -> int:
-        """One run-through of this statement."""
+        """Run the statement once; return 1 if the cycle must stop, else 0."""
         return 0
 
     def restart(self) -> None:
-        """START: the states of ``$IF`` are as new (RC-111)."""
+        """Forget the states of ``$IF`` (START, RC-111)."""
 
 
 class Pair(Statement):
@@ -95,7 +95,7 @@ class Block(Statement):
 
 
 def sequence(statements: list[Statement]) -> Statement:
-    """The statements in order as one, nested no deeper than their number's logarithm."""
+    """Tie statements in order, nested no deeper than their number's logarithm."""
     count = len(statements)
     if count == 0:
         return Statement()
@@ -110,7 +110,7 @@ def sequence(statements: list[Statement]) -> Statement:
 
 
 class Counted(Statement):
-    """Base of what costs elementary instructions and stands somewhere in the program."""
+    """Base of a statement that costs elementary instructions and has a source."""
 
     def __init__(self, source: int, cost: int) -> None:
         self.source = source
@@ -129,21 +129,21 @@ def begin(statement: Counted, context: Context) -> int:
 
 
 def stop(statement: Counted, context: Context) -> int:
-    """A fault: give it the statement's place, unless the operation gave its own."""
+    """Complete a fault by the statement's source, unless it has its own; return 1."""
     if context.fault_source == 0:
         context.fault_source = statement.source
     return 1
 
 
 def reject(statement: Counted, context: Context, value: float) -> int:
-    """The value is of no use: its expression has failed, or it is not finite (50879, RC-207)."""
+    """Refuse a value that is a fault or not finite (50879, RC-207); return 1."""
     if context.fault == 0:
         context.fail(50879, statement.source, 0.0, value)
     return stop(statement, context)
 
 
 def write(statement: Counted, context: Context, cell: int, value: float) -> None:
-    """Store a value; one that differs from the old one is an event."""
+    """Store a value; a new one is an event."""
     if value != context.cells[cell]:
         context.cells[cell] = value
         if context.record.records_writes:
@@ -151,7 +151,7 @@ def write(statement: Counted, context: Context, cell: int, value: float) -> None
 
 
 def evaluate(statement: Counted, expression: Expression, context: Context) -> float:
-    """Count the statement and compute what it assigns; a fault is in the context."""
+    """Count the statement and evaluate its expression; a fault is in the context."""
     if begin(statement, context):
         return 0.0
     value = expression.value(context)
@@ -169,12 +169,12 @@ class Assignment(Counted):
         self.expression = expression
 
     def store(self, context: Context, cell: int, value: float) -> int:
-        """Convert to the variable's type and store; 1 when the value does not fit."""
+        """Convert to the variable's type and store; return 1 if the value does not fit."""
         return 0
 
 
 class AssignReal(Assignment):
-    """Into a REAL64 variable.
+    """Assignment to a REAL64 variable.
 
     This is what most cycles mostly do: so it is written out instead of composed as the others are.
     """
@@ -215,7 +215,7 @@ class AddToReal(Assignment):
 
 
 class BoundedAssignment(Assignment):
-    """Base of what rounds; ``lowest`` and ``highest`` bound what the variable takes."""
+    """Base of rounding assignments; ``lowest`` and ``highest`` bound the variable."""
 
     def __init__(
         self,
@@ -234,7 +234,7 @@ class BoundedAssignment(Assignment):
 def round_into_range(
     statement: BoundedAssignment, context: Context, cell: int, value: float
 ) -> float:
-    """The value as an integer variable takes it; 50892 outside its range (RC-307)."""
+    """Round a value for an integer variable; 50892 outside its range (RC-307)."""
     value = arithmetic.round_half_even(value)
     if not statement.lowest <= value <= statement.highest:
         context.fail(50892, statement.source, cell, value)
@@ -242,7 +242,7 @@ def round_into_range(
 
 
 class AssignInteger(BoundedAssignment):
-    """Into an integer variable: rounded half to even (RC-307)."""
+    """Assignment to an integer variable: rounded half to even (RC-307)."""
 
     def run(self, context: Context) -> int:
         value = evaluate(self, self.expression, context)
@@ -259,7 +259,7 @@ class AssignInteger(BoundedAssignment):
 
 
 class AssignBoolean(Assignment):
-    """Into a BOOLEAN: whether the magnitude is at least 0.5 (RC-307)."""
+    """Assignment to a BOOLEAN: whether the magnitude is at least 0.5 (RC-307)."""
 
     def run(self, context: Context) -> int:
         value = evaluate(self, self.expression, context)
@@ -273,7 +273,7 @@ class AssignBoolean(Assignment):
 
 
 class AssignOverride(BoundedAssignment):
-    """Into an override: no event, since it is written anew in every tick (RC-305).
+    """Assignment to an override: no event, since it is written in every tick (RC-305).
 
     Its changes show in the trace rows.
     """
@@ -324,7 +324,7 @@ class Read(Counted):
 
 
 class IssueTechnology(Counted):
-    """An M or H function: into the realtime section of the HLI, in this tick (RC-403).
+    """M or H function, put into the realtime section of the HLI in this tick (RC-403).
 
     ``ticks``: how long the function takes.
     """
@@ -349,7 +349,7 @@ class IssueTechnology(Counted):
 
 
 class CommandTimer(Counted):
-    """``#TIMER START|STOP|READ|CLEAR SYN [ID=i]`` (RC-401); an ID that is none is 900421."""
+    """``#TIMER START|STOP|READ|CLEAR SYN [ID=i]`` (RC-401); 900421 for an unknown ID."""
 
     def __init__(self, action: int, timer: Expression, source: int, cost: int) -> None:
         super().__init__(source, cost)

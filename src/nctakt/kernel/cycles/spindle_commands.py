@@ -13,7 +13,7 @@ from nctakt.kernel.cycles.instructions import Counted
 class CommandSpindle(Counted):
     """M3, M4, M5 or M19 of one spindle; revolutions per minute, degrees.
 
-    50935: the spindle takes no job in this tick. 51028: the cycle has no place for another action.
+    50935: the spindle takes no job in this tick. 51028: the cycle has no room for another action.
     900470, 900472: the speed is below 0, or 0 on the way to a position.
     """
 
@@ -52,7 +52,7 @@ class CommandSpindle(Counted):
         return self.take(context, 6.0 * speed, position)
 
     def take(self, context: Context, speed_v: float, position: float) -> int:
-        """Give the job to the spindle, or say why it takes none."""
+        """Give the job to the spindle, or report the message that refuses it."""
         if not context.spindles.is_ready(self.spindle, context.tick):
             number = context.spindles.first_number + self.spindle
             context.fail(50935, self.source, number, 0.0)

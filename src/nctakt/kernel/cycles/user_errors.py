@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: MIT
 """``#ERROR`` in a realtime cycle: an error of the user's own (RC-402).
 
-A warning (RC 0) is told and no more. With RC from 1 on the channel is in error state and the path
-brakes from this tick; the statements behind it, its cycle and all others run on until the reset.
+A warning (RC 0) is reported and no more. With RC from 1 on the channel is in error state and the
+path brakes from this tick; the statements behind it, its cycle and all others run on until the
+reset.
 """
 
 from __future__ import annotations
@@ -16,17 +17,17 @@ from nctakt.kernel.cycles.instructions import Counted
 
 
 class UserValue:
-    """Base of a value that is told with the error, and null object: the end of their chain."""
+    """Base of a value of the error, and null object: the end of their chain."""
 
     def evaluate(self, context: Context) -> None:
-        """Compute this value and those behind it; a fault is in the context."""
+        """Evaluate this value and those behind it; a fault is in the context."""
 
     def record(self, context: Context, source: int) -> None:
-        """An event for this value and for each of those behind it."""
+        """Record this value and those behind it as events."""
 
 
 class NumberValue(UserValue):
-    """``PV1=…`` and its kin; ``code`` is the keyword's place (``nc/check/user_errors.py``)."""
+    """``PV1=…`` and its kin; ``code``: number of the keyword (``nc/check/user_errors.py``)."""
 
     def __init__(self, code: int, expression: Expression, others: UserValue) -> None:
         self.code = code
@@ -63,7 +64,7 @@ class TextValue(UserValue):
 
 
 class RaiseUserError(Counted):
-    """``#ERROR [ID=… RC=… PV1=…]``; what is no ID or RC is 900460, 900461."""
+    """``#ERROR [ID=… RC=… PV1=…]``; 900460, 900461 for an ID or RC out of range."""
 
     def __init__(
         self,
@@ -95,7 +96,7 @@ class RaiseUserError(Counted):
     def whole(
         self, context: Context, expression: Expression, low: float, high: float, message: int
     ) -> float:
-        """A whole number from ``low`` to ``high``, or the message that refuses it."""
+        """Evaluate a whole number from ``low`` to ``high``; else ``message`` is a fault."""
         if context.fault:
             return 0.0
         value = expression.value(context)

@@ -25,9 +25,9 @@ class ArcLimits:
     """The limits on one arc at a time, over ``count`` axes with their limits of speed and feed.
 
     At each border of the pieces, for both axes of the plane: ``first_parts``, ``second_parts``
-    their parts of the way, ``first_curvatures``, ``second_curvatures`` the change of these per way.
-    ``keeps``: the share of the axes' acceleration that may be used on each piece. ``ends``: the way
-    up to each border.
+    their part of the length, ``first_curvatures``, ``second_curvatures`` the change of these per
+    mm. ``keeps``: the share of the axes' acceleration that may be used on each piece. ``ends``: the
+    length up to each border.
     """
 
     def __init__(self, count: int) -> None:
@@ -55,7 +55,7 @@ class ArcLimits:
         self.max_a = max_a
 
     def open(self, segments: memoryview[float], row: int) -> None:
-        """Take the arc of the segment in ``segments``."""
+        """Take the arc of the segment at ``row``."""
         first = int(segments[row + rows.ARC_FIRST_AXIS])
         second = int(segments[row + rows.ARC_SECOND_AXIS])
         x = segments[row + rows.START + first] - segments[row + rows.ARC_FIRST_CENTRE]
@@ -91,7 +91,7 @@ class ArcLimits:
             self.caps[k] = cap
 
     def border(self, j: int) -> float:
-        """Which share of the arc lies before a border; the pieces at both ends grow evenly."""
+        """Share of the arc before a border; the pieces at both ends grow evenly."""
         behind = self.pieces - j
         even = self.pieces - rows.MORE_PIECES
         if j < 4:
@@ -101,7 +101,7 @@ class ArcLimits:
         return (j - 3) / even
 
     def open_outer(self, segments: memoryview[float], row: int, first: int, second: int) -> None:
-        """The limits of the axes that a helix moves outside of its plane."""
+        """Settle the limits of the axes that a helix moves outside of its plane."""
         self.outer_a = 1e300
         self.outer_v = 1e150
         start = row + rows.START
@@ -116,7 +116,7 @@ class ArcLimits:
                 self.outer_v = min(self.outer_v, self.max_v[i] / part)
 
     def used_share(self, segments: memoryview[float], row: int, k: int) -> float:
-        """The share of the acceleration that corners at the arc's ends use on a piece."""
+        """Share of the acceleration that corners at the arc's ends use on a piece."""
         behind = k + 1
         used = segments[row + rows.ARC_SHARE]
         if self.ends[k] < segments[row + rows.ENTRY_LENGTH]:
@@ -126,7 +126,7 @@ class ArcLimits:
         return used
 
     def cap_at(self, j: int, first: int, second: int, keep: float) -> float:
-        """The square of the speed that the axes' limits of speed allow at a border."""
+        """Square of the speed that the axes' limits of speed allow at a border."""
         cap = 1e300
         part = self.first_parts[j]
         if part * part > 1e-18:
@@ -139,7 +139,7 @@ class ArcLimits:
         return cap
 
     def centre_cap(self, k: int, j: int) -> float:
-        """The square of the speed that may be kept on piece ``k``, seen from one of its borders."""
+        """Square of the speed that piece ``k`` allows all along, from one of its borders."""
         first = self.first_curvatures[j]
         second = self.second_curvatures[j]
         first = first if first > 0.0 else 0.0 - first
@@ -152,7 +152,7 @@ class ArcLimits:
         return cap
 
     def rate(self, k: int, speed2: float, growth: float, direction: float) -> float:
-        """The highest acceleration on piece ``k`` with the square of the speed ``speed2``.
+        """Highest acceleration on piece ``k`` at the square of the speed ``speed2``.
 
         ``direction``: 1 speeding up, -1 braking. The acceleration is kept until the square of the
         speed has grown by ``growth`` (below 0: fallen) times the acceleration.
@@ -164,7 +164,7 @@ class ArcLimits:
     def border_rate(
         self, j: int, keep: float, speed2: float, growth: float, direction: float
     ) -> float:
-        """``rate`` at one border, with the share ``store_goal`` of the axes' acceleration."""
+        """``rate`` at one border, with the share ``keep`` of the axes' acceleration."""
         part = direction * self.first_parts[j]
         curvature = self.first_curvatures[j]
         max_a = self.axis_rate(part, curvature, self.first_a * keep, speed2, growth)
@@ -175,7 +175,7 @@ class ArcLimits:
     def axis_rate(
         self, part: float, curvature: float, limit_a: float, speed2: float, growth: float
     ) -> float:
-        """``rate`` of one axis at one border, from its part of the way and the change of that."""
+        """``rate`` of one axis at one border, from its part of the length and its curvature."""
         if part < 0.0:
             part = 0.0 - part
             curvature = 0.0 - curvature
@@ -185,7 +185,7 @@ class ArcLimits:
         return left_a / part if part > 1e-9 else 1e300
 
     def entry_v2(self, speed2: float) -> float:
-        """The square of the highest speed at the arc's begin from which that at its end is kept."""
+        """Square of the highest speed at the arc's start that keeps the one at its end."""
         k = self.pieces
         while k > 0:
             k -= 1
@@ -193,7 +193,7 @@ class ArcLimits:
         return speed2
 
     def before(self, k: int, speed2: float) -> float:
-        """The square of the highest speed at the begin of a piece, from that at its end."""
+        """Square of the highest speed at a piece's start, from that at its end."""
         behind = k + 1
         width = 2.0 * (self.ends[behind] - self.ends[k])
         speed2 = min(speed2, self.caps[k])
@@ -206,13 +206,13 @@ class ArcLimits:
         return min(arithmetic.square_root(self.entry_v2(end_v * end_v)), limit_v)
 
     def highest_speed(self) -> float:
-        """The highest speed on any piece."""
+        """Highest speed on any piece."""
         cap = 0.0
         for k in range(self.pieces):
             cap = max(cap, self.caps[k])
         return arithmetic.square_root(cap)
 
     def end_cap(self, at_end: int) -> float:
-        """The highest speed on the first or the last piece."""
+        """Highest speed on the first or the last piece."""
         last = self.pieces - 1
         return arithmetic.square_root(self.caps[last if at_end else 0])

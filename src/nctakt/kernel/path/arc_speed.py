@@ -2,7 +2,7 @@
 """The speed along an arc whose limits turn with its angle: one plan for each piece (MO-1, MO-5).
 
 ``survey`` settles how fast the path may be at each border of the pieces, from the arc's end
-backwards: ``highs`` what must hold, ``lows`` what is wanted, because the next block has a lesser
+backwards: ``highs`` what must hold, ``lows`` the target, because the next block has a lesser
 feed. ``plan`` then leads from the present speed to the next border as fast as possible: speed up or
 slow down to the speed limit or to the highest speed that fits, keep it, brake. All accelerations
 are such as ``arc_limits.py`` allows at each speed that occurs.
@@ -31,7 +31,7 @@ class ArcSpeed(ArcLimits):
         self.surveyed_target_v = -1.0
 
     def begin(self, segments: memoryview[float], row: int) -> None:
-        """The arc in ``segments`` is the current one."""
+        """Make the arc of the segment at ``row`` the current one."""
         self.open(segments, row)
         self.prepared_v = segments[row + rows.END_SPEED]
         self.next_feed_v = segments[row + rows.NEXT_SPEED]
@@ -53,7 +53,7 @@ class ArcSpeed(ArcLimits):
         ``factor_ahead``: the override of the next segment.
 
         That is left out (``remaining_v`` below 0), and where it cannot be had any more. Where the
-        override has just changed, the arc may end faster than wanted, as fast as can be.
+        override has just changed, the arc may end faster than its target, as fast as can be.
         """
         end_v = self.prepared_v
         if factor > 1.0:
@@ -68,7 +68,7 @@ class ArcSpeed(ArcLimits):
         self.survey(self.max_end_v, end_v)
 
     def survey(self, max_v: float, target_v: float) -> None:
-        """The speeds at the borders, from the highest and the wanted one at the arc's end."""
+        """Settle the speeds at the borders, from the highest and the target one at the end."""
         if max_v == self.surveyed_v and target_v == self.surveyed_target_v:
             return
         self.surveyed_v = max_v
@@ -77,7 +77,7 @@ class ArcSpeed(ArcLimits):
         self.fill(self.lows, min(target_v, max_v))
 
     def fill(self, borders: memoryview[float], end_v: float) -> None:
-        """The squares of the highest speeds at all borders from which the end's can be kept."""
+        """Fill the squares of the highest speeds at all borders that keep the one at the end."""
         k = self.pieces - 1
         speed2 = min(end_v * end_v, self.caps[k])
         borders[self.pieces] = speed2
@@ -90,7 +90,7 @@ class ArcSpeed(ArcLimits):
             k = before
 
     def is_met(self, stage: int, rest_d: float, start_v: float) -> int:
-        """Whether the path, ``rest_d`` before the end of a piece, can still keep the survey."""
+        """Return whether the survey can still be kept ``rest_d`` mm before a piece's end."""
         width = 2.0 * rest_d
         border = stage + 1
         speed2 = self.highs[border]
@@ -98,7 +98,7 @@ class ArcSpeed(ArcLimits):
         return 1 if start_v * start_v <= 1.000001 * speed2 else 0
 
     def plan(self, stage: int, rest_d: float, start_v: float, limit_v: float) -> None:
-        """Plan what is left of a piece, at most with ``limit_v``; 0: brake to a stand."""
+        """Plan the rest of a piece, at most with ``limit_v``; 0: brake to a stand."""
         start2 = start_v * start_v
         limit2 = min(limit_v * limit_v, self.caps[stage])
         if rest_d <= 0.0:
@@ -111,9 +111,9 @@ class ArcSpeed(ArcLimits):
             self.speed_up(stage, rest_d, start_v, max(limit2, start2))
 
     def change(self, stage: int, from2: float, to2: float, width: float, direction: float) -> float:
-        """The acceleration to get from one speed to a higher one, on half of ``width`` at most.
+        """Acceleration from one speed to a higher one, on half of ``width`` at most.
 
-        Next to none counts as none, since its way would be that of the rounding.
+        Next to none counts as none, since its length would be that of the rounding.
         """
         max_a = self.rate(stage, from2, 0.0, direction)
         max_a = min(max_a, self.rate(stage, to2, 0.0, direction))
@@ -123,7 +123,7 @@ class ArcSpeed(ArcLimits):
         return max_a if max_a > 1e-6 else 0.0
 
     def slow_down(self, stage: int, rest_d: float, start_v: float, limit2: float) -> None:
-        """The path is faster than it may be: brake to the limit, then for the border."""
+        """Brake to the limit that the path is above, then for the border."""
         start2 = start_v * start_v
         rate = self.rate(stage, start2, 0.0, -1.0)
         rate = min(rate, self.rate(stage, limit2, 0.0, -1.0))
@@ -144,7 +144,7 @@ class ArcSpeed(ArcLimits):
         self.follow(rest_d, start_v, first_d, limit2, last_d, end2)
 
     def brake(self, stage: int, rest_d: float, start_v: float, target2: float) -> None:
-        """Brake evenly up to the border, to the wanted speed as far as that can be."""
+        """Brake evenly up to the border, to the target speed if that can be reached."""
         start2 = start_v * start_v
         width = 2.0 * rest_d
         rate = self.rate(stage, start2, 0.0 - width, -1.0)
@@ -154,7 +154,7 @@ class ArcSpeed(ArcLimits):
         self.follow(rest_d, start_v, 0.0, start2, rest_d, end2)
 
     def speed_up(self, stage: int, rest_d: float, start_v: float, limit2: float) -> None:
-        """The path may be faster: up to the limit, or as far as it can still brake."""
+        """Speed up to the limit, or as far as the path can still brake."""
         start2 = start_v * start_v
         width = 2.0 * rest_d
         border = stage + 1

@@ -25,7 +25,7 @@ from nctakt.kernel.plc.panel import Panel
 
 
 class BackwardMotion(History):
-    """The walk of one channel's path over its history.
+    """Backward motion of one channel's path over its history.
 
     ``fault`` is the number of the message that stops the channel, because something else has moved
     an axis while the path was away (MO-13); ``Path.refused_axis`` is the axis, ``fault_source`` the
@@ -57,11 +57,11 @@ class BackwardMotion(History):
         self.entered = -1.0
 
     def can_take_over(self) -> int:
-        """Whether the path, which backward motion stops, stands and has a way behind it."""
+        """Return whether the path, stopped by backward motion, stands and can go back."""
         return 1 if self.path.speed_v == 0.0 and self.can_go_back() else 0
 
     def can_go_back(self) -> int:
-        """Whether there is a way behind the place where the path stands."""
+        """Return whether there is a path behind the present position."""
         number = self.path.used
         if self.path.is_active:
             if not self.path.is_dwell and self.path.covered_d > 0.0:
@@ -70,13 +70,13 @@ class BackwardMotion(History):
         return 1 if self.neighbour(number, -1) >= self.path.oldest else 0
 
     def state(self) -> int:
-        """How the path walks over its history: ``codes.AT_FRONT`` …"""
+        """State of the walk over the history: ``codes.AT_FRONT`` …"""
         if not self.path.is_retracing:
             return codes.AT_FRONT
         return codes.WALKS_BACKWARD if self.path.direction < 0 else codes.WALKS_FORWARD
 
     def step(self, factor: float, is_stopping: int) -> int:
-        """One tick: 1 when the path is at its front again and its segment has ended in this tick.
+        """Advance a tick; return 1 if the path is at its front again with time left.
 
         As ``Path.step``; the path is away.
         """
@@ -109,7 +109,7 @@ class BackwardMotion(History):
     # --- begin, turn, end -----------------------------------------------------------------------
 
     def leave(self) -> None:
-        """The path stands and goes back from here."""
+        """Leave the front and go back from here; the path stands."""
         self.path.is_retracing = True
         self.path.is_front_over = not self.path.is_active
         self.has_failed = False
@@ -132,7 +132,7 @@ class BackwardMotion(History):
         self.go(-1)
 
     def turn(self, direction: int) -> None:
-        """The path stands: on in the other direction."""
+        """Go on in ``direction``; the path stands."""
         if direction > 0 and self.number == self.front_number:
             self.return_to_front(self.path.covered_d)
         else:
@@ -155,7 +155,7 @@ class BackwardMotion(History):
         self.cross()
 
     def return_to_front(self, covered_d: float) -> None:
-        """The path is where it was before it turned, and its own master again."""
+        """Return to forward motion where the path has turned."""
         self.panel.is_paused = self.was_paused
         self.panel.is_released = self.was_released
         source = int(self.path.history_rows[self.path.front + rows.SOURCE])
@@ -182,7 +182,7 @@ class BackwardMotion(History):
         return min(self.path.history_rows[row + rows.SPEED] * factor, speed)
 
     def stage_speed(self, row: int, stage: int, ignores_feed: int) -> float:
-        """The speed limit of a stage: that of its segment, on a curve that of the curve as well."""
+        """Speed limit of a stage: its segment's, on a curve the curve's as well."""
         speed = self.feed_speed(row, ignores_feed)
         if stage == codes.CURVE:
             speed = min(speed, self.path.history_rows[row + rows.CURVE_SPEED])
@@ -207,7 +207,7 @@ class BackwardMotion(History):
         return self.path.history_rows[first + rows.CORNER_SPEED]
 
     def front_speed(self, ignores_feed: int) -> float:
-        """The highest speed into the segment at the front; 0 where it is over or a dwell."""
+        """Highest speed into the segment at the front; 0 if it is over or a dwell."""
         row = self.path.front
         if (
             self.path.is_front_over
@@ -220,7 +220,7 @@ class BackwardMotion(History):
         return geometry.entry_speed(self.path.history_rows, row, codes.ENTRY_ZONE, end_v, limit_v)
 
     def border_speed(self, ignores_feed: int) -> float:
-        """The highest speed at the end of the stage from which all that follows can be kept.
+        """Highest speed at the end of the stage that keeps all that follows.
 
         Each border that follows may be passed with its own highest speed; what is braked up to it
         comes on top. The look ends where no border can ask for less.
@@ -250,7 +250,7 @@ class BackwardMotion(History):
             gained2 += 2.0 * limit_a * d
 
     def end_speed(self, rest_d: float, limit_a: float) -> float:
-        """The speed at the end of the stage: the override's, as far as braking comes to it."""
+        """Speed at the end of the stage: the override's, as far as braking reaches it."""
         end_v = self.border_speed(1)
         feed_v = self.border_speed(0)
         speed2 = self.path.speed_v * self.path.speed_v
@@ -262,7 +262,7 @@ class BackwardMotion(History):
         return end_v
 
     def replan(self, limit_v: float) -> None:
-        """Plan what is left of the stage from the present speed."""
+        """Plan the rest of the stage from the present speed."""
         self.path.limit_v = limit_v
         self.plan_d = self.path.covered_d
         self.ticks = 0
@@ -278,15 +278,16 @@ class BackwardMotion(History):
         end_v = self.end_speed(rest_d, limit_a)
         self.profile.plan(rest_d, self.path.speed_v, end_v, limit_v, limit_a)
 
-    # --- the way --------------------------------------------------------------------------------
+    # --- stages and segments
+    # --------------------------------------------------------------------------------
 
     def first_stage(self, row: int) -> int:
-        """The first stage of a segment in the walk's direction."""
+        """First stage of a segment in the direction of the walk."""
         is_backward = self.path.direction < 0
         return self.next_stage(row, codes.BEHIND_STAGES if is_backward else codes.BEFORE_STAGES)
 
     def next_stage(self, row: int, stage: int) -> int:
-        """The stage with a way that follows in the walk's direction; ``BEFORE_STAGES``: none.
+        """Next stage with a length in the walk's direction; ``BEFORE_STAGES`` without one.
 
         With a limit of the jerk a segment has one stage.
         """
@@ -301,7 +302,7 @@ class BackwardMotion(History):
         return codes.BEFORE_STAGES
 
     def enter_stage(self) -> int:
-        """Settle the stage from where the path is: 0 where its segment has none ahead."""
+        """Settle the stage at the path's position; return 0 if none is left ahead."""
         if self.path.history_rows[self.path.row + rows.JERK] > 0.0:
             self.path.jerk_profile.begin()
             self.survey(1 if self.path.speed_v == 0.0 else 0)
@@ -314,7 +315,7 @@ class BackwardMotion(History):
         return 0
 
     def border(self, stage: int) -> float:
-        """The way from the segment's start to where a stage ends in the walk's direction."""
+        """Length from the segment's start to the end of a stage in the walk's direction."""
         if self.path.history_rows[self.path.row + rows.JERK] > 0.0:
             if self.path.direction < 0:
                 return 0.0
@@ -327,7 +328,7 @@ class BackwardMotion(History):
         return length
 
     def length(self) -> float:
-        """The way of all stages of the current segment, as they are added up one by one."""
+        """Length of all stages of the current segment, added up one by one."""
         if self.path.history_rows[self.path.row + rows.JERK] > 0.0:
             return geometry.total_length(self.path.history_rows, self.path.row)
         length = 0.0
@@ -336,7 +337,7 @@ class BackwardMotion(History):
         return length
 
     def cross(self) -> int:
-        """Pass from one segment to the next: 1 where the path goes on without a stop.
+        """Cross into the next segment; return 1 if the path goes on without a stop.
 
         The place of the border is reached bit by bit, whatever the speed.
         """
@@ -366,7 +367,7 @@ class BackwardMotion(History):
         return self.keeps_moving()
 
     def keeps_moving(self) -> int:
-        """Whether the path, which has passed a border, moves on in this tick or the next one."""
+        """Return whether the path moves on behind a border in this tick or the next one."""
         if not self.path.is_active or self.path.speed_v == 0.0:
             return 0
         if self.path.left_t > 0.0:
@@ -374,7 +375,7 @@ class BackwardMotion(History):
         return 1
 
     def refusal_into(self, number: int) -> int:
-        """Why the walk may not go on into a segment: 0 it may, -1 the history starts behind it.
+        """Return why the walk must not enter a segment: 0 it may, -1 the history starts.
 
         Else the number of the message about ``refused_axis``, which something else has moved.
         """
@@ -400,7 +401,7 @@ class BackwardMotion(History):
         return 0
 
     def stay(self, refusal: int) -> None:
-        """The walk stands, and cannot go on: backward that is the start of the history."""
+        """Stand where the walk cannot go on: backward at the start of the history."""
         self.is_blocked = True
         self.path.speed_v = 0.0
         source = int(self.path.history_rows[self.path.row + rows.SOURCE])
@@ -412,7 +413,7 @@ class BackwardMotion(History):
             self.fault_source = int(self.path.history_rows[self.path.row_of(other) + rows.SOURCE])
 
     def fail(self, refusal: int, number: int) -> None:
-        """With speed left the walk brakes on a segment that it may not enter (MO-1, MO-13).
+        """Brake on a segment that the walk must not enter (MO-1, MO-13).
 
         With the axes that are free, as the path does forward; the channel is in error state.
         """
@@ -422,7 +423,7 @@ class BackwardMotion(History):
             self.fault_source = int(self.path.history_rows[self.path.row_of(number) + rows.SOURCE])
 
     def advance(self, is_stopping: int) -> int:
-        """Go to where the plan is at the end of this tick, as ``Path.advance``."""
+        """Advance to the end of this tick, as ``Path.advance``."""
         while True:
             now_t = self.offset_t + self.ticks * self.path.cycle_time_us / 1e6
             if not self.has_ended(now_t):
@@ -447,7 +448,7 @@ class BackwardMotion(History):
             self.replan(self.path.limit_v)
 
     def stop_between(self) -> None:
-        """The walk has come to a stand between two segments: single block pauses there."""
+        """Stand between two segments: single block pauses there."""
         if self.path.is_retracing and not self.is_blocked:
             self.path.limit_v = -1.0
             if self.path.is_single and not self.is_inside():
@@ -456,12 +457,12 @@ class BackwardMotion(History):
                 self.record.event(rows.EVENT_PAUSED, source)
 
     def is_inside(self) -> int:
-        """Whether the walk, which has just come to a segment, is inside of a block with it."""
+        """Return whether the segment just entered is inside of a block for the walk."""
         first = self.number - 1 if self.path.direction > 0 else self.number
         return 1 if self.path.history_rows[self.path.row_of(first) + rows.CONTINUES] > 0.0 else 0
 
     def has_ended(self, now_t: float) -> int:
-        """Whether the stage has ended by then; else the axes are put where the plan is."""
+        """Return whether the stage has ended by then; else follow the plan."""
         if self.path.history_rows[self.path.row + rows.JERK] > 0.0:
             return self.has_ended_with_jerk(now_t)
         over_t = now_t - self.profile.duration_t
@@ -475,7 +476,7 @@ class BackwardMotion(History):
         return 1
 
     def has_ended_with_jerk(self, now_t: float) -> int:
-        """``has_ended`` with a limit of the jerk: at the end of its stretch the walk stands."""
+        """``has_ended`` with limited jerk: the walk stands at its stretch's end."""
         is_over = self.path.jerk_profile.advance(now_t)
         self.path.speed_v = self.path.jerk_profile.speed_v
         if is_over == 0:
@@ -489,7 +490,7 @@ class BackwardMotion(History):
         return 1
 
     def follow(self, distance: float) -> None:
-        """Put the axes where the plan is, so far from where it has begun."""
+        """Put the axes to the plan's position, ``distance`` from the plan's start."""
         covered_d = self.plan_d + distance * self.path.direction
         rest_d = (self.stage_d - covered_d) * self.path.direction
         self.path.covered_d = covered_d if rest_d > 0.0 else self.stage_d

@@ -70,7 +70,7 @@ class Corner:
                 self.steps[i] = 0.0 - self.steps[i]
 
     def corner_speed(self, i: int, shortest: float, turn: float) -> float:
-        """The highest speed at a corner for one axis: at most 0.7 of its jerk is used."""
+        """Highest speed at a corner for one axis; it uses at most 0.7 of its jerk."""
         step = self.steps[i]
         if step <= 1e-12:
             step = 0.0

@@ -1,19 +1,21 @@
 # SPDX-License-Identifier: MIT
-"""Rounded corners with a limit of the jerk: a bend between two lines, within the deviation (MO-3).
+"""Rounded corners with limited jerk: a rounding between two lines, within the deviation (MO-3).
 
 An arc or a parabola has a curvature from its first point on, which would be a step in acceleration.
-The direction of a bend changes by 2·u² up to its middle and in the mirror image of this behind it,
-u being the part of its way: its curvature rises and falls evenly. On a bend that begins and ends
-``h`` in front of and behind the corner, with the step ``s`` of the axis' part of the way, the speed
-v, the acceleration a and the jerk j along it, an axis with the part ``p`` of the way has at most
+The direction of a rounding changes by 2·u² up to its middle and in the mirror image of this behind
+it, u being the covered part of its length: its curvature rises and falls evenly. On a rounding that
+begins and ends ``h`` in front of and behind the corner, with the step ``s`` of the axis' part of
+the length, the speed v, the acceleration a and the jerk j along it, an axis with the part ``p`` of
+the length has at most
 
     acceleration  p·a + v²·s/h,        jerk  p·j + 3·v·a·s/h + v³·s/h²,
 
 and the corner is h·(size of the step)/6 away from it.
 
-Most of the axes' limits is for the speed. Little is left for the acceleration along the bend, which
-override and hold need: the path comes with none to either end, if it can (``jerk_lookahead.py``,
-``jerk_profile.py``). A bend is a segment of its own, a piece of the block whose end it rounds.
+Most of the axes' limits is for the speed. Little is left for the acceleration along the rounding,
+which override and hold need: the path comes with none to either end, if it can
+(``jerk_lookahead.py``, ``jerk_profile.py``). A rounding is a segment of its own, a piece of the
+block whose end it rounds.
 """
 
 from __future__ import annotations
@@ -25,7 +27,7 @@ from nctakt.kernel.path.segment_limits import SegmentLimits
 
 
 class CornerRounding:
-    """Makes the roundings of one channel, one at a time, in ``row``.
+    """Roundings of one channel's corners, made one at a time in ``row``.
 
     ``spare``: both segments as they were before, the newer one first.
     """
@@ -38,7 +40,7 @@ class CornerRounding:
         self.spare = memoryview(bytearray(16 * self.width)).cast("d")
 
     def round(self, segments: memoryview[float], before: int, row: int, back: int) -> int:
-        """A bend over the corner between two segments, which end and begin there: 0 if none fits.
+        """Make a rounding over the corner between two segments; return 0 if none fits.
 
         None is made either where the path is as fast without. ``spare`` keeps both segments as they
         were; ``back``: how many commands lie between them.
@@ -69,7 +71,7 @@ class CornerRounding:
             segments[before + i] = self.spare[self.width + i]
 
     def rounding_half(self, segments: memoryview[float], before: int, row: int) -> float:
-        """How far from the corner the bend may begin and end: less than half of either line.
+        """Length of a rounding on either line, in mm: less than half of the line.
 
         In front of it three ticks are left where the line begins with a corner that uses the jerk.
         """
@@ -92,7 +94,7 @@ class CornerRounding:
     def rounding_speed(
         self, segments: memoryview[float], before: int, row: int, half: float
     ) -> float:
-        """The highest speed on the bend; 0 where the corner lets the path pass as fast."""
+        """Highest speed on the rounding; 0 if the corner lets the path pass as fast."""
         shortest = min(segments[before + rows.LENGTH], segments[row + rows.LENGTH])
         speed = min(self.limits.speed_of(segments, before), self.limits.speed_of(segments, row))
         corner_v = 1e300
@@ -109,7 +111,7 @@ class CornerRounding:
     def saves_time(
         self, segments: memoryview[float], before: int, row: int, half: float, speed: float
     ) -> int:
-        """Whether bend and ramps beside it take less time than a stand at the corner.
+        """Return whether rounding and ramps take less time than a stand at the corner.
 
         What a ramp takes more than the same way with its higher speed is compared. That speed is
         one from which the path can stop on half of each line.
@@ -130,7 +132,7 @@ class CornerRounding:
         return 1 if rounding_t < stand_t else 0
 
     def ramp_time(self, change: float, limit_a: float, limit_j: float) -> float:
-        """How long the speed takes to change so much, from no acceleration to none."""
+        """Time in s of a change of speed, from no acceleration to none."""
         if change >= limit_a * limit_a / limit_j:
             return change / limit_a + limit_a / limit_j
         return 2.0 * arithmetic.square_root(change / limit_j)
@@ -138,7 +140,7 @@ class CornerRounding:
     def limit_rounding(
         self, segments: memoryview[float], before: int, row: int, half: float, speed: float
     ) -> None:
-        """Speed, acceleration and jerk of the bend."""
+        """Settle speed, acceleration and jerk of the rounding."""
         limit_a = min(segments[before + rows.ACCELERATION], segments[row + rows.ACCELERATION])
         limit_j = min(segments[before + rows.JERK], segments[row + rows.JERK])
         for i in range(self.limits.count):
@@ -160,7 +162,7 @@ class CornerRounding:
         self.row[rows.JERK] = limit_j
 
     def put_rounding(self, segments: memoryview[float], before: int, row: int, half: float) -> None:
-        """Shorten both lines by the bend, and put it between them."""
+        """Shorten both lines by the rounding, and put it between them."""
         rounding = self.row
         rounding[rows.KIND] = rows.SEGMENT
         rounding[rows.SOURCE] = segments[before + rows.SOURCE]

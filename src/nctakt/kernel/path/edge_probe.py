@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 """Measuring the edge joint within a block (G108): where a strip begins, and where it is cut.
 
-The block is armed. The probe of the HLI tells that it has found the edge: from there the path goes
-on by a residual path, brakes to a stand, puts the block's function out, and goes on to the end of
-the block when the PLC has acknowledged it. V.RTG.MEAS_DELTA is how far in front of the block's end
-the path stands then.
+The block is armed. The probe of the HLI reports that it has found the edge: from there the path
+goes on by a residual path, brakes to a stand, puts the block's function out, and goes on to the end
+of the block when the PLC has acknowledged it. V.RTG.MEAS_DELTA is how far in front of the block's
+end the path stands then.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from nctakt.kernel.plc.technology_slots import Hli
 
 
 class EdgeProbe:
-    """The measuring of one channel.
+    """Measuring of the edge joint in one channel (G108).
 
     ``phase``: ``codes.NOT_MEASURING`` … ``cell`` is that of V.RTG.MEAS_DELTA.
     """
@@ -39,7 +39,7 @@ class EdgeProbe:
         self.joint_d = 0.0
 
     def arm(self, source: int, function: int, ticks: int, residual_d: float) -> None:
-        """The next block is measured in; ``function`` goes out ``residual_d`` behind the edge."""
+        """Measure in the next block; ``function`` goes out ``residual_d`` behind the edge."""
         self.phase = codes.SEEKS_EDGE
         self.source = source
         self.function = function
@@ -47,11 +47,11 @@ class EdgeProbe:
         self.residual_d = residual_d
 
     def clear(self) -> None:
-        """Nothing is measured."""
+        """Stop measuring."""
         self.phase = codes.NOT_MEASURING
 
     def watch(self, tick: int) -> int:
-        """One tick, before the path's increment: 1 where the path has to brake or to stand."""
+        """Watch a tick before the path's increment; return 1 if the path has to brake."""
         if self.phase == codes.SEEKS_EDGE and self.hli.panel.probe:
             self.joint_d = self.path.covered_length() + self.residual_d
             self.cells[self.cell] = self.path.distance_to_go() - self.residual_d
@@ -67,7 +67,7 @@ class EdgeProbe:
         return 1 if self.phase in (codes.BRAKES_FOR_JOINT, codes.AWAITS_FUNCTION) else 0
 
     def put_out(self, tick: int) -> None:
-        """The function goes to the PLC, as soon as there is room."""
+        """Issue the function to the PLC as soon as a slot is free."""
         if self.hli.program.issue(self.function, tick, self.ticks) > 0:
             self.hli.program.give_value(self.value)
             self.record.event(
@@ -76,7 +76,7 @@ class EdgeProbe:
             self.phase = codes.AWAITS_FUNCTION
 
     def finish(self, tick: int) -> int:
-        """The block is over: 1 done, 0 the function is still waited for, -1 no edge was found."""
+        """Finish the block: 1 done, 0 the function still waits, -1 no edge was found."""
         if self.phase == codes.SEEKS_EDGE:
             self.phase = codes.NOT_MEASURING
             return -1

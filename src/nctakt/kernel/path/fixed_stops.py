@@ -2,7 +2,7 @@
 """Moving to a fixed stop: axes of the path that run into an obstacle and notice it (MO-12).
 
 An axis is monitored from ``arm`` to ``disarm``. It is at its stop when its command is farther from
-its actual position than its limit for so many ticks, within a part of the block's way. Each axis
+its actual position than its limit for so many ticks, within a part of the block's length. Each axis
 shows it in its cells FIXED_STOP.ACTIVE, DETECTED and ACS.POS (``axes.py``).
 """
 
@@ -14,7 +14,7 @@ from nctakt.kernel.path.path import Path
 
 
 class FixedStops:
-    """The monitored axes of one channel's path, by their places in it.
+    """Monitored axes of one channel's path, by their indices in it.
 
     ``count``: how many are monitored; ``detected_count``: how many of these have found their stop.
     """
@@ -36,7 +36,7 @@ class FixedStops:
         self.detected_count = 0
 
     def arm(self, i: int, source: int, queue: memoryview[float], row: int) -> None:
-        """Monitor an axis as the command at ``base`` says."""
+        """Monitor an axis as the command at ``row`` says."""
         self.disarm(i)
         self.count += 1
         self.active[i] = 1
@@ -49,7 +49,7 @@ class FixedStops:
         self.show(i, 0.0)
 
     def disarm(self, i: int) -> None:
-        """An axis is not monitored any more, and has no stop."""
+        """Stop monitoring an axis, and forget its stop."""
         if self.active[i]:
             self.count -= 1
             self.detected_count -= self.detected[i]
@@ -59,19 +59,19 @@ class FixedStops:
         self.show(i, 0.0)
 
     def clear(self) -> None:
-        """The program is over or given up: nothing is monitored."""
+        """Stop monitoring: the program is over or given up."""
         for i in range(self.path.count if self.count > 0 else 0):
             self.disarm(i)
 
     def show(self, i: int, position: float) -> None:
-        """The cells of an axis."""
+        """Publish the cells of an axis."""
         cell = self.path.axes.cell_of(self.path.members[i])
         self.path.axes.cells[cell + cells.AXIS_FIXED_STOP_ACTIVE] = self.active[i]
         self.path.axes.cells[cell + cells.AXIS_FIXED_STOP_DETECTED] = self.detected[i]
         self.path.axes.cells[cell + cells.AXIS_FIXED_STOP_ACS_POS] = position
 
     def watch(self) -> int:
-        """One tick: 1 when the last monitored axis has found its stop in it."""
+        """Watch a tick; return 1 if the last monitored axis has found its stop in it."""
         before = self.detected_count
         part = self.path.covered_part()
         for i in range(self.path.count):
@@ -80,7 +80,7 @@ class FixedStops:
         return 1 if self.detected_count > before and self.detected_count == self.count else 0
 
     def watch_axis(self, i: int, part: float) -> None:
-        """One tick of an axis that has not found its stop."""
+        """Watch an axis that has not found its stop for a tick."""
         axis = self.path.members[i]
         actual = self.path.axes.actual_position(axis)
         lag_d = self.path.axes.command[axis] - actual
@@ -96,7 +96,7 @@ class FixedStops:
             self.record.event(rows.EVENT_FIXED_STOP, self.sources[i], 0, axis, actual)
 
     def missing(self) -> int:
-        """The place of the first axis that should have found its stop and has not; -1: none."""
+        """Index of the first axis that needs its stop and has not found it; -1 without one."""
         for i in range(self.path.count):
             if self.active[i] and self.needed[i] and not self.detected[i]:
                 return i

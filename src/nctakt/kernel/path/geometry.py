@@ -1,17 +1,17 @@
 # SPDX-License-Identifier: MIT
-"""The geometry of a segment: where the axes are after a way, and which stages the way has.
+"""The geometry of a segment: positions after a distance, and stages.
 
 A segment is a row over ``count`` axes (``rows.py``) that begins at ``row``, in the channel's queue
-and in the path's ring.
+and in the path's history.
 
-The stages of the way, each with its own limits: entry zone, middle, exit zone, curve. In the zones
-the path keeps acceleration in reserve for the step in speed at the corner. The curve is a parabola,
-so that an axis changes its speed evenly on it; its way counts at the speed that the path has at its
-two ends.
+The stages of a segment, each with its own limits: entry zone, middle, exit zone, curve. In the
+zones the path keeps acceleration in reserve for the step in speed at the corner. The curve is a
+parabola, so that an axis changes its speed evenly on it; its length counts at the speed that the
+path has at its two ends.
 
 A rounding is a segment of its own between two lines with a limit of the jerk: its direction changes
 as a parabola up to the middle, then as its mirror image, so that an axis changes its acceleration
-evenly and has none but the path's at either end. Its way counts as that of the curve.
+evenly and has none but the path's at either end. Its length counts as that of the curve.
 """
 
 from __future__ import annotations
@@ -21,28 +21,28 @@ from nctakt.kernel.base import arithmetic
 
 
 def total_length(segments: memoryview[float], row: int) -> float:
-    """The way of all stages."""
+    """Length of all stages, in mm (degrees where only rotary axes move)."""
     return segments[row + rows.LENGTH] + segments[row + rows.CURVE_HALF]
 
 
 def length_with_rounding(segments: memoryview[float], row: int) -> float:
-    """``total_length``, with that of the rounding that follows."""
+    """Length of all stages and of the rounding that follows."""
     return total_length(segments, row) + segments[row + rows.ROUNDING_LENGTH]
 
 
 def end_column(segments: memoryview[float], row: int, count: int) -> int:
-    """Where the positions at the end of all stages stand: the targets, or the curve's end."""
+    """Column of the positions at the end of all stages: target, or end of the curve."""
     target = row + rows.START + count
     return target + count if segments[row + rows.CURVE_HALF] > 0.0 else target
 
 
 def pieces(segments: memoryview[float], row: int) -> int:
-    """Into how many pieces an arc is divided whose limits go by its angle: 0 none, or no arc."""
+    """Number of pieces of an arc whose limits go by its angle; 0: no such arc."""
     return int(segments[row + rows.ARC_PIECES])
 
 
 def moves_axis(segments: memoryview[float], row: int, count: int, i: int) -> int:
-    """Whether a segment moves its axis ``i``: on its way, or on the curve behind it."""
+    """Return whether a segment, or the curve behind it, moves its axis ``i``."""
     start = row + rows.START + i
     target = start + count
     if segments[start] != segments[target]:
@@ -59,7 +59,7 @@ def moves_axis(segments: memoryview[float], row: int, count: int, i: int) -> int
 
 
 def stage_length(segments: memoryview[float], row: int, stage: int) -> float:
-    """The way of one stage."""
+    """Length of one stage."""
     if stage == codes.ENTRY_ZONE:
         return segments[row + rows.ENTRY_LENGTH]
     if stage == codes.EXIT_ZONE:
@@ -75,7 +75,7 @@ def stage_length(segments: memoryview[float], row: int, stage: int) -> float:
 
 
 def stage_acceleration(segments: memoryview[float], row: int, stage: int) -> float:
-    """The acceleration along the path in a stage."""
+    """Acceleration along the path in a stage, per s²."""
     if stage == codes.ENTRY_ZONE:
         return segments[row + rows.ENTRY_ACCELERATION]
     if stage == codes.EXIT_ZONE:
@@ -108,7 +108,7 @@ def entry_speed(
 def locate(
     segments: memoryview[float], row: int, count: int, distance: float, positions: memoryview[float]
 ) -> None:
-    """Put where each axis is after ``distance`` into ``positions``; at both ends bit by bit."""
+    """Put the position of each axis after ``distance`` into ``positions``; exact at both ends."""
     start = row + rows.START
     target = start + count
     if distance <= 0.0 or distance >= total_length(segments, row):
@@ -159,7 +159,7 @@ def locate_on_curve(
 def locate_on_rounding(
     segments: memoryview[float], row: int, count: int, distance: float, positions: memoryview[float]
 ) -> None:
-    """``locate`` on a rounding: from its nearer end along the line there, and off it as way³."""
+    """``locate`` on a rounding: from its nearer end along the line there, and off it as length³."""
     start = row + rows.START
     target = start + count
     corners = target + count + count
@@ -181,7 +181,7 @@ def locate_on_rounding(
 def tangent(
     segments: memoryview[float], row: int, count: int, at_end: int, directions: memoryview[float]
 ) -> None:
-    """Put the way of each axis per way of the path, at start or target, into ``directions``."""
+    """Put each axis' part of the length, at start or target, into ``directions``."""
     start = row + rows.START
     target = start + count
     length = segments[row + rows.LENGTH]
@@ -199,7 +199,7 @@ def tangent(
 def curvature(
     segments: memoryview[float], row: int, count: int, at_end: int, curvatures: memoryview[float]
 ) -> None:
-    """Put the change of ``tangent`` per way, at start or target, into ``turns``: 0 on a line."""
+    """Put the change of ``tangent`` per length into ``curvatures``: 0 on a line."""
     for i in range(count):
         curvatures[i] = 0.0
     if segments[row + rows.SHAPE] == rows.ARC:

@@ -26,7 +26,7 @@ class Goal:
         self.carried_j = 0.0
 
     def load(self, segments: memoryview[float], row: int) -> None:
-        """Take the goal of a segment, as it is seen from the segment's start."""
+        """Take the goal of a segment, seen from the segment's start."""
         self.distance_d = segments[row + rows.LENGTH] + segments[row + rows.GOAL_LENGTH]
         self.speed_v = segments[row + rows.GOAL_SPEED]
         goal_a = segments[row + rows.GOAL_ACCELERATION]
@@ -37,7 +37,7 @@ class Goal:
     def load_end(
         self, segments: memoryview[float], row: int, carried_a: float, carried_j: float
     ) -> None:
-        """Take the goal of a segment, as it is seen from the segment's end."""
+        """Take the goal of a segment, seen from the segment's end."""
         self.distance_d = segments[row + rows.GOAL_LENGTH]
         self.speed_v = segments[row + rows.GOAL_SPEED]
         self.acceleration_a = segments[row + rows.GOAL_ACCELERATION]
@@ -46,7 +46,7 @@ class Goal:
         self.carried_j = carried_j
 
     def move(self, speed_v: float, kind: int) -> None:
-        """Let this very point be the goal, with a speed of its own."""
+        """Move the goal to this very point, with a speed of its own."""
         self.speed_v = speed_v
         self.distance_d = 0.0
         self.acceleration_a = 1e300
@@ -54,7 +54,7 @@ class Goal:
         self.kind = kind
 
     def store(self, segments: memoryview[float], row: int) -> int:
-        """Keep the goal at the end of a segment: whether it is another one."""
+        """Store the goal in the segment at ``row``; return 1 if it changed."""
         is_new = 0
         if (
             segments[row + rows.GOAL_LENGTH] != self.distance_d
@@ -73,7 +73,7 @@ class Goal:
         return is_new
 
     def braking_distance(self, speed: float) -> float:
-        """From how far before the goal on the path that brakes for it is not faster than this."""
+        """Distance before the goal from which braking keeps the speed below ``speed``."""
         change = speed - self.speed_v
         if change < 0.0:
             return -1.0
@@ -87,7 +87,7 @@ class Goal:
         return distance + 0.5 * (speed * speed - from_v * from_v) / self.acceleration_a
 
     def slowing_distance(self, speed: float) -> float:
-        """The way to a lesser speed, from one that is reached once acceleration has faded.
+        """Distance to the goal's speed, from one reached once the acceleration has faded.
 
         It fades from ``carried_a`` with ``carried_j``.
         """
@@ -105,7 +105,7 @@ class Goal:
         return distance + 0.5 * (speed + self.speed_v) * time
 
     def safe_speed(self, top_v: float) -> float:
-        """The highest speed up to ``top_v`` from which the goal ahead can be reached."""
+        """Highest speed up to ``top_v`` from which the goal ahead can be reached."""
         if self.slowing_distance(top_v) <= self.distance_d:
             return top_v
         low = min(self.speed_v, top_v)

@@ -1,12 +1,11 @@
 # SPDX-License-Identifier: MIT
 """The segments that the path has kept, as the walk over them sees them (MO-7).
 
-A segment is known by its running number, its *place*. With a limit of the jerk the walk goes over
-*stretches*: segments between which the path had passed without a stop. On each
-segment the walk has the least acceleration and jerk of it and those behind it, up to a bend; with
-these it brakes for goals as the path does (``jerk_lookahead.py``), and stands at the stretch's end.
-A bend is driven with its own ones, and is a goal at either end, which the walk comes to without
-acceleration.
+A segment is known by its running number, its *number*. With a limit of the jerk the walk goes over
+*stretches*: segments between which the path had passed without a stop. On each segment the walk has
+the least acceleration and jerk of it and those behind it, up to a rounding; with these it brakes
+for goals as the path does (``jerk_lookahead.py``), and stands at the stretch's end. A rounding is
+driven with its own ones, and is a goal at either end, which the walk comes to without acceleration.
 """
 
 from __future__ import annotations
@@ -22,7 +21,7 @@ MAX_STRETCH = 32
 
 
 class History:
-    """The history of one channel's path, and where the walk is in it.
+    """History of one channel's path, and the walk's segment in it.
 
     ``goal_row``: the goal ahead as in a segment's row, for ``jerk_profile.py``. ``foreign``: which
     axes something else has moved since the path has left its front.
@@ -45,7 +44,7 @@ class History:
         self.rounding_j = 1e300
 
     def neighbour(self, number: int, direction: int) -> int:
-        """The next segment in ``direction``; dwells are passed over, but for one at the front."""
+        """Number of the next segment in ``direction``; dwells before the front are skipped."""
         number += direction
         while number >= self.path.oldest and (direction < 0 or number < self.front_number):
             if self.path.history_rows[self.path.row_of(number) + rows.KIND] != rows.DWELL:
@@ -54,7 +53,7 @@ class History:
         return number
 
     def is_shut(self, row: int) -> int:
-        """Whether something else has moved an axis of a segment since the path has left it."""
+        """Return whether an axis of a segment was moved otherwise since the path left it."""
         for i in range(self.path.count):
             if geometry.moves_axis(self.path.history_rows, row, self.path.count, i):
                 if self.foreign[i] or self.path.axes.independent[self.path.members[i]]:
@@ -62,7 +61,7 @@ class History:
         return 0
 
     def note_foreign(self) -> int:
-        """Whether another axis has got a motion of its own in this tick: its blocks are shut."""
+        """Return whether another axis has started a motion of its own in this tick."""
         has_changed = 0
         for i in range(self.path.count):
             if self.path.axes.independent[self.path.members[i]] and not self.foreign[i]:
@@ -73,7 +72,7 @@ class History:
     # --- stretches with a limit of the jerk -----------------------------------------------------
 
     def passing_speed(self, number: int, other: int) -> float:
-        """The highest speed from a segment into its neighbour; 0: the walk stands between them."""
+        """Highest speed from a segment into its neighbour; 0: a stand between them."""
         if other < self.path.oldest or other == self.front_number:
             return 0.0
         first = self.path.row_of(number if self.path.direction > 0 else other)
@@ -88,7 +87,7 @@ class History:
         return self.path.history_rows[first + rows.CORNER_SPEED]
 
     def survey(self, is_new: int) -> None:
-        """Find the goal at or behind the end of the present segment; ``is_new``: a new stretch."""
+        """Find the goal ahead of the present segment's end; ``is_new``: of a new stretch."""
         count = 0
         number = self.number
         while True:
@@ -114,10 +113,10 @@ class History:
         self.goal_row[rows.CARRIED_JERK] = self.limit_j
 
     def find_goal(self, count: int) -> None:
-        """The nearest goal of the stretch's first ``count`` segments, the last of which is one.
+        """Find the nearest goal of the stretch's first ``count`` segments.
 
         ``limit_a``, ``limit_j``: acceleration and jerk on the first of them; ``rounding_a``,
-        ``rounding_j``: those of the bend that follows it, 1e300 where none does.
+        ``rounding_j``: those of the rounding that follows it, 1e300 where none does.
         """
         last = count - 1
         row = self.path.row_of(self.stretch[last])
@@ -143,10 +142,11 @@ class History:
             )
 
     def take_over(self, before: int, row: int) -> None:
-        """Go on from ``row`` to the segment before it, and to what the walk may do on that.
+        """Take the limits of the segment before ``row`` into account.
 
-        Acceleration that it brings into a segment in front of a bend has to fade on it. A bend it
-        comes to without any; if it cannot, the bend's limits count (``Goal.carried_a``).
+        Acceleration that it brings into a segment in front of a rounding has to fade on it. A
+        rounding it comes to without any; if it cannot, the rounding's limits count
+        (``Goal.carried_a``).
         """
         own_a = self.path.history_rows[before + rows.ACCELERATION]
         own_j = self.path.history_rows[before + rows.JERK]

@@ -6,17 +6,17 @@ changes, is passed so slowly that the axis keeps its jerk in each tick; what the
 missing on the two segments.
 
 The path brakes for *goals*: corners, lesser feeds and the stand at the end, each with its speed and
-no acceleration. A place where the path that brakes for a goal behind it is slow enough anyway is
-none. Each segment keeps the nearest goal at or behind its end: the way to it, its speed, and
-acceleration and jerk on this way. So ramps go over any number of segments.
+no acceleration. A point where the path that brakes for a goal behind it is slow enough anyway is
+none. Each segment keeps the nearest goal at or behind its end: the distance to it, its speed, and
+acceleration and jerk on this distance. So ramps go over any number of segments.
 
-What holds at each place: the speed that would be left once the acceleration has faded is not above
-that of the goal at this place, or the goal ahead can still be reached. A goal's speed is therefore
-one from which the next goal can be reached even where the path comes with all its acceleration
-(``Goal.slowing_distance``). Acceleration and jerk of a segment are at most those of the next one,
-and of those behind it where that is short, since the acceleration may not have faded before. Both
-ends of a bend (``corner_rounding.py``) are goals; the line in front of it keeps what it has, since
-it ends with no acceleration, whatever is commanded.
+At each point the following holds: the speed that would be left once the acceleration has faded is
+not above that of the goal at this point, or the goal ahead can still be reached. A goal's speed is
+therefore one from which the next goal can be reached even where the path comes with all its
+acceleration (``Goal.slowing_distance``). Acceleration and jerk of a segment are at most those of
+the next one, and of those behind it where that is short, since the acceleration may not have faded
+before. Both ends of a rounding (``corner_rounding.py``) are goals; the line in front of it keeps
+what it has, since it ends with no acceleration, whatever is commanded.
 """
 
 from __future__ import annotations
@@ -46,10 +46,10 @@ class JerkLookAhead:
     # --- corners --------------------------------------------------------------------------------
 
     def join(self, segments: memoryview[float], before: int, row: int) -> None:
-        """The highest speed at the corner between two segments; what it uses is theirs no more.
+        """Settle the speed at the corner between two segments, and what is left to both.
 
-        ``steps`` has the step of each axis' part of the way. In a tick³ a step of the speed counts
-        at most once, one of the acceleration 3/4; several corners in a tick add up.
+        ``steps`` has the step of each axis' part of the length. In a tick³ a step of the speed
+        counts at most once, one of the acceleration 3/4; several corners in a tick add up.
         """
         geometry.curvature(segments, row, self.limits.count, 0, self.corner.entering_curve)
         shortest = min(segments[before + rows.LENGTH], segments[row + rows.LENGTH])
@@ -85,11 +85,11 @@ class JerkLookAhead:
             self.use_up(segments, row, self.corner.entering)
 
     def min_jerk(self, segments: memoryview[float], before: int, row: int) -> float:
-        """The lesser jerk along the path."""
+        """Lower of both jerks along the path, per s³."""
         return min(segments[before + rows.JERK], segments[row + rows.JERK])
 
     def use_up(self, segments: memoryview[float], row: int, parts: memoryview[float]) -> None:
-        """A corner uses acceleration and jerk of the axes: less is left along a segment."""
+        """Subtract the acceleration and jerk of the axes that a corner uses on a segment."""
         if segments[row + rows.SHAPE] == rows.ARC:
             self.limits.limit_jerk_on_arc(segments, row, self.corner.shares, self.corner.turns)
         for i in range(self.limits.count):
@@ -106,7 +106,7 @@ class JerkLookAhead:
     def spread(
         self, segments: memoryview[float], number: int, oldest: int, is_promised: int
     ) -> int:
-        """The goals of the segments before ``number``, which ends with a stand.
+        """Settle the goals of the segments before ``number``, which ends with a stand.
 
         ``oldest`` is the first command of the queue that is not current. 0 where the current
         segment has been promised (``is_promised``) more than can be kept: some segment behind it
@@ -150,7 +150,7 @@ class JerkLookAhead:
     def slow_before(
         self, goal: Goal, segments: memoryview[float], before: int, row: int, top_v: float
     ) -> None:
-        """Let the place between two segments be the goal where the one ahead does not suffice.
+        """Move the goal between two segments where the one ahead does not suffice.
 
         ``top_v``: the highest speed from the segment at ``before`` into the one at ``row``.
         """
@@ -173,7 +173,7 @@ class JerkLookAhead:
         goal.move(goal.safe_speed(top_v), goal_kind)
 
     def carry_back(self, segments: memoryview[float], before: int, row: int) -> None:
-        """The acceleration with which the path may come from ``before``; the jerk to take it back.
+        """Settle the acceleration and jerk that the path may carry over from ``before``.
 
         It has faded at the end of ``row``, unless that is short.
         """
@@ -197,7 +197,7 @@ class JerkLookAhead:
             self.goal.carried_j = 1e300
 
     def take_over(self, segments: memoryview[float], before: int) -> int:
-        """Acceleration and jerk of the segment before: -1 they become less, 1 more, 0 they stay."""
+        """Carry the limits into the segment before: -1 less, 0 the same, 1 more than yet."""
         self.goal.carried_a = min(self.goal.carried_a, segments[before + rows.ACCELERATION])
         self.goal.carried_j = min(self.goal.carried_j, segments[before + rows.JERK])
         if segments[before + rows.ROUNDING_LENGTH] > 0.0:

@@ -15,7 +15,7 @@ from nctakt.kernel.axes.trajectory import Trajectories
 
 
 class JerkProfile:
-    """The plan of one path, and the acceleration that it has reached.
+    """Plan of one path with limited jerk, and the acceleration that it has reached.
 
     ``distance_d``, ``speed_v``: what ``advance`` has found; ``left_t``: time left behind the end of
     the segment.
@@ -34,7 +34,7 @@ class JerkProfile:
         self.own_j = 0.0
 
     def begin(self) -> None:
-        """Another segment is current."""
+        """Begin another segment."""
         self.stands_at_end = False
 
     def plan(
@@ -47,13 +47,13 @@ class JerkProfile:
         factor: float,
         is_single: int,
     ) -> None:
-        """Plan what is left of a segment, and up to its goal; to a stand where ``limit_v`` is 0.
+        """Plan the rest of a segment up to its goal; to a stand where ``limit_v`` is 0.
 
         ``row``: where the segment's row begins. In single block the segment's end is the goal if
         the path can still stop there; it brakes with the segment's own limits, and so may come too
         fast to the goal ahead, which asks for less, when single block is taken away: then it stands
         at the end nevertheless. It does not once the goal has come within reach, since it then
-        leaves the way on which it could stand there.
+        leaves the distance on which it could stand there.
         """
         limit_a = segments[row + rows.CARRIED_ACCELERATION]
         limit_j = segments[row + rows.CARRIED_JERK]
@@ -88,10 +88,10 @@ class JerkProfile:
             self.fade_by_end(goal_v, speed_v, limit_a, limit_j)
 
     def can_stop(self, speed_v: float, limit_a: float, limit_j: float) -> int:
-        """Whether the path can still stand at the segment's end, up to what rounding leaves.
+        """Return whether the path can still stand at the segment's end, up to rounding.
 
         A path that brakes for that stand must not miss it where it is held, too: a lesser speed can
-        be a longer way, so it might find none up to the end but one that is far too high.
+        be a longer distance, so it might find none up to the end but one that is far too high.
         """
         stop_d = self.course.stopping_d(speed_v, self.acceleration_a, limit_a, limit_j)
         return 1 if stop_d <= self.rest_d + 1e-10 else 0
@@ -102,9 +102,9 @@ class JerkProfile:
         self.ends_in_time = is_met > 0
 
     def fade_by_end(self, goal_v: float, speed_v: float, limit_a: float, limit_j: float) -> None:
-        """Plan to come to the segment's end with no acceleration, since a bend follows.
+        """Plan to reach the segment's end without acceleration, since a rounding follows.
 
-        The way is too short to change the speed to ``goal_v``: it is changed as far as it can be.
+        The distance is too short to change the speed to ``goal_v``: it changes as far as possible.
         """
         self.course.begin(0, 0.0, limit_a, limit_j)
         self.course.side = 1.0
@@ -136,7 +136,7 @@ class JerkProfile:
         limit_a: float,
         limit_j: float,
     ) -> int:
-        """Plan to have the speed ``goal_v`` after a distance, 0 to have it soon: 1 where it can be.
+        """Plan for ``goal_v`` after a distance (0: soon); return 1 if it can be reached.
 
         The jerk up to the goal may be less than that of the segment. Where the path would stand
         before a braking has faded, it fades so that it just has then; where the path would get
@@ -160,7 +160,7 @@ class JerkProfile:
         )
 
     def advance(self, now_t: float) -> int:
-        """Where the plan is at ``now_t``: 1 when the segment has ended by then."""
+        """Evaluate the plan at ``now_t``; return 1 if the segment has ended by then."""
         end_t = self.course.duration_t(0)
         if self.ends_in_time:
             if now_t - end_t >= -1e-6 * self.tick_t:
@@ -183,7 +183,7 @@ class JerkProfile:
         return 0
 
     def time_at_end(self, low_t: float, high_t: float) -> float:
-        """When the segment has ended, between two times."""
+        """Time in s at which the segment has ended, between two times."""
         time_t = high_t
         for _attempt in range(60):
             self.course.rewind(0)
@@ -203,6 +203,6 @@ class JerkProfile:
         return time_t
 
     def settle(self) -> None:
-        """Speed and acceleration of where the plan was evaluated."""
+        """Take over speed and acceleration of the evaluated point."""
         self.speed_v = max(self.course.speed_v, 0.0)
         self.acceleration_a = self.course.acceleration_a

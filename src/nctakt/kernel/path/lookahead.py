@@ -5,7 +5,8 @@ Runs when a segment is put into the queue, before the tick that takes it; compil
 because a program may have very many short blocks. A segment is a row
 (``rows.py``).
 
-* ``measure`` (``segment_limits.py``): the way of a segment, and the highest speed and acceleration
+* ``measure`` (``segment_limits.py``): the length of a segment, and the highest speed and
+acceleration
   on it that keep every axis within its own limits.
 * ``join``: how the path passes from one segment to the next. An axis whose speed changes in a step
   has at most a share of what its acceleration changes in a tick, and the path keeps that share in
@@ -74,14 +75,14 @@ class LookAhead:
         segments[before + rows.CORNER_SPEED] = min(speed, self.arc_speed(segments, row, 0))
 
     def arc_speed(self, segments: memoryview[float], row: int, at_end: int) -> float:
-        """The highest speed at the begin or end of an arc whose limits go by its angle."""
+        """Highest speed at start or end of an arc whose limits go by its angle."""
         if geometry.pieces(segments, row) == 0:
             return 1e300
         self.limits.arcs.open(segments, row)
         return self.limits.arcs.end_cap(at_end)
 
     def pass_corner(self, segments: memoryview[float], before: int, row: int) -> None:
-        """The highest speed at a corner, and the zones around it with acceleration in reserve."""
+        """Settle the speed at a corner, and the zones beside it with reserves."""
         share = max(self.corner.centripetal_share, self.corner.last_centripetal_share)
         reserve = min(0.7, 1.0 - arithmetic.square_root(share * share + 0.0025))
         shortest = min(segments[before + rows.LENGTH], segments[row + rows.LENGTH])
@@ -118,7 +119,7 @@ class LookAhead:
     def reserve_zone(
         self, segments: memoryview[float], row: int, at_end: int, speed: float, max_share: float
     ) -> None:
-        """Less acceleration within a tick of a corner; on a short segment, on all of it."""
+        """Lower the acceleration within a tick of a corner, or on all of a short segment."""
         length = (
             speed * self.limits.tick_t
             + segments[row + rows.ACCELERATION] * self.limits.tick_t * self.limits.tick_t
@@ -157,9 +158,9 @@ class LookAhead:
             segments[row + rows.ENTRY_ACCELERATION] = limit_a
 
     def round_corner(self, segments: memoryview[float], before: int, row: int) -> int:
-        """A parabola over the corner, not farther from it than the deviation: 0 if none fits.
+        """Round the corner by a parabola within the deviation; return 0 if none fits.
 
-        Its begin and end are equally far from the corner, on each segment at most half its way.
+        Its begin and end are equally far from the corner, on each segment at most half its length.
         """
         size2 = 0.0
         for i in range(self.limits.count):
@@ -207,7 +208,7 @@ class LookAhead:
         promised_v: float,
         promised_max_v: float,
     ) -> int:
-        """Let the end speeds of the segments before ``number`` rise as far as they may.
+        """Raise the end speeds of the segments before ``number`` as far as they may.
 
         ``oldest`` is the first command of the queue that is not current. The current segment has
         been promised the speed at its end: 0 where that cannot be kept.
@@ -247,7 +248,7 @@ class LookAhead:
     def max_entry_speed(
         self, segments: memoryview[float], row: int, entry_v: float, end_v: float, max_end_v: float
     ) -> float:
-        """``feed_entry_speed`` without the feed; ``entry_v``: that with it, from ``end_v``."""
+        """``feed_entry_speed`` without the feed; ``entry_v``: with it, from ``end_v``."""
         speed = min(segments[row + rows.SPEED], segments[row + rows.MAX_SPEED])
         if max_end_v != end_v or entry_v == speed:
             return self.entry_speed(segments, row, max_end_v, segments[row + rows.MAX_SPEED])
@@ -256,7 +257,7 @@ class LookAhead:
     def entry_speed(
         self, segments: memoryview[float], row: int, end_v: float, limit_v: float
     ) -> float:
-        """The highest speed at the begin of a segment from which that at its end is kept."""
+        """Highest speed at a segment's start that keeps the one at its end."""
         if geometry.pieces(segments, row) > 0:
             self.limits.arcs.open(segments, row)
             return self.limits.arcs.entry_speed(end_v, limit_v)
@@ -271,7 +272,7 @@ class LookAhead:
         promised_v: float,
         promised_max_v: float,
     ) -> None:
-        """Let the path go on into segment ``number`` from the one ``back`` commands before it.
+        """Let the path continue into segment ``number`` from the one ``back`` rows before.
 
         What would break the promise to the current segment is taken back: the path stops there.
         """
@@ -297,7 +298,7 @@ class LookAhead:
         promised_v: float,
         promised_max_v: float,
     ) -> int:
-        """``spread``, or ``JerkLookAhead.spread``: a speed below 0 is none that is promised."""
+        """Spread for either slope; a ``promised_v`` below 0 is no promise."""
         if segments[number % self.capacity * self.width + rows.JERK] > 0.0:
             return self.jerk.spread(segments, number, oldest, promised_v >= 0.0)
         return self.spread(segments, number, oldest, promised_v, promised_max_v)

@@ -31,12 +31,12 @@ class Overrides:
         return min(operator * self.cycle_pct / 100.0, self.max_pct)
 
     def none(self) -> float:
-        """The factor where no segment is current."""
+        """Factor where no segment is current."""
         self.total_pct = self.parts(0)
         return self.total_pct / 100.0
 
     def factor(self, segments: memoryview[float], row: int) -> float:
-        """The factor of a segment."""
+        """Factor of a segment, and its override in percent in ``total_pct``."""
         pct = self.parts(segments[row + rows.IGNORES_OVERRIDE] != 0.0)
         self.total_pct = pct
         if segments[row + rows.SPEED_OVERRIDE] == 0.0:

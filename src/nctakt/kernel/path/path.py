@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""The path: a ring of prepared segments -> command positions, one increment a tick (MO-1 … MO-6).
+"""The path: prepared segments -> command positions, one increment a tick (MO-1 … MO-6).
 
 A segment is a row of the command queue (``rows.py``); ``geometry.py`` says where the axes are on
-it. The path decides what only the tick knows: override, hold and stop. Every change of
-the speed limit plans the rest of the present stage of the segment anew from the present speed;
-position and speed come from the plan in closed form. Time left over in a tick when a segment ends
-without a stop is carried into the next one. Segments that were used stay in the ring until they are
+it. The path decides what only the tick knows: override, hold and stop. Every change of the speed
+limit plans the rest of the present stage of the segment anew from the present speed; position and
+speed come from the plan in closed form. Time left over in a tick when a segment ends without a stop
+is carried into the next one. Segments that were used stay in the history until they are
 overwritten: ``backward.py`` walks back over them (MO-7).
 """
 
@@ -23,12 +23,12 @@ from nctakt.kernel.path.trapezoid_profile import TrapezoidProfile
 
 
 class Path(PathAxes):
-    """The path of one channel over the machine's axes that belong to it.
+    """Path of one channel over those of the machine's axes that belong to it.
 
     ``history_size`` blocks behind the current one are kept, from the running number ``oldest`` on.
-    ``front`` is the row of the latest segment. While the path ``is_retracing`` from it the current
+    ``front`` is the row of the newest segment. While the path ``is_retracing`` from it the current
     row is another one, walked over in ``direction`` (1 forward, -1 backward), and ``is_front_over``
-    tells that the latest segment was at its end before.
+    tells that the newest segment was at its end before.
     """
 
     def __init__(
@@ -73,7 +73,7 @@ class Path(PathAxes):
         self.is_single = False
 
     def begin(self, queue_row: int, queue: memoryview[float], offset_t: float) -> None:
-        """Take the segment in ``queue`` at ``queue_row`` as current, ``offset_t`` of it past."""
+        """Begin the segment of ``queue`` at ``queue_row``, ``offset_t`` s into it."""
         if not self.continues_block():
             self.serial += 1
         self.row = (self.used % self.ring_size) * self.width
@@ -99,7 +99,7 @@ class Path(PathAxes):
             self.claim()
 
     def enter_stages(self) -> None:
-        """Be before the first stage of the segment."""
+        """Reset to before the first stage."""
         self.jerk_profile.begin()
         self.stage = codes.BEFORE_STAGES
         self.stage_end_d = 0.0
@@ -108,7 +108,7 @@ class Path(PathAxes):
             self.arc.begin(self.history_rows, self.row)
 
     def remember(self) -> None:
-        """The segment goes into the history; a new one where an axis was moved otherwise."""
+        """Keep the segment in the history; begin a new one if an axis was moved otherwise."""
         if self.used - self.oldest > self.history_size:
             self.oldest += 1
         if self.history_rows[self.row + rows.KIND] == rows.DWELL:
@@ -120,11 +120,11 @@ class Path(PathAxes):
             self.ends[i] = self.history_rows[end + i]
 
     def row_of(self, number: int) -> int:
-        """Where the segment with this running number begins in the ring."""
+        """Row of the segment with this running number."""
         return number % self.ring_size * self.width
 
     def return_to_newest(self, covered_d: float) -> None:
-        """Be at the latest segment again, so far from its start, and go on with it forward."""
+        """Return to the newest segment at ``covered_d`` mm and continue forward."""
         self.is_retracing = False
         self.direction = 1
         self.row = self.front
@@ -141,17 +141,17 @@ class Path(PathAxes):
         self.claim_again()
 
     def forget(self) -> None:
-        """The history ends here: nothing before is walked back."""
+        """End the history: the walk back stops here."""
         self.oldest = self.used
 
     def continues_block(self) -> bool:
-        """Whether the block of the segment that was taken last goes on with the next one."""
+        """Return whether the block of the newest segment continues with the next one."""
         return self.history_rows[self.front + rows.CONTINUES] > 0.0
 
     def set_remaining(self, remaining: float) -> None:
-        """What is left of the block behind the segment that was taken last.
+        """Set what is left of the block behind the newest segment.
 
-        With a limit of the jerk its way, else the highest speed that ends in a stand at its end.
+        With a limit of the jerk its length, else the highest speed that ends in a stand at its end.
         """
         if self.history_rows[self.front + rows.JERK] > 0.0:
             self.history_rows[self.front + rows.REMAINING_LENGTH] = remaining
@@ -159,15 +159,15 @@ class Path(PathAxes):
             self.history_rows[self.front + rows.REMAINING_SPEED] = remaining
 
     def remaining_speed(self) -> float:
-        """The highest speed at the segment's end from which its block can end with a stand."""
+        """Highest speed at the segment's end from which its block can end with a stand."""
         return self.history_rows[self.row + rows.REMAINING_SPEED]
 
     def block_serial(self) -> int:
-        """The running number of the current block, 0 between two blocks."""
+        """Running number of the current block, 0 between two blocks."""
         return self.serial if self.is_active or self.continues_block() else 0
 
     def next_stage(self) -> int:
-        """Go on to the next stage of the segment that has a way: 0 where there is none left.
+        """Go on to the segment's next stage with a length; return 0 if none is left.
 
         The pieces of an arc whose limits go by its angle are its stages.
         """
@@ -187,7 +187,7 @@ class Path(PathAxes):
         return 0
 
     def step(self, factor: float, is_stopping: int) -> int:
-        """One tick with the override as a factor: 1 when the segment has ended with time left.
+        """Advance a tick at an override factor; return 1 if the segment ended with time left.
 
         ``is_stopping`` brakes on the path to a stand, at the path's acceleration (MO-6).
         """
@@ -210,13 +210,13 @@ class Path(PathAxes):
         return self.advance()
 
     def set_single(self, is_single: bool) -> None:
-        """Single block on or off: the current segment is planned anew where it matters (MO-6)."""
+        """Switch single block; plan the current segment anew where it matters (MO-6)."""
         self.is_single = is_single
         if self.is_active and not self.is_dwell and self.ends_moving():
             self.limit_v = -1.0
 
     def ends_moving(self) -> int:
-        """Whether the current segment does not end with a stand."""
+        """Return whether the current segment does not end with a stand."""
         goal = (
             self.history_rows[self.row + rows.GOAL_LENGTH]
             + self.history_rows[self.row + rows.GOAL_SPEED]
@@ -224,12 +224,12 @@ class Path(PathAxes):
         return 1 if self.history_rows[self.row + rows.END_SPEED] + goal > 0.0 else 0
 
     def step_carried(self, factor: float, is_stopping: int) -> int:
-        """The rest of a tick in the segment that has just begun: 1 when that has ended, too."""
+        """Spend the rest of a tick in the segment just begun; return 1 if that ended, too."""
         self.replan(self.highest_speed(factor, is_stopping))
         return self.advance()
 
     def highest_speed(self, factor: float, is_stopping: int) -> float:
-        """The speed limit on the current segment in this tick."""
+        """Speed limit on the current segment in this tick."""
         self.factor = factor
         if is_stopping:
             return 0.0
@@ -239,7 +239,7 @@ class Path(PathAxes):
         )
 
     def replan(self, limit_v: float) -> None:
-        """Plan what is left of the stage from the present speed."""
+        """Plan the rest of the stage from the present speed."""
         self.limit_v = limit_v
         self.planned_factor = self.common_factor
         self.plan_d = self.covered_d
@@ -273,7 +273,7 @@ class Path(PathAxes):
         self.profile.plan(rest_d, self.speed_v, end_v, limit_v, limit_a)
 
     def advance_with_jerk(self) -> int:
-        """``advance`` with a limit of the jerk."""
+        """Advance to the end of this tick with limited jerk, as ``advance``."""
         now_t = self.offset_t + self.ticks * self.cycle_time_us / 1e6
         is_over = self.jerk_profile.advance(now_t)
         self.speed_v = self.jerk_profile.speed_v
@@ -286,7 +286,7 @@ class Path(PathAxes):
         return self.finish()
 
     def end_speed(self, rest_d: float, limit_a: float) -> float:
-        """The highest speed at the end of the stage, ``distance_to_go`` from here."""
+        """Highest speed at the end of the stage, ``rest_d`` mm ahead."""
         end_v = self.block_end_speed(rest_d, limit_a)
         if geometry.total_length(self.history_rows, self.row) > self.stage_end_d:
             limit_v = self.history_rows[self.row + rows.MAX_SPEED]
@@ -299,7 +299,7 @@ class Path(PathAxes):
         return end_v
 
     def factor_ahead(self, ignores_override: int) -> float:
-        """The override of a segment ahead, which may leave out the operator's part (G166).
+        """Override factor of a segment ahead, which may ignore the operator's part (G166).
 
         What a spindle does to its pace counts as for the current segment.
         """
@@ -308,7 +308,7 @@ class Path(PathAxes):
         return self.unoverridden_factor if ignores_override else self.common_factor
 
     def block_end_speed(self, rest_d: float, limit_a: float) -> float:
-        """The highest speed at the segment's end: a stand in single block, if it can still be had.
+        """Highest speed at the segment's end; in single block a stand, if it is possible.
 
         Where the block goes on with the next segment it is a speed from which its end is a stand.
         What was prepared counts with an override of 100 %. With less the next segment begins with
@@ -330,7 +330,7 @@ class Path(PathAxes):
         return end_v
 
     def stands_in_single_block(self, limit_v: float) -> int:
-        """Whether single block lets the path stand at the segment's end, with a limited jerk.
+        """Return whether single block stops at the segment's end with limited jerk.
 
         Where the block goes on it does so only if it could not stand at the block's end.
         """
@@ -348,7 +348,7 @@ class Path(PathAxes):
         return 1 if rest_d < need_d else 0
 
     def advance(self) -> int:
-        """Go to where the plan is at the end of this tick; 1 when the segment ended before."""
+        """Advance to the end of this tick; return 1 if the segment ended before."""
         if self.history_rows[self.row + rows.JERK] > 0.0:
             return self.advance_with_jerk()
         while True:
@@ -369,7 +369,7 @@ class Path(PathAxes):
         return self.finish()
 
     def finish(self) -> int:
-        """Put the axes exactly to the segment's end: 1 when the path goes on in this tick.
+        """Put the axes exactly to the segment's end; return 1 if the path moves on.
 
         A path that still moves goes on even where no time is left: what stands between the blocks
         may have to wait, and must not stop the path in a step (MO-1).
@@ -382,7 +382,7 @@ class Path(PathAxes):
         return 1 if self.left_t > 0.0 or self.speed_v > 0.0 else 0
 
     def move_axes(self) -> None:
-        """Put the axes where they are after the way that is covered."""
+        """Put the axes to their positions after ``covered_d`` mm."""
         self.axes.has_moved = True
         geometry.locate(self.history_rows, self.row, self.count, self.covered_d, self.positions)
         for k in range(self.moved_count):
@@ -390,7 +390,7 @@ class Path(PathAxes):
             self.axes.command[self.members[i]] = self.positions[i]
 
     def abandon(self) -> None:
-        """Reset: the rest of the segment is dropped where the axes stand, to be read at once."""
+        """Drop the rest of the segment where the axes stand, to be read at once (reset)."""
         self.is_active = False
         self.is_retracing = False
         self.direction = 1
@@ -409,15 +409,15 @@ class Path(PathAxes):
         self.axes.publish()
 
     def is_standing(self) -> int:
-        """Whether nothing moves on the path."""
+        """Return whether nothing moves on the path."""
         return 1 if self.speed_v == 0.0 and (not self.is_active or self.limit_v == 0.0) else 0
 
     def has_stopped(self) -> bool:
-        """``is_standing`` for Python's side."""
+        """Return whether nothing moves on the path."""
         return bool(self.is_standing())
 
     def distance_to_go(self) -> float:
-        """What is left of the current segment."""
+        """Remaining length of the current segment and its rounding, in mm."""
         if not self.is_active or self.is_dwell:
             return 0.0
         if self.direction < 0:
@@ -425,7 +425,7 @@ class Path(PathAxes):
         return geometry.length_with_rounding(self.history_rows, self.row) - self.covered_d
 
     def promised_speed(self, column: int) -> float:
-        """The end speed in ``column`` of the latest segment's row; 0: a dwell, or it is over."""
+        """End speed in ``column`` of the newest segment; 0 for a dwell, or if it is over."""
         if self.history_rows[self.front + rows.KIND] == rows.DWELL or (
             self.is_retracing and self.is_front_over
         ):
@@ -433,21 +433,21 @@ class Path(PathAxes):
         return self.history_rows[self.front + column]
 
     def block_number(self) -> float:
-        """The N number of the current block."""
+        """N number of the current block."""
         return self.history_rows[self.row + rows.BLOCK_NUMBER]
 
     def segment_row(self, back: int) -> list[float]:
-        """A segment of the ring, ``back`` segments before the latest one: for Python's side."""
+        """Row ``back`` segments before the newest; raise ``ValueError`` where none is kept."""
         check_index(back, min(self.used, self.ring_size), "segment")
         row = (self.used - 1 - back) % self.ring_size * self.width
         return [self.history_rows[row + i] for i in range(self.width)]
 
     def covered_length(self) -> float:
-        """What is covered of the current segment."""
+        """Length covered of the current segment, in mm."""
         return self.covered_d
 
     def braking_distance(self) -> float:
-        """How far the path goes on the current segment if it brakes from now on."""
+        """Distance in mm that braking from now on takes on the current segment."""
         acceleration = self.history_rows[self.row + rows.ACCELERATION]
         length = 0.5 * self.speed_v * self.speed_v / acceleration
         if self.history_rows[self.row + rows.JERK] > 0.0:
@@ -455,7 +455,7 @@ class Path(PathAxes):
         return length
 
     def covered_part(self) -> float:
-        """How much of the current segment's way is covered, from 0 to 1."""
+        """Covered share of the current segment's length, from 0 to 1."""
         if not self.is_active or self.is_dwell:
             return 1.0
         return self.covered_d / geometry.total_length(self.history_rows, self.row)

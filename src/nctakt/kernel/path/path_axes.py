@@ -10,7 +10,7 @@ from nctakt.kernel.path import geometry
 
 
 class PathAxes:
-    """The axes of one channel's path, ``members`` among those of the machine.
+    """Axes of one channel's path, ``members`` among those of the machine.
 
     ``row``: where the row of the current segment stands in ``history_rows``; ``direction``: 1
     forward over it, -1 backward. ``moved``: the axes that the path has.
@@ -31,7 +31,7 @@ class PathAxes:
         self.direction = 1
 
     def refusal(self, queue_row: int, queue: memoryview[float]) -> int:
-        """Why the path cannot take a segment: 0 it can.
+        """Return the message that refuses a segment; 0 if the path can take it.
 
         The axes that it moves must stand where it starts, since the path never jumps (RC-409), and
         have no motion of their own (MO-13); ``refused_axis`` is the first that has not.
@@ -44,7 +44,7 @@ class PathAxes:
         return 0
 
     def obstacle(self, queue_row: int, queue: memoryview[float], i: int) -> int:
-        """Why the path cannot take axis ``i`` with a segment: 0 it can, or does not want it."""
+        """Return the message that refuses axis ``i`` of a segment; 0 if nothing does."""
         if not geometry.moves_axis(queue, queue_row, self.count, i):
             return 0
         if self.axes.independent[self.members[i]]:
@@ -54,7 +54,7 @@ class PathAxes:
         return 0
 
     def claim(self) -> None:
-        """The axes that the segment moves belong to the path until it ends (MO-13).
+        """Claim the axes that the segment moves until it ends (MO-13).
 
         Where the path brakes on a segment that it cannot take, the others stay what they were.
         """
@@ -64,7 +64,7 @@ class PathAxes:
                 self.claim_axis(i)
 
     def claim_again(self) -> None:
-        """``claim`` anywhere on a segment, whose axes the path has had before (MO-7).
+        """Claim the axes anywhere on a segment that the path had before (MO-7).
 
         But for those that have a motion of their own by now (MO-13).
         """
@@ -74,7 +74,7 @@ class PathAxes:
                 self.claim_axis(i)
 
     def claim_free(self, column: int) -> None:
-        """``claim`` for a segment that is entered where its axes stand at ``column`` (MO-7)."""
+        """Claim the axes that stand at ``column`` for a segment walked anew (MO-7)."""
         self.moved_count = 0
         for i in range(self.count):
             axis = self.members[i]
@@ -83,7 +83,7 @@ class PathAxes:
                     self.claim_axis(i)
 
     def claim_axis(self, i: int) -> None:
-        """An axis belongs to the path, if the segment moves it; its target is the way's end."""
+        """Claim an axis if the segment moves it; its target is the segment's end."""
         self.axes.has_moved = True
         if geometry.moves_axis(self.history_rows, self.row, self.count, i):
             self.moved[self.moved_count] = i
@@ -95,17 +95,17 @@ class PathAxes:
             self.axes.show_state(axis, codes.SYNCHRONIZED_MOTION)
 
     def release(self) -> None:
-        """The segment is over: its axes are free."""
+        """Free the axes of a segment that is over."""
         for k in range(self.moved_count):
             self.axes.on_path[self.members[self.moved[k]]] = 0
 
     def publish_overrides(self, operator_pct: float) -> None:
-        """TOTAL of the members' independent motions: operator's and CYCLE part (RC-305)."""
+        """Publish TOTAL of the members' independent motions (RC-305)."""
         for i in range(self.count):
             self.axes.publish_override(self.members[i], operator_pct)
 
     def show_standstill(self) -> None:
-        """The tick behind a segment: its axes stand, unless they move on their own by now."""
+        """Show the axes of an ended segment at a standstill, unless they move on their own."""
         for k in range(self.moved_count):
             axis = self.members[self.moved[k]]
             if not self.axes.independent[axis]:
@@ -113,7 +113,7 @@ class PathAxes:
         self.moved_count = 0
 
     def put_axes(self, column: int) -> None:
-        """Put the axes that the segment moves to what stands at ``column`` in the ring."""
+        """Put the axes that the segment moves to the positions at ``column``."""
         self.axes.has_moved = True
         for k in range(self.moved_count):
             i = self.moved[k]

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""The limits of one segment: its way, and what keeps every axis on it within its own (MO-1, MO-4).
+"""The limits of one segment: its length, and the limits that its axes set (MO-1, MO-4).
 
-A segment is a row (``rows.py``). Lines: of each axis its part of the way.
+A segment is a row (``rows.py``). Lines: of each axis its part of the length.
 Arcs: of the acceleration that both axes of the plane have, the centripetal part takes a share.
 
 With a limit of the jerk an arc of radius r with the speed v, the acceleration a and the jerk j
@@ -54,7 +54,7 @@ class SegmentLimits:
         speeds: tuple[float, float],
         accelerations: tuple[float, float],
     ) -> None:
-        """The limits of one axis: rapid and highest speed, acceleration of rapid and feed."""
+        """Set the limits of one axis: rapid and highest speed, rapid and feed acceleration."""
         check_index(index, self.count, "axis")
         self.linear[index] = is_linear
         self.rapid_v[index], self.max_v[index] = speeds
@@ -63,7 +63,7 @@ class SegmentLimits:
     def limit_slope(
         self, index: int, accelerations: tuple[float, float], jerks: tuple[float, float]
     ) -> None:
-        """The limits of one axis with the jerk-limited slope: of rapid and feed."""
+        """Set the limits of one axis with limited jerk: of rapid and feed."""
         check_index(index, self.count, "axis")
         self.rapid_slope_a[index], self.feed_slope_a[index] = accelerations
         self.rapid_j[index], self.feed_j[index] = jerks
@@ -87,7 +87,7 @@ class SegmentLimits:
         return share
 
     def limit_jerk(self, segments: memoryview[float], row: int) -> None:
-        """Acceleration and jerk of the jerk-limited slope."""
+        """Limit acceleration and jerk for the jerk-limited slope."""
         self.has_jerk_limit = True
         is_rapid = segments[row + rows.MOTION] == rows.RAPID_MOTION
         start = row + rows.START
@@ -164,7 +164,7 @@ class SegmentLimits:
     def rest_to_rest_time(
         self, distance: float, speed: float, limit_a: float, limit_j: float
     ) -> float:
-        """How long a way takes from rest to rest with limited jerk."""
+        """Time in s of a distance from rest to rest with limited jerk."""
         ramp = limit_a / limit_j
         if speed < limit_a * ramp:
             ramp = 2.0 * arithmetic.square_root(speed / limit_j)
@@ -180,7 +180,7 @@ class SegmentLimits:
         return distance / peak + peak / limit_a + ramp
 
     def stand_at_end(self, segments: memoryview[float], row: int) -> None:
-        """A segment that nothing goes on from: it ends with a stand."""
+        """Let a segment end with a stand."""
         segments[row + rows.GOAL_LENGTH] = 0.0
         segments[row + rows.GOAL_SPEED] = 0.0
         segments[row + rows.GOAL_ACCELERATION] = 1e300
@@ -190,9 +190,9 @@ class SegmentLimits:
         segments[row + rows.CARRIED_JERK] = segments[row + rows.JERK]
 
     def straight_length(self, segments: memoryview[float], row: int) -> float:
-        """The way in the linear axes, or in the rotary ones where no linear axis moves.
+        """Length in the linear axes, or in the rotary ones where no linear axis moves.
 
-        What rounding leaves of a linear way, less than a nanometre, is none.
+        A linear length below a nanometre, which rounding leaves, counts as none.
         """
         start = row + rows.START
         target = start + self.count
@@ -209,7 +209,7 @@ class SegmentLimits:
         return arithmetic.square_root(linear2)
 
     def bound(self, segments: memoryview[float], row: int) -> None:
-        """Speeds and acceleration on a line, or of the axes outside of an arc's plane."""
+        """Settle speeds and acceleration of a line, or of axes outside of an arc's plane."""
         is_rapid = segments[row + rows.MOTION] == rows.RAPID_MOTION
         start = row + rows.START
         target = start + self.count
@@ -230,7 +230,7 @@ class SegmentLimits:
         segments[row + rows.ACCELERATION] = limit_a
 
     def in_plane(self, segments: memoryview[float], row: int, index: int) -> int:
-        """Whether an axis is one of the two of the arc."""
+        """Return whether an axis is one of the two of the arc."""
         if segments[row + rows.SHAPE] != rows.ARC:
             return 0
         if segments[row + rows.ARC_FIRST_AXIS] == index:
@@ -238,7 +238,7 @@ class SegmentLimits:
         return 1 if segments[row + rows.ARC_SECOND_AXIS] == index else 0
 
     def measure_arc(self, segments: memoryview[float], row: int) -> float:
-        """``measure`` for an arc, a helix where further axes move.
+        """Prepare an arc, a helix where further axes move; return as ``measure``.
 
         Of the acceleration ``a`` that both axes of the plane have, the centripetal part takes a
         share ``s``, so that along the path ``a * sqrt(1 - s²)`` is left all along. Where that would
@@ -282,10 +282,10 @@ class SegmentLimits:
         return centripetal
 
     def is_even(self, segments: memoryview[float], row: int, commanded_v: float) -> int:
-        """Whether one acceleration all along an arc costs next to no time (choice: 1 %).
+        """Return whether one acceleration all along an arc costs next to no time (1 %).
 
         What ramps at both ends lose beside the acceleration that the axes have there is compared
-        with the time of the whole way at the wanted speed.
+        with the time of the whole length at the commanded speed.
         """
         slower = 1.0 / segments[row + rows.ACCELERATION]
         geometry.tangent(segments, row, self.count, 0, self.direction)
@@ -295,7 +295,7 @@ class SegmentLimits:
         return 1 if commanded_v * commanded_v * slower <= 0.01 * segments[row + rows.LENGTH] else 0
 
     def straight_acceleration(self, parts: memoryview[float]) -> float:
-        """What the axes can do together with a feed in a direction."""
+        """Acceleration per s² that the axes allow together in a direction."""
         limit_a = 1e300
         for i in range(self.count):
             part = parts[i] if parts[i] >= 0.0 else 0.0 - parts[i]
@@ -304,7 +304,7 @@ class SegmentLimits:
         return limit_a
 
     def divide_arc(self, segments: memoryview[float], row: int, piece: float) -> None:
-        """Let the limits of an arc go by its angle, in pieces of so many degrees at most.
+        """Divide an arc whose limits go by its angle into pieces of ``piece`` degrees.
 
         Backward it is walked with one speed and acceleration for all of it.
         """
@@ -319,18 +319,18 @@ class SegmentLimits:
     # --- what axes can do -----------------------------------------------------------------------
 
     def speed_of(self, segments: memoryview[float], row: int) -> float:
-        """The highest speed that a segment is ever driven with."""
+        """Highest speed that a segment is ever driven with, per s."""
         return min(segments[row + rows.SPEED] * self.max_factor, segments[row + rows.MAX_SPEED])
 
     def axis_jerk(self, index: int) -> float:
-        """The jerk that an axis can do in both segments of a corner."""
+        """Jerk of an axis that both segments of a corner allow."""
         return min(self.rapid_j[index], self.feed_j[index])
 
     def axis_acceleration(self, index: int) -> float:
-        """What an axis can do in both segments of a corner."""
+        """Acceleration of an axis that both segments of a corner allow."""
         return min(self.rapid_a[index], self.feed_a[index])
 
     def min_acceleration(self, index: int) -> float:
-        """What an axis can do in both segments of a corner."""
+        """Acceleration of an axis that both slopes of both segments allow."""
         min_a = min(self.rapid_slope_a[index], self.feed_slope_a[index])
         return min(min_a, self.rapid_a[index], self.feed_a[index])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""One coordinate's way: state, target and limits -> a profile in closed form (MO-2, MO-5, MO-14).
+"""One coordinate's motion: state, target, limits -> a profile in closed form (MO-2, MO-5, MO-14).
 
 A ``TrapezoidProfile`` is planned from a distance, a start and an end speed, a speed limit and one
 acceleration, time-optimal: change to the highest speed that can be used, keep it, brake to the end
@@ -15,8 +15,8 @@ import math
 class TrapezoidProfile:
     """Three phases: constant acceleration, constant speed, constant deceleration.
 
-    ``is_endless`` tells that the end is never reached, because the speed limit is zero: the way is
-    stopped until it is planned anew.
+    ``is_endless`` tells that the end is never reached, because the speed limit is zero: the
+    motion is stopped until it is planned anew.
     """
 
     def __init__(self) -> None:
@@ -90,9 +90,9 @@ class TrapezoidProfile:
         last_d: float,
         end_v: float,
     ) -> None:
-        """Plan ``length_d`` by the ways of its two ramps: to ``cruise_v``, and down to ``end_v``.
+        """Plan ``length_d`` by the lengths of its ramps to ``cruise_v`` and to ``end_v``.
 
-        With a ``cruise_v`` of 0 the way is stopped behind the first ramp.
+        With a ``cruise_v`` of 0 the motion is stopped behind the first ramp.
         """
         self.length_d = length_d
         self.start_v = start_v
@@ -109,7 +109,7 @@ class TrapezoidProfile:
         self.duration_t = self.first_t + self.cruise_t + last_t
 
     def pass_at_once(self) -> None:
-        """No way is left: the end is reached in no time."""
+        """Plan an end that is reached in no time: no length is left."""
         self.first_t = 0.0
         self.first_a = 0.0
         self.first_d = 0.0
@@ -134,7 +134,7 @@ class TrapezoidProfile:
             self.last_a = (self.start_v - self.end_v) / self.duration_t
 
     def position(self, time_t: float) -> float:
-        """Distance covered at ``time_t`` since the plan's start."""
+        """Distance covered at ``time_t`` s since the plan's start."""
         if time_t < self.first_t:
             return time_t * (self.start_v + 0.5 * self.first_a * time_t)
         if self.is_endless:
@@ -146,7 +146,7 @@ class TrapezoidProfile:
         return self.first_d + self.cruise_d + since * (self.cruise_v - 0.5 * self.last_a * since)
 
     def speed(self, time_t: float) -> float:
-        """Speed at ``time_t`` since the plan's start."""
+        """Speed per s at ``time_t`` s since the plan's start."""
         if time_t < self.first_t:
             return self.start_v + self.first_a * time_t
         since = time_t - self.first_t
@@ -155,11 +155,11 @@ class TrapezoidProfile:
         return self.cruise_v - self.last_a * (since - self.cruise_t)
 
     def at(self, time_t: float) -> tuple[float, float]:
-        """Distance and speed at a time: for Python's side."""
+        """Distance and speed at a time in s."""
         return (self.position(time_t), self.speed(time_t))
 
     def prepare(
         self, length_d: float, start_v: float, end_v: float, limit_v: float, limit_a: float
     ) -> None:
-        """``plan`` for Python's side."""
+        """Plan as ``plan``, for Python's side."""
         self.plan(length_d, start_v, end_v, limit_v, limit_a)

@@ -36,7 +36,7 @@ class AxisRequests:
     def post(
         self, kind: int, axis: int, value: float, speed_v: float, mode: int, direction: int
     ) -> int:
-        """A request for the next tick: the owner number of what becomes of it, 0: no room."""
+        """Post a request for the next tick; return its owner number, 0 if there is no room."""
         check_range(kind, codes.ABSOLUTE, codes.CLEAR_FAULT, "kind of request")
         self.single_axes.check_command(axis, value, speed_v, mode, direction, codes.PLC_OWNER)
         if self.posted - self.latched >= self.capacity:
@@ -53,7 +53,7 @@ class AxisRequests:
         return codes.PLC_OWNER + self.posted - 1
 
     def answer_to(self, owner: int) -> int:
-        """0 accepted, else the message that refuses; -1: no tick has latched it yet.
+        """Answer to a request: 0 accepted, -1 not latched yet, else the refusing message.
 
         Raises ``ValueError`` for a number that is not the owner of one of the last requests.
         """
@@ -63,31 +63,31 @@ class AxisRequests:
         return self.answer[(owner - codes.PLC_OWNER) % self.capacity]
 
     def is_open(self, owner: int) -> bool:
-        """Whether the motion runs or waits."""
+        """Return whether the motion of a request runs or waits."""
         return self.single_axes.opened(owner) > 0
 
     def is_active(self, axis: int, owner: int) -> bool:
-        """Whether it is the present motion of the axis."""
+        """Return whether it is the present motion of the axis."""
         return self.single_axes.present_owner(axis) == owner
 
     def has_arrived(self, axis: int, owner: int) -> bool:
-        """Whether it was the last motion of the axis that has come to its target."""
+        """Return whether it was the last motion of the axis to come to its target."""
         return self.single_axes.arrived_owner(axis) == owner
 
     # --- the tick -------------------------------------------------------------------------------
 
     def event_bound(self) -> int:
-        """The most events that the requests of the coming tick make."""
+        """Highest number of events of the coming tick's requests."""
         return 4 * (self.posted - self.latched)
 
     def latch(self) -> None:
-        """Start of a tick: give the requests to the axes, in their order."""
+        """Give the requests to the axes in their order, at the start of a tick."""
         while self.latched < self.posted:
             self.give(self.latched % self.capacity)
             self.latched += 1
 
     def give(self, slot: int) -> None:
-        """One request."""
+        """Give one request to its axis and keep the answer."""
         axis = self.axis[slot]
         owner = codes.PLC_OWNER + self.latched
         mode = int(self.mode[slot])

@@ -6,7 +6,7 @@ A table says which variable stands at which byte (``hli/positions.py``, and for 
 bytes that differ from those that were published last. ``publish`` writes the variables that have
 changed since, the slots of technology functions (``image_slots.py``) and the clock. Numbers have
 the byte order of the processor. A REAL64 that is not finite is refused: the variable keeps its
-value, the image gets it back, and the first time of each variable is told (900346).
+value, the image gets it back, and the first time of each variable is reported (900346).
 """
 
 from __future__ import annotations
@@ -158,7 +158,7 @@ class InterfaceImage:
         self.shadowed_entry = nothing.cast("q")
 
     def next_refused(self) -> int:
-        """The cell of the next 900346 that was not asked for yet, in the order of the events."""
+        """Cell of the next 900346 not asked for yet, in the order of the events."""
         check_index(self.refused_reported, self.refused_count, "refused value")
         cell = self.refused_cells[self.refused_reported]
         self.refused_reported += 1
@@ -167,7 +167,7 @@ class InterfaceImage:
     # --- the tick -------------------------------------------------------------------------------
 
     def latch(self) -> None:
-        """Take over what was written into the image since it was published."""
+        """Take over the bytes that were written into the image since it was published."""
         if self.is_as_published():
             return
         self.units.latch()
@@ -179,14 +179,14 @@ class InterfaceImage:
                     self.take_number(i)
 
     def is_as_published(self) -> int:
-        """Whether no byte has changed that the PLC writes."""
+        """Return whether no byte has changed that the PLC writes."""
         for i in range(self.first_input_word, self.word_count):
             if self.image_words[i] != self.published_words[i]:
                 return 0
         return 1
 
     def has_changed(self, entry: int) -> int:
-        """Whether a byte of this variable has changed."""
+        """Return whether a byte of this variable has changed."""
         first = self.offset[entry]
         for i in range(first, first + self.size[entry]):
             if self.image[i] != self.published[i]:
@@ -218,7 +218,7 @@ class InterfaceImage:
             self.mark_stale(entry)
 
     def refuse(self, entry: int) -> None:
-        """A number that is not finite."""
+        """Refuse a number that is not finite, and report it once (900346)."""
         self.mark_stale(entry)
         if self.was_refused[entry] == 0:
             self.was_refused[entry] = 1
@@ -228,7 +228,7 @@ class InterfaceImage:
             self.record.event(rows.EVENT_ERROR, 0, 0, 900346)
 
     def number(self, kind: int) -> float:
-        """The number in the scratch bytes."""
+        """Number in the scratch bytes."""
         if kind == codes.IMAGE_BOOLEAN:
             return 1.0 if self.scratch[0] else 0.0
         if kind == codes.IMAGE_SGN08:
@@ -246,20 +246,20 @@ class InterfaceImage:
         return self.as_real[0]
 
     def remember(self, entry: int) -> None:
-        """Note what the variable's cells hold: that is in the image now."""
+        """Note the contents of the variable's cells, which are in the image now."""
         first = self.first_shadow[entry]
         cell = self.cell[entry]
         for i in range(self.cell_count[entry]):
             self.shadow[first + i] = self.words[cell + i]
 
     def mark_stale(self, entry: int) -> None:
-        """The image must be written although the cell is as it was."""
+        """Mark a variable to be written although its cell is unchanged."""
         if self.is_stale[entry] == 0:
             self.is_stale[entry] = 1
             self.stale_count += 1
 
     def publish(self, ticks: int) -> None:
-        """Write what has changed since the image was published last, after so many ticks.
+        """Write the changes since the image was published last, after so many ticks.
 
         The sequence is odd meanwhile.
         """
@@ -270,7 +270,7 @@ class InterfaceImage:
         self.image_words[self.clock_word + cells.CLOCK_SEQUENCE] += 1
 
     def publish_cells(self) -> None:
-        """The variables that have changed, and those that must be written all the same."""
+        """Write the variables that have changed or are marked."""
         for i in range(self.shadow_count):
             if self.words[self.shadowed_cell[i]] != self.shadow[i]:
                 self.put(self.shadowed_entry[i])

@@ -47,16 +47,16 @@ class Panel:
         self.cells[self.first_cell + command] = value
 
     def arm(self, is_armed: bool) -> None:
-        """A program is selected and waits for START, or no longer."""
+        """Select a program that waits for START, or none."""
         self.is_armed = is_armed
         self.cells[self.first_cell + cells.PANEL_ARMED] = is_armed
 
     def show_size(self, blocks: int) -> None:
-        """So many blocks fit into the history of the path."""
+        """Show how many blocks fit into the history of the path."""
         self.cells[self.first_cell + cells.PANEL_HISTORY_SIZE] = blocks
 
     def begin_program(self) -> None:
-        """A program has begun: its first block needs no START of its own."""
+        """Begin a program: its first block needs no START of its own."""
         self.is_running = True
         self.start_taken = False
         self.is_paused = False
@@ -65,11 +65,11 @@ class Panel:
         self.block_moves = False
 
     def end_program(self) -> None:
-        """The program is over or was given up."""
+        """End the program, which is over or was given up."""
         self.is_running = False
 
     def accept_reset(self) -> None:
-        """Python has given up the program that RESET has broken off."""
+        """Accept RESET once the program is given up; raise ``ValueError`` without one."""
         if not self.reset_taken:
             raise ValueError("no tick has taken RESET")
         self.reset_taken = False
@@ -77,7 +77,7 @@ class Panel:
     # --- the tick -------------------------------------------------------------------------------
 
     def latch(self) -> None:
-        """Start of a tick: the commands of now are in force."""
+        """Latch the commands at the start of a tick."""
         cell = self.first_cell
         self.override_pct = max(self.cells[cell + cells.PANEL_OVERRIDE], 0.0)
         self.feed_hold = self.cells[cell + cells.PANEL_FEED_HOLD] != 0.0
@@ -97,7 +97,7 @@ class Panel:
             self.reset_taken = True
 
     def take_start(self, can_start: int) -> None:
-        """START: on from where the channel has stopped, else the program that is selected."""
+        """Take START: continue where the channel has stopped, else the selected program."""
         if self.is_paused:
             self.is_paused = False
             self.is_released = True
@@ -106,7 +106,7 @@ class Panel:
             self.start_taken = True
 
     def permits_block(self, line: int, moves_axis: bool, is_started: bool) -> int:
-        """Whether a command may be taken: single block stops in front of each block.
+        """Return whether a command may be taken: single block stops in front of each block.
 
         A block is a line of a program; one that moves or dwells again is another one. What the
         path has begun already (``is_started``) goes on, and so does what has no line: the program's
@@ -126,13 +126,13 @@ class Panel:
         return 1
 
     def stop_for_program(self, is_optional: bool) -> int:
-        """M00, or M01 where the operator asks for it: whether the channel waits for START."""
+        """Stop at M00, or at M01 if the operator asks for it; return whether it stops."""
         if not is_optional or self.optional_stop:
             self.is_paused = True
         return self.is_paused
 
     def publish(self, state: int, message: int) -> None:
-        """End of a tick: the lamps. ``state``: error, reset or ready; ID of the error."""
+        """Publish the lamps at the end of a tick: ``state`` and the ID of the error."""
         cell = self.first_cell
         if state == codes.CHANNEL_READY and self.is_running:
             state = codes.CHANNEL_RUNNING
@@ -142,10 +142,10 @@ class Panel:
         self.cells[cell + cells.PANEL_ERROR] = message
 
     def show_loop(self, is_inside: bool) -> None:
-        """The path is in a realtime loop, or no longer."""
+        """Show whether the path is in a realtime loop."""
         self.cells[self.first_cell + cells.PANEL_INSIDE_RT_LOOP] = is_inside
 
     def show_history(self, state: int, blocks: int) -> None:
-        """How the path walks over its history (``codes.AT_FRONT`` …), and the blocks in it."""
+        """Show the state of the walk (``codes.AT_FRONT`` …) and the blocks in the history."""
         self.cells[self.first_cell + cells.PANEL_RETRACE] = state
         self.cells[self.first_cell + cells.PANEL_HISTORY] = blocks

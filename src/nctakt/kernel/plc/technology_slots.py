@@ -44,7 +44,7 @@ class Section:
         self.version = 0
 
     def latch(self) -> None:
-        """Start of a tick: what the PLC has acknowledged is free from now on."""
+        """Free the slots that the PLC has acknowledged, at the start of a tick."""
         self.issued_in_tick = 0
         if self.taken_count == 0:
             return
@@ -55,7 +55,7 @@ class Section:
                 self.version += 1
 
     def issue(self, function: int, tick: int, ticks: int) -> int:
-        """Put a function that takes so many ticks into a free slot: its number within the tick.
+        """Put a function that takes so many ticks into a free slot; return its number.
 
         0 where the section holds no more in one tick (50943), -1 where no slot is free (50942).
         """
@@ -79,11 +79,11 @@ class Section:
         return -1
 
     def give_value(self, value: int) -> None:
-        """The function that was put in last has this value (M110 = 130)."""
+        """Give the function that was put in last a value (M110 = 130)."""
         self.value[self.last_slot] = value
 
     def is_waiting(self, function: int) -> int:
-        """Whether the PLC still has to acknowledge this function."""
+        """Return whether the PLC still has to acknowledge this function."""
         if self.taken_count == 0:
             return 0
         for i in range(self.slot_count):
@@ -92,7 +92,7 @@ class Section:
         return 0
 
     def acknowledge_done(self, tick: int) -> None:
-        """The default PLC has taken what waits and has had its time."""
+        """Acknowledge the functions whose time is over (default PLC)."""
         if self.taken_count == 0:
             return
         for i in range(self.slot_count):
@@ -100,19 +100,19 @@ class Section:
                 self.state[i] = codes.ACKNOWLEDGED
 
     def clear(self) -> None:
-        """Reset: nothing waits any more."""
+        """Free all slots (reset)."""
         for i in range(self.slot_count):
             self.state[i] = codes.FREE
         self.taken_count = 0
         self.version += 1
 
     def value_of(self, slot: int) -> int:
-        """The value of the function in this slot."""
+        """Value of the function in a slot; raise ``ValueError`` for an unknown slot."""
         check_index(slot, self.slot_count, "slot")
         return self.value[slot]
 
     def entries(self) -> list[tuple[int, int, int, int, int]]:
-        """What waits, oldest first: (slot, function, number in its tick, tick, serial)."""
+        """Waiting functions, oldest first: (slot, function, number in its tick, tick, serial)."""
         waiting = [
             (i, self.function[i], self.sequence[i], self.tick[i], self.serial[i])
             for i in range(self.slot_count)
@@ -121,7 +121,7 @@ class Section:
         return sorted(waiting, key=_order)
 
     def acknowledge(self, slot: int, serial: int) -> bool:
-        """The PLC has taken the function of this serial; return whether the slot holds it."""
+        """Acknowledge the function of this serial; return whether the slot holds it."""
         check_index(slot, self.slot_count, "slot")
         if self.state[slot] == codes.FREE or self.serial[slot] != serial:
             return False
@@ -130,7 +130,7 @@ class Section:
 
 
 def _order(entry: tuple[int, int, int, int, int]) -> tuple[int, int]:
-    """Tick and number in it of what waits."""
+    """Sort key of a waiting function: tick, and number in it."""
     _, _, sequence, tick, _ = entry
     return tick, sequence
 
@@ -148,22 +148,22 @@ class Hli:
         self.acknowledges_itself = True
 
     def latch(self) -> None:
-        """Start of a tick."""
+        """Latch panel and acknowledgements at the start of a tick."""
         self.panel.latch()
         self.realtime.latch()
         self.program.latch()
 
     def has_default_plc(self) -> int:
-        """Whether no script and no other process plays the PLC."""
+        """Return whether no script and no other process plays the PLC."""
         return 1 if self.acknowledges_itself and not self.panel.plc_present else 0
 
     def run_default_plc(self, tick: int) -> None:
-        """The PLC phase of a tick, where nobody else plays the PLC."""
+        """Run the PLC phase of a tick, if nobody else plays the PLC."""
         if self.has_default_plc():
             self.realtime.acknowledge_done(tick)
             self.program.acknowledge_done(tick)
 
     def clear(self) -> None:
-        """Reset."""
+        """Free the slots of both sections (reset)."""
         self.realtime.clear()
         self.program.clear()

@@ -5,7 +5,7 @@
 has more to give, the kernel returns when the commands that take time fall below ``low_water``, so
 that a tick never finds the queue empty too early, and the path always knows as many blocks as it
 looks ahead. Where a schedule gives the decoder its time (``is_paced``), the queue may run empty,
-and events tell it.
+and events say so.
 """
 
 from __future__ import annotations
@@ -62,25 +62,25 @@ class Channel(CommandExecutor):
     # --- Python's side, between two runs --------------------------------------------------------
 
     def take_answer(self) -> float:
-        """The value that the decoder has waited for; it goes on."""
+        """Take the value that the decoder waits for; raise ``ValueError`` without one."""
         if not self.answer_ready:
             raise ValueError("the realtime part has no answer")
         self.answer_ready = False
         return self.answer
 
     def can_free_slots(self) -> bool:
-        """Whether realtime cycles may still end by themselves: for the decoder that needs a slot.
+        """Return whether realtime cycles may still end by themselves and free a slot.
 
         Their blocks are on their way, or what comes before the next definition is not taken yet.
         """
         return not self.is_idle()
 
     def due(self) -> int:
-        """What the channel needs Python for, as ``needs_python``."""
+        """Return ``needs_python`` to Python."""
         return self.needs_python()
 
     def event_bound(self) -> int:
-        """The most events that one tick can record: a few for each command, cycle and slot."""
+        """Highest number of events of a tick: a few for each command, cycle and slot."""
         commands = self.tail - self.head
         single = self.context.single_axes.event_bound(commands) + self.context.spindles.count
         return (
@@ -93,10 +93,9 @@ class Channel(CommandExecutor):
         )
 
     def wait_reason(self) -> tuple[str, int, int]:
-        """What holds the program up, as ``run/wait_reasons.py`` calls it: word, place of the block,
-        detail.
+        """Word, source and detail of what holds the program up, for ``run/wait_reasons.py``.
 
-        Empty where nothing does: the path moves, or a dwell goes on.
+        The word is empty where nothing does: the path moves, or a dwell lasts.
         """
         row = self.head % self.capacity * self.width
         queued = int(self.queue[row + rows.SOURCE]) if self.head < self.tail else self.taken_source
@@ -123,7 +122,7 @@ class Channel(CommandExecutor):
         return (word, queued, detail)
 
     def path_wait_reason(self) -> tuple[str, int]:
-        """What holds up the current block of a path that stands."""
+        """Word and detail for what holds up the current block of a standing path."""
         if self.panel.feed_hold:
             return ("feed hold", 0)
         if self.path.is_dwell:
@@ -141,7 +140,7 @@ class Channel(CommandExecutor):
         )
 
     def command_wait_reason(self, row: int) -> tuple[str, int]:
-        """What holds up the command at the head of the queue, while the path stands."""
+        """Word and detail for what holds up the command at the head of the queue."""
         kind = int(self.queue[row + rows.KIND])
         if kind == rows.TECHNOLOGY:
             return ("free place", int(self.queue[row + rows.TECHNOLOGY_FUNCTION]))
@@ -161,7 +160,7 @@ class Channel(CommandExecutor):
     # --- the tick -------------------------------------------------------------------------------
 
     def needs_python(self) -> int:
-        """Why the kernel must return before the next tick: ``codes.DONE`` not at all."""
+        """Return why the kernel must return before the next tick, else ``codes.DONE``."""
         if self.panel.reset_taken:
             return codes.RESET
         if self.panel.start_taken:
@@ -182,13 +181,13 @@ class Channel(CommandExecutor):
         return codes.DONE
 
     def is_idle(self) -> int:
-        """Whether nothing is queued or current, and no cycle waits for its block's end."""
+        """Return whether nothing is queued or current, and no cycle waits for its block's end."""
         if self.head < self.tail or self.path.is_active:
             return 0
         return 1 if self.manager.in_block_count == 0 else 0
 
     def watch_queue(self, tick: int) -> None:
-        """Tell from when to when the path has nothing to do because the decoder is late."""
+        """Record from when to when the path starves because the decoder is late."""
         is_empty = self.head == self.tail and self.decoder_open and not self.wants_slot
         can_go = not (self.path.is_active or self.is_stopped or self.is_resetting)
         can_go = can_go and not self.panel.is_paused
@@ -218,7 +217,7 @@ class Channel(CommandExecutor):
         self.cells[self.first_cell + cells.CHANNEL_OVERRIDE_VEL_CYCLE] = 100.0
 
     def run_cycles(self) -> None:
-        """All active realtime cycles, once; none during a reset (RC-007)."""
+        """Run all active realtime cycles once; none during a reset (RC-007)."""
         if self.is_resetting:
             return
         if self.manager.run_cycles(self.context):
@@ -227,7 +226,7 @@ class Channel(CommandExecutor):
             self.stop_for_user(self.context.user_reaction)
 
     def interpolate(self) -> None:
-        """One increment of the path with this tick's override (RC-305, MO-5)."""
+        """Advance the path by a tick with the present override (RC-305, MO-5)."""
         factor = self.override()
         is_stopping = (
             self.is_stopped or self.is_resetting or self.panel.feed_hold or self.is_at_fixed_stop
@@ -260,7 +259,7 @@ class Channel(CommandExecutor):
             self.watch_spindle(factor)
 
     def watch_spindle(self, factor: float) -> None:
-        """Warn, once for each standing, that the path waits for a spindle (G95): it is silent."""
+        """Warn once for each stand that the path waits for a spindle (G95, 900819)."""
         if factor != 0.0:
             self.has_warned_of_spindle = False
         elif not self.has_warned_of_spindle and self.resting_spindle() > 0:
@@ -269,14 +268,14 @@ class Channel(CommandExecutor):
             self.record.event(rows.EVENT_ERROR, source, 0, 900819)
 
     def resting_spindle(self) -> int:
-        """Counted from 1 the spindle that rests while the path stands and follows it; else 0."""
+        """Number, from 1, of the resting spindle that a standing path follows; else 0."""
         if not self.path.is_active or self.path.is_dwell or self.path.speed_v != 0.0:
             return 0
         spindle = int(self.path.history_rows[self.path.row + rows.FEED_SPINDLE])
         return spindle if spindle > 0 and self.context.spindles.is_resting(spindle - 1) else 0
 
     def watch_stops(self) -> None:
-        """At the fixed stop the path brakes, and what is left of its block is dropped (MO-12)."""
+        """Brake at the fixed stop, and drop the rest of the block (MO-12)."""
         if self.fixed_stops.watch() and self.path.is_active:
             self.is_at_fixed_stop = True
         if self.is_at_fixed_stop and self.path.speed_v == 0.0:
@@ -284,7 +283,7 @@ class Channel(CommandExecutor):
             self.path.abandon()
 
     def override(self) -> float:
-        """What the current segment's prepared speed is multiplied with in this tick (RC-305).
+        """Return the factor of the current segment's prepared speed in this tick (RC-305).
 
         ``total_pct``: operator's, programmed and CYCLE part.
         """
@@ -301,7 +300,7 @@ class Channel(CommandExecutor):
         return factor
 
     def step_back(self, factor: float, is_stopping: int) -> int:
-        """One increment while backward motion is commanded, or forward over the history (MO-7)."""
+        """Advance a tick of backward motion, or forward over the history (MO-7)."""
         if self.path.history_size == 0:
             if self.panel.turns_back:
                 self.record.event(rows.EVENT_ERROR, 0, 0, 900880)
@@ -321,7 +320,7 @@ class Channel(CommandExecutor):
         return has_time_left
 
     def warn_of_wait(self) -> None:
-        """Warn, once, that a program waits because backward has no way: it would be silent."""
+        """Warn once that a program waits because nothing is left to walk back (900890)."""
         if self.panel.turns_back or self.is_resetting:
             self.has_warned_of_wait = False
         waits = self.head < self.tail and not self.path.is_active
@@ -332,12 +331,12 @@ class Channel(CommandExecutor):
             self.record.event(rows.EVENT_ERROR, source, 0, 900890)
 
     def publish_block(self) -> None:
-        """The N number of the block that is current in this tick, its last one included."""
+        """Publish the N number of this tick's block, its last tick included."""
         number = self.path.block_number() if self.path.is_active else 0.0
         self.cells[self.first_cell + cells.CHANNEL_BLOCK] = number
 
     def pass_block_ends(self, is_stopping: int) -> None:
-        """The path passes block ends: what stands between is taken in the next tick (RC-003).
+        """Pass block ends in the tick; commands between are taken in the next one (RC-003).
 
         A block that it cannot take is an error; with speed left, it brakes on this block with the
         axes that are free, since it must not stop in a step (MO-1, MO-6).
@@ -396,13 +395,13 @@ class Channel(CommandExecutor):
         self.cells[self.first_cell + cells.CHANNEL_PATH_DIST_TO_GO] = self.path.distance_to_go()
 
     def report_axes(self) -> None:
-        """An independent motion of one of the channel's axes has failed: error state."""
+        """Enter the error state if an independent motion of the channel's axes has failed."""
         message = self.context.single_axes.take_faults(self.path.members, self.path.count)
         if message:
             self.enter_error(message)
 
     def axes_stand(self) -> int:
-        """Whether the axes of a waiting position request stand; one that never will is an error."""
+        """Return whether the requested axes stand; axes that never will are an error."""
         if self.waiting != rows.POSITIONS:
             return 0
         row = self.head % self.capacity * self.width
@@ -413,7 +412,7 @@ class Channel(CommandExecutor):
         return 1 if message == codes.STANDS else 0
 
     def answer_waiting(self) -> None:
-        """Flush and synchronous read at the head: answered with the values of now."""
+        """Answer the flush or synchronous read at the head with the present values."""
         row = self.head % self.capacity * self.width
         self.answer = 0.0
         if self.waiting == rows.READ:
@@ -426,7 +425,7 @@ class Channel(CommandExecutor):
         self.timed_count -= 1
 
     def end_reset(self) -> None:
-        """Everything stands: give up what was decoded ahead; the path braked on it until now."""
+        """End a reset once all stands: give up the commands decoded ahead."""
         if not self.context.single_axes.all_free(self.path.members, self.path.count):
             return
         self.is_resetting = False
@@ -443,7 +442,7 @@ class Channel(CommandExecutor):
         self.last_segment = -1
 
     def request_reset(self) -> None:
-        """Python asks for a reset, which begins with the next tick."""
+        """Request a reset, which begins with the next tick."""
         self.begin_reset()
 
     def begin_reset(self) -> None:
@@ -459,11 +458,11 @@ class Channel(CommandExecutor):
         self.panel.is_paused = False
 
     def clear_error(self) -> None:
-        """Python has read the error; the channel stays stopped until a reset."""
+        """Note that Python has read the error; the channel stays stopped until a reset."""
         self.error_pending = False
 
     def accept_end(self) -> None:
-        """Python has seen the program's end; the queue is ready for another program."""
+        """Accept another program behind M30; raise ``ValueError`` if none has ended."""
         if not self.program_ended:
             raise ValueError("no program has ended")
         self.program_ended = False

@@ -73,7 +73,7 @@ class CommandExecutor(CommandQueue):
         self.is_resetting = False
 
     def set_spindles(self, spindles: Spindles, max_open_actions: int) -> None:
-        """The channel's spindles; so many actions of a realtime cycle are open (P-CHAN-00480)."""
+        """Set the channel's spindles, and a cycle's number of open actions (P-CHAN-00480)."""
         self.context.spindles = spindles
         self.context.max_open_actions = max_open_actions
         self.manager.spindles = spindles
@@ -104,14 +104,14 @@ class CommandExecutor(CommandQueue):
             self.head += 1
 
     def is_at_stand(self) -> int:
-        """Whether the path stands between two blocks, and has begun none that is still queued."""
+        """Return whether the path stands between two blocks with none started ahead."""
         stands = (
             self.path.speed_v == 0.0 and not self.path.is_active and not self.path.continues_block()
         )
         return 1 if stands and self.started < self.head else 0
 
     def is_reversing(self) -> int:
-        """Whether the path is away from its front or about to leave it: nothing is taken."""
+        """Return whether the path walks over its history or is about to: no command is taken."""
         if self.path.is_retracing:
             return 1
         if not self.panel.backward_motion or self.path.history_size == 0:
@@ -119,7 +119,7 @@ class CommandExecutor(CommandQueue):
         return 1 if self.path.speed_v == 0.0 else 0
 
     def enter_block(self, row: int) -> int:
-        """Whether the command at ``row`` may be taken: single block stops in front of a block."""
+        """Return whether the command may be taken: single block stops in front of a block."""
         source = int(self.queue[row + rows.SOURCE])
         self.taken_source = source
         line = source >> 20  # file and line (``row/source_ids.py``)
@@ -132,12 +132,12 @@ class CommandExecutor(CommandQueue):
         return 0
 
     def is_motion(self, row: int) -> bool:
-        """Whether a command is a segment or a dwell."""
+        """Return whether a command is a segment or a dwell."""
         kind = int(self.queue[row + rows.KIND])
         return kind in (rows.SEGMENT, rows.DWELL)
 
     def take(self, tick: int, row: int, kind: int) -> int:
-        """Take the command at ``row``: 0 when it stays at the head of the queue."""
+        """Take the command at ``row``; return 0 if it stays at the head of the queue."""
         if kind in (rows.SEGMENT, rows.DWELL):
             return self.take_block(row)
         if kind == rows.DEFINE_CYCLE:
@@ -197,7 +197,7 @@ class CommandExecutor(CommandQueue):
         return 1
 
     def take_event(self, row: int, kind: int) -> None:
-        """A command that is nothing but an event."""
+        """Record a command that is nothing but an event."""
         source = int(self.queue[row + rows.SOURCE])
         if kind == rows.MESSAGE:
             number = int(self.queue[row + rows.MESSAGE_TEXT])
@@ -217,7 +217,7 @@ class CommandExecutor(CommandQueue):
             self.record.event(rows.EVENT_WAIT, source, reason, cell)
 
     def take_block(self, row: int) -> int:
-        """A segment or dwell: current from now on, unless the path has passed its start already.
+        """Make a segment or dwell current, unless the path has passed its start already.
 
         BLOCK cycles that stood before it run with it, or once where it is over by now (RC-105).
         """
@@ -241,7 +241,7 @@ class CommandExecutor(CommandQueue):
         return 1
 
     def time_units(self, row: int) -> int:
-        """How much a segment or dwell counts among the commands that take time."""
+        """Number of commands that take time, of a segment or dwell: 0 or 1."""
         if self.queue[row + rows.KIND] == rows.SEGMENT:
             return 0 if self.queue[row + rows.SHAPE] == rows.ROUNDING else 1
         return 1 if self.queue[row + rows.KIND] == rows.DWELL else 0
@@ -265,14 +265,14 @@ class CommandExecutor(CommandQueue):
         return remaining
 
     def block_continues(self, position: int) -> int:
-        """Whether a command is a segment whose block continues with the next one."""
+        """Return whether a command is a segment whose block continues with the next one."""
         row = position % self.capacity * self.width
         if self.queue[row + rows.KIND] != rows.SEGMENT:
             return 0
         return 1 if self.queue[row + rows.CONTINUES] > 0.0 else 0
 
     def take_definition(self, tick: int, row: int) -> int:
-        """The definition of a realtime cycle."""
+        """Define a realtime cycle."""
         slot = int(self.queue[row + rows.CYCLE_SLOT])
         message = self.manager.define(slot, int(self.queue[row + rows.CYCLE_STARTS]), tick)
         if message != 0:
@@ -281,7 +281,7 @@ class CommandExecutor(CommandQueue):
         return 1
 
     def take_control(self, tick: int, row: int) -> int:
-        """A management command; DELETE and HOLD may have to wait (RC-004)."""
+        """Carry out a management command; DELETE and HOLD may have to wait (RC-004)."""
         source = int(self.queue[row + rows.SOURCE])
         action = int(self.queue[row + rows.CONTROL_ACTION])
         identity = int(self.queue[row + rows.CONTROL_IDENTITY])
@@ -295,7 +295,7 @@ class CommandExecutor(CommandQueue):
         return 1
 
     def take_technology(self, tick: int, row: int) -> int:
-        """An M or H function of the main program; waits while no slot is free."""
+        """Issue an M or H function of the main program; wait while no slot is free."""
         function = int(self.queue[row + rows.TECHNOLOGY_FUNCTION])
         ticks = int(self.queue[row + rows.TECHNOLOGY_TICKS])
         if self.hli.program.issue(function, tick, ticks) <= 0:
@@ -308,7 +308,7 @@ class CommandExecutor(CommandQueue):
         return 1
 
     def take_spindle(self, tick: int, row: int) -> int:
-        """A spindle's job of the main program; waits until the spindle can take it."""
+        """Give a spindle its job; wait until the spindle can take it."""
         spindle = int(self.queue[row + rows.JOB_SPINDLE])
         if not self.context.spindles.is_ready(spindle, tick):
             return 0
@@ -327,7 +327,7 @@ class CommandExecutor(CommandQueue):
         return 1
 
     def take_spindle_wait(self, row: int) -> int:
-        """Speed or position of a spindle is waited for; a held job would never have them."""
+        """Wait for speed or position of a spindle; a held job would never reach it."""
         spindle = int(self.queue[row + rows.JOB_SPINDLE])
         if self.context.spindles.is_busy(spindle):
             if not self.context.spindles.is_held[spindle]:
@@ -338,14 +338,14 @@ class CommandExecutor(CommandQueue):
         return 1
 
     def take_write(self, row: int) -> None:
-        """A synchronous variable written by the decoder (RC-308)."""
+        """Write a synchronous variable (RC-308)."""
         cell = int(self.queue[row + rows.VARIABLE_CELL])
         self.cells[cell] = self.queue[row + rows.VARIABLE_VALUE]
         if self.queue[row + rows.VARIABLE_IS_REPORTED] != 0.0:
             self.record.written(int(self.queue[row + rows.SOURCE]), 0, cell, self.cells[cell])
 
     def take_characters(self, row: int) -> None:
-        """Part of a string, and zeros behind it."""
+        """Write a part of a string, and zeros behind it."""
         cell = int(self.queue[row + rows.TEXT_CELL])
         first = int(self.queue[row + rows.TEXT_FIRST])
         first += 8 * cell
@@ -357,7 +357,7 @@ class CommandExecutor(CommandQueue):
             self.characters[first + i] = 0
 
     def take_offset(self, row: int, kind: int) -> None:
-        """An offset, the origin or the turn of a system: the cycles of this tick see it (MO-8)."""
+        """Set offset, origin or turn of a system: the cycles of this tick see it (MO-8)."""
         if kind == rows.SET_TURN:
             self.path.axes.turn(self.queue, row)
         elif kind == rows.SET_ORIGIN:
@@ -369,7 +369,7 @@ class CommandExecutor(CommandQueue):
             self.path.axes.set_offset(axis, offset, self.queue[row + rows.OFFSET_VALUE])
 
     def take_loop(self, row: int) -> None:
-        """The begin of a realtime loop: without its condition it is passed over."""
+        """Begin a realtime loop; without its condition it is skipped."""
         self.cells[self.first_cell + cells.CHANNEL_LOOP_COUNT] = 0.0
         self.is_skipping = self.cells[self.first_cell + cells.CHANNEL_LOOP_ENABLED] == 0.0
         self.is_looping = not self.is_skipping
@@ -380,13 +380,13 @@ class CommandExecutor(CommandQueue):
         self.prolong_loop()
 
     def prolong_loop(self) -> None:
-        """While the loop's condition holds there is always another pass ahead of the path."""
+        """Keep another pass ahead of the path while the loop's condition holds."""
         if self.loop_repeats():
             while self.needs_pass():
                 self.repeat_body()
 
     def take_fixed_stop(self, row: int) -> None:
-        """An axis is monitored from now on, or no longer."""
+        """Monitor an axis from now on, or no longer."""
         member = int(self.queue[row + rows.FIXED_STOP_AXIS])
         if self.queue[row + rows.FIXED_STOP_IS_ON] != 0.0:
             self.fixed_stops.arm(member, int(self.queue[row + rows.SOURCE]), self.queue, row)
@@ -394,7 +394,7 @@ class CommandExecutor(CommandQueue):
             self.fixed_stops.disarm(member)
 
     def take_fixed_stop_end(self, row: int) -> None:
-        """The block that moves to a fixed stop is over."""
+        """End the block that moves to a fixed stop."""
         self.timed_count -= 1
         member = self.fixed_stops.missing()
         if member >= 0:
@@ -411,7 +411,7 @@ class CommandExecutor(CommandQueue):
         self.edge_probe.value = int(self.queue[row + rows.MEASURE_VALUE])
 
     def take_measure_end(self, tick: int, row: int) -> int:
-        """Finish measuring in a block: 0 while its function waits for the PLC."""
+        """Finish measuring in a block; return 0 while its function waits for the PLC."""
         outcome = self.edge_probe.finish(tick)
         if outcome == 0:
             return 0
@@ -421,18 +421,18 @@ class CommandExecutor(CommandQueue):
         return 1
 
     def loop_repeats(self) -> int:
-        """Whether the condition of the loop that the path is in holds."""
+        """Return whether the condition of the current loop holds."""
         is_enabled = self.cells[self.first_cell + cells.CHANNEL_LOOP_ENABLED] != 0.0
         return 1 if self.is_looping and is_enabled else 0
 
     def leave_loop(self, source: int) -> None:
-        """The path has come to the loop's end, and the condition does not hold."""
+        """Leave the loop at its end, since the condition does not hold."""
         if self.is_looping:
             self.record.event(rows.EVENT_LOOP, source, rows.LOOP_LEFT)
         self.give_up_loop()
 
     def give_up_loop(self) -> None:
-        """There is no loop any more."""
+        """Forget the loop."""
         self.is_looping = False
         self.is_skipping = False
         self.is_between = False
@@ -440,7 +440,7 @@ class CommandExecutor(CommandQueue):
         self.loop_body.give_up()
 
     def take_program_end(self, tick: int, row: int) -> int:
-        """M30; not in the tick in which a cycle that it deletes was started (RC-004, RC-106)."""
+        """End the program (M30), not in the tick of a cycle's start (RC-004, RC-106)."""
         if self.manager.has_started_this_tick(tick):
             return 0
         self.timed_count -= 1
@@ -456,7 +456,7 @@ class CommandExecutor(CommandQueue):
         return 1
 
     def take_user_error(self, row: int, kind: int) -> None:
-        """``#ERROR`` of the main program: told, then its values, then it may stop the channel."""
+        """Record ``#ERROR`` of the main program and its values; RC may stop the channel."""
         source = int(self.queue[row + rows.SOURCE])
         if kind == rows.USER_ERROR:
             identity = self.queue[row + rows.ERROR_IDENTITY]
@@ -475,20 +475,20 @@ class CommandExecutor(CommandQueue):
             self.record.event(rows.EVENT_USER_VALUE, source, 0, keyword, value)
 
     def stop_for_user(self, reaction: int) -> None:
-        """An ``#ERROR`` with RC from 1 on: error state until a reset, with RC 7 for good."""
+        """Enter the error state by ``#ERROR`` with RC from 1 on, with RC 7 for good."""
         self.enter_error(900464)
         if reaction == codes.FATAL_REACTION:
             self.error_message = 900465
             self.is_fatal = True
 
     def enter_error(self, message: int) -> None:
-        """The channel is in error state: nothing is taken, the path brakes."""
+        """Enter the error state: no command is taken, the path brakes."""
         self.error_message = message
         self.error_pending = True
         self.is_stopped = True
 
     def report(self, source: int, message: int, detail: float) -> None:
-        """An error of the realtime part: channel in error state, the path brakes (RC-505)."""
+        """Record an error and enter the error state; the path brakes (RC-505)."""
         self.record.event(rows.EVENT_ERROR, source, 0, message, detail)
         self.error_detail = detail
         self.enter_error(message)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The commands that wait for a channel: a ring of rows of float64.
+"""The commands that wait for a channel: a ring buffer of rows of float64.
 
 A command (``decoder/state/packing.py`` packs it) is a row (``rows.py``). A segment is prepared as
 it comes, so that those before it may go faster. Commands that take time are counted
@@ -18,7 +18,7 @@ from nctakt.kernel.tick.loop_body import LoopBody
 
 
 class CommandQueue:
-    """Commands from ``head`` to ``tail``, running numbers; the path has begun up to ``started``.
+    """Commands from ``head`` to ``tail``, running numbers; ``started``: the newest begun.
 
     ``last_segment``: the segment that the next one may go on from, -1 where the path stops first.
     """
@@ -40,7 +40,7 @@ class CommandQueue:
         self.end_row = memoryview(bytearray(8 * self.width)).cast("d")
 
     def put(self, command: list[float]) -> None:
-        """Append a command; the row may be shorter than the ring's width."""
+        """Append a command; the row may be shorter than the queue's width."""
         check_range(len(command), 1, self.width, "length of a command")
         row = self.next_row()
         for i, number in enumerate(command):
@@ -159,7 +159,7 @@ class CommandQueue:
     def begin_segment(
         self, row: int, source: int, number: int, motion: int, exact_stop: int, limits_jerk: int
     ) -> None:
-        """The head of a segment, in a row that is otherwise empty."""
+        """Write the head of a segment into its row, which is otherwise 0."""
         for i in range(self.width):
             self.queue[row + i] = 0.0
         self.queue[row + rows.KIND] = rows.SEGMENT
@@ -170,14 +170,14 @@ class CommandQueue:
         self.queue[row + rows.HAS_JERK_LIMIT] = limits_jerk
 
     def put_ends(self, row: int, start: memoryview[float], target: memoryview[float]) -> None:
-        """Where a segment begins and ends."""
+        """Write the positions at start and end of a segment."""
         first = row + rows.START
         for i in range(self.path.count):
             self.queue[first + i] = start[i]
             self.queue[first + self.path.count + i] = target[i]
 
     def end_segment(self, row: int) -> None:
-        """The segment stands in its row: it counts, and is prepared."""
+        """Count and prepare the segment that stands in its row."""
         self.tail += 1
         self.timed_count += 1
         exact_stop = self.queue[row + rows.EXACT_STOP] > 0.0
@@ -185,12 +185,12 @@ class CommandQueue:
         self.last_segment = -1 if exact_stop else self.tail - 1
 
     def continue_block(self) -> None:
-        """The latest segment, without exact stop, and the one behind it are one block."""
+        """Make the newest segment, without exact stop, and the next one one block."""
         row = (self.tail - 1) % self.capacity * self.width
         self.queue[row + rows.CONTINUES] = 1.0
 
     def prepare(self, row: int) -> None:
-        """Limits of the latest segment and the speeds of those before it."""
+        """Prepare the newest segment: its limits, and the speeds of those before it."""
         self.look_ahead.measure(self.queue, row)
         if self.queue[row + rows.MOTION] == rows.RAPID_MOTION:
             if self.queue[row + rows.SPEED_OVERRIDE] > 0.0:
@@ -207,7 +207,7 @@ class CommandQueue:
         self.look_ahead.corner.leave(self.queue, row, length)
 
     def connect(self, back: int, oldest: int) -> None:
-        """Let the path go on into the latest segment from the one ``back`` commands before it."""
+        """Let the path continue into the newest segment from the one ``back`` rows before."""
         promised_v = -1.0
         promised_max_v = -1.0
         if self.path.is_active:
@@ -216,7 +216,7 @@ class CommandQueue:
         self.look_ahead.connect(self.queue, self.tail - 1, back, oldest, promised_v, promised_max_v)
 
     def insert_rounding(self, oldest: int) -> int:
-        """Put the bend that was made behind ``last_segment``: where the latest segment begins then.
+        """Insert the rounding behind ``last_segment``; return the newest segment's row.
 
         If it would break the promise to the current segment, the path stops at the corner.
         """
@@ -239,31 +239,31 @@ class CommandQueue:
         return row
 
     def copy_row(self, number: int, to: int) -> None:
-        """Copy a command to another place of the queue."""
+        """Copy a command to another row of the queue."""
         row = number % self.capacity * self.width
         target = to % self.capacity * self.width
         for i in range(self.width):
             self.queue[target + i] = self.queue[row + i]
 
     def has_same_slope(self, number: int, row: int) -> int:
-        """Whether two segments have one kind of slope: the path stops between different ones."""
+        """Return whether two segments have one slope; else the path stops between them."""
         before = number % self.capacity * self.width
         limits_jerk = self.queue[row + rows.JERK] > 0.0
         return 1 if limits_jerk == (self.queue[before + rows.JERK] > 0.0) else 0
 
     def next_row(self) -> int:
-        """Where the next command of the queue begins; there is room for a bend in front of it."""
+        """Row of the next command; there is room for a rounding in front of it."""
         if self.tail - self.head + 1 >= self.capacity:
             self.grow()
         return self.tail % self.capacity * self.width
 
     def reserve(self, count: int) -> None:
-        """Room for so many commands that take time in all, each with a bend, and one more."""
+        """Make room for ``count`` commands that take time, each with a rounding, and one."""
         while self.capacity <= 2 * count + self.tail - self.head - self.timed_count:
             self.grow()
 
     def grow(self) -> None:
-        """Double the queue: many commands without motion stand in a row."""
+        """Double the queue, where many commands without motion stand in a row."""
         commands = [self.command(n) for n in range(self.head, self.tail)]
         self.capacity *= 2
         self.look_ahead.resize(self.capacity)
@@ -277,17 +277,17 @@ class CommandQueue:
                 self.queue[n * self.width + i] = number
 
     def command(self, number: int) -> list[float]:
-        """The command with this running number."""
+        """Command with this running number; raise ``ValueError`` if it is not queued."""
         check_range(number, self.head, self.tail - 1, "command")
         row = number % self.capacity * self.width
         return [self.queue[row + i] for i in range(self.width)]
 
     def queued(self) -> int:
-        """How many commands wait."""
+        """Number of commands that wait."""
         return self.tail - self.head
 
     def is_transparent(self, kind: int) -> int:
-        """Whether the path passes a command of this kind between two blocks without a stop."""
+        """Return whether the path passes a command of this kind without a stop."""
         if kind in (
             rows.SEGMENT,
             rows.DEFINE_CYCLE,
@@ -314,7 +314,7 @@ class CommandQueue:
         return 0
 
     def needs_pass(self) -> int:
-        """Whether a path that does not slow down for the loop's end needs another pass by now.
+        """Return whether a path that passes the loop's end needs another pass by now.
 
         At least one segment behind the next one has to be there, and the way to brake on.
         """
@@ -336,7 +336,7 @@ class CommandQueue:
         return 1 if self.tail - self.head + 2 * self.loop_body.count < self.capacity else 0
 
     def braking_distance_in(self, row: int) -> float:
-        """How far the path brakes from a segment's highest speed, with three ticks more."""
+        """Braking distance in mm from a segment's highest speed, three ticks included."""
         fastest_v = self.queue[row + rows.SPEED] * self.look_ahead.limits.max_factor
         speed = min(fastest_v, self.queue[row + rows.MAX_SPEED])
         acceleration = self.queue[row + rows.ACCELERATION]
@@ -346,7 +346,7 @@ class CommandQueue:
         return length
 
     def repeat_body(self) -> None:
-        """Put the body in again, in front of the loop's end, which is the last command."""
+        """Insert the body again in front of the loop's end, which is the last command."""
         end = (self.tail - 1) % self.capacity * self.width
         for i in range(self.width):
             self.end_row[i] = self.queue[end + i]

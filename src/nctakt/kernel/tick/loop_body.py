@@ -26,13 +26,13 @@ class LoopBody:
         self.ends_with_stand = False
 
     def begin(self) -> None:
-        """A loop begins: what comes is its body."""
+        """Begin a loop: the rows that follow are its body."""
         self.count = 0
         self.is_open = True
         self.is_complete = False
 
     def end(self, axis_count: int, ends_with_stand: bool) -> None:
-        """All of the body has come; a pass begins bit by bit where the one before has ended."""
+        """Complete the body; a pass begins exactly where the one before has ended."""
         self.is_open = False
         self.is_complete = True
         self.ends_with_stand = ends_with_stand
@@ -44,12 +44,12 @@ class LoopBody:
             self.rows[first + i] = self.rows[last + axis_count + i]
 
     def give_up(self) -> None:
-        """There is no loop any more."""
+        """Forget the loop."""
         self.is_open = False
         self.is_complete = False
 
     def append(self, queue: memoryview[float], row: int) -> None:
-        """Keep the row of the queue that begins at ``row``."""
+        """Append the queue's row at ``row`` to the body."""
         if (self.count + 1) * self.width > len(self.rows):
             larger = memoryview(bytearray(16 * len(self.rows))).cast("d")
             for i in range(self.count * self.width):

@@ -231,7 +231,11 @@ def test_a_class_with_a_misspelt_cycle_is_told(tmp_path: Path) -> None:
     ("member", "name", "near"),
     [
         ("    @on('M777')\n    def f(self, hli, function):\n        pass\n", "M777", ""),
-        ("    @on('M100', 'm1000')\n    def f(self, hli, function):\n        pass\n", "M1000", "M100"),
+        (
+            "    @on('M100', 'm1000')\n    def f(self, hli, function):\n        pass\n",
+            "M1000",
+            "M100",
+        ),
         ("    @on('S7')\n    def f(self, hli, function):\n        pass\n", "S7", ""),
         ("    acknowledge = only('H1000')\n", "H1000", "H100"),
         ("    spindles = only('X')\n", "X", ""),

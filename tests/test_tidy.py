@@ -652,7 +652,17 @@ def test_columns_and_codes_are_named(path: Path) -> None:
 #: Words with too many meanings to be a name: position, slot, source, length, path; reported …
 VAGUE_NAMES = {"place", "way", "told", "made", "wanted", "here", "there"}
 #: The rooms that are held to it, by the begins of their names.
-NAMED_FOLDERS = ("base", "checking", "decoder", "files", "hli", "kernel", "linux", "machines")
+NAMED_FOLDERS = (
+    "base",
+    "checking",
+    "cli",
+    "decoder",
+    "files",
+    "hli",
+    "kernel",
+    "linux",
+    "machines",
+)
 NAMED_FOLDERS += ("nc/", "plc", "plots", "reference", "results", "run", "testing", "trace")
 NAMED_ROOMS = [room for room in ROOMS if room.startswith(NAMED_FOLDERS)]
 

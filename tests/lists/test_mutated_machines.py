@@ -46,7 +46,7 @@ def outcome(lists: dict[str, str], program: str, folder: Path) -> str:
     """What is wrong with how a folder is treated; empty if nothing is."""
     write(lists, folder)
     try:
-        found = check_files([folder], AssembledMachine(load_machine(None))).found
+        found = check_files([folder], AssembledMachine(load_machine(None))).findings
         [one.diagnostic.render("de") for one in found]
         is_wrong = any(one.diagnostic.severity is Severity.ERROR for one in found)
         text = NcText("part.nc", program)
@@ -54,7 +54,7 @@ def outcome(lists: dict[str, str], program: str, folder: Path) -> str:
             machine = AssembledMachine(load_machine(folder))
         except Failure:
             return "" if is_wrong else "no error of the check, and no machine"
-        checked = check_files([text], machine).found
+        checked = check_files([text], machine).findings
         is_wrong_program = any(one.diagnostic.severity is Severity.ERROR for one in checked)
         run = Controller(folder).run(text, ticks=TICKS)
         [one.render("de") for one in run.diagnostics]
@@ -89,7 +89,7 @@ def test_an_axis_without_its_list_is_no_word_of_a_program(tmp_path: Path, entry:
     write(lists, tmp_path / "machine")
     machine = AssembledMachine(load_machine(tmp_path / "machine"))
     text = NcText("part.nc", "G00 Y1\nM30\n")
-    numbers = [one.diagnostic.id for one in check_files([text], machine).found]
+    numbers = [one.diagnostic.id for one in check_files([text], machine).findings]
     run = Controller(tmp_path / "machine").run(text)
     if "1" in entry:
         assert numbers == [900203]

@@ -111,5 +111,5 @@ def test_programs_run_in_both_channels() -> None:
 def test_the_check_reports_the_folder_as_a_whole() -> None:
     """No list of the folder is checked alone."""
     checked = check_files([FOLDER], Controller()._machine)
-    assert 900583 not in [one.diagnostic.id for one in checked.found]
-    assert len(checked.found) == len(EXPECTED)
+    assert 900583 not in [one.diagnostic.id for one in checked.findings]
+    assert len(checked.findings) == len(EXPECTED)

@@ -49,7 +49,7 @@ def findings() -> dict[Place, tuple[int, ...]]:
     """The numbers of the findings at each place, of the folder as a whole."""
     found: dict[Place, tuple[int, ...]] = {}
     checked = check_files([FOLDER], AssembledMachine(load_machine(None)), detail="all")
-    for one in checked.found:
+    for one in checked.findings:
         span = one.diagnostic.span
         place = (Path(one.file).name, 0 if span is None else span.line)
         found[place] = (*found.get(place, ()), one.diagnostic.id)

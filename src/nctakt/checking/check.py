@@ -16,7 +16,7 @@ from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Severity, Span, Text
 from nctakt.base.failure import Failure
 from nctakt.base.text import decode_text, split_lines
-from nctakt.checking.inputs import Found, gather
+from nctakt.checking.inputs import Finding, gather
 from nctakt.checking.program import check_program
 from nctakt.checking.targets import Target, Targets
 from nctakt.files.access import BEGIN_BYTES
@@ -71,7 +71,7 @@ class CheckResult:
     """
 
     files: tuple[CheckedFile, ...]
-    found: tuple[Found, ...]
+    findings: tuple[Finding, ...]
     machines: tuple[str, ...] = ()
     uses_default: bool = False
     around: tuple[str, ...] = ()
@@ -79,7 +79,7 @@ class CheckResult:
 
     def count(self, severity: Severity) -> int:
         """Return the number of diagnostics of a severity."""
-        return sum(item.diagnostic.severity is severity for item in self.found)
+        return sum(item.diagnostic.severity is severity for item in self.findings)
 
 
 def check_files(
@@ -128,7 +128,7 @@ class _Checker:
         self._root = root
         self._for_all = for_all
         self._files: dict[str, str] = {}
-        self._found: list[Found] = []
+        self._found: list[Finding] = []
         self._around: dict[Path, None] = {}
         self._settings: dict[MachineChoice, None] = {}
         self._channels: dict[str, set[int]] = {}
@@ -178,7 +178,7 @@ class _Checker:
     ) -> None:
         for message in diagnostics:
             self._found.append(
-                Found(file if message.span is None else message.span.file, message, channels)
+                Finding(file if message.span is None else message.span.file, message, channels)
             )
 
     def _read(self, path: Path) -> bytes | None:
@@ -351,12 +351,12 @@ class _Checker:
             self._queue(path, (target,), "either" if is_input else "called")
 
 
-def _ordered(found: Sequence[Found], channels: Mapping[str, set[int]]) -> tuple[Found, ...]:
+def _ordered(found: Sequence[Finding], channels: Mapping[str, set[int]]) -> tuple[Finding, ...]:
     """Return each finding once, in the order of file, line, column, number.
 
     ``channels``: file -> the channels for which it was checked; a diagnostic of all has none.
     """
-    first: dict[_Key, Found] = {}
+    first: dict[_Key, Finding] = {}
     concerned: dict[_Key, set[int]] = {}
     for item in found:
         first.setdefault(_key(item), item)
@@ -371,7 +371,7 @@ def _named(concerned: set[int], checked: set[int]) -> tuple[int, ...]:
     return () if concerned == checked else tuple(sorted(concerned))
 
 
-def _key(found: Found) -> _Key:
+def _key(found: Finding) -> _Key:
     message = found.diagnostic
     line, column = (0, 0) if message.span is None else (message.span.line, message.span.column)
     return found.file, line, column, message.id, message.text()

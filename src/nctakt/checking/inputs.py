@@ -31,7 +31,7 @@ LIST_SUFFIXES = (LIST_SUFFIX, XML_SUFFIX)
 
 
 @dataclass(frozen=True, slots=True)
-class Found:
+class Finding:
     """A diagnostic and its file, even if it has no position there.
 
     ``channels``: the channels that it concerns, if it does not concern all that run the program.
@@ -55,14 +55,14 @@ class Inputs:
     programs: tuple[Path, ...]
 
 
-def gather(paths: Sequence[Path], access: FileAccess, diagnostics: list[Found]) -> Inputs:
+def gather(paths: Sequence[Path], access: FileAccess, diagnostics: list[Finding]) -> Inputs:
     """Return the files of the paths; mistakes in the paths are added to ``diagnostics``."""
     machines: dict[Path, tuple[Path, Path | None]] = {}
     lists: dict[Path, Path] = {}
     programs: dict[Path, Path] = {}
     for path in paths:
         if not path.exists():
-            diagnostics.append(Found(path.as_posix(), diagnostic(FILE_MISSING, file=str(path))))
+            diagnostics.append(Finding(path.as_posix(), diagnostic(FILE_MISSING, file=str(path))))
         elif path.is_file() and is_startup_name(path.name):
             machines.setdefault(path.resolve(), (path, None))
         elif not path.is_dir():
@@ -79,7 +79,7 @@ def _search(
     lists: dict[Path, Path],
     programs: dict[Path, Path],
     access: FileAccess,
-    diagnostics: list[Found],
+    diagnostics: list[Finding],
 ) -> None:
     empty = True
     for path in _files(folder, diagnostics):
@@ -90,7 +90,7 @@ def _search(
             continue
         empty = False
         if not path.exists():
-            diagnostics.append(Found(path.as_posix(), diagnostic(FILE_MISSING, file=str(path))))
+            diagnostics.append(Finding(path.as_posix(), diagnostic(FILE_MISSING, file=str(path))))
         elif is_startup_name(path.name):
             machines.setdefault(path.resolve(), (path, folder))
         elif path.is_file():
@@ -99,7 +99,7 @@ def _search(
     if empty:
         suffixes = ", ".join(PROGRAM_SUFFIXES)
         message = diagnostic(NOTHING_TO_CHECK, folder=str(folder), suffixes=suffixes)
-        diagnostics.append(Found(folder.as_posix(), message))
+        diagnostics.append(Finding(folder.as_posix(), message))
 
 
 def _is_list(path: Path, access: FileAccess) -> bool:
@@ -111,13 +111,13 @@ def _is_list(path: Path, access: FileAccess) -> bool:
     return is_xml(begin) and kind_of(path.name, begin) is not None
 
 
-def _files(folder: Path, diagnostics: list[Found]) -> Iterator[Path]:
+def _files(folder: Path, diagnostics: list[Finding]) -> Iterator[Path]:
     """Yield all files in a folder and its folders by name; links are not followed."""
 
     def unreadable(error: OSError) -> None:
         name = str(error.filename)
         reason = error.strerror or str(error)
-        diagnostics.append(Found(name, diagnostic(FILE_NOT_READABLE, file=name, reason=reason)))
+        diagnostics.append(Finding(name, diagnostic(FILE_NOT_READABLE, file=name, reason=reason)))
 
     for root, folders, names in os.walk(folder, onerror=unreadable):
         folders[:] = sorted(name for name in folders if not name.startswith("."))

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 """The command ``nctakt``: subcommands, each in a file of its own, and the exit codes.
 
-In: the words of the command line. Out: 0 it ran, 1 an NC error or interrupted, 2 wrong usage (an
-option, a file or a machine that cannot be used), 3 an error of nctakt's own. A subcommand's module
-is loaded when it is called, so that none waits for the libraries of another. ``NCTAKT_DEBUG=1``
-shows the traceback of an error of our own.
+In: the words of the command line. Out: 0 for success, 1 for an NC error or an interrupt, 2 for
+wrong usage (an invalid option, file or machine), 3 for an internal error of nctakt. A subcommand's
+module is loaded when it is called, so that none waits for the libraries of another.
+``NCTAKT_DEBUG=1`` shows the traceback of an internal error.
 """
 
 from __future__ import annotations
@@ -28,8 +28,8 @@ EXIT_INTERNAL = 3
 #: The number of standard error; standard input is 0.
 _HIGHEST_STREAM = 2
 
-#: New objects between two searches for garbage. Importing makes a hundred thousand that all stay:
-#: Python's own 700 would cost a fifth of the time from the start to the first tick.
+#: New objects between two garbage collections. Imports create a hundred thousand that all stay:
+#: Python's default of 700 would cost a fifth of the time from the start to the first tick.
 _OBJECTS_BETWEEN_SEARCHES = 50_000
 
 #: Subcommands and the modules that hold them as ``command``.
@@ -66,7 +66,7 @@ def group() -> None:
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Run the command; its exit code. ``arguments`` default to those of the process."""
+    """Run the command and return its exit code; default ``arguments``: those of the process."""
     gc.set_threshold(_OBJECTS_BETWEEN_SEARCHES)
     _open_streams()
     _never_fail_at_a_character()
@@ -74,9 +74,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     try:
         code = _run(arguments)
         sys.stdout.flush()
-    except BrokenPipeError:  # nobody reads on
+    except BrokenPipeError:  # the reader has closed the pipe
         silence(sys.stdout)
-    except OSError as error:  # standard output takes no more
+    except OSError as error:  # standard output refuses the text
         return _refused(error)
     return code
 
@@ -88,23 +88,23 @@ def _run(arguments: Sequence[str] | None) -> int:
         error.show()
         return EXIT_USAGE
     except click.ClickException as error:
-        from nctakt.cli.usage import tell_usage  # noqa: PLC0415 - only a mistake needs it
+        from nctakt.cli.usage import report_usage  # noqa: PLC0415 - only a mistake needs it
 
         words = sys.argv[1:] if arguments is None else arguments
-        tell_usage(error, words)
+        report_usage(error, words)
         return EXIT_USAGE
     except (click.Abort, KeyboardInterrupt):
         complain("interrupted")
         return EXIT_NC_ERROR
     except OSError:
         raise
-    except Exception as error:  # noqa: BLE001 - the last resort, told as an error of our own
+    except Exception as error:  # noqa: BLE001 - the last resort, reported as an internal error
         return _internal_error(error)
     return code if isinstance(code, int) else EXIT_RAN
 
 
 def _open_streams() -> None:
-    """Let what was closed before the start lead nowhere: else a file would get its number."""
+    """Open closed standard streams on the null device: else a file would get their numbers."""
     if None in (sys.stdin, sys.stdout, sys.stderr):
         number = os.open(os.devnull, os.O_RDWR)
         while number <= _HIGHEST_STREAM:
@@ -117,7 +117,7 @@ def _open_streams() -> None:
 
 
 def _refused(error: OSError) -> int:
-    """Tell what the system refuses; exit code 2, since no fault of nctakt is told by it."""
+    """Report that the system refuses output, and return exit code 2."""
     from nctakt.messages import diagnostic  # noqa: PLC0415 - only a mistake needs it
     from nctakt.messages.files import FILE_NOT_WRITABLE  # noqa: PLC0415
 
@@ -130,7 +130,7 @@ def _refused(error: OSError) -> int:
 
 
 def _never_fail_at_a_character() -> None:
-    """Where the terminal's encoding lacks a character a '?' stands for it."""
+    """Show a '?' for characters that the terminal's encoding lacks."""
     for stream in (sys.stdout, sys.stderr):
         reconfigure = getattr(stream, "reconfigure", None)
         if reconfigure is not None:

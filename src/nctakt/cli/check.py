@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""``nctakt check``: all diagnostics of programs, lists and folders, without running anything.
+"""``nctakt check``: all diagnostics of programs, lists and folders, without a run.
 
-In: files and folders, the machine that the programs are for, which messages count, the format. Out:
-the findings in that format (standard output, or a file), and the exit code. What is wrong with the
-words of the command line goes to standard error.
+In: files and folders, the programs' machine, the selected messages, the format. Out: the findings
+in that format (standard output, or a file), and the exit code. Mistakes in the words of the command
+line go to standard error.
 """
 
 from __future__ import annotations
@@ -47,10 +47,10 @@ from nctakt.run.program_loader import NcText
 _STANDARD_INPUT = "-"
 _EPILOG = """\b
 A file that ends with .lis is a list, any other a program; '-' is a program from
-standard input. Folders are searched with all folders in them; where a start-up
-list lies, all lists that it names are checked together.
+standard input. Folders are searched with all folders in them; a start-up list
+is checked together with all lists that it names.
 Exit codes: 0 no error (--strict: no warning either), 1 errors, 2 wrong usage or
-nothing to check, 3 an error of nctakt's own.
+nothing to check, 3 an internal error of nctakt.
 
 \b
   nctakt check part.nc
@@ -81,7 +81,7 @@ class Options:
     confined: tuple[str, ...]
 
 
-@click.command("check", epilog=_EPILOG, short_help="Find mistakes without running anything.")
+@click.command("check", epilog=_EPILOG, short_help="Find mistakes without a run.")
 @click.argument("paths", metavar="FILE|DIR...", nargs=-1)
 @click.option(
     "--machine",
@@ -97,24 +97,24 @@ class Options:
     "--format",
     type=click.Choice(["text", "json", "github", "sarif"]),
     default="text",
-    help="How findings are told.",
+    help="Format of the findings.",
 )
 @language_option("Language of the findings [default: en].", None)
-@click.option("--select", metavar="ID,...", multiple=True, help="Only these messages.")
-@click.option("--ignore", metavar="ID,...", multiple=True, help="Not these messages.")
+@click.option("--select", metavar="ID,...", multiple=True, help="Report only these messages.")
+@click.option("--ignore", metavar="ID,...", multiple=True, help="Do not report these messages.")
 @with_options(*RTCONF_OPTIONS)
-@click.option("--strict", is_flag=True, help="Warnings count like errors.")
+@click.option("--strict", is_flag=True, help="Treat warnings as errors.")
 @click.option(
     "--effects",
     is_flag=True,
     help="List each entry without effect that would change a run.",
 )
-@click.option("--verbose", is_flag=True, help="Name each list entry that has no effect.")
+@click.option("--verbose", is_flag=True, help="List each list entry without effect.")
 @click.option("--quiet", is_flag=True, help="No notes and no closing line.")
 @click.option("--output", metavar="FILE", help="Write the findings to a file.")
 @CONFINE_OPTION
 def command(**words: Any) -> int:
-    """Check NC programs, lists and folders with both in them."""
+    """Check NC programs, lists and folders of both."""
     language: Language = words["language"] or "en"
     try:
         access = file_access(words["confined"])
@@ -129,7 +129,7 @@ def command(**words: Any) -> int:
 
 
 def _check(options: Options, access: FileAccess) -> int:
-    """Check and tell; raises ``Failure`` for words that cannot be used."""
+    """Run the check and report; raises ``Failure`` for invalid options."""
     if not options.paths:
         raise Failure(diagnostic(NOTHING_NAMED_TO_CHECK))
     selection = read_selection(options.select, options.ignore)
@@ -146,17 +146,17 @@ def _check(options: Options, access: FileAccess) -> int:
             for path in options.paths:
                 access.note(path)
             output = files.enter_context(OutputFile(options.output, "--output", access))
-        return _tell(options, selection, machine, from_environment, output)
+        return _report(options, selection, machine, from_environment, output)
 
 
-def _tell(
+def _report(
     options: Options,
     selection: Selection,
     machine: AssembledMachine,
     from_environment: MachineChoice | None,
     output: OutputFile | None,
 ) -> int:
-    """Check and tell; the exit code."""
+    """Run the check, report and return the exit code."""
     inputs = [_standard_input() if path == _STANDARD_INPUT else path for path in options.paths]
     is_named = options.machine is not None or from_environment is not None
     checked = check_files(
@@ -171,12 +171,12 @@ def _tell(
     result = _selected(checked, selection, lowest)
     if from_environment is not None:
         result = replace(result, settings=(from_environment,))
-    told = _told(result, options)
+    text = _text_of(result, options)
     closing = _closing(result, selection, options)
     if output is None:
-        _show(told + closing if options.format == "text" else told)
+        _show(text + closing if options.format == "text" else text)
     else:
-        output.write(click.unstyle(told))
+        output.write(click.unstyle(text))
         output.close()
         _show(closing)
     return _exit_code(result, strict=options.strict)
@@ -189,7 +189,7 @@ def _detail(options: Options) -> Detail:
 
 
 def _machine(options: Options, named: str | None, access: FileAccess) -> AssembledMachine:
-    """The machine that programs are checked for; what is wrong with its lists is told, too."""
+    """Return the machine of the programs; mistakes in its lists are reported as well."""
     configuration = load_machine(
         named, root=options.root, rtconf=_rtconf_options(options), access=access
     )
@@ -206,16 +206,16 @@ def _standard_input() -> NcText:
 
 
 def _selected(checked: CheckResult, selection: Selection, lowest: Severity) -> CheckResult:
-    """The findings that count."""
-    found = tuple(
-        one
-        for one in checked.found
-        if selection.takes(one.diagnostic.id) and one.diagnostic.severity >= lowest
+    """Return the result with the selected findings only."""
+    findings = tuple(
+        finding
+        for finding in checked.findings
+        if selection.includes(finding.diagnostic.id) and finding.diagnostic.severity >= lowest
     )
-    return replace(checked, found=found)
+    return replace(checked, findings=findings)
 
 
-def _told(result: CheckResult, options: Options) -> str:
+def _text_of(result: CheckResult, options: Options) -> str:
     root, language = Path.cwd(), options.language
     match options.format:
         case "json":
@@ -228,15 +228,15 @@ def _told(result: CheckResult, options: Options) -> str:
 
 
 def _closing(result: CheckResult, selection: Selection, options: Options) -> str:
-    """For which machine, where the user has named none; how many files and findings."""
+    """Return the closing lines: the machine if the user named none, the sums."""
     if options.quiet:
         return ""
     remarks = [diagnostic(CHECKED_FOR_MACHINE_OF_FILE, file=file) for file in result.around]
-    remarks += [note for one in result.settings if (note := one.note()) is not None]
+    remarks += [note for remark in result.settings if (note := remark.note()) is not None]
     if options.machine is None and not result.settings and result.uses_default:
         folder = result.machines[0] if len(result.machines) == 1 else "DIR"
         remarks.append(diagnostic(CHECKED_FOR_DEMO_MACHINE, folder=folder))
-    lines = [one.render(options.language) for one in remarks if selection.takes(one.id)]
+    lines = [remark.render(options.language) for remark in remarks if selection.includes(remark.id)]
     return "".join(f"{line}\n" for line in (*lines, closing_line(result, options.language)))
 
 

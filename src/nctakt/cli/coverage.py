@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""``nctakt coverage``: which branches of realtime cycles ran, in one run or in many together.
+"""``nctakt coverage``: the branches of realtime cycles that ran, in one run or in many together.
 
 In: programs, machine, values, limits as for ``nctakt run``; files with the counts of earlier runs.
 Out: on standard output the sum of all as a table, as source lines with their counts, as JSON or as
-LCOV; with ``--data`` the sum in that file. Exit codes as ``nctakt run``, and 1 where fewer branches
-ran than ``--fail-under`` asks for.
+LCOV; with ``--data`` the sum in that file. Exit codes as of ``nctakt run``, and 1 if fewer branches
+ran than ``--fail-under`` demands.
 """
 
 from __future__ import annotations
@@ -46,8 +46,8 @@ if TYPE_CHECKING:
     from nctakt.results.coverage import Coverage
 
 _EPILOG = f"""\b
-For each branch: in how many ticks its condition was evaluated, true and false,
-and its body ran. Without a program only the files of earlier runs count.
+For each branch: the number of ticks in which its condition was evaluated, true
+and false, and its body ran. Without a program only earlier runs count.
 
 {RUN_CODES}
 \b
@@ -60,13 +60,13 @@ and its body ran. Without a program only the files of earlier runs count.
 def _percent(
     _context: click.Context, _option: click.Parameter, value: float | None
 ) -> float | None:
-    """A share that can be missed: click's range lets through what is not a number."""
+    """Return a percentage; raises for NaN, which click's range admits."""
     if value is not None and math.isnan(value):
         raise click.BadParameter(f"{value} is not in the range 0<=x<=100.")
     return value
 
 
-@click.command("coverage", epilog=_EPILOG, short_help="Tell which branches of cycles ran.")
+@click.command("coverage", epilog=_EPILOG, short_help="Count the branches of cycles that ran.")
 @run_options("report and diagnostics")
 @click.option(
     "--format",
@@ -75,22 +75,24 @@ def _percent(
     default="text",
     help="A table, the source with counts, or a file for other tools [default: text].",
 )
-@click.option("--data", metavar="FILE", help="Add the runs before, and keep the sum, in this file.")
-@click.option("--merge", multiple=True, metavar="FILE", help="Add the runs that are in this file.")
+@click.option(
+    "--data", metavar="FILE", help="Add the earlier runs in this file, and save the sum in it."
+)
+@click.option("--merge", multiple=True, metavar="FILE", help="Add the runs in this file.")
 @click.option(
     "--fail-under",
-    "least",
+    "minimum",
     type=click.FloatRange(0, 100),
     callback=_percent,
     metavar="PERCENT",
-    help="Exit code 1 where a smaller share of the branches ran.",
+    help="Exit code 1 if a smaller share of the branches ran.",
 )
 def command(
-    form: str, data: str | None, merge: tuple[str, ...], least: float | None, **words: Any
+    form: str, data: str | None, merge: tuple[str, ...], minimum: float | None, **words: Any
 ) -> int:
-    """Run NC programs and tell which branches of their realtime cycles ran, and how often."""
+    """Run NC programs and count the branches of their realtime cycles."""
     return carry_out(
-        words, lambda options, access: _cover(options, access, form, data, merge, least)
+        words, lambda options, access: _cover(options, access, form, data, merge, minimum)
     )
 
 
@@ -100,9 +102,9 @@ def _cover(
     form: str,
     data: str | None,
     merge: tuple[str, ...],
-    least: float | None,
+    minimum: float | None,
 ) -> int:
-    """Read, run, add, tell; raises ``Failure`` for what cannot be used."""
+    """Read, run, add and report; raises ``Failure`` for invalid options."""
     choose_mode(options)
     from nctakt.results.coverage_files import as_json  # noqa: PLC0415 - the mode is chosen before
 
@@ -118,20 +120,20 @@ def _cover(
         code, ran = _run(options, access)
         if code and ran is None:
             return code
-        whole = _sum([*before, *(() if ran is None else (ran,))], options.language)
+        total = _sum([*before, *(() if ran is None else (ran,))], options.language)
         if output is not None:
-            output.write(as_json(whole))
-    show_at_the_end(lambda file: print(_shown(whole, form, options.language), end="", file=file))
-    if least is not None and whole.percent < least:
-        percent = f"{int(10 * whole.percent) / 10:g}"  # what is too little never looks enough
-        found = diagnostic(COVERAGE_BELOW_MINIMUM, percent=percent, least=f"{least:g}")
-        print_diagnostics([found], options.language)
+            output.write(as_json(total))
+    show_at_the_end(lambda file: print(_shown(total, form, options.language), end="", file=file))
+    if minimum is not None and total.percent < minimum:
+        percent = f"{int(10 * total.percent) / 10:g}"  # rounded down
+        message = diagnostic(COVERAGE_BELOW_MINIMUM, percent=percent, least=f"{minimum:g}")
+        print_diagnostics([message], options.language)
         return EXIT_NC_ERROR
     return code
 
 
 def _read(path: str, access: FileAccess, *, is_replaced: bool = False) -> Coverage:
-    """The coverage in a file; raises ``Failure`` where there is none."""
+    """Return the coverage in a file; raises ``Failure`` for another file."""
     from nctakt.results.coverage_files import from_json  # noqa: PLC0415 - as above
 
     try:
@@ -142,7 +144,7 @@ def _read(path: str, access: FileAccess, *, is_replaced: bool = False) -> Covera
 
 
 def _run(options: Options, access: FileAccess) -> tuple[int, Coverage | None]:
-    """The exit code of the run and what it covered; nothing where nothing is to be run."""
+    """Return the exit code and the coverage of the run, ``None`` without programs."""
     if not options.programs and not options.others:
         return EXIT_RAN, None
     request = read_request(options, access)
@@ -155,26 +157,26 @@ def _run(options: Options, access: FileAccess) -> tuple[int, Coverage | None]:
 
 
 def _sum(parts: list[Coverage], language: Language) -> Coverage:
-    """All together; what is dropped since a program was changed is told."""
+    """Return the sum; counts dropped since a program has changed are reported."""
     from nctakt.results.coverage import Coverage  # noqa: PLC0415 - the mode is chosen before
 
-    whole = Coverage()
+    total = Coverage()
     for part in parts:
-        outdated = whole.outdated_by(part)
+        outdated = total.outdated_by(part)
         print_diagnostics(
             [diagnostic(COVERAGE_COUNTS_DROPPED, file=file) for file in outdated], language
         )
-        whole = whole.plus(part)
-    return whole
+        total = total.plus(part)
+    return total
 
 
-def _shown(whole: Coverage, form: str, language: Language) -> str:
+def _shown(coverage: Coverage, form: str, language: Language) -> str:
     from nctakt.results.coverage_files import as_json, as_lcov  # noqa: PLC0415 - as above
     from nctakt.results.coverage_text import CoverageText  # noqa: PLC0415
 
     if form == "json":
-        return as_json(whole)
+        return as_json(coverage)
     if form == "lcov":
-        return as_lcov(whole)
-    text = CoverageText(whole, language)
+        return as_lcov(coverage)
+    text = CoverageText(coverage, language)
     return text.source() if form == "source" else text.table()

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""``nctakt explain``: what a message, parameter, variable or word of the language means.
+"""``nctakt explain``: the meaning of messages, parameters, variables and words of the language.
 
 In: words. Out: their articles on standard output, from the tables that the controller itself uses.
-A word without an article is searched in all texts; one that stands nowhere is told with the nearest
+A word without an article is searched in all texts; an unknown one is reported with the nearest
 known one (900570, 900571): exit code 2.
 """
 
@@ -28,21 +28,21 @@ from nctakt.reference.article import Article
 from nctakt.reference.layout import article_lines, list_lines, topic_lines
 from nctakt.reference.topics import TOPICS, explain, nearest_word, search, topic
 
-#: A variable of a machine's own lists.
+#: The form of a variable of a machine's lists.
 _MACHINE_VARIABLE = re.compile(r"Vs?\.(E|CH)\.", re.IGNORECASE)
 
-#: A word of fewer characters is in almost every text.
+#: Minimum length of a word that is searched in texts, in characters.
 _SHORTEST_SEARCHED = 3
-#: So many articles that contain a word are named.
+#: Maximum number of listed articles that contain a word.
 _MAX_FOUND = 30
 
 _FOUND = Text("'{word}' stands in {count} articles:", "'{word}' steht in {count} Artikeln:")
-_FURTHER = Text("… {count} further", "… {count} weitere")
+_FURTHER = Text("… {count} more", "… {count} weitere")
 
 _EPILOG = """\b
-Words with # or $ stand in quotation marks, so that the shell leaves them alone.
+Words with # or $ need quotation marks, so that the shell leaves them alone.
 Without a word the topics are listed; the name of a topic lists all its words.
-Exit codes: 0 each word is known, 2 one is not, 3 an error of nctakt's own.
+Exit codes: 0 all words are known, 2 a word is unknown, 3 an internal error.
 
 \b
   nctakt explain 22009
@@ -56,14 +56,14 @@ Exit codes: 0 each word is known, 2 one is not, 3 an error of nctakt's own.
 @click.command("explain", epilog=_EPILOG, short_help="Explain a message, parameter or word.")
 @click.argument("words", metavar="[WORD]...", nargs=-1)
 @click.option(
-    "--machine", metavar="DIR", help="The machine whose V.E and V.CH are meant [default: demo]."
+    "--machine", metavar="DIR", help="The machine with V.E and V.CH variables [default: demo]."
 )
 @FORMAT_OPTION
 @language_option("Language of the explanation.")
 def command(words: tuple[str, ...], machine: str | None, form: str, language: Language) -> int:
     """Explain messages, parameters of lists, variables and words of NC programs.
 
-    A word that has no article is searched in the texts of all articles.
+    A word without an article is searched in the texts of all articles.
     """
     try:
         return _explain(words, machine, form, language)
@@ -73,12 +73,12 @@ def command(words: tuple[str, ...], machine: str | None, form: str, language: La
 
 
 def _explain(words: Sequence[str], machine: str | None, form: str, language: Language) -> int:
-    """Tell what is known; raises ``Failure`` for a machine that cannot be used."""
+    """Show the articles; raises ``Failure`` for an invalid machine."""
     if not words and form == "text":
         _show([*topic_lines(TOPICS, language)])
         return EXIT_RAN
     answers = [_answer(word, machine, language) for word in dict.fromkeys(_phrases(words))]
-    unknown = [found for one in answers for found in one.unknown]
+    unknown = [message for answer in answers for message in answer.unknown]
     if form == "json":
         _show([as_json(_document(answers, unknown, language)).rstrip()])
         return EXIT_USAGE if unknown else EXIT_RAN
@@ -94,7 +94,7 @@ def _explain(words: Sequence[str], machine: str | None, form: str, language: Lan
 
 @dataclass(frozen=True, slots=True)
 class _Answer:
-    """What is known of a word: articles, all those of a topic, articles that contain it."""
+    """The answer for a word: its articles, all of a topic, articles that contain it."""
 
     word: str
     articles: tuple[Article, ...] = ()
@@ -104,9 +104,9 @@ class _Answer:
 
 
 def _answer(word: str, machine: str | None, language: Language) -> _Answer:
-    """Return what is known of a word; raises ``Failure`` for a machine that cannot be used."""
-    named = topic(word)
-    listed = () if named is None else tuple(named.articles())
+    """Return the answer for a word; raises ``Failure`` for an invalid machine."""
+    named_topic = topic(word)
+    listed = () if named_topic is None else tuple(named_topic.articles())
     articles = explain(word)
     if _MACHINE_VARIABLE.match(word):
         from nctakt.reference.machine_variables import MachineVariables  # noqa: PLC0415 - few need it
@@ -123,20 +123,20 @@ def _answer(word: str, machine: str | None, language: Language) -> _Answer:
 def _document(
     answers: Sequence[_Answer], unknown: Sequence[Diagnostic], language: Language
 ) -> dict[str, object]:
-    """The answers as JSON has them."""
-    told = [
+    """Return the answers as a JSON document."""
+    entries = [
         {
-            "word": one.word,
-            "articles": plain([*one.articles, *one.listed], language),
-            "found_in": [article.name for article in one.containing],
+            "word": answer.word,
+            "articles": plain([*answer.articles, *answer.listed], language),
+            "found_in": [article.name for article in answer.containing],
         }
-        for one in answers
+        for answer in answers
     ]
-    return {"words": told, "diagnostics": diagnostics_as_json(unknown, "", language)}
+    return {"words": entries, "diagnostics": diagnostics_as_json(unknown, "", language)}
 
 
 def _phrases(words: Sequence[str]) -> Iterator[str]:
-    """The words one by one; several that are the name of a command together: ``#RT CYCLE``."""
+    """Yield the words one by one, those of a command's name together: ``#RT CYCLE``."""
     begin = 0
     while begin < len(words):
         end = begin + 1
@@ -150,7 +150,7 @@ def _phrases(words: Sequence[str]) -> Iterator[str]:
 
 
 def _lines(answer: _Answer, language: Language) -> Iterator[str]:
-    """All that is known of a word, an empty line between two articles; nothing of unknown ones."""
+    """Yield the articles of a word, separated by empty lines; nothing for an unknown word."""
     for number, article in enumerate(answer.articles):
         if number:
             yield ""

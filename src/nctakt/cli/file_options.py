@@ -25,7 +25,7 @@ CONFINE_OPTION = click.option(
     metavar="DIR",
     multiple=True,
     type=click.Path(exists=True, file_okay=False),
-    help="Read programs and lists only from this folder; again for more.",
+    help="Read programs and lists only from this folder; may be repeated.",
 )
 
 
@@ -44,7 +44,7 @@ def file_access(confined: Sequence[str]) -> FileAccess:
 
 
 def _plain_file(number: int) -> os.stat_result | None:
-    """The state of what a number has open, if that is a plain file."""
+    """Return the state of what a number has open, if that is a plain file."""
     try:
         state = os.fstat(number)
     except OSError:

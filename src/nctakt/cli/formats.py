@@ -18,7 +18,7 @@ import click
 from nctakt import __version__
 from nctakt.base.diagnostics import Diagnostic, Language, Severity, Span, Text
 from nctakt.checking.check import CheckResult
-from nctakt.checking.inputs import Found
+from nctakt.checking.inputs import Finding
 from nctakt.cli.selection import RULE_PREFIX
 
 COLOURS = {Severity.ERROR: "red", Severity.WARNING: "yellow", Severity.NOTE: None}
@@ -35,35 +35,35 @@ _FILES = (Text("file", "Datei"), Text("files", "Dateien"))
 
 
 def rule_of(number: int) -> str:
-    """The name of a message where rules of many tools stand beside each other."""
+    """Return the name of a message among the rules of other tools."""
     return f"{RULE_PREFIX}{number}"
 
 
-def text_with_remedy(found: Found, language: Language) -> str:
-    """The text and, on lines of their own, the remedy and the channels that it concerns."""
-    one = found.diagnostic
-    remedy = one.remedy(language)
+def text_with_remedy(finding: Finding, language: Language) -> str:
+    """Return the text and, on separate lines, the remedy and the channels that it concerns."""
+    message = finding.diagnostic
+    remedy = message.remedy(language)
     label = _REMEDY.get(language)
-    lines = [one.text(language), *([f"{label}: {remedy}"] if remedy else [])]
-    return "\n".join([*lines, *_channels(found, language)])
+    lines = [message.text(language), *([f"{label}: {remedy}"] if remedy else [])]
+    return "\n".join([*lines, *_channels(finding, language)])
 
 
-def _channels(found: Found, language: Language) -> list[str]:
-    """``channel: 2``; nothing where all channels are concerned, or a list."""
-    if not found.channels:
+def _channels(finding: Finding, language: Language) -> list[str]:
+    """Return ``channel: 2``; nothing for a list, and if all channels are concerned."""
+    if not finding.channels:
         return []
-    label = _CHANNEL[len(found.channels) > 1].get(language)
-    return [f"{label}: {', '.join(map(str, found.channels))}"]
+    label = _CHANNEL[len(finding.channels) > 1].get(language)
+    return [f"{label}: {', '.join(map(str, finding.channels))}"]
 
 
-def place_of(found: Found) -> Span | None:
-    """Return the line of a finding; ``None``: it concerns a whole file, or none."""
-    span = found.diagnostic.span
+def position_of(finding: Finding) -> Span | None:
+    """Return the span of a finding; ``None`` if it concerns a whole file, or no file."""
+    span = finding.diagnostic.span
     return span if span is not None and span.line else None
 
 
 def relative(file: str, root: Path) -> Path:
-    """The path of ``file`` from ``root`` on; absolute where it lies outside of it."""
+    """Return the path of ``file`` from ``root`` on, an absolute one if it lies outside."""
     absolute = Path(os.path.abspath(root / file))  # noqa: PTH100 - links in it shall stay
     return absolute.relative_to(root) if absolute.is_relative_to(root) else absolute
 
@@ -72,17 +72,17 @@ def relative(file: str, root: Path) -> Path:
 
 
 def as_text(result: CheckResult, language: Language) -> str:
-    """Each finding with its line and remedy, in colours; those below each other are told apart."""
+    """Return each finding with its line and remedy, in colours."""
     lines: list[str] = []
-    for found in result.found:
-        headline, *rest = found.diagnostic.render(language).split("\n")
-        lines += [click.style(headline, fg=COLOURS[found.diagnostic.severity]), *rest]
-        lines += [f"  {line}" for line in _channels(found, language)]
+    for finding in result.findings:
+        headline, *rest = finding.diagnostic.render(language).split("\n")
+        lines += [click.style(headline, fg=COLOURS[finding.diagnostic.severity]), *rest]
+        lines += [f"  {line}" for line in _channels(finding, language)]
     return "".join(f"{line}\n" for line in lines)
 
 
 def closing_line(result: CheckResult, language: Language) -> str:
-    """``3 files: 1 error, 2 warnings, 0 notes``."""
+    """Return the sums: ``3 files: 1 error, 2 warnings, 0 notes``."""
     counts = [
         _counted(result.count(severity), texts, language) for severity, texts in _COUNTS.items()
     ]
@@ -97,13 +97,14 @@ def _counted(number: int, texts: tuple[Text, Text], language: Language) -> str:
 
 
 def as_json(result: CheckResult, language: Language, root: Path) -> str:
-    """One object; its keys are the same in every language, its text is ASCII for any terminal."""
+    """Return one JSON object in ASCII; its keys are the same in every language."""
     document = {
         "nctakt": __version__,
         "files": [
-            {"file": relative(one.file, root).as_posix(), "kind": one.kind} for one in result.files
+            {"file": relative(file.file, root).as_posix(), "kind": file.kind}
+            for file in result.files
         ],
-        "diagnostics": [_json_of(found, language, root) for found in result.found],
+        "diagnostics": [_json_of(finding, language, root) for finding in result.findings],
         "counts": {
             "files": len(result.files),
             "errors": result.count(Severity.ERROR),
@@ -117,28 +118,30 @@ def as_json(result: CheckResult, language: Language, root: Path) -> str:
 def diagnostics_as_json(
     diagnostics: Sequence[Diagnostic], file: str, language: Language
 ) -> list[dict[str, object]]:
-    """Return diagnostics as ``as_json`` has them; ``file``: that of those without a place."""
-    found = [Found(one.span.file if one.span is not None else file, one) for one in diagnostics]
+    """Return diagnostics as in ``as_json``; ``file``: for those without a position."""
+    findings = [
+        Finding(item.span.file if item.span is not None else file, item) for item in diagnostics
+    ]
     return [
-        {**_json_of(one, language, Path.cwd()), **({} if one.file else {"file": None})}
-        for one in found
+        {**_json_of(item, language, Path.cwd()), **({} if item.file else {"file": None})}
+        for item in findings
     ]
 
 
-def _json_of(found: Found, language: Language, root: Path) -> dict[str, object]:
-    one, span = found.diagnostic, place_of(found)
+def _json_of(finding: Finding, language: Language, root: Path) -> dict[str, object]:
+    message, span = finding.diagnostic, position_of(finding)
     return {
-        "id": one.id,
-        "rule": rule_of(one.id),
-        "severity": one.severity.name.lower(),
-        "file": relative(found.file, root).as_posix(),
+        "id": message.id,
+        "rule": rule_of(message.id),
+        "severity": message.severity.name.lower(),
+        "file": relative(finding.file, root).as_posix(),
         "line": None if span is None else span.line,
         "column": None if span is None else span.column,
         "end_column": None if span is None else span.end_column,
-        "text": one.text(language),
-        "remedy": one.remedy(language),
-        "source_line": one.source_line,
-        "channels": list(found.channels),
+        "text": message.text(language),
+        "remedy": message.remedy(language),
+        "source_line": message.source_line,
+        "channels": list(finding.channels),
     }
 
 
@@ -146,22 +149,22 @@ def _json_of(found: Found, language: Language, root: Path) -> dict[str, object]:
 
 
 def as_github(result: CheckResult, language: Language, root: Path) -> str:
-    """One workflow command for each finding, which GitHub Actions shows beside its line."""
+    """Return a workflow command for each finding, which GitHub Actions shows beside its line."""
     return "".join(f"{line}\n" for line in _github_lines(result, language, root))
 
 
 def _github_lines(result: CheckResult, language: Language, root: Path) -> Iterator[str]:
-    for found in result.found:
-        one, span = found.diagnostic, place_of(found)
-        properties = {"file": relative(found.file, root).as_posix()}
+    for finding in result.findings:
+        message, span = finding.diagnostic, position_of(finding)
+        properties = {"file": relative(finding.file, root).as_posix()}
         if span is not None:
             properties["line"] = str(span.line)
             properties["col"] = str(span.column)
             properties["endColumn"] = str(span.end_column)
-        properties["title"] = rule_of(one.id)
+        properties["title"] = rule_of(message.id)
         words = ",".join(f"{name}={_property(value)}" for name, value in properties.items())
-        message = _escaped(text_with_remedy(found, language))
-        yield f"::{_GITHUB[one.severity]} {words}::{message}"
+        text = _escaped(text_with_remedy(finding, language))
+        yield f"::{_GITHUB[message.severity]} {words}::{text}"
 
 
 def _escaped(text: str) -> str:

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Results as one JSON object, for scripts: what ``--format json`` writes on standard output.
+"""Results as one JSON object for scripts, written on standard output by ``--format json``.
 
-In: results, made of dataclasses. Out: objects whose keys are the names of the fields, the same in
-every language; texts and values are in the language of the command. The text is ASCII, so that any
-terminal takes it. Diagnostics look as those of ``nctakt check``.
+In: results in dataclasses. Out: objects with the names of the fields as keys, the same in every
+language; texts and values are in the language of the command. The text is ASCII for any terminal.
+Diagnostics are those of ``nctakt check``.
 """
 
 from __future__ import annotations
@@ -21,30 +21,30 @@ from nctakt.cli.formats import diagnostics_as_json
 if TYPE_CHECKING:
     from nctakt.results.run import Run
 
-#: What a summary tells of a run, in this order.
+#: The fields of a run in its document, in this order.
 _RUN_FIELDS = ("programs", "state", "first_tick", "ticks", "cycle_time_us")
 _RESULT_FIELDS = ("messages", "cycles", "outputs", "starved", "overflows")
 
 
 def plain(value: object, language: Language) -> object:
-    """Return a value as JSON has it: dataclasses become objects, places short ones."""
+    """Return a value for JSON: dataclasses become objects, spans short ones."""
     if isinstance(value, Text):
         return value.get(language)
     if isinstance(value, Span):
         return {"file": value.file, "line": value.line, "column": value.column}
     if is_dataclass(value) and not isinstance(value, type):
-        return {one.name: plain(getattr(value, one.name), language) for one in fields(value)}
+        return {item.name: plain(getattr(value, item.name), language) for item in fields(value)}
     if isinstance(value, Mapping):
-        return {str(key): plain(one, language) for key, one in value.items()}
+        return {str(key): plain(item, language) for key, item in value.items()}
     if isinstance(value, list | tuple):
-        return [plain(one, language) for one in value]
+        return [plain(item, language) for item in value]
     if isinstance(value, float) and not math.isfinite(value):
         return None
     return value if isinstance(value, bool | int | float | str | None) else str(value)
 
 
 def run_document(run: Run, language: Language, **further: object) -> dict[str, object]:
-    """Return what a command tells of a run, with ``further`` results in front of diagnostics."""
+    """Return the document of a run, with ``further`` results before the diagnostics."""
     results = {name: plain(getattr(run, name), language) for name in _RESULT_FIELDS}
     return {
         "nctakt": __version__,
@@ -57,5 +57,5 @@ def run_document(run: Run, language: Language, **further: object) -> dict[str, o
 
 
 def as_json(document: Mapping[str, object]) -> str:
-    """Return the text of a document, which ends with a line end."""
+    """Return the text of a document with a final line end."""
     return json.dumps(document, indent=2) + "\n"

@@ -2,9 +2,9 @@
 """``nctakt list``: each realtime cycle of a program as its elementary instructions.
 
 In: programs, a machine, values of variables. Out: on standard output the listing of each definition
-that the decoder meets while the programs run, with the values that were frozen into it then. Only
-a run knows them: definitions stand in loops and branches, and values change. Diagnostics go to
-standard error; exit code 1 when the programs do not run to their end because of an error.
+that the decoder reaches while the programs run, with its frozen values. A run is necessary, since
+definitions stand in loops and branches, and values change. Diagnostics go to standard error; exit
+code 1 if an error stops the programs.
 """
 
 from __future__ import annotations
@@ -41,8 +41,8 @@ if TYPE_CHECKING:
     from nctakt.run.controller import Controller
 
 _EPILOG = f"""\b
-A variable that is not synchronous is read when the definition is decoded: the
-listing shows the value that was frozen then. Count: elementary instructions.
+An asynchronous variable is read when the definition is decoded: the listing
+shows its frozen value. Count: elementary instructions.
 
 {RUN_CODES}
 \b
@@ -52,7 +52,7 @@ listing shows the value that was frozen then. Count: elementary instructions.
 
 
 @dataclass(frozen=True, slots=True)
-class Listed:
+class ListedDefinition:
     """A definition: the name of its cycle, its memory in bytes, the lines of its listing."""
 
     name: str
@@ -69,11 +69,11 @@ def command(**words: Any) -> int:
 
 
 def _list(options: Options, access: FileAccess) -> int:
-    """Run and list; raises ``Failure`` for what cannot be used."""
+    """Run and list; raises ``Failure`` for invalid options."""
     choose_mode(options)
     request = read_request(options, access)
     controller = start_controller(options, access)
-    listed: list[Listed] = []
+    listed: list[ListedDefinition] = []
     run = run_programs(options, request, controller, on_cycle=_lister(options, controller, listed))
     if options.form == "json" and run is not None:
         from nctakt.cli.json_documents import as_json, run_document  # noqa: PLC0415
@@ -82,7 +82,7 @@ def _list(options: Options, access: FileAccess) -> int:
             run_document(with_limit_error(options, run), options.language, listing=listed)
         )
     else:
-        text = "\n".join("".join(f"{line}\n" for line in one.lines) for one in listed)
+        text = "\n".join("".join(f"{line}\n" for line in definition.lines) for definition in listed)
     if text:
         show_at_the_end(lambda file: print(text, end="", file=file))
     if run is None:
@@ -96,9 +96,9 @@ def _list(options: Options, access: FileAccess) -> int:
 
 
 def _lister(
-    options: Options, controller: Controller, listed: list[Listed]
+    options: Options, controller: Controller, listed: list[ListedDefinition]
 ) -> Callable[[str, CycleDefinition], None]:
-    """What adds a definition to ``listed``."""
+    """Return a function that adds a definition to ``listed``."""
     from nctakt.decoder.cycles.memory_budget import memory_bytes  # noqa: PLC0415 - the mode is chosen before
     from nctakt.results.listing import Listing  # noqa: PLC0415
 
@@ -107,13 +107,13 @@ def _lister(
 
     def add(name: str, definition: CycleDefinition) -> None:
         size = memory_bytes(definition.statement, places)
-        listed.append(Listed(name, size, tuple(listing.lines(name, definition, size))))
+        listed.append(ListedDefinition(name, size, tuple(listing.lines(name, definition, size))))
 
     return add
 
 
-def _notes(run: Run, listed: Sequence[Listed]) -> Iterator[Diagnostic]:
-    """What the listing cannot show."""
+def _notes(run: Run, listed: Sequence[ListedDefinition]) -> Iterator[Diagnostic]:
+    """Yield notes about the limits of the listing."""
     if not listed and run.state in ("ended", "limit"):
         yield diagnostic(NO_CYCLE_DEFINED)
     if run.state == "limit":

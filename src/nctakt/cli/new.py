@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""``nctakt new``: a machine folder to begin with, or a machine's lists in the other format.
+"""``nctakt new``: a machine folder to start from, or a machine's lists in the other format.
 
-In: the name of a folder that does not exist or is empty, a language, a format, maybe the folder of
-a machine. Out: the lists of that machine or of the demo machine in it, each parameter explained in
-that language; what to do next on standard output.
+In: the name of a new or empty folder, a language, a format, optionally the folder of a machine.
+Out: the lists of that machine or of the demo machine in the folder, each parameter explained in the
+language; the next steps on standard output.
 """
 
 from __future__ import annotations
@@ -33,11 +33,11 @@ from nctakt.messages.folders import (
     LISTS_WRITTEN,
 )
 
-#: So many entries that XML has no place for are named.
+#: Maximum number of entries without a form in XML in a message.
 _NAMED_ENTRIES = 5
 _EPILOG = """\b
 Exit codes: 0 the lists are written, 2 the folder is in use or cannot be
-written, or a list cannot be read, 3 an error of nctakt's own.
+written, or a list cannot be read, 3 an internal error of nctakt.
 
 \b
   nctakt new mymachine
@@ -47,7 +47,7 @@ written, or a list cannot be read, 3 an error of nctakt's own.
 """
 
 
-@click.command("new", epilog=_EPILOG, short_help="Write a machine folder to begin with.")
+@click.command("new", epilog=_EPILOG, short_help="Write a machine folder to start from.")
 @click.argument("folder", metavar="DIR")
 @click.option(
     "--from",
@@ -64,7 +64,7 @@ written, or a list cannot be read, 3 an error of nctakt's own.
     help="Format of the lists [ascii].",
 )
 @language_option("Language of the lists' comments.")
-@click.option("--quiet", is_flag=True, help="Say nothing of what was written.")
+@click.option("--quiet", is_flag=True, help="Print nothing.")
 def command(
     folder: str,
     source: str | None,
@@ -92,12 +92,12 @@ def command(
 
 
 def _converted(source: str, root: str | None, conversion: Conversion) -> dict[str, bytes]:
-    """Return the lists of the machine in ``source``; its errors and what is left out are told."""
+    """Return the lists of the machine in ``source``; report its errors and omitted entries."""
     access = FileAccess()
     machine = load_machine(source, root=root, access=access)
     print_diagnostics(machine.diagnostics, conversion.language, Severity.ERROR)
-    named = Path(source) if Path(source).is_dir() else None
-    search = ListSearch(machine.lists[0][1], access, named, None if root is None else Path(root))
+    folder = Path(source) if Path(source).is_dir() else None
+    search = ListSearch(machine.lists[0][1], access, folder, None if root is None else Path(root))
     lists = convert_lists(machine, search, access, conversion)
     if lists.unknown:
         names = ", ".join(lists.unknown[:_NAMED_ENTRIES])
@@ -111,7 +111,7 @@ def _converted(source: str, root: str | None, conversion: Conversion) -> dict[st
 
 
 def _write(folder: Path, lists: dict[str, bytes]) -> None:
-    """Write the lists; ``Failure`` where the folder is in use or cannot be written."""
+    """Write the lists; raises ``Failure`` if the folder is in use or cannot be written."""
     try:
         folder.mkdir(parents=True, exist_ok=True)
         if any(folder.iterdir()):

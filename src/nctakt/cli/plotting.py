@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""``nctakt run --plot``: what has to be recorded for the picture, and the picture.
+"""``nctakt run --plot``: the signals for the picture, and the picture.
 
-In: the words of the command, the controller before its run. Out: the signals and sinks of the run,
-then the file.
+In: the options of the command, the controller before its run. Out: the signals and sinks of the
+run, then the file.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 
 class Plot:
-    """The picture of a run; raises ``Failure`` where it cannot be drawn (900635, 900634)."""
+    """The picture of a run; raises ``Failure`` if it cannot be drawn (900635, 900634)."""
 
     def __init__(self, options: Options, controller: Controller) -> None:
         # numpy and matplotlib are loaded only for a picture
@@ -37,17 +37,17 @@ class Plot:
         self._sink = MemorySink()
 
     def request(self, request: Request) -> Request:
-        """The same with what the picture needs behind the signals that are wanted."""
-        wanted = self._defaults if request.signals is None else request.signals
-        added = (name for name in self._signals if name not in wanted)
-        return dataclasses.replace(request, signals=(*wanted, *added))
+        """Return the request with the picture's signals after the requested ones."""
+        signals = self._defaults if request.signals is None else request.signals
+        further = (name for name in self._signals if name not in signals)
+        return dataclasses.replace(request, signals=(*signals, *further))
 
     def sinks(self, sinks: Sequence[Sink], request: Request) -> list[Sink]:
-        """The sinks of the run: those of others see the signals that they would see without."""
+        """Return the sinks of the run; the given ones only get the requested signals."""
         from nctakt.trace.columns import FirstColumns  # noqa: PLC0415 - as above
 
-        wanted = self._defaults if request.signals is None else request.signals
-        return [*(FirstColumns(sink, len(wanted)) for sink in sinks), self._sink]
+        signals = self._defaults if request.signals is None else request.signals
+        return [*(FirstColumns(sink, len(signals)) for sink in sinks), self._sink]
 
     def draw(self, path: Path) -> None:
         """Write the file; raises ``OSError``."""

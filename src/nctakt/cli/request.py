@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""The words of a command that runs programs -> what the controller is asked for.
+"""The options of a command that runs programs -> the request to the controller.
 
-In: ``Options``, the words as they were given. Out: ``Request``, or one ``Failure`` with all that
-is wrong with them.
+In: ``Options``, the options as text. Out: ``Request``, or one ``Failure`` with all mistakes.
 """
 
 from __future__ import annotations
@@ -86,7 +85,7 @@ class Options:
 
 @dataclass(frozen=True, slots=True)
 class Request:
-    """What the controller is asked for; ``signals`` ``None``: its choice.
+    """The request to the controller; ``signals`` ``None``: its default.
 
     ``programs`` are those of channel 1, ``channels`` those of the others.
     """
@@ -103,33 +102,33 @@ class Request:
 
 
 class _Reader:
-    """Reads word for word and gathers what is wrong."""
+    """Reads the options one by one and gathers the mistakes."""
 
     def __init__(self) -> None:
-        self.found: list[Diagnostic] = []
+        self.diagnostics: list[Diagnostic] = []
 
     def read(
-        self, function: Callable[_P, _T], *words: _P.args, **named: _P.kwargs
+        self, function: Callable[_P, _T], *words: _P.args, **keywords: _P.kwargs
     ) -> tuple[_T, ...]:
-        """What ``function`` makes of ``words``, alone in a tuple; empty when they are wrong."""
+        """Return the result of ``function`` in a tuple, an empty one after a ``Failure``."""
         try:
-            return (function(*words, **named),)
+            return (function(*words, **keywords),)
         except Failure as failure:
-            self.found.extend(failure.diagnostics)
+            self.diagnostics.extend(failure.diagnostics)
             return ()
 
 
 def read_request(options: Options, access: FileAccess) -> Request:
-    """Read every word; raises one ``Failure`` with everything that is wrong.
+    """Return the request of the options; raises one ``Failure`` with all mistakes.
 
-    ``access`` takes the files that are named.
+    ``access`` notes the named files.
     """
     reader = _Reader()
     words = (*options.programs, *(program for _, program in options.others))
     if not words:
-        reader.found.append(diagnostic(NO_PROGRAM_NAMED))
+        reader.diagnostics.append(diagnostic(NO_PROGRAM_NAMED))
     if words.count(STANDARD_INPUT) > 1:
-        reader.found.append(diagnostic(STDIN_NAMED_TWICE))
+        reader.diagnostics.append(diagnostic(STDIN_NAMED_TWICE))
     for program in dict.fromkeys(words):
         reader.read(_check_program, program, access)
     numbers = [reader.read(_channel_number, number) for number, _ in options.others]
@@ -143,23 +142,23 @@ def read_request(options: Options, access: FileAccess) -> Request:
     plc = () if options.plc is None else reader.read(_load_plc, options.plc, access)
     skip_levels = reader.read(_skip_levels, options.skip)
     if options.plc is not None and options.hli is not None:
-        reader.found.append(diagnostic(PLC_AND_HLI_OPTIONS))
+        reader.diagnostics.append(diagnostic(PLC_AND_HLI_OPTIONS))
     signals = None if options.signals is None else split_names(options.signals)
-    for option, given in (("--signals", signals is not None), ("--blocks", options.blocks)):
-        if given and options.trace is None:
-            reader.found.append(diagnostic(RECORDING_WITHOUT_TRACE, option=option))
-    if reader.found:
-        raise Failure(*reader.found)
+    for option, is_given in (("--signals", signals is not None), ("--blocks", options.blocks)):
+        if is_given and options.trace is None:
+            reader.diagnostics.append(diagnostic(RECORDING_WITHOUT_TRACE, option=option))
+    if reader.diagnostics:
+        raise Failure(*reader.diagnostics)
     if signals is None and options.trace is not None:
         signals = options.project_signals
-    programs: dict[int, list[Path | NcText]] = {1: [_program(one) for one in options.programs]}
+    programs: dict[int, list[Path | NcText]] = {1: [_program(item) for item in options.programs]}
     for (number,), (_, program) in zip(numbers, options.others, strict=True):
         programs.setdefault(number, []).append(_program(program))
     return Request(
         tuple(programs.pop(1)),
         {number: tuple(own) for number, own in programs.items()},
-        dict(pair for one in assignments for pair in one),
-        tuple(stimulus for one in stimuli for stimulus in one),
+        dict(pair for item in assignments for pair in item),
+        tuple(stimulus for item in stimuli for stimulus in item),
         next(iter(until), None),
         after[0],
         signals,
@@ -169,7 +168,7 @@ def read_request(options: Options, access: FileAccess) -> Request:
 
 
 def _skip_levels(text: str) -> tuple[int, ...]:
-    """The levels in a list divided by commas."""
+    """Return the levels in a list separated by commas."""
     words = [word.strip() for word in text.split(",") if word.strip()]
     wrong = [word for word in words if not word.isdecimal() or not 1 <= int(word) <= SKIP_LEVELS]
     if wrong:
@@ -184,7 +183,7 @@ def _channel_number(text: str) -> int:
 
 
 def _check_program(program: str, access: FileAccess) -> None:
-    """Whether a program can be read; not by reading, since what a pipe gives comes only once."""
+    """Raise ``Failure`` for an unreadable program; a pipe is not read, which works only once."""
     if program == STANDARD_INPUT:
         return
     access.note(program)
@@ -198,7 +197,7 @@ def _check_program(program: str, access: FileAccess) -> None:
 
 
 def _check_machine(path: Path) -> None:
-    """A folder, or the start-up list in it."""
+    """Raise ``Failure`` unless there is a folder or start-up list of this name."""
     if not path.exists():
         raise Failure(diagnostic(FILE_MISSING, file=str(path)))
     if not path.is_dir() and path.suffix.casefold() not in {".lis", ".xml"}:
@@ -221,7 +220,7 @@ def _load_plc(path: str, access: FileAccess) -> AnyPlc:
 
 
 def split_names(text: str) -> tuple[str, ...]:
-    """The names in a list divided by commas; a comma within brackets belongs to a name."""
+    """Return the names in a list separated by commas; commas in brackets belong to names."""
     names = [""]
     depth = 0
     for character in text:

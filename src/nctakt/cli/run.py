@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""``nctakt run``: run NC programs one after another on a machine and tell what happened.
+"""``nctakt run``: run NC programs one after another on a machine and report the results.
 
-In: programs, machine, values of variables at times, limits, files to write. Out: what the programs
-say (standard output, as it comes), a summary (standard output), diagnostics (standard error), the
-files, and the exit code. All that is wrong with the words of the command line is told before a
-file is written or a tick is run.
+In: programs, machine, values of variables at times, limits, files to write. Out: the programs'
+messages as they come and a summary (standard output), diagnostics (standard error), the files, and
+the exit code. All mistakes in the options are reported before a file is written or a tick is run.
 """
 
 from __future__ import annotations
@@ -52,7 +51,7 @@ if TYPE_CHECKING:
     from nctakt.run.controller import Controller
     from nctakt.trace.sinks import Sink
 
-#: Seconds of wall-clock time for a PLC in another process: to come, and to answer a tick.
+#: Time limits in seconds for a PLC in another process: to appear, and to answer a tick.
 _PARTNER_COMES_S = 30.0
 _PARTNER_ANSWERS_S = 10.0
 
@@ -69,11 +68,11 @@ _EPILOG = f"""{RUN_CODES}
 @run_options("diagnostics, summary and diagnosis data", "No summary and no notes.")
 @FORMAT_OPTION
 @click.option("--trace", metavar="FILE", help="Record each tick in a .csv or .jsonl file.")
-@click.option("--signals", metavar="NAME,...", help="What to record.")
+@click.option("--signals", metavar="NAME,...", help="The signals to record.")
 @click.option("--plot", metavar="FILE", help="Draw the motion: .png, .svg or .html.")
-@click.option("--blocks", is_flag=True, help="Tell of each block when it is decoded and run.")
+@click.option("--blocks", is_flag=True, help="Record when each block is decoded and run.")
 @click.option("--diagnosis", metavar="FILE", help="Write the realtime cycles' diagnosis data.")
-@click.option("--messages", metavar="FILE", help="Write what the programs say to a file, too.")
+@click.option("--messages", metavar="FILE", help="Write the programs' messages to a file as well.")
 @click.option(
     "--wait-for-start", is_flag=True, help="START on the HLI begins each program (HLI.START)."
 )
@@ -85,14 +84,14 @@ def command(**words: Any) -> int:
 
 
 def _run(options: Options, access: FileAccess) -> int:
-    """Prepare, run, tell; raises ``Failure`` for what cannot be used."""
+    """Prepare, run and report; raises ``Failure`` for invalid options."""
     choose_mode(options)
     request = read_request(options, access)
     controller = start_controller(options, access)
     with contextlib.ExitStack() as files:
 
         def open_file(option: str, path: str | None) -> OutputFile | None:
-            """A file to write, or ``None`` when the option was not given."""
+            """Return a file to write, ``None`` without the option."""
             return None if path is None else files.enter_context(OutputFile(path, option, access))
 
         plot = None if options.plot is None else Plot(options, controller)
@@ -123,7 +122,7 @@ def _run(options: Options, access: FileAccess) -> int:
 def _with_partner(
     options: Options, request: Request, controller: Controller, files: contextlib.ExitStack
 ) -> Request:
-    """With ``--hli`` the PLC is the one that comes to the shared memory of this name."""
+    """Return the request with the PLC of ``--hli``, which attaches to the shared memory."""
     from nctakt.plc import PartnerPlc  # noqa: PLC0415 - the mode is chosen before its import
 
     if options.hli is None:
@@ -136,14 +135,14 @@ def _with_partner(
 
 
 def _open_trace(file: OutputFile | None) -> list[Sink]:
-    """The sink of ``--trace``."""
+    """Return the sink of ``--trace``."""
     from nctakt.trace.sinks import file_sink  # noqa: PLC0415 - the mode is chosen before
 
     return [] if file is None else [file_sink(file)]
 
 
 def _error_log(controller: Controller, file: OutputFile) -> Sink:
-    """Writes the user's errors as they come; the file is empty where there are none."""
+    """Return a sink that writes the user's errors; the file is empty without any."""
     from nctakt.results.user_errors import UserErrorLog  # noqa: PLC0415 - as above
 
     file.write("")
@@ -151,7 +150,7 @@ def _error_log(controller: Controller, file: OutputFile) -> Sink:
 
 
 def _diagnosis(controller: Controller) -> list[DiagnosisSink]:
-    """Gathers the diagnosis data of each channel that has realtime cycles (P-CHAN-00406)."""
+    """Return sinks for the diagnosis data of each channel with realtime cycles (P-CHAN-00406)."""
     from nctakt.results.report import DiagnosisReport, DiagnosisSink  # noqa: PLC0415 - as above
 
     sinks: list[DiagnosisSink] = []
@@ -169,7 +168,7 @@ def _diagnosis_text(
     options: Options,
     diagnostics: Sequence[Diagnostic],
 ) -> str:
-    """The diagnosis data of all channels, by the level that each of them has now (RC-603)."""
+    """Return the diagnosis data of all channels, each by its present level (RC-603)."""
     if not sinks and not options.quiet:
         print_diagnostics([diagnostic(NO_DIAGNOSIS_DATA)], options.language)
     reports = [sink.report for sink in sinks]
@@ -190,7 +189,7 @@ def _run_controller(
     sinks: list[Sink],
     messages: OutputFile | None,
 ) -> Run | None:
-    """The result of the run, its messages shown and saved as they come."""
+    """Return the result of the run; its messages are shown and saved as they come."""
 
     def show_message(message: ProgramMessage) -> None:
         if options.form == "text":
@@ -204,7 +203,7 @@ def _run_controller(
 
 
 def _tell(options: Options, run: Run, wall_s: float) -> int:
-    """Show diagnostics and summary; the exit code."""
+    """Show diagnostics and summary; return the exit code."""
     from nctakt.results.summary import print_summary  # noqa: PLC0415 - the mode is chosen before
 
     run = with_limit_error(options, run)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What the commands share that run programs: their options, the mode, the run itself.
+"""The common part of the commands that run programs: options, mode, the run itself.
 
 In: ``Options`` and ``Request``. Out: ``Run``. A command adds ``run_options`` to its own options,
 chooses the mode before anything of the realtime part is imported, and runs.
@@ -41,7 +41,7 @@ if TYPE_CHECKING:
 _Command = TypeVar("_Command", bound=Callable[..., Any])
 
 
-#: Text, or one object for scripts.
+#: The option for text, or one object for scripts.
 FORMAT_OPTION = click.option(
     "--format",
     "form",
@@ -52,20 +52,20 @@ FORMAT_OPTION = click.option(
 
 #: The end of the help of commands that run programs.
 RUN_CODES = """\b
-Times are numbers with us, ms, s, min, h or ticks ('300 ticks'); a number
-alone means seconds.
-Exit codes: 0 it ran (also up to a limit, unless --limit-fails), 1 an NC error
-or interrupted by Ctrl-C, 2 wrong usage or unusable input, 3 an error of
-nctakt's own.
+Times are numbers with us, ms, s, min, h or ticks ('300 ticks'); a plain number
+means seconds.
+Exit codes: 0 success (also at a limit, unless --limit-fails), 1 an NC error or
+interrupted by Ctrl-C, 2 wrong usage or invalid input, 3 an internal error of
+nctakt.
 """
 
 
 def run_options(
     language_of: str, quiet_help: str = "No notes and no warnings."
 ) -> Callable[[_Command], _Command]:
-    """Programs, machine, values, limits, PLC, language, mode, as a decorator.
+    """Return a decorator with the options for programs, machine, values, limits, PLC, language.
 
-    ``language_of`` names what the language is that of.
+    ``language_of``: the texts in that language, for the help.
     """
     options = (
         click.argument("programs", metavar="PROGRAM...", nargs=-1),
@@ -75,7 +75,7 @@ def run_options(
             metavar="N PROGRAM",
             nargs=2,
             multiple=True,
-            help="Run a program in channel N at the same time; again for the one after it.",
+            help="Run a program in channel N at the same time; may be repeated.",
         ),
         click.option(
             "--machine",
@@ -91,7 +91,7 @@ def run_options(
             "assignments",
             metavar="NAME=VALUE",
             multiple=True,
-            help="Give a variable a value before the first tick.",
+            help="Set a variable before the first tick.",
         ),
         click.option(
             "--at",
@@ -99,30 +99,33 @@ def run_options(
             metavar="TIME NAME=VALUE",
             nargs=2,
             multiple=True,
-            help="Give a variable a value at a time of the run.",
+            help="Set a variable at a time of the run.",
         ),
         click.option(
             "--ticks", type=click.IntRange(min=1), metavar="N", help="Run at most N ticks."
         ),
-        click.option("--until", metavar="TIME", help="Run at most so long [default: 10min]."),
-        click.option("--limit-fails", is_flag=True, help="Exit code 1 where that limit ends it."),
+        click.option("--until", metavar="TIME", help="Limit of the run [default: 10min]."),
+        click.option("--limit-fails", is_flag=True, help="Exit code 1 if that limit ends the run."),
         click.option(
-            "--after", metavar="TIME", default="0", help="Go on so long after the last program."
+            "--after",
+            metavar="TIME",
+            default="0",
+            help="Continue for this time after the last program.",
         ),
         click.option(
-            "--skip", metavar="N,...", default="", help="Leave out blocks of these skip levels."
+            "--skip", metavar="N,...", default="", help="Skip blocks of these skip levels."
         ),
         click.option(
-            "--rtconf", metavar="FILE", help="Let this list give decoder and PLC their time."
+            "--rtconf", metavar="FILE", help="Scheduling list for the time of decoder and PLC."
         ),
         click.option(
-            "--load", metavar="FILE.toml", help="How long the functions of --rtconf take."
+            "--load", metavar="FILE.toml", help="Execution times of the functions of --rtconf."
         ),
         click.option(
             "--os",
             "system",
             type=click.Choice(["rtx", "vxworks", "intime", "linux"]),
-            help="Whose priorities the list of --rtconf has [default: rtx].",
+            help="Operating system of --rtconf [default: rtx].",
         ),
         CONFINE_OPTION,
         click.option(
@@ -136,7 +139,7 @@ def run_options(
             "--compiled/--plain",
             default=None,
             help="The realtime part compiled or as plain Python "
-            "[default: compiled where it is built].",
+            "[default: compiled if it is built].",
         ),
     )
 
@@ -149,7 +152,7 @@ def run_options(
 
 
 def choose_mode(options: Options) -> None:
-    """Compiled or plain: before anything of the realtime part is imported."""
+    """Choose compiled or plain before the realtime part is imported."""
     from nctakt.base import mode  # noqa: PLC0415 - a command that only shows its help does not load it
 
     if options.compiled is False:
@@ -176,7 +179,7 @@ def start_controller(options: Options, access: FileAccess) -> Controller:
 
 
 def _schedule(options: Options, access: FileAccess) -> RunSchedule | None:
-    """The schedule of the words, if there is one; raises ``Failure``."""
+    """Return the schedule of the options, ``None`` without one; raises ``Failure``."""
     if options.rtconf is None:
         for option, word in (("--load", options.load), ("--os", options.system)):
             if word is not None:
@@ -199,7 +202,7 @@ def run_programs(
     on_message: Callable[[ProgramMessage], None] | None = None,
     on_cycle: Callable[[str, CycleDefinition], None] | None = None,
 ) -> Run | None:
-    """The result of the run; ``None`` when the user's PLC broke it off, which has been told."""
+    """Return the result; ``None`` if the user's PLC failed, which has been reported."""
     from nctakt.plc.error import PlcError  # noqa: PLC0415 - the mode is chosen before
 
     bar = ProgressBar()
@@ -251,13 +254,13 @@ def exit_code(options: Options, run: Run) -> int:
 
 
 def with_limit_error(options: Options, run: Run) -> Run:
-    """Return the run with what the options add to its diagnostics: a limit that fails (901016)."""
+    """Return the run with an error (901016) if it reached a limit with ``--limit-fails``."""
     if not options.limit_fails or run.state != "limit":
         return run
-    found = diagnostic(RUN_NOT_ENDED, time=str(Time(run.virtual_time_us)))
-    return replace(run, diagnostics=(*run.diagnostics, found))
+    message = diagnostic(RUN_NOT_ENDED, time=str(Time(run.virtual_time_us)))
+    return replace(run, diagnostics=(*run.diagnostics, message))
 
 
 def shown_from(options: Options) -> Severity:
-    """Return the least severity that a command shows that has another main result."""
+    """Return the lowest severity that a command with another main result shows."""
     return Severity.ERROR if options.quiet else Severity.WARNING

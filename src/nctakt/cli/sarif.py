@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""What a check has found as SARIF 2.1.0, the format of code scanning (OASIS standard).
+"""The findings of a check as SARIF 2.1.0, the format of code scanning (OASIS standard).
 
-In: ``CheckResult``, language, the folder that paths are relative to. Out: the log as text. Rules
-are the messages that were found, named ``NCTAKT22009``; their texts are those of the catalogue. A
-result keeps its fingerprint when lines are added above it: it is made of rule, path, the text of
-the line, and how many equal ones stand before it.
+In: ``CheckResult``, language, the root of relative paths. Out: the log as text. Rules are the
+messages of the findings, named ``NCTAKT22009``; their texts are those of the catalogue. A result
+keeps its fingerprint when lines are added above it: it consists of rule, path, the text of the
+line, and the number of equal ones before it.
 """
 
 from __future__ import annotations
@@ -17,11 +17,11 @@ from urllib.parse import quote
 from nctakt import __version__
 from nctakt.base.diagnostics import Language, Message, Severity
 from nctakt.checking.check import CheckResult
-from nctakt.checking.inputs import Found
-from nctakt.cli.formats import place_of, relative, rule_of, text_with_remedy
+from nctakt.checking.inputs import Finding
+from nctakt.cli.formats import position_of, relative, rule_of, text_with_remedy
 
 SCHEMA = "https://json.schemastore.org/sarif-2.1.0.json"
-#: What paths are relative to: the folder of the checkout, whatever it is called there.
+#: The root of relative paths: the folder of the checkout.
 BASE = "%SRCROOT%"
 _LEVELS = {Severity.ERROR: "error", Severity.WARNING: "warning", Severity.NOTE: "note"}
 _FINGERPRINT_DIGITS = 16
@@ -30,10 +30,10 @@ Json = dict[str, object]
 
 
 def as_sarif(result: CheckResult, language: Language, root: Path) -> str:
-    """The log with one run."""
-    messages = {found.diagnostic.id: found.diagnostic.message for found in result.found}
+    """Return the log with one run."""
+    messages = {finding.diagnostic.id: finding.diagnostic.message for finding in result.findings}
     rules = [messages[number] for number in sorted(messages)]
-    index = {message.id: place for place, message in enumerate(rules)}
+    index = {message.id: position for position, message in enumerate(rules)}
     driver: Json = {
         "name": "nctakt",
         "version": __version__,
@@ -47,20 +47,20 @@ def as_sarif(result: CheckResult, language: Language, root: Path) -> str:
         "columnKind": "unicodeCodePoints",
         "artifacts": [
             {
-                "location": _location(one.file, root),
+                "location": _location(file.file, root),
                 "roles": ["analysisTarget"],
-                "description": {"text": one.kind},
+                "description": {"text": file.kind},
             }
-            for one in result.files
+            for file in result.files
         ],
-        "results": [_result(found, language, root, index, seen) for found in result.found],
+        "results": [_result(finding, language, root, index, seen) for finding in result.findings],
     }
     log: Json = {"$schema": SCHEMA, "version": "2.1.0", "runs": [run]}
     return json.dumps(log, indent=2) + "\n"
 
 
 def _rule(message: Message, language: Language) -> Json:
-    """The message without values: each of its parameters as ``<name>``."""
+    """Return the message without values: each of its parameters as ``<name>``."""
     names = {name: f"<{name}>" for name in message.parameters}
     remedy = message.remedy.get(language).format_map(names)
     cause = message.cause.get(language)
@@ -76,9 +76,9 @@ def _rule(message: Message, language: Language) -> Json:
 
 
 def _result(
-    found: Found, language: Language, root: Path, index: dict[int, int], seen: dict[str, int]
+    finding: Finding, language: Language, root: Path, index: dict[int, int], seen: dict[str, int]
 ) -> Json:
-    one, span = found.diagnostic, place_of(found)
+    message, span = finding.diagnostic, position_of(finding)
     region: Json = {"startLine": 1}
     if span is not None:
         region = {
@@ -86,14 +86,14 @@ def _result(
             "startColumn": span.column,
             "endColumn": max(span.end_column, span.column + 1),
         }
-    place: Json = {"artifactLocation": _location(found.file, root), "region": region}
+    location: Json = {"artifactLocation": _location(finding.file, root), "region": region}
     return {
-        "ruleId": rule_of(one.id),
-        "ruleIndex": index[one.id],
-        "level": _LEVELS[one.severity],
-        "message": {"text": text_with_remedy(found, language)},
-        "locations": [{"physicalLocation": place}],
-        "partialFingerprints": {"primaryLocationLineHash": _fingerprint(found, root, seen)},
+        "ruleId": rule_of(message.id),
+        "ruleIndex": index[message.id],
+        "level": _LEVELS[message.severity],
+        "message": {"text": text_with_remedy(finding, language)},
+        "locations": [{"physicalLocation": location}],
+        "partialFingerprints": {"primaryLocationLineHash": _fingerprint(finding, root, seen)},
     }
 
 
@@ -104,10 +104,10 @@ def _location(file: str, root: Path) -> Json:
     return {"uri": quote(path.as_posix(), errors="surrogateescape"), "uriBaseId": BASE}
 
 
-def _fingerprint(found: Found, root: Path, seen: dict[str, int]) -> str:
-    line = " ".join(found.diagnostic.source_line.split())
-    path = relative(found.file, root).as_posix()
-    text = "\0".join((rule_of(found.diagnostic.id), path, line))
+def _fingerprint(finding: Finding, root: Path, seen: dict[str, int]) -> str:
+    line = " ".join(finding.diagnostic.source_line.split())
+    path = relative(finding.file, root).as_posix()
+    text = "\0".join((rule_of(finding.diagnostic.id), path, line))
     digest = hashlib.sha256(text.encode("utf-8", "surrogateescape")).hexdigest()
     short = digest[:_FINGERPRINT_DIGITS]
     seen[short] = seen.get(short, 0) + 1

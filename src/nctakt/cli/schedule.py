@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 """``nctakt schedule``: show, simulate, analyse and run a scheduling list (rtconf.lis).
 
-In: the list, maybe a load, choices of the rules. Out: tables (standard output), diagnostics
-(standard error), pictures and traces (files), and the exit code: 0 all well, 1 the schedule has
-errors (overflows that are to be reported, processors that do not exist) or, with ``--strict``,
-there were warnings; 2 the list has errors, or input cannot be used.
+In: the list, optionally a load, options for the rules. Out: tables (standard output), diagnostics
+(standard error), pictures and traces (files), and the exit code: 0 without errors, 1 if the
+schedule has errors (reported overflows, missing processors) or, with ``--strict``, warnings; 2 if
+the list has errors or an input is invalid.
 """
 
 from __future__ import annotations
@@ -61,35 +61,35 @@ command.add_command(run)
 command.add_command(suggest)
 
 
-@command.command("show", epilog=EXIT_CODES, short_help="The list as it stands and as it counts.")
+@command.command("show", epilog=EXIT_CODES, short_help="Raw and effective values of a list.")
 @with_options(
     *LIST_OPTIONS,
     click.option(
-        "--fix", is_flag=True, help="Write the values that count into the list; comments stay."
+        "--fix", is_flag=True, help="Write the effective values into the list; comments stay."
     ),
-    click.option("--output", metavar="FILE", help="Write the list with them to another file."),
+    click.option(
+        "--output", metavar="FILE", help="Write the list with effective values to another file."
+    ),
 )
 def show(**words: Any) -> int:
     """Check a list; show each parameter raw and effective, with the reason.
 
-    With --fix or --output what is written is shown.
+    With --fix or --output the written list is shown.
     """
     return guarded(_show, words)
 
 
-@command.command("simulate", epilog=EXIT_CODES, short_help="The schedule in virtual time.")
+@command.command("simulate", epilog=EXIT_CODES, short_help="Simulate the schedule in virtual time.")
 @with_options(*LIST_OPTIONS, *MODEL_OPTIONS, *OUTPUT_OPTIONS)
 def simulate(**words: Any) -> int:
-    """Simulate the schedule; tables per thread and of Windows, pictures, traces."""
+    """Simulate the schedule: tables of threads and of Windows, pictures, traces."""
     return guarded(_simulate, words)
 
 
-@command.command(
-    "analyse", epilog=EXIT_CODES, short_help="Response times in closed form, and limits."
-)
+@command.command("analyse", epilog=EXIT_CODES, short_help="Compute response times and margins.")
 @with_options(*LIST_OPTIONS, *MODEL_OPTIONS)
 def analyse(**words: Any) -> int:
-    """Response times without simulation, load against supply, and how much more would fit."""
+    """Compute response times without simulation, load against supply, and margins."""
     return guarded(_analyse, words)
 
 
@@ -104,13 +104,13 @@ def _show(words: dict[str, Any]) -> int:
         read, note = _write_fixed(read, words)
         notes.append(note)
     language: Language = words["language"]
-    rows = effective_rows(words["file"], read.data, read.configuration, read.found, language)
+    rows = effective_rows(words["file"], read.data, read.configuration, read.diagnostics, language)
     text = f"{effective_report(rows, language)}\n"
-    return publish(words, read.found, notes, text, effective_document(rows))
+    return publish(words, read.diagnostics, notes, text, effective_document(rows))
 
 
 def _write_fixed(read: ListRead, words: dict[str, Any]) -> tuple[ListRead, Diagnostic]:
-    """Write the list with the values that count; return it as it is read then, and a note."""
+    """Write the list with its effective values; return it as read again, and a note."""
     from nctakt.files.output import OutputFile  # noqa: PLC0415
     from nctakt.schedule.rewrite import rewrite  # noqa: PLC0415
 
@@ -119,7 +119,7 @@ def _write_fixed(read: ListRead, words: dict[str, Any]) -> tuple[ListRead, Diagn
         read.data,
         read.values,
         read.configuration,
-        {finding.entry for finding in read.found},
+        {finding.entry for finding in read.diagnostics},
         read.options.convention,
     )
     target = words["output"] or words["file"]
@@ -157,7 +157,7 @@ def _simulate(words: dict[str, Any]) -> int:
     report = simulation_report(run, phases, words["language"])
     if words["histogram"]:
         report += "\n".join([*response_report(run, words["language"]), ""])
-    code = publish(words, read.found, findings, report, simulation_document(run, phases))
+    code = publish(words, read.diagnostics, findings, report, simulation_document(run, phases))
     outputs.write(run, report)
     return code
 
@@ -185,4 +185,6 @@ def _analyse(words: dict[str, Any]) -> int:
     ]
     margins = find_margins(model)
     text = analysis_report(analysis, margins, run, words["language"])
-    return publish(words, read.found, findings, text, analysis_document(analysis, margins, run))
+    return publish(
+        words, read.diagnostics, findings, text, analysis_document(analysis, margins, run)
+    )

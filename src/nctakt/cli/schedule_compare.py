@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""``nctakt schedule compare``: two scheduling lists beside each other.
+"""``nctakt schedule compare``: two scheduling lists in comparison.
 
-In: two lists, one load or one for each, choices of the rules. Out: what differs, what became
-better and what worse (standard output), a picture of both, and the exit code as for a simulation.
+In: two lists, one load or one for each, options for the rules. Out: differences, improvements and
+deteriorations (standard output), a picture of both, and the exit code as of a simulation.
 """
 
 from __future__ import annotations
@@ -38,13 +38,11 @@ if TYPE_CHECKING:
     from nctakt.schedule.model import Model
 
 
-@click.command(
-    "compare", epilog=EXIT_CODES, short_help="Two lists: what became better, what worse."
-)
+@click.command("compare", epilog=EXIT_CODES, short_help="Compare two lists with the same load.")
 @click.argument("file", metavar="A.LIS")
 @click.argument("second", metavar="B.LIS")
 @with_options(*LIST_OPTIONS[1:], *MODEL_OPTIONS)
-@click.option("--load-b", metavar="FILE.toml", help="Another load for B [default: that of A].")
+@click.option("--load-b", metavar="FILE.toml", help="The load for B [default: that of A].")
 @click.option("--plot", metavar="FILE", help="Draw both schedules (.svg, .png, .html).")
 @click.option(
     "--drawn", type=click.IntRange(min=1, max=100_000), metavar="N", help="NC cycles in pictures."
@@ -56,12 +54,12 @@ def compare(**words: Any) -> int:
 
 @dataclass(frozen=True, slots=True)
 class _Input:
-    """A list that was read, with its model; ``found``: what was found behind the list."""
+    """A list with its model; ``diagnostics``: those after the reading of the list."""
 
     words: dict[str, Any]
     read: ListRead
     model: Model
-    found: list[Diagnostic]
+    diagnostics: list[Diagnostic]
 
 
 def _compare(words: dict[str, Any]) -> int:
@@ -79,14 +77,14 @@ def _compare(words: dict[str, Any]) -> int:
         picture = _open_picture(words["plot"], access)
         if picture is not None:
             stack.enter_context(picture)
-        # Both are drawn over as many NC cycles, so that they can be laid beside each other.
+        # Both are drawn over the same number of NC cycles for comparison.
         drawn = min(drawn_cycles(item.model, words) for item in inputs) if picture else 0
         first, second = (_side(item, drawn) for item in inputs)
         comparison = compare_sides(first, second)
         text = comparison_report(comparison, first, second, words["language"])
         document = comparison_document(comparison, first, second)
-        listed = [item for side_input in inputs for item in side_input.read.found]
-        findings = [item for side_input in inputs for item in side_input.found]
+        listed = [item for side_input in inputs for item in side_input.read.diagnostics]
+        findings = [item for side_input in inputs for item in side_input.diagnostics]
         code = publish(words, listed, findings, text, document)
         if picture is not None:
             _draw(picture, inputs, (first, second), text)
@@ -119,7 +117,7 @@ def _side(side_input: _Input, drawn: int) -> Side:
 
 
 def _open_picture(path: str | None, access: FileAccess) -> OutputFile | None:
-    """Open the file of the picture, if there is to be one; raises ``Failure``."""
+    """Open the file of the picture, ``None`` without the option; raises ``Failure``."""
     from nctakt.files.output import OutputFile  # noqa: PLC0415
     from nctakt.schedule.draw import check_picture  # noqa: PLC0415
 

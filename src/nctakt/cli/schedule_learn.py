@@ -32,9 +32,7 @@ if TYPE_CHECKING:
 _STANDARD_RULES = {"overflow": "skip", "calls": "block", "suspension": "ticks"}
 
 
-@click.command(
-    "learn", epilog=EXIT_CODES, short_help="Execution times from a recording of trace bits."
-)
+@click.command("learn", epilog=EXIT_CODES, short_help="Learn execution times from a recording.")
 @with_options(LIST_OPTIONS[0])
 @click.argument("recording", metavar="RECORDING")
 @with_options(*LIST_OPTIONS[1:])
@@ -48,7 +46,7 @@ _STANDARD_RULES = {"overflow": "skip", "calls": "block", "suspension": "ticks"}
 @click.option("--cpu-base", type=click.IntRange(0, 1), default=1, help="Number of the first CPU.")
 @click.option("--output", metavar="FILE.toml", help="Write the load to a file.")
 def learn(**words: Any) -> int:
-    """Work out how long functions take, and write a load file.
+    """Compute execution times of functions and write a load file.
 
     RECORDING is a VCD file, a CSV file with time_us and bit1 … bit7, or the table that simulate
     --csv writes.
@@ -70,13 +68,13 @@ def _learn(words: dict[str, Any]) -> int:
     text = decode_text(read.access.read_bytes(Path(path))).text
     learnt = learn_times(model, read_recording(path, text))
     if not learnt.calls and not learnt.external:
-        raise Failure(*read.found, *learnt.diagnostics, diagnostic(NOTHING_LEARNT, file=path))
+        raise Failure(*read.diagnostics, *learnt.diagnostics, diagnostic(NOTHING_LEARNT, file=path))
     load = load_text(model, learnt, words["form"], Path(path).name)
     if words["output"] is not None:
         with OutputFile(words["output"], "--output", read.access) as file:
             file.write(load)
     shown = load if words["output"] is None else ""
-    return publish(words, read.found, learnt.diagnostics, shown, _document(model, learnt))
+    return publish(words, read.diagnostics, learnt.diagnostics, shown, _document(model, learnt))
 
 
 def _document(model: Model, learnt: LearntTimes) -> dict[str, object]:

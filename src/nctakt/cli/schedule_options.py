@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""What the subcommands of ``nctakt schedule`` share: options, reading list and load, files.
+"""The common part of the subcommands of ``nctakt schedule``: options, list and load, files.
 
-In: words of the command line. Out: the list, the model, how long, pictures and traces, exit code.
+In: options of the command line. Out: the list, the model, the duration, pictures and traces, the
+exit code.
 """
 
 from __future__ import annotations
@@ -40,10 +41,10 @@ if TYPE_CHECKING:
     from nctakt.schedule.results import Simulation
 
 _DEFAULT_DURATION = "1s"
-#: The most NC cycles that pictures and traces show when nobody says how many.
+#: Default maximum of NC cycles in pictures and traces.
 _MOST_DRAWN = 60
 
-#: How a scheduling list is read; ``nctakt check`` has them, too.
+#: Options for reading a scheduling list, also of ``nctakt check``.
 RTCONF_OPTIONS = (
     click.option(
         "--os",
@@ -64,15 +65,15 @@ RTCONF_OPTIONS = (
         "functions",
         metavar="NAME",
         multiple=True,
-        help="A function of your own in rtconf.lis.",
+        help="Your own function in rtconf.lis.",
     ),
 )
 #: The end of the help of each command.
 EXIT_CODES = """\b
-Times are numbers with us, ms, s, min, h or ticks ('300 ticks'); a number
-alone means seconds.
-Exit codes: 0 all well, 1 the schedule has errors (or warnings with --strict),
-2 the list has errors, or something cannot be used, 3 an error of nctakt's own.
+Times are numbers with us, ms, s, min, h or ticks ('300 ticks'); a plain number
+means seconds.
+Exit codes: 0 no errors, 1 the schedule has errors (or warnings with --strict),
+2 the list has errors, or an input is invalid, 3 an internal error of nctakt.
 """
 
 
@@ -82,7 +83,7 @@ LIST_OPTIONS = (
     click.option(
         "--hal-timer",
         metavar="TIME",
-        help="The period that RTX is set to; a number alone means µs.",
+        help="The timer period of RTX; a plain number means µs.",
     ),
     click.option(
         "--winsmall",
@@ -92,7 +93,7 @@ LIST_OPTIONS = (
     ),
     click.option("--ignore-windows", is_flag=True, help="Guarantee no time to Windows."),
     click.option("--lenient", is_flag=True, help="Missing values are warnings, not errors."),
-    click.option("--ignore", metavar="ID,...", multiple=True, help="Not these messages."),
+    click.option("--ignore", metavar="ID,...", multiple=True, help="Do not report these messages."),
     click.option("--strict", is_flag=True, help="Exit code 1 for warnings."),
     click.option(
         "--format",
@@ -110,7 +111,7 @@ MODEL_OPTIONS = (
         "--overflow",
         type=click.Choice(["skip", "pend", "queue"]),
         default="skip",
-        help="Activations that find their thread busy: lost, one remembered, all remembered.",
+        help="Activations of a busy thread: lost, one remembered, all remembered.",
     ),
     click.option(
         "--calls",
@@ -128,8 +129,8 @@ MODEL_OPTIONS = (
     click.option(
         "--cpu-base", type=click.IntRange(0, 1), default=1, help="Number of the first CPU."
     ),
-    click.option("--duration", metavar="TIME", help="So long [default: 1s]."),
-    click.option("--cycles", type=click.IntRange(min=1), metavar="N", help="So many NC cycles."),
+    click.option("--duration", metavar="TIME", help="Duration [default: 1s]."),
+    click.option("--cycles", type=click.IntRange(min=1), metavar="N", help="Number of NC cycles."),
 )
 OUTPUT_OPTIONS = (
     click.option("--histogram", is_flag=True, help="Percentiles and histograms of responses."),
@@ -147,7 +148,7 @@ OUTPUT_OPTIONS = (
 
 
 def with_options(*options: Callable[[Any], Any]) -> Callable[[Any], Any]:
-    """All options at once, in their order."""
+    """Return all options at once, in their order."""
 
     def add(function: Any) -> Any:
         return functools.reduce(
@@ -159,18 +160,18 @@ def with_options(*options: Callable[[Any], Any]) -> Callable[[Any], Any]:
 
 @dataclass(frozen=True, slots=True)
 class ListRead:
-    """A list that was read, and what was found in it; ``access`` has read it."""
+    """A list and its diagnostics; ``access`` has read it."""
 
     access: FileAccess
     options: RtconfOptions
     values: Values
     configuration: RtconfConfiguration
     data: bytes
-    found: list[Diagnostic]
+    diagnostics: list[Diagnostic]
 
 
 def guarded(function: Callable[[dict[str, Any]], int], words: dict[str, Any]) -> int:
-    """``function``, and what cannot be used as diagnostics with exit code 2."""
+    """Return the exit code of ``function``; a ``Failure`` is reported with exit code 2."""
     try:
         return function(words)
     except Failure as failure:
@@ -179,13 +180,13 @@ def guarded(function: Callable[[dict[str, Any]], int], words: dict[str, Any]) ->
 
 
 def read_list(words: dict[str, Any], access: FileAccess | None = None) -> ListRead:
-    """Return the list that the words name, and what was found in it; raises ``Failure``.
+    """Return the list of the options with its diagnostics; raises ``Failure``.
 
-    ``access``: the files of the command, where it has more than one list.
+    ``access``: the files of the command, if it has more than one list.
     """
     from nctakt.lists.machine.scheduling_profile import PROFILES, RtconfOptions  # noqa: PLC0415
 
-    read_selection((), words["ignore"])  # a word that fits no message is told before all else
+    read_selection((), words["ignore"])  # a word without a message is reported first
     options = RtconfOptions(
         PROFILES[words["system"]],
         words["convention"],
@@ -201,19 +202,19 @@ def read_list(words: dict[str, Any], access: FileAccess | None = None) -> ListRe
 
 
 def _microseconds(text: str | None) -> int | None:
-    """Return a time in µs; a number alone means µs, as in a list. Raises ``Failure``."""
+    """Return a time in µs; a plain number means µs, as in a list. Raises ``Failure``."""
     from nctakt.lists.format.times import read_time  # noqa: PLC0415 - not for the help
 
     if text is None:
         return None
     time = read_time(f"{text.strip()}us" if text.strip().isdigit() else text)
-    if time.is_in_ticks:  # whose length this very period decides
+    if time.is_in_ticks:  # their length depends on this very period
         raise Failure(diagnostic(INVALID_TIME, text=text))
     return time.us(1)
 
 
 def read_list_text(file: str, data: bytes, access: FileAccess, options: RtconfOptions) -> ListRead:
-    """Return the list that ``data`` is, and what was found in it."""
+    """Return the list in ``data`` with its diagnostics."""
     from nctakt.lists.machine.scheduling import read_rtconf  # noqa: PLC0415 - not for the help
 
     collector = Collector()
@@ -224,40 +225,40 @@ def read_list_text(file: str, data: bytes, access: FileAccess, options: RtconfOp
 def publish(
     words: dict[str, Any],
     listed: Sequence[Diagnostic],
-    found: Sequence[Diagnostic],
+    further: Sequence[Diagnostic],
     text: str,
     document: dict[str, object],
 ) -> int:
-    """Print results and diagnostics in the format of the words; return the exit code.
+    """Print results and diagnostics in the format of the options; return the exit code.
 
-    ``listed``: what was found in the list, ``found``: what was found later. ``document``: the
-    results as ``text`` has them, for other programs.
+    ``listed``: the diagnostics of the list, ``further``: later ones. ``document``: the results in
+    ``text`` for other programs.
     """
     selection = read_selection((), words["ignore"])
-    listed = [finding for finding in listed if selection.takes(finding.id)]
-    found = [finding for finding in found if selection.takes(finding.id)]
+    listed = [finding for finding in listed if selection.includes(finding.id)]
+    further = [finding for finding in further if selection.includes(finding.id)]
     lowest = Severity.WARNING if words["quiet"] else Severity.NOTE
-    shown = [finding for finding in (*listed, *found) if finding.severity >= lowest]
+    shown = [finding for finding in (*listed, *further) if finding.severity >= lowest]
     if words["format"] == "json":
         diagnostics = diagnostics_as_json(shown, words["file"], words["language"])
-        whole = {"nctakt": __version__, **document, "diagnostics": diagnostics}
-        click.echo(json.dumps(whole, indent=2))
+        result = {"nctakt": __version__, **document, "diagnostics": diagnostics}
+        click.echo(json.dumps(result, indent=2))
     else:
         print_diagnostics(shown, words["language"])
         click.echo(text, nl=False)
-    return _exit_code(listed, found, strict=words["strict"])
+    return _exit_code(listed, further, strict=words["strict"])
 
 
-def _exit_code(listed: Sequence[Diagnostic], found: Sequence[Diagnostic], *, strict: bool) -> int:
+def _exit_code(listed: Sequence[Diagnostic], further: Sequence[Diagnostic], *, strict: bool) -> int:
     if any(finding.severity is Severity.ERROR for finding in listed):
         return EXIT_USAGE
-    worst = max((finding.severity for finding in (*listed, *found)), default=Severity.NOTE)
+    worst = max((finding.severity for finding in (*listed, *further)), default=Severity.NOTE)
     fails = worst is Severity.ERROR or (strict and worst is Severity.WARNING)
     return EXIT_NC_ERROR if fails else EXIT_RAN
 
 
 def read_model_load(read: ListRead, words: dict[str, Any], collector: Collector) -> Load:
-    """The load that the words name, else the assumed one; raises ``Failure``."""
+    """Return the load of the options, else the assumed one; raises ``Failure``."""
     from nctakt.base.text import decode_text  # noqa: PLC0415
     from nctakt.schedule.load import ASSUMED, read_load  # noqa: PLC0415
 
@@ -266,7 +267,7 @@ def read_model_load(read: ListRead, words: dict[str, Any], collector: Collector)
     text = decode_text(read.access.read_bytes(Path(words["load"]))).text
     load = read_load(words["load"], text, collector)
     if collector.has_errors:
-        raise Failure(*read.found, *collector.diagnostics)
+        raise Failure(*read.diagnostics, *collector.diagnostics)
     return load
 
 
@@ -277,9 +278,9 @@ def make_model(
     collector: Collector,
     configuration: RtconfConfiguration | None = None,
 ) -> Model:
-    """Return the model; raises ``Failure`` when list or load leave nothing to schedule.
+    """Return the model; raises ``Failure`` if list or load leave nothing to schedule.
 
-    ``configuration``: another one than that of the list.
+    ``configuration``: to use instead of that of the list.
     """
     from nctakt.schedule.assemble import assemble  # noqa: PLC0415
     from nctakt.schedule.model import Rules  # noqa: PLC0415
@@ -297,7 +298,7 @@ def make_model(
     )
     errors = [finding for finding in collector.diagnostics if finding.severity is Severity.ERROR]
     if any(finding.message not in PLACED for finding in errors) or not read.configuration.threads:
-        raise Failure(*read.found, *collector.diagnostics)
+        raise Failure(*read.diagnostics, *collector.diagnostics)
     return model
 
 
@@ -319,7 +320,7 @@ def drawn_cycles(model: Model, words: dict[str, Any]) -> int:
 
 
 class Outputs:
-    """The pictures and traces that the words name; also a context manager."""
+    """The pictures and traces of the options; also a context manager."""
 
     def __init__(self, read: ListRead, words: dict[str, Any]) -> None:
         from nctakt.schedule.draw import check_picture  # noqa: PLC0415 - not for the help
@@ -347,7 +348,7 @@ class Outputs:
         self._stack.close()
 
     def write(self, run: Simulation, report: str) -> None:
-        """Write and close them; ``report``: the text beside a picture of HTML.
+        """Write and close them; ``report``: the text beside a picture in HTML.
 
         Raises ``Failure``.
         """
@@ -372,8 +373,8 @@ class Outputs:
 
 
 def open_outputs(read: ListRead, words: dict[str, Any]) -> Outputs:
-    """Open what the words name; what is not written is gone when the command ends.
+    """Open the files of the options; unwritten ones are removed at the end of the command.
 
-    Raises ``Failure`` where one of the files cannot be made, before anything is simulated.
+    Raises ``Failure`` if a file cannot be created, before the simulation begins.
     """
     return click.get_current_context().with_resource(Outputs(read, words))

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""``nctakt schedule run``: a scheduling list for real, on this machine.
+"""``nctakt schedule run``: a real run of a scheduling list on this machine.
 
-In: the list, maybe a load, choices. Out: the tables of a run and of its simulation, diagnostics,
-pictures and traces, and the exit code as for a simulation.
+In: the list, optionally a load, options. Out: the tables of a run and of its simulation,
+diagnostics, pictures and traces, and the exit code as of a simulation.
 """
 
 from __future__ import annotations
@@ -49,26 +49,26 @@ _RUN_OPTIONS = (
     click.option(
         "--semaphore",
         metavar="NAME",
-        help="The semaphore that gives the NC interrupts, instead of external_object_name.",
+        help="Semaphore of the NC interrupts instead of external_object_name.",
     ),
     click.option(
-        "--stand-in", is_flag=True, help="Play the external threads, too, as the load says."
+        "--stand-in", is_flag=True, help="Play the external threads as well, by the load."
     ),
     click.option(
         "--all-users",
         is_flag=True,
-        help="Let processes of other users wait on the semaphores, too.",
+        help="Let processes of other users wait on the semaphores as well.",
     ),
-    click.option("--no-fifo", is_flag=True, help="Ordinary scheduling even as root."),
-    click.option("--force", is_flag=True, help="Even if a processor would have no time left."),
-    click.option("--dry-run", is_flag=True, help="Say what would run where, and run nothing."),
+    click.option("--no-fifo", is_flag=True, help="Use ordinary scheduling even as root."),
+    click.option("--force", is_flag=True, help="Run even if a processor would have no time left."),
+    click.option("--dry-run", is_flag=True, help="Show the plan of the run without running it."),
 )
 
 
-@click.command("run", epilog=EXIT_CODES, short_help="The schedule for real (Linux).")
+@click.command("run", epilog=EXIT_CODES, short_help="Run the schedule on this machine (Linux).")
 @with_options(*LIST_OPTIONS, *MODEL_OPTIONS, *_RUN_OPTIONS, *OUTPUT_OPTIONS)
 def run(**words: Any) -> int:
-    """Run the schedule: a process for each thread, that works as long as the load says.
+    """Run the schedule: a process for each thread, with the execution times of the load.
 
     External threads are other programs, which wait on the named semaphores of the list.
     """
@@ -96,7 +96,7 @@ def _run(words: dict[str, Any]) -> int:
     language = words["language"]
     if words["dry_run"]:
         text, document = plan_report(plan, language), plan_document(plan)
-        return publish(words, read.found, collector.diagnostics, text, document)
+        return publish(words, read.diagnostics, collector.diagnostics, text, document)
     outputs = open_outputs(read, words)
     if names := remove_stale():
         collector.report(LEFTOVERS_REMOVED, None, names=", ".join(names))
@@ -109,13 +109,13 @@ def _run(words: dict[str, Any]) -> int:
     report = run_report(measurement, plan, simulated, language)
     if words["histogram"]:
         report += "\n".join([*response_report(measurement.run, language), ""])
-    code = publish(words, read.found, findings, report, run_document(measurement, simulated))
+    code = publish(words, read.diagnostics, findings, report, run_document(measurement, simulated))
     outputs.write(measurement.run, report)
     return code
 
 
 def _on_this_machine(load: Load, collector: Collector) -> Load:
-    """The load on the processors of this machine."""
+    """Return the load on the processors of this machine."""
     from nctakt.linux.machine import present_cpus, usable_cpus  # noqa: PLC0415
 
     present, usable = present_cpus(), usable_cpus()
@@ -141,7 +141,7 @@ def _plan(read: ListRead, model: Model, words: dict[str, Any], collector: Collec
     elif model.source is InterruptSource.SEMAPHORE:
         source = words["semaphore"] or read.configuration.external_object_name
         if not source:
-            raise Failure(*read.found, diagnostic(SEMAPHORE_NOT_NAMED))
+            raise Failure(*read.diagnostics, diagnostic(SEMAPHORE_NOT_NAMED))
         check_name(semaphore_name(source))
     is_fifo = not words["no_fifo"]
     if is_fifo and (reason := fifo_refusal()) is not None:
@@ -160,5 +160,5 @@ def _plan(read: ListRead, model: Model, words: dict[str, Any], collector: Collec
             for cpu, demand in crowded_cpus(plan)
         ]
         if crowded:
-            raise Failure(*read.found, *collector.diagnostics, *crowded)
+            raise Failure(*read.diagnostics, *collector.diagnostics, *crowded)
     return plan

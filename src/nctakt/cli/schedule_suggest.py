@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""``nctakt schedule suggest``: values with which each thread has the slack that is asked for.
+"""``nctakt schedule suggest``: values with which each thread has the required slack.
 
-In: a list, maybe a load, slacks, what may be varied. Out: suggestions with their bounds (standard
-output), the best one as a list in a file, and the exit code: 1 where nothing was found.
+In: a list, optionally a load, slacks, the variable entries. Out: suggestions with their bounds
+(standard output), the best one as a list in a file, and the exit code: 1 without a suggestion.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ _NAMES = ["windows_time", "time_slice", "priorities", "cpus", "calls"]
 
 
 @click.command(
-    "suggest", epilog=EXIT_CODES, short_help="Values that leave each thread the slack asked for."
+    "suggest", epilog=EXIT_CODES, short_help="Suggest values with slack for each thread."
 )
 @with_options(*LIST_OPTIONS, *MODEL_OPTIONS)
 @click.option(
@@ -46,20 +46,20 @@ _NAMES = ["windows_time", "time_slice", "priorities", "cpus", "calls"]
     "slacks",
     metavar="[THREAD=]PCT",
     multiple=True,
-    help="The part of its period that each thread, or one, shall have left [default: 10].",
+    help="Slack of each thread, or of one, in percent of its period [default: 10].",
 )
 @click.option(
     "--vary",
     "variables",
     type=click.Choice(_NAMES),
     multiple=True,
-    help="What may be changed [default: all of it].",
+    help="The entries that may be changed [default: all].",
 )
 @click.option(
     "--cpus",
     type=click.IntRange(1, 7),
     metavar="N",
-    help="CPUs that threads may have [default: those of the load, or of the list].",
+    help="Number of CPUs for threads [default: those of the load, or of the list].",
 )
 @click.option("--output", metavar="FILE", help="Write the list with the first suggestion.")
 def suggest(**words: Any) -> int:
@@ -90,7 +90,7 @@ def _suggest(words: dict[str, Any]) -> int:
 
     variables = words["variables"] or VARIABLES
     base = words["cpu_base"]
-    cpus = range(max(1, base), base + count)  # as the list numbers them, which has no CPU 0
+    cpus = range(max(1, base), base + count)  # numbered as in the list, without a CPU 0
     suggestions = search(read.configuration, model_of, slacks, variables, cpus)
     if not suggestions.is_met and not suggestions.better:
         collector.report(NOTHING_SUGGESTED, None)
@@ -99,11 +99,11 @@ def _suggest(words: dict[str, Any]) -> int:
             _write(file, read, suggestions)
     text = suggestion_report(suggestions, slacks, words["language"])
     document = suggestion_document(suggestions, slacks)
-    return publish(words, read.found, collector.diagnostics, text, document)
+    return publish(words, read.diagnostics, collector.diagnostics, text, document)
 
 
 def _slacks(texts: tuple[str, ...], model: Model) -> Slacks:
-    """Return what the words of ``--slack`` ask for; raises ``Failure`` (900648)."""
+    """Return the slacks of ``--slack``; raises ``Failure`` (900648)."""
     from nctakt.schedule.suggest import Slacks  # noqa: PLC0415
 
     names = [task.name for task in model.tasks]
@@ -124,12 +124,12 @@ def _slacks(texts: tuple[str, ...], model: Model) -> Slacks:
 
 
 def _write(file: OutputFile, read: ListRead, suggestions: Suggestions) -> None:
-    """Write the list with the first suggestion, or as it counts where it needs none."""
+    """Write the list with the first suggestion, or with its effective values without one."""
     from nctakt.schedule.rewrite import rewrite  # noqa: PLC0415
     from nctakt.schedule.suggest_report import changed_entries  # noqa: PLC0415
 
     best = suggestions.better[0] if suggestions.better else suggestions.present
-    names = {finding.entry for finding in read.found}
+    names = {finding.entry for finding in read.diagnostics}
     names |= {name for name, _, _ in changed_entries(suggestions.present, best)}
     convention = read.options.convention
     configuration = best.configuration

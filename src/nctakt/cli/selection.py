@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""``--select`` and ``--ignore``: which messages a check tells and counts.
+"""``--select`` and ``--ignore``: the messages that a check reports and counts.
 
-In: words such as ``22009``, ``9002`` (all that begin so), ``22000-22099``, ``NCTAKT22009``, with
-commas between. Out: a ``Selection``; a word that fits no message is a ``Failure`` (900586).
+In: words such as ``22009``, ``9002`` (all with this prefix), ``22000-22099``, ``NCTAKT22009``,
+separated by commas. Out: a ``Selection``; a word without a message is a ``Failure`` (900586).
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from nctakt.messages import diagnostic
 from nctakt.messages.catalogue import catalogue
 from nctakt.messages.checking import NO_MESSAGE_SELECTED
 
-#: In front of a message's number wherever rules of many tools stand beside each other.
+#: The prefix of a message's number among the rules of other tools.
 RULE_PREFIX = "NCTAKT"
 
 _WORD = re.compile(rf"(?:{RULE_PREFIX})?([0-9]+)(?:-(?:{RULE_PREFIX})?([0-9]+))?", re.IGNORECASE)
@@ -24,19 +24,19 @@ _WORD = re.compile(rf"(?:{RULE_PREFIX})?([0-9]+)(?:-(?:{RULE_PREFIX})?([0-9]+))?
 
 @dataclass(frozen=True, slots=True)
 class Selection:
-    """The numbers that count; ``selected`` ``None``: all but those that are ignored."""
+    """The selected numbers; ``selected`` ``None``: all except the ignored ones."""
 
     selected: frozenset[int] | None = None
     ignored: frozenset[int] = frozenset()
 
-    def takes(self, number: int) -> bool:
-        """Whether the message counts; what is both selected and ignored is ignored."""
+    def includes(self, number: int) -> bool:
+        """Return whether a message is selected and not ignored."""
         chosen = self.selected is None or number in self.selected
         return chosen and number not in self.ignored
 
 
 def read_selection(select: Sequence[str], ignore: Sequence[str]) -> Selection:
-    """The selection that the words of both options make; raises one ``Failure`` for all of them."""
+    """Return the selection of both options; raises one ``Failure`` for all mistakes."""
     wrong: list[str] = []
     selected = frozenset(_numbers(select, wrong))
     ignored = frozenset(_numbers(ignore, wrong))
@@ -55,7 +55,7 @@ def _numbers(words: Sequence[str], wrong: list[str]) -> Iterator[int]:
 
 
 def _fitting(first: str, last: str | None) -> list[int]:
-    """The messages of a range, or of a number, or those whose number begins so."""
+    """Return the messages of a range, with a number, or with a prefix."""
     if last is not None:
         low, high = int(first), int(last)
         return [number for number in catalogue() if low <= number <= high]

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""What a command shows and writes: diagnostics, messages of programs, progress, text files.
+"""The output of a command: diagnostics, messages of programs, progress, text files.
 
-Diagnostics and progress go to standard error, what programs say to standard output. The progress
-bar appears only on a terminal and only for work that takes a while.
+Diagnostics and progress go to standard error, messages of programs to standard output. The progress
+bar appears only on a terminal and only for longer work.
 """
 
 from __future__ import annotations
@@ -27,10 +27,10 @@ if TYPE_CHECKING:
 
     from nctakt.results.run import ProgramMessage
 
-#: Seconds of wall-clock time after which the progress bar appears.
+#: Wall-clock time after which the progress bar appears, in seconds.
 PATIENCE_S = 1.0
 
-#: Seconds of wall-clock time between two looks of the progress bar.
+#: Wall-clock time between two updates of the progress bar, in seconds.
 _REFRESH_S = 0.1
 
 _COLOURS = {Severity.ERROR: "red", Severity.WARNING: "yellow", Severity.NOTE: None}
@@ -40,16 +40,16 @@ def print_diagnostics(
     diagnostics: Iterable[Diagnostic], language: Language, lowest: Severity = Severity.NOTE
 ) -> None:
     """Show the diagnostics of severity ``lowest`` and above on standard error."""
-    for found in diagnostics:
-        if found.severity >= lowest:
-            headline, *rest = found.render(language).split("\n")
-            complain(click.style(headline, fg=_COLOURS[found.severity]))
+    for item in diagnostics:
+        if item.severity >= lowest:
+            headline, *rest = item.render(language).split("\n")
+            complain(click.style(headline, fg=_COLOURS[item.severity]))
             for line in rest:
                 complain(line)
 
 
 def complain(line: str) -> None:
-    """Show a line on standard error; where that takes nothing, nobody can be told."""
+    """Show a line on standard error, if that accepts it."""
     try:
         click.echo(line, err=True)
     except OSError:
@@ -57,24 +57,24 @@ def complain(line: str) -> None:
 
 
 def silence(stream: TextIO) -> None:
-    """Let what a stream still holds, and what comes, go nowhere: it takes no more."""
+    """Discard the buffered and all further output of a stream that refuses it."""
     with contextlib.suppress(OSError, ValueError):
         os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
 
 
 def message_line(message: ProgramMessage) -> str:
-    """A message of a program with its virtual time, on one line."""
+    """Return a message of a program with its virtual time, on one line."""
     return f"{time_stamp(message.time_us)}  {_channel(message)}{_printable(message.text)}"
 
 
 def saved_message(message: ProgramMessage) -> str:
-    """What the message file gets: time stamp and line end unless the message forbids them."""
+    """Return a message for its file, with time stamp and line end unless it forbids them."""
     stamp = "" if message.is_exclusive else f"{time_stamp(message.time_us)}  {_channel(message)}"
     return f"{stamp}{_printable(message.text)}" + ("" if message.is_unbroken else "\n")
 
 
 def _channel(message: ProgramMessage) -> str:
-    """Which channel says it, where there is more than one."""
+    """Return the prefix with the channel on a machine with several."""
     return f"CH{message.channel}  " if message.channel else ""
 
 
@@ -83,7 +83,7 @@ def _printable(text: str) -> str:
 
 
 def show_at_the_end(show: Callable[[TextIO], None]) -> None:
-    """Let ``show`` write to standard output; nobody reading on there is no error of the run."""
+    """Let ``show`` write to standard output; a closed pipe is not an error of the run."""
     try:
         show(sys.stdout)
         sys.stdout.flush()
@@ -92,10 +92,10 @@ def show_at_the_end(show: Callable[[TextIO], None]) -> None:
 
 
 class InterruptRequest:
-    """Ctrl-C while a run goes on: the first one asks for its end, which ``check`` then brings.
+    """Ctrl-C during a run: ``check`` raises after the first one.
 
-    So the run ends between two ticks, with all that it has recorded. A second Ctrl-C interrupts at
-    once: what the first one waits for may be an endless loop in the user's PLC.
+    So the run ends between two ticks, with all its records. A second Ctrl-C interrupts at once,
+    even an endless loop in the user's PLC.
     """
 
     def __init__(self) -> None:
@@ -111,7 +111,7 @@ class InterruptRequest:
             signal.signal(signal.SIGINT, self._before)
 
     def check(self) -> None:
-        """Raise ``KeyboardInterrupt`` when Ctrl-C was pressed."""
+        """Raise ``KeyboardInterrupt`` if Ctrl-C was pressed."""
         if self._requested:
             raise KeyboardInterrupt
 
@@ -121,17 +121,17 @@ class InterruptRequest:
 
 
 class ProgressBar:
-    """How far a run has come, on a terminal, from ``PATIENCE_S`` after its begin."""
+    """The progress of a run, shown on a terminal from ``PATIENCE_S`` after its begin."""
 
     def __init__(self, file: TextIO | None = None) -> None:
         self._file = sys.stderr if file is None else file
-        self._wanted = self._file.isatty()
+        self._is_shown = self._file.isatty()
         self._next_s = time.monotonic() + PATIENCE_S
         self._progress: Progress | None = None
 
     def update(self, tick: int, limit: int | None) -> None:
-        """``tick`` ticks of at most ``limit`` are done."""
-        if not self._wanted or time.monotonic() < self._next_s:
+        """Show that ``tick`` of at most ``limit`` ticks are done."""
+        if not self._is_shown or time.monotonic() < self._next_s:
             return
         self._next_s = time.monotonic() + _REFRESH_S
         if self._progress is None:
@@ -139,7 +139,7 @@ class ProgressBar:
         self._progress.update(self._progress.task_ids[0], completed=tick, total=limit)
 
     def hide(self) -> None:
-        """Take the bar away, since something else is to be shown; ``update`` brings it back."""
+        """Remove the bar for other output; ``update`` shows it again."""
         if self._progress is not None:
             self._progress.stop()
             self._progress = None

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Words of the command line that click cannot use, told as every other mistake is.
+"""Diagnostics of mistakes in the words of the command line.
 
 In: the error of click, the words. Out: a diagnostic on standard error, in the language of
-``--lang`` as far as that stands among the words.
+``--lang`` if it is among the words.
 """
 
 from __future__ import annotations
@@ -28,8 +28,8 @@ from nctakt.messages.command_line import (
 )
 
 
-def tell_usage(error: click.ClickException, words: Sequence[str]) -> None:
-    """Show the mistake and how the help is asked for."""
+def report_usage(error: click.ClickException, words: Sequence[str]) -> None:
+    """Show the mistake, and the command for the help."""
     print_diagnostics([_diagnostic(error)], _language(words))
 
 
@@ -68,40 +68,44 @@ def _diagnostic(error: click.ClickException) -> Diagnostic:
 
 
 def _of_command(error: click.UsageError, context: click.Context | None, help_of: str) -> Diagnostic:
-    """A subcommand that there is not, or what else click says."""
+    """Return the diagnostic of an unknown subcommand, else one with click's text."""
     command = None if context is None else context.command
     written = error.message.split("'")
     if isinstance(command, click.Group) and context is not None and len(written) == 3:
-        known = command.list_commands(context)
-        near = nearest(written[1], known) or NOTHING
-        return diagnostic(UNKNOWN_SUBCOMMAND, word=written[1], nearest=near, names=", ".join(known))
+        names = command.list_commands(context)
+        near = nearest(written[1], names) or NOTHING
+        return diagnostic(UNKNOWN_SUBCOMMAND, word=written[1], nearest=near, names=", ".join(names))
     return diagnostic(INVALID_COMMAND_LINE, reason=error.message, help=help_of)
 
 
 def _options(context: click.Context | None) -> list[str]:
-    """All spellings of the command's options."""
+    """Return all spellings of the command's options."""
     if context is None:
         return []
     parameters = context.command.params
-    return [one for parameter in parameters for one in (*parameter.opts, *parameter.secondary_opts)]
+    return [
+        spelling
+        for parameter in parameters
+        for spelling in (*parameter.opts, *parameter.secondary_opts)
+    ]
 
 
 def _value(error: click.BadParameter) -> str:
-    """The value as click quotes it."""
+    """Return the value quoted in click's text."""
     return error.message.partition(" is not ")[0].strip("'")
 
 
 def _expected(error: click.BadParameter) -> Text:
-    """What the parameter takes."""
+    """Return the values that the parameter accepts."""
     kind = None if error.param is None else error.param.type
     if isinstance(kind, click.Choice):
-        choices = ", ".join(str(one) for one in kind.choices)
+        choices = ", ".join(str(choice) for choice in kind.choices)
         return Text(f"one of {choices}", f"eines von {choices}")
     if isinstance(kind, click.IntRange | click.FloatRange):
         low, high = kind.min, kind.max
-        whole = isinstance(kind, click.IntRange)
-        en = "a whole number" if whole else "a number"
-        de = "eine ganze Zahl" if whole else "eine Zahl"
+        is_integer = isinstance(kind, click.IntRange)
+        en = "a whole number" if is_integer else "a number"
+        de = "eine ganze Zahl" if is_integer else "eine Zahl"
         if high is None:
             return Text(f"{en} from {low} on", f"{de} ab {low}")
         return Text(f"{en} from {low} to {high}", f"{de} von {low} bis {high}")
@@ -109,7 +113,7 @@ def _expected(error: click.BadParameter) -> Text:
 
 
 def _name(error: click.BadParameter) -> str:
-    """What the user calls the parameter: ``--ticks``, ``FILE``."""
+    """Return the parameter's name for the user: ``--ticks``, ``FILE``."""
     parameter = error.param
     if parameter is None:
         return error.param_hint if isinstance(error.param_hint, str) else NOTHING

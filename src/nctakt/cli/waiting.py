@@ -6,15 +6,15 @@ from __future__ import annotations
 import time
 from collections.abc import Callable
 
-#: Looks without a pause in between: a partner on another core answers within some microseconds.
+#: Checks without a pause: a partner on another core answers within some microseconds.
 _EAGER_LOOKS = 50
 
-#: Then the pause between two looks, in seconds.
+#: The pause between two later checks, in seconds.
 _PAUSE_S = 0.0001
 
 
 def waiter(seconds: float) -> Callable[[Callable[[], bool]], bool]:
-    """A function that waits until a condition holds: whether it did so in time."""
+    """Return a function that waits for a condition and returns whether it came true in time."""
 
     def wait(condition: Callable[[], bool]) -> bool:
         for _ in range(_EAGER_LOOKS):

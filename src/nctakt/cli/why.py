@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""``nctakt why``: run NC programs and tell why each reaction of a realtime cycle fired or did not.
+"""``nctakt why``: run NC programs and explain why reactions of realtime cycles fired or did not.
 
-In: programs, machine, values of variables at times, limits; which cycle, line and time are meant.
-Out: on standard output how the run ended and the report, on standard error diagnostics. Exit codes
-as ``nctakt run``; a cycle, line or time that there is not is wrong usage.
+In: programs, machine, values of variables at times, limits; optionally a cycle, line and time. Out:
+on standard output the end of the run and the report, on standard error diagnostics. Exit codes as
+of ``nctakt run``; an unknown cycle, line or time is wrong usage.
 """
 
 from __future__ import annotations
@@ -49,7 +49,7 @@ true or false, when its body ran; if it never ran, why, and how near it came.
 """
 
 
-@click.command("why", epilog=_EPILOG, short_help="Tell why reactions fired or did not.")
+@click.command("why", epilog=_EPILOG, short_help="Explain why reactions fired or did not.")
 @run_options("report and diagnostics")
 @FORMAT_OPTION
 @click.option("--cycle", metavar="ID", help="Only this realtime cycle (#1: the first without ID).")
@@ -57,18 +57,18 @@ true or false, when its body ran; if it never ran, why, and how near it came.
     "--line",
     type=click.IntRange(min=1),
     metavar="N",
-    help="Only the $IF in this line, or the one whose body has it.",
+    help="Only the $IF in this line, or around this line.",
 )
-@click.option("--state", metavar="TIME", help="How everything stood at this time of the run.")
+@click.option("--state", metavar="TIME", help="Show the states at this time of the run.")
 def command(cycle: str | None, line: int | None, state: str | None, **words: Any) -> int:
-    """Run NC programs and tell why reactions of their realtime cycles fired or did not."""
+    """Run NC programs and explain why reactions of their realtime cycles fired or did not."""
     return carry_out(words, lambda options, access: _why(options, access, cycle, line, state))
 
 
 def _why(
     options: Options, access: FileAccess, cycle: str | None, line: int | None, state: str | None
 ) -> int:
-    """Run and tell; raises ``Failure`` for what cannot be used."""
+    """Run and report; raises ``Failure`` for invalid options."""
     choose_mode(options)
     for time, assignment in options.stimuli:
         if "=" not in assignment:
@@ -78,7 +78,7 @@ def _why(
     controller = start_controller(options, access)
     length_us = controller.cycle_time_us
     tick = None if moment is None else moment.us(length_us) // length_us
-    if tick is not None:  # what comes behind that tick is of no interest
+    if tick is not None:  # later ticks are not needed
         last = min(tick + 1, options.ticks or tick + 1)
         options = replace(options, ticks=last, limit_fails=False)
     run = run_programs(options, request, controller, why=True)

@@ -79,7 +79,7 @@ class DeclaredParameter:
 
 
 def find_parameters(name: str) -> tuple[DeclaredParameter, ...]:
-    """The parameters of that ID or name; indices are ignored, letter case in an ID too."""
+    """Return the parameters of that ID or name; indices are ignored, letter case in an ID too."""
     pattern = _INDEX.sub("[]", name)
     parameters: list[DeclaredParameter] = []
     for schema in SCHEMAS:

@@ -87,13 +87,13 @@ def _gear(
 
 
 def _speed(id_: str, path: str, default: int, en: str, de: str) -> Parameter:
-    """A speed: up to the highest of the axis, which has no such bound itself."""
+    """Return a speed: up to the highest of the axis, which has no such bound itself."""
     most = None if id_ == _MAX_SPEED.id else _MAX_SPEED
     return _gear(id_, path, default, en, de, low=1, high=_FASTEST, unit=_SPEED, at_most=most)
 
 
 def _acceleration(id_: str, path: str, default: int, en: str, de: str) -> Parameter:
-    """An acceleration: up to the highest of the axis, which has no such bound itself."""
+    """Return an acceleration: up to the highest of the axis, which has no such bound itself."""
     most = None if id_ == _MAX_ACCELERATION.id else _MAX_ACCELERATION
     return _gear(
         id_, path, default, en, de, low=1, high=_STEEPEST, unit=_ACCELERATION, at_most=most
@@ -101,7 +101,7 @@ def _acceleration(id_: str, path: str, default: int, en: str, de: str) -> Parame
 
 
 def _ramp(id_: str, path: str, default: int, en: str, de: str) -> Parameter:
-    """A ramp time: from the shortest of the axis on, which has no such bound itself."""
+    """Return a ramp time: from the shortest of the axis on, which has no such bound itself."""
     least = None if id_ == _SHORTEST_RAMP.id else _SHORTEST_RAMP
     return _gear(id_, path, default, en, de, unit="µs", at_least=least)
 

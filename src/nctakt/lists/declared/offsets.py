@@ -45,7 +45,7 @@ class ZeroOffsets:
     g53_available: bool = False
 
     def offset(self, group: int, axis: int) -> float:
-        """The offset of a group in an axis of the channel, mm or degrees."""
+        """Return the offset of a group in an axis of the channel, mm or degrees."""
         return self.groups.get(group, {}).get(axis, 0.0)
 
 
@@ -56,7 +56,7 @@ class ClampOffsets:
     groups: Mapping[int, Mapping[int, float]] = field(default_factory=dict)
 
     def offset(self, group: int, axis: int) -> float:
-        """The offset of a group in an axis of the channel, mm or degrees."""
+        """Return the offset of a group in an axis of the channel, mm or degrees."""
         return self.groups.get(group, {}).get(axis, 0.0)
 
 
@@ -121,7 +121,7 @@ CLAMP_OFFSETS = Schema(
 def zero_offsets_configuration(
     values: Values, axis_count: int, collector: Collector
 ) -> ZeroOffsets:
-    """The zero offsets of a channel with so many axes.
+    """Return the zero offsets of a channel with so many axes.
 
     Reported: an axis that there is not (900741), offsets of G53 that do not count (900742), a
     default group without offsets (900743).
@@ -168,7 +168,7 @@ def clamp_offsets_configuration(
 def _offsets(
     values: Values, prefix: str, name: str, group: int, axis_count: int, collector: Collector
 ) -> list[tuple[int, float]]:
-    """The offsets of a group as (index of the axis, mm or degrees)."""
+    """Return the offsets of a group as (index of the axis, mm or degrees)."""
     pattern = f"{prefix}.{name}"
     found: list[tuple[int, float]] = []
     for axis in values.indices(prefix, group):

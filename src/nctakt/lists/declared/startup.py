@@ -105,7 +105,7 @@ class StartupConfiguration:
 
 
 def _list(id_: str, path: str, en: str, de: str, *aliases: str) -> Parameter:
-    """The declaration of a path to another list."""
+    """Return the declaration of a path to another list."""
     old = tuple(Alias(alias, silent=True) for alias in aliases)
     return Parameter(
         id_, path, ValueType.STRING, "", Text(en, de), high=_PATH_LENGTH, aliases=old, restart=True
@@ -303,7 +303,7 @@ STARTUP = Schema(
 
 
 def startup_configuration(values: Values, collector: Collector) -> StartupConfiguration:
-    """The start-up list's values as a whole; an alignment that does not exist becomes 0."""
+    """Return the start-up list's values as a whole; an alignment that does not exist becomes 0."""
     alignment = values.integer("ext_var_struct_member_alignment")
     if alignment not in ALIGNMENTS:
         key = "ext_var_struct_member_alignment"
@@ -336,7 +336,7 @@ def _others(values: Values) -> tuple[tuple[str, ListReference], ...]:
 
 
 def _axis_count(values: Values) -> int:
-    """The number of axes that the list gives, else as many as it names."""
+    """Return the number of axes that the list gives, else as many as it names."""
     if values.given("zahl_mds"):
         return values.integer("zahl_mds")
     return max(values.indices("achs_mds[]"), default=-1) + 1

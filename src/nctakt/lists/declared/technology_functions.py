@@ -175,7 +175,7 @@ def technology_functions(
     collector: Collector,
     internal: tuple[int, ...] = (),
 ) -> dict[int, TechnologyFunction]:
-    """The functions of ``letter`` (``m``, ``h``) that are defined, by number, ascending.
+    """Return the functions of ``letter`` (``m``, ``h``) that are defined, by number, ascending.
 
     ``axes``: the names of the channel's axes and spindles; a function for any other one is the
     channel's (900812).

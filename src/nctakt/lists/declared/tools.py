@@ -180,7 +180,7 @@ def _offset_indices(values: Values, number: int) -> tuple[int, ...]:
 
 
 def _first_key(values: Values, number: int) -> tuple[str, *tuple[int, ...]]:
-    """The first entry of a tool as it stands in the list."""
+    """Return the first entry of a tool as it stands in the list."""
     of_tool = [
         key for key in values.entry_values if key[0].startswith("wz[]") and key[1][0] == number
     ]

@@ -75,7 +75,7 @@ _BITS = {"08": 8, "16": 16, "32": 32, "64": 64}
 
 @cache
 def integer_bounds(type_: ValueType) -> tuple[int, int]:
-    """The least and the greatest value of an integer type."""
+    """Return the least and the greatest value of an integer type."""
     bits = _BITS[type_.value[3:]]
     if type_.value.startswith("U"):
         return 0, 2**bits - 1
@@ -229,7 +229,7 @@ def with_indices(pattern: str, indices: tuple[int, ...]) -> str:
 
 
 def shown(value: Value) -> str:
-    """A value as a list would write it; ``–`` where there is none."""
+    """Return a value as a list would write it; ``–`` where there is none."""
     if value is None:
         return "–"
     if isinstance(value, bool):

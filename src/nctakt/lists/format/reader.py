@@ -78,7 +78,7 @@ class Entry:
         return self.pattern.count("[]") == len(self.indices)
 
     def span(self, start: int, end: int) -> Span:
-        """The place of ``rest[start:end]``."""
+        """Return the place of ``rest[start:end]``."""
         place = self.key_span
         column = self.rest_column + start
         return Span(place.file, place.line, column, max(column + 1, self.rest_column + end))
@@ -87,7 +87,7 @@ class Entry:
 def read_list(
     file: str, data: bytes, dialect: ListDialect, collector: Collector
 ) -> tuple[Entry, ...]:
-    """The entries of the list ``data``; ``file`` is its name in spans."""
+    """Return the entries of the list ``data``; ``file`` is its name in spans."""
     decoded = decode_text(data)
     if decoded.guessed:
         collector.report(TEXT_NOT_UTF8, Span(file, 1, 1, 2), encoding=decoded.encoding)

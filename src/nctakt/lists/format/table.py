@@ -189,7 +189,7 @@ def _with_ends(allowed: _Range, low: str, high: str) -> _Range:
 
 
 def _number(text: str) -> float:
-    """An integer stays one: bounds of 64 bit have more digits than a float."""
+    """Return an integer stays one: bounds of 64 bit have more digits than a float."""
     integer = parse_integer(text, hexadecimal=True)
     return float(text) if integer is None else integer
 

@@ -115,20 +115,20 @@ def _from_text(text: str) -> Time:
 
 
 def _match(text: str) -> re.Match[str] | None:
-    """The parts of a text that begins with a number, at least one digit of it."""
+    """Return the parts of a text that begins with a number, at least one digit of it."""
     match = _TEXT.fullmatch(text.strip())
     return match if match is not None and (match["whole"] or match["part"]) else None
 
 
 def _rounded_up(match: re.Match[str], factor: int) -> int:
-    """The number times a factor, exactly, then rounded up."""
+    """Return the number times a factor, exactly, then rounded up."""
     part = match["part"] or ""
     divisor: int = 10 ** len(part)
     return -(-int(match["whole"] + part) * factor // divisor)
 
 
 def _from_seconds(seconds: float) -> int:
-    """The microseconds of a number of seconds, rounded up; -1 if it is not a time.
+    """Return the microseconds of a number of seconds, rounded up; -1 if it is not a time.
 
     A binary fraction is taken to the nanosecond first: 0.1 + 0.2 means 300 ms.
     """

@@ -45,7 +45,7 @@ class Word:
 
 
 def read_word(entry: Entry, collector: Collector) -> Word | None:
-    """The first word of a number or name entry, ``None`` if there is none."""
+    """Return the first word of a number or name entry, ``None`` if there is none."""
     if entry.is_verbatim:
         text = entry.rest.strip()
         return Word(text, entry.span(0, len(entry.rest))) if text else None

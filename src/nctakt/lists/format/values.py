@@ -46,7 +46,7 @@ class Values:
     unused_values: Mapping[Key, EntryValue] = field(default_factory=dict)
 
     def get(self, pattern: str, *indices: int) -> Value:
-        """The effective value of ``pattern`` (``thread[].name``) at ``indices``."""
+        """Return the effective value of ``pattern`` (``thread[].name``) at ``indices``."""
         item = self.entry_values.get((pattern, indices))
         return item.value if item is not None else self._parameter(pattern).default
 
@@ -81,7 +81,7 @@ class Values:
         return value
 
     def given(self, pattern: str, *indices: int) -> bool:
-        """Whether a list gives a valid value for this parameter."""
+        """Return whether a list gives a valid value for this parameter."""
         assert self._parameter(pattern)
         return (pattern, indices) in self.entry_values
 

@@ -42,7 +42,7 @@ class TrapezoidSlope:
     changeover_speed: float
 
     def acceleration(self, top_speed: float, limit: float) -> float:
-        """The one acceleration that never exceeds the two stages up to ``top_speed``.
+        """Return the one acceleration that never exceeds the two stages up to ``top_speed``.
 
         nctakt's trapezoid has one acceleration per motion. It is stage 1 where the changeover
         speed is not below ``top_speed``, else the lesser of both; ``limit`` (a_max) bounds it.

@@ -51,7 +51,7 @@ def channel_axes(
     owners: dict[int, int],
     collector: Collector,
 ) -> tuple[ChannelAxis, ...]:
-    """The axes of a channel, without those that an earlier one has.
+    """Return the axes of a channel, without those that an earlier one has.
 
     ``values``: those of its list. ``owners``: index of an axis -> the channel that it belongs to.
     """
@@ -79,7 +79,7 @@ def channel_spindles(
     axes: Sequence[AxisConfiguration],
     collector: Collector,
 ) -> tuple[ChannelSpindle, ...]:
-    """The spindles of a channel; ``values``: those of its list."""
+    """Return the spindles of a channel; ``values``: those of its list."""
     found: list[ChannelSpindle] = []
     for spindle in parameters.spindles:
         index = None if spindle.plc_controlled else _index(spindle.logical_number, axes)

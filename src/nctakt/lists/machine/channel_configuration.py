@@ -280,7 +280,7 @@ def _axes(values: Values, collector: Collector) -> tuple[NamedAxis, ...]:
 
 
 def _is_usable(name: str, first: str) -> bool:
-    """A name of an axis or spindle: its letter, then letters, digits and underscores."""
+    """Return a name of an axis or spindle: its letter, then letters, digits and underscores."""
     return bool(name) and name[0] in first and name.isascii() and name.replace("_", "a").isalnum()
 
 
@@ -316,7 +316,7 @@ def _spindle_function(values: Values, key: str, index: int) -> TechnologyFunctio
 
 
 def _program_paths(values: Values) -> tuple[ProgramPath, ...]:
-    """The folders with programs in the order of the search: by priority, then as listed."""
+    """Return the folders with programs in the order of the search: by priority, then as listed."""
     paths = [
         ProgramPath(
             values.text("path[].dir", index),

@@ -149,7 +149,7 @@ def _upward(folder: Path, named: Path | None) -> Iterator[Path]:
 
 
 def _parts(path: str, separator: str) -> list[str]:
-    """The parts of a path without its drive and the controller's root folder."""
+    """Return the parts of a path without its drive and the controller's root folder."""
     drive = PureWindowsPath(path).drive
     parts = re.split(separator, path.removeprefix(drive))
     parts = [part for part in parts if part not in {"", "."}]
@@ -191,7 +191,7 @@ def find_entry(folder: Path, name: str) -> str | None:
 
 
 def _entries(folder: Path) -> list[str]:
-    """The names in a folder in order; none if it cannot be read."""
+    """Return the names in a folder in order; none if it cannot be read."""
     try:
         return sorted(entry.name for entry in folder.iterdir())
     except OSError:

@@ -46,7 +46,7 @@ class LinkedLists:
         self.files: list[tuple[str, Path]] = []
 
     def startup(self) -> Values | None:
-        """The values of the start-up list itself; ``None`` if it cannot be read."""
+        """Return the values of the start-up list itself; ``None`` if it cannot be read."""
         path = self._startup_file
         data = read_file(path, self._access, self._collector)
         if data is None or self._is_binary(path, data, None):
@@ -138,7 +138,7 @@ def find_circle(origin: Path, first: Path, access: FileAccess) -> tuple[Path, ..
 
 
 def _named_by(path: Path, access: FileAccess) -> Iterator[Path]:
-    """The lists that a start-up list names; nothing of other lists."""
+    """Yield the lists that a start-up list names; nothing of other lists."""
     unheard = Collector()
     data = read_file(path, access, unheard)
     if data is None or kind_of(path.name, data) is not STARTUP:

@@ -144,7 +144,7 @@ def check_list_alone(
 
 
 def references(startup: StartupConfiguration) -> Iterator[tuple[str, ListReference]]:
-    """The lists that a start-up list names, each with its kind."""
+    """Yield the lists that a start-up list names, each with its kind."""
     named = [("rtconf", startup.rtconf), ("axis", startup.axis_defaults)]
     named += [("axis", reference) for reference in startup.axes]
     named.append(("channel", startup.channel_defaults))

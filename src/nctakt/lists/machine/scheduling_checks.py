@@ -46,7 +46,7 @@ def is_realtime(thread: SchedulerThread) -> bool:
 def check_priorities(
     values: Values, threads: tuple[SchedulerThread, ...], profile: Profile, collector: Collector
 ) -> tuple[SchedulerThread, ...]:
-    """The threads with the priorities that count."""
+    """Return the threads with the priorities that count."""
     checked = tuple(_check_range(values, thread, profile, collector) for thread in threads)
     _check_equal(values, checked, collector)
     _check_realtime(values, checked, profile, collector)

@@ -32,7 +32,7 @@ class Profile:
     has_windows: bool = True
 
     def urgency(self, priority: int) -> int:
-        """A number that is the greater, the earlier a thread comes."""
+        """Return a number that is the greater, the earlier a thread comes."""
         return priority if self.greatest_first else -priority
 
 

@@ -110,7 +110,7 @@ def _judge(number: int, comment: str) -> tuple[Convention, Text]:
 
 
 def _without_signs(comment: str) -> str:
-    """The comment in small letters without what opens and closes it."""
+    """Return the comment in small letters without what opens and closes it."""
     text = comment.casefold().strip(BLANKS)
     for opener, closer in (("(", ")"), ("/*", "*/")):
         if text.startswith(opener):

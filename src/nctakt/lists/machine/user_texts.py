@@ -23,7 +23,7 @@ _LINE = re.compile(r"\s*(\d{1,4})\s+(\S.*?)\s*$")
 def user_texts(
     path: str, search: ListSearch, access: FileAccess, collector: Collector
 ) -> dict[int, str]:
-    """The texts of the file that the start-up list names, none where it names none."""
+    """Return the texts of the file that the start-up list names, none where it names none."""
     if not path:
         return {}
     found = search.find(path)

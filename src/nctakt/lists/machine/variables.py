@@ -118,11 +118,11 @@ class Variable:
         return self.node.name
 
     def leaves(self) -> Iterator[Leaf]:
-        """All numbers and strings, arrays in ascending order, members as listed."""
+        """Yield all numbers and strings, arrays in ascending order, members as listed."""
         yield from self._leaves(self.node, self.node.name, (self.node.name,))
 
     def numeric_leaves(self) -> Iterator[Leaf]:
-        """All numbers."""
+        """Yield all numbers."""
         return (leaf for leaf in self.leaves() if leaf.is_numeric)
 
     def _leaves(self, node: Node, path: str, steps: tuple[str | int, ...]) -> Iterator[Leaf]:
@@ -221,7 +221,7 @@ class _Builder:
     def variables(
         self, prefix: str, space: VariableSpace, indices: tuple[int, ...]
     ) -> tuple[Variable, ...]:
-        """The variables at ``indices`` of ``prefix``; what cannot be is reported."""
+        """Return the variables at ``indices`` of ``prefix``; what cannot be is reported."""
         made: dict[str, Variable] = {}
         for index in indices:
             name = self.values.text(f"{prefix}.name", index)
@@ -323,7 +323,7 @@ class _Builder:
         return False
 
     def _fits(self, type_pattern: str, array_pattern: str, index: int) -> bool:
-        """Whether the variable's type exists, ends somewhere and is not too large."""
+        """Return whether the variable's type exists, ends somewhere and is not too large."""
         type_ = self.values.text(type_pattern, index)
         elements = self._count(type_, (type_pattern, index), ())
         if elements is None:

@@ -51,19 +51,19 @@ class Placed:
 
 
 def pack_of(alignment: int) -> int:
-    """The n of ``#pragma pack(n)`` for a value of P-STUP-00145."""
+    """Return the n of ``#pragma pack(n)`` for a value of P-STUP-00145."""
     return alignment or AUTOMATIC_ALIGNMENT
 
 
 def alignment_of(node: Node, pack: int) -> int:
-    """The bytes of which a variable's place is a multiple."""
+    """Return the number of bytes of which a variable's place is a multiple."""
     if node.members:
         return max(alignment_of(member, pack) for member in node.members)
     return min(node.size_bytes, pack) if SCALARS[node.type].is_numeric else 1
 
 
 def size_of(node: Node, pack: int) -> int:
-    """Bytes of a variable, all elements of an array."""
+    """Return the number of bytes of a variable, all elements of an array."""
     return _element_size(node, pack) * max(1, node.array_elements)
 
 
@@ -77,7 +77,7 @@ def _element_size(node: Node, pack: int) -> int:
 
 
 def _members(node: Node, pack: int) -> Iterator[tuple[Node, int]]:
-    """The members of a structure with their places in it."""
+    """Yield the members of a structure with their places in it."""
     end = 0
     for member in node.members:
         offset = _aligned(end, alignment_of(member, pack))
@@ -90,7 +90,7 @@ def _aligned(offset: int, alignment: int) -> int:
 
 
 def place_variables(variables: Sequence[Variable], pack: int) -> tuple[Placed, ...]:
-    """The places of variables of one memory."""
+    """Return the places of variables of one memory."""
     placed: list[Placed] = []
     end = 0
     for variable in variables:

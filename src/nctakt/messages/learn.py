@@ -11,8 +11,8 @@ INVALID_RECORDING = error(
     de="{file} ist keine Aufzeichnung von Trace-Bits: {reason}",
     remedy_en="Give a VCD file, a CSV file with time_us and bit1 … bit7, or the table of "
     "nctakt schedule simulate --csv.",
-    remedy_de="Eine VCD-Datei, eine CSV-Datei mit time_us und bit1 … bit7 oder die Tabelle von "
-    "nctakt schedule simulate --csv angeben.",
+    remedy_de="VCD, CSV mit time_us und bit1 … bit7 oder die Tabelle von schedule simulate --csv "
+    "angeben.",
     file=("the file", "die Datei"),
     reason=("what is wrong with it", "was an ihr falsch ist"),
 )

@@ -20,13 +20,13 @@ from nctakt.base.diagnostics import Language, Severity
 from nctakt.base.failure import Failure
 from nctakt.checking.check import CheckResult, check_files
 from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN, EXIT_USAGE
-from nctakt.cli.file_options import CONFINE_OPTION, file_access, read_standard_input
+from nctakt.cli.file_options import CONFINE_OPTION, WATCH_OPTION, read_standard_input
 from nctakt.cli.formats import as_github, as_json, as_text, closing_line
 from nctakt.cli.language import language_option
 from nctakt.cli.sarif import as_sarif
 from nctakt.cli.schedule_options import RTCONF_OPTIONS, with_options
 from nctakt.cli.selection import Selection, read_selection
-from nctakt.cli.settings import project_around
+from nctakt.cli.settings import maybe_watched, project_around
 from nctakt.cli.terminal import print_diagnostics, show_at_the_end
 from nctakt.files.access import FileAccess
 from nctakt.files.output import OutputFile
@@ -113,11 +113,16 @@ class Options:
 @click.option("--quiet", is_flag=True, help="No notes and no closing line.")
 @click.option("--output", metavar="FILE", help="Write the findings to a file.")
 @CONFINE_OPTION
+@WATCH_OPTION
 def command(**words: Any) -> int:
     """Check NC programs, lists and folders of both."""
+    return maybe_watched(words, words["paths"], lambda access: _checked(dict(words), access))
+
+
+def _checked(words: dict[str, Any], access: FileAccess) -> int:
+    """Complete the words and check; the exit code. A ``Failure`` is shown."""
     language: Language = words["language"] or "en"
     try:
-        access = file_access(words["confined"])
         project = project_around(words["paths"], access)
         if project is not None:
             language = words["language"] or project.language or language

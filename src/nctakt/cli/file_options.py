@@ -29,6 +29,11 @@ CONFINE_OPTION = click.option(
 )
 
 
+WATCH_OPTION = click.option(
+    "--watch", is_flag=True, help="Do it again whenever a file changes; Ctrl-C ends it."
+)
+
+
 def file_access(confined: Sequence[str]) -> FileAccess:
     """Return the access of a command; standard streams that are plain files are in it."""
     access = FileAccess(confined)

@@ -17,6 +17,7 @@ import click
 
 from nctakt.base.diagnostics import Severity
 from nctakt.cli import EXIT_NC_ERROR
+from nctakt.cli.file_options import WATCH_OPTION
 from nctakt.cli.plotting import Plot
 from nctakt.cli.request import Options, Request, read_request
 from nctakt.cli.running import (
@@ -78,6 +79,7 @@ _EPILOG = f"""{RUN_CODES}
 )
 @click.option("--hli", metavar="NAME", help="Share the HLI; a PLC in another process answers.")
 @click.option("--error-log", metavar="FILE", help="Write the user errors (#ERROR) to a file.")
+@WATCH_OPTION
 def command(**words: Any) -> int:
     """Run NC programs one after another on the same controller ('-': standard input)."""
     return carry_out(words, _run)

@@ -29,9 +29,35 @@ DEFAULT_PLC = "default"
 
 def carry_out(words: dict[str, Any], action: Callable[[Options, FileAccess], int]) -> int:
     """Carry out a command that runs programs; its exit code. A ``Failure`` is shown."""
+    named = [*words["programs"], *(program for _, program in words["others"])]
+    return maybe_watched(words, named, lambda access: _carry_out(words, action, access))
+
+
+def maybe_watched(
+    words: dict[str, Any], named: Sequence[str], carry_out: Callable[[FileAccess], int]
+) -> int:
+    """Carry out a command, with ``--watch`` again and again; its exit code."""
+
+    def open_access() -> FileAccess:
+        return file_access(words["confined"])
+
+    if not words.pop("watch", False):
+        return carry_out(open_access())
+    from nctakt.cli.watching import watch  # noqa: PLC0415 - seldom needed
+
     language: Language = words["language"] or "en"
     try:
-        access = file_access(words["confined"])
+        return watch(carry_out, open_access, named, language)
+    except Failure as failure:
+        print_diagnostics(failure.diagnostics, language)
+        return EXIT_USAGE
+
+
+def _carry_out(
+    words: dict[str, Any], action: Callable[[Options, FileAccess], int], access: FileAccess
+) -> int:
+    language: Language = words["language"] or "en"
+    try:
         options = _completed(words, access)
         language = options.language
         return action(options, access)

@@ -38,6 +38,9 @@ BEGIN_BYTES = 8192
 #: The lists of the built-in machine, which may always be read.
 _BUILT_IN = os.path.realpath(Path(__file__).parent.parent / "machines")
 
+#: What stands for the name of standard input.
+STDIN_NAME = Path("<stdin>")
+
 #: Device and inode of a file.
 Identity = tuple[int, int]
 
@@ -47,8 +50,19 @@ class FileAccess:
 
     def __init__(self, folders: Sequence[str | Path] = ()) -> None:
         self.folders = tuple(os.path.realpath(folder) for folder in folders)
-        self._read: dict[Identity, None] = {}
+        self._read: dict[Identity, tuple[Path, os.stat_result]] = {}
         self._written: dict[Identity, str] = {}
+
+    @property
+    def read_files(self) -> list[Path]:
+        """The files that were read so far, without standard input."""
+        return [path for path, _ in self._read.values() if path != STDIN_NAME]
+
+    def has_changed(self) -> bool:
+        """Return whether a file that was read is not as it was then."""
+        return any(
+            _is_other(path, state) for path, state in self._read.values() if path != STDIN_NAME
+        )
 
     # --- reading ---------------------------------------------------------------------------------
 
@@ -83,7 +97,7 @@ class FileAccess:
         if not _can_be_lost(state):
             return
         identity = (state.st_dev, state.st_ino)
-        self._read[identity] = None
+        self._read.setdefault(identity, (Path(path), state))
         if identity in self._written:
             raise Failure(
                 diagnostic(OUTPUT_IS_READ, option=self._written[identity], file=str(path))
@@ -169,6 +183,18 @@ class FileAccess:
         """Raise ``Failure`` (900913) if a file has been read meanwhile."""
         if state is not None and (state.st_dev, state.st_ino) in self._read:
             raise Failure(diagnostic(OUTPUT_IS_READ, option=option, file=str(path)))
+
+
+def _is_other(path: Path, before: os.stat_result) -> bool:
+    try:
+        now = path.stat()
+    except OSError:
+        return True
+    return (now.st_mtime_ns, now.st_size, now.st_ino) != (
+        before.st_mtime_ns,
+        before.st_size,
+        before.st_ino,
+    )
 
 
 def read_stream(file: BinaryIO, name: str) -> bytes:

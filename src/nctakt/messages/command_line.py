@@ -121,6 +121,26 @@ UNKNOWN_SUBCOMMAND = error(
     nearest=("the nearest known name", "der ähnlichste bekannte Name"),
     names=("the commands", "die Befehle"),
 )
+WATCH_LIBRARY_MISSING = error(
+    901067,
+    en="--watch needs the library watchfiles, which is not installed",
+    de="--watch braucht die Bibliothek watchfiles, die nicht installiert ist",
+    remedy_en="In the checkout: pip install '.[watch]'",
+    remedy_de="Im Checkout: pip install '.[watch]'",
+)
+WATCH_OF_STDIN = error(
+    901068,
+    en="--watch needs files; standard input comes only once",
+    de="--watch braucht Dateien; die Standardeingabe kommt nur einmal",
+    remedy_en="Name the file instead of '-'.",
+    remedy_de="Statt '-' die Datei nennen.",
+)
+WATCHING_FILES = note(
+    901069,
+    en="watching {count} files for changes; Ctrl-C ends it",
+    de="{count} Dateien werden auf Änderungen überwacht; Strg-C beendet es",
+    count=("the number of files that were read", "die Anzahl der gelesenen Dateien"),
+)
 NO_DIAGNOSIS_DATA = note(
     901040,
     en="no channel of the machine has realtime cycles: there are no diagnosis data",

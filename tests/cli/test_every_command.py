@@ -7,21 +7,27 @@ import json
 import os
 import subprocess
 import sys
+from collections.abc import Iterator
 from pathlib import Path
 
+import click
 import pytest
 
-from nctakt.cli import main
+from nctakt.cli import group, main
 
 Captured = pytest.CaptureFixture[str]
 
-COMMANDS = [
-    *(["run"], ["check"], ["explain"], ["list"], ["new"], ["why"], ["coverage"], ["schedule"]),
-    *(
-        ["schedule", one]
-        for one in ("show", "simulate", "analyse", "compare", "learn", "suggest", "run")
-    ),
-]
+
+def commands(parent: click.Group, *before: str) -> Iterator[list[str]]:
+    """The words of each subcommand, those of a subcommand such as ``schedule show`` included."""
+    context = click.Context(parent)
+    for name in parent.list_commands(context):
+        yield [*before, name]
+        command = parent.get_command(context, name)
+        if isinstance(command, click.Group):
+            yield from commands(command, *before, name)
+
+
 PART = """\
 #RT CYCLE [ID = 1 SCOPE = PROG]
 $IF EDGE V.E.TRIGGER == 1
@@ -42,7 +48,7 @@ def part(tmp_path: Path) -> str:
     return str(path)
 
 
-@pytest.mark.parametrize("words", COMMANDS, ids=" ".join)
+@pytest.mark.parametrize("words", list(commands(group)), ids=" ".join)
 def test_each_command_has_a_short_help_option_and_tells_its_exit_codes(
     words: list[str], capsys: Captured
 ) -> None:

@@ -17,6 +17,12 @@ SOURCE, NUMBER, REFERENCE = 901, 902, 903
 CASES: list[tuple[type[Command], dict[str, object], int, dict[int, float]]] = [
     (commands.Dwell, {"ticks": 11}, rows.DWELL, {rows.DWELL_TICKS: 11}),
     (
+        commands.LoadCycle,
+        {"cycle": None, "identity": 11, "scope": 12, "definition_only": False},
+        rows.DEFINE_CYCLE,
+        {rows.CYCLE_SLOT: REFERENCE, rows.CYCLE_STARTS: 1},
+    ),
+    (
         commands.CycleControl,
         {"action": 11, "identity": 12},
         rows.CONTROL_CYCLE,
@@ -224,3 +230,11 @@ def test_arguments_stand_in_their_columns(
     head = {rows.KIND: kind, rows.SOURCE: SOURCE, rows.BLOCK_NUMBER: NUMBER}
     expected = head | columns
     assert {column: row[column] for column in expected} == expected
+
+
+def test_each_command_is_packed() -> None:
+    """All but segments, which are prepared in the queue."""
+    declared = {
+        one for one in vars(commands).values() if isinstance(one, type) and issubclass(one, Command)
+    }
+    assert {case[0] for case in CASES} == declared - {Command, commands.Segment}

@@ -19,6 +19,7 @@ from nctakt.decoder.state.environment import DecoderEnvironment
 from nctakt.decoder.state.offsets import ActiveOffsets
 from nctakt.files.access import FileAccess
 from nctakt.hli.layout import PANEL_CELLS, PanelValue, panel_values
+from nctakt.kernel import cells
 from nctakt.kernel.axes.axes import Axes
 from nctakt.kernel.base.record import Record
 from nctakt.kernel.base.timers import Timers
@@ -48,8 +49,6 @@ CYCLE_OWNERS = 1024
 
 #: V.RTG.CYCLES.DIAG_LEVEL at start-up (RC-603).
 DEFAULT_DIAGNOSIS_LEVEL = 3.0
-
-_DIAGNOSIS_LEVEL_CELL = 2
 
 
 @dataclass(frozen=True, slots=True)
@@ -244,8 +243,9 @@ class AssembledMachine:
         budget_ns = 10 * self.configuration.cycle_time_us * limits.max_duration_pct
         channel.manager.memory_limit = limits.memory_bytes
         context.budget_steps = budget_ns // INSTRUCTION_COST_NS
-        self.cells[first] = self.cells[first + 1] = 100.0
-        self.cells[first + _DIAGNOSIS_LEVEL_CELL] = DEFAULT_DIAGNOSIS_LEVEL
+        self.cells[first + cells.CHANNEL_OVERRIDE_VEL_CYCLE] = 100.0
+        self.cells[first + cells.CHANNEL_OVERRIDE_VEL_TOTAL] = 100.0
+        self.cells[first + cells.CHANNEL_CYCLES_DIAG_LEVEL] = DEFAULT_DIAGNOSIS_LEVEL
         return channel
 
     # --- running --------------------------------------------------------------------------------

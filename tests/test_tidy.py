@@ -524,7 +524,7 @@ def test_numbers_of_the_queue_have_names() -> None:
         "kernel/tick/channel.py": ("LOW_WATER",),
         "run/queue_feeder.py": ("HIGH_WATER",),
         "kernel/plc/technology_slots.py": ("SLOT_COUNT",),
-        "lists/declared/startup.py": ("LEAST_BACKWARD_MEMORY",),
+        "lists/declared/startup.py": ("MIN_BACKWARD_MEMORY",),
         "nc/parse/expressions.py": ("EXPRESSION_DEPTH",),
         "decoder/program.py": ("MAX_BLOCKS_WITHOUT_TIME",),
         "run/controller.py": ("DEFAULT_LIMIT_US", "PROGRESS_TICKS"),
@@ -661,6 +661,7 @@ NAMED_FOLDERS = (
     "hli",
     "kernel",
     "linux",
+    "lists",
     "machines",
 )
 NAMED_FOLDERS += ("nc/", "plc", "plots", "reference", "results", "run", "testing", "trace")

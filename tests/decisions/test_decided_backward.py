@@ -13,7 +13,7 @@ from decided import numbers
 import nctakt
 from nctakt.base.failure import Failure
 from nctakt.decoder.axis_limits import history_blocks
-from nctakt.lists.declared.startup import LEAST_BACKWARD_MEMORY
+from nctakt.lists.declared.startup import MIN_BACKWARD_MEMORY
 from nctakt.lists.machine.machine import load_machine
 from nctakt.results.run import Run
 from nctakt.run.controller import Controller, NcText
@@ -83,13 +83,13 @@ def test_too_little_memory_is_raised_and_said(tmp_path: Path) -> None:
     machine = with_memory(tmp_path, 1)
     assert [one.message.id for one in load_machine(machine).diagnostics] == [50450]
     controller = Controller(machine)
-    assert controller.hli.history_size == history_blocks(LEAST_BACKWARD_MEMORY, 4)
+    assert controller.hli.history_size == history_blocks(MIN_BACKWARD_MEMORY, 4)
     assert Controller().hli.history_size == history_blocks(0x200000, 4)
 
 
 def test_the_oldest_blocks_are_forgotten(tmp_path: Path) -> None:
     """A full history: the path goes back so many blocks and the part of the current one."""
-    machine = with_memory(tmp_path, LEAST_BACKWARD_MEMORY)
+    machine = with_memory(tmp_path, MIN_BACKWARD_MEMORY)
     size = Controller(machine).hli.history_size
     blocks = "\n".join(f"N{i} G01 X{i} F6000" for i in range(1, 101))
     run = perform(f"{blocks}\nM30", (703, 1.0), machine=machine)

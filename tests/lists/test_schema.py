@@ -303,9 +303,9 @@ def test_scope_that_does_not_exist_is_the_controllers_own_number() -> None:
 def test_values_given_by_a_list_have_a_place() -> None:
     """Where an entry stands can be told later; without one it is the file as a whole."""
     values, _ = load(CHANNEL, "\n  exact_stop_after_g00 1\n")
-    span, line = values.place("exact_stop_after_g00")
+    span, line = values.position("exact_stop_after_g00")
     assert (span.line, span.column, line) == (2, 3, "  exact_stop_after_g00 1")
-    assert values.place("max_vb_override")[0] == whole_file("x.lis")
+    assert values.position("max_vb_override")[0] == whole_file("x.lis")
 
 
 def test_each_parameter_is_well_declared() -> None:

@@ -151,7 +151,7 @@ def test_depth_is_bounded(depth: int, numbers: list[int]) -> None:
     inner = '<P-AXIS-00016 Value="5"/>'
     values, found = load(AXIS, "<g>" * depth + inner + "</g>" * depth)
     assert [one.id for one in found] == numbers
-    assert values.given("kopf.achs_nr") == (not numbers)
+    assert values.is_set("kopf.achs_nr") == (not numbers)
 
 
 def test_size_is_bounded(monkeypatch: pytest.MonkeyPatch) -> None:

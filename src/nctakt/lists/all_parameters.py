@@ -46,7 +46,7 @@ SCHEMAS: tuple[Schema, ...] = (
     LIST_DESCRIPTION,
 )
 
-#: The letters in the IDs of parameters -> the kind of list that they stand in.
+#: The letters in the IDs of parameters -> their kind of list.
 FAMILIES = {
     "AXIS": "axis",
     "CHAN": "channel",
@@ -72,14 +72,14 @@ _NUMBER = re.compile(r"0[0-9]{4}")
 
 @dataclass(frozen=True, slots=True)
 class DeclaredParameter:
-    """A parameter and the kind of list it stands in."""
+    """A parameter and its kind of list."""
 
     schema: Schema
     parameter: Parameter
 
 
 def find_parameters(name: str) -> tuple[DeclaredParameter, ...]:
-    """Return the parameters of that ID or name; indices are ignored, letter case in an ID too."""
+    """Return the parameters with an ID or name; indices and an ID's letter case are ignored."""
     pattern = _INDEX.sub("[]", name)
     parameters: list[DeclaredParameter] = []
     for schema in SCHEMAS:
@@ -92,16 +92,17 @@ def find_parameters(name: str) -> tuple[DeclaredParameter, ...]:
 
 
 def similar_parameters(name: str) -> tuple[DeclaredParameter, ...]:
-    """Those that a part of a name or ID may mean: ``vb_max``, ``M_SYNCH``, ``CHAN-425``, ``00425``.
+    """Return the parameters with a part of a name or ID: ``vb_max``, ``CHAN-425``, ``00425``.
 
-    Indices and letter case do not matter, and parts in front may be missing.
+    Indices and letter case do not matter, and leading parts may be missing.
     """
     end, ids = _plain(name), _ids(name.upper())
     return tuple(
         DeclaredParameter(schema, parameter)
         for schema in SCHEMAS
         for parameter in schema.parameters
-        if parameter.id in ids or any(_ends_with(known, end) for known in _names_of(parameter))
+        if parameter.id in ids
+        or any(_ends_with(parameter_name, end) for parameter_name in _names_of(parameter))
     )
 
 
@@ -128,5 +129,5 @@ def _plain(name: str) -> str:
     return _INDEX.sub("", name).lower()
 
 
-def _ends_with(known: str, end: str) -> bool:
-    return bool(end) and f".{known}".endswith(f".{end}")
+def _ends_with(name: str, end: str) -> bool:
+    return bool(end) and f".{name}".endswith(f".{end}")

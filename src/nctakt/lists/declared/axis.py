@@ -87,13 +87,13 @@ def _gear(
 
 
 def _speed(id_: str, path: str, default: int, en: str, de: str) -> Parameter:
-    """Return a speed: up to the highest of the axis, which has no such bound itself."""
+    """Return the declaration of a speed, bounded by the maximum of the axis."""
     most = None if id_ == _MAX_SPEED.id else _MAX_SPEED
     return _gear(id_, path, default, en, de, low=1, high=_FASTEST, unit=_SPEED, at_most=most)
 
 
 def _acceleration(id_: str, path: str, default: int, en: str, de: str) -> Parameter:
-    """Return an acceleration: up to the highest of the axis, which has no such bound itself."""
+    """Return the declaration of an acceleration, bounded by the maximum of the axis."""
     most = None if id_ == _MAX_ACCELERATION.id else _MAX_ACCELERATION
     return _gear(
         id_, path, default, en, de, low=1, high=_STEEPEST, unit=_ACCELERATION, at_most=most
@@ -101,7 +101,7 @@ def _acceleration(id_: str, path: str, default: int, en: str, de: str) -> Parame
 
 
 def _ramp(id_: str, path: str, default: int, en: str, de: str) -> Parameter:
-    """Return a ramp time: from the shortest of the axis on, which has no such bound itself."""
+    """Return the declaration of a ramp time, bounded by the minimum of the axis."""
     least = None if id_ == _SHORTEST_RAMP.id else _SHORTEST_RAMP
     return _gear(id_, path, default, en, de, unit="µs", at_least=least)
 

@@ -121,10 +121,10 @@ CLAMP_OFFSETS = Schema(
 def zero_offsets_configuration(
     values: Values, axis_count: int, collector: Collector
 ) -> ZeroOffsets:
-    """Return the zero offsets of a channel with so many axes.
+    """Return the zero offsets of a channel with this number of axes.
 
-    Reported: an axis that there is not (900741), offsets of G53 that do not count (900742), a
-    default group without offsets (900743).
+    Reported: an unknown axis (900741), offsets of G53 without effect (900742), a default group
+    without offsets (900743).
     """
     g53_available = values.flag("g53_verfuegbar")
     groups: dict[int, dict[int, float]] = {}
@@ -154,7 +154,7 @@ def zero_offsets_configuration(
 def clamp_offsets_configuration(
     values: Values, axis_count: int, collector: Collector
 ) -> ClampOffsets:
-    """The clamp offsets of a channel with so many axes; 900741: an axis that there is not."""
+    """Return the clamp offsets of a channel; an axis beyond ``axes`` is reported (900741)."""
     return ClampOffsets(
         {
             group: dict(
@@ -170,12 +170,12 @@ def _offsets(
 ) -> list[tuple[int, float]]:
     """Return the offsets of a group as (index of the axis, mm or degrees)."""
     pattern = f"{prefix}.{name}"
-    found: list[tuple[int, float]] = []
+    offsets: list[tuple[int, float]] = []
     for axis in values.indices(prefix, group):
         if axis >= axis_count:
-            if values.given(pattern, group, axis):
+            if values.is_set(pattern, group, axis):
                 key = (pattern, group, axis)
                 values.report(collector, UNKNOWN_AXIS_INDEX, key, index=axis, count=axis_count)
             continue
-        found.append((axis, values.integer(pattern, group, axis) / _POSITION_UNITS))
-    return found
+        offsets.append((axis, values.integer(pattern, group, axis) / _POSITION_UNITS))
+    return offsets

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Kinds of lists that are read and checked, and of which nothing has an effect here."""
+"""Kinds of lists that are read and checked, all without an effect."""
 
 from __future__ import annotations
 

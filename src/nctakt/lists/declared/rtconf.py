@@ -2,8 +2,8 @@
 """rtconf.lis: the scheduling of the controller's threads (P-RTCF-00001 … 00018).
 
 In: the bytes of the list. Out: ``RtconfConfiguration``. Source: manual "Configuration list of
-realtime parameters", version 1.07, where the German text is the better one. These 17 parameters
-are all there is: each unknown entry is a warning of its own, hexadecimal numbers are refused.
+realtime parameters", version 1.07, whose German text is the better one. There are only these 17
+parameters: each unknown entry is a separate warning, hexadecimal numbers are refused.
 """
 
 from __future__ import annotations
@@ -17,24 +17,24 @@ from nctakt.lists.format.reader import ListDialect
 from nctakt.lists.format.schema import ForeignName, Schema
 
 NAME_LENGTH = 127
-#: The threads, and the functions of a thread, that the manual speaks of; systems have up to ten.
+#: Numbers of threads, and of functions of a thread, in the manual; systems have up to ten.
 PRINTED_COUNT = 7
 KNOWN_FUNCTIONS = ("task_rnd", "task_int", "task_com", "task_mmi_driver", "task_tcp")
-#: The function whose thread holds the interpolation and is never suspended.
+#: The function of the interpolation, whose thread is never suspended.
 REALTIME_FUNCTION = "task_int"
 
 
 class InterruptSource(enum.Enum):
-    """What starts an NC cycle; a meaning, since lists disagree about the numbers 1 and 2."""
+    """The source of NC cycles, by meaning, since lists disagree about the numbers 1 and 2."""
 
     HARDWARE = "hardware interrupt"
     TIMER = "timer"
     SEMAPHORE = "semaphore"
-    #: Another program calls the tasks; not in the manual.
+    #: Another program calls the tasks (not in the manual).
     OUTSIDE = "external scheduling"
 
 
-#: The numbers as the parameter table of the manual gives them, and the one of shipped lists.
+#: The numbers of the manual's parameter table, and the one of shipped lists.
 INTERRUPT_SOURCES = {
     1: InterruptSource.HARDWARE,
     2: InterruptSource.TIMER,
@@ -45,7 +45,7 @@ INTERRUPT_SOURCES = {
 
 @dataclass(frozen=True, slots=True)
 class ThreadFunction:
-    """``thread[i].function[j].*``: what a thread calls; ``trace_bit`` 0 is none."""
+    """``thread[i].function[j].*``: a function of a thread; ``trace_bit`` 0 is none."""
 
     index: int
     name: str

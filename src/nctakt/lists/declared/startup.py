@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""The start-up list (hochlauf.lis, startup.lis): what the controller consists of (P-STUP).
+"""The start-up list (hochlauf.lis, startup.lis): the parts of the controller (P-STUP).
 
-In: checked values. Out: ``StartupConfiguration``: how many channels and axes there are, which
-lists describe them, and what belongs to the controller as a whole.
+In: checked values. Out: ``StartupConfiguration``: the channels and axes, their lists, and the
+values of the controller as a whole.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ MOST_CHANNELS = 12
 MOST_AXES = 64
 MOST_VOLUMETRIC_COMPENSATIONS = 5
 _PATH_LENGTH = 256
-#: Bytes of a struct member's alignment; 0 leaves it to the controller.
+#: Alignments of a structure's members in bytes; 0: chosen by the controller.
 ALIGNMENTS = (0, 1, 2, 4, 8)
 
 _LOOK_AHEAD = {
@@ -44,7 +44,7 @@ _INTERPOLATOR_FLAGS: dict[str, int | None] = dict.fromkeys(
     )
 )
 
-#: Lists that are read and checked, and of which nothing has an effect here: entry -> kind of list.
+#: Lists that are read and checked, but have no effect: entry -> kind of list.
 _OTHER_KINDS = {
     "hand_mds": "manual_mode",
     "achs_kw[]": "axis_compensation",
@@ -53,13 +53,13 @@ _OTHER_KINDS = {
     "scene_mds[]": "scene",
 }
 
-#: The least memory of backward motion in bytes (P-STUP-00033), where there is one.
-LEAST_BACKWARD_MEMORY = 16384
+#: Minimum memory of backward motion in bytes (P-STUP-00033), if there is one.
+MIN_BACKWARD_MEMORY = 16384
 
 
 @dataclass(frozen=True, slots=True)
 class ListReference:
-    """A list that another list names: its path as written and where it is written."""
+    """A list that another list names: its path as written and its position there."""
 
     path: str
     span: Span
@@ -68,10 +68,10 @@ class ListReference:
 
 @dataclass(frozen=True, slots=True)
 class ChannelStartup:
-    """What the start-up list says of one channel; ``None``: it names no such list.
+    """The entries of the start-up list for one channel; ``None``: no such list.
 
     ``backward_memory_bytes`` 0: no backward motion on the path (P-STUP-00033).
-    ``look_ahead_blocks``: over how many blocks the path is planned (P-STUP-00070/71).
+    ``look_ahead_blocks``: the number of blocks of the look-ahead (P-STUP-00070/71).
     """
 
     index: int
@@ -86,9 +86,9 @@ class ChannelStartup:
 
 @dataclass(frozen=True, slots=True)
 class StartupConfiguration:
-    """The start-up list; ``axes`` has an item per axis, ``None`` where no list is named.
+    """The start-up list; ``axes`` has an item per axis, ``None`` without a list.
 
-    ``others``: lists that are read and checked and have no effect here, each with its kind.
+    ``others``: lists that are read and checked without an effect, each with its kind.
     ``external_variables_bytes``: memory for the V.E variables of a channel, 0 if not limited.
     ``member_alignment``: P-STUP-00145, 0 automatic.
     """
@@ -303,7 +303,7 @@ STARTUP = Schema(
 
 
 def startup_configuration(values: Values, collector: Collector) -> StartupConfiguration:
-    """Return the start-up list's values as a whole; an alignment that does not exist becomes 0."""
+    """Return the values of the start-up list; an invalid alignment becomes 0."""
     alignment = values.integer("ext_var_struct_member_alignment")
     if alignment not in ALIGNMENTS:
         key = "ext_var_struct_member_alignment"
@@ -325,7 +325,7 @@ def startup_configuration(values: Values, collector: Collector) -> StartupConfig
 
 
 def _others(values: Values) -> tuple[tuple[str, ListReference], ...]:
-    """Return the lists without effect here, each with its kind, as the start-up list has them."""
+    """Return the lists without effect, each with its kind."""
     others: list[tuple[str, ListReference]] = []
     for pattern, indices in values.entry_values:
         kind = _OTHER_KINDS.get(pattern)
@@ -336,8 +336,8 @@ def _others(values: Values) -> tuple[tuple[str, ListReference], ...]:
 
 
 def _axis_count(values: Values) -> int:
-    """Return the number of axes that the list gives, else as many as it names."""
-    if values.given("zahl_mds"):
+    """Return the number of axes in the list, else that of the named ones."""
+    if values.is_set("zahl_mds"):
         return values.integer("zahl_mds")
     return max(values.indices("achs_mds[]"), default=-1) + 1
 
@@ -346,7 +346,7 @@ def _reference(values: Values, pattern: str, *indices: int) -> ListReference | N
     path = values.text(pattern, *indices)
     if not path:
         return None
-    return ListReference(path, *values.place(pattern, *indices))
+    return ListReference(path, *values.position(pattern, *indices))
 
 
 def _channel(values: Values, index: int, collector: Collector) -> ChannelStartup:
@@ -363,22 +363,22 @@ def _channel(values: Values, index: int, collector: Collector) -> ChannelStartup
 
 
 def _backward_memory(values: Values, index: int, collector: Collector) -> int:
-    """Bytes of the path's history: none, or at least ``LEAST_BACKWARD_MEMORY``."""
+    """Return the size of the path's history in bytes: 0, or at least ``MIN_BACKWARD_MEMORY``."""
     size = values.integer("fb_storage_size[]", index)
-    if 0 < size < LEAST_BACKWARD_MEMORY:
+    if 0 < size < MIN_BACKWARD_MEMORY:
         values.report(
             collector,
             BACKWARD_MEMORY_TOO_SMALL,
             ("fb_storage_size[]", index),
             value=size,
-            least=LEAST_BACKWARD_MEMORY,
+            least=MIN_BACKWARD_MEMORY,
         )
-        return LEAST_BACKWARD_MEMORY
+        return MIN_BACKWARD_MEMORY
     return size
 
 
 def _look_ahead(values: Values, index: int) -> int:
-    """Blocks of look-ahead: what CUSTOM gives, else what the flag stands for, else standard."""
+    """Return the blocks of look-ahead: those of CUSTOM, else of the flag, else the standard."""
     prefix = "configuration.channel[].interpolator"
     flags = values.names(f"{prefix}.function", index)
     if _CUSTOM_LOOK_AHEAD in flags:

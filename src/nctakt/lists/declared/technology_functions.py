@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """M, H and spindle functions in a channel list: declarations and the record of one function.
 
-A function that the list does not name is not defined, apart from the internal ones, which are
-defined and not output. Its synchronisation type says when it is output and for what the channel
-waits (P-CHAN-00041); its process time is what a simulation of the machining time adds.
+A function that the list does not name is not defined, except for the internal ones, which are
+defined and not output. Its synchronisation type decides when it is output and when the channel
+waits (P-CHAN-00041); its process time counts in a simulation of the machining time.
 """
 
 from __future__ import annotations
@@ -19,10 +19,10 @@ from nctakt.messages.lists import INVALID_SYNCHRONISATION_TYPE, UNKNOWN_FUNCTION
 
 MOST_FUNCTIONS = 1000
 _MOST_SPINDLES = 6
-#: M functions that belong to the controller itself: defined without any entry.
+#: M functions of the controller itself, defined without an entry.
 INTERNAL_M_FUNCTIONS = (0, 1, 2, 3, 4, 17, 19, 29, 30)
 
-#: The synchronisation types with their bits, where a source tells them.
+#: The synchronisation types with their bits, as far as known.
 SYNCHRONISATIONS: dict[str, int | None] = {
     "NO_SYNCH": 0x0,
     "MOS": 0x1,
@@ -38,7 +38,7 @@ SYNCHRONISATIONS: dict[str, int | None] = {
     "MET_SVS": 0x2000000,
     "MET_MOS": 0x200000,
 }
-#: What may stand beside a synchronisation type.
+#: Modifiers of a synchronisation type.
 MODIFIERS: dict[str, int | None] = {
     "PLC_INFO": 0x20000,
     "BWD_SYNCH": 0x400000,
@@ -210,7 +210,7 @@ def _axis_of(
 
 
 def split(flags: tuple[str, ...], default: str) -> tuple[str, tuple[str, ...]]:
-    """The type and the modifiers among ``flags``; modifiers alone leave the type NO_SYNCH."""
+    """Return the type and the modifiers in ``flags``; without a type it is NO_SYNCH."""
     types = [name for name in flags if name in SYNCHRONISATIONS and name != "NO_SYNCH"]
     modifiers = tuple(name for name in flags if name in MODIFIERS)
     if types:

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Tool lists (P-TOOL): declarations, and the values of a list -> the tools of a channel.
 
-In: checked values. Out: ``Tool`` records by number, lengths in mm whatever unit the list has. The
-index of a tool is the number that D calls. Tool 0 has no dimensions: D0 takes all of them away.
+In: checked values. Out: ``Tool`` records by number, lengths in mm for any unit of the list. The
+index of a tool is its number in D. Tool 0 has no dimensions: D0 deselects all of them.
 """
 
 from __future__ import annotations
@@ -48,7 +48,7 @@ class Tool:
     spindle_number: int
 
 
-#: What D0 selects: no dimensions.
+#: The tool of D0: no dimensions.
 NO_TOOL = Tool(0, False, 0, 0.0, 0.0, {}, {}, 0)
 
 
@@ -155,9 +155,9 @@ TOOLS = Schema(
 def tools_configuration(
     values: Values, linear: tuple[bool, ...], collector: Collector
 ) -> dict[int, Tool]:
-    """The tools of a channel by number; ``linear``: for each axis whether its lengths are mm.
+    """Return the tools of a channel by number; ``linear``: for each axis whether it is linear.
 
-    Reported: dimensions of tool 0 (900740), an offset of an axis that there is not (900741).
+    Reported: dimensions of tool 0 (900740), an offset of an unknown axis (900741).
     """
     tools: dict[int, Tool] = {}
     for number in values.indices("wz[]"):
@@ -165,7 +165,7 @@ def tools_configuration(
             if _has_dimensions(values):
                 values.report(collector, TOOL_ZERO_WITHOUT_DIMENSIONS, _first_key(values, 0))
             continue
-        tools[number] = _one(values, number, linear, collector)
+        tools[number] = _tool_of(values, number, linear, collector)
     return tools
 
 
@@ -180,7 +180,7 @@ def _offset_indices(values: Values, number: int) -> tuple[int, ...]:
 
 
 def _first_key(values: Values, number: int) -> tuple[str, *tuple[int, ...]]:
-    """Return the first entry of a tool as it stands in the list."""
+    """Return the first entry of a tool in the list."""
     of_tool = [
         key for key in values.entry_values if key[0].startswith("wz[]") and key[1][0] == number
     ]
@@ -188,7 +188,7 @@ def _first_key(values: Values, number: int) -> tuple[str, *tuple[int, ...]]:
     return pattern, *indices
 
 
-def _one(values: Values, number: int, linear: tuple[bool, ...], collector: Collector) -> Tool:
+def _tool_of(values: Values, number: int, linear: tuple[bool, ...], collector: Collector) -> Tool:
     scale = _MM_PER_INCH if values.integer("wz[].mass_einheit", number) == 1 else 1.0
 
     def length(pattern: str, *indices: int) -> float:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Variables lists (P-EXTV): declarations of V.E and V.CH variables and of their structures.
 
-What they yield is in ``variables.py``. Truth values may be written TRUE and FALSE here.
+Their values become variables in ``variables.py``. Truth values may be written TRUE and FALSE here.
 """
 
 from __future__ import annotations
@@ -14,13 +14,13 @@ from nctakt.lists.format.schema import Schema
 from nctakt.lists.format.table import ParameterTable
 from nctakt.messages.variables import INVALID_SCOPE
 
-#: Names are addressed as V.E.name, 30 characters in all; the controller may take longer ones.
+#: Maximum length of V.E.name in characters; the controller may accept longer ones.
 NAME_LENGTH = 26
-#: Longer names are no names.
+#: Maximum length of a name, in characters.
 MAX_NAME_LENGTH = 256
-#: Access rights of what a variable or an element of a structure belongs to.
+#: Inherited access rights.
 INHERIT_ACCESS = "INHERIT_ACCESS"
-#: Names beside truth values; the last one leaves it to what the element belongs to.
+#: Names beside truth values; the last one means an inherited value.
 _SYNCHRONISATIONS: dict[str, int | None] = {"SYN": 1, "ASYN": 0, "VE_INHERIT_SYNCH": None}
 _LAST_VARIABLE = MAX_UNS16 - 1
 _LAST_STRUCTURE = 255
@@ -30,7 +30,7 @@ _TYPE_LENGTH = 64
 
 @dataclass(frozen=True, slots=True)
 class ScalarType:
-    """A basic type: its bytes (0: given by the list) and, for numbers, its range."""
+    """A basic type: its size in bytes (0: in the list) and, for numbers, its range."""
 
     name: str
     size_bytes: int
@@ -39,7 +39,7 @@ class ScalarType:
 
     @property
     def is_numeric(self) -> bool:
-        """Whether a realtime cycle can work with it; character strings it cannot."""
+        """Whether a realtime cycle can use it; it cannot use character strings."""
         return self.name not in {"STRING", "VSTRING"}
 
     @property

@@ -2,7 +2,7 @@
 """One entry -> the value of one parameter, by the parameter's type.
 
 In: an entry, the declaration of its parameter, the default that replaces a defective value. Out:
-the value, or ``None`` after a report that says why there is none.
+the value, or ``None`` after a report with the reason.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ def convert(
     default: Value,
     collector: Collector,
 ) -> Value:
-    """The value of ``entry``, ``None`` if it is missing or defective (which is then reported)."""
+    """Return the value of ``entry``, ``None`` after a report if it is missing or defective."""
     report = _Report(parameter, entry, default, collector)
     if parameter.type is ValueType.STRING:
         return _string(parameter, entry, report)
@@ -104,7 +104,7 @@ def _boolean(parameter: Parameter, word: Word, dialect: ListDialect, report: _Re
         return _TRUTH[word.text.upper()]
     if word.text in parameter.names:
         number = parameter.names[word.text]
-        # A name without a number stands for "no value of its own".
+        # A name without a number stands for "no value".
         return None if number is None else number == 1
     number = parse_integer(word.text, hexadecimal=dialect.hexadecimal)
     if number is None:
@@ -126,13 +126,13 @@ def _name(parameter: Parameter, word: Word, dialect: ListDialect, report: _Repor
             if value == number:
                 return name
     if parameter.has_more_names or (number is not None and _may_have(parameter, number)):
-        # Where no source gives the numbers of the names, 0 is that of the default.
+        # If no source has the numbers of the names, 0 is the number of the default.
         return parameter.default if number == 0 else word.text
     return _bad_name(parameter, word, report)
 
 
 def _may_have(parameter: Parameter, number: int) -> bool:
-    """Return whether a number may be that of a name whose number no source gives."""
+    """Return whether a number may belong to a name whose number is unknown."""
     is_used = parameter.effect is Effect.USED
     return number >= 0 and not is_used and None in parameter.names.values()
 
@@ -169,12 +169,12 @@ def _flags(parameter: Parameter, entry: Entry, dialect: ListDialect, report: _Re
         elif not is_open and (not names or any(name not in parameter.names for name in names)):
             return _bad_name(parameter, word, report)
         chosen.extend(names)
-    known = tuple(name for name in parameter.names if name in chosen)
-    return (*known, *(name for name in dict.fromkeys(chosen) if name not in known))
+    listed = tuple(name for name in parameter.names if name in chosen)
+    return (*listed, *(name for name in dict.fromkeys(chosen) if name not in listed))
 
 
 def flags_of(parameter: Parameter, number: int) -> tuple[str, ...]:
-    """Return the flags whose bits make ``number``; none if a bit of it belongs to no flag."""
+    """Return the flags with the bits of ``number``; empty if a bit has no flag."""
     exact = tuple(name for name, value in parameter.names.items() if value == number)
     if exact:
         return exact[:1]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The bytes of a list -> its entries, whichever format it has: ASCII or XML."""
+"""The bytes of a list in ASCII or XML -> its entries."""
 
 from __future__ import annotations
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Bounds of values that other parameters of the same list set: ``a_beschl`` ≤ ``a_max``.
+"""Bounds of values by other parameters of the same list: ``a_beschl`` ≤ ``a_max``.
 
-In: the values of a list. Out: the same, each beyond such a bound replaced by the bound, as the
-controller does, and reported.
+In: the values of a list. Out: the same values; one beyond such a bound is reported and replaced by
+the bound, as on the controller.
 """
 
 from __future__ import annotations
@@ -25,9 +25,9 @@ def keep_limits(
     """Return the values of the list in ``file`` (and its defaults list) within their bounds."""
     kept = dict(values)
     for key in values:
-        found = schema.find(key[0])
-        assert found is not None, key
-        parameter = found[0]
+        declared = schema.find(key[0])
+        assert declared is not None, key
+        parameter = declared[0]
         if parameter.at_least is None and parameter.at_most is None:
             continue
         for limit, is_upper in ((parameter.at_least, False), (parameter.at_most, True)):
@@ -56,11 +56,11 @@ def _within(
     if is_kept or value in parameter.also or value == parameter.default == 0:
         # A default of 0 stands for "not set".
         return item
-    place = _place(file, item, values.get(limiting))
-    if place is not None:
+    position = _position(file, item, values.get(limiting))
+    if position is not None:
         collector.report(
             BEYOND_OTHER_PARAMETER,
-            *place,
+            *position,
             key=with_indices(*key),
             value=shown(value),
             limit=shown(bound),
@@ -78,12 +78,12 @@ def _bound(
     limit: Limit,
     is_upper: bool,
 ) -> int | float | None:
-    """Return the nearest value within the bound; ``None``: the other parameter sets none."""
+    """Return the nearest value within the bound; ``None`` if the other parameter sets none."""
     other = effective_value(schema, values, limit.id, key[1])
     if not isinstance(other, int | float):
         return None
     if other == 0 and is_upper and not parameter.type.is_signed:
-        # The limit is not set: 0 as a greatest speed means that there is no bound.
+        # The limit is not set: a maximum speed of 0 means no bound.
         return None
     bound = other * limit.factor
     if parameter.type is ValueType.REAL64:
@@ -92,8 +92,8 @@ def _bound(
     return int(bound) + step
 
 
-def _place(file: str, item: EntryValue, limiting: EntryValue | None) -> tuple[Span, str] | None:
-    """Return where this list breaks the bound; ``None``: its defaults list does it alone."""
+def _position(file: str, item: EntryValue, limiting: EntryValue | None) -> tuple[Span, str] | None:
+    """Return the entry that breaks the bound, ``None`` if only the defaults list does."""
     for candidate in (item, limiting):
         if candidate is not None and candidate.entry.key_span.file == file:
             return candidate.entry.key_span, candidate.entry.line

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 """Entries of a list -> checked values.
 
-In: the entries of one list, the schema of its kind, maybe the values of a defaults list. Out: a
-``Values``; what is wrong goes to the collector. Nothing here stops a start (manual of rtconf.lis,
-2.4): a defective value becomes the default, an unknown entry is left out, both are reported. Of
-two entries for one parameter the last counts.
+In: the entries of one list, the schema of its kind, optionally the values of a defaults list. Out:
+``Values``; mistakes go to the collector. Nothing here stops a start (manual of rtconf.lis, 2.4): a
+defective value becomes the default, an unknown entry is ignored, both are reported. Of two entries
+for one parameter the last counts.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ from nctakt.messages.lists import (
     UNKNOWN_PARAMETER,
 )
 
-#: So many unknown entries of a list have a finding of their own, those near a known name apart.
+#: Maximum number of separate reports of unknown entries, beside those near a known name.
 _NAMED_ENTRIES = 20
 
 
@@ -47,8 +47,8 @@ def load_list(
 ) -> Values:
     """Read and check one list; findings are reported in the order of its lines.
 
-    ``base`` holds the values of the defaults list of this kind: what the list does not name, or
-    names with a defective value, comes from there.
+    ``base`` holds the values of the defaults list of this kind, which replace missing and defective
+    values.
     """
     findings = Collector()
     entries = read_entries(file, data, schema, findings)
@@ -58,7 +58,7 @@ def load_list(
 
 
 def in_order_of_lines(findings: Collector) -> list[Diagnostic]:
-    """Return what was found in one file in the order of its lines."""
+    """Return the diagnostics of one file in the order of its lines."""
     return sorted(
         findings.diagnostics,
         key=lambda diagnostic: 0 if diagnostic.span is None else diagnostic.span.line,
@@ -74,7 +74,7 @@ def check_list(
     base: Values | None = None,
     detail: Detail = "summary",
 ) -> Values:
-    """Check ``entries`` against ``schema``; see ``load_list``."""
+    """Check ``entries`` against ``schema`` and return the values; see ``load_list``."""
     values: dict[Key, EntryValue] = {}
     if base is not None:
         values = {**base.entry_values, **base.unused_values}
@@ -98,22 +98,22 @@ def check_list(
 
 
 def _is_used(schema: Schema, key: Key) -> bool:
-    found = schema.find(key[0])
-    return found is not None and found[0].effect is Effect.USED
+    declared = schema.find(key[0])
+    return declared is not None and declared[0].effect is Effect.USED
 
 
 def _select(
     schema: Schema, entries: Sequence[Entry], collector: Collector, detail: Detail
 ) -> dict[Key, tuple[Parameter, Entry]]:
-    """Return the entry that counts for each parameter."""
+    """Return the effective entry of each parameter."""
     selected: dict[Key, tuple[Parameter, Entry]] = {}
     unknown: list[Entry] = []
     for entry in entries:
-        found = schema.find(entry.pattern) if entry.is_well_formed else None
-        if found is None:
+        declared = schema.find(entry.pattern) if entry.is_well_formed else None
+        if declared is None:
             unknown.append(entry)
             continue
-        parameter, alias = found
+        parameter, alias = declared
         if not _check_indices(parameter, entry, collector):
             continue
         name = with_indices(parameter.pattern, entry.indices)
@@ -149,7 +149,7 @@ def _check_indices(parameter: Parameter, entry: Entry, collector: Collector) -> 
 def _check_duplicate(
     parameter: Parameter, first: Entry, second: Entry, name: str, collector: Collector
 ) -> Entry:
-    """Return the entry that counts: the last, but the present name beats an old one."""
+    """Return the effective entry: the last one, or that with the present name."""
     old_name_second = first.pattern == parameter.pattern != second.pattern
     winner = first if old_name_second else second
     collector.report(
@@ -167,7 +167,7 @@ def _check_duplicate(
 def _report_unknown(
     schema: Schema, unknown: Sequence[Entry], collector: Collector, detail: Detail
 ) -> None:
-    """Report unknown entries at their lines; from the twenty-first on all others in one finding."""
+    """Report unknown entries at their lines, from a maximum on all others together."""
     foreign = {name.pattern: name for name in schema.foreign}
     strangers: list[Entry] = []
     for entry in unknown:
@@ -192,10 +192,10 @@ def _report_unknown(
         collector.report(
             MISSPELLED_PARAMETER, entry.key_span, entry.line, key=entry.path, nearest=nearest
         )
-    named = strangers if detail == "all" else strangers[:_NAMED_ENTRIES]
-    for entry in named:
+    single = strangers if detail == "all" else strangers[:_NAMED_ENTRIES]
+    for entry in single:
         collector.report(UNKNOWN_PARAMETER, entry.key_span, entry.line, key=entry.path)
-    if len(strangers) > len(named):
-        first = strangers[len(named)]
-        place = Span(first.key_span.file, first.key_span.line, 1, 2)
-        collector.report(UNKNOWN_ENTRIES, place, first.line, count=len(strangers) - len(named))
+    if len(strangers) > len(single):
+        first = strangers[len(single)]
+        position = Span(first.key_span.file, first.key_span.line, 1, 2)
+        collector.report(UNKNOWN_ENTRIES, position, first.line, count=len(strangers) - len(single))

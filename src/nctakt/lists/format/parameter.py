@@ -54,9 +54,9 @@ class ValueType(enum.Enum):
 
 
 class Effect(enum.Enum):
-    """What nctakt does with a parameter's value."""
+    """The effect of a parameter's value in nctakt."""
 
-    #: It changes what a run does, what the machine consists of, or what is reported.
+    #: It changes a run, the machine, or the reports.
     USED = "used"
     #: It is read and checked, and changes nothing in a run.
     WITHOUT_EFFECT = "without effect"
@@ -75,7 +75,7 @@ _BITS = {"08": 8, "16": 16, "32": 32, "64": 64}
 
 @cache
 def integer_bounds(type_: ValueType) -> tuple[int, int]:
-    """Return the least and the greatest value of an integer type."""
+    """Return the minimum and the maximum of an integer type."""
     bits = _BITS[type_.value[3:]]
     if type_.value.startswith("U"):
         return 0, 2**bits - 1
@@ -84,9 +84,9 @@ def integer_bounds(type_: ValueType) -> tuple[int, int]:
 
 @dataclass(frozen=True, slots=True)
 class Alias:
-    """An old name of a parameter; ``silent``: it is still as good as the present one.
+    """An old name of a parameter; ``silent``: it is as valid as the present one.
 
-    ``id``: the manuals' ID of the old name, where it has one of its own.
+    ``id``: the manuals' ID of the old name, if it has one.
     """
 
     path: str
@@ -149,17 +149,17 @@ class Parameter:
 
     @property
     def pattern(self) -> str:
-        """The name with empty brackets, as entries carry it."""
+        """The name with empty brackets, as in entries."""
         return pattern_of(self.path)
 
     @property
     def index_ranges(self) -> tuple[tuple[int, int], ...]:
-        """Lowest and highest value of each index."""
+        """The minimum and maximum of each index."""
         return _index_ranges(self.path)
 
     @property
     def bounds(self) -> tuple[int | float, int | float]:
-        """The range that a number has to keep, both ends included."""
+        """The range of a number, both ends included."""
         if self.type is ValueType.REAL64:
             least: int | float = float("-inf")
             greatest: int | float = float("inf")
@@ -169,7 +169,7 @@ class Parameter:
         return low, greatest if self.high is None else self.high
 
     def allows(self, number: int | float) -> bool:
-        """Return whether a number keeps the range, apart from ``at_least`` and ``at_most``."""
+        """Return whether a number lies in the range, without ``at_least`` and ``at_most``."""
         if number in self.also:
             return True
         low, high = self.bounds
@@ -180,9 +180,9 @@ _INFINITE = float("inf")
 
 
 def range_text(parameter: Parameter) -> str:
-    """Return the range of a parameter as text, empty where it has none of its own.
+    """Return the range of a parameter as text, empty without one.
 
-    ``1 … P-AXIS-00008``, ``0 | 512 … ∞``; for a text ``≤`` and its greatest length.
+    ``1 … P-AXIS-00008``, ``0 | 512 … ∞``; for a text ``≤`` and its maximum length.
     """
     if parameter.type is ValueType.STRING:
         return "" if parameter.high is None else f"≤ {parameter.high}"
@@ -217,19 +217,19 @@ def _index_ranges(path: str) -> tuple[tuple[int, int], ...]:
 
 @cache
 def pattern_of(path: str) -> str:
-    """``thread[0..6].name`` -> ``thread[].name``."""
+    """Return the pattern of a path: ``thread[].name`` for ``thread[0..6].name``."""
     return _INDEX_RANGE.sub("[]", path)
 
 
 def with_indices(pattern: str, indices: tuple[int, ...]) -> str:
-    """``thread[].name`` and ``(3,)`` -> ``thread[3].name``."""
+    """Return the name with its indices: ``thread[3].name`` for ``thread[].name`` and ``(3,)``."""
     for index in indices:
         pattern = pattern.replace("[]", f"[{index}]", 1)
     return pattern
 
 
 def shown(value: Value) -> str:
-    """Return a value as a list would write it; ``–`` where there is none."""
+    """Return a value as written in a list; ``–`` without one."""
     if value is None:
         return "–"
     if isinstance(value, bool):

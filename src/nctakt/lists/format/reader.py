@@ -3,8 +3,8 @@
 
 In: the bytes of a parameter list and the dialect of its kind. Out: its entries in the order of the
 text, each with its normalised path, its indices, and the text behind its name, all with their
-places; what is odd about the text goes to the collector. What a value means is not decided here:
-that depends on the parameter's type (``value_text.py``, ``values.py``).
+positions; oddities of the text go to the collector. Values are not interpreted here, since their
+meaning depends on the parameter's type (``value_text.py``, ``values.py``).
 
 The syntax is that of the manual of rtconf.lis, chapters 2.4 and 2.5, which all lists share: one
 entry a line, a blank between name and value, ``#`` opens a comment line, ``End`` or ``Ende`` ends
@@ -38,12 +38,12 @@ _WELL_FORMED = re.compile(r"[A-Za-z_]\w*(\[[0-9]{1,9}\])*(\.[A-Za-z_]\w*(\[[0-9]
 
 @dataclass(frozen=True, slots=True)
 class ListDialect:
-    """What differs between the kinds of list.
+    """The differences between the kinds of list.
 
     ``hexadecimal``: numbers may be written as 0x… . ``references``: a number may be written as
-    the ID of the parameter that has it (``P-AXIS-00212.0``). ``boolean_words``: TRUE and FALSE
-    beside 1 and 0. ``expects_end``: a missing End is worth a warning. ``comment_notes``: a ``#``
-    that is not in the first column, or without a blank behind it, is worth a note.
+    the ID of the parameter with it (``P-AXIS-00212.0``). ``boolean_words``: TRUE and FALSE beside
+    1 and 0. ``expects_end``: a missing End is a warning. ``comment_notes``: a ``#`` outside of the
+    first column, or without a blank behind it, is a note.
     """
 
     hexadecimal: bool = True
@@ -55,7 +55,7 @@ class ListDialect:
 
 @dataclass(frozen=True, slots=True)
 class Entry:
-    """One line ``name value`` of a list.
+    """A line ``name value`` of a list.
 
     ``path`` is the name with its indices normalised (``thread[00].name`` -> ``thread[0].name``),
     ``pattern`` the same with empty brackets. A name that is not well formed has itself as
@@ -74,14 +74,14 @@ class Entry:
 
     @property
     def is_well_formed(self) -> bool:
-        """Whether each bracket of the name holds an index; otherwise it names no parameter."""
+        """Whether each bracket of the name holds an index; otherwise the name is invalid."""
         return self.pattern.count("[]") == len(self.indices)
 
     def span(self, start: int, end: int) -> Span:
-        """Return the place of ``rest[start:end]``."""
-        place = self.key_span
+        """Return the span of ``rest[start:end]``."""
+        key = self.key_span
         column = self.rest_column + start
-        return Span(place.file, place.line, column, max(column + 1, self.rest_column + end))
+        return Span(key.file, key.line, column, max(column + 1, self.rest_column + end))
 
 
 def read_list(
@@ -116,9 +116,9 @@ def read_list(
     return tuple(entries)
 
 
-def _check_comment(place: Span, line: str, collector: Collector) -> None:
+def _check_comment(key: Span, line: str, collector: Collector) -> None:
     column = line.index("#")
-    span = Span(place.file, place.line, column + 1, column + 2)
+    span = Span(key.file, key.line, column + 1, column + 2)
     if column > 0:
         collector.report(HASH_NOT_AT_LINE_START, span, line)
     following = line[column + 1 : column + 2]
@@ -129,7 +129,7 @@ def _check_comment(place: Span, line: str, collector: Collector) -> None:
 def _read_entry(file: str, number: int, line: str) -> Entry:
     start = len(line) - len(line.lstrip(BLANKS))
     match = _KEY.match(line, start)
-    # A line that begins with a quotation mark has no name; all of its first word stands for one.
+    # A line that begins with a quotation mark has no name; its whole first word stands for one.
     end = match.end() if match else len(line)
     key = line[start:end]
     span = Span(file, number, start + 1, end + 1)

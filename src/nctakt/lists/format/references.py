@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Entries whose value is that of another parameter, and defaults that are.
+"""Entries and defaults whose value is that of another parameter.
 
 In: the entries of a list with the references among them (``P-AXIS-00212.0`` is "as P-AXIS-00212 of
-gear step 0"). Out: the same with values. A reference that leads nowhere, or in a circle, is
-reported and leaves the default.
+gear step 0"). Out: the same with values. A broken or circular reference is reported and leaves the
+default.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ _REFERENCE = re.compile(r"(P-[A-Z]{4}-[0-9]{5})((?:\.[0-9]{1,4})*)")
 
 
 def reference_of(parameter: Parameter, entry: Entry) -> str:
-    """Return the reference that the entry's value is, empty if it is none; a text never is."""
+    """Return the reference in an entry's value, empty without one; a text is never one."""
     if parameter.type is ValueType.STRING:
         return ""
     words = entry.rest.split(None, 1)
@@ -32,7 +32,7 @@ def reference_of(parameter: Parameter, entry: Entry) -> str:
 def resolve(
     schema: Schema, values: Mapping[Key, EntryValue], collector: Collector
 ) -> dict[Key, EntryValue]:
-    """Follow the references among ``values``."""
+    """Return ``values`` with the references among them resolved."""
     resolved: dict[Key, EntryValue] = {}
     for key, item in values.items():
         if not item.reference:
@@ -59,10 +59,10 @@ def resolve(
 def effective_value(
     schema: Schema, values: Mapping[Key, EntryValue], parameter_id: str, indices: tuple[int, ...]
 ) -> Value:
-    """Return the value of the parameter with that ID, ``None`` if there is none.
+    """Return the value of the parameter with this ID, ``None`` if there is none.
 
-    Where it has more indices than ``indices``, and the list names several of its elements, there is
-    none for all.
+    There is none for a parameter with more indices than ``indices`` of which the list names several
+    elements.
     """
     key = key_of(schema, parameter_id, indices)
     if key is None:
@@ -73,9 +73,9 @@ def effective_value(
 
 
 def key_of(schema: Schema, parameter_id: str, indices: tuple[int, ...]) -> Key | None:
-    """Return the element of the parameter with that ID that belongs to ``indices``.
+    """Return the element of the parameter with this ID that belongs to ``indices``.
 
-    As many of them as it has are taken from the front; where it has more, it is the first element.
+    Surplus indices are ignored; missing ones are 0.
     """
     parameters = schema.by_id(parameter_id)
     if len(parameters) != 1:
@@ -87,16 +87,16 @@ def key_of(schema: Schema, parameter_id: str, indices: tuple[int, ...]) -> Key |
 def default_of(
     schema: Schema, values: Mapping[Key, EntryValue], parameter: Parameter, indices: tuple[int, ...]
 ) -> Value:
-    """Return the default of a parameter, which may be the value of another one."""
+    """Return the default of a parameter, which may be the value of another parameter."""
     if parameter.default_id:
         return effective_value(schema, values, parameter.default_id, indices)
     return parameter.default
 
 
 def _parameter(schema: Schema, key: Key) -> Parameter:
-    found = schema.find(key[0])
-    assert found is not None, key
-    return found[0]
+    declared = schema.find(key[0])
+    assert declared is not None, key
+    return declared[0]
 
 
 def _has_type(parameter: Parameter, value: Value) -> bool:
@@ -115,7 +115,7 @@ def _has_type(parameter: Parameter, value: Value) -> bool:
 def _follow(schema: Schema, values: Mapping[Key, EntryValue], start: Key) -> Value:
     """Return the value at the end of a chain of references, ``None`` for a broken or circular one.
 
-    A default that is another parameter's value is a link of the chain as well.
+    A default that refers to another parameter is a link of the chain as well.
     """
     key, visited = start, {start}
     while True:

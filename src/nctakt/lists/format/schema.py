@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """All parameters of one kind of list.
 
-In: declarations, in code for what nctakt uses and in a table for the rest. Out: ``Schema``, which
-finds a parameter by its name or ID, and the known name that a misspelt one is near to.
+In: declarations, in code for parameters with an effect and in a table for the others. Out:
+``Schema``, which finds a parameter by its name or ID, and the known name nearest to a misspelt one.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from nctakt.lists.format.reader import ListDialect
 
 
 class Table(Protocol):
-    """Declarations that are read when they are asked for (``table.py``)."""
+    """Declarations that are read when they are needed (``table.py``)."""
 
     def find(self, pattern: str) -> Parameter | None:
         """Return the parameter with that name."""
@@ -34,7 +34,7 @@ class Table(Protocol):
 
 @dataclass(frozen=True, slots=True)
 class ForeignName:
-    """A name that users look for in the wrong list: where it belongs, under which ID."""
+    """A name that users write into the wrong list, with its right list and ID."""
 
     pattern: str
     kind: str
@@ -45,8 +45,8 @@ class ForeignName:
 class Schema:
     """All parameters of one kind of list.
 
-    ``kind`` is its short name (``channel``), ``title`` what it holds. ``declared``: the parameters
-    that nctakt uses. ``table``: those that have no effect here, ``None`` where there are none.
+    ``kind`` is its short name (``channel``), ``title`` its name for readers. ``declared``: the
+    parameters with an effect. ``table``: those without one, ``None`` if there are none.
     """
 
     kind: str
@@ -84,14 +84,14 @@ class Schema:
 
     @property
     def parameters(self) -> tuple[Parameter, ...]:
-        """All parameters: those that nctakt uses, then those of the table."""
+        """All parameters: those with an effect, then those of the table."""
         return self.declared + (self.table.parameters() if self.table is not None else ())
 
     def find(self, pattern: str) -> tuple[Parameter, Alias | None] | None:
-        """Return the parameter of that name, and the alias if the name is an old one."""
-        found = self._by_pattern.get(pattern)
-        if found is not None or self.table is None:
-            return found
+        """Return the parameter with this name, and the alias if the name is an old one."""
+        declared = self._by_pattern.get(pattern)
+        if declared is not None or self.table is None:
+            return declared
         parameter = self.table.find(pattern)
         return None if parameter is None else (parameter, None)
 
@@ -101,9 +101,9 @@ class Schema:
         return declared + (self.table.by_id(parameter_id) if self.table is not None else ())
 
     def nearest(self, pattern: str) -> str | None:
-        """Return the known name that an unknown one is a misspelling of, if any is.
+        """Return the known name that an unknown one misspells, ``None`` without one.
 
-        The names are prepared for the search at the first call.
+        The names are indexed at the first call.
         """
         if not self._known_names:
             patterns = self.table.patterns() if self.table is not None else ()

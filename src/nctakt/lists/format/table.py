@@ -1,24 +1,24 @@
 # SPDX-License-Identifier: MIT
-"""Declarations in a table: parameters that nctakt knows and that have no effect here.
+"""Declarations in a table: known parameters without an effect.
 
 In: a file of tab-separated values beside the declarations in code, one parameter a line, written
-and kept by hand. Out: ``Parameter`` records, each made when it is asked for. The columns:
+and kept by hand. Out: ``Parameter`` records, each created when it is needed. The columns:
 
 ============  ======================================================================================
 ``id``        the manuals' ID; empty where no source gives one
 ``entry``     the name with the ranges of its indices: ``getriebe[0..5].dynamik.a_max``
 ``type``      a ``ValueType``
-``default``   as a list would write it, or the ID of the parameter whose value it is
+``default``   as written in a list, or the ID of the parameter whose value it is
 ``range``     alternatives joined by `` | ``: ``LOW … HIGH``, where an end may be missing or name
               another parameter (``2*P-AXIS-00008``; ``<`` or ``>``: without it), single numbers,
-              ``not 0``; for texts ``≤`` and the greatest length
+              ``not 0``; for texts ``≤`` and the maximum length
 ``values``    names of a NAME or the flags of a FLAGS parameter, ``NAME=number`` where the number is
               known; ``…`` at the end: there are more
 ``unit``      unit of the value
 ``relevance`` whether another value than the default would change a run: yes, maybe, no
-``concern``   what it is about, in one word
+``concern``   its subject, in one word
 ``page``      number of its page in the public help
-``en, de``    what it means
+``en, de``    its meaning
 ============  ======================================================================================
 """
 
@@ -49,11 +49,11 @@ _ID = re.compile(r"P-[A-Z]{4}-[0-9]{5}")
 
 
 class ParameterTable:
-    """The table of one kind of list; ``name`` is that of its file. Nothing is read in advance."""
+    """The table of one kind of list; ``name`` is that of its file. It is read when needed."""
 
     def __init__(self, name: str) -> None:
         self._name = name
-        self._found: dict[str, Parameter] = {}
+        self._parameters: dict[str, Parameter] = {}
 
     @cached_property
     def _lines(self) -> dict[str, str]:
@@ -73,15 +73,17 @@ class ParameterTable:
 
     def find(self, pattern: str) -> Parameter | None:
         """Return the parameter with that name."""
-        parameter = self._found.get(pattern)
+        parameter = self._parameters.get(pattern)
         if parameter is None and (line := self._lines.get(pattern)) is not None:
-            parameter = self._found[pattern] = parse_line(line)
+            parameter = self._parameters[pattern] = parse_line(line)
         return parameter
 
     def by_id(self, parameter_id: str) -> tuple[Parameter, ...]:
         """Return the parameters with that ID."""
         patterns = self._patterns_by_id.get(parameter_id, ())
-        return tuple(found for pattern in patterns if (found := self.find(pattern)) is not None)
+        return tuple(
+            parameter for pattern in patterns if (parameter := self.find(pattern)) is not None
+        )
 
     def patterns(self) -> tuple[str, ...]:
         """Return all names."""
@@ -89,12 +91,14 @@ class ParameterTable:
 
     def parameters(self) -> tuple[Parameter, ...]:
         """Return all parameters in the order of the table."""
-        return tuple(found for pattern in self._lines if (found := self.find(pattern)) is not None)
+        return tuple(
+            parameter for pattern in self._lines if (parameter := self.find(pattern)) is not None
+        )
 
 
 @dataclass(frozen=True, slots=True)
 class _Range:
-    """The column ``range``, taken apart; see ``Parameter``."""
+    """The parts of the column ``range``; see ``Parameter``."""
 
     low: float | None = None
     high: float | None = None
@@ -105,7 +109,7 @@ class _Range:
 
 
 def parse_line(line: str) -> Parameter:
-    """Return the parameter that a line of a table declares."""
+    """Return the parameter of a line of a table."""
     id_, entry, type_name, default, range_, words, unit, relevance, concern, page, en, de = (
         line.split("\t")
     )
@@ -189,7 +193,7 @@ def _with_ends(allowed: _Range, low: str, high: str) -> _Range:
 
 
 def _number(text: str) -> float:
-    """Return an integer stays one: bounds of 64 bit have more digits than a float."""
+    """Return a number, an integer as such: bounds of 64 bit have more digits than a float."""
     integer = parse_integer(text, hexadecimal=True)
     return float(text) if integer is None else integer
 

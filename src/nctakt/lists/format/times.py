@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Lengths of time as users give them: ``"1.5 s"``, ``"300 ticks"``, ``0.2``, a ``timedelta``.
+"""Lengths of time as users write them: ``"1.5 s"``, ``"300 ticks"``, ``0.2``, a ``timedelta``.
 
 In: a text with a unit, a number of seconds or a ``datetime.timedelta``. Out: ``Time``, in whole
 microseconds or whole ticks. A time is reached at the start of the first tick that begins at or
@@ -44,7 +44,7 @@ PATTERN = r"(?:\d+\.?\d*|\.\d+)(?: ?(?:us|µs|μs|ms|s|min|h|ticks?)\b)?"
 
 @dataclass(frozen=True, slots=True)
 class Time:
-    """A length of time: ``count`` microseconds, or ticks of the controller that runs."""
+    """A length of time: ``count`` microseconds, or ticks of the controller."""
 
     count: int
     is_in_ticks: bool = False
@@ -69,14 +69,14 @@ def time_stamp(time_us: int) -> str:
     return f"{time_us // 1_000_000}.{time_us % 1_000_000:06d} s"
 
 
-#: Whatever stands for a time in the Python interface; a number means seconds.
+#: A time in the Python interface; a number means seconds.
 TimeLike = Time | str | float | timedelta
 
 
 def read_time(value: TimeLike) -> Time:
-    """Return the time that ``value`` means; ``"0.2"`` and ``0.2`` are seconds.
+    """Return the time of ``value``; ``"0.2"`` and ``0.2`` are seconds.
 
-    Raises ``Failure``: a text or a number that is not a time (900510), or anything else (900513).
+    Raises ``Failure`` for an invalid text or number (900510) and for another type (900513).
     """
     if isinstance(value, Time):
         return value

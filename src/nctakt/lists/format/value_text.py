@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 """The text behind an entry's name -> its value's text, apart from the comment.
 
-In: an ``Entry``. Out: the word, the character string or the flags that stand there; what is odd
-goes to the collector. Two readings exist, and the parameter's type chooses (manual of rtconf.lis,
-2.4 and 2.5): behind a number or a name everything after the next blank is a comment; behind a
-character string only ``(`` opens one, and quotation marks protect all that has a special meaning.
+In: an ``Entry``. Out: its word, character string or flags; oddities go to the collector. The
+parameter's type chooses between two readings (manual of rtconf.lis, 2.4 and 2.5): behind a number
+or a name everything after the next blank is a comment; behind a character string only ``(`` opens
+one, and quotation marks protect all special characters.
 """
 
 from __future__ import annotations
@@ -29,15 +29,15 @@ _DECIMAL = re.compile(r"[+-]?[0-9]+")
 _HEXADECIMAL = re.compile(r"[+-]?0[xX][0-9A-Fa-f]+")
 _REAL = re.compile(r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?")
 
-#: More digits than any type holds; longer numbers are cut, they are out of range all the same.
+#: More digits than any type holds; longer numbers are cut, since they are out of range anyway.
 _MOST_DIGITS = 40
-#: A real number with more characters than this is no number that somebody meant.
+#: Maximum length of a real number, in characters.
 _LONGEST_REAL = 400
 
 
 @dataclass(frozen=True, slots=True)
 class Word:
-    """One word of a value and its place; ``quoted``: it stood in quotation marks."""
+    """A word of a value and its span; ``quoted``: it stood in quotation marks."""
 
     text: str
     span: Span
@@ -60,7 +60,7 @@ def read_word(entry: Entry, collector: Collector) -> Word | None:
 
 
 def read_string(entry: Entry, collector: Collector) -> Word | None:
-    """The character string of an entry, ``None`` if there is none; trailing blanks are dropped."""
+    """Return the character string of an entry without trailing blanks, ``None`` without one."""
     if entry.is_verbatim:
         return Word(entry.rest.rstrip(BLANKS), entry.span(0, len(entry.rest)))
     _check_blank(entry, collector)
@@ -72,8 +72,8 @@ def read_string(entry: Entry, collector: Collector) -> Word | None:
         return _read_quoted(entry, start, collector)
     comment = body.find("(")
     if comment > 0 and body[comment - 1] not in BLANKS:
-        place = entry.span(start + comment, start + comment + 1)
-        collector.report(BLANK_MISSING, place, entry.line, key=entry.path)
+        span = entry.span(start + comment, start + comment + 1)
+        collector.report(BLANK_MISSING, span, entry.line, key=entry.path)
     text = (body if comment < 0 else body[:comment]).rstrip(BLANKS)
     span = entry.span(start, start + len(text))
     if any(special in text for special in (" ", "\t", "#", "/*", '"')):
@@ -91,14 +91,14 @@ def _read_quoted(entry: Entry, start: int, collector: Collector) -> Word:
     tail = entry.rest[closing + 1 :].strip(BLANKS)
     if tail and not tail.startswith("("):
         column = entry.rest.index(tail, closing + 1)
-        place = entry.span(column, column + len(tail))
-        collector.report(TEXT_AFTER_QUOTE, place, entry.line, key=entry.path)
+        span = entry.span(column, column + len(tail))
+        collector.report(TEXT_AFTER_QUOTE, span, entry.line, key=entry.path)
     text = entry.rest[start + 1 : closing].rstrip(BLANKS)
     return Word(text, entry.span(start, closing + 1), quoted=True)
 
 
 def read_flags(entry: Entry, collector: Collector) -> tuple[Word, ...]:
-    """The words of a flag set (``PLC_INFO | MVS_SVS``, also joined by commas), maybe none."""
+    """Return the words of a flag set (``PLC_INFO | MVS_SVS``, also joined by commas)."""
     first = read_word(entry, collector)
     if first is None:
         return ()
@@ -110,7 +110,7 @@ def read_flags(entry: Entry, collector: Collector) -> tuple[Word, ...]:
         words.append(Word(match[0], entry.span(match.start(), match.end())))
         separator = _FLAG_SEPARATOR.match(entry.rest, match.end())
         if separator is None:
-            # What touches a flag without a separator belongs to it: 'MOS#' is no flag MOS.
+            # Text behind a flag without a separator belongs to it: 'MOS#' is not the flag MOS.
             glued = _WORD.match(entry.rest, match.end())
             if glued is None:
                 return tuple(words)
@@ -126,7 +126,7 @@ def _check_blank(entry: Entry, collector: Collector) -> None:
 
 
 def parse_integer(text: str, *, hexadecimal: bool) -> int | None:
-    """``text`` as an integer: decimal with an optional sign, or 0x… where that is allowed."""
+    """Return ``text`` as an integer, decimal with an optional sign or 0x…, else ``None``."""
     base = 10
     if not _DECIMAL.fullmatch(text):
         if not (hexadecimal and _HEXADECIMAL.fullmatch(text)):
@@ -138,7 +138,7 @@ def parse_integer(text: str, *, hexadecimal: bool) -> int | None:
 
 
 def parse_real(text: str, *, hexadecimal: bool) -> float | None:
-    """``text`` as a finite real number: decimal point and exponent allowed."""
+    """Return ``text`` as a finite real number, with decimal point and exponent, else ``None``."""
     if len(text) > _LONGEST_REAL:
         return None
     if _REAL.fullmatch(text):

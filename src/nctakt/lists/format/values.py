@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The checked values of one list.
 
-In: what ``load_list`` (``list_check.py``) has checked. Out: ``Values``: the value of each parameter
-that a list names, the default for all others, and where each entry stands.
+In: the entries checked by ``load_list`` (``list_check.py``). Out: ``Values``: the value of each
+parameter in a list, the default of all others, and the position of each entry.
 """
 
 from __future__ import annotations
@@ -35,9 +35,9 @@ class EntryValue:
 
 @dataclass(frozen=True, slots=True)
 class Values:
-    """The values of one list, the defaults of its schema for all that it does not name.
+    """The values of one list, and the defaults of its schema for all other parameters.
 
-    ``entry_values``: those of the parameters that nctakt uses; ``unused_values``: the others.
+    ``entry_values``: those of parameters with an effect; ``unused_values``: the others.
     """
 
     schema: Schema
@@ -51,56 +51,56 @@ class Values:
         return item.value if item is not None else self._parameter(pattern).default
 
     def integer(self, pattern: str, *indices: int) -> int:
-        """As ``get``, of an integer parameter."""
+        """Return the effective value of an integer parameter."""
         value = self.get(pattern, *indices)
         assert isinstance(value, int), pattern
         return int(value)
 
     def real(self, pattern: str, *indices: int) -> float:
-        """As ``get``, of a number parameter."""
+        """Return the effective value of a number parameter."""
         value = self.get(pattern, *indices)
         assert isinstance(value, int | float), pattern
         return float(value)
 
     def flag(self, pattern: str, *indices: int) -> bool:
-        """As ``get``, of a BOOLEAN parameter."""
+        """Return the effective value of a BOOLEAN parameter."""
         value = self.get(pattern, *indices)
         assert isinstance(value, bool), pattern
         return value
 
     def text(self, pattern: str, *indices: int) -> str:
-        """As ``get``, of a STRING or NAME parameter."""
+        """Return the effective value of a STRING or NAME parameter."""
         value = self.get(pattern, *indices)
         assert isinstance(value, str), pattern
         return value
 
     def names(self, pattern: str, *indices: int) -> tuple[str, ...]:
-        """As ``get``, of a FLAGS parameter."""
+        """Return the effective value of a FLAGS parameter."""
         value = self.get(pattern, *indices)
         assert isinstance(value, tuple), pattern
         return value
 
-    def given(self, pattern: str, *indices: int) -> bool:
-        """Return whether a list gives a valid value for this parameter."""
+    def is_set(self, pattern: str, *indices: int) -> bool:
+        """Return whether a list has a valid value of this parameter."""
         assert self._parameter(pattern)
         return (pattern, indices) in self.entry_values
 
     def indices(self, prefix: str, *outer: int) -> tuple[int, ...]:
-        """The indices of ``prefix`` (``thread[]``) behind ``outer`` with any entry, ascending."""
+        """Return the indices of ``prefix`` (``thread[]``) behind ``outer`` with entries."""
         depth = prefix.count("[]")
         assert depth == len(outer) + 1, prefix
-        found = {
-            indices[depth - 1]
-            for pattern, indices in self.entry_values
-            if pattern.startswith(prefix) and indices[: depth - 1] == outer
+        numbers = {
+            entry_indices[depth - 1]
+            for pattern, entry_indices in self.entry_values
+            if pattern.startswith(prefix) and entry_indices[: depth - 1] == outer
         }
-        return tuple(sorted(found))
+        return tuple(sorted(numbers))
 
-    def place(self, pattern: str, *indices: int) -> tuple[Span, str]:
-        """Return where the parameter stands, and that line.
+    def position(self, pattern: str, *indices: int) -> tuple[Span, str]:
+        """Return the span of a parameter's entry and its line.
 
-        Where it is missing, the first entry of the same element (``thread[2]``); the file where
-        there is none.
+        For a missing entry it is that of the first entry of the same element (``thread[2]``), else
+        that of the file.
         """
         item = self.entry_values.get((pattern, indices)) or self._relative(pattern, indices)
         if item is None:
@@ -124,10 +124,10 @@ class Values:
         return None
 
     def where(self, patterns: Container[str], value: Value) -> tuple[Span, str]:
-        """As ``place``, of the first entry of these names with this value."""
+        """Return the span and line of the first entry of these names with this value."""
         for (pattern, indices), item in self.entry_values.items():
             if pattern in patterns and item.value == value:
-                return self.place(pattern, *indices)
+                return self.position(pattern, *indices)
         return whole_file(self.file), ""
 
     def report(
@@ -139,11 +139,11 @@ class Values:
         **values: object,
     ) -> None:
         """Report ``message`` at the entry ``at``: the pattern, then the indices."""
-        span, line = self.place(*at)
-        found = collector.report(message, span, line, **values)
-        collector.diagnostics[-1] = replace(found, entry=with_indices(at[0], at[1:]))
+        span, line = self.position(*at)
+        message_at_entry = collector.report(message, span, line, **values)
+        collector.diagnostics[-1] = replace(message_at_entry, entry=with_indices(at[0], at[1:]))
 
     def _parameter(self, pattern: str) -> Parameter:
-        found = self.schema.find(pattern)
-        assert found is not None and found[1] is None, pattern
-        return found[0]
+        declared = self.schema.find(pattern)
+        assert declared is not None and declared[1] is None, pattern
+        return declared[0]

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Entries that have no effect here: what would change a run is never left out in silence.
+"""Reports on entries without effect that would change a run on the machine.
 
 In: the values of one list. Out: findings. One for the file names the entries whose values differ
 from the defaults and would change positions, times or program flow; with the detail ``effects``
-each of them has a finding of its own, with ``all`` each entry without effect.
+each of them has a separate finding, with ``all`` each entry without effect.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from nctakt.messages.lists import (
     WITHOUT_EFFECT_WOULD_CHANGE_RUN,
 )
 
-#: The finding of a file, by what its entries would do.
+#: The finding of a file, by the effect of its entries.
 _SUMMARIES = {
     Relevance.YES: WITHOUT_EFFECT_WOULD_CHANGE_RUN,
     Relevance.MAYBE: WITHOUT_EFFECT_MAY_CHANGE_RUN,
@@ -35,12 +35,12 @@ _SINGLE = {
     Relevance.MAYBE: PARAMETER_MAY_CHANGE_RUN,
     Relevance.NO: PARAMETER_WITHOUT_EFFECT,
 }
-#: So many entries are named in the finding of a file.
+#: Maximum number of entries in the finding of a file.
 _NAMED_ENTRIES = 5
 
 
-#: How much is reported of a list: one finding for all entries that would change a run, one for each
-#: of them, or one for each entry without effect and each unknown one.
+#: The extent of reports: one finding for all entries that would change a run, one for each of them,
+#: or one for each entry without effect and each unknown one.
 Detail = Literal["summary", "effects", "all"]
 
 
@@ -59,9 +59,9 @@ def report_without_effect(
     for key in unused:
         if values[key].entry.key_span.file != file:
             continue
-        found = schema.find(key[0])
-        assert found is not None, key
-        parameter = found[0]
+        declared = schema.find(key[0])
+        assert declared is not None, key
+        parameter = declared[0]
         default = default_of(schema, values, parameter, key[1])
         changes = values[key].value != default
         relevance = parameter.relevance if changes else Relevance.NO

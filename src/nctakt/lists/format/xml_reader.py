@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: MIT
 """XML list -> entries.
 
-In: the bytes of a parameter list in XML, the schema of its kind. Out: its entries as an ASCII list
-has them. An element is named by a parameter ID with its indices behind dots, the value stands in
-its attribute ``Value``: ``<P-RTCF-00012.0.1 Value="x" />`` is ``thread[0].function[1].name``.
-The elements around them group and carry no meaning.
+In: the bytes of a parameter list in XML, the schema of its kind. Out: its entries as those of an
+ASCII list. An element is named by a parameter ID with its indices behind dots, the value is its
+attribute ``Value``: ``<P-RTCF-00012.0.1 Value="x" />`` is ``thread[0].function[1].name``. The
+elements around them have no meaning.
 
-The file comes from anywhere: entities, document types and references to other files are refused,
-depth and size have bounds. What stands in front of a mistake is read.
+The file is not trusted: entities, document types and references to other files are refused, depth
+and size have bounds. The part before a mistake is read.
 """
 
 from __future__ import annotations
@@ -27,11 +27,11 @@ from nctakt.messages.lists import (
     XML_LIST_WITH_MISTAKE,
 )
 
-#: Bytes of a list; the largest of vendors have a tenth of it.
+#: Maximum size of a list in bytes; the largest of vendors have a tenth of it.
 MAX_BYTES = 16 << 20
-#: Elements inside each other; lists have about ten.
+#: Maximum depth of elements; lists have about ten levels.
 MAX_DEPTH = 64
-#: Bytes at the beginning in which a list shows that it is one.
+#: Bytes at the begin of a file that decide whether it is a list.
 BEGIN_BYTES = 8192
 
 _BEGIN = re.compile(rb"(\xef\xbb\xbf|\xff\xfe|\xfe\xff)?[\s\0]*<[\0]?[?!A-Za-z]")
@@ -42,7 +42,7 @@ _VALUE = re.compile(r"""\bValue\s*=\s*["']""")
 
 
 class _RefusedError(Exception):
-    """Reading ends here; the message says why."""
+    """The reading is refused; the message has the reason."""
 
     def __init__(self, message: Message, **values: object) -> None:
         super().__init__(message.id)
@@ -51,14 +51,14 @@ class _RefusedError(Exception):
 
 
 def is_xml(data: bytes) -> bool:
-    """Return whether a file begins as XML does."""
+    """Return whether a file begins like XML."""
     return _BEGIN.match(data) is not None
 
 
 def root_and_families(data: bytes) -> tuple[str, tuple[str, ...]]:
     """Return the name of the outermost element, and the families of the IDs (``AXIS``), each once.
 
-    Only the beginning of the file is looked at.
+    Only the begin of the file is read.
     """
     text = decode_text(data[:BEGIN_BYTES]).text
     root = _ROOT.search(text)
@@ -123,7 +123,7 @@ class _Reader:
         self.comments: list[tuple[int, str]] = []
 
     def start(self, name: str, values: dict[str, str], line_number: int, offset: int) -> None:
-        """Read the beginning of an element; ``offset``: bytes in front of it in its line."""
+        """Read the begin of an element; ``offset``: bytes before it in its line."""
         self._depth += 1
         if self._depth > MAX_DEPTH:
             raise _RefusedError(XML_LIST_TOO_DEEP, limit=MAX_DEPTH)
@@ -148,13 +148,13 @@ class _Reader:
         self._depth -= 1
 
     def span(self, line_number: int, offset: int) -> tuple[Span, str]:
-        """Return a place in the text, and its line."""
+        """Return a span in the text, and its line."""
         line = self._lines[line_number - 1] if line_number <= len(self._lines) else ""
         column = len(line.encode("utf-8")[:offset].decode("utf-8", errors="replace")) + 1
         return Span(self._file, max(1, line_number), column, column + 1), line
 
     def _name(self, id_: str, name: str, indices: tuple[int, ...]) -> tuple[str, str]:
-        """Return name and pattern of the parameter; the element's own name where there is none."""
+        """Return name and pattern of the parameter, else the element's own name."""
         for parameter in self._schema.by_id(id_):
             if len(parameter.index_ranges) == len(indices):
                 return with_indices(parameter.pattern, indices), parameter.pattern

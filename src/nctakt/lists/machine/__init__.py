@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: MIT
-"""A folder of lists turned into an immutable machine."""
+"""A folder of lists -> an immutable machine."""

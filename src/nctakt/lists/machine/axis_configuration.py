@@ -2,8 +2,8 @@
 """The values of an axis list -> one axis, in natural units.
 
 In: checked values. Out: ``AxisConfiguration``: mm, mm/s, mm/s² for linear axes, degrees, °/s, °/s²
-for rotary axes and spindles; which of the two a field is in follows from ``type``, so these fields
-carry no unit in their names. Limits that contradict each other are reported and mended.
+for rotary axes and spindles; ``type`` decides, so that these fields have no unit in their names.
+Contradicting limits are reported and corrected.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ _MODULO_LINEAR_BIT = 0x400
 
 
 class AxisType(enum.Enum):
-    """P-AXIS-00018."""
+    """The type of an axis (P-AXIS-00018)."""
 
     LINEAR = LINEAR_TYPE
     ROTARY = ROTARY_TYPE
@@ -35,17 +35,17 @@ class AxisType(enum.Enum):
 
 @dataclass(frozen=True, slots=True)
 class TrapezoidSlope:
-    """Accelerations below and above a changeover speed, as the list has them (lslope_profil)."""
+    """Accelerations below and above a changeover speed (lslope_profil)."""
 
     low: float
     high: float
     changeover_speed: float
 
     def acceleration(self, top_speed: float, limit: float) -> float:
-        """Return the one acceleration that never exceeds the two stages up to ``top_speed``.
+        """Return the acceleration that never exceeds the two stages up to ``top_speed``.
 
-        nctakt's trapezoid has one acceleration per motion. It is stage 1 where the changeover
-        speed is not below ``top_speed``, else the lesser of both; ``limit`` (a_max) bounds it.
+        nctakt's trapezoid has one acceleration per motion. It is that of stage 1 if the changeover
+        speed is at least ``top_speed``, else the minimum of both; ``limit`` (a_max) bounds it.
         """
         stages = self.low if self.changeover_speed >= top_speed else min(self.low, self.high)
         return min(stages, limit)
@@ -72,7 +72,7 @@ class JerkSlope:
 
     @property
     def jerk(self) -> float:
-        """The jerk that never exceeds those of any ramp; 0 where no ramp takes time."""
+        """The jerk that never exceeds that of any ramp; 0 if no ramp takes time."""
         up, down, brake, release = self.ramp_times_us
         longest_us = max(up, down, brake, release, self.rapid_ramp_time_us)
         return self.least_acceleration / (longest_us / 1e6) if longest_us > 0 else 0.0
@@ -113,7 +113,7 @@ class AxisDynamics:
 
     @property
     def smooth_jerks(self) -> tuple[float, float]:
-        """Jerk of rapid motions and of feed: the slowest of the ramps counts."""
+        """Jerk of rapid motions and of feed, by the slowest ramp."""
         rapid, feed = self.smooth_accelerations
         shortest_us = max(self.shortest_ramp_time_us, 1)
         rapid_us = max(self.jerk_slope.rapid_ramp_time_us, shortest_us)
@@ -182,7 +182,7 @@ class AxisConfiguration:
 
     @property
     def max_acceleration(self) -> float:
-        """The acceleration that all motions of the axis may use, trapezoid: the least of both."""
+        """The acceleration of all motions of the axis, trapezoid: the minimum of both."""
         return min(self.dynamics.feed_acceleration, self.dynamics.rapid_acceleration)
 
     @property
@@ -192,7 +192,7 @@ class AxisConfiguration:
 
 
 def axis_configuration(values: Values, collector: Collector) -> AxisConfiguration:
-    """Make one axis of the values of its list (over those of the defaults list)."""
+    """Return the axis of the values of its list (over those of the defaults list)."""
     type_ = AxisType(values.text("kenngr.achs_typ"))
     mode = values.integer("kenngr.achs_mode")
     modulo_bit = _MODULO_LINEAR_BIT if type_ is AxisType.LINEAR else _MODULO_BIT
@@ -221,9 +221,9 @@ def axis_configuration(values: Values, collector: Collector) -> AxisConfiguratio
 
 
 def _feed_forward(values: Values) -> float:
-    """The share of the command speed that goes past the position control; none unless given."""
+    """Return the share of the command speed that bypasses the position control, by default 0."""
     share, whole = "vorsteuer.vs_v_faktor", "vorsteuer.vs_v_nenner"
-    if not values.given(share) and not values.given(whole):
+    if not values.is_set(share) and not values.is_set(whole):
         return 0.0
     return values.integer(share) / values.integer(whole)
 

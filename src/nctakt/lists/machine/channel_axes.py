@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""The axes and spindles of a channel -> which of the machine's axis lists they are.
+"""The axes and spindles of a channel -> their axis lists in the machine.
 
-In: what the channel list says, all axes of the machine. Out: ``ChannelAxis``, ``ChannelSpindle``.
-One that no axis list describes, or that another channel has, is reported and left out.
+In: the values of the channel list, all axes of the machine. Out: ``ChannelAxis``,
+``ChannelSpindle``. One without an axis list, or of another channel, is reported and left out.
 """
 
 from __future__ import annotations
@@ -51,26 +51,28 @@ def channel_axes(
     owners: dict[int, int],
     collector: Collector,
 ) -> tuple[ChannelAxis, ...]:
-    """Return the axes of a channel, without those that an earlier one has.
+    """Return the axes of a channel, without those of an earlier channel.
 
     ``values``: those of its list. ``owners``: index of an axis -> the channel that it belongs to.
     """
-    found: list[ChannelAxis] = []
+    members: list[ChannelAxis] = []
     for axis in parameters.axes:
         number = axis.logical_number
-        place = values.where(_AXIS_NUMBERS, number)
+        position = values.where(_AXIS_NUMBERS, number)
         index = _index(number, axes)
         if index is None:
-            collector.report(AXIS_LIST_MISSING, *place, logical=number, name=axis.name)
+            collector.report(AXIS_LIST_MISSING, *position, logical=number, name=axis.name)
             continue
         owner = owners.setdefault(index, channel)
         if owner != channel:
-            collector.report(AXIS_IN_TWO_CHANNELS, *place, axis=number, first=owner, second=channel)
+            collector.report(
+                AXIS_IN_TWO_CHANNELS, *position, axis=number, first=owner, second=channel
+            )
         else:
-            found.append(ChannelAxis(axis.name, number, index))
+            members.append(ChannelAxis(axis.name, number, index))
     if not parameters.axes:
         values.report(collector, CHANNEL_WITHOUT_AXES, ("gruppe[].achs_anzahl", 0), channel=channel)
-    return tuple(found)
+    return tuple(members)
 
 
 def channel_spindles(
@@ -80,17 +82,17 @@ def channel_spindles(
     collector: Collector,
 ) -> tuple[ChannelSpindle, ...]:
     """Return the spindles of a channel; ``values``: those of its list."""
-    found: list[ChannelSpindle] = []
+    members: list[ChannelSpindle] = []
     for spindle in parameters.spindles:
         index = None if spindle.plc_controlled else _index(spindle.logical_number, axes)
         if index is None and not spindle.plc_controlled:
             number = spindle.logical_number
-            place = values.where(_SPINDLE_NUMBERS, number)
-            collector.report(AXIS_LIST_MISSING, *place, logical=number, name=spindle.name)
+            position = values.where(_SPINDLE_NUMBERS, number)
+            collector.report(AXIS_LIST_MISSING, *position, logical=number, name=spindle.name)
         else:
-            found.append(ChannelSpindle(spindle, index))
-    return tuple(found)
+            members.append(ChannelSpindle(spindle, index))
+    return tuple(members)
 
 
 def _index(number: int, axes: Sequence[AxisConfiguration]) -> int | None:
-    return next((i for i, one in enumerate(axes) if one.logical_number == number), None)
+    return next((i for i, axis in enumerate(axes) if axis.logical_number == number), None)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""The values of a channel list -> what the list says of a channel.
+"""The values of a channel list -> the parameters of a channel.
 
-In: checked values. Out: ``ChannelParameters``. Which axis lists the channel's axes are is settled
-where all lists are at hand (``machine.py``).
+In: checked values. Out: ``ChannelParameters``. The axis lists of the channel's axes are found when
+all lists have been read (``machine.py``).
 """
 
 from __future__ import annotations
@@ -31,9 +31,9 @@ from nctakt.messages.machine import (
 
 MAIN_PROGRAM_BIT, SUBPROGRAM_BIT = 1, 2
 MM_PER_MINUTE_FACTOR = 100.0
-#: Groups of G functions whose start value the channel list gives (P-CHAN-00063).
+#: Groups of G functions with a start value in the channel list (P-CHAN-00063).
 MOTION_GROUP, PLANE_GROUP, UNIT_GROUP, DIMENSION_GROUP, CENTRE_GROUP = 0, 4, 12, 14, 23
-#: The G functions that a group may start with, where nctakt knows the group.
+#: The permitted start values of the groups that nctakt knows.
 G_GROUPS: dict[int, tuple[int, ...]] = {
     MOTION_GROUP: (0, 1, 2, 3, 4),
     PLANE_GROUP: (17, 18, 19),
@@ -41,7 +41,7 @@ G_GROUPS: dict[int, tuple[int, ...]] = {
     DIMENSION_GROUP: (90, 91),
     CENTRE_GROUP: (161, 162),
 }
-#: What is active where the list says nothing: the program start of the controller.
+#: The defaults of the controller at program start.
 BUILT_IN_G_FUNCTIONS: dict[int, int] = {
     MOTION_GROUP: 0,
     PLANE_GROUP: 17,
@@ -58,7 +58,7 @@ OTHER_SLOPES = {2: "SIN2", 3: "HSC"}
 
 @dataclass(frozen=True, slots=True)
 class NamedAxis:
-    """An axis of the channel as its list names it."""
+    """An axis of the channel as named in its list."""
 
     name: str
     logical_number: int
@@ -91,18 +91,18 @@ class ProgramPath:
 
     @property
     def holds_main_programs(self) -> bool:
-        """Whether main programs are searched here."""
+        """Whether main programs are searched in the folder."""
         return bool(self.type & MAIN_PROGRAM_BIT)
 
     @property
     def holds_subprograms(self) -> bool:
-        """Whether subprograms are searched here."""
+        """Whether subprograms are searched in the folder."""
         return bool(self.type & SUBPROGRAM_BIT)
 
 
 @dataclass(frozen=True, slots=True)
 class ProgramStart:
-    """What is active when a program starts.
+    """The state at program start.
 
     ``feed_mm_min`` 0: the first feed block needs an F. ``feed_unit_mm_min``: mm/min that F1 means
     (P-CHAN-00108). ``g_functions``: group -> G number, the built-in ones included.
@@ -117,7 +117,7 @@ class ProgramStart:
 
 @dataclass(frozen=True, slots=True)
 class RealtimeCycleLimits:
-    """P-CHAN-00406, 00407, 00480, 00425, 00426, 00427."""
+    """The limits of realtime cycles: P-CHAN-00406, 00407, 00480, 00425, 00426, 00427."""
 
     enable: bool
     memory_bytes: int
@@ -129,7 +129,7 @@ class RealtimeCycleLimits:
 
 @dataclass(frozen=True, slots=True)
 class ImplicitPrograms:
-    """Subprograms that run without being called; empty: none. ``g``: G function -> program."""
+    """Subprograms that run without a call; empty: none. ``g``: G function -> program."""
 
     program_start: str
     program_end: str
@@ -138,14 +138,14 @@ class ImplicitPrograms:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """All programs that there are, each once."""
+        """All these programs, each once."""
         all_names = (self.program_start, self.program_end, self.m6, *self.g.values())
         return tuple(dict.fromkeys(name for name in all_names if name))
 
 
 @dataclass(frozen=True, slots=True)
 class CentreTolerance:
-    """How far the centre of an arc may be moved: P-CHAN-00059 and P-CHAN-00060; both hold."""
+    """Tolerances of the centre of an arc: P-CHAN-00059 and P-CHAN-00060; both apply."""
 
     distance_mm: float
     share_of_radius: float
@@ -157,10 +157,10 @@ class CentreTolerance:
 
 @dataclass(frozen=True, slots=True)
 class ToolSelection:
-    """What T and D do beyond their own: P-CHAN-00014 and P-CHAN-00271.
+    """Further effects of T and D: P-CHAN-00014 and P-CHAN-00271.
 
-    ``by_t``: T selects the offsets of its number, too. ``flushes``: the channel is emptied in front
-    of a D.
+    ``by_t``: T also selects the offsets of its number. ``flushes``: the channel is flushed before a
+    D word.
     """
 
     by_t: bool
@@ -169,7 +169,7 @@ class ToolSelection:
 
 @dataclass(frozen=True, slots=True)
 class ChannelParameters:
-    """A channel list.
+    """The parameters of a channel list.
 
     ``m_functions`` and ``h_functions``: number -> function, only those that are defined.
     ``context_*``: P-CHAN-00409 … 00411.
@@ -197,7 +197,7 @@ class ChannelParameters:
 
 
 def channel_parameters(values: Values, collector: Collector) -> ChannelParameters:
-    """Gather the values of a channel list (over those of the defaults list)."""
+    """Return the values of a channel list (over those of the defaults list)."""
     axes, spindles = _axes(values, collector), _spindles(values, collector)
     names = {*(axis.name for axis in axes), *(spindle.name for spindle in spindles)}
     return ChannelParameters(
@@ -245,18 +245,18 @@ def _realtime_cycles(values: Values, collector: Collector) -> RealtimeCycleLimit
 
 
 def _counted(
-    values: Values, count_key: tuple[str, *tuple[int, ...]], found: int, collector: Collector
+    values: Values, count_key: tuple[str, *tuple[int, ...]], entries: int, collector: Collector
 ) -> int:
-    """How many elements exist: the list's own number, if it gives one, else all that it names."""
-    if not values.given(*count_key):
-        return found
+    """Return the number of elements: the list's own number if it has one, else all named ones."""
+    if not values.is_set(*count_key):
+        return entries
     count = values.integer(*count_key)
-    if count != found:
+    if count != entries:
         name = with_indices(count_key[0], tuple(count_key[1:]))
         values.report(
-            collector, DESCRIBED_COUNT_MISMATCH, count_key, key=name, count=count, found=found
+            collector, DESCRIBED_COUNT_MISMATCH, count_key, key=name, count=count, found=entries
         )
-    return min(count, found)
+    return min(count, entries)
 
 
 def _axes(values: Values, collector: Collector) -> tuple[NamedAxis, ...]:
@@ -280,7 +280,7 @@ def _axes(values: Values, collector: Collector) -> tuple[NamedAxis, ...]:
 
 
 def _is_usable(name: str, first: str) -> bool:
-    """Return a name of an axis or spindle: its letter, then letters, digits and underscores."""
+    """Return whether a name is a letter of axes, then letters, digits and underscores."""
     return bool(name) and name[0] in first and name.isascii() and name.replace("_", "a").isalnum()
 
 
@@ -356,7 +356,7 @@ def program_parameter(number: int) -> str:
 def _program_start(values: Values, collector: Collector) -> ProgramStart:
     factor = values.real("prog_start.feedrate_factor")
     if factor <= 0:
-        # -1 stands for "not configured" and is no defect.
+        # -1 stands for "not configured" and is not a defect.
         if factor != -1:
             values.report(
                 collector,
@@ -397,7 +397,7 @@ def _g_functions(values: Values, collector: Collector) -> dict[int, int]:
                 key,
                 key=with_indices(key[0], (group,)),
                 value=number,
-                names=", ".join(str(one) for one in allowed),
+                names=", ".join(str(number) for number in allowed),
                 default=-1,
             )
             continue

@@ -27,9 +27,9 @@ BUILT_IN_MACHINES = ("demo", "demo5")
 _MACHINES = Path(__file__).parent.parent.parent / "machines"
 #: The folder of the first of them.
 DEMO_FOLDER = _MACHINES / BUILT_IN_MACHINES[0]
-#: How the start-up list of a machine's folder is called.
+#: Usual names of the start-up list of a machine.
 STARTUP_NAMES = ("hochlauf.lis", "startup.lis", "hochlauf.xml", "startup.xml")
-#: How else start-up lists are called in the field.
+#: Further names of start-up lists in the field.
 _STARTUP_NAME = re.compile(r"(hochlauf|start[_-]?up)[\w-]*\.(lis|xml)", re.IGNORECASE)
 #: The first part of paths in XML lists: the controller's root folder.
 _CONTROLLER_ROOT = "cnckernelrootdir"
@@ -46,11 +46,11 @@ class ListSearch:
         self,
         startup_file: Path,
         access: FileAccess,
-        named: Path | None = None,
+        user_folder: Path | None = None,
         root: Path | None = None,
     ) -> None:
         self._access = access
-        folders = [*_upward(startup_file.parent, named), Path()]
+        folders = [*_upward(startup_file.parent, user_folder), Path()]
         if root is not None:
             folders.append(root)
         self.folders: tuple[Path, ...] = tuple(dict.fromkeys(folders))
@@ -58,7 +58,7 @@ class ListSearch:
         self._tolerated: list[tuple[ListReference, Path]] = []
 
     def find_list(self, reference: ListReference, collector: Collector) -> Path | None:
-        """Return the file that a reference means; reported if there is none."""
+        """Return the file of a reference; a missing one is reported."""
         file = self.find(reference.path)
         if file is None and not self._may_be_read(reference.path):
             collector.report(
@@ -84,7 +84,7 @@ class ListSearch:
         return file
 
     def find(self, path: str) -> Path | None:
-        """Return the file that ``path`` means, ``None`` if there is none that may be read."""
+        """Return the file of ``path``, ``None`` if there is none that may be read."""
         absolute = Path(path)
         if absolute.is_absolute() and _is_admitted_file(absolute, self._access):
             return absolute
@@ -99,14 +99,14 @@ class ListSearch:
         return None
 
     def _may_be_read(self, path: str) -> bool:
-        """Return whether a file of that path would be read if it were there."""
+        """Return whether a file with this path may be read, even if it does not exist."""
         if Path(path).is_absolute():
             return self._access.admits(path)
         parts = _parts(path, r"[\\/]")
         return any(self._access.admits(folder.joinpath(*parts)) for folder in self.folders)
 
     def report_tolerance(self, collector: Collector) -> None:
-        """Report the paths that do not name their files as they are: one note."""
+        """Report the paths that differ from the names of their files, in one note."""
         if self._tolerated:
             reference, file = self._tolerated[0]
             collector.report(
@@ -138,10 +138,10 @@ class ListSearch:
         return names.get(name) or names.get(name.casefold())
 
 
-def _upward(folder: Path, named: Path | None) -> Iterator[Path]:
-    """The folder, its parents up to ``named`` if it lies there, and at least the one above."""
+def _upward(folder: Path, user_folder: Path | None) -> Iterator[Path]:
+    """Yield the folder and its parents up to ``user_folder`` around it, at least the next one."""
     yield folder
-    while named is not None and folder != named and folder.is_relative_to(named):
+    while user_folder is not None and folder != user_folder and folder.is_relative_to(user_folder):
         folder = folder.parent
         yield folder
     # '.' and '..' have no parent that their spelling shows.
@@ -208,7 +208,7 @@ def machine_folder(name: str | Path, base: Path = Path()) -> Path:
 
 
 def is_startup_name(name: str) -> bool:
-    """Return whether a start-up list may be called so."""
+    """Return whether a start-up list may have this name."""
     return _STARTUP_NAME.fullmatch(name) is not None
 
 
@@ -221,12 +221,12 @@ def startup_lists(folder: Path) -> list[Path]:
 
 def startup_lists_below(folder: Path) -> list[Path]:
     """Return the start-up lists in the folders of ``folder``; links are not followed."""
-    found: list[Path] = []
+    result: list[Path] = []
     for name in _entries(folder):
         inner = folder / name
         if not name.startswith(".") and inner.is_dir() and not inner.is_symlink():
-            found += startup_lists(inner) + startup_lists_below(inner)
-    return found
+            result += startup_lists(inner) + startup_lists_below(inner)
+    return result
 
 
 def startup_list_around(file: Path) -> Path | None:
@@ -235,13 +235,17 @@ def startup_list_around(file: Path) -> Path | None:
         lists = startup_lists(folder)
         if lists:
             working = Path.cwd()
-            found = lists[0]
-            return found.relative_to(working) if found.is_relative_to(working) else found
+            nearest_list = lists[0]
+            return (
+                nearest_list.relative_to(working)
+                if nearest_list.is_relative_to(working)
+                else nearest_list
+            )
     return None
 
 
 def read_file(path: Path, access: FileAccess, collector: Collector) -> bytes | None:
-    """Return the bytes of ``path``; reported if it cannot be read."""
+    """Return the bytes of ``path``; an unreadable file is reported."""
     try:
         return access.read_bytes(path)
     except Failure as failure:

@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The lists that a start-up list names -> their bytes and values.
 
-In: references of the start-up list. Out: the values of the lists; reported is what cannot be found
-or read, a list of another kind than its entry asks for, and lists that name each other in a
-circle. None of these is loaded.
+In: references of the start-up list. Out: the values of the lists. A missing or unreadable list, a
+list of another kind than that of its entry, and circular references are reported and not loaded.
 """
 
 from __future__ import annotations
@@ -27,7 +26,7 @@ from nctakt.messages.folders import CIRCULAR_LIST_REFERENCE, WRONG_LIST_KIND
 
 
 class LinkedLists:
-    """The lists of one start-up list, found by ``search``; ``detail``: how much is reported."""
+    """The lists of one start-up list, found by ``search``; ``detail``: the extent of reports."""
 
     def __init__(
         self,
@@ -56,7 +55,7 @@ class LinkedLists:
     def values(
         self, schema: Schema, reference: ListReference | None, base: Values | None = None
     ) -> Values | None:
-        """The values of a list over those of its defaults list; ``None`` if there is none."""
+        """Return the values of a list over those of its defaults list, ``None`` without a list."""
         if reference is None:
             return None
         path, data = self._read(schema, reference)
@@ -71,7 +70,7 @@ class LinkedLists:
         return values
 
     def data(self, schema: Schema, reference: ListReference | None) -> tuple[Path, bytes] | None:
-        """File and bytes of a list; ``None`` if there is none that can be used."""
+        """Return file and bytes of a list; ``None`` if it cannot be used."""
         if reference is None:
             return None
         path, data = self._read(schema, reference)
@@ -80,7 +79,7 @@ class LinkedLists:
         return path, data
 
     def _read(self, schema: Schema, reference: ListReference) -> tuple[Path | None, bytes | None]:
-        """Find and read a list; what is in the way is reported."""
+        """Find and read a list; obstacles are reported."""
         path = self._search.find_list(reference, self._collector)
         if path is not None:
             self.files.append((schema.kind, path))
@@ -90,25 +89,25 @@ class LinkedLists:
         return path, data
 
     def _is_binary(self, path: Path, data: bytes, reference: ListReference | None) -> bool:
-        """Report a list that is no text."""
+        """Return whether a list is binary, which is reported."""
         if not is_binary(data):
             return False
-        place, line = (None, "") if reference is None else (reference.span, reference.line)
-        self._collector.report(NOT_A_TEXT_FILE, place, line, file=path.as_posix())
+        span, line = (None, "") if reference is None else (reference.span, reference.line)
+        self._collector.report(NOT_A_TEXT_FILE, span, line, file=path.as_posix())
         return True
 
     def _is_misplaced(
         self, schema: Schema, reference: ListReference, path: Path, data: bytes
     ) -> bool:
-        """Report a list of another kind, or one that leads back to the start-up list."""
+        """Return whether a list is of another kind or refers back, which is reported."""
         other = other_kind(schema, path.name, data)
         if other is None:
             return False
         circle = find_circle(self._startup_file, path, self._access) if other is STARTUP else ()
         if circle:
-            way = " → ".join(one.name for one in circle)
+            names = " → ".join(path.name for path in circle)
             self._collector.report(
-                CIRCULAR_LIST_REFERENCE, reference.span, reference.line, circle=way
+                CIRCULAR_LIST_REFERENCE, reference.span, reference.line, circle=names
             )
             return True
         self._collector.report(
@@ -123,28 +122,28 @@ class LinkedLists:
 
 
 def find_circle(origin: Path, first: Path, access: FileAccess) -> tuple[Path, ...]:
-    """The way from ``origin`` over the list ``first`` that it names back to it, if there is one."""
-    ways: list[tuple[Path, ...]] = [(origin, first)]
+    """Return the chain from ``origin`` over the list ``first`` back to it, empty without one."""
+    chains: list[tuple[Path, ...]] = [(origin, first)]
     seen: dict[Path, None] = {}
-    while ways:
-        way = ways.pop(0)
-        last = way[-1].resolve()
+    while chains:
+        chain = chains.pop(0)
+        last = chain[-1].resolve()
         if last == origin.resolve():
-            return way
+            return chain
         if last not in seen:
             seen[last] = None
-            ways += [(*way, path) for path in _named_by(way[-1], access)]
+            chains += [(*chain, path) for path in _named_by(chain[-1], access)]
     return ()
 
 
 def _named_by(path: Path, access: FileAccess) -> Iterator[Path]:
-    """Yield the lists that a start-up list names; nothing of other lists."""
+    """Yield the lists that a start-up list names; nothing for other lists."""
     unheard = Collector()
     data = read_file(path, access, unheard)
     if data is None or kind_of(path.name, data) is not STARTUP:
         return
     values = load_list(STARTUP, path.as_posix(), data, unheard)
     for _, reference in references(startup_configuration(values, unheard)):
-        found = ListSearch(path, access).find(reference.path)
-        if found is not None:
-            yield found
+        file = ListSearch(path, access).find(reference.path)
+        if file is not None:
+            yield file

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""A list alone -> which kind it is, and what is wrong with it.
+"""A single list -> its kind, and its diagnostics.
 
-In: the bytes of one list. Out: the schema that knows most of its entries, diagnostics. What depends
-on other lists (values of a defaults list, axes that the start-up list does not have) is not
-checked here but with the machine's folder (``machine.py``).
+In: the bytes of one list. Out: the schema with most of its entries, diagnostics. Dependences on
+other lists (values of a defaults list, axes that the start-up list does not have) are not checked
+here but with the machine's folder (``machine.py``).
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ from nctakt.lists.machine.scheduling_profile import STANDARD_OPTIONS, RtconfOpti
 from nctakt.lists.machine.variables import variables_configuration
 from nctakt.messages import Collector
 
-#: How files of each kind are called in the field, for lists whose entries tell nothing.
+#: Usual file names of each kind, for lists whose entries do not decide.
 _NAMES = {
     "startup": re.compile("hochlauf|startup"),
     "channel": re.compile("sda_mds|default_sda|kanal|channel"),
@@ -68,10 +68,10 @@ _XML_ROOTS = {
 
 
 def kind_of(name: str, data: bytes) -> Schema | None:
-    """The kind of the list ``data`` in a file called ``name``; ``None`` where nothing tells it.
+    """Return the kind of the list ``data`` in a file called ``name``, ``None`` if it is unclear.
 
-    The schema that knows most of the entries counts; of several the one that the name fits. A list
-    in XML tells it by its outermost element, else by the IDs in it.
+    It is the schema with most of the entries, of several the one of the file name. A list in XML
+    is identified by its outermost element, else by the IDs in it.
     """
     if is_xml(data):
         return _kind_of_xml(data)
@@ -90,7 +90,7 @@ def knows_any(schema: Schema, entries: Sequence[Entry]) -> bool:
 
 
 def other_kind(schema: Schema, name: str, data: bytes) -> Schema | None:
-    """The kind of a list that is named as one of ``schema`` and has no entry of it at all."""
+    """Return the kind of a list without any entry of ``schema``, ``None`` if it fits."""
     if is_xml(data):
         kind = _kind_of_xml(data)
         return None if kind is schema else kind
@@ -109,13 +109,13 @@ def _kind_of_xml(data: bytes) -> Schema | None:
 
 
 def _entries(name: str, data: bytes) -> Counter[str]:
-    """Return the names of the entries of a list, and how often each stands there."""
+    """Return the names of the entries of a list with their counts."""
     entries = read_list(name, data, ListDialect(), Collector())
     return Counter(entry.pattern for entry in entries if entry.is_well_formed)
 
 
 def _known_entries(patterns: Counter[str]) -> dict[str, int]:
-    """Return how many entries each kind of list knows."""
+    """Return the number of known entries for each kind of list."""
     return {
         schema.kind: sum(
             count for pattern, count in patterns.items() if schema.find(pattern) is not None
@@ -133,7 +133,7 @@ def check_list_alone(
     detail: Detail = "summary",
     rtconf: RtconfOptions = STANDARD_OPTIONS,
 ) -> None:
-    """Report what is wrong with the list of kind ``schema`` in ``path``."""
+    """Report the mistakes in the list of kind ``schema`` in ``path``."""
     file = path.as_posix()
     if schema is RTCONF:
         load_rtconf(file, data, collector, rtconf)
@@ -145,14 +145,14 @@ def check_list_alone(
 
 def references(startup: StartupConfiguration) -> Iterator[tuple[str, ListReference]]:
     """Yield the lists that a start-up list names, each with its kind."""
-    named = [("rtconf", startup.rtconf), ("axis", startup.axis_defaults)]
-    named += [("axis", reference) for reference in startup.axes]
-    named.append(("channel", startup.channel_defaults))
+    links = [("rtconf", startup.rtconf), ("axis", startup.axis_defaults)]
+    links += [("axis", reference) for reference in startup.axes]
+    links.append(("channel", startup.channel_defaults))
     for channel in startup.channels:
-        named += [("channel", channel.parameters), ("variables", channel.variables)]
-        named += [("tools", channel.tools), ("zero_offsets", channel.zero_offsets)]
-        named.append(("clamp_offsets", channel.clamp_offsets))
-    for kind, reference in named:
+        links += [("channel", channel.parameters), ("variables", channel.variables)]
+        links += [("tools", channel.tools), ("zero_offsets", channel.zero_offsets)]
+        links.append(("clamp_offsets", channel.clamp_offsets))
+    for kind, reference in links:
         if reference is not None:
             yield kind, reference
     yield from startup.others

@@ -94,7 +94,7 @@ class ChannelConfiguration:
     """One channel; ``number`` counts from 1.
 
     ``external_variables`` holds the channel's own V.E variables and the GLOBAL ones that its list
-    declares. ``tools``: by number, the valid ones and the others.
+    declares. ``tools``: all tools by number, valid or not.
     """
 
     number: int
@@ -120,8 +120,8 @@ class ChannelConfiguration:
 
     @property
     def main_spindle(self) -> ChannelSpindle | None:
-        """The spindle that S, M3, M4, M5 and M19 as words mean."""
-        return next((one for one in self.spindles if one.spindle.is_main), None)
+        """The spindle of the words S, M3, M4, M5 and M19."""
+        return next((spindle for spindle in self.spindles if spindle.spindle.is_main), None)
 
 
 @dataclass(frozen=True, slots=True, repr=False)
@@ -189,30 +189,30 @@ def load_machine(
     folder = DEMO_FOLDER if folder is None else machine_folder(folder)
     collector = Collector()
     startup_file = _startup_file(folder, collector)
-    named = folder if folder.is_dir() else None
-    machine = load_startup(startup_file, named, root, access, detail=detail, rtconf=rtconf)
+    user_folder = folder if folder.is_dir() else None
+    machine = load_startup(startup_file, user_folder, root, access, detail=detail, rtconf=rtconf)
     return replace(machine, diagnostics=(*collector.diagnostics, *machine.diagnostics))
 
 
 def load_startup(
     startup_file: Path,
-    named: Path | None,
+    user_folder: Path | None,
     root: Path | None,
     access: FileAccess,
     *,
     detail: Detail = "summary",
     rtconf: RtconfOptions = STANDARD_OPTIONS,
 ) -> Machine:
-    """Return the machine of a start-up list; ``named``: the folder that the user named.
+    """Return the machine of a start-up list; ``user_folder``: the folder that the user named.
 
     Otherwise as ``load_machine``.
     """
-    search = ListSearch(startup_file, access, named, root)
+    search = ListSearch(startup_file, access, user_folder, root)
     return _Loader(startup_file, search, access, detail, rtconf).machine()
 
 
 def _startup_file(folder: Path, collector: Collector) -> Path:
-    """Return the start-up list that the user means: the file, or the only one of the folder."""
+    """Return the start-up list of the user: the file, or the only one in the folder."""
     if folder.is_file():
         return folder
     if not folder.is_dir():
@@ -236,7 +236,7 @@ def _startup_file(folder: Path, collector: Collector) -> Path:
 
 
 class _Loader:
-    """Loads the lists of one machine; all of them are named by its start-up list."""
+    """Loads the lists of one machine, which its start-up list names."""
 
     def __init__(
         self,
@@ -306,15 +306,15 @@ class _Loader:
         return startup_configuration(values, self.collector)
 
     def _rtconf(self, startup: StartupConfiguration) -> RtconfConfiguration | None:
-        found = self.lists.data(RTCONF, startup.rtconf)
-        if found is None:
+        located = self.lists.data(RTCONF, startup.rtconf)
+        if located is None:
             self.collector.report(RTCONF_MISSING, None, cycle=DEFAULT_CYCLE_TIME_US)
             return None
-        path, data = found
+        path, data = located
         return load_rtconf(path.as_posix(), data, self.collector, self.rtconf_options)
 
     def _missing(self, key: str, count: str) -> None:
-        """Tell that ``key`` is missing, of which ``count`` says how many there are."""
+        """Report that ``key`` is missing, whose number is in the entry ``count``."""
         self.startup_values.report(self.collector, MANDATORY_PARAMETER_MISSING, (count,), key=key)
 
     def _axes(self, startup: StartupConfiguration) -> tuple[AxisConfiguration, ...]:
@@ -363,7 +363,7 @@ class _Loader:
     def _share(
         self, lists: tuple[VariablesConfiguration, ...]
     ) -> tuple[tuple[Variable, ...], tuple[VariablesConfiguration, ...]]:
-        """The GLOBAL variables of all channels; a channel that differs gets the first one's."""
+        """Return the GLOBAL variables of all channels; different ones become that of the first."""
         shared: dict[str, tuple[int, Variable]] = {}
         settled: list[VariablesConfiguration] = []
         for number, variables in enumerate(lists, start=1):
@@ -372,8 +372,8 @@ class _Loader:
                 if variable.scope is not VariableScope.GLOBAL:
                     external.append(variable)
                     continue
-                first, known = shared.setdefault(variable.name, (number, variable))
-                if known != variable:
+                first, shared_variable = shared.setdefault(variable.name, (number, variable))
+                if shared_variable != variable:
                     values = self.variable_values[number - 1]
                     span, line = values.where(("var[].name",), variable.name)
                     self.collector.report(
@@ -384,9 +384,9 @@ class _Loader:
                         channel=number,
                         first=first,
                     )
-                external.append(known)
+                external.append(shared_variable)
             settled.append(replace(variables, external=tuple(external)))
-        return tuple(known for _, known in shared.values()), tuple(settled)
+        return tuple(shared_variable for _, shared_variable in shared.values()), tuple(settled)
 
     def _channel(
         self,
@@ -399,10 +399,10 @@ class _Loader:
         channel = startup.channels[index]
         values = self.channel_values[index]
         members = channel_axes(parameters, values, axes, index + 1, self.owners, self.collector)
-        names = [one.name for one in members]
+        names = [member.name for member in members]
         own = tuple(axis for axis in parameters.axes if axis.name in names)
         parameters = replace(parameters, axes=own)
-        linear = tuple(axes[one.index].is_linear for one in members)
+        linear = tuple(axes[member.index].is_linear for member in members)
         return ChannelConfiguration(
             index + 1,
             channel,

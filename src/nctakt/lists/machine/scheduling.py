@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 """The values of rtconf.lis -> the effective scheduling.
 
-In: checked values. Out: ``RtconfConfiguration``, all times multiples of each other as the manual
-wants them. The order is: time_slice, ratio of cycle_time to it (of the raw values: after rounding
-it could not be below 1), cycle_time up, cycles of the threads up, windows_time down. What has no
-printed default gets one from the manual's own example, with an error that says so.
+In: checked values. Out: ``RtconfConfiguration``, all times multiples of each other as required by
+the manual. The order is: time_slice, ratio of cycle_time to it (of the raw values: after rounding
+it could not be below 1), cycle_time up, cycles of the threads up, windows_time down. A value
+without a printed default gets that of the manual's example, with an error.
 """
 
 from __future__ import annotations
@@ -72,20 +72,20 @@ CYCLE_TIME_FALLBACK_US = 2000
 TIME_SLICE_FALLBACK_US = 500
 SHORT_WINDOWS_TIME_US = 200
 UNSTABLE_WINDOWS_TIME_US = 100
-#: Linux takes this many characters behind the '/' of a semaphore's name.
+#: Maximum length of a semaphore's name on Linux behind the '/', in characters.
 LONGEST_OBJECT_NAME = 250
 _LONGEST_TIME_US = MAX_UNS32 - 1
 _LONGEST_SLICE_US = MAX_UNS16 - 1
 
 
-#: Errors by our choice, where the manual gives no default: warnings when they are taken leniently.
+#: Errors by choice, where the manual has no default: warnings with the option ``lenient``.
 _LENIENT = (
     INTERRUPT_SOURCE_MISSING,
     SCHEDULE_TIME_MISSING,
     SCHEDULE_TIME_TOO_LONG,
     EXTERNAL_THREAD_WITHOUT_SEMAPHORE,
 )
-#: About these numbers of interrupt_source the manual's table and its examples disagree.
+#: Numbers of interrupt_source on which the manual's table and its examples disagree.
 _UNCERTAIN_NUMBERS = (1, 2)
 
 
@@ -99,7 +99,7 @@ def load_rtconf(
 def read_rtconf(
     file: str, data: bytes, collector: Collector, options: RtconfOptions = STANDARD_OPTIONS
 ) -> tuple[Values, RtconfConfiguration]:
-    """Read one rtconf.lis; return the values as they stand in it, and what counts."""
+    """Return the raw values of an rtconf.lis and its effective scheduling."""
     values = load_list(RTCONF, file, data, collector)
     return values, effective(values, collector, options)
 
@@ -107,7 +107,7 @@ def read_rtconf(
 def effective(
     values: Values, collector: Collector, options: RtconfOptions = STANDARD_OPTIONS
 ) -> RtconfConfiguration:
-    """Normalise the values of an rtconf.lis."""
+    """Return the effective scheduling of the values of an rtconf.lis."""
     findings = Collector()
     configuration = _effective(values, findings, options)
     for finding in findings.diagnostics:
@@ -138,12 +138,12 @@ def _interrupt_source(
     values: Values, collector: Collector, options: RtconfOptions
 ) -> InterruptSource:
     key = ("interrupt_source",)
-    taken = values.entry_values.get(("interrupt_source", ()))
-    if taken is None:
+    entry_value = values.entry_values.get(("interrupt_source", ()))
+    if entry_value is None:
         values.report(collector, INTERRUPT_SOURCE_MISSING, key)
         return InterruptSource.TIMER
     number = values.integer("interrupt_source")
-    reading = read_source(number, comment_of(taken.entry), options.convention)
+    reading = read_source(number, comment_of(entry_value.entry), options.convention)
     if reading.source is InterruptSource.OUTSIDE:
         values.report(collector, EXTERNAL_SCHEDULING, key)
     elif number in _UNCERTAIN_NUMBERS and options.convention == "auto":
@@ -167,11 +167,11 @@ def _object_name(values: Values, source: InterruptSource, collector: Collector) 
 
 
 def _times(values: Values, collector: Collector, options: RtconfOptions) -> tuple[int, int]:
-    """Effective time_slice and cycle_time in µs."""
-    cycle = _given_or(values, "cycle_time", CYCLE_TIME_FALLBACK_US, collector)
-    slice_ = _given_or(values, "time_slice", min(TIME_SLICE_FALLBACK_US, cycle), collector)
+    """Return the effective time_slice and cycle_time in µs."""
+    cycle = _value_or(values, "cycle_time", CYCLE_TIME_FALLBACK_US, collector)
+    slice_ = _value_or(values, "time_slice", min(TIME_SLICE_FALLBACK_US, cycle), collector)
     profile, hal = options.profile, options.hal_timer_us
-    if not profile.settable_slice and values.given("time_slice"):
+    if not profile.settable_slice and values.is_set("time_slice"):
         values.report(collector, TIME_SLICE_NOT_SETTABLE, ("time_slice",), profile=profile.title)
     if profile.name == "rtx" and hal is not None and hal != slice_:
         values.report(collector, TIME_SLICE_NOT_HAL_PERIOD, ("time_slice",), slice=slice_, hal=hal)
@@ -207,8 +207,8 @@ def _times(values: Values, collector: Collector, options: RtconfOptions) -> tupl
     return slice_, rounded
 
 
-def _given_or(values: Values, pattern: str, fallback: int, collector: Collector) -> int:
-    if values.given(pattern):
+def _value_or(values: Values, pattern: str, fallback: int, collector: Collector) -> int:
+    if values.is_set(pattern):
         return values.integer(pattern)
     values.report(collector, SCHEDULE_TIME_MISSING, (pattern,), key=pattern, fallback=fallback)
     return fallback
@@ -223,14 +223,14 @@ def _windows_time(
 ) -> int:
     key = ("windows_time",)
     has_windows = options.profile.has_windows
-    if not has_windows and not values.given(*key):
+    if not has_windows and not values.is_set(*key):
         return 0
-    written = _given_or(values, "windows_time", slice_, collector)
+    written = _value_or(values, "windows_time", slice_, collector)
     if written == 0:
         if has_windows:
             values.report(collector, WINDOWS_TIME_ZERO, key)
         return 0
-    # Vendors' lists for Linux carry the cycle time here, and mean nothing by it.
+    # Vendors' lists for Linux have the cycle time here, without a meaning.
     means_nothing = not has_windows and not slice_ <= written < cycle
     if options.ignore_windows or means_nothing:
         values.report(collector, WINDOWS_TIME_IGNORED, key, value=written)

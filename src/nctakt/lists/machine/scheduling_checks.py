@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""What can be said about the threads' priorities only for a certain operating system.
+"""Checks of the threads' priorities for an operating system.
 
-In: the threads with their priorities as written, the profile. Out: findings, and the priorities
-that count. Source: manual 4.3 (P-RTCF-00010).
+In: the threads with their priorities as written, the profile. Out: findings, and the effective
+priorities. Source: manual 4.3 (P-RTCF-00010).
 """
 
 from __future__ import annotations
@@ -39,14 +39,14 @@ _EXTREME = re.compile(r"\b(highest|lowest)\b", re.I)
 
 
 def is_realtime(thread: SchedulerThread) -> bool:
-    """Return whether the thread holds the interpolation."""
+    """Return whether the thread runs the interpolation."""
     return any(function.name == REALTIME_FUNCTION for function in thread.functions)
 
 
 def check_priorities(
     values: Values, threads: tuple[SchedulerThread, ...], profile: Profile, collector: Collector
 ) -> tuple[SchedulerThread, ...]:
-    """Return the threads with the priorities that count."""
+    """Return the threads with their effective priorities."""
     checked = tuple(_check_range(values, thread, profile, collector) for thread in threads)
     _check_equal(values, checked, collector)
     _check_realtime(values, checked, profile, collector)
@@ -60,7 +60,7 @@ def _check_range(
     key = (_KEY, thread.index)
     name = with_indices(*_at(thread))
     priority = thread.priority
-    if not profile.low <= priority <= profile.high and values.given(*key):
+    if not profile.low <= priority <= profile.high and values.is_set(*key):
         values.report(
             collector,
             PRIORITY_OUT_OF_RANGE,
@@ -72,11 +72,11 @@ def _check_range(
             profile=profile.title,
         )
         priority = 0
-    elif priority in profile.reserved and values.given(*key):
+    elif priority in profile.reserved and values.is_set(*key):
         values.report(
             collector, PRIORITY_RESERVED, key, key=name, value=priority, profile=profile.title
         )
-    if priority != thread.priority or not values.given(*key):
+    if priority != thread.priority or not values.is_set(*key):
         number = LOWEST_PRIORITY_ASSUMED if profile.greatest_first else HIGHEST_PRIORITY_ASSUMED
         values.report(collector, number, key, key=name, profile=profile.title)
     return replace(thread, priority=priority)
@@ -106,10 +106,10 @@ def _check_equal(
 def _check_realtime(
     values: Values, threads: tuple[SchedulerThread, ...], profile: Profile, collector: Collector
 ) -> None:
-    others = [one for one in threads if not is_realtime(one)]
+    others = [thread for thread in threads if not is_realtime(thread)]
     for thread in threads:
         urgency = profile.urgency(thread.priority)
-        above = [one for one in others if profile.urgency(one.priority) > urgency]
+        above = [thread for thread in others if profile.urgency(thread.priority) > urgency]
         if is_realtime(thread) and above:
             values.report(
                 collector,
@@ -126,18 +126,18 @@ def _check_comments(
 ) -> None:
     urgencies = [profile.urgency(thread.priority) for thread in threads]
     for thread, urgency in zip(threads, urgencies, strict=True):
-        taken = values.entry_values.get(_at(thread))
-        said = _EXTREME.search(comment_of(taken.entry)) if taken is not None else None
-        if said is None:
+        entry_value = values.entry_values.get(_at(thread))
+        match = _EXTREME.search(comment_of(entry_value.entry)) if entry_value is not None else None
+        if match is None:
             continue
-        extreme = max(urgencies) if said[1].lower() == "highest" else min(urgencies)
+        extreme = max(urgencies) if match[1].lower() == "highest" else min(urgencies)
         if urgency != extreme:
             values.report(
                 collector,
                 COMMENT_CONTRADICTS_ENTRY,
                 (_KEY, thread.index),
                 key=with_indices(*_at(thread)),
-                word=said[1],
+                word=match[1],
             )
 
 
@@ -146,7 +146,7 @@ def check_contexts(
     channels: Sequence[ChannelParameters],
     collector: Collector,
 ) -> None:
-    """P-RTCF-00017 with P-CHAN-00409 … 00411: each context of a channel needs its thread."""
+    """Check that each context has its thread (P-RTCF-00017, P-CHAN-00409 … 00411)."""
     for number, channel in enumerate(channels, start=1):
         for key, function, context in (
             ("schedule.context.geo", "task_int", channel.context_geo),
@@ -173,10 +173,10 @@ def check_time_limits(
     channels: Sequence[ChannelParameters],
     collector: Collector,
 ) -> None:
-    """P-CHAN-00425 with P-RTCF-00004: realtime cycles may not reach into the time of Windows.
+    """Check that realtime cycles do not reach into Windows' time (P-CHAN-00425, P-RTCF-00004).
 
-    The thread that they run in is never suspended. Both together may be the whole NC cycle, which
-    is what the default of 75 % gives with the times that the manual recommends.
+    Their thread is never suspended. Both together may be the whole NC cycle, as with the default of
+    75 % and the times recommended by the manual.
     """
     for number, channel in enumerate(channels, start=1):
         limits = channel.realtime_cycles

@@ -23,13 +23,13 @@ from nctakt.messages.rtconf import (
 )
 
 _FUNCTION = "thread[].function[].name"
-#: The name by which an element of each kind is known.
+#: The entry with the name of an element of each kind.
 _NAMES = {
     "thread[]": "thread[].name",
     "thread[].function[]": _FUNCTION,
     "external_thread[]": "external_thread[].semaphore_name",
 }
-#: From this ratio on a function's name is taken for a misspelt one of the controller.
+#: Minimum similarity of a misspelt name of a controller's function.
 _SIMILAR = 0.8
 
 
@@ -40,7 +40,7 @@ def check_indices(
     indices: tuple[int, ...],
     collector: Collector,
 ) -> None:
-    """Report the first gap in ``indices`` of ``prefix``, and the first one beyond the manual."""
+    """Report the first gap in ``indices`` of ``prefix``, and the first index beyond the manual."""
     numbered = list(enumerate(indices))
     gap = next(((number, index) for number, index in numbered if number != index), None)
     if gap is not None:
@@ -61,7 +61,7 @@ def check_function_names(
     options: RtconfOptions,
     collector: Collector,
 ) -> None:
-    """Report functions that are not the controller's: misspelt ones, and the user's together."""
+    """Report functions that the controller does not have: misspelt ones, and the user's."""
     names_known = (*KNOWN_FUNCTIONS, *options.functions)
     own: dict[str, tuple[int, int]] = {}
     for thread in threads:
@@ -89,7 +89,7 @@ def check_function_names(
 def check_names(
     values: Values, pattern: str, names: list[tuple[int, str]], collector: Collector
 ) -> None:
-    """Report empty names, and those that several entries of ``pattern`` have."""
+    """Report empty names, and names shared by several entries of ``pattern``."""
     first: dict[str, int] = {}
     for index, name in names:
         path = with_indices(pattern, (index,))
@@ -112,7 +112,7 @@ def check_names(
 def check_trace_bits(
     values: Values, threads: tuple[SchedulerThread, ...], collector: Collector
 ) -> None:
-    """Report trace bits that several functions have."""
+    """Report trace bits shared by several functions."""
     used: dict[int, str] = {}
     pattern = "thread[].function[].trace_bit"
     for thread in threads:

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""How rtconf.lis is to be read: the operating system's priorities, and the choices of the rules.
+"""Options for the reading of rtconf.lis: the operating system's priorities, and rules.
 
-In: what the user chose. Out: ``RtconfOptions`` with a ``Profile``. Source: manual 4.3, for INtime
-the comment of the manual's example list; Linux is that of vendors' lists.
+In: the user's choices. Out: ``RtconfOptions`` with a ``Profile``. Source: manual 4.3, for INtime
+the comment of the manual's example list, for Linux vendors' lists.
 """
 
 from __future__ import annotations
@@ -18,8 +18,8 @@ Convention = Literal["auto", "table", "field"]
 class Profile:
     """An operating system: the range of its priorities and their direction.
 
-    ``reserved`` are priorities inside the range that the system itself needs.
-    ``settable_slice``: time_slice can be set there. ``has_windows``: it runs beside Windows.
+    ``reserved``: priorities inside the range that the system itself uses. ``settable_slice``:
+    time_slice can be set. ``has_windows``: it runs beside Windows.
     """
 
     name: str
@@ -32,7 +32,7 @@ class Profile:
     has_windows: bool = True
 
     def urgency(self, priority: int) -> int:
-        """Return a number that is the greater, the earlier a thread comes."""
+        """Return the urgency of a priority: greater numbers run first."""
         return priority if self.greatest_first else -priority
 
 
@@ -49,13 +49,13 @@ PROFILES = {
 
 @dataclass(frozen=True, slots=True)
 class RtconfOptions:
-    """Choices that the list itself does not make.
+    """Choices beyond the list itself.
 
-    ``convention``: what the numbers of interrupt_source mean (``auto``: what the line's comment
-    says). ``functions``: names of functions beside the controller's. ``small_windows_is_off``: a
+    ``convention``: the meaning of the numbers of interrupt_source (``auto``: by the line's
+    comment). ``functions``: names of functions beside the controller's. ``small_windows_is_off``: a
     windows_time below time_slice is rounded down to 0, not up. ``ignore_windows``: no time is
-    guaranteed to Windows. ``hal_timer_us``: the period that RTX is set to. ``lenient``: what is
-    an error only by our choice is a warning.
+    guaranteed to Windows. ``hal_timer_us``: the timer period of RTX. ``lenient``: errors by choice
+    are warnings.
     """
 
     profile: Profile = PROFILES["rtx"]

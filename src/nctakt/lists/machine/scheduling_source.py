@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""P-RTCF-00001: which interrupt a number of interrupt_source means.
+"""The meaning of the numbers of interrupt_source (P-RTCF-00001).
 
-In: the number, the comment of its line, the convention that was chosen. Out: the meaning and the
-reason. The manual contradicts itself: its table (3.1) has 1 hardware and 2 timer, the comments of
-its example lists have it the other way round. So a comment that explains the numbers is believed,
-and without one the table.
+In: the number, the comment of its line, the chosen convention. Out: the meaning and the reason. The
+manual contradicts itself: its table (3.1) has 1 hardware and 2 timer, the comments of its example
+lists have it the other way round. So a comment that explains the numbers decides, else the table.
 """
 
 from __future__ import annotations
@@ -17,7 +16,7 @@ from nctakt.lists.declared.rtconf import INTERRUPT_SOURCES, InterruptSource
 from nctakt.lists.format.reader import BLANKS, Entry
 from nctakt.lists.machine.scheduling_profile import Convention
 
-#: What the comments of lists in the field say.
+#: Words in the comments of lists in the field.
 FIELD_SOURCES = {
     1: InterruptSource.TIMER,
     2: InterruptSource.HARDWARE,
@@ -36,7 +35,7 @@ _CONVENTIONS: dict[Convention, dict[int, InterruptSource]] = {
     "table": INTERRUPT_SOURCES,
 }
 _AS_SAID = Text("as the comment says", "wie der Kommentar sagt")
-#: A comment of no more words without a number explains the number of its own line.
+#: Maximum length of a comment without a number that explains its own line, in words.
 _FEW_WORDS = 3
 
 _PAIR = re.compile(r"(?<![\w.])([0-4])(?!\w)\s*(?:==|=|:|-|\))?\s*(?=[^\W\d_])")
@@ -56,7 +55,7 @@ class SourceReading:
 
     @property
     def text(self) -> Text:
-        """All of it in words."""
+        """The meaning and the reason as text."""
         name, reason = _NAMES[self.source], self.reason
         return Text(
             f"{name.en} (convention '{self.convention}', {reason.en})",
@@ -65,7 +64,7 @@ class SourceReading:
 
 
 def comment_of(entry: Entry) -> str:
-    """Return the text behind the first blank behind a number."""
+    """Return the comment behind a number."""
     words = entry.rest.strip(BLANKS).split(None, 1)
     return words[1].strip(BLANKS) if len(words) > 1 else ""
 
@@ -81,7 +80,7 @@ def read_source(number: int, comment: str, convention: Convention) -> SourceRead
 
 
 def _judge(number: int, comment: str) -> tuple[Convention, Text]:
-    """Return the convention that the comment of a line with ``number`` follows, and the reason."""
+    """Return the convention of the comment of a line with ``number``, and the reason."""
     text = _without_signs(comment)
     matches = list(_PAIR.finditer(text))
     if not text:
@@ -102,15 +101,15 @@ def _judge(number: int, comment: str) -> tuple[Convention, Text]:
         label = re.split(r"[,;|]", text[match.end() : until])[0]
         meanings.setdefault(int(match[1]), set()).add(_meaning(label))
     if meanings.get(3, {InterruptSource.SEMAPHORE}) == {InterruptSource.SEMAPHORE}:
-        named = {number: meanings[number] for number in (1, 2) if number in meanings}
+        listed = {number: meanings[number] for number in (1, 2) if number in meanings}
         for convention, table in _CONVENTIONS.items():
-            if named and all(named[number] == {table[number]} for number in named):
+            if listed and all(listed[number] == {table[number]} for number in listed):
                 return convention, _AS_SAID
     return "table", Text("the comment is unclear", "der Kommentar ist unklar")
 
 
 def _without_signs(comment: str) -> str:
-    """Return the comment in small letters without what opens and closes it."""
+    """Return the comment in small letters without its opening and closing signs."""
     text = comment.casefold().strip(BLANKS)
     for opener, closer in (("(", ")"), ("/*", "*/")):
         if text.startswith(opener):
@@ -119,7 +118,7 @@ def _without_signs(comment: str) -> str:
 
 
 def _meaning(label: str) -> InterruptSource | None:
-    """Return the meaning of a label; ``None`` where it is unclear, or external scheduling."""
+    """Return the meaning of a label; ``None`` if it is unclear, or external scheduling."""
     if "schedul" in label or _NEGATION.search(label):
         return None
     if "sema" in label:

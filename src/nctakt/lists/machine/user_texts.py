@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The texts of the user's own errors (P-STUP-00169): lines of a number and its text.
 
-In: the bytes of the file. Out: number -> text. A line that is neither empty, nor a comment that
-begins with ``#``, nor a number from 1 to 1000 with a text is reported and left out.
+In: the bytes of the file. Out: number -> text. Empty lines and comments that begin with ``#`` are
+skipped; a line that is not a number from 1 to 1000 with a text is reported.
 """
 
 from __future__ import annotations
@@ -23,14 +23,14 @@ _LINE = re.compile(r"\s*(\d{1,4})\s+(\S.*?)\s*$")
 def user_texts(
     path: str, search: ListSearch, access: FileAccess, collector: Collector
 ) -> dict[int, str]:
-    """Return the texts of the file that the start-up list names, none where it names none."""
+    """Return the texts of the file that the start-up list names, none without one."""
     if not path:
         return {}
-    found = search.find(path)
-    if found is None:
+    file = search.find(path)
+    if file is None:
         collector.report(USER_TEXTS_MISSING, None, path=path)
         return {}
-    data = read_file(found, access, collector)
+    data = read_file(file, access, collector)
     return {} if data is None else _texts(data, path, collector)
 
 

@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""The V.E variables of all channels as a whole: their places, and the memory that they take.
+"""Checks of the V.E variables of all channels together: their offsets and their memory.
 
-In: the start-up list, the variables of each channel. Out: diagnostics only; no variable is left
-out.
+In: the start-up list, the variables of each channel. Out: diagnostics only; no variable is removed.
 """
 
 from __future__ import annotations
@@ -23,7 +22,7 @@ def check_memory(
     values: Values,
     collector: Collector,
 ) -> None:
-    """Tell variables that overlap (P-EXTV-00011), and channels with too many (P-STUP-00037).
+    """Report overlapping variables (P-EXTV-00011), and channels with too many (P-STUP-00037).
 
     ``values``: those of the start-up list.
     """
@@ -33,16 +32,16 @@ def check_memory(
             _overlapping(variables, pack, collector)
     available = startup.external_variables_bytes
     for channel, variables in enumerate(lists if available else (), start=1):
-        needed = sum(size_of(one.node, pack) for one in variables.external)
+        needed = sum(size_of(variable.node, pack) for variable in variables.external)
         if needed > available:
             numbers = {"channel": channel, "needed": needed, "available": available}
             values.report(collector, EXTERNAL_VARIABLES_TOO_LARGE, ("ext_var_max",), **numbers)
 
 
 def _overlapping(variables: VariablesConfiguration, pack: int, collector: Collector) -> None:
-    """Tell variables of one scope that share bytes."""
+    """Report variables of one scope that share bytes."""
     for scope in VariableScope:
-        placed = place_variables([one for one in variables.external if one.scope is scope], pack)
-        for one, other in overlaps(placed):
-            name, earlier = other.variable.name, one.variable.name
+        placed = place_variables([item for item in variables.external if item.scope is scope], pack)
+        for first, other in overlaps(placed):
+            name, earlier = other.variable.name, first.variable.name
             collector.report(VARIABLES_OVERLAP, None, name=name, other=earlier, offset=other.offset)

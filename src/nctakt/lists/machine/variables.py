@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""The values of a variables list -> the variables, down to each number that they hold.
+"""The values of a variables list -> the variables, down to their single numbers.
 
-In: checked values. Out: ``Variable`` trees. A structure's members take synchronisation and access
-rights from what they belong to, unless their element of the structure says otherwise (P-EXTV-00018,
-00019). A variable that cannot be is reported and left out.
+In: checked values. Out: ``Variable`` trees. A structure's members inherit synchronisation and
+access rights, unless their element of the structure has its own (P-EXTV-00018, 00019). An invalid
+variable is reported and left out.
 """
 
 from __future__ import annotations
@@ -28,13 +28,13 @@ from nctakt.messages.variables import (
     VARIABLE_TOO_LARGE,
 )
 
-#: The most numbers and strings that one variable may hold.
+#: Maximum number of numbers and strings in a variable.
 MOST_LEAVES = 65_536
-#: How deep structures may contain structures.
+#: Maximum depth of structures in structures.
 MOST_NESTING = 32
-#: The highest place that a list may give a variable.
+#: Maximum offset of a variable in a list, in bytes.
 MOST_OFFSET = 0xFFFFFF
-#: Bytes that V.CH memory needs for the management of each variable, beside its data.
+#: Management data of each variable in V.CH memory, in bytes.
 MANAGEMENT_BYTES = 64
 _STRING_BYTES, _EXTENDED_STRING_BYTES, _VSTRING_BYTES = 24, 128, 128
 
@@ -42,21 +42,21 @@ _NAME = re.compile(r"[A-Za-z_]\w*", re.A)
 
 
 class VariableSpace(enum.Enum):
-    """Where a variable lives: its prefix in programs."""
+    """The space of a variable: its prefix in programs."""
 
     EXTERNAL = "V.E"
     CHANNEL = "V.CH"
 
 
 class VariableScope(enum.Enum):
-    """P-EXTV-00004: one for the whole controller or one for each channel."""
+    """The scope of a variable (P-EXTV-00004): the whole controller or each channel."""
 
     GLOBAL = "GLOBAL"
     CHANNEL = "CHANNEL"
 
 
 class AccessRights(enum.Enum):
-    """P-EXTV-00006: what NC programs and realtime cycles may do; the PLC may do both."""
+    """The rights of NC programs and realtime cycles (P-EXTV-00006); the PLC has both."""
 
     READ_WRITE = "READ_WRITE"
     READ_ONLY = "READ_ONLY"
@@ -82,7 +82,7 @@ class Node:
 
 @dataclass(frozen=True, slots=True)
 class Leaf:
-    """One number or character string inside a variable.
+    """A number or character string inside a variable.
 
     ``path``: as in a program behind ``V.E.``: ``LEVEL_1_A[0].REAL64``. ``steps``: the same, in
     parts. ``type``: a key of ``SCALARS``.
@@ -105,7 +105,7 @@ class Leaf:
 
 @dataclass(frozen=True, slots=True)
 class Variable:
-    """A variable as its list declares it; ``byte_offset`` -1: behind the variable before."""
+    """A variable as declared in its list; ``byte_offset`` -1: after the previous variable."""
 
     space: VariableSpace
     scope: VariableScope
@@ -153,7 +153,7 @@ class Variable:
 class VariablesConfiguration:
     """The variables of a list, in the order of their indices.
 
-    ``checks_overlapping``: P-EXTV-00011, whether overlapping places are told.
+    ``checks_overlapping``: whether overlapping is reported (P-EXTV-00011).
     """
 
     external: tuple[Variable, ...]
@@ -162,7 +162,7 @@ class VariablesConfiguration:
 
 
 def variables_configuration(values: Values, collector: Collector) -> VariablesConfiguration:
-    """Make the variables of a list."""
+    """Return the variables of a list."""
     builder = _Builder(values, collector)
     count = values.integer("number_used_variables")
     indices = values.indices("var[]")
@@ -180,7 +180,7 @@ def variables_configuration(values: Values, collector: Collector) -> VariablesCo
 
 
 def channel_memory_bytes(variables: tuple[Variable, ...]) -> int:
-    """What V.CH variables need of P-CHAN-00424: their data, and management for each of them."""
+    """Return the memory of V.CH variables of P-CHAN-00424: data and management, in bytes."""
     data = sum(leaf.size_bytes for variable in variables for leaf in variable.leaves())
     return data + MANAGEMENT_BYTES * len(variables)
 
@@ -194,7 +194,7 @@ class _Element:
 
 
 class _Builder:
-    """Makes the variables of one list; knows its structures by name."""
+    """Builds the variables of one list; has its structures by name."""
 
     def __init__(self, values: Values, collector: Collector) -> None:
         self.values = values
@@ -221,16 +221,16 @@ class _Builder:
     def variables(
         self, prefix: str, space: VariableSpace, indices: tuple[int, ...]
     ) -> tuple[Variable, ...]:
-        """Return the variables at ``indices`` of ``prefix``; what cannot be is reported."""
-        made: dict[str, Variable] = {}
+        """Return the variables at ``indices`` of ``prefix``; invalid ones are reported."""
+        variables: dict[str, Variable] = {}
         for index in indices:
             name = self.values.text(f"{prefix}.name", index)
-            if not self._usable(name, made, f"{prefix}.name", index):
+            if not self._usable(name, variables, f"{prefix}.name", index):
                 continue
             if not self._fits(f"{prefix}.type", f"{prefix}.array_elements", index):
                 continue
-            made[name] = self._variable(prefix, space, name, index)
-        return tuple(made.values())
+            variables[name] = self._variable(prefix, space, name, index)
+        return tuple(variables.values())
 
     def _variable(self, prefix: str, space: VariableSpace, name: str, index: int) -> Variable:
         values = self.values
@@ -280,23 +280,23 @@ class _Builder:
         for element in self.structures[type_]:
             key = element.indices
             own_synchronous, own_rights = synchronous, rights
-            if values.given(f"{prefix}.synchronisation", *key):
+            if values.is_set(f"{prefix}.synchronisation", *key):
                 own_synchronous = values.flag(f"{prefix}.synchronisation", *key)
-            if values.given(f"{prefix}.access_rights", *key):
+            if values.is_set(f"{prefix}.access_rights", *key):
                 own_rights = self._rights(f"{prefix}.access_rights", rights, *key)
             yield self._node(prefix, key, element.name, own_synchronous, own_rights)
 
     def _rights(self, pattern: str, outer: AccessRights, *indices: int) -> AccessRights:
-        """Return the rights that an entry gives; ``outer`` are those that it may inherit."""
+        """Return the rights of an entry; ``outer`` are those that it may inherit."""
         name = self.values.text(pattern, *indices)
         return outer if name == INHERIT_ACCESS else AccessRights(name)
 
-    def _size(self, type_: str, given: int) -> int:
+    def _size(self, type_: str, size: int) -> int:
         if type_ == "STRING":
             extended = self.values.flag("use_extended_string_var")
             return _EXTENDED_STRING_BYTES if extended else _STRING_BYTES
         if type_ == "VSTRING":
-            return given or _VSTRING_BYTES
+            return size or _VSTRING_BYTES
         return SCALARS[type_].size_bytes if type_ in SCALARS else 0
 
     def _usable(self, name: str, used: Container[str], pattern: str, *indices: int) -> bool:
@@ -323,7 +323,7 @@ class _Builder:
         return False
 
     def _fits(self, type_pattern: str, array_pattern: str, index: int) -> bool:
-        """Return whether the variable's type exists, ends somewhere and is not too large."""
+        """Return whether the variable's type exists, is not recursive and not too large."""
         type_ = self.values.text(type_pattern, index)
         elements = self._count(type_, (type_pattern, index), ())
         if elements is None:
@@ -344,7 +344,7 @@ class _Builder:
     def _count(
         self, type_: str, at: tuple[str, *tuple[int, ...]], outer: tuple[str, ...]
     ) -> int | None:
-        """Leaves of one element of a type, ``None`` if there is no such type."""
+        """Return the number of leaves of an element of a type, ``None`` for an unknown type."""
         if type_ in SCALARS:
             return 1
         if type_ in self.counts:

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""Where V.E variables stand in the packed memory that a PLC sees, byte by byte.
+"""The layout of V.E variables in the packed memory that a PLC sees, in bytes.
 
-In: variables in the order of their list, the alignment of P-STUP-00145. Out: the place of each
+In: variables in the order of their list, the alignment of P-STUP-00145. Out: the offset of each
 number, string and array of them. The layout is that of a C structure under ``#pragma pack(n)``:
-a member stands at a multiple of its own size or of n, whichever is less, a structure is as long as
-a multiple of its strictest member. Variables follow one another in the same way, unless the list
-gives a place (P-EXTV-00002), which is taken as it is; the next one follows it. 0, automatic, is 8.
+the offset of a member is a multiple of its own size or of n, whichever is less, the size of a
+structure is a multiple of its strictest member. Variables follow one another in the same way,
+unless the list has an offset (P-EXTV-00002); the next one follows it. 0, automatic, is 8.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from nctakt.base.dataclass import dataclass
 from nctakt.lists.declared.variables import SCALARS
 from nctakt.lists.machine.variables import Node, Variable
 
-#: Where the list leaves the alignment to the controller: that of TwinCAT 3.
+#: The alignment that the controller chooses: that of TwinCAT 3.
 AUTOMATIC_ALIGNMENT = 8
 
 
@@ -25,7 +25,7 @@ class Field:
     """A number or string, or an array of them, in one packed memory.
 
     ``path``: as in a program behind ``V.E.``, without the index of an array of ``count`` elements.
-    ``offset`` in bytes from the start of the memory. ``count``: 0 for what is no array.
+    ``offset`` in bytes from the start of the memory. ``count``: 0 for a single value.
     ``size_bytes``: of one element.
     """
 
@@ -38,7 +38,7 @@ class Field:
 
 @dataclass(frozen=True, slots=True)
 class Placed:
-    """A variable with its first byte and its bytes."""
+    """A variable with its offset and its size in bytes."""
 
     variable: Variable
     offset: int
@@ -46,7 +46,7 @@ class Placed:
 
     @property
     def end(self) -> int:
-        """The byte behind it."""
+        """The offset of the byte after it."""
         return self.offset + self.size_bytes
 
 
@@ -56,14 +56,14 @@ def pack_of(alignment: int) -> int:
 
 
 def alignment_of(node: Node, pack: int) -> int:
-    """Return the number of bytes of which a variable's place is a multiple."""
+    """Return the alignment of a variable in bytes."""
     if node.members:
         return max(alignment_of(member, pack) for member in node.members)
     return min(node.size_bytes, pack) if SCALARS[node.type].is_numeric else 1
 
 
 def size_of(node: Node, pack: int) -> int:
-    """Return the number of bytes of a variable, all elements of an array."""
+    """Return the size of a variable in bytes, with all elements of an array."""
     return _element_size(node, pack) * max(1, node.array_elements)
 
 
@@ -77,7 +77,7 @@ def _element_size(node: Node, pack: int) -> int:
 
 
 def _members(node: Node, pack: int) -> Iterator[tuple[Node, int]]:
-    """Yield the members of a structure with their places in it."""
+    """Yield the members of a structure with their offsets in it."""
     end = 0
     for member in node.members:
         offset = _aligned(end, alignment_of(member, pack))
@@ -90,7 +90,7 @@ def _aligned(offset: int, alignment: int) -> int:
 
 
 def place_variables(variables: Sequence[Variable], pack: int) -> tuple[Placed, ...]:
-    """Return the places of variables of one memory."""
+    """Return the variables of one memory with their offsets."""
     placed: list[Placed] = []
     end = 0
     for variable in variables:
@@ -103,22 +103,22 @@ def place_variables(variables: Sequence[Variable], pack: int) -> tuple[Placed, .
 
 
 def overlaps(placed: Sequence[Placed]) -> Iterator[tuple[Placed, Placed]]:
-    """Variables that share bytes: each that begins within another one, with that one."""
+    """Yield each variable that begins within another one, after that one."""
     furthest: Placed | None = None
-    for one in sorted(placed, key=lambda each: each.offset):
-        if furthest is not None and one.offset < furthest.end:
-            yield furthest, one
-        if furthest is None or one.end > furthest.end:
-            furthest = one
+    for item in sorted(placed, key=lambda each: each.offset):
+        if furthest is not None and item.offset < furthest.end:
+            yield furthest, item
+        if furthest is None or item.end > furthest.end:
+            furthest = item
 
 
 def size_bytes(placed: Sequence[Placed]) -> int:
-    """Bytes of a memory: up to the end of the variable that reaches furthest."""
-    return max((one.end for one in placed), default=0)
+    """Return the size of a memory in bytes, up to the end of its last variable."""
+    return max((item.end for item in placed), default=0)
 
 
 def fields(placed: Placed, pack: int) -> Iterator[Field]:
-    """What a variable consists of; the same order as that of its leaves."""
+    """Yield the fields of a variable, in the order of its leaves."""
     node = placed.variable.node
     yield from _fields(node, node.name, placed.offset, pack)
 

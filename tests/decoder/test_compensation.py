@@ -249,7 +249,7 @@ def test_at_the_end_of_the_program_the_contour_ends(monkeypatch: pytest.MonkeyPa
         ("D1 F100 G01\nG41 X10\nX20\nD2 G03 X30 Y10 J10\n", 4, 900952),
         ("D1 F100 G01\nG41 X10\nX50\nY4\nX10\nG40 Y0\n", 4, 90019),
         ("D1 F100 G01 Y40\nG41 X20\nY0\nG03 X22 R20\nG01 Y40\n", 4, 90038),
-        ("D1 F100 G01\nG41 X9996\nX9998\nY-40\nX0\n", 3, 900306),
+        ("D1 F99999 G01\nG41 X9996\nX9998\nY-40\nX0\n", 3, 900306),
         ("D1 F100 G01\nG41 X10\nX20\n#FLUSH\n", 4, 20651),
         ("D1 F100 G01\nG41\n#FLUSH CONTINUE\n", 3, 20651),
         ("D1 F100 G01\nG41\n#CHANNEL INIT [CMDPOS]\n", 3, 20651),

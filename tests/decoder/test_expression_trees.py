@@ -21,13 +21,16 @@ from slow_expressions import (
     values,
 )
 
+from nctakt.base.mode import is_compiled
 from nctakt.lists.machine.machine import load_machine
 from nctakt.run.controller import Controller, NcText
 
 pytestmark = pytest.mark.slow
 
 DEMO = load_machine(None)
-often = settings(max_examples=400, deadline=None, derandomize=True, database=None)
+often = settings(
+    max_examples=400 if is_compiled() else 60, deadline=None, derandomize=True, database=None
+)
 
 #: Operations whose fault is a wrong argument of a function in the decoder (21241).
 FUNCTIONS = ("SQRT", "EXP", "DEXP", "LN", "LOG", "SIN", "COS", "TAN", "COT", "ASIN", "ACOS", "INV")

@@ -18,6 +18,7 @@ import pytest
 from decoded_rows import rows
 from random_seeds import each_seed
 
+from nctakt.base.mode import is_compiled
 from nctakt.decoder import program
 from nctakt.decoder.fast import handover
 from nctakt.kernel.tick.command_queue import CommandQueue
@@ -198,6 +199,7 @@ def test_both_ways_give_the_same_commands(seed: int, monkeypatch: pytest.MonkeyP
 
 
 @pytest.mark.slow
+@pytest.mark.skipif(not is_compiled(), reason="the same in both modes")
 def test_many_random_programs_are_in_order_and_full_of_plain_blocks(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
@@ -292,6 +294,7 @@ def test_both_ways_give_the_same_contours(seed: int, monkeypatch: pytest.MonkeyP
 
 
 @pytest.mark.slow
+@pytest.mark.skipif(not is_compiled(), reason="the same in both modes")
 def test_contours_are_full_of_plain_blocks(monkeypatch: pytest.MonkeyPatch) -> None:
     """The comparison is worth something: most ways are put into the queue directly."""
     taken = 0

@@ -14,6 +14,7 @@ import pytest
 from decoded_rows import rows
 from random_seeds import each_seed
 
+from nctakt.base.mode import is_compiled
 from nctakt.decoder.values.evaluation import Evaluator
 from nctakt.nc import outline
 from nctakt.nc.fast.templates import TemplateExpression, Templates
@@ -155,6 +156,7 @@ def test_both_ways_give_the_same_commands(seed: int, monkeypatch: pytest.MonkeyP
 
 
 @pytest.mark.slow
+@pytest.mark.skipif(not is_compiled(), reason="the same in both modes")
 def test_many_random_programs_run_and_are_full_of_forms(monkeypatch: pytest.MonkeyPatch) -> None:
     """The comparison is worth something: most expressions are computed by their form."""
     known = [0, 0]

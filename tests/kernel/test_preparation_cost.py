@@ -66,6 +66,6 @@ def calls_per_block(kind: str, blocks: int) -> float:
 @pytest.mark.skipif(is_compiled(), reason="calls are counted in the plain mode")
 @pytest.mark.parametrize("kind", ["short", "long", "smooth", "arcs"])
 def test_the_cost_of_a_block_does_not_grow_with_the_program(kind: str) -> None:
-    """Five times as many cost five times as much: lines, limited jerk, arcs by their angle."""
-    few, many = calls_per_block(kind, 300), calls_per_block(kind, 1500)
+    """Three times as many cost three times as much: lines, limited jerk, arcs by their angle."""
+    few, many = calls_per_block(kind, 300), calls_per_block(kind, 900)
     assert many <= 1.4 * few

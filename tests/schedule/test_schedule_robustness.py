@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 from schedule_examples import EXAMPLE_1, EXAMPLE_2, TIGHT, load_text, with_line
 
 from nctakt.base.diagnostics import Severity
+from nctakt.base.mode import is_compiled
 from nctakt.lists.machine.scheduling import load_rtconf
 from nctakt.lists.machine.scheduling_profile import PROFILES, RtconfOptions
 from nctakt.messages import Collector
@@ -64,7 +65,7 @@ LOADS = (
     st.sampled_from(sorted(PROFILES)),
     st.sampled_from(["skip", "pend", "queue"]),
 )
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=300 if is_compiled() else 60, deadline=None)
 def test_nothing_fails(
     text: str, changes: list[tuple[str, str]], load: str | None, name: str, overflow: str
 ) -> None:

@@ -130,7 +130,7 @@ def _fields(node: Node, path: str, offset: int, pack: int) -> Iterator[Field]:
     size = _element_size(node, pack)
     for index in range(max(1, node.array_elements)):
         element = f"{path}[{index}]" if node.array_elements else path
-        for member, place_ in _members(node, pack):
+        for member, member_offset in _members(node, pack):
             yield from _fields(
-                member, f"{element}.{member.name}", offset + index * size + place_, pack
+                member, f"{element}.{member.name}", offset + index * size + member_offset, pack
             )

@@ -127,6 +127,13 @@ SLIPS = [
         "def f(self, hli)",
     ),
     (
+        "class C(Plc):\n    def begin_run(self):\n        pass\n",
+        901011,
+        4,
+        "begin_run",
+        "def begin_run(self, hli)",
+    ),
+    (
         "class C(Plc):\n    def each_tick(self):\n        pass\n",
         901011,
         4,

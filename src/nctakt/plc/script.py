@@ -46,6 +46,8 @@ if TYPE_CHECKING:
 _Method = TypeVar("_Method", bound=Callable[..., Any])
 
 _MARK = "_nctakt_when"
+#: Methods of ``Plc`` that are called with the HLI.
+_CALLED = ("each_tick", "begin_run", "unused_handlers")
 
 _CONDITION = Text("a function that takes the HLI", "eine Funktion, die das HLI nimmt")
 _NAMES = Text('names such as "M100"', 'Namen wie "M100"')
@@ -123,7 +125,7 @@ def handler_parameters(name: str, method: object, *, is_plc: bool) -> tuple[str,
 
     ``is_plc``: its class derives from ``Plc``.
     """
-    if name == "cycle" or (is_plc and name == "each_tick"):
+    if name == "cycle" or (is_plc and name in _CALLED):
         return ("self", "hli")
     marks = getattr(method, _MARK, ())
     if any(isinstance(mark, _On) for mark in marks):

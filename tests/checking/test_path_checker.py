@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
 from nctakt.base.diagnostics import Severity
@@ -97,3 +99,20 @@ def test_long_programs_are_not_followed() -> None:
     """Above 5,000 lines a run tells; the check stays fast."""
     program = "G00 X0 Y0\n" + "G01 X5 Y1\n" * 5000 + "G00 X20000\nM30\n"
     assert errors(program) == []
+
+
+def test_a_program_that_ends_as_a_subprogram_is_noted(tmp_path: Path) -> None:
+    """M29 and M17 in a file that the user names and nobody calls; in a run an error (900123)."""
+    machine = AssembledMachine(load_machine(None))
+    main, sub = tmp_path / "main.nc", tmp_path / "sub.nc"
+    main.write_text("L sub.nc\nM30\n", "utf-8")
+    sub.write_text("G00 X1\nM29\n", "utf-8")
+
+    def notes(*paths: Path) -> list[tuple[str, int]]:
+        found = check_files(list(paths), machine).found
+        return [(Path(one.file).name, one.diagnostic.id) for one in found]
+
+    assert notes(sub) == [("sub.nc", 901067)]
+    assert notes(main, sub) == []
+    assert notes(tmp_path) == []
+    assert [one.id for one in Controller().run(sub).errors] == [900123]

@@ -137,6 +137,9 @@ class _Checker:
         self._known: dict[tuple[Path, Target], None] = {}
         self._names: dict[Path, Path] = {}
         self._global_cycles: list[GlobalCycles] = []
+        #: Files that others call; programs that end as subprograms do, by the name of their file.
+        self._called: dict[Path, None] = {}
+        self._subprogram_ends: dict[str, Diagnostic] = {}
 
     def check(self, inputs: Sequence[str | Path | NcText]) -> CheckResult:
         texts = [item for item in inputs if isinstance(item, NcText)]
@@ -162,6 +165,9 @@ class _Checker:
             for target in self._targets.of(None):
                 self._program(text.name, split_lines(text.text), target, "either")
         self._programs()
+        self._report_subprogram_ends(
+            [path for path in paths if path.is_file()], [text.name for text in texts]
+        )
         collector = Collector()
         never_deleted(self._global_cycles, collector)
         self._keep("", collector.diagnostics)
@@ -309,6 +315,13 @@ class _Checker:
 
     # --- programs --------------------------------------------------------------------------------
 
+    def _report_subprogram_ends(self, files: Sequence[Path], texts: Sequence[str]) -> None:
+        """Report that programs which the user named end as subprograms, where nobody calls them."""
+        names = [path.as_posix() for path in files if path.resolve() not in self._called]
+        for name in (*names, *texts):
+            if name in self._subprogram_ends:
+                self._keep(name, [self._subprogram_ends[name]])
+
     def _queue(self, path: Path, targets: Sequence[Target], role: Role) -> None:
         """Queue a program for a check, once for each channel, by the name of the user's input."""
         key = path.resolve()
@@ -346,7 +359,10 @@ class _Checker:
         )
         self._global_cycles.append(checked.global_cycles)
         self._keep(name, collector.diagnostics, (target.channel,))
+        if checked.subprogram_end is not None:
+            self._subprogram_ends[name] = checked.subprogram_end
         for path in checked.called:
+            self._called[path.resolve()] = None
             is_input = path.resolve() in self._names
             self._queue(path, (target,), "either" if is_input else "called")
 

@@ -146,8 +146,8 @@ class PathChecker:
         self._starts_shifted = is_shifted
         self._facts = _Facts()
         self._has_axis_cycles = False
-        #: The main program ends as a subprogram does: how it begins is its caller's matter.
-        self.ends_as_subprogram = False
+        #: M17 or M29 of the main program: how the program begins is its caller's matter.
+        self.subprogram_end: Word | None = None
         self._is_main = False
 
     def section(self, *, is_main: bool) -> None:
@@ -232,7 +232,8 @@ class PathChecker:
             if isinstance(word, BracketCommand) and word.name in self._axes:
                 facts.positions.clear()
             elif isinstance(word, Word) and word.name == "M" and _is_one_of(word, SUBPROGRAM_ENDS):
-                self.ends_as_subprogram |= self._is_main
+                if self._is_main:
+                    self.subprogram_end = word
             elif isinstance(word, Word) and word.name in ("T", "D"):
                 self._shift()
         numbers = [word for word in block.words if isinstance(word, Word) and word.name == "G"]

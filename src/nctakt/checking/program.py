@@ -19,7 +19,8 @@ from nctakt.files.access import FileAccess
 from nctakt.lists.declared.tools import Tool
 from nctakt.lists.machine.axis_configuration import AxisConfiguration
 from nctakt.lists.machine.channel_configuration import ChannelParameters
-from nctakt.messages import Collector
+from nctakt.messages import Collector, diagnostic
+from nctakt.messages.program_structure import PROGRAM_ENDS_AS_SUBPROGRAM
 from nctakt.nc.check.blocks import Role
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.inspection import inspect
@@ -33,10 +34,14 @@ from nctakt.run.program_loader import find_program, missing, search_folders
 
 @dataclass(frozen=True, slots=True)
 class Checked:
-    """The links of a checked program to others: its GLOBAL cycles, the files that it calls."""
+    """The links of a checked program to others: its GLOBAL cycles, the files that it calls.
+
+    ``subprogram_end``: a note that it ends as a subprogram, where it may also be a main program.
+    """
 
     global_cycles: GlobalCycles
     called: tuple[Path, ...]
+    subprogram_end: Diagnostic | None
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,7 +92,7 @@ def check_program(
     )
     watcher = _Watchers(linter, path_checker, sees_each_block=len(source.lines) <= MAX_LINES)
     program = inspect(source, names, channel, program_diagnostics, role=role, watcher=watcher)
-    if role == "main" or not path_checker.ends_as_subprogram:
+    if role == "main" or path_checker.subprogram_end is None:
         program_diagnostics.diagnostics += of_path.diagnostics
     calls: list[tuple[str, Span]] = []
     for call in program.calls:
@@ -106,7 +111,11 @@ def check_program(
             called[path] = None
     program_diagnostics.diagnostics.sort(key=_position)
     collector.diagnostics += program_diagnostics.diagnostics
-    return Checked(linter.global_cycles, tuple(called))
+    end, note = path_checker.subprogram_end, None
+    if role == "either" and end is not None:
+        line, word = source.line_of(end.span), Findings(source, collector).written(end.span)
+        note = diagnostic(PROGRAM_ENDS_AS_SUBPROGRAM, end.span, line, word=word)
+    return Checked(linter.global_cycles, tuple(called), note)
 
 
 def _position(diagnostic: Diagnostic) -> tuple[int, int]:

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from nctakt.messages.catalogue import error, warning
+from nctakt.messages.catalogue import error, note, warning
 
 SUBPROGRAM_END_IN_MAIN_PROGRAM = error(
     900123,
@@ -11,6 +11,15 @@ SUBPROGRAM_END_IN_MAIN_PROGRAM = error(
     de="{word} beendet ein Unterprogramm, dies ist aber das Hauptprogramm",
     remedy_en="Write M30, or call this text with L or LL.",
     remedy_de="M30 schreiben oder diesen Text mit L oder LL aufrufen.",
+    word=("the word as written", "das Wort, wie geschrieben"),
+)
+PROGRAM_ENDS_AS_SUBPROGRAM = note(
+    901067,
+    en="{word} ends a subprogram: run as a main program, this file is refused (900123)",
+    de="{word} beendet ein Unterprogramm: als Hauptprogramm wird diese Datei abgelehnt (900123)",
+    remedy_en="Write M30 if it is a main program; check it together with its caller if it is not.",
+    remedy_de="M30 schreiben, wenn es ein Hauptprogramm ist; sonst mit dem Aufrufer zusammen "
+    "prüfen.",
     word=("the word as written", "das Wort, wie geschrieben"),
 )
 PROGRAM_END_IN_SUBPROGRAM = warning(

@@ -112,7 +112,7 @@ def test_a_program_that_ends_as_a_subprogram_is_noted(tmp_path: Path) -> None:
         found = check_files(list(paths), machine).found
         return [(Path(one.file).name, one.diagnostic.id) for one in found]
 
-    assert notes(sub) == [("sub.nc", 901067)]
+    assert notes(sub) == [("sub.nc", 901076)]
     assert notes(main, sub) == []
     assert notes(tmp_path) == []
     assert [one.id for one in Controller().run(sub).errors] == [900123]

@@ -14,7 +14,7 @@ SUBPROGRAM_END_IN_MAIN_PROGRAM = error(
     word=("the word as written", "das Wort, wie geschrieben"),
 )
 PROGRAM_ENDS_AS_SUBPROGRAM = note(
-    901067,
+    901076,
     en="{word} ends a subprogram: run as a main program, this file is refused (900123)",
     de="{word} beendet ein Unterprogramm: als Hauptprogramm wird diese Datei abgelehnt (900123)",
     remedy_en="Write M30 if it is a main program; check it together with its caller if it is not.",

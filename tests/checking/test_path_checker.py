@@ -15,36 +15,36 @@ from nctakt.run.controller import Controller, NcText
 
 #: Programs with one mistake each: its line and number, in a check and in a run.
 WRONG = {
-    "arc off its circle": ("G00 X0 Y0\nG02 X10 I3", 2, 900702),
-    "centre is the start": ("G00 X0 Y0\nG02 X10 I0 J0", 2, 900700),
-    "radius too small": ("G00 X0 Y0\nG03 X10 R4", 2, 900701),
-    "radius too small, G163": ("G00 X0 Y0\nG163=4\nG03 X10", 3, 900701),
-    "in inches": ("G70 G00 X0 Y0\nG02 X10 I3", 2, 900702),
-    "relative": ("G00 X5 Y5\nG91 G02 X10 I3", 2, 900702),
-    "absolute centre": ("G00 X0 Y0\nG161 G02 X10 I3 J0", 2, 900702),
-    "another plane": ("G00 X0 Z0\nG18 G02 X10 I3", 2, 900702),
-    "modal arc": ("G00 X0 Y0\nG02 X10 I5\nX20 I5\nX30 I1", 4, 900702),
+    "arc off its circle": ("G00 X0 Y0\nG02 X10 I3", 2, 20035),
+    "centre is the start": ("G00 X0 Y0\nG02 X10 I0 J0", 2, 20036),
+    "radius too small": ("G00 X0 Y0\nG03 X10 R4", 2, 20033),
+    "radius too small, G163": ("G00 X0 Y0\nG163=4\nG03 X10", 3, 20033),
+    "in inches": ("G70 G00 X0 Y0\nG02 X10 I3", 2, 20035),
+    "relative": ("G00 X5 Y5\nG91 G02 X10 I3", 2, 20035),
+    "absolute centre": ("G00 X0 Y0\nG161 G02 X10 I3 J0", 2, 20035),
+    "another plane": ("G00 X0 Z0\nG18 G02 X10 I3", 2, 20035),
+    "modal arc": ("G00 X0 Y0\nG02 X10 I5\nX20 I5\nX30 I1", 4, 20035),
     "many blocks of one shape": (
         "G00 X0 Y0\n" + "G01 X5\n" * 50 + "G01 X20\nG02 X30 I1",
         53,
-        900702,
+        20035,
     ),
-    "target": ("G00 X20000", 1, 900306),
-    "target, negative": ("G01 X-10001 F1000", 1, 900306),
-    "target of the same shape as one before": ("G00 X1\nG00 X2\nG00 X20000", 3, 900306),
-    "relative target": ("G00 X9999\nG91 X2", 2, 900306),
-    "target in inches": ("G70\nG00 X500", 2, 900306),
-    "arc beyond a limit": ("G00 X9998 Y0\nG02 Y-10 J-5", 2, 900705),
-    "in a branch": ("G00 X0 Y0\nP1 = 1\n$IF P1 == 1\nG02 X10 I3\n$ENDIF", 4, 900702),
+    "target": ("G00 X20000", 1, 120002),
+    "target, negative": ("G01 X-10001 F1000", 1, 120003),
+    "target of the same shape as one before": ("G00 X1\nG00 X2\nG00 X20000", 3, 120002),
+    "relative target": ("G00 X9999\nG91 X2", 2, 120002),
+    "target in inches": ("G70\nG00 X500", 2, 120002),
+    "arc beyond a limit": ("G00 X9998 Y0\nG02 Y-10 J-5", 2, 120002),
+    "in a branch": ("G00 X0 Y0\nP1 = 1\n$IF P1 == 1\nG02 X10 I3\n$ENDIF", 4, 20035),
     "behind branches that agree": (
         "P1 = 1\n$IF P1 == 1\nG00 X0 Y0\n$ELSE\nG00 X0 Y0\n$ENDIF\nG02 X10 I3",
         7,
-        900702,
+        20035,
     ),
     "in a local subprogram": (
         "%L SUB\nG90 G17 G162 G71 G00 X0 Y0\nG02 X10 I3 F9\nM17\n%MAIN\nLL SUB",
         3,
-        900702,
+        20035,
     ),
 }
 #: Programs that run, or whose mistake only a run can know.
@@ -70,7 +70,7 @@ UNKNOWN = (
 def errors(program: str, role: str = "") -> list[tuple[int, int]]:
     """Line and number of each error that a check of the program finds."""
     checked = check_files([NcText("p.nc", program)], AssembledMachine(load_machine(None)))
-    found = [one.diagnostic for one in checked.found]
+    found = [one.diagnostic for one in checked.findings]
     return [(one.span.line, one.id) for one in found if one.severity is Severity.ERROR and one.span]
 
 
@@ -102,7 +102,7 @@ def test_long_programs_are_not_followed() -> None:
 
 
 def test_a_program_that_ends_as_a_subprogram_is_noted(tmp_path: Path) -> None:
-    """M29 and M17 in a file that the user names and nobody calls; in a run an error (900123)."""
+    """M29 and M17 in a file that the user names and nobody calls; in a run an error (20376)."""
     machine = AssembledMachine(load_machine(None))
     main, sub = tmp_path / "main.nc", tmp_path / "sub.nc"
     main.write_text("L sub.nc\nM30\n", "utf-8")
@@ -115,4 +115,4 @@ def test_a_program_that_ends_as_a_subprogram_is_noted(tmp_path: Path) -> None:
     assert notes(sub) == [("sub.nc", 901076)]
     assert notes(main, sub) == []
     assert notes(tmp_path) == []
-    assert [one.id for one in Controller().run(sub).errors] == [900123]
+    assert [one.id for one in Controller().run(sub).errors] == [20376]

@@ -101,7 +101,7 @@ def test_errors_are_shown_with_line_caret_and_remedy(check: Check) -> None:
     write("bad.nc", BAD)
     checked = check("bad.nc")
     assert checked.code == 1
-    assert checked.found[:2] == [("bad.nc", 1, 900203), ("bad.nc", 2, 900200)]
+    assert checked.found[:2] == [("bad.nc", 1, 20797), ("bad.nc", 2, 900200)]
     assert checked.lines[1:3] == ["    G00 X10 Q5", "            ^^"]
     assert checked.lines[-1] == "1 file: 2 errors, 0 warnings, 0 notes"
 
@@ -143,7 +143,7 @@ def test_a_file_named_twice_is_checked_once(check: Check) -> None:
     """Also by another path, and through its folder."""
     write("sub/bad.nc", BAD)
     checked = check("sub/bad.nc", "sub/../sub/bad.nc", "sub")
-    assert checked.ids == [900203, 900200]
+    assert checked.ids == [20797, 900200]
     assert checked.lines[-1].startswith("1 file:")
 
 
@@ -203,7 +203,7 @@ def test_a_machine_folder_is_checked_as_a_whole(check: Check) -> None:
     write("mine/part.nc", GOOD)
     checked = check("mine")
     assert checked.found == [
-        ("mine/lists/achs_mds1.lis", 2, 900019),
+        ("mine/lists/achs_mds1.lis", 2, 1024),
         ("mine/lists/spare.lis", 1, 900583),
         ("mine/lists/spare.lis", 2, 900023),
         ("", 0, 900585),
@@ -223,7 +223,7 @@ def test_tools_and_offsets_that_a_machine_names_are_checked(check: Check) -> Non
     Path("mine/nullp_d1.lis").unlink()
     write("mine/tools.lis", "wz[0].laenge 5\nEnde\n")
     checked = check("mine")
-    assert checked.ids == [900062, 900740]
+    assert checked.ids == [2001, 900740]
     assert checked.lines[-1].startswith("14 files: ")
 
 
@@ -257,7 +257,7 @@ def test_a_list_alone_tells_its_kind(check: Check, name: str, content: str, kind
 def test_a_start_up_list_of_any_name_stands_for_its_machine(check: Check) -> None:
     """Its references are looked for; other formats than ASCII are refused."""
     write("start.lis", "listen ASCII\nkanal_anzahl 1\nsda_mds[0] ./gone.lis\nEnde\n")
-    assert check("start.lis").ids == [900068, 900077, 900062]
+    assert check("start.lis").ids == [900068, 900077, 2001]
     write("start.lis", "listen BINARY\nEnde\n")
     assert 900064 in check("start.lis").ids
 
@@ -267,7 +267,7 @@ def test_the_start_up_list_of_a_folder_stands_for_its_machine(check: Check) -> N
     shutil.copytree(DEMO, "mine")
     assert check("mine/hochlauf.lis").lines == ["15 files: 0 errors, 0 warnings, 0 notes"]
     Path("mine/achs_mds2.lis").unlink()
-    assert 900062 in check("mine").ids
+    assert 2001 in check("mine").ids
     assert check("mine/hochlauf.lis").ids == check("mine").ids
 
 
@@ -330,7 +330,7 @@ def test_links_of_a_folder(check: Check) -> None:
     Path("set/part.nc").symlink_to("../real/part.nc")
     Path("set/gone.nc").symlink_to("nowhere.nc")
     Path("set/again").symlink_to("..")
-    assert check("set").ids == [900500, 900203, 900200]
+    assert check("set").ids == [900500, 20797, 900200]
 
 
 # --- what cannot be read -------------------------------------------------------------------------
@@ -407,7 +407,7 @@ def test_a_folder_that_fails_while_it_is_read(
 def test_standard_input(check: Check, monkeypatch: pytest.MonkeyPatch) -> None:
     """'-' is a program, once."""
     monkeypatch.setattr("sys.stdin", io.TextIOWrapper(io.BytesIO(BAD.encode())))
-    assert check("-").found[0] == ("<stdin>", 1, 900203)
+    assert check("-").found[0] == ("<stdin>", 1, 20797)
     checked = check("-", "-")
     assert checked.code == 2
     assert "error 900504" in checked.err
@@ -421,7 +421,7 @@ def test_a_named_pipe_is_read_once(check: Check) -> None:
     writer.start()
     checked = check("pipe")
     writer.join()
-    assert checked.ids == [900203, 900200]
+    assert checked.ids == [20797, 900200]
 
 
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="no named pipes here")
@@ -444,14 +444,17 @@ def test_an_empty_program_is_told(check: Check) -> None:
 @pytest.mark.parametrize(
     ("words", "ids"),
     [
-        (("--select", "900203"), [900203]),
-        (("--select", "NCTAKT900203,900235"), [900203, 900235]),
-        (("--select", "90020", "--select", "90023"), [900203, 900200, 900235]),
-        (("--select", "900203-900300"), [900203, 900235]),
+        (("--select", "20797"), [20797]),
+        (("--select", "900203"), [20797]),
+        (("--ignore", "900203"), [900200, 900235]),
+        (("--ignore", "110087"), [20797, 900200, 900235]),
+        (("--select", "NCTAKT900203,900235"), [20797, 900235]),
+        (("--select", "90020", "--select", "90023"), [20797, 900200, 900235]),
+        (("--select", "900203-900300"), [20797, 900235]),
         (("--ignore", "9002"), []),
-        (("--ignore", "900200 , 900235"), [900203]),
-        (("--select", "9002", "--ignore", "900203"), [900200, 900235]),
-        (("--ignore", "900585"), [900203, 900200, 900235]),
+        (("--ignore", "900200 , 900235"), [20797]),
+        (("--select", "9002", "--ignore", "20797"), [900200, 900235]),
+        (("--ignore", "900585"), [20797, 900200, 900235]),
     ],
 )
 def test_select_and_ignore(check: Check, words: tuple[str, ...], ids: list[int]) -> None:
@@ -460,11 +463,11 @@ def test_select_and_ignore(check: Check, words: tuple[str, ...], ids: list[int])
     write("b.nc", FROZEN)
     checked = check(".", *words)
     assert checked.ids == ids
-    assert checked.code == (1 if {900203, 900200} & set(ids) else 0)
+    assert checked.code == (1 if {20797, 900200} & set(ids) else 0)
     assert ("900585" in checked.out) == ("900585" not in words and "--select" not in words)
 
 
-@pytest.mark.parametrize("text", ["abc", "123", "5-6", "", "900200-", "900203,x"])
+@pytest.mark.parametrize("text", ["abc", "123", "5-6", "", "900200-", "20797,x"])
 def test_a_word_that_selects_nothing_is_wrong_usage(check: Check, text: str) -> None:
     """It is likely misspelt, and would let a check pass that was not made."""
     write("bad.nc", BAD)
@@ -480,9 +483,9 @@ def test_output_goes_to_a_file(check: Check) -> None:
     checked = check("bad.nc", "--output", "found.txt")
     assert checked.code == 1
     assert checked.lines[-1] == "1 file: 2 errors, 0 warnings, 0 notes"
-    assert "900203" not in checked.out
+    assert "20797" not in checked.out
     lines = Path("found.txt").read_text("utf-8").splitlines()
-    assert lines[0].startswith("bad.nc:1:9: error 900203")
+    assert lines[0].startswith("bad.nc:1:9: error 20797")
     assert check("bad.nc", "--output", "gone/found.txt").code == 2
 
 
@@ -497,7 +500,7 @@ def test_a_reader_that_closes_early_is_no_error() -> None:
         stderr=subprocess.PIPE,
     )
     assert process.stdout is not None and process.stderr is not None
-    assert b"900203" in process.stdout.readline()
+    assert b"20797" in process.stdout.readline()
     process.stdout.close()
     errors = process.stderr.read()
     process.stderr.close()
@@ -510,7 +513,7 @@ def test_thousands_of_unknown_entries_are_a_few_lines(check: Check) -> None:
     entries = "".join(f"lr_param.group[{i % 7}].key_{i} {i}\n" for i in range(2000))
     write("x.lis", f"kopf.achs_nr 1\n{entries}Ende\n")
     checked = check("x.lis")
-    assert (checked.ids, checked.code) == ([900583, *[900008] * 20, 900010], 0)
+    assert (checked.ids, checked.code) == ([900583, *[110303] * 20, 900010], 0)
     verbose = check("x.lis", "--verbose")
     assert len(verbose.ids) == 2001
     assert verbose.lines[-1].startswith("1 file: 0 errors, 2000 warnings")
@@ -527,7 +530,7 @@ def test_called_files_are_checked_in_their_place(check: Check) -> None:
     write("lib/deep.nc", "L gone.nc\nM17\n")
     checked = check("part.nc")
     assert checked.found == [
-        ("lib/deep.nc", 1, 900131),
+        ("lib/deep.nc", 1, 20369),
         ("sub.nc", 2, 900200),
         ("", 0, 900585),
     ]
@@ -539,7 +542,7 @@ def test_a_called_file_ends_with_m17(check: Check) -> None:
     """One that is only called: M30 in it ends the main program, which is a warning."""
     write("part.nc", "L sub.nc\nM30\n")
     write("sub.nc", "G00 X1\nM30\n")
-    assert check("part.nc").ids == [900124]
+    assert check("part.nc").ids == [20377]
     assert check("part.nc", "sub.nc").ids == []
 
 
@@ -574,7 +577,7 @@ def test_programs_in_a_machines_folder_are_for_its_channels(check: Check) -> Non
     for folder in ("one", "two", "three"):
         write(f"mine/{folder}/{folder}.nc", "G00 A10\nM30\n")
     checked = check("mine")
-    assert of_programs(checked) == [("mine/two/two.nc", 1, 900203)]
+    assert of_programs(checked) == [("mine/two/two.nc", 1, 20797)]
     assert 900585 not in [number for _, _, number in checked.found]
 
 
@@ -582,8 +585,8 @@ def test_a_folder_of_two_channels_is_checked_for_both(check: Check) -> None:
     """What one of them cannot run is told; what both cannot, once."""
     two_channels({1: "path[0].dir ./nc", 2: "path[0].dir ./nc"})
     write("mine/nc/a.nc", "G00 A10\nG33\nM30\n")
-    checked = check("mine", "--select", "900203,900200")
-    assert checked.found == [("mine/nc/a.nc", 1, 900203), ("mine/nc/a.nc", 2, 900200)]
+    checked = check("mine", "--select", "20797,900200")
+    assert checked.found == [("mine/nc/a.nc", 1, 20797), ("mine/nc/a.nc", 2, 900200)]
     told = [number for number, line in enumerate(checked.lines) if line == "  channel: 2"]
     assert told == [4]
     assert "  Kanal: 2" in check("mine", "--lang", "de").lines
@@ -593,9 +596,9 @@ def test_formats_name_the_channels(check: Check) -> None:
     """JSON, SARIF and GitHub tell which channels cannot run a block."""
     two_channels({1: "path[0].dir ./nc", 2: "path[0].dir ./nc"})
     write("mine/nc/a.nc", "G00 A10\nG33\nM30\n")
-    words = ("mine/nc/a.nc", "--select", "900203,900200", "--format")
+    words = ("mine/nc/a.nc", "--select", "20797,900200", "--format")
     found = json.loads(check(*words, "json").out)["diagnostics"]
-    assert [(one["id"], one["channels"]) for one in found] == [(900203, [2]), (900200, [])]
+    assert [(one["id"], one["channels"]) for one in found] == [(20797, [2]), (900200, [])]
     for format_ in ("github", "sarif"):
         assert check(*words, format_).out.count("channel: 2") == 1
 
@@ -611,7 +614,7 @@ def test_the_machine_around_a_program_is_found(check: Check, named: str) -> None
     assert checked.code == 0
     assert [number for _, _, number in checked.found] == [900815]
     assert "for the machine of mine/hochlauf.lis" in checked.out
-    assert of_programs(check(named, "--machine", str(DEMO))) == [("mine/nc/a.nc", 1, 900203)]
+    assert of_programs(check(named, "--machine", str(DEMO))) == [("mine/nc/a.nc", 1, 20797)]
     assert 900815 not in [number for _, _, number in check("mine").found]
 
 
@@ -621,7 +624,7 @@ def test_the_nearest_machine_counts_and_its_errors_are_told(check: Check) -> Non
     shutil.copytree(DEMO, "mine/inner")
     Path("mine/inner/achs_mds4.lis").unlink()
     write("mine/inner/a.nc", "G00 C10\nM30\n")
-    assert check("mine/inner/a.nc").ids == [900203, 900062, 900066, 900815]
+    assert check("mine/inner/a.nc").ids == [20797, 2001, 20312, 900815]
 
 
 def test_a_broken_machine_around_a_program(check: Check) -> None:
@@ -641,7 +644,7 @@ def test_a_named_machine_counts_for_all_programs(check: Check) -> None:
     shutil.copytree(DEMO, "demo")
     write("mine/c.nc", "G00 C10\nM30\n")
     assert of_programs(check("mine")) == []
-    assert of_programs(check("mine", "--machine", "demo")) == [("mine/c.nc", 1, 900203)]
+    assert of_programs(check("mine", "--machine", "demo")) == [("mine/c.nc", 1, 20797)]
 
 
 def test_programs_that_run_with_each_other_one_are_checked(check: Check) -> None:
@@ -651,7 +654,7 @@ def test_programs_that_run_with_each_other_one_are_checked(check: Check) -> None
     write("mine/part.nc", "%part\nM30\n")
     assert of_programs(check("mine/part.nc", "--machine", "mine")) == [
         ("mine/begin.nc", 1, 900200),
-        ("mine/part.nc", 1, 900131),
+        ("mine/part.nc", 1, 20369),
     ]
 
 
@@ -671,8 +674,8 @@ def test_the_root_folder_is_searched(check: Check) -> None:
     shutil.copytree(DEMO, "mine")
     Path("elsewhere/listen").mkdir(parents=True)
     Path("mine/werkz_d1.lis").rename("elsewhere/listen/werkz_d1.lis")
-    assert check("mine").ids == [900062]
-    assert check("mine", "--root", "elsewhere").ids == [900062]
+    assert check("mine").ids == [2001]
+    assert check("mine", "--root", "elsewhere").ids == [2001]
     assert check("mine", "--root", "elsewhere/listen").ids == []
 
 

@@ -57,4 +57,4 @@ def test_the_python_runs(capsys: pytest.CaptureFixture[str]) -> None:
     Path("programs/bad.nc").write_text("Q1\n", encoding="utf-8")
     (code,) = blocks("python")
     exec(compile(code, "checking.md", "exec"), {})
-    assert "programs/bad.nc:1:1: error 900203" in capsys.readouterr().out
+    assert "programs/bad.nc:1:1: error 20797" in capsys.readouterr().out

@@ -67,6 +67,7 @@ def test_json(capsys: pytest.CaptureFixture[str]) -> None:
     assert [one["id"] for one in document["diagnostics"]] == [900242, 22009, 900583, 900009]
     assert document["diagnostics"][1] == {
         "id": 22009,
+        "also": [],
         "rule": "NCTAKT22009",
         "severity": "error",
         "file": "programs, new/part ä.nc",

@@ -33,6 +33,36 @@ def test_message(capsys: Captured) -> None:
     )
 
 
+@pytest.mark.parametrize("number", ["20840", "900126"])
+def test_both_numbers_of_a_message(number: str, capsys: Captured) -> None:
+    """RC-801: the controller's number and ours find the same message."""
+    assert main(["explain", number]) == 0
+    out = capsys.readouterr().out
+    assert "20840: error of the controller\n" in out
+    assert "Also known as  900126, 21697, 21698\n" in out
+
+
+def test_a_number_of_several_messages(capsys: Captured) -> None:
+    """Each message that the controller reports under one number is told."""
+    assert main(["explain", "20836"]) == 0
+    out = capsys.readouterr().out
+    assert out.count("20836: error of the controller\n") == 2
+    assert "900128" in out
+    assert "900309" in out
+
+
+def test_a_number_of_a_parameter(capsys: Captured) -> None:
+    """errors-map.md: what the controller says of a value in a list."""
+    assert main(["explain", "110087"]) == 0
+    assert capsys.readouterr().out == (
+        "110087: number of the controller for a parameter\n"
+        "  The controller reports it when it reads the list.\n"
+        "    P-AXIS-00236 getriebe[].window  it is 0, which is not allowed\n"
+    )
+    assert main(["explain", "P-AXIS-00236"]) == 0
+    assert "110087" in capsys.readouterr().out
+
+
 def test_parameter_in_german(capsys: Captured) -> None:
     """RC-5xx: ID, name, range, unit and default of a parameter, in the language asked for."""
     assert main(["explain", "P-CHAN-00425", "--lang", "de"]) == 0

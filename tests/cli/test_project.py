@@ -65,7 +65,7 @@ def test_the_command_line_comes_before_environment_and_file(
     """--machine, then NCTAKT_MACHINE, then the file; NCTAKT_LANGUAGE before the file's."""
     write("nctakt.toml", 'machine = "demo"\nlanguage = "de"\n')
     assert told("run", "programs/a.nc")[0] == 1
-    assert "Fehler 900203" in told("check", "programs/a.nc")[1]
+    assert "Fehler 20797" in told("check", "programs/a.nc")[1]
     monkeypatch.setenv("NCTAKT_MACHINE", "demo5")
     for command in ("run", "check"):
         code, out, err = told(command, "programs/a.nc")
@@ -114,7 +114,7 @@ def test_a_check_of_folders_takes_each_project(told: Told) -> None:
     write("two/a.nc", PROGRAM)
     code, out, _ = told("check", "one", "two")
     assert code == 1
-    assert "one/a.nc:1:5: error 900203" in out
+    assert "one/a.nc:1:5: error 20797" in out
     assert "two/a.nc" not in out.replace("two/nctakt.toml", "")
     assert out.count("note 901064") == 2
 

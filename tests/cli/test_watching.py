@@ -69,7 +69,7 @@ def test_a_check_is_repeated_at_each_change(tmp_path: Path) -> None:
     try:
         assert "1 file: 0 errors" in watched.until_it_waits()
         program.write_text("G01 Q10 F1000\nM30\n", "utf-8")
-        assert "a.nc:1:5: error 900203" in watched.until_it_waits()
+        assert "a.nc:1:5: error 20797" in watched.until_it_waits()
         (tmp_path / "b.nc").write_text("G01 X10 F1000\nM30\n", "utf-8")
         assert "2 files: 1 error" in watched.until_it_waits()
         assert watched.end() == 1

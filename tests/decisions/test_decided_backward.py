@@ -58,21 +58,21 @@ def at(run: Run, tick: int, name: str = "X.ACS.ACT_POS") -> float:
 
 
 def test_without_memory_the_path_goes_on_and_the_operator_is_warned(tmp_path: Path) -> None:
-    """P-STUP-00033 0, the default: 900880 once for each command, and no change of the motion."""
+    """P-STUP-00033 0, the default: 50453 once for each command, and no change of the motion."""
     machine = with_memory(tmp_path, 0)
     run = perform("G00 X10\nM30", (20, 1.0), (30, 0.0), (40, 1.0), machine=machine)
     assert run.state == "ended"
     assert run.ticks == 101
-    assert numbers(run) == [900880, 900880]
-    with pytest.raises(Failure, match="900880"):
+    assert numbers(run) == [50453, 50453]
+    with pytest.raises(Failure, match="50453"):
         Controller(machine).backward()
 
 
 def test_a_program_that_begins_while_backward_is_commanded_waits_and_says_so() -> None:
-    """There is no way behind its first block: 900890 once, then it waits until forward (MO-7)."""
+    """There is no way behind its first block: 50449 once, then it waits until forward (MO-7)."""
     run = perform("N10 G00 X10\nM30", (0, 1.0), (200, 0.0))
     assert run.state == "ended"
-    assert numbers(run) == [900890]
+    assert numbers(run) == [50449]
     assert run.diagnostics[0].span is not None
     assert run.diagnostics[0].span.line == 1
     assert at(run, 200) > 0.0 == at(run, 199)
@@ -168,7 +168,7 @@ def test_the_walk_stops_in_front_of_a_block_whose_axis_moves_on_its_own() -> Non
 
 
 @pytest.mark.parametrize("slope", ["", "#SLOPE [TYPE=TRAPEZ]\n"])
-@pytest.mark.parametrize(("x", "found"), [(26.0, []), (20.1, [900435])])
+@pytest.mark.parametrize(("x", "found"), [(26.0, []), (20.1, [50766])])
 def test_an_axis_that_is_taken_in_front_of_its_block_does_not_stop_the_walk_in_a_step(
     x: float, found: list[int], slope: str
 ) -> None:
@@ -199,7 +199,7 @@ def test_an_axis_that_is_taken_in_front_of_its_block_does_not_stop_the_walk_in_a
 
 
 def test_an_axis_that_moves_when_the_path_wants_it_again_stops_the_channel() -> None:
-    """Forward the walk comes to a block whose axis a cycle has got meanwhile: 900435 (MO-13)."""
+    """Forward the walk comes to a block whose axis a cycle has got meanwhile: 50766 (MO-13)."""
     text = (
         "N10 G00 Y10\n#RT CYCLE [ID = 1 SCOPE = PROG]\n"
         "$IF ONCE V.RTA.ACS.ACT_POS.Y < 5\nX[INDP G90 POS=-5 G01 FEED=60]\n$ENDIF\n#RT CYCLE END\n"
@@ -207,7 +207,7 @@ def test_an_axis_that_moves_when_the_path_wants_it_again_stops_the_channel() -> 
     )
     run = perform(text, (180, 1.0), (500, 0.0))
     assert run.state == "error"
-    assert numbers(run) == [900435]
+    assert numbers(run) == [50766]
     assert run.diagnostics[0].span is not None
     assert run.diagnostics[0].span.line == 7
 

@@ -22,10 +22,10 @@ def machine(**obstacles: float) -> Controller:
 
 
 def test_an_axis_that_finds_no_stop_is_an_error_unless_it_may() -> None:
-    """No obstacle on the way: 50885 behind the block; with ERR_NOT_DETECTED=0 it goes on."""
+    """No obstacle on the way: 50886 behind the block; with ERR_NOT_DETECTED=0 it goes on."""
     run = perform(f"G01 X10 F6000 {ON}]\nG00 X20\nM30")
     assert run.state == "error"
-    assert numbers(run) == [50885]
+    assert numbers(run) == [50886]
     run = perform(f"G01 X10 F6000 {ON} ERR_NOT_DETECTED=0]\nG00 X20\nM30")
     assert run.state == "ended"
     assert told(run, "fixed_stop") == []
@@ -67,7 +67,7 @@ def test_start_and_end_bound_the_part_of_the_way() -> None:
         told(early, "fixed_stop")[0].split()[0]
     ) == pytest.approx(80, abs=1)
     never = perform(f"G01 X100 F6000 {ON} END=40]\nM30", machine(X=50.0))
-    assert numbers(never) == [50885]
+    assert numbers(never) == [50886]
 
 
 def test_monitoring_ends_with_the_program_and_with_a_reset() -> None:

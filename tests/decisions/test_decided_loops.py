@@ -154,10 +154,10 @@ def test_a_loop_needs_the_history_of_the_path_and_compensation_off() -> None:
         startup = replace(channel.startup, backward_memory_bytes=size)
         return Controller(replace(demo, channels=(replace(channel, startup=startup),)))
 
-    assert numbers(perform(f"G01 F6000\n{CIRCLE}M30", with_memory(0))) == [900881]
+    assert numbers(perform(f"G01 F6000\n{CIRCLE}M30", with_memory(0))) == [51029]
     blocks = "\n".join(f"G01 X{i % 2}" for i in range(1, 201))
     long_body = f"G01 F600\n#RT WHILE\n{blocks}\n#RT ENDWHILE\nM30"
-    assert numbers(perform(long_body, with_memory(16384))) == [900882]
+    assert numbers(perform(long_body, with_memory(16384))) == [51027]
     active = f"V.G.WZ_AKT.R = 1\nG01 F6000\nG41 X1\n{CIRCLE}G40 X0\nM30"
     assert numbers(perform(active))[0] == 22158
 

@@ -62,10 +62,10 @@ def test_a_modulo_axis_shows_positions_in_its_range() -> None:
 
 
 def test_a_target_beyond_a_software_limit_gives_the_program_up() -> None:
-    """900306 when the block is decoded; the axis stays where the block before has put it."""
+    """120002 when the block is decoded; the axis stays where the block before has put it."""
     controller = Controller()
     run = perform("G00 X2\nG91\nG00 X9999\nM30", controller)
-    assert (run.state, numbers(run)) == ("error", [900306])
+    assert (run.state, numbers(run)) == ("error", [120002])
     assert controller.read("V.RTA.ACS.ACT_POS.X") == 2.0
     assert left("G00 X10000\nM30", "V.RTA.ACS.ACT_POS.X") == 10000.0
 
@@ -133,10 +133,10 @@ def test_a_skipped_block_runs() -> None:
 
 
 def test_a_dwell_is_in_seconds_however_it_is_written() -> None:
-    """``G04 X0.003``, ``G04 0.003`` and ``#TIME 0.003`` are three ticks; −1 is 900305."""
+    """``G04 X0.003``, ``G04 0.003`` and ``#TIME 0.003`` are three ticks; −1 is 20751."""
     for dwell in ("G04 X0.003", "G04 0.003", "#TIME 0.003"):
         assert ticks_of(f"{dwell}\nM30") == 3, dwell
-    assert numbers(perform("#TIME -1\nM30")) == [900305]
+    assert numbers(perform("#TIME -1\nM30")) == [20751]
 
 
 def test_the_path_never_jumps() -> None:

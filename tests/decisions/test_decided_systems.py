@@ -103,16 +103,16 @@ def test_the_next_program_has_no_system() -> None:
 @pytest.mark.parametrize(
     ("program", "number"),
     [
-        ("#CS OFF", 900841),
-        ("#CS ON", 900840),
-        ("#CS ON [3]", 900840),
-        ("$FOR P1 = 1, 6, 1\n#CS DEF [P1] [1, 2, 3]\n$ENDFOR", 900844),
+        ("#CS OFF", 20824),
+        ("#CS ON", 20821),
+        ("#CS ON [3]", 20821),
+        ("$FOR P1 = 1, 6, 1\n#CS DEF [P1] [1, 2, 3]\n$ENDFOR", 20826),
         ("#CS ON [0,0,0,10]\nG02 X10 I5 F100", 900842),
         ("#CS ON [0,0,0,180]\nD1 G41 G01 X10 F100", 900845),
         ("D1 G41 G01 X10 F100\n#CS ON [1,0,0]", 900846),
         ("D1 G41 G01 X10 F100\nX20\nG40\n#CS ON [1,0,0]", 900846),
-        ("#CS ON [9000,0,0]\nG00 X2000", 900306),
-        ("#CS ON [0,0,0,0,0,45]\nG00 X9000 Y9000", 900306),
+        ("#CS ON [9000,0,0]\nG00 X2000", 120002),
+        ("#CS ON [0,0,0,0,0,45]\nG00 X9000 Y9000", 120002),
     ],
 )
 def test_what_cannot_be(program: str, number: int) -> None:
@@ -144,10 +144,10 @@ def test_arcs_in_each_plane_of_a_turned_system(plane: int) -> None:
 
 
 def test_a_system_needs_three_linear_axes(tmp_path: Path) -> None:
-    """900843: the third axis of this channel is rotary."""
+    """20660: the third axis of this channel is rotary."""
     lines = ["gruppe[0].achse[2].log_achs_nr 4", "gruppe[0].achse[3].log_achs_nr 3"]
     machine = changed_machine({"sda_mds1.lis": lines}, tmp_path / "machine")
-    assert 900843 in numbers(perform("#CS ON [1,0,0]\nM30", Controller(machine)))
+    assert 20660 in numbers(perform("#CS ON [1,0,0]\nM30", Controller(machine)))
 
 
 def test_tool_offsets_are_not_turned() -> None:
@@ -171,11 +171,11 @@ def test_single_axes_are_in_no_system() -> None:
     [
         ("#CS ADD [MCS] [1]", 900929),
         ("#CS ADD [LONGNAMES] [1]", 900929),
-        ("#CS ADD [A] [1]\n#CS ADD [a] [2]", 900930),
-        ("".join(f"#CS ADD [N{n}] [1]\n" for n in range(6)), 900930),
-        ("#CS SELECT [A]", 900931),
-        ("#CS ADD [A] [1]\n#CS SELECT [B]", 900931),
-        ("#CS ADD [A] [1]\n#CS ON [2]\n#CS SELECT [A]", 900840),
+        ("#CS ADD [A] [1]\n#CS ADD [a] [2]", 21599),
+        ("".join(f"#CS ADD [N{n}] [1]\n" for n in range(6)), 21599),
+        ("#CS SELECT [A]", 21601),
+        ("#CS ADD [A] [1]\n#CS SELECT [B]", 21601),
+        ("#CS ADD [A] [1]\n#CS ON [2]\n#CS SELECT [A]", 20821),
         ("#CS ADD [A] [1]\n#CS ON [2, 0]\n#CS SELECT [A]", 900932),
         ("#CS ADD [A]", 900233),
         ("#CS ADD [1, 2] [1]", 900233),

@@ -59,6 +59,4 @@ def test_data_of_the_controller_are_read_when_the_block_is_decoded() -> None:
 def test_a_timer_has_a_whole_number_within_the_bank() -> None:
     """0 … 127."""
     for identity in ("128", "-1", "0.5"):
-        assert [one.id for one in run(f"P1 = {identity}\n#TIMER START [ID=P1]\n").errors] == [
-            900318
-        ]
+        assert [one.id for one in run(f"P1 = {identity}\n#TIMER START [ID=P1]\n").errors] == [21167]

@@ -292,9 +292,9 @@ def test_a_closed_contour_that_begins_in_an_inner_corner_is_told_so() -> None:
     """At 0, 5, beside the first line, the tool of radius 5 cuts 5 mm into X 0, the last line."""
     run = Controller().run(NcText("p.nc", START + POCKET), signals=[])
     found = [(one.id, one.span.line, one.values["line"]) for one in run.diagnostics if one.span]
-    assert found == [(900953, 7, 4)]
+    assert found == [(90123, 7, 4)]
     run = Controller(watching()).run(NcText("p.nc", START + POCKET), signals=[])
-    assert [(one.id, one.span.line) for one in run.errors if one.span] == [(900954, 7)]
+    assert [(one.id, one.span.line) for one in run.errors if one.span] == [(90123, 7)]
 
 
 def test_a_closed_contour_that_begins_elsewhere_is_told_nothing() -> None:

@@ -51,14 +51,14 @@ def test_a_computed_number_counts_as_if_it_were_written() -> None:
 @pytest.mark.parametrize(
     ("block", "error"),
     [
-        ("M[P1 - 200]", 900204),
-        ("M[P1 + 400]", 900205),
-        ("H[P1 + 400]", 900205),
+        ("M[P1 - 200]", 20154),
+        ("M[P1 + 400]", 20157),
+        ("H[P1 + 400]", 20162),
         ("G[P1 - 67]", 900200),
-        ("G[P1 + 400]", 900204),
-        ("M[P1 - 83]", 900123),
-        ("M100=[P1 * 1000000000]", 900847),
-        ("M[P1 / 0]", 900300),
+        ("G[P1 + 400]", 20131),
+        ("M[P1 - 83]", 20376),
+        ("M100=[P1 * 1000000000]", 21494),
+        ("M[P1 / 0]", 20396),
         ("G[P1 - 100] G[P1 - 99] X1", 900210),
     ],
 )
@@ -127,9 +127,9 @@ def test_the_format_of_a_message_may_be_a_variable(text: str, shown: str) -> Non
 @pytest.mark.parametrize(
     ("text", "error"),
     [
-        ('V.P.T = "%d"\n#MSG [V.P.T]', 900304),
-        ("V.P.T = 5\n#MSG [V.P.T]", 900342),
-        ('V.P.T = "%y"\n#MSG [V.P.T, 1]', 900304),
+        ('V.P.T = "%d"\n#MSG [V.P.T]', 20721),
+        ("V.P.T = 5\n#MSG [V.P.T]", 21460),
+        ('V.P.T = "%y"\n#MSG [V.P.T, 1]', 20721),
     ],
 )
 def test_a_format_that_does_not_fit_ends_the_program(text: str, error: int) -> None:

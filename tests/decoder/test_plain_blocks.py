@@ -313,7 +313,7 @@ def test_contours_are_full_of_plain_blocks(monkeypatch: pytest.MonkeyPatch) -> N
     assert taken > 0.5 * sum(len(queue) for queue, _ in found)
 
 
-@pytest.mark.parametrize(("back", "number"), [("Y18", 900950), ("Y20", 900953)])
+@pytest.mark.parametrize(("back", "number"), [("Y18", 900950), ("Y20", 90123)])
 def test_a_contour_that_is_damaged_is_told_at_its_line(
     back: str, number: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -336,10 +336,10 @@ def test_a_contour_that_is_damaged_is_told_at_its_line(
 
 
 def test_blocks_that_the_short_way_does_not_take_are_told_from_the_tree() -> None:
-    """Software limits (900306), a missing feed (20008): with the place of their word or block."""
+    """Software limits (120002), a missing feed (20008): with the place of their word or block."""
     lines = "G01 F100\nX1\nX99999\n"
     assert [str(one.span) for one in rows(lines)[1]] == ["p.nc:3:1"]
-    assert [one.id for one in rows(lines)[1]] == [900306]
+    assert [one.id for one in rows(lines)[1]] == [120002]
     found = rows("G90\nG00 X1 F0\n  G01 X2\n")[1]
     assert [(one.id, str(one.span)) for one in found] == [(20008, "p.nc:3:3")]
 

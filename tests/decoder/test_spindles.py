@@ -22,7 +22,7 @@ DEMO = Path(nctakt.__file__).parent / "machines" / "demo"
     ],
 )
 def test_a_spindle_without_an_axis_list_cannot_turn(text: str, line: int, tmp_path: Path) -> None:
-    """50955 in the program and in a cycle, behind 900066 of the channel list."""
+    """50397 in the program and in a cycle, behind 20312 of the channel list."""
     shutil.copytree(DEMO, tmp_path / "machine")
     file = tmp_path / "machine" / "sda_mds1.lis"
     lines = file.read_text("utf-8").splitlines()
@@ -32,6 +32,6 @@ def test_a_spindle_without_an_axis_list_cannot_turn(text: str, line: int, tmp_pa
     ]
     file.write_text("\n".join([*lines, ""]), "utf-8")
     found = Controller(tmp_path / "machine").run(NcText("p.nc", text)).errors
-    assert [error.id for error in found] == [900066, 50955]
+    assert [error.id for error in found] == [20312, 50397]
     assert found[1].span is not None
     assert found[1].span.line == line

@@ -201,9 +201,9 @@ def test_a_jump_back_finds_the_forms_again(monkeypatch: pytest.MonkeyPatch) -> N
 
 
 def test_a_mistake_is_told_at_its_own_place() -> None:
-    """900300 in the tenth statement of a shape, with the columns of its own numbers."""
+    """20396 in the tenth statement of a shape, with the columns of its own numbers."""
     lines = [HEAD, *(f"N{10**i} V.P.A = {i} / [{8 - i} * V.P.I + 1]" for i in range(8))]
     lines += ["V.P.I = -1", "N123456 V.P.A = 12345 / [1 * V.P.I + 1]", "M30"]
     (found,) = rows("\n".join(lines))[1]
-    assert (found.id, str(found.span)) == (900300, "p.nc:20:23")
+    assert (found.id, str(found.span)) == (20396, "p.nc:20:23")
     assert found.source_line == lines[-2]

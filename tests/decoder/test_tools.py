@@ -78,13 +78,13 @@ def test_a_realtime_cycle_has_the_tool_of_its_definition() -> None:
 @pytest.mark.parametrize(
     ("text", "number", "message"),
     [
-        ("D7\n", 900865, "the tool list has no tool 7"),
-        ("P1 = 9\nD P1\n", 900865, "the tool list has no tool 9"),
-        ("P1 = V.G.WZ[9].R\n", 900865, "the tool list has no tool 9"),
-        ("D1.5\n", 900867, "1.5 is not a tool number"),
-        ("T-1\n", 900867, "-1 is not a tool number"),
-        ("P1 = V.G.WZ_AKT.V[9]\n", 50929, "V.G.WZ_AKT.V"),
-        ("P1 = V.G.WZ_AKT.P[60]\n", 50929, "V.G.WZ_AKT.P"),
+        ("D7\n", 20172, "the tool list has no tool 7"),
+        ("P1 = 9\nD P1\n", 20172, "the tool list has no tool 9"),
+        ("P1 = V.G.WZ[9].R\n", 20172, "the tool list has no tool 9"),
+        ("D1.5\n", 20171, "1.5 is not a tool number"),
+        ("T-1\n", 20166, "-1 is not a tool number"),
+        ("P1 = V.G.WZ_AKT.V[9]\n", 21928, "V.G.WZ_AKT.V"),
+        ("P1 = V.G.WZ_AKT.P[60]\n", 21928, "V.G.WZ_AKT.P"),
         ("V.G.WZ[1].R = 5\n", 900200, "V.G"),
         ("V.G.WZ_AKT.R = 5\nP1 = V.G.WZ_AKT.X\n", 900200, "V.G"),
     ],
@@ -100,7 +100,7 @@ def test_a_tool_that_is_not_valid(tmp_path: Path) -> None:
     """P-TOOL-00005 is 0."""
     machine = machine_with(tmp_path / "m", werkz_d1="wz[9].laenge 5")
     found, _ = run("D9\n", machine)
-    assert [one.id for one in found.errors] == [900866]
+    assert [one.id for one in found.errors] == [20691]
     assert found.errors[0].text("de") == "Werkzeug 9 ist nicht gültig"
 
 
@@ -119,7 +119,7 @@ def test_t_selects_the_offsets_of_its_number(tmp_path: Path) -> None:
 def test_t_that_selects_offsets_needs_a_tool_of_the_list(tmp_path: Path) -> None:
     """P-CHAN-00014: without the parameter T7 is a warning of the check, with it an error."""
     program = NcText("p.nc", "T7\nT7 D1\nM30\n")
-    for value, expected in (("0", [(900928, 1), (900928, 2)]), ("1", [(900865, 1), (900928, 2)])):
+    for value, expected in (("0", [(20167, 1), (20167, 2)]), ("1", [(20172, 1), (20167, 2)])):
         machine = machine_with(tmp_path / value, sda_mds1=f"einrechnen_mit_t {value}")
         checked = check_files([program], AssembledMachine(load_machine(machine))).found
         found = [one.diagnostic for one in checked]

@@ -143,9 +143,9 @@ def test_many_branches_and_deep_nesting_run(tmp_path: Path) -> None:
         assert controller.read("V.E.VALUE") == expected
 
 
-@pytest.mark.parametrize(("depth", "errors"), [(62, []), (63, []), (64, [50861])])
+@pytest.mark.parametrize(("depth", "errors"), [(62, []), (63, []), (64, [20386])])
 def test_expressions_end_at_their_depth(tmp_path: Path, depth: int, errors: list[int]) -> None:
-    """An expression nested as deep as the parser allows runs; one deeper is 50861."""
+    """An expression nested as deep as the parser allows runs; one deeper is 20386."""
     controller = controller_with(tmp_path)
     expression = "ABS[" * depth + "V.E.VALUE1" + "]" * depth
     controller.write("V.E.VALUE1", -3)

@@ -305,7 +305,7 @@ def test_a_program_that_was_given_up_leaves_no_slot_behind(tmp_path: Path) -> No
     for _ in range(3):
         run = controller.run(NcText("a.nc", broken + "G04 X[1 / V.E.ASYNC]\nM30"))
         assert run.state == "error"
-        assert run.errors[-1].id == 900300
+        assert run.errors[-1].id == 20396
     controller.write("V.E.COUNT", 0)
     assert controller.run(NcText("b.nc", many(256) + "G04 X0.001\nM30")).state == "ended"
     assert controller.read("V.E.COUNT") == 256

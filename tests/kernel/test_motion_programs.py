@@ -21,7 +21,7 @@ MOST_TICKS = 25_000
 
 SLOPES = (("STEP",), ("TRAPEZ",), ("STEP", "TRAPEZ"))
 #: What ends a program otherwise: contours that the tool's radius does not fit into.
-CONTOUR_ERRORS = {900870, 900871, 900872}
+CONTOUR_ERRORS = {90008, 90017, 90109}
 
 
 def disturbances(seed: int) -> list[Stimulus]:

@@ -149,7 +149,7 @@ def test_empty_modulo_range(low: int, high: int) -> None:
     """A modulo range without length becomes 0 … 360°."""
     text = f"kenngr.achs_typ 4\ngetriebe[0].modulou {low}\ngetriebe[0].moduloo {high}\n"
     found, findings = axis(text)
-    assert (found.modulo_range, findings) == (360, [900073])
+    assert (found.modulo_range, findings) == (360, [110052])
 
 
 def test_swapped_software_limits() -> None:
@@ -167,7 +167,7 @@ def test_gear_steps() -> None:
     found, findings = axis(text)
     assert (found.max_speed, findings) == (200, [])
     found, findings = axis(f"{text}kenngr.getriebe_stufe 3\n")
-    assert (found.max_speed, findings) == (200, [900074])
+    assert (found.max_speed, findings) == (200, [110066])
 
 
 # --- channels ---
@@ -195,7 +195,7 @@ SECOND = "gruppe[0].achse[1].log_achs_nr 2\ngruppe[0].achse[1].bezeichnung {name
 
 @pytest.mark.parametrize(
     ("count", "names", "findings"),
-    [("", "XY", []), ("2", "XY", []), ("1", "X", [900070]), ("3", "XY", [900070])],
+    [("", "XY", []), ("2", "XY", []), ("1", "X", [20428]), ("3", "XY", [20428])],
 )
 def test_number_of_axes(count: str, names: str, findings: list[int]) -> None:
     """P-CHAN-00003: the lesser of the number and what is described counts."""
@@ -208,7 +208,8 @@ def test_number_of_axes(count: str, names: str, findings: list[int]) -> None:
 def test_unusable_axis_names(name: str) -> None:
     """P-CHAN-00006: axis names begin with their letters and are unique."""
     found, findings = channel(AXES + SECOND.format(name=name))
-    assert ([one.name for one in found.axes], findings) == (["X"], [900069])
+    number = 20424 if name == "X" else 20425
+    assert ([one.name for one in found.axes], findings) == (["X"], [number])
 
 
 @pytest.mark.parametrize("name", ["Y", "X1", "QUER", "C_1", "U"])
@@ -247,10 +248,10 @@ def test_spindles() -> None:
 @pytest.mark.parametrize(
     ("text", "findings"),
     [
-        ("main_spindle_ax_nr 9\n", [900023, 900072]),
-        ("spdl_anzahl 1\n", [900070]),
-        ("spindel[1].bezeichnung X\n", [900023, 900069]),
-        ("main_spindle_name S2\n", [900069]),
+        ("main_spindle_ax_nr 9\n", [21037, 900023]),
+        ("spdl_anzahl 1\n", [20418]),
+        ("spindel[1].bezeichnung X\n", [20971, 900023]),
+        ("main_spindle_name S2\n", [20419]),
     ],
 )
 def test_spindles_that_contradict(text: str, findings: list[int]) -> None:
@@ -259,9 +260,9 @@ def test_spindles_that_contradict(text: str, findings: list[int]) -> None:
 
 
 def test_a_function_for_an_unknown_axis_is_the_channels() -> None:
-    """900812, P-CHAN-00039, P-CHAN-00025."""
+    """21131, P-CHAN-00039, P-CHAN-00025."""
     found, findings = channel("m_synch[100] MOS\nm_default_outp_ax_name[100] Q\n")
-    assert findings == [900812]
+    assert findings == [21131]
     assert found.m_functions[100].axis_name == ""
 
 
@@ -294,7 +295,7 @@ def test_m_and_h_functions() -> None:
 @pytest.mark.parametrize("index", [1000, 1001])
 def test_functions_end_at_999(index: int) -> None:
     """M and H functions are 0 … 999."""
-    assert channel(f"m_synch[{index}] MOS\n")[1] == [900011]
+    assert channel(f"m_synch[{index}] MOS\n")[1] == [2009]
     assert channel("m_synch[999] MOS\n")[1] == []
 
 
@@ -331,7 +332,7 @@ def test_g80_has_a_parameter_of_its_own() -> None:
 
 @pytest.mark.parametrize(
     ("value", "unit", "findings"),
-    [("100", 1, []), ("0.1", 1000, []), ("-1", 1, []), ("0", 1, [900019])],
+    [("100", 1, []), ("0.1", 1000, []), ("-1", 1, []), ("0", 1, [21262])],
 )
 def test_unit_of_the_feed(value: str, unit: float, findings: list[int]) -> None:
     """P-CHAN-00108: 100 is mm/min, 0.1 is m/min, 0 is none."""
@@ -345,9 +346,9 @@ def test_unit_of_the_feed(value: str, unit: float, findings: list[int]) -> None:
     [
         ("prog_start.g_gruppe[12].nr 70", 12, 70, []),
         ("prog_start.g_gruppe[14].nr -1", 14, 90, []),
-        ("prog_start.g_gruppe[4].nr 20", 4, 17, [900021]),
+        ("prog_start.g_gruppe[4].nr 20", 4, 17, [2021]),
         ("prog_start.g_gruppe[8].nr 52", 8, 52, []),
-        ("prog_start.g_gruppe[0].nr -2", 0, 0, [900019]),
+        ("prog_start.g_gruppe[0].nr -2", 0, 0, [20819]),
     ],
 )
 def test_g_functions_at_program_start(
@@ -366,7 +367,7 @@ def test_share_of_the_tick(value: int, findings: list[int]) -> None:
 
 
 @pytest.mark.parametrize(
-    ("profile", "findings"), [(0, []), (1, []), (2, [900885]), (3, [900885]), (4, [900019])]
+    ("profile", "findings"), [(0, []), (1, []), (2, [900885]), (3, [900885]), (4, [1023])]
 )
 def test_slope_at_program_start(profile: int, findings: list[int]) -> None:
     """P-CHAN-00071: SIN2 and HSC count as TRAPEZ, with a warning."""
@@ -436,7 +437,7 @@ def test_wrong_alignment(value: int) -> None:
     assert (found.member_alignment, findings) == (0, [1000178])
 
 
-@pytest.mark.parametrize(("count", "findings"), [(0, [900019]), (12, []), (13, [900019])])
+@pytest.mark.parametrize(("count", "findings"), [(0, [1024]), (12, []), (13, [1023])])
 def test_number_of_channels(count: int, findings: list[int]) -> None:
     """A controller has 1 … 12 channels."""
     found, reported = startup(f"kanal_anzahl {count}\n")

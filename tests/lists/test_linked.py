@@ -89,4 +89,4 @@ def test_one_list_for_two_axes_is_no_circle(tmp_path: Path) -> None:
     """The second axis has the number of the first: that is told, and no more."""
     text = STARTUP.replace("zahl_mds 1", "zahl_mds 2") + "achs_mds[1] x.lis\n"
     found = told(tmp_path, {"hochlauf.lis": text})
-    assert [one.split()[1] for one in found] == ["900067"]
+    assert [one.split()[1] for one in found] == ["110064"]

@@ -103,7 +103,7 @@ def test_other_formats_are_refused_by_name(tmp_path: Path, format_: str) -> None
 def test_no_channel_list_at_all(tmp_path: Path) -> None:
     """Without any channel list there is no machine."""
     folder = write(tmp_path, {"hochlauf.lis": "kanal_anzahl 2\n"})
-    assert failure(folder) == [900068, 900065, 900065, 900077]
+    assert failure(folder) == [900068, 2024, 2024, 900077]
 
 
 def test_paths_relative_to_the_parent_folder(tmp_path: Path) -> None:
@@ -143,7 +143,7 @@ def test_absolute_paths(tmp_path: Path) -> None:
     other = tmp_path / "other.lis"
     other.write_text(CHANNEL, encoding="utf-8")
     folder = write(tmp_path / "m", {})
-    for path, numbers in ((other, []), (tmp_path / "nothing.lis", [900062])):
+    for path, numbers in ((other, []), (tmp_path / "nothing.lis", [2001])):
         text = STARTUP.replace("kanal.lis", path.as_posix())
         (folder / "hochlauf.lis").write_text(text, encoding="utf-8")
         try:
@@ -156,7 +156,7 @@ def test_missing_axis_list(tmp_path: Path) -> None:
     """An axis list that does not exist costs the axis, and the channel's axis with it."""
     folder = write(tmp_path, {"hochlauf.lis": STARTUP.replace("x.lis", "y.lis")})
     machine, found = load(folder)
-    assert found == [900062, 900066]
+    assert found == [2001, 20312]
     assert (machine.axes, machine.channels[0].axes) == ((), ())
     assert str(machine.diagnostics[0].span).endswith("hochlauf.lis:4:1")
 
@@ -165,16 +165,16 @@ def test_axis_list_that_is_not_named(tmp_path: Path) -> None:
     """zahl_mds may promise more lists than are named."""
     folder = write(tmp_path, {"hochlauf.lis": STARTUP.replace("zahl_mds 1", "zahl_mds 2")})
     machine, found = load(folder)
-    assert (found, len(machine.axes)) == ([900065], 1)
+    assert (found, len(machine.axes)) == ([2024], 1)
 
 
-@pytest.mark.parametrize("number", [0, 1])
-def test_logical_numbers_are_unique(tmp_path: Path, number: int) -> None:
+@pytest.mark.parametrize(("number", "message"), [(0, 110076), (1, 110064)])
+def test_logical_numbers_are_unique(tmp_path: Path, number: int, message: int) -> None:
     """A logical number that is 0 or used already costs the axis."""
     text = STARTUP.replace("zahl_mds 1", "zahl_mds 2") + "achs_mds[1] y.lis\n"
     files = {"hochlauf.lis": text, "y.lis": f"kopf.achs_nr {number}\n"}
     machine, found = load(write(tmp_path, files))
-    assert (found, len(machine.axes)) == ([900067], 1)
+    assert (found, len(machine.axes)) == ([message], 1)
 
 
 def test_missing_rtconf(tmp_path: Path) -> None:
@@ -184,14 +184,14 @@ def test_missing_rtconf(tmp_path: Path) -> None:
     assert (found, machine.cycle_time_us, machine.rtconf) == ([900068], 1000, None)
     folder = write(tmp_path, {"hochlauf.lis": STARTUP.replace("rtconf.lis\n", "no.lis\n")})
     machine, found = load(folder)
-    assert (found, machine.cycle_time_us) == ([900062, 900068], 1000)
+    assert (found, machine.cycle_time_us) == ([2001, 900068], 1000)
 
 
 def test_list_that_is_a_folder(tmp_path: Path) -> None:
     """A folder in place of a list is no list."""
     folder = write(tmp_path, {"hochlauf.lis": STARTUP.replace("x.lis", "d")})
     (folder / "d").mkdir()
-    assert load(folder)[1] == [900062, 900066]
+    assert load(folder)[1] == [2001, 20312]
 
 
 def refuse(monkeypatch: pytest.MonkeyPatch, name: str) -> None:
@@ -212,7 +212,7 @@ def test_list_that_cannot_be_read(tmp_path: Path, monkeypatch: pytest.MonkeyPatc
     folder = write(tmp_path, {})
     refuse(monkeypatch, "x.lis")
     machine, found = load(folder)
-    assert found == [900503, 900066]
+    assert found == [900503, 20312]
     assert "Permission denied" in machine.diagnostics[0].text("en")
 
 
@@ -226,7 +226,7 @@ def test_startup_list_that_cannot_be_read(tmp_path: Path, monkeypatch: pytest.Mo
 def test_path_through_a_file(tmp_path: Path) -> None:
     """A file in place of a folder leads nowhere."""
     folder = write(tmp_path, {"hochlauf.lis": STARTUP.replace("x.lis", "kanal.lis/y.lis")})
-    assert load(folder)[1] == [900062, 900066]
+    assert load(folder)[1] == [2001, 20312]
 
 
 @pytest.mark.parametrize(
@@ -273,7 +273,7 @@ def test_a_parent_above_the_named_folder_is_not_searched(tmp_path: Path) -> None
     """Only the folder above the start-up list is, in any case."""
     folder = write(tmp_path / "a" / "b" / "c", {"hochlauf.lis": STARTUP, "x.lis": ""})
     (folder / "x.lis").rename(tmp_path / "a" / "x.lis")
-    assert 900062 in load(folder)[1]
+    assert 2001 in load(folder)[1]
 
 
 def test_tolerated_paths_are_one_note(tmp_path: Path) -> None:
@@ -367,14 +367,14 @@ def test_global_variables_that_differ(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize(("memory", "fits"), [(72, True), (71, False), (0, False)])
 def test_memory_of_channel_variables(tmp_path: Path, memory: int, fits: bool) -> None:
-    """RC-309: V.CH variables need P-CHAN-00424 for data and management, else 21992."""
+    """RC-309: V.CH variables need P-CHAN-00424 for data and management, else 22079."""
     files = {
         "hochlauf.lis": f"{STARTUP}ve_var[0] v.lis\n",
         "kanal.lis": f"{CHANNEL}configuration.decoder.v_ch_memory {memory}\n",
         "v.lis": "vch[0].name A\nvch[0].type REAL64\n",
     }
     machine, found = load(write(tmp_path, files))
-    assert found == ([] if fits else [21992])
+    assert found == ([] if fits else [22079])
     assert len(machine.channels[0].channel_variables) == int(fits)
 
 
@@ -392,7 +392,7 @@ def test_spindles_need_an_axis_list_unless_the_plc_turns_them(tmp_path: Path) ->
         "spindel[2].bezeichnung S3\nspindel[2].log_achs_nr 10\nspindel[2].plc_control 1\n"
     )
     machine, found = load(write(tmp_path, {"kanal.lis": CHANNEL + spindles}))
-    assert found == [900066]
+    assert found == [20312]
     assert [(one.name, one.index) for one in machine.channels[0].spindles] == [
         ("S1", 0),
         ("S3", None),
@@ -411,7 +411,7 @@ def test_tools_and_offsets_belong_to_their_channel(tmp_path: Path) -> None:
     }
     machine, found = load(write(tmp_path, files))
     channel = machine.channels[0]
-    assert found == [900062]
+    assert found == [2001]
     tool = channel.tools[3]
     assert (tool.valid, tool.length, tool.radius) == (True, 123.45, 5.0)
     assert channel.zero_offsets.offset(1, 0) == -25.0
@@ -421,8 +421,8 @@ def test_tools_and_offsets_belong_to_their_channel(tmp_path: Path) -> None:
 def test_each_unknown_entry_is_named(tmp_path: Path) -> None:
     """One warning each, at its line."""
     folder = write(tmp_path, {"x.lis": "kopf.achs_nr 1\nbogus.one 1\nbogus.two 2\n"})
-    assert load(folder)[1] == [900008, 900008]
-    assert load(folder, detail="all")[1] == [900008, 900008]
+    assert load(folder)[1] == [110303, 110303]
+    assert load(folder, detail="all")[1] == [110303, 110303]
 
 
 def test_loading_twice_gives_the_same(tmp_path: Path) -> None:
@@ -448,12 +448,12 @@ def test_realtime_cycles_keep_out_of_windows_time(
 def test_contexts_of_a_channel_need_their_threads(tmp_path: Path) -> None:
     """P-RTCF-00017 with P-CHAN-00410: a context without a thread is a warning."""
     channel = f"{CHANNEL}schedule.context.geo 1\n"
-    assert load(write(tmp_path, {"kanal.lis": channel}))[1] == [900611]
+    assert load(write(tmp_path, {"kanal.lis": channel}))[1] == [260102]
     rtconf = RTCONF.replace("thread[0].cycle", "thread[0].context_info 1\nthread[0].cycle")
     assert load(write(tmp_path, {"rtconf.lis": rtconf}))[1] == []
 
 
-@pytest.mark.parametrize(("elements", "found"), [(3, []), (4, [900814])])
+@pytest.mark.parametrize(("elements", "found"), [(3, []), (4, [21520])])
 def test_memory_of_external_variables(tmp_path: Path, elements: int, found: list[int]) -> None:
     """P-STUP-00037: one block has room for three REAL64, not for four; all four are there."""
     variables = (
@@ -465,6 +465,24 @@ def test_memory_of_external_variables(tmp_path: Path, elements: int, found: list
     assert told == found
     (variable,) = machine.channels[0].external_variables
     assert variable.node.array_elements == elements
+
+
+@pytest.mark.parametrize(
+    ("scope", "offset", "found"),
+    [("CHANNEL", 16, []), ("CHANNEL", 17, [21518]), ("GLOBAL", 20, [21519])],
+)
+def test_a_place_outside_the_memory_is_no_variable(
+    tmp_path: Path, scope: str, offset: int, found: list[int]
+) -> None:
+    """P-EXTV-00002 with P-STUP-00037: 24 bytes have room for a REAL64 from byte 16 on, no later."""
+    variables = (
+        f"number_used_variables 1\nvar[0].name A\nvar[0].type REAL64\nvar[0].scope {scope}\n"
+        f"var[0].byte_offset {offset}\n"
+    )
+    startup = f"{STARTUP}ext_var_max 1\nve_var[0] var.lis\n"
+    machine, told = load(write(tmp_path, {"hochlauf.lis": startup, "var.lis": variables}))
+    assert told == found
+    assert len(machine.channels[0].external_variables) == (0 if found else 1)
 
 
 @pytest.mark.parametrize("name", ["kanal.lis", "x.lis", "rtconf.lis"])
@@ -480,7 +498,7 @@ def test_a_list_that_is_no_text(tmp_path: Path, name: str) -> None:
         found = machine.diagnostics
     told = [one for one in found if one.id == 900581]
     assert [one.span.file for one in told if one.span] == [(tmp_path / "hochlauf.lis").as_posix()]
-    assert {one.id for one in found} <= {900581, 900066, 900068, 900077}
+    assert {one.id for one in found} <= {900581, 20312, 900068, 900077}
 
 
 def test_a_start_up_list_that_is_no_text(tmp_path: Path) -> None:

@@ -78,9 +78,9 @@ def test_cycle_time_goes_up_to_a_multiple_of_time_slice(
         (500, 500, []),
         (499, 500, [900036]),
         (1, 500, [900036]),
-        (65535, 500, [900019, 900031]),
+        (65535, 500, [1023, 900031]),
         ("", 500, [900031]),
-        ("x", 500, [900014, 900031]),
+        ("x", 500, [2022, 900031]),
         (0, 0, [900037]),
         (2000, 2000, [900038, 900040]),
         (65534, 2000, [900035, 900038, 900040]),
@@ -161,8 +161,8 @@ def test_rounding_beyond_the_type_is_an_error() -> None:
         ("interrupt_source 4", InterruptSource.OUTSIDE, [900618]),
         ("interrupt_source 2\nexternal_object_name s", InterruptSource.TIMER, [900042]),
         ("", InterruptSource.TIMER, [900030]),
-        ("interrupt_source 0", InterruptSource.TIMER, [900019, 900030]),
-        ("interrupt_source 5", InterruptSource.TIMER, [900019, 900030]),
+        ("interrupt_source 0", InterruptSource.TIMER, [1024, 900030]),
+        ("interrupt_source 5", InterruptSource.TIMER, [1023, 900030]),
     ],
 )
 def test_interrupt_source(text: str, source: InterruptSource, numbers: list[int]) -> None:
@@ -186,7 +186,7 @@ BASE = "interrupt_source 2\ncycle_time 2000\ntime_slice 500\nwindows_time 500\n"
 @pytest.mark.parametrize(
     ("text", "numbers"),
     [
-        ("thread[0].function[0].name task_rnd", [900023, 900051]),
+        ("thread[0].function[0].name task_rnd", [260102, 900023]),
         ("thread[1].name A\nthread[1].cycle 2000", [900053]),
         ("thread[2].name A\nthread[2].cycle 2000\nthread[2].function[0].name task_rnd", [900050]),
         (
@@ -210,8 +210,8 @@ BASE = "interrupt_source 2\ncycle_time 2000\ntime_slice 500\nwindows_time 500\n"
             "external_thread[1].semaphore_name s\nexternal_thread[1].cycle 2000",
             [900047],
         ),
-        ("thread[0].cpu 8", [900019]),
-        ("thread[0].function[0].trace_bit 8", [900019]),
+        ("thread[0].cpu 8", [1000180]),
+        ("thread[0].function[0].trace_bit 8", [1023]),
     ],
 )
 def test_threads_are_plausible(text: str, numbers: list[int]) -> None:

@@ -302,7 +302,7 @@ def test_ten_threads_with_ten_functions() -> None:
     configuration, found = load(BASE + "".join(lines + functions))
     assert found == [900617, 900617]
     assert (len(configuration.threads), len(configuration.threads[0].functions)) == (10, 10)
-    assert 900011 in load(BASE + "thread[10].name X\n")[1]
+    assert 2009 in load(BASE + "thread[10].name X\n")[1]
 
 
 def test_lenient_errors_are_warnings() -> None:
@@ -339,7 +339,7 @@ def test_contexts_of_channels() -> None:
     for channel, count in ((Channel(1, 0, 0), 0), (Channel(2, 0, 0), 1), (Channel(1, 1, 1), 2)):
         collector = Collector()
         check_contexts(configuration, [channel], collector)  # type: ignore[list-item]
-        assert [found.id for found in collector.diagnostics] == [900611] * count
+        assert [found.id for found in collector.diagnostics] == [260102] * count
 
 
 PARAMETERS = """\

@@ -12,9 +12,10 @@ from nctakt.lists.format.values import Values
 from nctakt.messages import Collector
 
 HASH_BLANK, HASH_INDENT, END_CASE, AFTER_END, NO_END = 900001, 900002, 900003, 900004, 900005
-NUL, BLANK, UNKNOWN, NEAREST, INDEX, FOREIGN = 900006, 900007, 900008, 900009, 900011, 900012
-NO_VALUE, NO_NUMBER, QUOTED, QUOTE_OPEN, TRAILING = 900013, 900014, 900015, 900016, 900017
-SPECIAL, RANGE, LENGTH, NO_NAME, DUPLICATE, ALIAS = 900018, 900019, 900020, 900021, 900023, 900024
+NUL, BLANK, UNKNOWN, NEAREST, INDEX, FOREIGN = 900006, 900007, 900008, 900009, 2009, 900012
+NO_VALUE, NO_NUMBER, QUOTED, QUOTE_OPEN, TRAILING = 900013, 2022, 900015, 900016, 900017
+SPECIAL, ABOVE, BELOW, LENGTH, NO_NAME = 900018, 1023, 1024, 1021, 2021
+DUPLICATE, ALIAS = 900023, 900024
 
 NOTHING: dict[str, object] = {}
 NAME = "thread[0].name"
@@ -35,7 +36,7 @@ LINES: list[tuple[str, dict[str, object], list[int]]] = [
     ("cycle_time", NOTHING, [NO_VALUE]),
     ("cycle_time # 2000", NOTHING, [NO_NUMBER]),
     ("cycle_time = 2000", NOTHING, [NO_NUMBER]),
-    ("cycle_time -1", NOTHING, [RANGE]),
+    ("cycle_time -1", NOTHING, [BELOW]),
     ("cycle_time +2000", {"cycle_time": 2000}, []),
     ("cycle_time 0x7D0", NOTHING, [NO_NUMBER]),
     ("cycle_time 2000.0", NOTHING, [NO_NUMBER]),
@@ -71,7 +72,7 @@ LINES: list[tuple[str, dict[str, object], list[int]]] = [
     ("thread[0].context_info 1", {"thread[0].context_info": 1}, []),
     ("schedule.context.geo 1", NOTHING, [FOREIGN]),
     ("thread[0].error_on_overflow TRUE", NOTHING, [NO_NUMBER]),
-    ("thread[0].error_on_overflow 2", NOTHING, [RANGE]),
+    ("thread[0].error_on_overflow 2", NOTHING, [ABOVE]),
     ("schedule STANDARD # ok", {"schedule": "STANDARD"}, []),
     ("schedule standard", NOTHING, [NO_NAME]),
     ("schedule 0", NOTHING, [NO_NAME]),
@@ -93,7 +94,7 @@ LINES: list[tuple[str, dict[str, object], list[int]]] = [
     ("thread[0].name 'single'", {NAME: "'single'"}, []),
     ("Endeffekt 1", NOTHING, [UNKNOWN]),
     ("cycle_time 20\x0000", NOTHING, [NUL]),
-    ("cycle_time " + "9" * 5000, NOTHING, [RANGE]),
+    ("cycle_time " + "9" * 5000, NOTHING, [ABOVE]),
     ("cycle_time ²", NOTHING, [NO_NUMBER]),
     ('"quoted" 1', NOTHING, [UNKNOWN]),
     ("thread[0].name " + "x" * 127, {NAME: "x" * 127}, []),

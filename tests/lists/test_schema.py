@@ -70,12 +70,12 @@ def test_flag_sets(text: str, flags: tuple[str, ...]) -> None:
 
 @pytest.mark.parametrize("text", ["MOSS", "0x40", "MOS#", "MOS | ?", "-1", "MVS_SVS | WRONG"])
 def test_wrong_synchronisation_becomes_mvs_svs(text: str) -> None:
-    """A synchronisation type that does not exist is 20965 and counts as MVS_SVS."""
+    """A synchronisation type that does not exist is 20764 and counts as MVS_SVS."""
     values, found = load(CHANNEL, f"m_synch[7] {text}\n")
     if text == "MOS | ?":
         assert (values.names("m_synch[]", 7), found) == (("MOS",), [])
         return
-    assert (values.names("m_synch[]", 7), found) == (("MVS_SVS",), [20965])
+    assert (values.names("m_synch[]", 7), found) == (("MVS_SVS",), [20764])
 
 
 def test_flag_set_without_a_value() -> None:
@@ -92,8 +92,8 @@ def test_flag_set_without_a_value() -> None:
         ("TRUE", True, []),
         ("false", False, []),
         ("0x1", True, []),
-        ("YES", True, [900022]),
-        ("2", True, [900019]),
+        ("YES", True, [1019]),
+        ("2", True, [1023]),
     ],
 )
 def test_truth_values_in_a_variables_list(text: str, value: bool, numbers: list[int]) -> None:
@@ -104,7 +104,7 @@ def test_truth_values_in_a_variables_list(text: str, value: bool, numbers: list[
 
 def test_truth_words_are_refused_in_rtconf() -> None:
     """rtconf.lis has 0 and 1 only (its manual), the other lists TRUE and FALSE as well."""
-    assert load(RTCONF, "thread[0].error_on_overflow TRUE\nEnd\n")[1] == [900014]
+    assert load(RTCONF, "thread[0].error_on_overflow TRUE\nEnd\n")[1] == [2022]
     values, numbers = load(CHANNEL, "exact_stop_after_g00 TRUE\n")
     assert (values.flag("exact_stop_after_g00"), numbers) == (True, [])
 
@@ -117,11 +117,11 @@ def test_truth_words_are_refused_in_rtconf() -> None:
         ("1.5e3", 1500.0, []),
         (".5", 0.5, []),
         ("0x10", 16.0, []),
-        ("-1", 0.0, [900019]),
-        ("nan", 0.0, [900014]),
-        ("inf", 0.0, [900014]),
-        ("1e999", 0.0, [900014]),
-        ("1,5", 0.0, [900014]),
+        ("-1", 0.0, [21305]),
+        ("nan", 0.0, [2022]),
+        ("inf", 0.0, [2022]),
+        ("1e999", 0.0, [2022]),
+        ("1,5", 0.0, [2022]),
     ],
 )
 def test_real_numbers(text: str, value: float, numbers: list[int]) -> None:
@@ -147,9 +147,9 @@ def test_limits_of_realtime_cycles(key: str, low: int, high: int, default: int) 
     for value in (low, high):
         values, found = load(CHANNEL, f"{key} {value}\n")
         assert (values.integer(key), found) == (value, [])
-    for value in (low - 1, high + 1):
+    for value, number in ((low - 1, 1024), (high + 1, 1023)):
         values, found = load(CHANNEL, f"{key} {value}\n")
-        assert (values.integer(key), found) == (default, [900019])
+        assert (values.integer(key), found) == (default, [number])
 
 
 @pytest.mark.parametrize(
@@ -221,7 +221,7 @@ def test_a_rapid_speed_above_the_highest_speed(text: str, value: int) -> None:
     """P-AXIS-00209 ≤ P-AXIS-00212: the bound takes its place; 0 is out of range."""
     values, numbers = load(AXIS, text)
     assert values.integer("getriebe[].vb_eilgang", 0) == value
-    assert numbers == ([900027] if value != 166_666 else [900019])
+    assert numbers == ([110085] if value != 166_666 else [110084])
 
 
 def test_bounds_of_other_parameters() -> None:
@@ -232,7 +232,7 @@ def test_bounds_of_other_parameters() -> None:
         "getriebe[0].dynamik.a_emergency 1001\nkenngr.vb_messen 300000\n"
     )
     values, numbers = load(AXIS, text)
-    assert numbers.count(900027) == 4
+    assert sorted(numbers)[:4] == [110101, 110114, 110243, 110322]
     assert values.integer("getriebe[].slope_profil.a_beschl", 0) == 500
     assert values.integer("getriebe[].slope_profil.tr_grenz", 0) == 20_000
 
@@ -241,7 +241,7 @@ def test_a_list_that_lowers_a_bound_of_its_defaults_list() -> None:
     """The entry of the defaults list keeps the bound; the finding stands in the list itself."""
     base, _ = load(AXIS, "getriebe[0].slope_profil.a_beschl 900\n")
     values, numbers = load(AXIS, "getriebe[0].dynamik.a_max 400\n", base=base)
-    assert numbers == [900027]
+    assert numbers == [110101]
     assert values.integer("getriebe[].slope_profil.a_beschl", 0) == 400
 
 
@@ -249,7 +249,7 @@ def test_specific_list_goes_over_the_defaults_list() -> None:
     """What a list does not name comes from the defaults list, what is defective too."""
     base, _ = load(AXIS, "kenngr.swe_pos 5\ngetriebe[0].kv 2000\nkenngr.swe_neg -5\n")
     values, found = load(AXIS, "kenngr.swe_pos 7\nkenngr.swe_neg x\n", base=base)
-    assert found == [900014]
+    assert found == [2022]
     assert values.integer("kenngr.swe_pos") == 7
     assert values.integer("kenngr.swe_neg") == -5
     assert values.integer("getriebe[].kv", 0) == 2000
@@ -282,7 +282,7 @@ def test_references_take_the_value_of_another_parameter() -> None:
 def test_broken_references_leave_the_default(text: str) -> None:
     """A reference to nothing, to itself, to a text or in a circle is reported."""
     values, found = load(AXIS, text + "\n")
-    assert found == [900025] * (text.count("\n") + 1)
+    assert found == [2052] * (text.count("\n") + 1)
     assert values.integer("getriebe[].vb_eilgang", 0) == 166_666
 
 
@@ -291,7 +291,7 @@ def test_name_parameters_take_names_and_numbers() -> None:
     for text in ("ACHSTYP_SPINDEL", "4", "0x0004", '"ACHSTYP_SPINDEL"'):
         values, found = load(AXIS, f"kenngr.achs_typ {text}\n")
         assert (values.text("kenngr.achs_typ"), found) == ("ACHSTYP_SPINDEL", [])
-    assert load(AXIS, "kenngr.achs_typ 3\n")[1] == [900021]
+    assert load(AXIS, "kenngr.achs_typ 3\n")[1] == [2021]
 
 
 def test_scope_that_does_not_exist_is_the_controllers_own_number() -> None:

@@ -126,7 +126,7 @@ def test_the_group_that_is_active_after_start_up() -> None:
     assert zero_offsets("default_index 0\n") == (ZeroOffsets(), [])
     offsets, reported = zero_offsets("default_index 2\nnp_grp[2].achse[0].versch 1\n")
     assert (offsets.default_group, reported) == (2, [])
-    assert zero_offsets("default_index 2\n")[1] == ["900743 at 1"]
+    assert zero_offsets("default_index 2\n")[1] == ["20585 at 1"]
 
 
 def test_clamp_offsets_by_group_and_axis() -> None:

@@ -10,14 +10,15 @@ from string import Formatter
 import pytest
 
 from nctakt.base.diagnostics import Message, Severity, Text
-from nctakt.messages.catalogue import catalogue, is_own, next_free_number
+from nctakt.messages import diagnostic
+from nctakt.messages.catalogue import catalogue, is_own, messages_of, next_free_number
 from nctakt.messages.classes import CLEARINGS, REACTIONS
 
 #: A text fits on a line of a terminal and of a report.
 LONGEST = 110
 
 ALL = pytest.mark.parametrize(
-    "message", tuple(catalogue().values()), ids=lambda message: str(message.id)
+    "message", catalogue(), ids=lambda message: str(max(message.numbers, key=is_own))
 )
 
 
@@ -80,8 +81,8 @@ def test_class_tables_have_both_languages() -> None:
 
 
 def test_texts_of_the_controllers_numbers_are_unique() -> None:
-    """Two numbers of the controller never have the same text."""
-    messages = [message for number, message in catalogue().items() if not is_own(number)]
+    """Two messages with a number of the controller never have the same text."""
+    messages = [message for message in catalogue() if not is_own(message.id)]
     texts = Counter(text for one in messages for text in {one.text.en, one.text.de})
     assert [text for text, count in texts.items() if count > 1] == []
 
@@ -90,15 +91,80 @@ def test_the_next_number_is_free() -> None:
     """A new message gets a number of nctakt's own above all others, never one that was given up."""
     number = next_free_number()
     assert is_own(number)
-    assert all(number > other for other in catalogue() if is_own(other))
+    others = [other for message in catalogue() for other in message.numbers]
+    assert all(number > other for other in others if is_own(other))
 
 
-def test_other_numbers_are_no_messages() -> None:
-    """RC-801: a number that a message is also known as belongs to it alone."""
-    others = [number for message in catalogue().values() for number in message.known_as]
-    assert len(others) == len(set(others))
-    assert [number for number in others if number in catalogue()] == []
-    assert catalogue()[50939].known_as == (50930,)
+def test_each_message_has_a_number_of_its_own() -> None:
+    """RC-801: of several messages with one number of the controller each has one of ours, too."""
+    own = Counter(number for one in catalogue() for number in one.numbers if is_own(number))
+    assert [number for number, count in own.items() if count > 1] == []
+    shared = Counter(one.id for one in catalogue())
+    for message in catalogue():
+        assert any(map(is_own, message.numbers)) or shared[message.id] == 1, message
+
+
+@ALL
+def test_numbers_of_a_message_are_told_once(message: Message) -> None:
+    """What a message is also known as neither leads it nor is told twice."""
+    assert len(message.known_as) == len(set(message.known_as))
+    assert set(message.known_as).isdisjoint(message.leading)
+
+
+def test_the_controllers_number_leads() -> None:
+    """RC-801: both numbers of a message find it, and its finding has the controller's."""
+    (label,) = messages_of(900126)
+    assert (label.id, label.known_as[0]) == (20840, 900126)
+    assert label in messages_of(20840)
+    found = diagnostic(label, label="N20", nearest="N10")
+    assert (found.id, found.also[0]) == (20840, 900126)
+
+
+@pytest.mark.parametrize(
+    ("own", "values", "number"),
+    [
+        (900106, {"word": "$ENDWHILE", "begin": "$WHILE"}, 20237),
+        (900106, {"word": "#RT ENDWHILE", "begin": "#RT WHILE"}, 900106),
+        (900113, {"symbol": "]", "found": "X"}, 20716),
+        (900202, {"word": "#XYZ", "nearest": "–"}, 20509),
+        (900204, {"word": "M70000"}, 20154),
+        (900209, {"word": "F"}, 20175),
+        (900209, {"word": "X"}, 20203),
+        (900210, {"word": "G18", "other": "G17"}, 20111),
+        (900210, {"word": "G91", "other": "G90"}, 900210),
+        (900213, {"name": "V.P.SUM", "nearest": "–"}, 20932),
+        (900214, {"name": "V.P.SUM", "expected": 0, "given": 1}, 21768),
+        (900219, {"word": "SIN", "expected": "1 or 2", "given": 0}, 21471),
+        (900305, {"seconds": "-1"}, 20017),
+        (900306, {"axis": "X", "position": "11", "low": "0", "high": "10"}, 120002),
+        (900306, {"axis": "X", "position": "-1", "low": "0", "high": "10"}, 120003),
+        (900835, {"word": "FEED_FACT", "value": -1.0, "low": 0, "high": 200}, 21826),
+        (900080, {"key": "var[0].name", "value": "A-B", "limit": 26}, 20788),
+        (900080, {"key": "struct[0].element[1].name", "value": "A" * 99, "limit": 26}, 21432),
+        (900075, {"low": 5, "high": 5}, 110110),
+        (900075, {"low": 6, "high": 5}, 900075),
+        (21241, {"operation": "SQRT"}, 20398),
+        (21241, {"operation": "LOG"}, 20399),
+        (21241, {"operation": "ASIN"}, 21241),
+        (50929, {"variable": "V.E.FIELD", "index": "9", "count": 3}, 50895),
+        (50929, {"variable": "V.CH.FIELD", "index": "9", "count": 3}, 50929),
+    ],
+)
+def test_the_case_gives_the_number(own: int, values: dict[str, object], number: int) -> None:
+    """Where the controller has a number for each case, the values of the finding tell which."""
+    found = diagnostic(messages_of(own)[0], **values)
+    assert found.id == number
+    assert number in found.message.leading
+    assert number not in found.also
+
+
+def test_numbers_with_two_readings_name_both() -> None:
+    """errors.md: 50939 and 51028 stay; whoever asks is told what else is called so."""
+    time_limit = messages_of(50939)[0]
+    assert time_limit.known_as == (50930,)
+    assert "M" in time_limit.cause.en
+    assert "50939" in time_limit.cause.en
+    assert "51028" in messages_of(51028)[0].cause.en
 
 
 #: A first word that is written as in a program, a list or on the command line.

@@ -89,19 +89,19 @@
 #RT CYCLE
   Y[INDP STOP] ; error 50966 "Y must not be moved independently (P-AXIS-00457)"
   Y[INDP POS=1] ; error 50966 "Y" ; error 50967 "POS needs G90 or G91"
-  Q[INDP STOP] ; error 900203 "Q[INDP STOP]"
-  B1[INDP STOP] ; error 900203 "B1[INDP STOP]"
+  Q[INDP STOP] ; error 20797 "Q[INDP STOP]"
+  B1[INDP STOP] ; error 20797 "B1[INDP STOP]"
   S[INDP STOP] ; error 900262 "S is a spindle"
   S2[INDP FEED=100] ; error 900262 "S2 is a spindle"
 #RT CYCLE END
 ; --- keywords that are none, values that are missing or too many
 #RT CYCLE
-  X[INDP FEAD=100] ; error 900261 "X[INDP …]: unknown keyword FEAD"
-  X[INDP G90 POS 10] ; error 900208 "POS" ; error 900261 "X[INDP …]: unknown keyword 10"
-  X[INDP G90 POS[10]] ; error 900261 "POS"
+  X[INDP FEAD=100] ; error 21068 "X[INDP …]: unknown keyword FEAD"
+  X[INDP G90 POS 10] ; error 900208 "POS" ; error 21068 "X[INDP …]: unknown keyword 10"
+  X[INDP G90 POS[10]] ; error 21068 "POS"
   X[INDP FEED] ; error 900208 "FEED"
-  X[INDP ABORTING=1 FEED=1] ; error 900263 "ABORTING takes no value"
-  X[INDP STOP=1] ; error 900263 "STOP takes no value"
+  X[INDP ABORTING=1 FEED=1] ; error 21068 "ABORTING takes no value"
+  X[INDP STOP=1] ; error 21068 "STOP takes no value"
   X[INDP DIR=LEFT FEED=1] ; error 900225 "DIR = LEFT"
   X[INDP OFFSET=NONE G90 POS=1] ; error 900225 "OFFSET = NONE"
   X[INDP OFFSET=1 G90 POS=1] ; error 900225 "OFFSET = 1"
@@ -110,8 +110,8 @@
 #RT CYCLE END
 ; --- expressions are those of the cycle
 #RT CYCLE
-  X[INDP G90 POS=V.E.NONE] ; error 900213 "V.E.NONE"
-  X[INDP FEED=FAST] ; error 900221 "FAST"
+  X[INDP G90 POS=V.E.NONE] ; error 20196 "V.E.NONE"
+  X[INDP FEED=FAST] ; error 20392 "FAST"
   X[INDP FEED="100"] ; error 21981 ""
 #RT CYCLE END
 ; --- outside of realtime cycles

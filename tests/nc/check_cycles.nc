@@ -47,9 +47,9 @@ M30
 #RT CYCLE END
 #RT CYCLE [END_ACTION=ABORT] ; error 900225 "END_ACTION = ABORT"
 #RT CYCLE END
-#RT CYCLE [ID=1 ID=2] ; error 900224 "ID"
+#RT CYCLE [ID=1 ID=2] ; error 21887 "ID"
 #RT CYCLE END
-#RT CYCLE [SCOPE=PROG SCOPE=BLOCK] ; error 900224 "SCOPE"
+#RT CYCLE [SCOPE=PROG SCOPE=BLOCK] ; error 21887 "SCOPE"
 #RT CYCLE END
 #RT CYCLE DEF ; error 22003 "DEF"
 #RT CYCLE END
@@ -69,28 +69,28 @@ M30
 #RT CYCLE END
 #RT CYCLE [ID=-1 SCOPE=GLOBAL] ; error 21983 "not -1"
 #RT CYCLE END
-#RT CYCLE [ID=V.E.NONE] ; error 900213 "V.E.NONE"
+#RT CYCLE [ID=V.E.NONE] ; error 20196 "V.E.NONE"
 #RT CYCLE END
 ; --- management commands (RC-111)
 #RT CYCLE START ; error 900226 "#RT CYCLE START"
 #RT CYCLE ABORT ACTION ; error 900226 "#RT CYCLE ABORT ACTION"
 #RT CYCLE HOLD [ID=0] ; error 50875 "0"
 #RT CYCLE CONTINUE [ID=1 SCOPE=PROG] ; error 21985 "SCOPE"
-#RT CYCLE DELETE [ID=V.E.NONE] ; error 900213 "V.E.NONE"
+#RT CYCLE DELETE [ID=V.E.NONE] ; error 20196 "V.E.NONE"
 #RT CYCLE DELETE [ID=0] ; error 50875 "0"
 ; --- $IF (RC-203)
 #RT CYCLE
   $IF ONCE V.E.VALUE > 1
   $ELSE ; error 22022 "$IF ONCE"
-    V.E.NONE = 1 ; error 900213 "V.E.NONE"
+    V.E.NONE = 1 ; error 20196 "V.E.NONE"
   $ENDIF
   $IF EDGE V.E.VALUE > 1
   $ELSEIF V.E.VALUE ; error 22022 "$IF EDGE"
   $ENDIF
   $IF V.E.VALUE > 1
-  $ELSEIF ALWAYS V.E.NONE ; error 22021 "ALWAYS"; error 900213 "V.E.NONE"
+  $ELSEIF ALWAYS V.E.NONE ; error 22021 "ALWAYS"; error 20196 "V.E.NONE"
   $ENDIF
-  $IF V.E.NONE ; error 900213 "V.E.NONE"
+  $IF V.E.NONE ; error 20196 "V.E.NONE"
     M99 ; error 50938 "M99"
   $ENDIF
   $IF 0
@@ -133,7 +133,7 @@ M30
   #SLOPE [TYPE=TRAPEZ] ; error 22002 "#SLOPE"
   #RT WHILE ; error 22002 "#RT WHILE"
   #RT ENDWHILE
-  #FOO ; error 900202 "#FOO"
+  #FOO ; error 20509 "#FOO"
 #RT CYCLE END
 ; --- variables (RC-301 … RC-303)
 #RT CYCLE
@@ -148,8 +148,8 @@ M30
   V.P.A = 3 ; error 22009 "V.P.A"
   V.L.A[1] = 3 ; error 22009 "V.L.A[]"
   V.E.VALUE = V.P.A
-  V.E.INPUT = 1 ; error 900216 "V.E.INPUT"
-  V.E.VALUE = V.E.OUTPUT ; error 900217 "V.E.OUTPUT"
+  V.E.INPUT = 1 ; error 20100 "V.E.INPUT"
+  V.E.VALUE = V.E.OUTPUT ; error 20097 "V.E.OUTPUT"
   V.E.VALUE = V.RTG.MEAS_DELTA ; error 21993 "R access to V.RTG.MEAS_DELTA is not available here: program R/W, realtime cycle –"
   V.RTG.MEAS_DELTA = 1 ; error 21993 "W access to V.RTG.MEAS_DELTA"
   V.RTG.OVERRIDE.VEL.TOTAL = 50 ; error 21993 "V.RTG.OVERRIDE.VEL.TOTAL"
@@ -159,10 +159,10 @@ M30
   V.E.TEXT = 1 ; error 21981 "V.E.TEXT"
   V.E.VALUE = V.E.TEXT ; error 21981 "V.E.TEXT"
   V.E.VALUE = "text" ; error 21981 ""
-  V.E.NOTHING = 1 ; error 900213 "V.E.NOTHING"
-  V.E.LIST = 1 ; error 900214 "V.E.LIST"
-  V.E.LIST[10] = 1 ; error 50929 "10"
-  V.E.LIST[0] = V.E.LIST[12] ; error 50929 "12"
+  V.E.NOTHING = 1 ; error 20196 "V.E.NOTHING"
+  V.E.LIST = 1 ; error 21216 "V.E.LIST"
+  V.E.LIST[10] = 1 ; error 50895 "10"
+  V.E.LIST[0] = V.E.LIST[12] ; error 50895 "12"
   V.E.LEVEL_1_A[0].REAL64 = V.E.LEVEL_1_A[0] ; error 900215 "V.E.LEVEL_1_A[]"
   V.E.LEVEL_1_A[0] = V.E.LEVEL_1_A[1] ; error 21984 "V.E.LEVEL_1_A[]"
   V.CH.Level = V.E.LEVEL_1_A[1] ; error 21984 "V.CH.Level"
@@ -178,9 +178,9 @@ M30
 #RT CYCLE
   V.E.VALUE = EXIST[V.P.A] ; error 900220 "EXIST"
   V.E.VALUE = SIZEOF[V.E.LIST] ; error 900220 "SIZEOF"
-  V.E.VALUE = SINUS[1] ; error 900218 "SINUS"
-  V.E.VALUE = SIN[1, 2] ; error 900219 "SIN"
-  V.E.VALUE = FOO ; error 900221 "FOO"
+  V.E.VALUE = SINUS[1] ; error 20392 "SINUS"
+  V.E.VALUE = SIN[1, 2] ; error 21474 "SIN"
+  V.E.VALUE = FOO ; error 20392 "FOO"
 #RT CYCLE END
 ; --- M and H functions (RC-403)
 #RT CYCLE
@@ -196,7 +196,7 @@ M30
   M110=130 ; error 900200 "M110=130"
   M[P1] ; error 900200 "computed number"
   M ; error 900208 "M"
-  M1.5 ; error 900204 "M1.5"
+  M1.5 ; error 20154 "M1.5"
   "MACRO" ; error 22002 ""
 #RT CYCLE END
 ; --- spindles and single axes: later versions
@@ -211,9 +211,9 @@ M30
   M19 S1000 S.POS314 ; error 50954 "M19"
   M03 M19 S1000 ; error 50954 "M03"
   S2[M04 REV=10 POS=3] ; error 50954 "S2["
-  S2[M04 REV=V.E.COUNT + 1 M100] ; error 900282 "M does"
+  S2[M04 REV=V.E.COUNT + 1 M100] ; error 21035 "M does"
   Z [INDP ABORTING G01 G90 FEED=500 POS=900 OFFSET=ALL]
-  Q[INDP STOP] ; error 900203 "Q"
+  Q[INDP STOP] ; error 20797 "Q"
 #RT CYCLE END
 ; --- #TIMER and #ERROR (RC-401, RC-402)
 #RT CYCLE
@@ -224,15 +224,15 @@ M30
   #TIMER LOOK SYN ; error 22004 "LOOK"
   #ERROR [ID=666 RC=2 PM1=1 PV1=99]
   #ERROR [ID=666 TEXT=1] ; error 22004 "TEXT"
-  #ERROR [RC=0] ; error 900280 "#ERROR"
-  #ERROR [ID=1001 RC=8 MID=0] ; error 900460 "1001"; error 900461 "8"; error 900462 "0"
-  #ERROR [ID=1 ID=2 RC] ; error 900224 "ID"; error 900208 "RC"
+  #ERROR [RC=0] ; error 21171 "#ERROR"
+  #ERROR [ID=1001 RC=8 MID=0] ; error 21171 "1001"; error 21173 "8"; error 900462 "0"
+  #ERROR [ID=1 ID=2 RC] ; error 21887 "ID"; error 900208 "RC"
   #ERROR [ID=1 PV1="23 characters are enough" PM1="text"] ; error 900281 "23"; error 21981 "text"
-  #ERROR [ID=1 PV1=V.E.NONE] ; error 900213 "V.E.NONE"
+  #ERROR [ID=1 PV1=V.E.NONE] ; error 20196 "V.E.NONE"
 #RT CYCLE END
 ; --- a block number inside a cycle
 #RT CYCLE
-  N[V.E.NONE] M100 ; error 900213 "V.E.NONE"
+  N[V.E.NONE] M100 ; error 20196 "V.E.NONE"
 #RT CYCLE END
 ; --- functions of axes (manual 4.3)
 #RT CYCLE [ID=1 SCOPE=PROG]

@@ -254,7 +254,7 @@ V.E.FLAG = -1 ; warning 901051 "-1 counts as 1"
     M100
   $ENDIF
   $IF ONCE V.E.VALUE > 1
-    X[INDP G90 POS=20000] ; error 900432 "the target 20000 of axis X"
+    X[INDP G90 POS=20000] ; error 60158 "the target 20000 of axis X"
     X[INDP G90 POS=20000 OFFSET=ZERO]
     X[INDP G91 POS=20000]
     A[INDP G90 POS=720]

@@ -191,21 +191,21 @@ V.E.LEVEL_1_A[P1].FROZEN = 4
 #RT CYCLE END
 M30
 ; --- a feed of 0, and arcs of which no radius can be known
-G02 X5 ; warning 900906 "no centre"
-G02 X5 ; warning 900906 "no centre"
+G02 X5 ; warning 20036 "no centre"
+G02 X5 ; warning 20036 "no centre"
 G01 X1 F100
-G01 X1 F0 ; warning 900903 "feed 0"
+G01 X1 F0 ; warning 20176 "feed 0"
 G01 X1 F100
-G01 X1 F-2.5 ; warning 900903 "feed -2.5"
+G01 X1 F-2.5 ; warning 20176 "feed -2.5"
 G03
 G03 R5
 G02 X5
 M30
 ; --- arcs that are one because G02 is active
 G02 F100
-X10 ; warning 900906 "no centre"
+X10 ; warning 20036 "no centre"
 X10 Y10 I5
-G91 Y5 ; warning 900906 "no centre"
+G91 Y5 ; warning 20036 "no centre"
 G92 X5
 X5
 G02
@@ -221,7 +221,7 @@ G04 X5
 X5
 G02
 F100
-G17 X7 ; warning 900906 "no centre"
+G17 X7 ; warning 20036 "no centre"
 $FOR P1 = 1, 2, 1
 X5
 G01
@@ -232,7 +232,7 @@ X10
 M30
 ; --- a radius may come on another way
 $IF P1 == 1
-  G02 X5 ; warning 900906 "no centre"
+  G02 X5 ; warning 20036 "no centre"
   R5
 $ENDIF
 G02 X6

@@ -52,7 +52,7 @@ M100
 #RT CYCLE END ; error 22005 "#RT CYCLE END"
 ; --- $IF left open inside a cycle
 #RT CYCLE [SCOPE=PROG]
-  $IF ONCE V.RTA.ACS.ACT_POS.X > 200 ; error 900105 "$IF"
+  $IF ONCE V.RTA.ACS.ACT_POS.X > 200 ; error 20375 "$IF"
     M100
 #RT CYCLE END
 G0 X1
@@ -75,14 +75,14 @@ G0 X1
   $ENDIF
 #RT CYCLE END
 ; --- brackets of the definition's line
-#RT CYCLE [SCOPE=PROG ; error 900102 "bracket"
+#RT CYCLE [SCOPE=PROG ; error 20397 "bracket"
 M100
 #RT CYCLE END
-#RT CYCLE DELETE ID=4 ; error 900100 "ID"
-#RT CYCLE [ID=5] [SCOPE=PROG] ; error 900100 "["
+#RT CYCLE DELETE ID=4 ; error 20797 "ID"
+#RT CYCLE [ID=5] [SCOPE=PROG] ; error 20797 "["
 #RT CYCLE END
 #RT CYCLE [ID=] ; error 900101 "]"
-#RT CYCLE END X1 ; error 900100 "X"
+#RT CYCLE END X1 ; error 20797 "X"
 M30
 ; --- a program that ends inside a cycle
 %MAIN

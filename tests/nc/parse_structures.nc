@@ -43,40 +43,40 @@ $if once p1 > 3
 $endif
 M30
 ; --- structures that are never closed
-$IF P1 ; error 900105 "$IF"
-  $FOR P1 = 1, 2, 1 ; error 900105 "$FOR"
-    $WHILE 1 ; error 900105 "$WHILE"
-      $DO ; error 900105 "$DO"
-        $REPEAT ; error 900105 "$REPEAT"
-          $SWITCH P1 ; error 900105 "$SWITCH"
-          #VAR ; error 900105 "#VAR"
+$IF P1 ; error 20375 "$IF"
+  $FOR P1 = 1, 2, 1 ; error 20375 "$FOR"
+    $WHILE 1 ; error 20375 "$WHILE"
+      $DO ; error 20375 "$DO"
+        $REPEAT ; error 20375 "$REPEAT"
+          $SWITCH P1 ; error 20375 "$SWITCH"
+          #VAR ; error 20375 "#VAR"
 ; --- ends without a begin
-$ENDIF ; error 900106 "$ENDIF without $IF"
-$ELSE ; error 900106 "$ELSE without $IF"
-$ELSEIF P1 ; error 900106 "$ELSEIF without $IF"
-$ENDFOR ; error 900106 "$ENDFOR without $FOR"
-$ENDWHILE ; error 900106 "$ENDWHILE without $WHILE"
-$ENDDO 1 ; error 900106 "$ENDDO without $DO"
-$UNTIL 1 ; error 900106 "$UNTIL without $REPEAT"
-$CASE 1 ; error 900106 "$CASE without $SWITCH"
-$DEFAULT ; error 900106 "$DEFAULT without $SWITCH"
-$ENDSWITCH ; error 900106 "$ENDSWITCH without $SWITCH"
+$ENDIF ; error 20218 "$ENDIF without $IF"
+$ELSE ; error 20214 "$ELSE without $IF"
+$ELSEIF P1 ; error 20216 "$ELSEIF without $IF"
+$ENDFOR ; error 20232 "$ENDFOR without $FOR"
+$ENDWHILE ; error 20237 "$ENDWHILE without $WHILE"
+$ENDDO 1 ; error 20240 "$ENDDO without $DO"
+$UNTIL 1 ; error 21469 "$UNTIL without $REPEAT"
+$CASE 1 ; error 20221 "$CASE without $SWITCH"
+$DEFAULT ; error 20223 "$DEFAULT without $SWITCH"
+$ENDSWITCH ; error 20225 "$ENDSWITCH without $SWITCH"
 #ENDVAR ; error 900106 "#ENDVAR without #VAR"
-#ENDIF ; error 900106 "#ENDIF without #IF"
-#COMMENT END ; error 900106 "#COMMENT END without #COMMENT BEGIN"
+#ENDIF ; error 20592 "#ENDIF without #IF"
+#COMMENT END ; error 20567 "#COMMENT END without #COMMENT BEGIN"
 ; --- a $ENDIF does not close #IF
-#IF 1 ; error 900105 "#IF"
-$ENDIF ; error 900106 "$ENDIF"
+#IF 1 ; error 21387 "#IF"
+$ENDIF ; error 20218 "$ENDIF"
 ; --- an inner structure that is left open
 $WHILE P1
-  $IF P2 ; error 900105 "$IF"
+  $IF P2 ; error 20375 "$IF"
 $ENDWHILE
 G0 X1
 ; --- $ELSE twice, $ELSEIF behind $ELSE
 $IF P1
 $ELSE
-$ELSE ; error 900120 "$ELSE after"
-$ELSEIF P2 ; error 900120 "$ELSEIF after"
+$ELSE ; error 20214 "$ELSE after"
+$ELSEIF P2 ; error 20216 "$ELSEIF after"
 $ENDIF
 ; --- a condition that cannot be read does not make its end a mistake
 $IF P1 > ; error 900101 "the end of the block"
@@ -85,11 +85,11 @@ $ENDIF
 $IF P1 > $GOTO N20 ; error 900101 "$"
 $WHILE ; error 900101 "the end of the block"
 $ENDWHILE
-$FOR P1 = 1 ; error 900113 "','"
+$FOR P1 = 1 ; error 20880 "','"
 $ENDFOR
 $FOR 3 = 1, 2, 3 ; error 900114 "3"
 $ENDFOR
-$FOR P1 1, 2, 3 ; error 900113 "'='"
+$FOR P1 1, 2, 3 ; error 20194 "'='"
 $ENDFOR
 $SWITCH ; error 900101 "the end of the block"
 $CASE ; error 900101 "the end of the block"
@@ -97,16 +97,16 @@ $ENDSWITCH
 $DO
 $ENDDO ; error 900101 "the end of the block"
 ; --- something behind the words
-$ELSE X10 ; error 900106 "$ELSE"
+$ELSE X10 ; error 20214 "$ELSE"
 $IF P1
-$ELSE X10 ; error 900100 "X"
-$ENDIF X ; error 900100 "X"
-$IF P1 G0 X10 ; error 900100 "G"
+$ELSE X10 ; error 20797 "X"
+$ENDIF X ; error 20797 "X"
+$IF P1 G0 X10 ; error 20797 "G"
 $ENDIF
-$IF P1 $ENDIF ; error 900100 "$ENDIF"
+$IF P1 $ENDIF ; error 20797 "$ENDIF"
 $GOTO ; error 900114 "the end of the block"
 $GOTO 5 ; error 900114 "5"
-$BREAK 5 ; error 900100 "5"
+$BREAK 5 ; error 20797 "5"
 ; --- words that do not exist
 $WHEN P1 ; error 900107 "$WHEN"
 $ IF P1 ; error 900107 "$"
@@ -124,7 +124,7 @@ $IF 0
     !!
   $ENDIF
 $ELSE
-  :: ; error 900100 ":"
+  :: ; error 20797 ":"
 $ENDIF
 $IF FALSE
   ::
@@ -140,16 +140,16 @@ This file was made by hand: do not change! ; warning 900118 "after the program e
 :: more of it
 $ENDIF
 %L SUB
-G0 X1 :: ; error 900100 ":"
+G0 X1 :: ; error 20797 ":"
 M17
 more text: see above ; warning 900118 "after the program end"
 ; --- a skipped program end is none, nor is one inside a structure
 / M30
-:: ; error 900100 ":"
+:: ; error 20797 ":"
 $IF P1
 M30
 $ENDIF
-:: ; error 900100 ":"
+:: ; error 20797 ":"
 ; --- declarations
 #VAR
   V.L.A
@@ -173,19 +173,19 @@ $ENDIF
   V.L. ; error 900114 "the end of the block"
   V.L.B = ; error 900101 "the end of the block"
   some words ; error 900116 "declarations"
-  V.L.C : SGN08 foo ; error 900100 "foo"
-  V.L.E = [1, 2 ; error 900102 "bracket"
+  V.L.C : SGN08 foo ; error 20797 "foo"
+  V.L.E = [1, 2 ; error 20397 "bracket"
   V.L.F = 3
 #ENDVAR
 G0 X1
 ; --- a forgotten #ENDVAR is noticed at the second block that declares nothing
-#VAR ; error 900105 "#VAR"
+#VAR ; error 20375 "#VAR"
   V.L.A
 G0 X1 ; error 900116 "declarations"
 G0 X2
 G0 X3
 ; --- a forgotten #ENDVAR before a structure
-#VAR ; error 900105 "#VAR"
+#VAR ; error 20375 "#VAR"
   V.L.A
 $IF P1
 $ENDIF
@@ -199,8 +199,8 @@ G0 X2
 M30
 %L SUB2
 M29
-%OTHER ; warning 900117 "%OTHER"
+%OTHER ; error 20193 "%OTHER"
 G0 X3
 ; --- a value in brackets that ends with the file
-#VAR ; error 900105 "#VAR"
+#VAR ; error 20375 "#VAR"
 V.L.A = [1, ; error 900101 "the end of the block"

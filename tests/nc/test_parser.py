@@ -202,7 +202,7 @@ def test_line_ends_and_encodings(end: bytes, mark: bytes, last: bool) -> None:
 
 def test_diagnostics_come_in_the_order_of_the_text() -> None:
     """A structure that stays open is found at the end, and reported where it begins."""
-    assert numbers("$IF P1\n:::\n$WHILE P2\nX=\n") == [900105, 900100, 900105, 900101]
+    assert numbers("$IF P1\n:::\n$WHILE P2\nX=\n") == [20375, 20797, 20375, 900101]
 
 
 def test_diagnostics_have_their_line_also_in_continued_blocks() -> None:
@@ -245,10 +245,10 @@ def test_the_length_of_a_block_is_bounded(kind: str, length: int, expected: list
 
 @pytest.mark.parametrize(
     ("depth", "expected"),
-    [(STRUCTURE_DEPTH - 1, []), (STRUCTURE_DEPTH, []), (STRUCTURE_DEPTH + 1, [900111])],
+    [(STRUCTURE_DEPTH - 1, []), (STRUCTURE_DEPTH, []), (STRUCTURE_DEPTH + 1, [20211])],
 )
 def test_structures_nest_up_to_the_limit(depth: int, expected: list[int]) -> None:
-    """900111: structures inside each other are bounded, so that walking them may recurse."""
+    """20211: structures inside each other are bounded, so that walking them may recurse."""
     text = "$IF P1\n" * depth + "G0 X1\n" + "$ENDIF\n" * depth
     assert numbers(text) == expected
 
@@ -257,7 +257,7 @@ def test_structures_far_beyond_the_limit_are_one_mistake() -> None:
     """What is too deep is left out of the tree, and reported once."""
     depth = 20_000
     program, diagnostics = read("$WHILE P1\n" * depth + "$ENDWHILE\n" * depth + "G0 X1")
-    assert [found.id for found in diagnostics] == [900111]
+    assert [found.id for found in diagnostics] == [20211]
     assert print_program(program).count("$WHILE") == STRUCTURE_DEPTH
 
 
@@ -265,8 +265,8 @@ def test_ends_that_fit_nothing_are_found_fast() -> None:
     """Hostile nesting takes no more than linear time."""
     depth = 20_000
     found = numbers("$WHILE 0\n" * depth + "$ENDIF\n" * depth + ":::\n" * depth)
-    assert found.count(900106) == depth
-    assert found.count(900105) == depth
+    assert found.count(20218) == depth
+    assert found.count(20375) == depth
 
 
 @pytest.mark.slow

@@ -282,15 +282,15 @@ def test_what_is_not_looked_at_does_not_count_as_in_order(monkeypatch: pytest.Mo
     monkeypatch.setattr(outline, "KEPT_STATEMENTS", 0)
     dead = ["$IF 0", "X1 Q5", "$ENDIF", "$WHILE FALSE", "X1 Q5", "$ENDWHILE"] * 5
     found = checked([*dead, "X2 Q3"])
-    assert [(one.id, one.span and one.span.line) for one in found] == [(900203, 31)]
+    assert [(one.id, one.span and one.span.line) for one in found] == [(20797, 31)]
 
 
 def test_what_leaves_a_loop_is_in_order_only_inside_one(monkeypatch: pytest.MonkeyPatch) -> None:
-    """900223, whether the branch came in loops before or not."""
+    """20243, whether the branch came in loops before or not."""
     monkeypatch.setattr(outline, "KEPT_STATEMENTS", 0)
     branch = ["$IF P1 > 2", "$BREAK", "$ENDIF"]
     found = checked([*(["$WHILE P1 < 5", *branch, "$ENDWHILE"] * 5), *branch])
-    assert [(one.id, one.span and one.span.line) for one in found] == [(900223, 27)]
+    assert [(one.id, one.span and one.span.line) for one in found] == [(20243, 27)]
 
 
 def test_not_more_shapes_are_remembered_than_there_is_room_for(

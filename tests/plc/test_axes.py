@@ -183,7 +183,7 @@ def test_a_modulo_axis_goes_in_the_wanted_direction() -> None:
 
 
 def test_an_endless_motion_ends_in_error_at_its_software_limit() -> None:
-    """900434, ErrorStop; further commands are refused (900431) until RESET clears it."""
+    """1702, ErrorStop; further commands are refused (60213) until RESET clears it."""
     endless, further = MC_MoveVelocity("X"), MC_MoveAbsolute("X")
 
     def call(hli: PlcView) -> None:
@@ -192,14 +192,14 @@ def test_an_endless_motion_ends_in_error_at_its_software_limit() -> None:
 
     plc = Cell(call, endless, further)
     made = run("G04 X21\nM30", plc)
-    assert plc.told[0][-1][1] == "error 900434"
-    assert plc.told[1][-1][1] == "error 900431"
+    assert plc.told[0][-1][1] == "error 1702"
+    assert plc.told[1][-1][1] == "error 60213"
     assert column(made, "X.STATE")[-1] == ERROR_STOP
     assert column(made, "X.ACS.ACT_POS")[-1] == 10_000.0
 
 
 @pytest.mark.parametrize(
-    ("axis", "position", "number"), [("X", 10_001.0, 900432), ("Y", -10_001.0, 900432)]
+    ("axis", "position", "number"), [("X", 10_001.0, 60158), ("Y", -10_001.0, 60159)]
 )
 def test_a_target_beyond_the_software_limits_is_refused(
     axis: str, position: float, number: int
@@ -212,28 +212,28 @@ def test_a_target_beyond_the_software_limits_is_refused(
 
 
 def test_an_axis_that_the_path_moves_is_refused() -> None:
-    """900430 while the block moves it; the path goes on as if nothing had been asked (MO-13)."""
+    """50603 while the block moves it; the path goes on as if nothing had been asked (MO-13)."""
     move = MC_MoveAbsolute("X")
     plc = Cell(lambda hli: move(hli, execute=hli.tick >= 20, position=3, velocity=500), move)
     made = run("G00 X10\nM30", plc)
-    assert plc.told == [[(0, ""), (20, "busy"), (21, "error 900430")]]
+    assert plc.told == [[(0, ""), (20, "busy"), (21, "error 50603")]]
     assert made.errors == ()
     assert column(made, "X.ACS.ACT_POS")[99] == 10.0
     assert column(made, "X.STATE")[50] == SYNCHRONIZED
 
 
 def test_a_block_that_moves_an_axis_of_the_plc_is_an_error() -> None:
-    """900435: the path never takes over an axis that moves; the PLC's motion goes on (MO-13)."""
+    """50766: the path never takes over an axis that moves; the PLC's motion goes on (MO-13)."""
     move = MC_MoveAbsolute("X")
     plc = Cell(lambda hli: move(hli, execute=True, position=10, velocity=500), move)
     made = run("G04 X0.050\nN20 G00 X5\nM30", plc)
-    assert [found.id for found in made.errors] == [900435]
+    assert [found.id for found in made.errors] == [50766]
     assert plc.told == [[(0, "busy"), (1, "busy active"), (100, "done")]]
     x = column(made, "X.ACS.ACT_POS")
     assert all(after - before <= 0.5 for before, after in itertools.pairwise(x))
 
 
-@pytest.mark.parametrize(("begin", "number"), [(50, 900420), (300, 900435)])
+@pytest.mark.parametrize(("begin", "number"), [(50, 900420), (300, 50766)])
 def test_the_path_brakes_where_it_cannot_take_the_next_block(begin: int, number: int) -> None:
     """MO-1, MO-6: X passes its corner with speed, and brakes with its 4000 mm/s² behind it.
 
@@ -297,7 +297,7 @@ def test_during_a_reset_an_axis_takes_no_command() -> None:
 
 
 def test_reset_leaves_error_stop() -> None:
-    """900434 at the limit; MC_Reset is done with its tick, and X takes commands again.
+    """1702 at the limit; MC_Reset is done with its tick, and X takes commands again.
 
     0.1 mm take 2·√(0.1/4000) s, 10 ticks. The channel keeps the error until its RESET.
     """
@@ -317,7 +317,7 @@ def test_reset_leaves_error_stop() -> None:
     assert shown == "done"
     assert plc.told[1][-2:] == [(tick - 1, "busy"), (tick, "done")]
     assert plc.told[2][-3:] == [(tick, "busy"), (tick + 1, "busy active"), (tick + 10, "done")]
-    assert [found.id for found in made.errors] == [900434]
+    assert [found.id for found in made.errors] == [1702]
     assert made.state == "error"
     assert column(made, "X.ACS.ACT_POS")[-1] == 9999.9
 

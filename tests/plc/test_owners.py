@@ -116,8 +116,8 @@ def test_plc_and_cycle_in_one_tick() -> None:
     ("moves", "number", "end"),
     [
         (20, 900420, "done"),  # Z has moved to 10 and stands where the program does not know
-        (150, 900435, "done"),  # Z moves when the block begins in tick 200
-        (200, 900435, "done"),  # in the same tick: the PLC is first
+        (150, 50766, "done"),  # Z moves when the block begins in tick 200
+        (200, 50766, "done"),  # in the same tick: the PLC is first
     ],
 )
 def test_a_block_wants_an_axis_that_the_plc_has_or_had(moves: int, number: int, end: str) -> None:
@@ -130,11 +130,11 @@ def test_a_block_wants_an_axis_that_the_plc_has_or_had(moves: int, number: int, 
 
 
 def test_the_plc_wants_an_axis_that_the_path_has() -> None:
-    """One tick behind the begin of the block: 900430 for the PLC, the path goes on."""
+    """One tick behind the begin of the block: 50603 for the PLC, the path goes on."""
     plc = Owner(201)
     made = run("G04 X0.2\nG00 Z-5\nM30", plc)
     assert errors(made) == []
-    assert plc.ends == [(201, "error 900430")]
+    assert plc.ends == [(201, "error 50603")]
     assert last(made) == -5.0
 
 
@@ -168,12 +168,12 @@ def test_a_block_asks_for_an_axis_that_the_plc_moves_endlessly() -> None:
 
 
 def test_path_and_cycle_in_one_tick() -> None:
-    """Commands come first: the block has Z from tick 201 on, the cycle's is a fault (900430).
+    """Commands come first: the block has Z from tick 201 on, the cycle's is a fault (50603).
 
     In tick 200 the block has asked for the position of Z.
     """
     made = run(CYCLE + "G04 X0.2\nG00 Z-5\nM30", Owner(10_000, triggers=201))
-    assert errors(made) == [900430]
+    assert errors(made) == [50603]
     assert axis_events(made) == []
 
 

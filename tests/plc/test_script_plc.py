@@ -313,12 +313,12 @@ def test_jobs_of_plc_spindles_are_acknowledged_as_they_say(
 
 
 def test_a_spindle_that_nobody_acknowledges_is_busy() -> None:
-    """50935: the second job finds the first one still there."""
+    """60331: the second job finds the first one still there."""
 
     class Cell(Plc):
         spindles = NONE
 
-    assert [found.id for found in run(JOBS, Cell()).errors] == [50935]
+    assert [found.id for found in run(JOBS, Cell()).errors] == [60331]
 
 
 def test_a_method_gets_each_job_of_a_spindle() -> None:

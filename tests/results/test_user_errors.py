@@ -68,7 +68,7 @@ def test_a_file_that_is_not_there_is_a_warning(machine: Path) -> None:
     """User errors are told without texts then."""
     (machine / "user_errors.txt").unlink()
     controller = Controller(machine)
-    assert 900469 in [one.id for one in controller.diagnostics]
+    assert 296010 in [one.id for one in controller.diagnostics]
     run = controller.run(program())
     assert run.errors[-1].text("en") == "user error 20 (RC = 2, PV1 = T7)"
 

@@ -150,7 +150,7 @@ def test_an_error_behind_a_cycle(
     assert main(["list", "part.nc"]) == 1
     captured = capsys.readouterr()
     assert captured.out.startswith("Realtime cycle #1, part.nc:1\n")
-    assert "part.nc:4:8: error 900300" in captured.err
+    assert "part.nc:4:8: error 20396" in captured.err
 
 
 def test_a_limit(capsys: Captured, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

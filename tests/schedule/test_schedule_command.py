@@ -72,7 +72,7 @@ def test_show_corrected_values(folder: Path, capsys: Capture) -> None:
     assert row("windows_time")[3:7] == ["499", "500", "µs", "900036:"]
     assert row("thread[0].cpu")[3:6] == ["9", "1", "900019:"]
     assert row("thread[1].function[0].trace_bit")[3:5] == ["x", "0"]
-    assert "900014:" in row("thread[1].function[0].trace_bit")
+    assert "2022:" in row("thread[1].function[0].trace_bit")
 
 
 def test_strict(folder: Path) -> None:

@@ -242,7 +242,7 @@ def test_which_external_thread_is_the_plc(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("line", "numbers"),
     [
-        ("thread[1].function[0].name task_com", [900621, 900732]),
+        ("thread[1].function[0].name task_com", [900621, 260102]),
         ("cycle_time 100", [900032, 1000153, 900038]),
     ],
 )
@@ -263,7 +263,7 @@ def test_without_task_int_the_most_urgent_thread_interpolates(tmp_path: Path) ->
 
 
 def test_interpolations_of_different_cycles(tmp_path: Path) -> None:
-    """Two threads with task_int and different cycles have no common tick (900731)."""
+    """Two threads with task_int and different cycles have no common tick (260101)."""
     second = [
         "thread[2].name GEO2",
         "thread[2].cycle 2000",
@@ -272,7 +272,7 @@ def test_interpolations_of_different_cycles(tmp_path: Path) -> None:
     ]
     with pytest.raises(Failure) as failure:
         Controller(None, schedule(tmp_path, with_lines(LIST, *second)))
-    assert 900731 in [one.id for one in failure.value.diagnostics]
+    assert 260101 in [one.id for one in failure.value.diagnostics]
 
 
 def test_words_of_the_command(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -413,7 +413,7 @@ def test_the_machines_own_list_as_the_schedule(tmp_path: Path) -> None:
     assert sorted(one.id for one in paced.diagnostics) == sorted(
         one.id for one in plain.diagnostics
     )
-    assert 900611 in [one.id for one in paced.diagnostics]
+    assert 260102 in [one.id for one in paced.diagnostics]
 
 
 def test_a_list_of_the_machine_alone_gives_no_time_away() -> None:
@@ -438,7 +438,7 @@ def test_contexts_of_channels(tmp_path: Path) -> None:
     """P-RTCF-00017, P-CHAN-00411: each channel is decoded by the thread of its context.
 
     That of context 2 comes in each fifth NC cycle: one block in the ticks 0, 5, 10. A context
-    without a thread (900611) takes all of them.
+    without a thread (260102) takes all of them.
     """
     second = [
         "thread[2].name SLOW",
@@ -460,7 +460,7 @@ def test_contexts_of_channels(tmp_path: Path) -> None:
     shutil.rmtree(machine)
     machine = two_channels(tmp_path, "schedule.context.sda 3")
     other = Controller(machine, given)
-    assert [found.id for found in other.diagnostics if found.id == 900611]
+    assert [found.id for found in other.diagnostics if found.id == 260102]
     assert other.run(program, channels={2: [program]}).state == "ended"
 
 

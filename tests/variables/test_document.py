@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from nctakt.messages.catalogue import catalogue
+from nctakt.messages.catalogue import messages_of
 
 TEXT = (Path(__file__).parents[2] / "docs" / "variables.md").read_text("utf-8")
 
@@ -24,4 +24,4 @@ def test_its_numbers_exist() -> None:
     """Each number in brackets is one of the catalogue."""
     numbers = [int(number) for number in re.findall(r"\((\d{5,6})\)", TEXT)]
     assert len(numbers) > 4
-    assert [number for number in numbers if number not in catalogue()] == []
+    assert [number for number in numbers if not messages_of(number)] == []

@@ -251,11 +251,11 @@ CYCLE = "#RT CYCLE [SCOPE=PROG]\n{}\n#RT CYCLE END\nM30"
 @pytest.mark.parametrize(
     ("line", "program", "cycle"),
     [
-        ("V.E.INPUT = 1", 900216, 900216),
-        ("V.E.INPUT += 1", 900216, 900216),
-        ("V.E.VALUE = V.E.OUTPUT", 900217, 900217),
-        ("V.E.OUTPUT += 1", 900217, 900217),
-        ("V.E.OUTPUT", 900217, 900217),
+        ("V.E.INPUT = 1", 20100, 20100),
+        ("V.E.INPUT += 1", 20100, 20100),
+        ("V.E.VALUE = V.E.OUTPUT", 20097, 20097),
+        ("V.E.OUTPUT += 1", 20097, 20097),
+        ("V.E.OUTPUT", 20097, 20097),
         ("V.E.VALUE = V.E.INPUT", 0, 0),
         ("V.E.OUTPUT = 1", 0, 0),
         ("V.RTG.OVERRIDE.VEL.CYCLE = 50", 21993, 0),
@@ -331,21 +331,21 @@ VALUES = [
 
 @pytest.mark.parametrize(("name", "value", "stored"), VALUES)
 def test_rc_307_types_round_and_refuse(name: str, value: float, stored: float | None) -> None:
-    """Half to even; 50892 outside of the type: by program, by cycle and by name alike."""
+    """Half to even; outside of the type 20847 by program and by name, 50892 by cycle."""
     line = f"V.E.{name} = {value}"
-    for text in (
-        f"{line}\n#FLUSH WAIT\nM30",
-        f"#RT CYCLE [SCOPE=PROG]\n{line}\n#RT CYCLE END\nM30",
+    for number, text in (
+        (20847, f"{line}\n#FLUSH WAIT\nM30"),
+        (50892, f"#RT CYCLE [SCOPE=PROG]\n{line}\n#RT CYCLE END\nM30"),
     ):
         m = demo()
         run = m.run(text)
-        assert errors(run) == ([50892] if stored is None else [])
+        assert errors(run) == ([number] if stored is None else [])
         assert m.value(f"V.E.{name}") == (stored or 0)
     m = demo()
     if stored is None:
         with pytest.raises(Failure) as caught:
             m.controller.write(f"V.E.{name}", value)
-        assert caught.value.diagnostics[0].id == 50892
+        assert caught.value.diagnostics[0].id == 20847
     else:
         m.controller.write(f"V.E.{name}", value)
         assert m.value(f"V.E.{name}") == stored
@@ -376,7 +376,7 @@ def test_rc_309_memory_for_channel_variables(tmp_path: Path, bytes_: int, enough
     entry = f"configuration.decoder.v_ch_memory {bytes_}"
     list_.write_text("\n".join([entry, *kept, ""]), "utf-8")
     loaded = load_machine(folder)
-    found = [one for one in loaded.diagnostics if one.id == 21992]
+    found = [one for one in loaded.diagnostics if one.id == 22079]
     assert bool(found) == (not enough)
     assert len(loaded.channels[0].channel_variables) == (2 if enough else 0)
     if found:
@@ -476,7 +476,7 @@ def test_rc_310_both_spellings_of_an_arrays_size(tmp_path: Path, spelling: str) 
     )
     m = machine(tmp_path, lists)
     assert errors(m.run("V.E.A[2] = 1\nV.CH.B[3] = 2\nM30")) == []
-    assert errors(m.run("V.E.A[3] = 1\nM30")) == [50929]
+    assert errors(m.run("V.E.A[3] = 1\nM30")) == [21928]
 
 
 def test_rc_310_variables_beyond_the_number_do_not_exist(tmp_path: Path) -> None:

@@ -170,22 +170,22 @@ def test_synchronous_members_come_through_the_queue(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("line", "number", "words"),
     [
-        ("V.E.TREE = V.E.SHUT", 900345, "V.E.SHUT is not of the type of V.E.TREE"),
-        ("V.CH.Alike = V.E.TREE", 900345, ""),
-        ("V.E.LIST = V.E.OTHER", 900345, ""),
-        ("V.E.LIST = V.E.LONGER", 900345, ""),
-        ("V.E.FOREST = V.E.TREE", 900345, ""),
-        ("V.E.TREE = V.E.FOREST", 900345, ""),
+        ("V.E.TREE = V.E.SHUT", 21443, "V.E.SHUT is not of the type of V.E.TREE"),
+        ("V.CH.Alike = V.E.TREE", 21443, ""),
+        ("V.E.LIST = V.E.OTHER", 21443, ""),
+        ("V.E.LIST = V.E.LONGER", 21443, ""),
+        ("V.E.FOREST = V.E.TREE", 21443, ""),
+        ("V.E.TREE = V.E.FOREST", 21443, ""),
         ("V.E.TREE = 5", 900215, "V.E.TREE"),
         ('V.E.TREE = "a"', 900215, "V.E.TREE"),
-        ("V.E.LIST[0] = V.E.LIST", 900214, "V.E.LIST"),
+        ("V.E.LIST[0] = V.E.LIST", 21216, "V.E.LIST"),
         ("P1 = V.E.TREE", 900215, "V.E.TREE"),
         ("V.E.TREE += V.CH.Tree", 900215, "V.E.TREE"),
-        ("V.E.FOREST[3] = V.E.TREE", 50929, ""),
-        ("V.E.TREE = V.E.FOREST[-1]", 50929, ""),
-        ("V.CH.Shut = V.E.SHUT", 900216, "V.CH.Shut.FIXED"),
-        ("V.E.TREE = V.E.NOTHING", 900213, "V.E.NOTHING"),
-        ("V.E.NOTHING = V.E.TREE", 900213, "V.E.NOTHING"),
+        ("V.E.FOREST[3] = V.E.TREE", 21928, ""),
+        ("V.E.TREE = V.E.FOREST[-1]", 21928, ""),
+        ("V.CH.Shut = V.E.SHUT", 20100, "V.CH.Shut.FIXED"),
+        ("V.E.TREE = V.E.NOTHING", 20196, "V.E.NOTHING"),
+        ("V.E.NOTHING = V.E.TREE", 20196, "V.E.NOTHING"),
         ("V.E.TREE = V.E.LATER + V.E.LATER", 900215, ""),
         ("V.E.LATER = Vs.E.LATER", 900228, "V.E.LATER"),
     ],
@@ -200,17 +200,17 @@ def test_what_cannot_be_copied_is_told(trees: Machine, line: str, number: int, w
 
 
 def test_members_without_the_right_are_told(tmp_path: Path) -> None:
-    """RC-303: WRITE_ONLY members cannot be read (900217), READ_ONLY ones not written (900216)."""
+    """RC-303: WRITE_ONLY members cannot be read (20097), READ_ONLY ones not written (20100)."""
     shut = TREE.replace("struct[2].element[2].access_rights READ_ONLY", "")
     run = machine(tmp_path, shut).run("V.CH.Shut = V.E.SHUT\nM30")
-    assert errors(run) == [900217]
+    assert errors(run) == [20097]
     assert "V.E.SHUT.SECRET" in run.diagnostics[0].text("en")
 
 
 def test_an_element_outside_at_run_time_is_told(trees: Machine) -> None:
     """RC-307: a computed index; nothing is copied."""
     run = trees.run("P1 = 3\nV.E.TREE = V.E.FOREST[P1]\nM30")
-    assert errors(run) == [50929]
+    assert errors(run) == [21928]
 
 
 @pytest.mark.parametrize(

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import enum
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Literal
 
 from nctakt.base.dataclass import dataclass
@@ -90,21 +90,30 @@ _NOTHING_SIMILAR = Text(
 )
 
 
+@dataclass(frozen=True, slots=True)
+class Cases:
+    """Numbers of a message by case; ``number_of`` gives that of some values, 0: none of them."""
+
+    numbers: tuple[int, ...]
+    number_of: Callable[[Mapping[str, object]], int]
+
+
 class Message:
     """A message of the catalogue, declared in ``messages/``; a slotted class, cheap to make.
 
-    ``id`` is its identity: the number of the controller, or from 900000 on a number of nctakt.
+    ``id`` is the number that leads: the controller's, or from 900000 on one of nctakt.
     ``text`` and ``remedy`` are format strings over the names in ``parameters``, whose values give
     the meaning of each in English and German. ``reaction`` and ``clearing`` are the controller's
     classes for the effect of an error and for clearing it (0: none; ``messages/classes.py`` has
     their meaning). ``cause`` explains how the error comes about; ``known_as`` are its further
-    numbers.
+    numbers, ``cases`` those that lead in some cases instead of ``id``.
     """
 
     __slots__ = (
         "_cause",
         "_remedy",
         "_text",
+        "cases",
         "clearing",
         "id",
         "known_as",
@@ -124,6 +133,7 @@ class Message:
         reaction: int = 0,
         clearing: int = 0,
         known_as: tuple[int, ...] = (),
+        cases: Cases | None = None,
     ) -> None:
         self.id = number
         self.severity = severity
@@ -134,6 +144,21 @@ class Message:
         self.reaction = reaction
         self.clearing = clearing
         self.known_as = known_as
+        self.cases = cases
+
+    @property
+    def leading(self) -> tuple[int, ...]:
+        """The numbers that can lead: ``id``, and those of its cases."""
+        return (self.id,) if self.cases is None else (self.id, *self.cases.numbers)
+
+    @property
+    def numbers(self) -> tuple[int, ...]:
+        """All its numbers, each once."""
+        return tuple(dict.fromkeys((*self.leading, *self.known_as)))
+
+    def number_of(self, values: Mapping[str, object]) -> int:
+        """The number that leads for these values of its parameters."""
+        return (self.cases and self.cases.number_of(values)) or self.id
 
     def __repr__(self) -> str:
         return f"<Message {self.id}: {self._text[0]}>"
@@ -160,12 +185,12 @@ class Diagnostic:
 
     ``source_line`` is the whole text line of the span, without its end, for the excerpt.
     ``is_lenient``: an error that is only a warning here. ``entry``: the entry of a list that it
-    concerns, which may be missing there.
+    concerns, which may be missing there. ``number``: that of the case; 0: its values tell it.
 
     >>> run = Controller().run(NcText("part.nc", "G01 X100 F6000 Q1 M30"))
     >>> diagnostic = run.diagnostics[0]
     >>> diagnostic.id, str(diagnostic.span), diagnostic.remedy()
-    (900203, 'part.nc:1:16', 'Axes of the channel: X, Y, Z, A')
+    (20797, 'part.nc:1:16', 'Axes of the channel: X, Y, Z, A')
     """
 
     message: Message
@@ -174,6 +199,7 @@ class Diagnostic:
     source_line: str = ""
     is_lenient: bool = False
     entry: str = ""
+    number: int = 0
 
     def __repr__(self) -> str:
         return f"<{self.headline()}>"
@@ -183,8 +209,16 @@ class Diagnostic:
 
     @property
     def id(self) -> int:
-        """The message's number."""
-        return self.message.id
+        """The number that leads here."""
+        return self.number or self.message.number_of(self.values)
+
+    @property
+    def also(self) -> tuple[int, ...]:
+        """Its other numbers: ours where the controller's leads, those of other documents."""
+        others = self.message.known_as
+        if self.id != self.message.id:
+            others = tuple(number for number in others if number != self.id)
+        return others
 
     @property
     def severity(self) -> Severity:

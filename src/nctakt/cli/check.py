@@ -215,7 +215,7 @@ def _selected(checked: CheckResult, selection: Selection, lowest: Severity) -> C
     findings = tuple(
         finding
         for finding in checked.findings
-        if selection.includes(finding.diagnostic.id) and finding.diagnostic.severity >= lowest
+        if selection.includes(finding.diagnostic) and finding.diagnostic.severity >= lowest
     )
     return replace(checked, findings=findings)
 
@@ -241,7 +241,7 @@ def _closing(result: CheckResult, selection: Selection, options: Options) -> str
     if options.machine is None and not result.settings and result.uses_default:
         folder = result.machines[0] if len(result.machines) == 1 else "DIR"
         remarks.append(diagnostic(CHECKED_FOR_DEMO_MACHINE, folder=folder))
-    lines = [remark.render(options.language) for remark in remarks if selection.includes(remark.id)]
+    lines = [remark.render(options.language) for remark in remarks if selection.includes(remark)]
     return "".join(f"{line}\n" for line in (*lines, closing_line(result, options.language)))
 
 

@@ -132,6 +132,7 @@ def _json_of(finding: Finding, language: Language, root: Path) -> dict[str, obje
     message, span = finding.diagnostic, position_of(finding)
     return {
         "id": message.id,
+        "also": list(message.also),
         "rule": rule_of(message.id),
         "severity": message.severity.name.lower(),
         "file": relative(finding.file, root).as_posix(),

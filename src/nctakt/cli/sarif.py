@@ -31,14 +31,15 @@ Json = dict[str, object]
 
 def as_sarif(result: CheckResult, language: Language, root: Path) -> str:
     """Return the log with one run."""
-    messages = {finding.diagnostic.id: finding.diagnostic.message for finding in result.findings}
-    rules = [messages[number] for number in sorted(messages)]
-    index = {message.id: position for position, message in enumerate(rules)}
+    messages: dict[int, Message] = {}
+    for finding in result.findings:
+        messages.setdefault(finding.diagnostic.id, finding.diagnostic.message)
+    index = {number: position for position, number in enumerate(sorted(messages))}
     driver: Json = {
         "name": "nctakt",
         "version": __version__,
         "semanticVersion": __version__,
-        "rules": [_rule(message, language) for message in rules],
+        "rules": [_rule(number, messages[number], language) for number in index],
     }
     seen: dict[str, int] = {}
     run: Json = {
@@ -59,19 +60,20 @@ def as_sarif(result: CheckResult, language: Language, root: Path) -> str:
     return json.dumps(log, indent=2) + "\n"
 
 
-def _rule(message: Message, language: Language) -> Json:
-    """Return the message without values: each of its parameters as ``<name>``."""
+def _rule(number: int, message: Message, language: Language) -> Json:
+    """Return the message of a number without values: each of its parameters as ``<name>``."""
     names = {name: f"<{name}>" for name in message.parameters}
     remedy = message.remedy.get(language).format_map(names)
     cause = message.cause.get(language)
     help_text = "\n\n".join(text for text in (cause, remedy) if text)
     text = message.text.get(language).format_map(names)
     return {
-        "id": rule_of(message.id),
+        "id": rule_of(number),
         "shortDescription": {"text": text},
         "fullDescription": {"text": cause or text},
         "help": {"text": help_text or text},
         "defaultConfiguration": {"level": _LEVELS[message.severity]},
+        "properties": {"also": [other for other in message.known_as if other != number]},
     }
 
 

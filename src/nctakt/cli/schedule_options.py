@@ -235,8 +235,8 @@ def publish(
     ``text`` for other programs.
     """
     selection = read_selection((), words["ignore"])
-    listed = [finding for finding in listed if selection.includes(finding.id)]
-    further = [finding for finding in further if selection.includes(finding.id)]
+    listed = [finding for finding in listed if selection.includes(finding)]
+    further = [finding for finding in further if selection.includes(finding)]
     lowest = Severity.WARNING if words["quiet"] else Severity.NOTE
     shown = [finding for finding in (*listed, *further) if finding.severity >= lowest]
     if words["format"] == "json":

@@ -9,9 +9,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
+from functools import cache
 
 from nctakt.base.dataclass import dataclass
+from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
+from nctakt.lists.format.controller_numbers import all_numbers
 from nctakt.messages import diagnostic
 from nctakt.messages.catalogue import catalogue
 from nctakt.messages.checking import NO_MESSAGE_SELECTED
@@ -24,15 +27,16 @@ _WORD = re.compile(rf"(?:{RULE_PREFIX})?([0-9]+)(?:-(?:{RULE_PREFIX})?([0-9]+))?
 
 @dataclass(frozen=True, slots=True)
 class Selection:
-    """The selected numbers; ``selected`` ``None``: all except the ignored ones."""
+    """The selected numbers, leading or not; ``selected`` ``None``: all except the ignored ones."""
 
     selected: frozenset[int] | None = None
     ignored: frozenset[int] = frozenset()
 
-    def includes(self, number: int) -> bool:
-        """Return whether a message is selected and not ignored."""
-        chosen = self.selected is None or number in self.selected
-        return chosen and number not in self.ignored
+    def includes(self, finding: Diagnostic) -> bool:
+        """Return whether a finding is selected by one of its numbers, and ignored by none."""
+        numbers = {finding.id, *finding.also}
+        chosen = self.selected is None or not numbers.isdisjoint(self.selected)
+        return chosen and numbers.isdisjoint(self.ignored)
 
 
 def read_selection(select: Sequence[str], ignore: Sequence[str]) -> Selection:
@@ -55,10 +59,17 @@ def _numbers(words: Sequence[str], wrong: list[str]) -> Iterator[int]:
 
 
 def _fitting(first: str, last: str | None) -> list[int]:
-    """Return the messages of a range, with a number, or with a prefix."""
+    """Return the numbers of a range, the number itself, or those with a prefix."""
     if last is not None:
         low, high = int(first), int(last)
-        return [number for number in catalogue() if low <= number <= high]
-    if int(first) in catalogue():
+        return sorted(number for number in _numbers_of_all() if low <= number <= high)
+    if int(first) in _numbers_of_all():
         return [int(first)]
-    return [number for number in catalogue() if str(number).startswith(first)]
+    return sorted(number for number in _numbers_of_all() if str(number).startswith(first))
+
+
+@cache
+def _numbers_of_all() -> frozenset[int]:
+    """Return the numbers of all messages and of the values of parameters."""
+    numbers = {number for message in catalogue() for number in message.numbers}
+    return frozenset(numbers.union(one.number for one in all_numbers()))

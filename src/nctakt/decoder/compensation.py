@@ -306,7 +306,7 @@ class Compensation:
         yield from self._finish()
 
     def _fail(self, motion: PendingMotion) -> NoReturn:
-        """Report that the tool cannot follow the contour (90019, 90038, 900871)."""
+        """Report that the tool cannot follow the contour (90019, 90038, 90017)."""
         self._values.fail(motion.misfit, motion.span, radius=abs(motion.radius))
 
     def _tell_crossing(self) -> None:

@@ -24,7 +24,20 @@ class Collector:
         self, message: Message, span: Span | None, source_line: str = "", **values: object
     ) -> Diagnostic:
         """Add ``message`` at ``span`` and return its diagnostic."""
-        found = diagnostic(message, span, source_line, **values)
+        return self.report_as(0, message, span, source_line, **values)
+
+    def report_as(
+        self,
+        number: int,
+        message: Message,
+        span: Span | None,
+        source_line: str = "",
+        /,
+        **values: object,
+    ) -> Diagnostic:
+        """Add ``message`` with the number of a case that its values do not tell; 0: they do."""
+        assert values.keys() == message.parameters.keys(), (message.id, tuple(values))
+        found = Diagnostic(message, span, values, source_line, number=number)
         self.diagnostics.append(found)
         return found
 

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from nctakt.base.diagnostics import Cases
+from nctakt.messages.cases import by_limit
 from nctakt.messages.catalogue import error
 
 AXIS_NOT_AT_BLOCK_START = error(
@@ -20,7 +22,8 @@ AXIS_NOT_AT_BLOCK_START = error(
     clearing=6,
 )
 AXIS_MOVED_BY_PATH = error(
-    900430,
+    50603,
+    known_as=(900430, 60262),
     en="axis {axis} is being moved by the path and takes no command of its own now",
     de="Achse {axis} wird gerade von der Bahn bewegt und nimmt jetzt keinen eigenen Auftrag an",
     remedy_en="Command the axis while no block moves it.",
@@ -33,7 +36,8 @@ AXIS_MOVED_BY_PATH = error(
     clearing=6,
 )
 AXIS_IN_ERROR_STATE = error(
-    900431,
+    60213,
+    known_as=(900431,),
     en="axis {axis} is in error state and takes no command before a reset",
     de="Achse {axis} ist im Fehlerzustand und nimmt vor einem Reset keinen Auftrag an",
     remedy_en="Reset the channel; the error before this one says what happened.",
@@ -43,7 +47,9 @@ AXIS_IN_ERROR_STATE = error(
     clearing=6,
 )
 INDP_TARGET_OUTSIDE_LIMITS = error(
-    900432,
+    60158,
+    known_as=(900432, 1702, 1703),
+    cases=by_limit("target", above=60158, below=60159),
     en="the target {target} of axis {axis} is outside its software limits {low} … {high}",
     de="das Ziel {target} der Achse {axis} liegt außerhalb ihrer Software-Endschalter {low} … "
     "{high}",
@@ -58,7 +64,8 @@ INDP_TARGET_OUTSIDE_LIMITS = error(
     clearing=6,
 )
 BUFFERED_MOTION_WAITING = error(
-    900433,
+    1704,
+    known_as=(900433, 60156),
     en="a motion of axis {axis} is already waiting: only one BUFFERED motion can wait",
     de="eine Bewegung der Achse {axis} wartet bereits: nur eine BUFFERED-Bewegung kann warten",
     remedy_en="Command the next one once the waiting one has started, or use ABORTING.",
@@ -69,7 +76,9 @@ BUFFERED_MOTION_WAITING = error(
     clearing=6,
 )
 ENDLESS_MOTION_AT_LIMIT = error(
-    900434,
+    1702,
+    known_as=(900434,),
+    cases=Cases((1702, 1703), lambda values: 0),
     en="the endless motion of axis {axis} has reached its software limit",
     de="die Endlosbewegung der Achse {axis} hat ihren Software-Endschalter erreicht",
     remedy_en="Stop the axis earlier, or make it a modulo axis.",
@@ -81,7 +90,8 @@ ENDLESS_MOTION_AT_LIMIT = error(
     clearing=6,
 )
 AXIS_IN_INDEPENDENT_MOTION = error(
-    900435,
+    50766,
+    known_as=(900435, 50629),
     en="the block moves axis {axis}, which is in an independent motion",
     de="der Satz bewegt die Achse {axis}, die gerade eine unabhängige Bewegung ausführt",
     remedy_en="Let the motion finish first, or stop the axis.",
@@ -96,6 +106,7 @@ AXIS_IN_INDEPENDENT_MOTION = error(
 )
 BUFFERED_MOTION_OUTSIDE_LIMITS = error(
     900436,
+    known_as=(60158, 60159),
     en="the waiting motion of axis {axis} would go beyond a software limit from where it starts",
     de="die wartende Bewegung der Achse {axis} würde von ihrem Start aus einen Endschalter "
     "überfahren",
@@ -111,6 +122,7 @@ BUFFERED_MOTION_OUTSIDE_LIMITS = error(
 )
 ENDLESS_MOTION_BLOCKS_PATH = error(
     900446,
+    known_as=(50766,),
     en="{axis} is moving endlessly beside the path: the block cannot take it over",
     de="{axis} fährt endlos neben der Bahn: der Satz kann sie nicht übernehmen",
     remedy_en="Stop it first: {axis}[INDP STOP] in the cycle, ABORT ACTION or END_ACTION.",
@@ -125,6 +137,7 @@ ENDLESS_MOTION_BLOCKS_PATH = error(
 )
 HELD_MOTION_BLOCKS_PATH = error(
     900447,
+    known_as=(50766,),
     en="a motion of {axis} beside the path is on hold: the block cannot take the axis over",
     de="eine Bewegung von {axis} neben der Bahn ist angehalten: der Satz kann die Achse nicht "
     "übernehmen",

@@ -18,7 +18,8 @@ BACKWARD_MEMORY_TOO_SMALL = warning(
     least=("the smallest size in bytes", "die kleinste Größe in Byte"),
 )
 BACKWARD_WITHOUT_HISTORY = warning(
-    900880,
+    50453,
+    known_as=(900880, 50473),
     en="backward motion is commanded, but the path has no history; it continues forward",
     de="Rückwärtsfahren ist befohlen, aber die Bahn hat keine Historie; sie fährt vorwärts weiter",
     remedy_en="Give the channel memory: fb_storage_size (P-STUP-00033) in the start-up list.",
@@ -27,7 +28,8 @@ BACKWARD_WITHOUT_HISTORY = warning(
     cause_de="P-STUP-00033 ist 0 (Standardwert): Rückwärtsfahren ist nicht verfügbar.",
 )
 BACKWARD_AT_HISTORY_START = warning(
-    900890,
+    50449,
+    known_as=(900890,),
     en="backward motion is commanded, but the history ends here: the program waits",
     de="Rückwärtsfahren ist befohlen, aber die Historie endet hier: das Programm wartet",
     remedy_en="Command forward: HLI.BACKWARD_MOTION = 0.",
@@ -36,7 +38,8 @@ BACKWARD_AT_HISTORY_START = warning(
     cause_de="Die Historie beginnt mit dem Programm, nach einem Reset und nach dem Löschen.",
 )
 RT_WHILE_WITHOUT_HISTORY = error(
-    900881,
+    51029,
+    known_as=(900881,),
     en="#RT WHILE needs the history of the path, and this channel has none",
     de="#RT WHILE braucht die Historie der Bahn, und dieser Kanal hat keine",
     remedy_en="Give the channel memory: fb_storage_size (P-STUP-00033) in the start-up list.",
@@ -47,7 +50,8 @@ RT_WHILE_WITHOUT_HISTORY = error(
     clearing=3,
 )
 RT_WHILE_TOO_LONG = error(
-    900882,
+    51027,
+    known_as=(900882, 51029),
     en="the realtime loop has {count} motions; the history of the path holds {size} blocks",
     de="die Echtzeit-Schleife hat {count} Bewegungen; die Historie der Bahn fasst {size} Sätze",
     remedy_en="Increase fb_storage_size (P-STUP-00033), or shorten the loop.",

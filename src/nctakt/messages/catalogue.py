@@ -2,22 +2,19 @@
 """How a message is declared, and the catalogue of all messages by number.
 
 In: the declarations of the modules beside this one. Out: a ``Message`` for each, which is reported
-by its name, and a table from number to ``Message`` for whoever has only the number: an event of the
-realtime part, a user who asks for it.
+by its name, and the messages of a number for whoever has only the number: a user who asks for it.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from functools import cache, partial
-from types import MappingProxyType
 
-from nctakt.base.diagnostics import Message, Severity
+from nctakt.base.diagnostics import Cases, Message, Severity
 
 #: Numbers of ours lie in this range; others are the controller's.
 FIRST_OWN, LAST_OWN = 900_000, 999_999
 
-_declared: dict[int, Message] = {}
+_declared: list[Message] = []
 
 
 def _declare(
@@ -34,15 +31,16 @@ def _declare(
     reaction: int = 0,
     clearing: int = 0,
     known_as: tuple[int, ...] = (),
+    cases: Cases | None = None,
     **parameters: tuple[str, str],
 ) -> Message:
     """Declare the message of a number; ``parameters`` explains the names in its texts, en and de.
 
     Text and remedy are format strings; ``cause`` tells, for explanation, what they do not.
-    ``reaction`` and ``clearing`` are the controller's classes (``classes.py``), ``known_as`` other
-    numbers under which the controller's documents have the same message.
+    ``reaction`` and ``clearing`` are the controller's classes (``classes.py``). ``known_as`` are
+    other numbers of the same message: ours where the controller's leads, those of other documents.
+    ``cases``: the numbers of a message that the controller numbers by case (``cases.py``).
     """
-    assert number not in _declared, number
     message = Message(
         number,
         severity,
@@ -53,8 +51,9 @@ def _declare(
         reaction,
         clearing,
         known_as,
+        cases,
     )
-    _declared[number] = message
+    _declared.append(message)
     return message
 
 
@@ -64,15 +63,21 @@ note = partial(_declare, Severity.NOTE)
 
 
 @cache
-def catalogue() -> Mapping[int, Message]:
-    """Return all messages by number, in the order of their numbers; imports their modules."""
+def catalogue() -> tuple[Message, ...]:
+    """Return all messages in the order of their numbers; imports their modules."""
     import importlib  # noqa: PLC0415 - who knows a message by its name needs neither
     import pkgutil  # noqa: PLC0415
 
     package = importlib.import_module(__package__)
     for module in pkgutil.iter_modules(package.__path__):
         importlib.import_module(f"{__package__}.{module.name}")
-    return MappingProxyType(dict(sorted(_declared.items())))
+    return tuple(sorted(_declared, key=lambda message: (message.id, message.known_as)))
+
+
+def messages_of(number: int) -> tuple[Message, ...]:
+    """Return the messages that have a number; first those that it leads."""
+    having = [message for message in catalogue() if number in message.numbers]
+    return tuple(sorted(having, key=lambda message: number not in message.leading))
 
 
 def is_own(number: int) -> bool:
@@ -82,4 +87,5 @@ def is_own(number: int) -> bool:
 
 def next_free_number() -> int:
     """Return the number for the next message: one above the highest of nctakt's own."""
-    return max(number for number in catalogue() if is_own(number)) + 1
+    numbers = (number for message in catalogue() for number in message.numbers)
+    return max(number for number in numbers if is_own(number)) + 1

@@ -66,6 +66,7 @@ INDEPENDENT_MOTION_REFUSED = error(
 )
 INDP_OUTSIDE_REALTIME_CYCLE = error(
     900260,
+    known_as=(21083,),
     en="{axis}[INDP …] belongs in a realtime cycle",
     de="{axis}[INDP …] gehört in einen Echtzeit-Zyklus",
     remedy_en="Move it into #RT CYCLE … #RT CYCLE END, or move the axis with the path.",
@@ -73,7 +74,8 @@ INDP_OUTSIDE_REALTIME_CYCLE = error(
     axis=("the axis", "die Achse"),
 )
 UNKNOWN_INDP_KEYWORD = error(
-    900261,
+    21068,
+    known_as=(900261,),
     en="{axis}[INDP …]: unknown keyword {word}",
     de="{axis}[INDP …]: unbekanntes Schlüsselwort {word}",
     remedy_en="Keywords: ABORTING, BUFFERED, STOP, OFFSET=, G90, G91, G00, G01, FEED=, POS=, DIR=",
@@ -83,6 +85,7 @@ UNKNOWN_INDP_KEYWORD = error(
 )
 INDP_OF_SPINDLE = error(
     900262,
+    known_as=(21414,),
     en="{spindle} is a spindle; INDP moves axes",
     de="{spindle} ist eine Spindel; INDP bewegt Achsen",
     remedy_en="Name an axis of the channel before the bracket.",
@@ -90,7 +93,8 @@ INDP_OF_SPINDLE = error(
     spindle=("the spindle", "die Spindel"),
 )
 INDP_KEYWORD_WITH_VALUE = error(
-    900263,
+    21068,
+    known_as=(900263,),
     en="the keyword {word} takes no value",
     de="das Schlüsselwort {word} hat keinen Wert",
     remedy_en="Remove the value.",

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from nctakt.messages.cases import by_beginning, by_group, by_word
 from nctakt.messages.catalogue import error, note
 
 NOT_SIMULATED = error(
@@ -28,7 +29,9 @@ ACCEPTED_WITHOUT_EFFECT = note(
     meaning=("its effect", "die Wirkung"),
 )
 UNKNOWN_COMMAND = error(
-    900202,
+    20209,
+    known_as=(900202,),
+    cases=by_beginning("word", {"#": 20509}),
     en="unknown command {word}",
     de="unbekannter Befehl {word}",
     remedy_en="Did you mean {nearest}?",
@@ -37,7 +40,8 @@ UNKNOWN_COMMAND = error(
     nearest=("the most similar known name, or –", "der ähnlichste bekannte Name, oder –"),
 )
 UNKNOWN_WORD = error(
-    900203,
+    20797,
+    known_as=(900203, 20180, 20875, 21047),
     en="unknown word {word}: neither a word of the language nor an axis or spindle of this channel",
     de="unbekanntes Wort {word}: weder Sprachelement noch Achse oder Spindel dieses Kanals",
     remedy_en="Axes of the channel: {axes}; most similar: {nearest}",
@@ -48,6 +52,8 @@ UNKNOWN_WORD = error(
 )
 INVALID_FUNCTION_NUMBER = error(
     900204,
+    known_as=(20107,),
+    cases=by_word("word", {"G": 20131, "M": 20154, "H": 20161}),
     en="{word} is not a valid function",
     de="{word} ist keine gültige Funktion",
     remedy_en="Give the number of a G, M or H function as a whole number.",
@@ -71,6 +77,7 @@ NO_PROGRAM_FOR_G_FUNCTION = error(
 )
 FUNCTION_NOT_DEFINED = error(
     900205,
+    cases=by_word("word", {"M": 20157, "H": 20162}),
     en="{word} is not defined in the channel list",
     de="{word} ist in der Kanalliste nicht definiert",
     remedy_en="Give it a synchronisation type there, for example {key} MOS",
@@ -80,6 +87,7 @@ FUNCTION_NOT_DEFINED = error(
 )
 AXIS_FUNCTION_IN_CYCLE = error(
     900206,
+    known_as=(22002,),
     en="{word} belongs to axis {axis}; a realtime cycle outputs only functions of the channel",
     de="{word} gehört zur Achse {axis}; ein Echtzeit-Zyklus gibt nur Funktionen des Kanals aus",
     remedy_en="Use another function, or remove {key} from the channel list.",
@@ -90,6 +98,7 @@ AXIS_FUNCTION_IN_CYCLE = error(
 )
 PROGRAM_CONTROL_IN_CYCLE = error(
     900207,
+    known_as=(50939,),
     en="{word} controls programs and is not allowed in a realtime cycle",
     de="{word} steuert Programme und ist im Echtzeit-Zyklus nicht erlaubt",
     remedy_en="Output another M function and let the PLC react to it.",
@@ -100,6 +109,7 @@ PROGRAM_CONTROL_IN_CYCLE = error(
 )
 WORD_VALUE_MISSING = error(
     900208,
+    known_as=(21461,),
     en="the value after {word} is missing",
     de="nach {word} fehlt der Wert",
     remedy_en="Write a number, a variable or an expression after it.",
@@ -107,7 +117,23 @@ WORD_VALUE_MISSING = error(
     word=("the word as written", "das Wort, wie geschrieben"),
 )
 DUPLICATE_WORD = error(
-    900209,
+    20203,
+    known_as=(900209, 21785),
+    cases=by_word(
+        "word",
+        {
+            "F": 20175,
+            "I": 20205,
+            "J": 20205,
+            "K": 20205,
+            "S": 20181,
+            "T": 20165,
+            "D": 20170,
+            "N": 20841,
+            "M": 20765,
+            "H": 20766,
+        },
+    ),
     en="{word} is given twice in this block",
     de="{word} ist in diesem Satz doppelt angegeben",
     remedy_en="Keep the one that you need.",
@@ -116,6 +142,32 @@ DUPLICATE_WORD = error(
 )
 EXCLUSIVE_WORDS = error(
     900210,
+    known_as=(
+        20108,
+        20109,
+        20110,
+        20112,
+        20113,
+        20115,
+        20117,
+        20118,
+        20119,
+        20120,
+        20121,
+        20122,
+        20123,
+        20124,
+        20125,
+        20126,
+        20127,
+        20128,
+        20129,
+        20130,
+        20792,
+        20810,
+        20846,
+    ),
+    cases=by_group(),
     en="{word} and {other} must not be in the same block",
     de="{word} und {other} dürfen nicht im selben Satz stehen",
     remedy_en="Split the block, or keep one of them.",
@@ -124,7 +176,8 @@ EXCLUSIVE_WORDS = error(
     other=("the function that stands before it", "die Funktion davor"),
 )
 G04_NOT_ALONE = error(
-    900211,
+    20685,
+    known_as=(900211, 21785, 21786),
     en="G04 must be alone in its block, with one time in seconds",
     de="G04 muss allein im Satz stehen, mit einer Zeit in Sekunden",
     remedy_en="Write G04 X0.5 or G04 0.5.",
@@ -132,6 +185,7 @@ G04_NOT_ALONE = error(
 )
 EXTRA_PARAMETERS = error(
     900212,
+    known_as=(20744, 20745, 21542),
     en="{word} takes no further parameters",
     de="{word} hat keine weiteren Parameter",
     remedy_en="Remove what follows the number.",
@@ -140,13 +194,15 @@ EXTRA_PARAMETERS = error(
 )
 NOT_NC_TEXT = error(
     900229,
+    known_as=(20797,),
     en="this block is not valid NC text",
     de="dieser Satz ist kein gültiger NC-Text",
     remedy_en="Correct it, or make it a comment.",
     remedy_de="Korrigieren oder zum Kommentar machen.",
 )
 FORMAT_VALUE_COUNT = error(
-    900230,
+    20721,
+    known_as=(900230,),
     en="placeholders in the text: {expected}, values given: {given}",
     de="Platzhalter im Text: {expected}, angegebene Werte: {given}",
     remedy_en="Give one value for each %d, %f or %s; write %% for a percent sign.",
@@ -155,7 +211,8 @@ FORMAT_VALUE_COUNT = error(
     given=("the number of values", "die Anzahl der Werte"),
 )
 INVALID_PLACEHOLDER = error(
-    900231,
+    21180,
+    known_as=(900231, 21232),
     en="{word} is not a valid placeholder",
     de="{word} ist kein gültiger Platzhalter",
     remedy_en="Write %d, %f, %e, %g, %x or %s, or %% for a percent sign.",
@@ -164,6 +221,7 @@ INVALID_PLACEHOLDER = error(
 )
 TEXT_FOR_NUMERIC_WORD = error(
     900232,
+    known_as=(21457,),
     en="{word} needs a number, not a text",
     de="{word} braucht eine Zahl, keinen Text",
     remedy_en="Write %s instead, or give a number.",
@@ -172,6 +230,7 @@ TEXT_FOR_NUMERIC_WORD = error(
 )
 INVALID_COMMAND_FORM = error(
     900233,
+    known_as=(20499, 20675, 20994, 21104, 21107),
     en="{command} does not have this form",
     de="{command} hat diese Form nicht",
     remedy_en="Write: {forms}",
@@ -180,7 +239,8 @@ INVALID_COMMAND_FORM = error(
     forms=("the valid forms", "die gültigen Formen"),
 )
 UNKNOWN_COMMAND_OPTION = error(
-    900234,
+    21220,
+    known_as=(900234, 21711),
     en="{command} has no option {word}",
     de="{command} hat keine Option {word}",
     remedy_en="Possible options: {names}",
@@ -200,6 +260,7 @@ G60_WITHOUT_MOTION = error(
 )
 WORD_VALUE_OUT_OF_RANGE = error(
     900847,
+    cases=by_word("word", {"M": 21494, "H": 21495}),
     en="{word}: {value} is not between {least} and {most}",
     de="{word}: {value} liegt nicht zwischen {least} und {most}",
     remedy_en="An M or H function passes the PLC a 32-bit whole number.",
@@ -213,6 +274,7 @@ WORD_VALUE_OUT_OF_RANGE = error(
 )
 G163_WITHOUT_RADIUS = error(
     900927,
+    known_as=(20402,),
     en="G163 without a radius",
     de="G163 ohne Radius",
     remedy_en="Write G163=10: the radius of this arc and of those that follow, as with R10.",

@@ -3,10 +3,12 @@
 
 from __future__ import annotations
 
+from nctakt.messages.cases import by_beginning
 from nctakt.messages.catalogue import error
 
 FREQUENCY_OUTSIDE_REALTIME_CYCLE = error(
     900222,
+    known_as=(20212, 21039),
     en="{word}: ONCE, EDGE and ALWAYS belong in a realtime cycle",
     de="{word}: ONCE, EDGE und ALWAYS gehören in einen Echtzeit-Zyklus",
     remedy_en="Remove the word, or move the $IF into #RT CYCLE … #RT CYCLE END.",
@@ -14,7 +16,9 @@ FREQUENCY_OUTSIDE_REALTIME_CYCLE = error(
     word=("the word as written", "das Wort, wie geschrieben"),
 )
 LOOP_CONTROL_OUTSIDE_LOOP = error(
-    900223,
+    20243,
+    known_as=(900223,),
+    cases=by_beginning("word", {"$CONTINUE": 20244}),
     en="{word} is not inside anything that it could leave or repeat",
     de="{word} steht nicht in einer Schleife, die es verlassen oder wiederholen könnte",
     remedy_en="Put it in a loop; $BREAK also ends a $CASE.",
@@ -22,7 +26,8 @@ LOOP_CONTROL_OUTSIDE_LOOP = error(
     word=("the word as written", "das Wort, wie geschrieben"),
 )
 DUPLICATE_KEYWORD = error(
-    900224,
+    21887,
+    known_as=(900224, 21373, 21379, 21420, 21537, 21710),
     en="the keyword {word} is given twice",
     de="das Schlüsselwort {word} ist doppelt angegeben",
     remedy_en="Keep one of them.",
@@ -31,6 +36,7 @@ DUPLICATE_KEYWORD = error(
 )
 INVALID_KEYWORD_VALUE = error(
     900225,
+    known_as=(21948, 22260),
     en="{word} = {value} is not valid",
     de="{word} = {value} ist nicht gültig",
     remedy_en="Possible values: {names}",
@@ -41,6 +47,7 @@ INVALID_KEYWORD_VALUE = error(
 )
 CYCLE_COMMAND_WITHOUT_ID = error(
     900226,
+    known_as=(22003,),
     en="#RT CYCLE {action} needs an ID",
     de="#RT CYCLE {action} braucht eine ID",
     remedy_en="Write #RT CYCLE {action} [ID=1] with the ID of the definition.",

@@ -3,10 +3,13 @@
 
 from __future__ import annotations
 
+from nctakt.messages.cases import by_beginning, by_counts
 from nctakt.messages.catalogue import error, warning
 
 UNKNOWN_VARIABLE = error(
-    900213,
+    20196,
+    known_as=(900213, 20092, 20394),
+    cases=by_beginning("name", {"V.P.": 20932, "V.L.": 20932, "V.S.": 20932, "V.I.": 21761}),
     en="unknown variable {name}",
     de="unbekannte Variable {name}",
     remedy_en="Did you mean {nearest}? Names are case-sensitive.",
@@ -25,7 +28,9 @@ UNKNOWN_AXIS_OF_VARIABLE = error(
     axes=("the axes of the channel", "die Achsen des Kanals"),
 )
 WRONG_INDEX_COUNT = error(
-    900214,
+    20974,
+    known_as=(900214,),
+    cases=by_counts(few=21216, many=20974, none=21768),
     en="wrong number of indices for {name}: {expected} expected, {given} given",
     de="falsche Anzahl von Indizes bei {name}: {expected} erwartet, {given} angegeben",
     remedy_en="Write {expected} indices in brackets.",
@@ -36,6 +41,7 @@ WRONG_INDEX_COUNT = error(
 )
 STRUCTURE_USED_AS_VALUE = error(
     900215,
+    known_as=(21446, 21979),
     en="{name} is a structure, not a single value",
     de="{name} ist eine Struktur, kein einzelner Wert",
     remedy_en="Use a member: {member}",
@@ -44,7 +50,8 @@ STRUCTURE_USED_AS_VALUE = error(
     member=("the member that was probably meant", "das vermutlich gemeinte Element"),
 )
 VARIABLE_READ_ONLY = error(
-    900216,
+    20100,
+    known_as=(900216,),
     en="{name} is READ_ONLY and cannot be written",
     de="{name} ist READ_ONLY und nicht beschreibbar",
     remedy_en="Write another variable, or change access_rights in the variables list.",
@@ -52,7 +59,8 @@ VARIABLE_READ_ONLY = error(
     name=("the variable", "die Variable"),
 )
 VARIABLE_WRITE_ONLY = error(
-    900217,
+    20097,
+    known_as=(900217,),
     en="{name} is WRITE_ONLY and cannot be read",
     de="{name} ist WRITE_ONLY und nicht lesbar",
     remedy_en="Read another variable, or change access_rights in the variables list.",
@@ -60,7 +68,8 @@ VARIABLE_WRITE_ONLY = error(
     name=("the variable", "die Variable"),
 )
 UNKNOWN_EXPRESSION_FUNCTION = error(
-    900218,
+    20392,
+    known_as=(900218,),
     en="unknown function {word}",
     de="unbekannte Funktion {word}",
     remedy_en="Did you mean {nearest}?",
@@ -69,7 +78,9 @@ UNKNOWN_EXPRESSION_FUNCTION = error(
     nearest=("the most similar known name, or –", "der ähnlichste bekannte Name, oder –"),
 )
 WRONG_ARGUMENT_COUNT = error(
-    900219,
+    21474,
+    known_as=(900219,),
+    cases=by_counts(few=21471, many=21474),
     en="wrong number of arguments for {word}: {expected} expected, {given} given",
     de="falsche Anzahl von Argumenten bei {word}: {expected} erwartet, {given} angegeben",
     remedy_en="Write {expected} values in the brackets, separated by commas.",
@@ -80,6 +91,7 @@ WRONG_ARGUMENT_COUNT = error(
 )
 QUERY_IN_REALTIME_CYCLE = error(
     900220,
+    known_as=(22002,),
     en="{word} asks for names or texts and is not allowed in a realtime cycle",
     de="{word} fragt nach Namen oder Texten und ist im Echtzeit-Zyklus nicht erlaubt",
     remedy_en="Assign its value to a P parameter first, and read that parameter.",
@@ -87,7 +99,8 @@ QUERY_IN_REALTIME_CYCLE = error(
     word=("the word as written", "das Wort, wie geschrieben"),
 )
 NOT_A_VALUE = error(
-    900221,
+    20392,
+    known_as=(900221,),
     en="{word} is not a value",
     de="{word} ist kein Wert",
     remedy_en="Did you mean {nearest}? Variables begin with V., functions have brackets.",
@@ -134,7 +147,7 @@ ACCESS_NOT_DEFINED = error(
     clearing=3,
 )
 INDEX_OUT_OF_RANGE = error(
-    50929,
+    21928,
     en="{variable} has no element {index}; it has {count} elements, counted from 0",
     de="{variable} hat kein Element {index}; es gibt {count} Elemente, gezählt ab 0",
     remedy_en="Keep the index within the array, or enlarge the array in the variables list.",
@@ -145,12 +158,28 @@ INDEX_OUT_OF_RANGE = error(
     variable=("the array", "das Feld"),
     index=("the index", "der Index"),
     count=("elements of the array", "Elemente des Feldes"),
+    reaction=2,
+    clearing=3,
+)
+CYCLE_INDEX_OUT_OF_RANGE = error(
+    50929,
+    cases=by_beginning("variable", {"V.E.": 50895}),
+    en="{variable} has no element {index} in this tick; it has {count} elements, counted from 0",
+    de="{variable} hat in diesem Takt kein Element {index}; es gibt {count}, gezählt ab 0",
+    remedy_en="Keep the index within the array, or enlarge the array in the variables list.",
+    remedy_de="Den Index innerhalb des Feldes halten oder das Feld in der Variablenliste "
+    "vergrößern.",
+    cause_en="Indices count from 0 and are rounded to the nearest whole number.",
+    cause_de="Indizes zählen ab 0 und werden auf die nächste ganze Zahl gerundet.",
+    variable=("the array", "das Feld"),
+    index=("the index", "der Index"),
+    count=("elements of the array", "Elemente des Feldes"),
     reaction=6,
     clearing=6,
-    known_as=(50895,),
 )
 UNKNOWN_TYPE = error(
     900136,
+    known_as=(20904, 21603),
     en="unknown type {word}",
     de="unbekannter Typ {word}",
     remedy_en="Did you mean {nearest}? A variable without a type is REAL64.",
@@ -159,7 +188,8 @@ UNKNOWN_TYPE = error(
     nearest=("the most similar known name, or –", "der ähnlichste bekannte Name, oder –"),
 )
 NOT_A_PROGRAM_VARIABLE = error(
-    900137,
+    20908,
+    known_as=(900137, 20915, 20931),
     en="{word} is not a variable that programs can create",
     de="{word} ist keine Variable, die ein Programm anlegen kann",
     remedy_en="Programs create and delete {families}. V.E and V.CH are declared in lists.",
@@ -169,7 +199,8 @@ NOT_A_PROGRAM_VARIABLE = error(
     families=("the families of such variables", "die Familien solcher Variablen"),
 )
 INVALID_EXIST_ARGUMENT = error(
-    900138,
+    20868,
+    known_as=(900138, 21023, 22254, 22275),
     en="{word} cannot be queried",
     de="{word} kann nicht abgefragt werden",
     remedy_en="Query a variable, @P1 … of a call, or an M or H function: EXIST[M100]",
@@ -178,7 +209,8 @@ INVALID_EXIST_ARGUMENT = error(
     word=("the word as written", "das Wort, wie geschrieben"),
 )
 TOO_MANY_INDICES = error(
-    900139,
+    20974,
+    known_as=(900139, 20924),
     en="{name} has more than {most} indices",
     de="{name} hat mehr als {most} Indizes",
     remedy_en="Declare an array of at most {most} dimensions.",
@@ -187,7 +219,8 @@ TOO_MANY_INDICES = error(
     most=("the maximum number of indices", "die größte Anzahl von Indizes"),
 )
 INVALID_ELEMENT_COUNT = error(
-    900140,
+    20917,
+    known_as=(900140, 20906),
     en="{name} cannot have {count} elements",
     de="{name} kann nicht {count} Elemente haben",
     remedy_en="Write a whole number of at least 1.",

@@ -33,6 +33,7 @@ NOT_A_TEXT_FILE = error(
 )
 FILE_ENCRYPTED = note(
     900582,
+    known_as=(21686,),
     en="{file} is encrypted and cannot be checked",
     de="{file} ist verschlüsselt und kann nicht geprüft werden",
     remedy_en="Check the program from which it was made.",

@@ -55,7 +55,8 @@ NO_CYCLE_DEFINED = note(
     remedy_de="Nicht genommene Zweige werden nicht dekodiert: --set gibt Variablen andere Werte.",
 )
 INVALID_SKIP_OPTION = error(
-    900490,
+    21655,
+    known_as=(900490,),
     en="{found} is not a skip level",
     de="{found} ist keine Ausblendebene",
     remedy_en="Levels are whole numbers from 1 to {most}, separated by commas: --skip 1,3",

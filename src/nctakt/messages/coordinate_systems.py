@@ -3,10 +3,12 @@
 
 from __future__ import annotations
 
+from nctakt.messages.cases import by_beginning
 from nctakt.messages.catalogue import error
 
 COORDINATE_SYSTEM_NOT_STORED = error(
-    900840,
+    20821,
+    known_as=(900840, 20820),
     en="coordinate system {id} is not stored",
     de="das Koordinatensystem {id} ist nicht gespeichert",
     remedy_en="Define it first with #CS DEF [{id}] [shift, angles]. Stored: {known}",
@@ -17,7 +19,8 @@ COORDINATE_SYSTEM_NOT_STORED = error(
     clearing=3,
 )
 NO_COORDINATE_SYSTEM_ACTIVE = error(
-    900841,
+    20824,
+    known_as=(900841,),
     en="#CS OFF, but no coordinate system is active",
     de="#CS OFF, aber kein Koordinatensystem ist aktiv",
     remedy_en="Remove it; #CS OFF ALL is allowed where none is active.",
@@ -27,6 +30,7 @@ NO_COORDINATE_SYSTEM_ACTIVE = error(
 )
 ARC_PLANE_ASKEW = error(
     900842,
+    known_as=(20663,),
     en="in this coordinate system the arc's plane G{plane} is inclined to the axes",
     de="in diesem Koordinatensystem liegt die Ebene G{plane} des Kreises schräg zu den Achsen",
     remedy_en="Program straight lines, or rotate the system about the plane's normal only.",
@@ -38,7 +42,8 @@ ARC_PLANE_ASKEW = error(
     clearing=3,
 )
 LINEAR_AXES_MISSING = error(
-    900843,
+    20660,
+    known_as=(900843,),
     en="a coordinate system needs the first three axes of the channel to be linear",
     de="ein Koordinatensystem braucht Linearachsen als die ersten drei Achsen des Kanals",
     remedy_en="Put the linear axes first in the channel list (gruppe[0].achse[0] … [2]).",
@@ -47,7 +52,8 @@ LINEAR_AXES_MISSING = error(
     clearing=3,
 )
 TOO_MANY_COORDINATE_SYSTEMS = error(
-    900844,
+    20826,
+    known_as=(900844,),
     en="more than {most} coordinate systems are stored",
     de="mehr als {most} Koordinatensysteme sind gespeichert",
     remedy_en="Reuse a number, or use #CS ON with values and without a number.",
@@ -58,6 +64,7 @@ TOO_MANY_COORDINATE_SYSTEMS = error(
 )
 WORD_IN_ROTATED_COORDINATE_SYSTEM = error(
     900845,
+    known_as=(20663,),
     en="{word} in a coordinate system that is rotated out of the axes' plane G{plane}",
     de="{word} in einem Koordinatensystem, das aus der Achsebene G{plane} herausgedreht ist",
     remedy_en="Rotate the system about the plane's normal only, or program the tool's own path.",
@@ -70,6 +77,8 @@ WORD_IN_ROTATED_COORDINATE_SYSTEM = error(
 )
 COORDINATE_SYSTEM_DURING_COMPENSATION = error(
     900846,
+    known_as=(20608, 20671),
+    cases=by_beginning("command", {"#CS": 20802}),
     en="{command} while tool radius compensation is active",
     de="{command} bei aktiver Werkzeugradiuskorrektur",
     remedy_en="Write it before G41 and G42, or after G40 and the motion that leaves the contour.",
@@ -80,6 +89,7 @@ COORDINATE_SYSTEM_DURING_COMPENSATION = error(
 )
 INVALID_COORDINATE_SYSTEM_NAME = error(
     900929,
+    known_as=(21598,),
     en="{name} is not a valid name for a coordinate system",
     de="{name} ist kein gültiger Name für ein Koordinatensystem",
     remedy_en="Choose another name of up to {most} characters; ACS, IMCS and MCS are reserved.",
@@ -91,7 +101,8 @@ INVALID_COORDINATE_SYSTEM_NAME = error(
     clearing=3,
 )
 COORDINATE_SYSTEM_NOT_ADDED = error(
-    900930,
+    21599,
+    known_as=(900930, 21600),
     en="#CS ADD [{name}]: the name is taken, or the stack is full",
     de="#CS ADD [{name}]: der Name ist vergeben, oder der Stapel ist voll",
     remedy_en="Up to {most} systems with different names can be stacked. Present: {known}",
@@ -104,7 +115,8 @@ COORDINATE_SYSTEM_NOT_ADDED = error(
     clearing=3,
 )
 UNKNOWN_COORDINATE_SYSTEM_NAME = error(
-    900931,
+    21601,
+    known_as=(900931,),
     en="#CS SELECT [{name}]: unknown coordinate system",
     de="#CS SELECT [{name}]: unbekanntes Koordinatensystem",
     remedy_en="Define it first with #CS ADD [{name}] [shift, angles]. Present: {known}",
@@ -116,6 +128,7 @@ UNKNOWN_COORDINATE_SYSTEM_NAME = error(
 )
 CS_SELECT_DURING_CS_ON = error(
     900932,
+    known_as=(21854,),
     en="#CS SELECT while a coordinate system of #CS ON is active",
     de="#CS SELECT, solange ein Koordinatensystem von #CS ON aktiv ist",
     remedy_en="Switch it off with #CS OFF first; it may be switched on again inside the selected "

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from nctakt.messages.cases import by_beginning, by_limit, by_sign, by_word, in_case, number
 from nctakt.messages.catalogue import error, warning
 
 NO_FEED_ACTIVE = error(
@@ -19,6 +20,10 @@ NO_FEED_ACTIVE = error(
 )
 ARGUMENT_OUT_OF_RANGE = error(
     21241,
+    cases=by_word(
+        "operation",
+        {"SQRT": 20398, "LN": 20399, "LOG": 20399, "EXP": 21739, "DEXP": 21739, "INV": 20396},
+    ),
     en="the argument of {operation} is out of range",
     de="das Argument von {operation} liegt außerhalb des gültigen Bereichs",
     remedy_en="Check the argument first, for example with $IF.",
@@ -32,7 +37,9 @@ ARGUMENT_OUT_OF_RANGE = error(
     clearing=3,
 )
 OPERATION_WITHOUT_RESULT = error(
-    900300,
+    20396,
+    known_as=(900300, 20574, 21959),
+    cases=by_beginning("operation", {"&": 20978, "|": 20978, "^": 20978}),
     en="the operation {operation} has no result for these operands",
     de="die Operation {operation} hat für diese Operanden kein Ergebnis",
     remedy_en="Check the operands first: a divisor of 0, a negative base, or bit patterns that are "
@@ -43,7 +50,8 @@ OPERATION_WITHOUT_RESULT = error(
     clearing=3,
 )
 RESULT_TOO_LARGE = error(
-    900301,
+    21739,
+    known_as=(900301, 21880, 21881, 21882, 21883),
     en="the result of this expression is too large for a number",
     de="das Ergebnis dieses Ausdrucks ist zu groß für eine Zahl",
     remedy_en="Keep intermediate results below 1.8e308.",
@@ -52,7 +60,8 @@ RESULT_TOO_LARGE = error(
     clearing=3,
 )
 FOR_STEP_ZERO = warning(
-    900302,
+    20852,
+    known_as=(900302,),
     en="the step of this $FOR is 0: it never ends on its own",
     de="die Schrittweite dieses $FOR ist 0: es endet nie von selbst",
     remedy_en="Give a step other than 0, or leave the loop with $BREAK.",
@@ -72,7 +81,8 @@ TOO_MANY_BLOCKS_WITHOUT_TIME = error(
     clearing=3,
 )
 MSG_FORMAT_MISMATCH = error(
-    900304,
+    20721,
+    known_as=(900304,),
     en="format and values of this #MSG do not match at '{found}'",
     de="Format und Werte dieses #MSG passen bei '{found}' nicht zusammen",
     remedy_en="Give one value for each %d, %f, %s … of the format.",
@@ -82,7 +92,9 @@ MSG_FORMAT_MISMATCH = error(
     clearing=3,
 )
 INVALID_DWELL_TIME = error(
-    900305,
+    20751,
+    known_as=(900305, 20015, 20752, 50764),
+    cases=by_sign("seconds", negative=20017),
     en="a dwell time of {seconds} s is not possible",
     de="eine Verweilzeit von {seconds} s ist nicht möglich",
     remedy_en="Program a time of 0 s or more.",
@@ -92,7 +104,9 @@ INVALID_DWELL_TIME = error(
     clearing=3,
 )
 TARGET_OUTSIDE_LIMITS = error(
-    900306,
+    120002,
+    known_as=(900306, 50041, 50042),
+    cases=by_limit("position", above=120002, below=120003),
     en="the target {position} of axis {axis} is outside its software limits {low} … {high}",
     de="das Ziel {position} der Achse {axis} liegt außerhalb ihrer Software-Endschalter {low} … "
     "{high}",
@@ -106,7 +120,8 @@ TARGET_OUTSIDE_LIMITS = error(
     clearing=3,
 )
 PROGRAMS_NESTED_TOO_DEEP = error(
-    900307,
+    20365,
+    known_as=(900307, 20360, 20361, 20371),
     en="more than {limit} nested programs: does a subprogram call itself forever?",
     de="mehr als {limit} geschachtelte Programme: ruft sich ein Unterprogramm endlos selbst auf?",
     remedy_en="Give the recursion an end, or call the programs one after the other.",
@@ -119,7 +134,8 @@ PROGRAMS_NESTED_TOO_DEEP = error(
     clearing=3,
 )
 STRUCTURES_AND_CALLS_TOO_DEEP = error(
-    900308,
+    20211,
+    known_as=(900308,),
     en="structures and subprograms are nested deeper than {limit}",
     de="Strukturen und Unterprogramme sind tiefer als {limit} geschachtelt",
     remedy_en="Nest less deeply.",
@@ -129,7 +145,8 @@ STRUCTURES_AND_CALLS_TOO_DEEP = error(
     clearing=3,
 )
 RETURN_LABEL_NOT_UNIQUE = error(
-    900309,
+    20836,
+    known_as=(900309, 20840),
     en="{name} has no unique label {label} to continue at",
     de="{name} hat keine eindeutige Sprungmarke {label} zum Fortsetzen",
     remedy_en="The label of M17 must appear once in the program that continues, outside loops.",
@@ -141,7 +158,8 @@ RETURN_LABEL_NOT_UNIQUE = error(
     clearing=3,
 )
 TOO_FEW_OPEN_CALLS = error(
-    900310,
+    22268,
+    known_as=(900310,),
     en="{count} calls are not open, only {most}",
     de="es sind keine {count} Aufrufe offen, nur {most}",
     remedy_en="JUMPS counts from 1 to the number of open calls; MAIN returns to the main program.",
@@ -153,6 +171,7 @@ TOO_FEW_OPEN_CALLS = error(
 )
 JUMP_TARGET_NOT_NC_TEXT = error(
     900311,
+    known_as=(20797,),
     en="a jump has led here, and this is not valid NC text",
     de="ein Sprung hat hierher geführt, und dies ist kein gültiger NC-Text",
     remedy_en="Remove the text, or jump to another label.",
@@ -161,7 +180,8 @@ JUMP_TARGET_NOT_NC_TEXT = error(
     clearing=3,
 )
 CALL_PARAMETER_MISSING = error(
-    900312,
+    20925,
+    known_as=(900312, 20394, 20934),
     en="the call has not passed {name}",
     de="der Aufruf hat {name} nicht übergeben",
     remedy_en="Call with L CYCLE [NAME=… {name}=…], or check with EXIST[{name}].",
@@ -171,7 +191,8 @@ CALL_PARAMETER_MISSING = error(
     clearing=3,
 )
 VALUE_OUTSIDE_TYPE_RANGE = error(
-    900313,
+    20847,
+    known_as=(900313, 20084),
     en="{name} cannot hold {value}: its type ranges from {low} to {high}",
     de="{name} kann {value} nicht aufnehmen: ihr Typ reicht von {low} bis {high}",
     remedy_en="Declare it with a larger type, or keep the value within the range.",
@@ -184,7 +205,8 @@ VALUE_OUTSIDE_TYPE_RANGE = error(
     clearing=3,
 )
 VARIABLE_NOT_PRESENT = error(
-    900314,
+    20932,
+    known_as=(900314, 20933),
     en="{name} does not exist at this point",
     de="{name} gibt es an dieser Stelle nicht",
     remedy_en="Did you mean {nearest}? Declare it in #VAR first; a V.L variable lives as long as "
@@ -198,6 +220,7 @@ VARIABLE_NOT_PRESENT = error(
 )
 VALUE_COUNT_MISMATCH = error(
     900315,
+    cases=in_case(20912, lambda values: number(values["given"]) > number(values["count"])),
     en="{given} values for {name}, which has {count} elements",
     de="{given} Werte für {name}, die {count} Elemente hat",
     remedy_en="Give at most as many values as there are elements.",
@@ -209,7 +232,8 @@ VALUE_COUNT_MISMATCH = error(
     clearing=3,
 )
 TOO_MANY_ELEMENTS = error(
-    900316,
+    20917,
+    known_as=(900316, 20906, 21602),
     en="{name} would have {count} elements; {most} are possible",
     de="{name} hätte {count} Elemente; möglich sind {most}",
     remedy_en="Declare a smaller array.",
@@ -222,6 +246,7 @@ TOO_MANY_ELEMENTS = error(
 )
 VALUE_LIST_FOR_ONE_ELEMENT = error(
     900317,
+    known_as=(20912, 21920),
     en="a list of values cannot be assigned to a single element",
     de="einem einzelnen Element kann keine Werteliste zugewiesen werden",
     remedy_en="Write the array without indices, or a single value.",
@@ -230,7 +255,8 @@ VALUE_LIST_FOR_ONE_ELEMENT = error(
     clearing=3,
 )
 UNKNOWN_TIMER = error(
-    900318,
+    21167,
+    known_as=(900318,),
     en="unknown timer {id}",
     de="unbekannter Zeitgeber {id}",
     remedy_en="Timers are numbered from 0 to {most}.",
@@ -241,7 +267,8 @@ UNKNOWN_TIMER = error(
     clearing=3,
 )
 UNKNOWN_MACRO = error(
-    900319,
+    20619,
+    known_as=(900319,),
     en='macro "{name}" is not defined at this point',
     de='das Makro "{name}" ist an dieser Stelle nicht definiert',
     remedy_en='Did you mean {nearest}? Write "{name}" = "text" first; names are case-sensitive.',
@@ -254,6 +281,7 @@ UNKNOWN_MACRO = error(
 )
 MACROS_NESTED_TOO_DEEP = error(
     900848,
+    known_as=(20618,),
     en='macro "{name}": more than {limit} macros are nested',
     de='Makro "{name}": mehr als {limit} Makros sind geschachtelt',
     remedy_en="A macro must not appear in its own text, nor in that of a macro it uses.",
@@ -282,6 +310,7 @@ MACRO_TEXT_TOO_LONG = error(
 )
 G194_ABOVE_MAX_FEED = error(
     900925,
+    known_as=(20799, 21889),
     en="G194: {value} % is above the maximum feed",
     de="G194: {value} % liegt über dem maximalen Vorschub",
     remedy_en="With G194, F is a share of the maximum feed: above 0, at most {most} %.",
@@ -292,7 +321,8 @@ G194_ABOVE_MAX_FEED = error(
     clearing=3,
 )
 NEGATIVE_FEED = error(
-    900926,
+    20176,
+    known_as=(900926, 120022),
     en="the feed of this motion is negative",
     de="der Vorschub dieser Bewegung ist negativ",
     remedy_en="Program F with a value above 0; the target defines the direction.",

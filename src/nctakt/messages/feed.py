@@ -3,10 +3,12 @@
 
 from __future__ import annotations
 
+from nctakt.base.diagnostics import Cases
+from nctakt.messages.cases import feed_factor
 from nctakt.messages.catalogue import error, warning
 
 FEED_PER_REVOLUTION_SPINDLE_STOPPED = error(
-    60131,
+    22044,
     en="feed per revolution (G95), but the program leaves spindle {spindle} stopped",
     de="Vorschub je Umdrehung (G95), aber das Programm lässt die Spindel {spindle} stehen",
     remedy_en="Program M03 or M04 with a speed S first.",
@@ -16,7 +18,9 @@ FEED_PER_REVOLUTION_SPINDLE_STOPPED = error(
     clearing=6,
 )
 INVALID_PROGRAM_OVERRIDE = error(
-    900835,
+    21419,
+    known_as=(900835,),
+    cases=Cases((21826, 21987), feed_factor),
     en="{word} {value} is not a valid override: {low} … {high} %",
     de="{word} {value} ist kein gültiger Override: {low} … {high} %",
     remedy_en="100 is the programmed speed.",
@@ -29,7 +33,8 @@ INVALID_PROGRAM_OVERRIDE = error(
     clearing=3,
 )
 FEED_PER_REVOLUTION_WITHOUT_SPINDLE = error(
-    900836,
+    21980,
+    known_as=(900836,),
     en="feed per revolution (G95), but the channel has no main spindle",
     de="Vorschub je Umdrehung (G95), aber der Kanal hat keine Hauptspindel",
     remedy_en="Name it in the channel list: main_spindle_ax_nr (P-CHAN-00051), main_spindle_name "
@@ -41,6 +46,7 @@ FEED_PER_REVOLUTION_WITHOUT_SPINDLE = error(
 )
 WAITING_FOR_MAIN_SPINDLE = warning(
     900819,
+    known_as=(50181, 60132),
     en="the path waits for the main spindle, which is stopped: feed per revolution (G95)",
     de="die Bahn wartet auf die Hauptspindel, die steht: Vorschub je Umdrehung (G95)",
     remedy_en="Let the spindle turn (M3 S1000), or program feed per minute (G94).",

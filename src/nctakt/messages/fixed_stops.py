@@ -28,7 +28,7 @@ INVALID_FIXED_STOP_RANGE = error(
     clearing=3,
 )
 FIXED_STOP_NOT_FOUND = error(
-    50885,
+    50886,
     en="axis {axis} found no fixed stop on its way",
     de="Achse {axis} hat auf ihrem Weg keinen Festanschlag gefunden",
     remedy_en="Move further, lower POS_LAG_LIMIT, or write ERR_NOT_DETECTED=0.",

@@ -14,6 +14,7 @@ TOOL_ZERO_WITHOUT_DIMENSIONS = warning(
 )
 UNKNOWN_AXIS_INDEX = warning(
     900741,
+    known_as=(21900, 22088),
     en="there is no axis with index {index}: the channel has {count} axes; the entry is ignored",
     de="es gibt keine Achse mit dem Index {index}: der Kanal hat {count} Achsen; der Eintrag wird "
     "ignoriert",
@@ -30,7 +31,8 @@ GROUP_ZERO_OFFSETS_IGNORED = warning(
     remedy_de="g53_verfuegbar auf 1 setzen oder eine andere Gruppe verwenden.",
 )
 DEFAULT_GROUP_EMPTY = warning(
-    900743,
+    20585,
+    known_as=(900743,),
     en="the default group {group} has no offsets",
     de="die voreingestellte Gruppe {group} hat keine Verschiebungen",
     remedy_en="Name a group that the list describes, or 0 for none.",
@@ -47,6 +49,7 @@ CIRCULAR_LIST_REFERENCE = error(
 )
 WRONG_LIST_KIND = error(
     900745,
+    known_as=(30005, 1000084),
     en="{path} is ignored: it has no entries of the kind {kind}, but some of {found}",
     de="{path} wird ignoriert: kein Eintrag gehört zu {kind}, einige gehören zu {found}",
     remedy_en="Name the right file, or correct the name of the entry.",
@@ -57,6 +60,7 @@ WRONG_LIST_KIND = error(
 )
 UNKNOWN_CHANNEL = error(
     900749,
+    known_as=(1000013, 1001848),
     en="there is no channel {channel}: the machine has {count}",
     de="es gibt keinen Kanal {channel}: die Maschine hat {count}",
     remedy_en="Count channels from 1, or give the machine more of them (kanal_anzahl).",
@@ -66,6 +70,7 @@ UNKNOWN_CHANNEL = error(
 )
 AXIS_IN_TWO_CHANNELS = error(
     900750,
+    known_as=(110190,),
     en="axis {axis} is assigned to channels {first} and {second}; channel {second} does not get it",
     de="Achse {axis} ist den Kanälen {first} und {second} zugeordnet; Kanal {second} erhält sie "
     "nicht",
@@ -135,6 +140,7 @@ LISTS_KEPT_IN_ASCII = note(
 )
 CHANNEL_WITHOUT_AXES = warning(
     900818,
+    known_as=(20427,),
     en="channel {channel} has no axes: it cannot move anything",
     de="Kanal {channel} hat keine Achsen: er kann nichts bewegen",
     remedy_en="Name its axes in the channel list: gruppe[0].achse[i].",

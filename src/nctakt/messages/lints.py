@@ -232,7 +232,8 @@ AXIS_COMMANDED_EACH_TICK = warning(
     word=("G91 or BUFFERED", "G91 oder BUFFERED"),
 )
 FEED_NOT_POSITIVE = warning(
-    900903,
+    20176,
+    known_as=(900903,),
     en="feed {value} is not above 0: a feed motion with it would stop the program",
     de="Vorschub {value} liegt nicht über 0: eine Vorschubbewegung damit würde das Programm "
     "anhalten",
@@ -241,7 +242,8 @@ FEED_NOT_POSITIVE = warning(
     value=("the value", "der Wert"),
 )
 ARC_LIKELY_WITHOUT_CENTRE = warning(
-    900906,
+    20036,
+    known_as=(900906,),
     en="this arc has no centre, and no radius was programmed before",
     de="dieser Kreisbogen hat keinen Mittelpunkt, und vorher wurde kein Radius programmiert",
     remedy_en="Program the centre with I, J or K, or a radius R other than 0.",
@@ -250,7 +252,8 @@ ARC_LIKELY_WITHOUT_CENTRE = warning(
     cause_de="Läuft das Programm so, hält es hier mit 900700 an.",
 )
 TOOL_NOT_IN_LIST = warning(
-    900928,
+    20167,
+    known_as=(900928,),
     en="T{tool}: the tool list has no such tool",
     de="T{tool}: die Werkzeugliste hat kein solches Werkzeug",
     remedy_en="T passes a tool location to the PLC; D selects dimensions and would find none for "

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from nctakt.base.diagnostics import Cases
 from nctakt.messages.catalogue import error, note, warning
 
 TEXT_NOT_UTF8 = note(
@@ -69,6 +70,8 @@ BLANK_MISSING = warning(
 )
 UNKNOWN_PARAMETER = warning(
     900008,
+    known_as=(120508, 150107, 1001118, 1001119, 1001120),
+    cases=Cases((110303, 1001117), lambda values: 0),
     en="{key} is not a parameter of this list; the entry is ignored",
     de="{key} ist kein Parameter dieser Liste; der Eintrag wird ignoriert",
     remedy_en="nctakt knows all published parameters; a vendor-specific one has no effect here.",
@@ -76,8 +79,13 @@ UNKNOWN_PARAMETER = warning(
     "Wirkung.",
     key=("the name as it stands in the list", "der Name, wie er in der Liste steht"),
 )
+#: The number of an unknown entry in a kind of list that has one.
+UNKNOWN_ENTRY_NUMBERS = {"axis": 110303, "startup": 1001117}
+
 MISSPELLED_PARAMETER = warning(
     900009,
+    known_as=(120508, 150107, 1001118, 1001119, 1001120),
+    cases=Cases((110303, 1001117), lambda values: 0),
     en="{key} is not a parameter of this list; the entry is ignored",
     de="{key} ist kein Parameter dieser Liste; der Eintrag wird ignoriert",
     remedy_en="Did you mean {nearest}?",
@@ -94,7 +102,8 @@ UNKNOWN_ENTRIES = note(
     count=("the number of entries in the file", "die Anzahl der Einträge in der Datei"),
 )
 PARAMETER_INDEX_OUT_OF_RANGE = warning(
-    900011,
+    2009,
+    known_as=(900011,),
     en="{key}: the index is outside {low} … {high}; the entry is ignored",
     de="{key}: der Index liegt außerhalb {low} … {high}; der Eintrag wird ignoriert",
     remedy_en="Use an index from {low} to {high}.",
@@ -105,6 +114,8 @@ PARAMETER_INDEX_OUT_OF_RANGE = warning(
 )
 PARAMETER_OF_OTHER_LIST = warning(
     900012,
+    known_as=(120508, 150107, 1001118, 1001119, 1001120),
+    cases=Cases((110303, 1001117), lambda values: 0),
     en="{key} is not a parameter of this list; the entry is ignored",
     de="{key} ist kein Parameter dieser Liste; der Eintrag wird ignoriert",
     remedy_en="It belongs in the {list} list ({id}).",
@@ -115,6 +126,7 @@ PARAMETER_OF_OTHER_LIST = warning(
 )
 VALUE_MISSING = warning(
     900013,
+    known_as=(2004,),
     en="{key} has no value; default {default} is used",
     de="{key} hat keinen Wert; es gilt der Standardwert {default}",
     remedy_en="Write the value after the name, or delete the line.",
@@ -123,7 +135,8 @@ VALUE_MISSING = warning(
     default=("the value that is used", "der Wert, der gilt"),
 )
 NOT_A_NUMBER = warning(
-    900014,
+    2022,
+    known_as=(900014, 2006),
     en="{key}: '{value}' is not a number; default {default} is used",
     de="{key}: '{value}' ist keine Zahl; es gilt der Standardwert {default}",
     remedy_en="Write a number, and a blank before any comment.",
@@ -167,6 +180,7 @@ UNQUOTED_SPECIAL_CHARACTERS = warning(
 )
 PARAMETER_OUT_OF_RANGE = warning(
     900019,
+    cases=Cases((1023, 1024), lambda values: 0),
     en="{key}: {value} is outside {range}; default {default} is used",
     de="{key}: {value} liegt nicht in {range}; es gilt der Standardwert {default}",
     remedy_en="Use a value in {range}.",
@@ -177,7 +191,8 @@ PARAMETER_OUT_OF_RANGE = warning(
     default=("the value that is used", "der Wert, der gilt"),
 )
 PARAMETER_TEXT_TOO_LONG = warning(
-    900020,
+    1021,
+    known_as=(900020, 2023),
     en="{key}: the text has {length} characters, {limit} are allowed; default '{default}' is used",
     de="{key}: der Text hat {length} Zeichen, erlaubt sind {limit}; es gilt der Standardwert "
     "'{default}'",
@@ -189,7 +204,8 @@ PARAMETER_TEXT_TOO_LONG = warning(
     default=("the value that is used", "der Wert, der gilt"),
 )
 UNKNOWN_PARAMETER_VALUE = warning(
-    900021,
+    2021,
+    known_as=(900021,),
     en="{key}: '{value}' is not one of {names}; default {default} is used",
     de="{key}: '{value}' ist keiner der Werte {names}; es gilt der Standardwert {default}",
     remedy_en="Use one of {names}.",
@@ -200,7 +216,8 @@ UNKNOWN_PARAMETER_VALUE = warning(
     default=("the value that is used", "der Wert, der gilt"),
 )
 NOT_A_BOOLEAN = warning(
-    900022,
+    1019,
+    known_as=(900022,),
     en="{key}: '{value}' is not a boolean; default {default} is used",
     de="{key}: '{value}' ist kein boolescher Wert; es gilt der Standardwert {default}",
     remedy_en="Write FALSE or TRUE.",
@@ -211,6 +228,7 @@ NOT_A_BOOLEAN = warning(
 )
 DUPLICATE_ENTRY = warning(
     900023,
+    known_as=(2056,),
     en="{key} is given in line {first} and in line {second}; line {taken} is used",
     de="{key} steht in Zeile {first} und in Zeile {second}; es gilt Zeile {taken}",
     remedy_en="Delete one of the two lines.",
@@ -222,6 +240,7 @@ DUPLICATE_ENTRY = warning(
 )
 OLD_PARAMETER_NAME = warning(
     900024,
+    known_as=(2044,),
     en="{alias} is an old name of {key}; the entry is accepted",
     de="{alias} ist ein alter Name von {key}; der Eintrag wird übernommen",
     remedy_en="Write {key}.",
@@ -230,7 +249,8 @@ OLD_PARAMETER_NAME = warning(
     key=("the parameter's present name", "der heutige Name des Parameters"),
 )
 INVALID_PARAMETER_REFERENCE = warning(
-    900025,
+    2052,
+    known_as=(900025, 2041, 2051, 2062, 2065),
     en="{key}: {value} does not name a parameter of this list that has a value of its own; default "
     "{default} is used",
     de="{key}: {value} nennt keinen Parameter dieser Liste mit eigenem Wert; es gilt der "
@@ -301,6 +321,7 @@ WITHOUT_EFFECT_MAY_CHANGE_RUN = note(
 )
 BEYOND_OTHER_PARAMETER = warning(
     900027,
+    cases=Cases((1023, 1024), lambda values: 0),
     en="{key}: {value} exceeds the limit {other} ({id}); {limit} is used",
     de="{key}: {value} überschreitet die Grenze {other} ({id}); es gilt {limit}",
     remedy_en="Change one of the two values.",
@@ -344,7 +365,7 @@ XML_LIST_TOO_LARGE = error(
     limit=("the maximum size in bytes", "die größte Länge in Byte"),
 )
 INVALID_SYNCHRONISATION_TYPE = warning(
-    20965,
+    20764,
     en="{key}: '{value}' is not a synchronisation type; {default} is used",
     de="{key}: '{value}' ist keine Synchronisationsart; es gilt {default}",
     remedy_en="Use the constants of P-CHAN-00041, joined by '|', or their hexadecimal value.",
@@ -361,7 +382,8 @@ INVALID_SYNCHRONISATION_TYPE = warning(
     clearing=1,
 )
 UNKNOWN_FUNCTION_AXIS = warning(
-    900812,
+    21131,
+    known_as=(900812,),
     en="{key}: no axis or spindle of the channel is called {value}; the function belongs to the "
     "channel",
     de="{key}: keine Achse oder Spindel des Kanals heißt {value}; die Funktion gehört zum Kanal",

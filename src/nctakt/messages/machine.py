@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from nctakt.base.diagnostics import Cases
+from nctakt.messages.cases import by_end, in_case, names_of_axes
 from nctakt.messages.catalogue import error, note, warning
 
 MACHINE_FOLDER_MISSING = error(
@@ -16,6 +18,7 @@ MACHINE_FOLDER_MISSING = error(
 )
 STARTUP_LIST_MISSING = error(
     900061,
+    known_as=(1000070,),
     en="the machine folder {path} has no start-up list ({names})",
     de="im Maschinenordner {path} liegt keine Hochlaufliste ({names})",
     remedy_en="Put the start-up list in the folder, or name the folder that contains it.",
@@ -24,7 +27,8 @@ STARTUP_LIST_MISSING = error(
     names=("the possible names of a start-up list", "die möglichen Namen einer Hochlaufliste"),
 )
 LIST_FILE_MISSING = error(
-    900062,
+    2001,
+    known_as=(900062, 1000056, 1000058, 1000059, 1000060, 1000061, 1000062, 21144, 22017),
     en="the list {path} does not exist",
     de="die Liste {path} gibt es nicht",
     remedy_en="Searched: {folders}; correct the path, or name another folder with --root.",
@@ -64,6 +68,7 @@ STARTUP_LIST_IN_FOLDER = note(
 )
 LIST_FORMAT_NOT_SUPPORTED = error(
     900064,
+    known_as=(1000084, 2067),
     en="lists in the format {format} cannot be read",
     de="Listen im Format {format} können nicht gelesen werden",
     remedy_en="Use the machine's lists in ASCII or XML.",
@@ -71,7 +76,8 @@ LIST_FORMAT_NOT_SUPPORTED = error(
     format=("the format that the start-up list names", "das Format, das die Hochlaufliste nennt"),
 )
 MANDATORY_PARAMETER_MISSING = warning(
-    900065,
+    2024,
+    known_as=(900065,),
     en="{key} is missing: this list is ignored",
     de="{key} fehlt: diese Liste wird ignoriert",
     remedy_en="Name the list, or reduce the number of lists.",
@@ -79,7 +85,8 @@ MANDATORY_PARAMETER_MISSING = warning(
     key=("the entry that is missing", "der fehlende Eintrag"),
 )
 AXIS_LIST_MISSING = error(
-    900066,
+    20312,
+    known_as=(900066, 110199, 1000099),
     en="no axis list has the logical number {logical} of {name}, which is ignored",
     de="keine Achsliste hat die logische Nummer {logical} von {name}; {name} wird ignoriert",
     remedy_en="Correct the number, or add the axis to the start-up list.",
@@ -88,7 +95,9 @@ AXIS_LIST_MISSING = error(
     name=("the axis or spindle", "die Achse oder Spindel"),
 )
 INVALID_LOGICAL_AXIS_NUMBER = error(
-    900067,
+    110064,
+    known_as=(900067, 1000177, 1001121),
+    cases=in_case(110076, lambda values: values["logical"] == 0),
     en="the logical axis number {logical} is 0 or already used by another axis list; this list is "
     "ignored",
     de="die logische Achsnummer {logical} ist 0 oder von einer anderen Achsliste belegt; diese "
@@ -106,7 +115,9 @@ RTCONF_MISSING = note(
     cycle=("the NC cycle in µs", "der NC-Takt in µs"),
 )
 INVALID_AXIS_NAME = error(
-    900069,
+    20425,
+    known_as=(900069, 20420, 20423),
+    cases=Cases((20419, 20424, 20971, 21045), names_of_axes),
     en="{key}: {value} is not a valid name or is already used; the entry is ignored",
     de="{key}: {value} ist kein gültiger Name oder schon vergeben; der Eintrag wird ignoriert",
     remedy_en="Axis names begin with A, B, C, Q or U to Z, spindle names with S; use each only "
@@ -118,6 +129,7 @@ INVALID_AXIS_NAME = error(
 )
 DESCRIBED_COUNT_MISMATCH = warning(
     900070,
+    cases=by_end("key", {"achs_anzahl": 20428, "spdl_anzahl": 20418, "kanal_anzahl": 1001125}),
     en="{key} is {count}, but {found} are described; the smaller number is used",
     de="{key} ist {count}, beschrieben sind aber {found}; es gilt die kleinere Zahl",
     remedy_en="Make the number match what is described.",
@@ -127,7 +139,8 @@ DESCRIBED_COUNT_MISMATCH = warning(
     found=("the number of those that are described", "die Anzahl der beschriebenen"),
 )
 UNKNOWN_MAIN_SPINDLE = warning(
-    900072,
+    21037,
+    known_as=(900072, 21306),
     en="main_spindle_ax_nr: no spindle of the channel has the logical number {logical}",
     de="main_spindle_ax_nr: keine Spindel des Kanals hat die logische Nummer {logical}",
     remedy_en="Use the logical number of one of the spindles of the channel.",
@@ -135,7 +148,8 @@ UNKNOWN_MAIN_SPINDLE = warning(
     logical=("the logical number", "die logische Nummer"),
 )
 MODULO_RANGE_EMPTY = warning(
-    900073,
+    110052,
+    known_as=(900073, 110310),
     en="the modulo range {low} … {high} is empty; 0 … 360° are used",
     de="der Modulobereich {low} … {high} ist leer; es gelten 0 … 360°",
     remedy_en="Set moduloo greater than modulou.",
@@ -144,7 +158,8 @@ MODULO_RANGE_EMPTY = warning(
     high=("moduloo as written", "moduloo, wie geschrieben"),
 )
 UNKNOWN_GEAR_STEP = warning(
-    900074,
+    110066,
+    known_as=(900074,),
     en="there is no gear step {wanted}; gear step {used} is used",
     de="es gibt keine Getriebestufe {wanted}; es gilt Stufe {used}",
     remedy_en="Correct kenngr.getriebe_stufe or getriebe[i].nummer.",
@@ -154,6 +169,7 @@ UNKNOWN_GEAR_STEP = warning(
 )
 SOFTWARE_LIMITS_SWAPPED = warning(
     900075,
+    cases=in_case(110110, lambda values: values["low"] == values["high"]),
     en="the software limits {low} … {high} are swapped or equal; they are sorted",
     de="die Software-Endschalter {low} … {high} sind vertauscht oder gleich; sie werden geordnet",
     remedy_en="Set kenngr.swe_pos greater than kenngr.swe_neg.",
@@ -163,6 +179,7 @@ SOFTWARE_LIMITS_SWAPPED = warning(
 )
 MACHINE_WITHOUT_CHANNELS = error(
     900077,
+    known_as=(70012,),
     en="no channel has an axis or a list: nothing can run",
     de="kein Kanal hat eine Achse oder eine Liste: es kann nichts laufen",
     remedy_en="Name a channel list with sda_mds[0] and the axes with achs_mds[i].",

@@ -6,7 +6,8 @@ from __future__ import annotations
 from nctakt.messages.catalogue import error, warning
 
 TEXT_INSTEAD_OF_NUMBER = error(
-    900340,
+    21461,
+    known_as=(900340, 21457),
     en="{name} holds a text; a number is needed here",
     de="{name} enthält einen Text; hier wird eine Zahl gebraucht",
     remedy_en="Use a variable that holds a number; texts can be assigned, compared and output with "
@@ -18,7 +19,8 @@ TEXT_INSTEAD_OF_NUMBER = error(
     clearing=3,
 )
 OPERATOR_WITH_TEXT = error(
-    900341,
+    21458,
+    known_as=(900341,),
     en="{operator} cannot be used with texts",
     de="{operator} ist für Texte nicht möglich",
     remedy_en="Compare texts with == or !=, concatenate them with +.",
@@ -28,7 +30,8 @@ OPERATOR_WITH_TEXT = error(
     clearing=3,
 )
 NUMBER_INSTEAD_OF_TEXT = error(
-    900342,
+    21460,
+    known_as=(900342,),
     en="{value} is not a text; a text is needed here",
     de="{value} ist kein Text; hier wird ein Text gebraucht",
     remedy_en="Write a text in double quotes, or name a variable of type STRING or VSTRING.",
@@ -39,7 +42,8 @@ NUMBER_INSTEAD_OF_TEXT = error(
     clearing=3,
 )
 TEXT_TOO_LONG = error(
-    900343,
+    21462,
+    known_as=(900343, 21455, 21870),
     en="{name} can hold {limit} characters; the text has {count}",
     de="{name} fasst {limit} Zeichen; der Text hat {count}",
     remedy_en="Shorten the text, or enlarge the variable: P-EXTV-00022 for STRING, 00008 for "
@@ -54,6 +58,7 @@ TEXT_TOO_LONG = error(
 )
 CHARACTER_NOT_STORABLE = error(
     900344,
+    known_as=(22105,),
     en="{name} cannot hold the character {character}",
     de="{name} kann das Zeichen {character} nicht enthalten",
     remedy_en="Use characters of Windows-1252: a variable stores each character in one byte.",
@@ -65,7 +70,8 @@ CHARACTER_NOT_STORABLE = error(
     clearing=3,
 )
 AGGREGATE_TYPE_MISMATCH = error(
-    900345,
+    21443,
+    known_as=(900345, 21444, 21445, 21447),
     en="{value} is not of the type of {name} and cannot be assigned as a whole",
     de="{value} hat nicht den Typ von {name} und kann nicht als Ganzes zugewiesen werden",
     remedy_en="Assign single values, for example {member}",
@@ -84,6 +90,7 @@ AGGREGATE_TYPE_MISMATCH = error(
 )
 PLC_VALUE_NOT_FINITE = warning(
     900346,
+    known_as=(21820, 21821, 50893),
     en="the PLC did not write a finite number to {variable}, which keeps its value",
     de="die SPS hat in {variable} keine endliche Zahl geschrieben; der Wert bleibt erhalten",
     remedy_en="Write a finite number; this is reported once for each variable.",
@@ -117,6 +124,7 @@ SHARED_MEMORY_EXISTS = error(
 )
 SHARED_MEMORY_NOT_AVAILABLE = error(
     900350,
+    known_as=(30073, 295014),
     en="shared memory {name} is not available: {reason}",
     de="der gemeinsame Speicher {name} ist nicht verfügbar: {reason}",
     remedy_en="Choose a short name of letters, digits and underscores.",

@@ -3,10 +3,12 @@
 
 from __future__ import annotations
 
-from nctakt.messages.catalogue import error, warning
+from nctakt.messages.cases import by_beginning, by_limit
+from nctakt.messages.catalogue import error
 
 ARC_WITHOUT_CENTRE = error(
-    900700,
+    20036,
+    known_as=(900700,),
     en="the arc has neither a centre nor a radius",
     de="der Kreisbogen hat weder Mittelpunkt noch Radius",
     remedy_en="Program the centre with I, J or K, or a radius R other than 0.",
@@ -19,7 +21,8 @@ ARC_WITHOUT_CENTRE = error(
     clearing=3,
 )
 ARC_RADIUS_TOO_SMALL = error(
-    900701,
+    20033,
+    known_as=(900701, 20034),
     en="no arc of radius {radius} leads to this target; it must be at least {least}",
     de="kein Kreisbogen mit Radius {radius} führt zu diesem Ziel; nötig ist mindestens {least}",
     remedy_en="Program a larger radius, or the centre. A full circle needs its centre.",
@@ -31,7 +34,8 @@ ARC_RADIUS_TOO_SMALL = error(
     clearing=3,
 )
 ARC_CENTRE_TOO_FAR_OFF = error(
-    900702,
+    20035,
+    known_as=(900702, 21758, 120025),
     en="the target is off the circle: its centre would have to move {shift} mm (at most {allowed})",
     de="Ziel neben dem Kreis: der Mittelpunkt müsste um {shift} mm wandern (höchstens {allowed})",
     remedy_en="Correct the target or the centre; centres are absolute with G161, relative to the "
@@ -49,7 +53,8 @@ ARC_CENTRE_TOO_FAR_OFF = error(
     clearing=3,
 )
 PLANE_AXIS_MISSING = error(
-    900703,
+    20938,
+    known_as=(900703, 50008, 120023),
     en="the channel has no axis for a direction of plane G{plane}",
     de="dem Kanal fehlt eine Achse der Ebene G{plane}",
     remedy_en="Choose another plane with G17, G18 or G19, or add the axis to the channel list.",
@@ -61,6 +66,7 @@ PLANE_AXIS_MISSING = error(
 )
 CENTRE_NOT_IN_PLANE = error(
     900704,
+    known_as=(20758,),
     en="{word} is not a centre coordinate of plane G{plane}",
     de="{word} ist keine Mittelpunktkoordinate der Ebene G{plane}",
     remedy_en="Program I and J in G17, K and I in G18, J and K in G19.",
@@ -71,7 +77,9 @@ CENTRE_NOT_IN_PLANE = error(
     clearing=3,
 )
 ARC_OUTSIDE_LIMITS = error(
-    900705,
+    120002,
+    known_as=(900705, 50041, 50042),
+    cases=by_limit("position", above=120002, below=120003),
     en="the arc takes axis {axis} to {position}, outside its software limits {low} … {high}",
     de="der Kreisbogen führt die Achse {axis} auf {position}, außerhalb ihrer Software-Endschalter "
     "{low} … {high}",
@@ -102,7 +110,8 @@ COMMAND_WORD_NOT_SIMULATED = error(
     clearing=3,
 )
 INVALID_CONTOUR_DEVIATION = error(
-    900707,
+    21401,
+    known_as=(900707,),
     en="the deviation {value} for contouring must be above 0",
     de="die Abweichung {value} beim Überschleifen muss größer als 0 sein",
     remedy_en="Program a PATH_DEV above 0, or switch contouring off with G260.",
@@ -112,7 +121,9 @@ INVALID_CONTOUR_DEVIATION = error(
     clearing=3,
 )
 UNKNOWN_COMMAND_KEYWORD = error(
-    900900,
+    21220,
+    known_as=(900900,),
+    cases=by_beginning("command", {"#CS TRACK": 21855, "#CS SHIFT": 21857, "#MSG": 21711}),
     en="{command} has no keyword {word}",
     de="{command} hat kein Schlüsselwort {word}",
     remedy_en="Did you mean {nearest}?",
@@ -121,14 +132,15 @@ UNKNOWN_COMMAND_KEYWORD = error(
     command=("the command", "der Befehl"),
     nearest=("the nearest known name", "der ähnlichste bekannte Name"),
 )
-ARC_WITH_CENTRE_AND_RADIUS = warning(
-    900904,
-    en="the arc has a centre and a radius: the centre is used, R applies to later arcs",
-    de="der Kreisbogen hat Mittelpunkt und Radius: der Mittelpunkt gilt, R erst für spätere Bögen",
+ARC_WITH_CENTRE_AND_RADIUS = error(
+    21024,
+    known_as=(900904,),
+    en="the arc has a centre and a radius",
+    de="der Kreisbogen hat Mittelpunkt und Radius",
     remedy_en="Program the centre (I, J, K) or the radius R, not both.",
     remedy_de="Den Mittelpunkt (I, J, K) oder den Radius R programmieren, nicht beides.",
-    cause_en="In a block with a centre the radius is stored and used by the next arc without a "
-    "centre.",
-    cause_de="In einem Satz mit Mittelpunkt wird der Radius gespeichert und vom nächsten Bogen "
-    "ohne Mittelpunkt verwendet.",
+    cause_en="Each of them alone fixes the circle; together they need not agree.",
+    cause_de="Jeder von beiden legt den Kreis fest; gemeinsam müssen sie nicht zueinander passen.",
+    reaction=2,
+    clearing=3,
 )

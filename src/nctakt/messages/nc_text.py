@@ -3,10 +3,12 @@
 
 from __future__ import annotations
 
+from nctakt.messages.cases import by_beginning
 from nctakt.messages.catalogue import error, warning
 
 UNEXPECTED_TEXT = error(
-    900100,
+    20797,
+    known_as=(900100, 20200),
     en="{found} is not expected here",
     de="{found} ist hier nicht zu erwarten",
     remedy_en="Remove it, or write the block according to the grammar.",
@@ -15,6 +17,7 @@ UNEXPECTED_TEXT = error(
 )
 VALUE_EXPECTED = error(
     900101,
+    known_as=(20392, 21461),
     en="a value is missing before {found}",
     de="vor {found} fehlt ein Wert",
     remedy_en="Write a number, a variable or an expression.",
@@ -34,7 +37,8 @@ EQUALS_BEFORE_CONDITION = error(
     word=("the word before it", "das Wort davor"),
 )
 BRACKET_NOT_CLOSED = error(
-    900102,
+    20397,
+    known_as=(900102, 20198, 21217),
     en="this bracket is not closed",
     de="diese Klammer wird nicht geschlossen",
     remedy_en="Write ']'; a command continues in the next line only if this one ends with '\\'.",
@@ -49,14 +53,17 @@ UNMATCHED_CLOSING_BRACKET = error(
     remedy_de="Entfernen oder die Klammer vorher öffnen.",
 )
 TEXT_NOT_CLOSED = error(
-    900104,
+    20790,
+    known_as=(900104, 20613, 20615, 20629, 20715),
     en="this text has no closing quote",
     de="diesem Text fehlt das schließende Anführungszeichen",
     remedy_en='Write " at its end; a text cannot extend over several lines.',
     remedy_de='Am Ende " schreiben; ein Text kann nicht über mehrere Zeilen gehen.',
 )
 STRUCTURE_NOT_CLOSED = error(
-    900105,
+    20375,
+    known_as=(900105, 21500, 21501, 21502),
+    cases=by_beginning("begin", {"#IF": 21387}),
     en="{begin} is never closed",
     de="{begin} wird nie geschlossen",
     remedy_en="Write {end}; nested structures end in reverse order.",
@@ -66,6 +73,24 @@ STRUCTURE_NOT_CLOSED = error(
 )
 STRUCTURE_NOT_OPENED = error(
     900106,
+    cases=by_beginning(
+        "word",
+        {
+            "$ELSEIF": 20216,
+            "$ELSE": 20214,
+            "$ENDIF": 20218,
+            "$CASE": 20221,
+            "$DEFAULT": 20223,
+            "$ENDSWITCH": 20225,
+            "$ENDFOR": 20232,
+            "$ENDWHILE": 20237,
+            "$ENDDO": 20240,
+            "$UNTIL": 21469,
+            "#ELSE": 20591,
+            "#ENDIF": 20592,
+            "#COMMENT": 20567,
+        },
+    ),
     en="{word} without {begin}",
     de="{word} ohne {begin}",
     remedy_en="Remove it, or write {begin} first.",
@@ -75,6 +100,7 @@ STRUCTURE_NOT_OPENED = error(
 )
 UNKNOWN_CONTROL_WORD = error(
     900107,
+    known_as=(20209,),
     en="{word} is not a control statement",
     de="{word} ist keine Steueranweisung",
     remedy_en="Did you mean {suggestion}? There must be no blank after $.",
@@ -98,6 +124,7 @@ PROGRAM_EMPTY = warning(
 )
 BLOCK_LONGER_THAN_MANUAL = warning(
     900110,
+    known_as=(20301,),
     en="the block has {length} characters; the manual allows {limit}",
     de="der Satz hat {length} Zeichen, das Handbuch erlaubt {limit}",
     remedy_en="Split it: the controller of the machine may refuse it.",
@@ -106,7 +133,8 @@ BLOCK_LONGER_THAN_MANUAL = warning(
     limit=("the maximum number of characters", "die größte Anzahl von Zeichen"),
 )
 STRUCTURES_NESTED_TOO_DEEP = error(
-    900111,
+    20211,
+    known_as=(900111, 20590),
     en="{begin} is inside more than {limit} other structures",
     de="{begin} steht in mehr als {limit} anderen Strukturen",
     remedy_en="Move the inner part into a subprogram.",
@@ -115,7 +143,8 @@ STRUCTURES_NESTED_TOO_DEEP = error(
     limit=("the maximum nesting", "die größte Schachtelung"),
 )
 COMMENT_NOT_CLOSED = error(
-    900112,
+    20568,
+    known_as=(900112,),
     en="this comment is never closed",
     de="dieser Kommentar wird nie geschlossen",
     remedy_en="Write #COMMENT END in a block of its own.",
@@ -123,6 +152,8 @@ COMMENT_NOT_CLOSED = error(
 )
 SYMBOL_EXPECTED = error(
     900113,
+    known_as=(20147, 20228, 20229),
+    cases=by_beginning("symbol", {"=": 20194, "[": 20743, "]": 20716, ",": 20880}),
     en="'{symbol}' is missing before {found}",
     de="vor {found} fehlt '{symbol}'",
     remedy_en="Write '{symbol}'.",
@@ -132,6 +163,7 @@ SYMBOL_EXPECTED = error(
 )
 NAME_EXPECTED = error(
     900114,
+    known_as=(20200, 20916),
     en="a name is missing before {found}",
     de="vor {found} fehlt ein Name",
     remedy_en="Write the name of a variable, label, program or command.",
@@ -148,15 +180,17 @@ STATEMENT_BEFORE_CASE = error(
 )
 ONLY_DECLARATIONS_IN_VAR = error(
     900116,
+    known_as=(20904, 20972),
     en="only declarations are allowed between #VAR and #ENDVAR",
     de="zwischen #VAR und #ENDVAR sind nur Deklarationen erlaubt",
     remedy_en="Write V.L.NAME : TYPE = value, or close the section with #ENDVAR first.",
     remedy_de="V.L.NAME : TYP = Wert schreiben oder den Abschnitt vorher mit #ENDVAR schließen.",
 )
-SECOND_MAIN_PROGRAM = warning(
-    900117,
-    en="the file already has a main program; %{name} does not run",
-    de="die Datei hat schon ein Hauptprogramm; %{name} läuft nicht",
+SECOND_MAIN_PROGRAM = error(
+    20193,
+    known_as=(900117, 21313),
+    en="the file already has a main program before %{name}",
+    de="die Datei hat vor %{name} schon ein Hauptprogramm",
     remedy_en="Start a subprogram with %L, or use a separate file.",
     remedy_de="Ein Unterprogramm mit %L beginnen oder eine eigene Datei verwenden.",
     name=("the text after %", "der Text nach %"),
@@ -170,13 +204,16 @@ TEXT_AFTER_PROGRAM_END = warning(
 )
 NUMBER_TOO_LARGE = error(
     900119,
+    known_as=(20834, 21713),
     en="this number is too large",
     de="diese Zahl ist zu groß",
     remedy_en="Write a number below 1.8e308.",
     remedy_de="Eine Zahl unter 1,8e308 schreiben.",
 )
 BRANCH_AFTER_ELSE = error(
-    900120,
+    20214,
+    known_as=(900120,),
+    cases=by_beginning("word", {"$ELSEIF": 20216}),
     en="{word} after the $ELSE of the same $IF",
     de="{word} nach dem $ELSE desselben $IF",
     remedy_en="Put a single $ELSE last, or close the $IF first.",
@@ -184,7 +221,8 @@ BRANCH_AFTER_ELSE = error(
     word=("the word at this position", "das Wort an dieser Stelle"),
 )
 INVALID_SKIP_LEVEL = error(
-    900122,
+    21655,
+    known_as=(900122,),
     en="there is no skip level {level}: levels are 1 to {limit}",
     de="es gibt keine Ausblendebene {level}: Ebenen sind 1 bis {limit}",
     remedy_en="Write / or /1 to /{limit}",
@@ -252,7 +290,8 @@ CYCLE_BEGIN_END_MISMATCH = error(
     clearing=3,
 )
 EXPRESSION_TOO_DEEP = error(
-    50861,
+    20386,
+    known_as=(21587, 50861),
     en="the expression is nested more than {limit} levels deep",
     de="der Ausdruck ist mehr als {limit} Ebenen tief geschachtelt",
     remedy_en="Assign part of it to a variable first.",

@@ -6,14 +6,16 @@ from __future__ import annotations
 from nctakt.messages.catalogue import error
 
 G159_WITHOUT_NUMBER = error(
-    900770,
+    20147,
+    known_as=(900770,),
     en="G159 needs the number of a zero offset",
     de="G159 braucht die Nummer einer Nullpunktverschiebung",
     remedy_en="Write G159 = 7; group n in the list of zero offsets is np_grp[n].",
     remedy_de="G159 = 7 schreiben; Gruppe n steht in der Nullpunktliste als np_grp[n].",
 )
 COMMAND_WITHOUT_AXIS = error(
-    900771,
+    20052,
+    known_as=(900771, 20003),
     en="{command} names no axis",
     de="{command} nennt keine Achse",
     remedy_en="Write the axes and their values after it, as in G92 X10.",
@@ -30,7 +32,8 @@ MOTION_WORD_WITH_OFFSETS = error(
     command=("the word or command", "das Wort oder der Befehl"),
 )
 UNKNOWN_OFFSET_KIND = error(
-    900773,
+    20873,
+    known_as=(900773, 20521),
     en="{word} is not a kind of offset",
     de="{word} ist keine Art von Verschiebung",
     remedy_en="Possible: {names}.",
@@ -39,7 +42,8 @@ UNKNOWN_OFFSET_KIND = error(
     names=("the possible words", "die möglichen Wörter"),
 )
 UNKNOWN_ZERO_OFFSET = error(
-    900774,
+    20149,
+    known_as=(900774, 20582, 20584),
     en="there is no zero offset {group}",
     de="es gibt keine Nullpunktverschiebung {group}",
     remedy_en="Use a whole number from 0 to {highest}.",

@@ -50,6 +50,7 @@ PLC_FAILED = error(
 )
 NO_PLC_AT_HLI = error(
     900650,
+    known_as=(270101,),
     en="no PLC has connected to the HLI {name}",
     de="keine SPS hat sich mit dem HLI {name} verbunden",
     remedy_en="Start the program that writes 1 to plc_present of hli_command.",
@@ -58,6 +59,7 @@ NO_PLC_AT_HLI = error(
 )
 PLC_NOT_ANSWERING = error(
     900651,
+    known_as=(270053,),
     en="the PLC at the HLI did not answer after tick {tick}",
     de="die SPS am HLI hat nach Takt {tick} nicht geantwortet",
     remedy_en="After each tick it must write turn of hli_header to turn of hli_link.",
@@ -66,6 +68,7 @@ PLC_NOT_ANSWERING = error(
 )
 PLC_LEFT_HLI = error(
     900652,
+    known_as=(270101,),
     en="the PLC left the HLI after tick {tick}",
     de="die SPS hat das HLI nach Takt {tick} verlassen",
     remedy_en="It must stay until ready of hli_header is 0.",
@@ -105,6 +108,7 @@ INPUT_HEADER_MISSING = error(
 )
 UNKNOWN_PLC_AXIS = error(
     900656,
+    known_as=(40091, 40092),
     en="unknown axis {name}",
     de="unbekannte Achse {name}",
     remedy_en="Did you mean {nearest}? Name one of these: {known}",
@@ -115,6 +119,7 @@ UNKNOWN_PLC_AXIS = error(
 )
 INVALID_AXIS_COMMAND = error(
     900657,
+    known_as=(44003, 44004, 44033),
     en="axis {name} cannot be moved with value {value} at speed {speed}",
     de="Achse {name} kann mit Wert {value} und Geschwindigkeit {speed} nicht fahren",
     remedy_en="Give a finite position or distance, and a speed above 0.",
@@ -125,6 +130,7 @@ INVALID_AXIS_COMMAND = error(
 )
 TOO_MANY_AXIS_COMMANDS = error(
     900658,
+    known_as=(44000,),
     en="too many axis commands in one tick: the one for {name} is ignored",
     de="zu viele Achsaufträge in einem Takt: der für {name} wird ignoriert",
     remedy_en="Call function blocks with a rising edge of execute in different ticks.",

@@ -6,7 +6,8 @@ from __future__ import annotations
 from nctakt.messages.catalogue import error, note, warning
 
 SUBPROGRAM_END_IN_MAIN_PROGRAM = error(
-    900123,
+    20376,
+    known_as=(900123,),
     en="{word} ends a subprogram, but this is the main program",
     de="{word} beendet ein Unterprogramm, dies ist aber das Hauptprogramm",
     remedy_en="Write M30, or call this text with L or LL.",
@@ -23,7 +24,8 @@ PROGRAM_ENDS_AS_SUBPROGRAM = note(
     word=("the word as written", "das Wort, wie geschrieben"),
 )
 PROGRAM_END_IN_SUBPROGRAM = warning(
-    900124,
+    20377,
+    known_as=(900124,),
     en="{word} in a subprogram ends the main program",
     de="{word} in einem Unterprogramm beendet das Hauptprogramm",
     remedy_en="Write M17 to return to the caller.",
@@ -31,14 +33,16 @@ PROGRAM_END_IN_SUBPROGRAM = warning(
     word=("the word as written", "das Wort, wie geschrieben"),
 )
 BLOCK_NUMBER_BEFORE_HASH_IF = error(
-    900125,
+    20593,
+    known_as=(900125,),
     en="there must be no block number before #IF",
     de="vor #IF darf keine Satznummer stehen",
     remedy_en="Remove the number, or write $IF.",
     remedy_de="Die Nummer entfernen oder $IF schreiben.",
 )
 UNKNOWN_LABEL = error(
-    900126,
+    20840,
+    known_as=(900126, 21697, 21698),
     en="this program has no label {label}",
     de="dieses Programm hat keine Sprungmarke {label}",
     remedy_en="Did you mean {nearest}? Write N20: or [NAME] before a block of the same program.",
@@ -50,7 +54,8 @@ UNKNOWN_LABEL = error(
     nearest=("the most similar label", "die ähnlichste Sprungmarke"),
 )
 JUMP_INTO_LOOP = error(
-    900127,
+    21480,
+    known_as=(900127,),
     en="the label {label} is in a loop: it is not possible to jump there",
     de="die Sprungmarke {label} steht in einer Schleife: dorthin kann nicht gesprungen werden",
     remedy_en="Put the label before or after the loop; use $CONTINUE and $BREAK inside it.",
@@ -59,7 +64,8 @@ JUMP_INTO_LOOP = error(
     label=("the label", "die Sprungmarke"),
 )
 DUPLICATE_LABEL = error(
-    900128,
+    20836,
+    known_as=(900128,),
     en="the label {label} is defined twice in this program",
     de="die Sprungmarke {label} ist in diesem Programm doppelt definiert",
     remedy_en="Rename one of them.",
@@ -67,7 +73,8 @@ DUPLICATE_LABEL = error(
     label=("the label", "die Sprungmarke"),
 )
 UNKNOWN_LOCAL_SUBPROGRAM = error(
-    900129,
+    20373,
+    known_as=(900129,),
     en="this file has no local subprogram {name}",
     de="diese Datei hat kein lokales Unterprogramm {name}",
     remedy_en="Did you mean {nearest}? A local subprogram begins with %L {name}; call a file with "
@@ -87,7 +94,8 @@ DUPLICATE_LOCAL_SUBPROGRAM = error(
     line=("the line of the first definition", "die Zeile der ersten Definition"),
 )
 PROGRAM_NOT_FOUND = error(
-    900131,
+    20369,
+    known_as=(900131, 20368, 20364),
     en="program {name} was not found",
     de="das Programm {name} wurde nicht gefunden",
     remedy_en="Searched: {folders}. Add folders with path[i].dir in the channel list.",
@@ -99,6 +107,7 @@ PROGRAM_NOT_FOUND = error(
 )
 INVALID_CALL_PARAMETER = error(
     900133,
+    known_as=(21220, 22151),
     en="{word} is not a parameter of a call",
     de="{word} ist kein Parameter eines Aufrufs",
     remedy_en="Did you mean {nearest}? A call has NAME and @P1 … @P200.",
@@ -108,6 +117,7 @@ INVALID_CALL_PARAMETER = error(
 )
 INVALID_RETURN_OPTION = error(
     900135,
+    known_as=(21220, 22151),
     en="{word} is not a valid option of a return",
     de="{word} ist keine gültige Angabe für einen Rücksprung",
     remedy_en="M17 takes [MAIN] or [JUMPS=number], and a label: [NAME] or N20.",
@@ -116,6 +126,7 @@ INVALID_RETURN_OPTION = error(
 )
 CYCLE_CALL_WITHOUT_NAME = error(
     900916,
+    known_as=(21208,),
     en="L CYCLE without NAME: it is not clear which program to call",
     de="L CYCLE ohne NAME: es ist nicht klar, welches Programm aufgerufen werden soll",
     remedy_en="Add NAME=file.nc to its keywords: L CYCLE [NAME=file.nc @P1=5]",

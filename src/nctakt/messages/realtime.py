@@ -141,6 +141,7 @@ CYCLE_ID_IN_USE = error(
 )
 CYCLES_EXCEED_DURATION = error(
     50939,
+    known_as=(50930,),
     en="the realtime cycles take too long: {steps} elementary instructions; there is time for "
     "{limit}",
     de="die Echtzeit-Zyklen dauern zu lange: {steps} Elementar-Anweisungen; Zeit ist für {limit}",
@@ -148,9 +149,11 @@ CYCLES_EXCEED_DURATION = error(
     remedy_de="Zyklus {cycle} oder andere kürzen oder rt_cycles.max_duration (P-CHAN-00425) "
     "erhöhen.",
     cause_en="All cycles of a tick share the time. In virtual time each elementary instruction "
-    "takes 10 ns.",
+    "takes 10 ns. A list of errors calls this 50930; there 50939 is an M function that controls "
+    "programs (M30 …) in a cycle, which is 900207 here.",
     cause_de="Alle Zyklen eines Takts teilen sich die Zeit. In virtueller Zeit dauert jede "
-    "Elementar-Anweisung 10 ns.",
+    "Elementar-Anweisung 10 ns. Eine Fehlerliste nennt das 50930; dort steht 50939 für eine "
+    "M-Funktion, die Programme steuert (M30 …), in einem Zyklus: hier 900207.",
     cycle=("the cycle at fault", "der fehlerhafte Zyklus"),
     steps=("the number of instructions so far", "die Anzahl der Anweisungen bis dahin"),
     limit=(
@@ -159,7 +162,6 @@ CYCLES_EXCEED_DURATION = error(
     ),
     reaction=6,
     clearing=6,
-    known_as=(50930,),
 )
 PLC_INTERFACE_FULL = error(
     50942,
@@ -193,6 +195,7 @@ TOO_MANY_FUNCTIONS_IN_TICK = error(
 )
 NO_CYCLE_TO_DELETE = note(
     900410,
+    known_as=(50858,),
     en="there is no realtime cycle with this ID: nothing to delete",
     de="es gibt keinen Echtzeit-Zyklus mit dieser ID: nichts zu löschen",
     cause_en="Many programs begin by deleting a cycle that an earlier one may have left; that is "
@@ -223,7 +226,8 @@ BLOCK_CYCLE_NEVER_RAN = note(
     cause_de="Ein BLOCK-Zyklus wartet auf den nächsten Satz, der Zeit braucht, und es kam keiner.",
 )
 UNKNOWN_CYCLE_TIMER = error(
-    900421,
+    21167,
+    known_as=(900421,),
     en="unknown timer {timer}: timers are numbered 0 … 127",
     de="unbekannter Zeitgeber {timer}: Zeitgeber haben die Nummern 0 … 127",
     remedy_en="Give #TIMER an ID from 0 to 127.",

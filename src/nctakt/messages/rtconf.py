@@ -7,6 +7,7 @@ from nctakt.messages.catalogue import error, note, warning
 
 INTERRUPT_SOURCE_MISSING = error(
     900030,
+    known_as=(1000086,),
     en="interrupt_source is not configured; the timer starts the NC cycles",
     de="interrupt_source ist nicht konfiguriert; der Timer startet die NC-Takte",
     remedy_en="Set interrupt_source to 1 (hardware interrupt), 2 (timer), 3 (semaphore) or 4 "
@@ -16,6 +17,7 @@ INTERRUPT_SOURCE_MISSING = error(
 )
 SCHEDULE_TIME_MISSING = error(
     900031,
+    known_as=(1000086,),
     en="{key} is missing or invalid and has no default; {fallback} µs are used",
     de="{key} fehlt oder ist ungültig und hat keinen Standardwert; es gelten {fallback} µs",
     remedy_en="Set {key}.",
@@ -25,6 +27,7 @@ SCHEDULE_TIME_MISSING = error(
 )
 TIME_SLICE_ABOVE_CYCLE_TIME = error(
     900032,
+    known_as=(1000086,),
     en="time_slice ({slice} µs) is longer than cycle_time ({cycle} µs)",
     de="time_slice ({slice} µs) ist länger als cycle_time ({cycle} µs)",
     remedy_en="Set time_slice to between a third and a twentieth of cycle_time.",
@@ -218,7 +221,8 @@ THREAD_INDEX_GAP = note(
     key=("the first missing element", "das erste fehlende Element"),
 )
 REALTIME_THREAD_ASSUMED = warning(
-    900051,
+    260102,
+    known_as=(900051,),
     en="no thread calls task_int; the thread with the highest priority is taken as the realtime "
     "thread",
     de="kein Thread ruft task_int auf; der Thread mit der höchsten Priorität gilt als "

@@ -119,7 +119,8 @@ INVALID_SEMAPHORE_NAME = warning(
     limit=("the maximum length", "die größte Länge"),
 )
 CHANNEL_CONTEXT_WITHOUT_THREAD = warning(
-    900611,
+    260102,
+    known_as=(900611, 260103),
     en="channel {channel}: {key} {context}: no thread has this context and {function}",
     de="Kanal {channel}: {key} {context}: kein Thread hat diesen Kontext und {function}",
     remedy_en="Give such a thread context_info {context}.",
@@ -131,6 +132,7 @@ CHANNEL_CONTEXT_WITHOUT_THREAD = warning(
 )
 SCHEDULE_WITHOUT_THREADS = error(
     900612,
+    known_as=(260102,),
     en="the list has no threads; nothing is scheduled",
     de="die Liste hat keine Threads; es wird nichts eingeplant",
     remedy_en="Write at least thread[0] with the function task_int.",

@@ -19,7 +19,8 @@ TICK_MISMATCH = warning(
     ),
 )
 NO_COMMON_TICK = error(
-    900731,
+    260101,
+    known_as=(900731, 1000141),
     en="the threads with task_int ({threads}) have different cycles: there is no common tick",
     de="die Threads mit task_int ({threads}) haben verschiedene Takte: es gibt keinen gemeinsamen "
     "Takt",
@@ -28,7 +29,8 @@ NO_COMMON_TICK = error(
     threads=("the threads", "die Threads"),
 )
 REQUIRED_FUNCTION_NOT_CALLED = error(
-    900732,
+    260102,
+    known_as=(900732,),
     en="no thread calls {function}: no program can run with this list",
     de="kein Thread ruft {function} auf: mit dieser Liste kann kein Programm laufen",
     remedy_en="Add the function to one of the threads; task_rnd decodes, task_int interpolates.",

@@ -6,7 +6,7 @@ from __future__ import annotations
 from nctakt.messages.catalogue import error, warning
 
 SPINDLE_BUSY = error(
-    50935,
+    60331,
     en="spindle {spindle} is busy with a job of this tick, or with one that the PLC has not "
     "acknowledged",
     de="Spindel {spindle} ist mit einem Auftrag dieses Takts oder einem unquittierten der SPS "
@@ -33,7 +33,7 @@ SPINDLE_WORD_COUNT = error(
     clearing=6,
 )
 SPINDLE_AXIS_LIST_MISSING = error(
-    50955,
+    50397,
     en="spindle {spindle} cannot turn: no axis list has the logical number {logical}",
     de="Spindel {spindle} kann nicht drehen: keine Achsliste hat die logische Nummer {logical}",
     remedy_en="Give it an axis list (kopf.achs_nr), or leave it to the PLC (plc_control 1).",
@@ -51,13 +51,18 @@ CYCLE_ACTIONS_FULL = error(
     remedy_en="Let actions end first, or increase configuration.rt_cycles.buffers (P-CHAN-00480).",
     remedy_de="Aktionen vorher enden lassen oder configuration.rt_cycles.buffers (P-CHAN-00480) "
     "erhöhen.",
+    cause_en="An action keeps its slot until it has ended. A list of errors reads 51028 as missing "
+    "memory for realtime loops, which is 51029 here.",
+    cause_de="Eine Aktion behält ihren Platz bis zu ihrem Ende. Eine Fehlerliste liest 51028 als "
+    "fehlenden Speicher für Echtzeit-Schleifen: hier 51029.",
     cycle=("the cycle at fault", "der fehlerhafte Zyklus"),
     used=("what its slots are used for", "wofür seine Plätze verwendet werden"),
     reaction=6,
     clearing=6,
 )
 NOT_A_SPINDLE_WORD = error(
-    900282,
+    21035,
+    known_as=(900282, 20180, 21039),
     en="{word} does not belong to a spindle command",
     de="{word} gehört nicht zu einem Spindelbefehl",
     remedy_en="Did you mean {nearest}? A spindle command takes M3, M4, M5, M19, S or REV, S.POS or "
@@ -68,7 +73,8 @@ NOT_A_SPINDLE_WORD = error(
     nearest=("the nearest known name", "der ähnlichste bekannte Name"),
 )
 NO_MAIN_SPINDLE = error(
-    900473,
+    21961,
+    known_as=(900473, 21306),
     en="the channel has no main spindle",
     de="der Kanal hat keine Hauptspindel",
     remedy_en="Name one (main_spindle_ax_nr, P-CHAN-00051), or use the name of a spindle: S2[M3 "
@@ -77,7 +83,8 @@ NO_MAIN_SPINDLE = error(
     "ansprechen: S2[M3]",
 )
 INVALID_SPINDLE_SPEED = error(
-    900470,
+    20991,
+    known_as=(900470,),
     en="the speed of a spindle cannot be {value}: M3 and M4 define the direction",
     de="die Drehzahl einer Spindel kann nicht {value} sein: M3 und M4 bestimmen die Richtung",
     remedy_en="Give a speed of at least 0, and M3 or M4.",
@@ -87,7 +94,8 @@ INVALID_SPINDLE_SPEED = error(
     clearing=6,
 )
 M19_WITHOUT_SPEED = error(
-    900471,
+    20007,
+    known_as=(900471,),
     en="M19 without a speed: none is active, and the block contains none",
     de="M19 ohne Drehzahl: es ist keine aktiv, und der Satz enthält keine",
     remedy_en="Give the speed at which the spindle moves to its position: M19 S100 S.POS=90",
@@ -97,7 +105,8 @@ M19_WITHOUT_SPEED = error(
     clearing=3,
 )
 M19_SPEED_ZERO = error(
-    900472,
+    20007,
+    known_as=(900472, 50499, 60212),
     en="M19 with speed 0: the spindle would never arrive",
     de="M19 mit der Drehzahl 0: die Spindel käme nie an",
     remedy_en="Give a speed above 0.",
@@ -122,7 +131,8 @@ SPINDLE_JOB_HELD = error(
     clearing=6,
 )
 EXCLUSIVE_SPINDLE_WORDS = error(
-    900901,
+    20155,
+    known_as=(900901, 21151),
     en="{words} must not be in the same block",
     de="{words} dürfen nicht im selben Satz stehen",
     remedy_en="Program only one of M3, M4 and M5 per block; M5 alone, M19 alone or with M3 or M4.",
@@ -132,6 +142,7 @@ EXCLUSIVE_SPINDLE_WORDS = error(
 )
 SPINDLE_POSITION_WITHOUT_M19 = error(
     900902,
+    known_as=(21151,),
     en="a spindle position without M19",
     de="eine Spindelposition ohne M19",
     remedy_en="Write M19 in the same block: M19 S100 S.POS=90",
@@ -139,6 +150,7 @@ SPINDLE_POSITION_WITHOUT_M19 = error(
 )
 SPINDLE_SPEED_LIMITED = warning(
     900905,
+    known_as=(60019,),
     en="spindle {spindle}: the speed {speed} is limited to {limit} 1/min",
     de="Spindel {spindle}: die Drehzahl {speed} wird auf {limit} 1/min begrenzt",
     remedy_en="Program at most this speed, or increase P-AXIS-00212 in the axis list of the "
@@ -153,7 +165,8 @@ SPINDLE_SPEED_LIMITED = warning(
     speed=("the speed as programmed", "die Drehzahl, wie programmiert"),
 )
 DWELL_WITHOUT_SPINDLE = error(
-    900813,
+    20007,
+    known_as=(900813,),
     en="G04 S: the program has not started the main spindle",
     de="G04 S: das Programm hat die Hauptspindel nicht gestartet",
     remedy_en="First program M3 or M4 with a speed above 0, or give the time: G04 X1.5",

@@ -3,10 +3,12 @@
 
 from __future__ import annotations
 
+from nctakt.messages.cases import by_word
 from nctakt.messages.catalogue import error, warning
 
 UNKNOWN_TOOL = error(
-    900865,
+    20172,
+    known_as=(900865, 20296),
     en="the tool list has no tool {tool}",
     de="die Werkzeugliste hat kein Werkzeug {tool}",
     remedy_en="Add wz[{tool}] to the tool list of the channel, or select another tool.",
@@ -15,7 +17,8 @@ UNKNOWN_TOOL = error(
     tool=("the number of the tool", "die Nummer des Werkzeugs"),
 )
 TOOL_NOT_VALID = error(
-    900866,
+    20691,
+    known_as=(900866,),
     en="tool {tool} is not valid",
     de="Werkzeug {tool} ist nicht gültig",
     remedy_en="Set wz[{tool}].gueltig (P-TOOL-00005) to 1, or select another tool.",
@@ -23,7 +26,9 @@ TOOL_NOT_VALID = error(
     tool=("the number of the tool", "die Nummer des Werkzeugs"),
 )
 INVALID_TOOL_NUMBER = error(
-    900867,
+    20171,
+    known_as=(900867, 21242),
+    cases=by_word("word", {"T": 20166}),
     en="{value} is not a tool number",
     de="{value} ist keine Werkzeugnummer",
     remedy_en="Write a whole number of at least 0 after {word}.",
@@ -43,6 +48,7 @@ TOOL_LENGTH_WITHOUT_AXIS = error(
 )
 NO_RADIUS_TO_COMPENSATE = error(
     900869,
+    known_as=(21427,),
     en="{word}: there is no tool radius to compensate",
     de="{word}: es gibt keinen Werkzeugradius zu korrigieren",
     remedy_en="Before {word}, select a tool with a radius by D, or write V.G.WZ_AKT.R.",
@@ -50,7 +56,8 @@ NO_RADIUS_TO_COMPENSATE = error(
     word=("G41 or G42", "G41 oder G42"),
 )
 COMPENSATION_NEEDS_LINE = error(
-    900870,
+    90008,
+    known_as=(900870, 90013, 90016),
     en="the motion to or from a compensated contour must be a straight line",
     de="die Bewegung zu einer korrigierten Kontur hin oder von ihr weg muss eine Gerade sein",
     remedy_en="Put a motion with G00 or G01 between the arc and the contour.",
@@ -61,7 +68,8 @@ COMPENSATION_NEEDS_LINE = error(
     "nach G40 von ihr weg; die mit dem Wechsel von G41 auf G42 tut beides.",
 )
 TOOL_TOO_LARGE_FOR_ARC = error(
-    900871,
+    90017,
+    known_as=(900871, 90147, 90190),
     en="the tool does not fit into the arc: its radius {radius} mm is not smaller than that of the "
     "arc",
     de="das Werkzeug passt nicht in den Kreisbogen: sein Radius {radius} mm ist nicht kleiner als "
@@ -71,7 +79,8 @@ TOOL_TOO_LARGE_FOR_ARC = error(
     radius=("the radius in mm", "der Radius in mm"),
 )
 TOO_MANY_COMMANDS_IN_CONTOUR = error(
-    900872,
+    90109,
+    known_as=(900872, 90011),
     en="more than {count} commands between two motions of a compensated contour",
     de="mehr als {count} Befehle zwischen zwei Bewegungen einer korrigierten Kontur",
     remedy_en="Program a motion in the plane between them, or first leave the contour with G40.",
@@ -84,7 +93,8 @@ TOO_MANY_COMMANDS_IN_CONTOUR = error(
     count=("the maximum number of commands", "die größte Anzahl von Befehlen"),
 )
 PLANE_CHANGE_DURING_COMPENSATION = error(
-    900873,
+    20133,
+    known_as=(900873,),
     en="{word} changes the plane while a contour is compensated in G{plane}",
     de="{word} wechselt die Ebene, während eine Kontur in G{plane} korrigiert wird",
     remedy_en="First leave the contour with G40 and a motion.",
@@ -94,6 +104,7 @@ PLANE_CHANGE_DURING_COMPENSATION = error(
 )
 TOOL_RADIUS_LOST = error(
     900874,
+    known_as=(21427,),
     en="{command} removes the tool radius while {word} is active",
     de="{command} entfernt den Werkzeugradius, während {word} aktiv ist",
     remedy_en="Write it before {word} or after G40, or select a tool with a radius.",
@@ -133,6 +144,7 @@ ARC_REVERSED_BY_RADIUS = error(
 )
 TOOL_CUTS_CONTOUR = warning(
     900950,
+    known_as=(90065, 90077),
     en="the tool cuts into the contour: its path crosses the one beside line {line}",
     de="das Werkzeug verletzt die Kontur: seine Bahn kreuzt die neben Zeile {line}",
     remedy_en="Use a smaller tool, or skip with G141 the parts into which it does not fit.",
@@ -147,6 +159,7 @@ TOOL_CUTS_CONTOUR = warning(
 )
 TOOL_WOULD_CUT_CONTOUR = error(
     900951,
+    known_as=(90066, 90074, 90088),
     en="the tool would cut into the contour: its path crosses the one beside line {line}",
     de="das Werkzeug würde die Kontur verletzen: seine Bahn kreuzt die neben Zeile {line}",
     remedy_en="Use a smaller tool, or skip with G141 the parts into which it does not fit.",
@@ -171,7 +184,8 @@ RADIUS_CHANGE_IN_ARC = error(
     "Gerade.",
 )
 TOOL_CUTS_INNER_CORNER = warning(
-    900953,
+    90123,
+    known_as=(900953, 90137),
     en="the closed contour begins in an inner corner: beside line {line} the tool cuts into it "
     "here",
     de="die geschlossene Kontur beginnt in einer Innenecke: neben Zeile {line} wird sie hier "
@@ -189,7 +203,8 @@ TOOL_CUTS_INNER_CORNER = warning(
     line=("the first line of the contour", "die erste Zeile der Kontur"),
 )
 TOOL_WOULD_CUT_INNER_CORNER = error(
-    900954,
+    90123,
+    known_as=(900954, 90137),
     en="the closed contour begins in an inner corner: beside line {line} the tool would cut into "
     "it here",
     de="die geschlossene Kontur beginnt in einer Innenecke: neben Zeile {line} würde sie hier "
@@ -209,7 +224,8 @@ TOOL_WOULD_CUT_INNER_CORNER = error(
     line=("the first line of the contour", "die erste Zeile der Kontur"),
 )
 CONTOUR_NOT_CLOSED = error(
-    900955,
+    90119,
+    known_as=(900955,),
     en="the contour does not end where it begins, as G238 requires",
     de="die Kontur endet nicht dort, wo sie beginnt, wie es G238 verlangt",
     remedy_en="Let the last motion before G40 end where the first one after G41 or G42 ends.",
@@ -221,7 +237,8 @@ CONTOUR_NOT_CLOSED = error(
     "ihrer ersten und letzten Bewegung treffen.",
 )
 CLOSED_CONTOUR_TOO_LONG = error(
-    900956,
+    90114,
+    known_as=(900956,),
     en="the contour has more than {count} motions; with G238 all of them wait for the last one",
     de="die Kontur hat mehr als {count} Bewegungen; mit G238 warten alle auf die letzte",
     remedy_en="Begin it in the middle of a line or at an outer corner, with G138 or G139.",
@@ -229,7 +246,9 @@ CLOSED_CONTOUR_TOO_LONG = error(
     count=("the maximum number of motions", "die größte Anzahl von Bewegungen"),
 )
 G238_DURING_COMPENSATION = error(
-    900957,
+    21318,
+    known_as=(900957,),
+    cases=by_word("word", {"G238": 21317}),
     en="{word} while compensation is active: G238 can be selected and deselected only without it",
     de="{word} bei aktiver Korrektur: G238 lässt sich nur ohne sie an- und abwählen",
     remedy_en="Write it before G41 or G42, or after G40 and the motion that leaves the contour.",
@@ -238,7 +257,8 @@ G238_DURING_COMPENSATION = error(
     word=("the word as written", "das Wort, wie geschrieben"),
 )
 SIDE_OR_RADIUS_CHANGE_WITH_G238 = error(
-    900958,
+    90115,
+    known_as=(900958, 90127),
     en="with G238 the tool must keep its side and its radius until G40",
     de="mit G238 muss das Werkzeug Seite und Radius bis G40 behalten",
     remedy_en="Change between G41 and G42, or change the radius, only after G40.",

@@ -6,7 +6,8 @@ from __future__ import annotations
 from nctakt.messages.catalogue import error, warning
 
 USER_ERROR_WITHOUT_ID = error(
-    900280,
+    21171,
+    known_as=(900280,),
     en="#ERROR has no ID",
     de="#ERROR hat keine ID",
     remedy_en="Give the number of the error: #ERROR [ID=1 RC=2]",
@@ -14,6 +15,7 @@ USER_ERROR_WITHOUT_ID = error(
 )
 USER_ERROR_TEXT_TOO_LONG = error(
     900281,
+    known_as=(20723,),
     en="a text of #ERROR can have at most {longest} characters",
     de="ein Text von #ERROR kann höchstens {longest} Zeichen haben",
     remedy_en="Shorten the text, or put it in the file named by error_text_user_of_id "
@@ -33,7 +35,8 @@ INVALID_USER_TEXT_LINE = warning(
     line=("the line in the file", "die Zeile in der Datei"),
 )
 USER_TEXTS_MISSING = warning(
-    900469,
+    296010,
+    known_as=(900469,),
     en="the file with the texts of user errors does not exist: {path}",
     de="die Datei mit den Texten der Anwenderfehler gibt es nicht: {path}",
     remedy_en="Correct error_text_user_of_id (P-STUP-00169); user errors are reported without "
@@ -43,7 +46,8 @@ USER_TEXTS_MISSING = warning(
     path=("the path as the list has it", "der Pfad, wie er in der Liste steht"),
 )
 INVALID_USER_ERROR_ID = error(
-    900460,
+    21171,
+    known_as=(900460,),
     en="{value} is not a valid ID of #ERROR: IDs are whole numbers from 1 to 1000",
     de="{value} ist keine gültige ID von #ERROR: IDs sind ganze Zahlen von 1 bis 1000",
     remedy_en="Give #ERROR an ID from 1 to 1000.",
@@ -53,7 +57,8 @@ INVALID_USER_ERROR_ID = error(
     clearing=6,
 )
 INVALID_USER_ERROR_RC = error(
-    900461,
+    21173,
+    known_as=(900461,),
     en="{value} is not a valid RC of #ERROR: 0 warns, 1 to 6 stop until a reset, 7 until a restart",
     de="{value} ist kein gültiger RC von #ERROR: 0 warnt, 1 bis 6 halten bis zum Reset an, 7 bis "
     "zum Neustart",

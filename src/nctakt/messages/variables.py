@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from nctakt.base.diagnostics import Cases
+from nctakt.messages.cases import by_beginning, names_of_variables
 from nctakt.messages.catalogue import error, note, warning
 
 INVALID_ALIGNMENT = warning(
@@ -30,7 +32,7 @@ INVALID_SCOPE = warning(
     clearing=1,
 )
 CHANNEL_VARIABLES_TOO_LARGE = error(
-    21992,
+    22079,
     en="V.CH variables need {needed} bytes, but P-CHAN-00424 provides {available}; the channel "
     "gets none of them",
     de="V.CH-Variablen brauchen {needed} Byte, P-CHAN-00424 bietet aber {available}; der Kanal "
@@ -48,6 +50,7 @@ CHANNEL_VARIABLES_TOO_LARGE = error(
 )
 INVALID_VARIABLE_NAME = warning(
     900080,
+    cases=Cases((20788, 21182, 21485, 21429, 21430, 21432, 21433), names_of_variables),
     en="{key}: '{value}' is not a valid name of a variable or is already used; the variable is "
     "ignored",
     de="{key}: '{value}' ist kein gültiger Variablenname oder schon vergeben; die Variable wird "
@@ -71,6 +74,7 @@ LONG_VARIABLE_NAME = note(
 )
 VARIABLE_BEYOND_COUNT = warning(
     900081,
+    known_as=(20085,),
     en="{key} does not exist: number_used_variables is {count}",
     de="{key} gibt es nicht: number_used_variables ist {count}",
     remedy_en="Set number_used_variables to the highest index plus 1.",
@@ -79,7 +83,9 @@ VARIABLE_BEYOND_COUNT = warning(
     count=("P-EXTV-00010", "P-EXTV-00010"),
 )
 UNKNOWN_VARIABLE_TYPE = warning(
-    900082,
+    20088,
+    known_as=(900082, 21434, 21435, 21437, 21438, 21442),
+    cases=by_beginning("key", {"STRUCT": 21441}),
     en="{key}: '{value}' is neither a type nor a structure of this list; the variable is ignored",
     de="{key}: '{value}' ist weder ein Typ noch eine Struktur dieser Liste; die Variable wird "
     "ignoriert",
@@ -91,6 +97,7 @@ UNKNOWN_VARIABLE_TYPE = warning(
 )
 RECURSIVE_STRUCTURE = warning(
     900083,
+    known_as=(21440,),
     en="structure {name} contains itself; variables of this type are ignored",
     de="die Struktur {name} enthält sich selbst; Variablen dieses Typs werden ignoriert",
     remedy_en="Remove the circular reference.",
@@ -99,6 +106,7 @@ RECURSIVE_STRUCTURE = warning(
 )
 VARIABLE_TOO_LARGE = warning(
     900084,
+    known_as=(21602,),
     en="{key}: the variable has more than {limit} elements and is ignored",
     de="{key}: die Variable hat mehr als {limit} Elemente und wird ignoriert",
     remedy_en="Make its arrays smaller.",
@@ -107,7 +115,8 @@ VARIABLE_TOO_LARGE = warning(
     limit=("the maximum number of elements", "die größte Anzahl von Elementen"),
 )
 VARIABLE_STRUCTURE_TOO_DEEP = warning(
-    900085,
+    21440,
+    known_as=(900085,),
     en="structures in {name} are nested more than {limit} deep; variables of this type are ignored",
     de="Strukturen in {name} sind tiefer als {limit} geschachtelt; Variablen dieses Typs werden "
     "ignoriert",
@@ -117,9 +126,10 @@ VARIABLE_STRUCTURE_TOO_DEEP = warning(
     limit=("the maximum nesting", "die größte Schachtelung"),
 )
 VARIABLES_OVERLAP = warning(
-    900087,
-    en="V.E.{name} at byte {offset} overlaps V.E.{other} in the memory shared with the PLC",
-    de="V.E.{name} bei Byte {offset} überlappt V.E.{other} im gemeinsamen Speicher mit der SPS",
+    21848,
+    known_as=(900087,),
+    en="V.E.{name} at byte {offset} overlaps V.E.{other} in the memory of the PLC: it is left out",
+    de="V.E.{name} bei Byte {offset} überlappt V.E.{other} im Speicher der SPS und entfällt",
     remedy_en="Omit byte_offset, or give each variable its own location.",
     remedy_de="byte_offset weglassen oder jeder Variablen einen eigenen Ort geben.",
     name=("the variable with the larger offset", "die Variable mit dem größeren Offset"),
@@ -127,17 +137,31 @@ VARIABLES_OVERLAP = warning(
     offset=("its first byte", "ihr erstes Byte"),
 )
 VARIABLE_OFFSET_TOO_LARGE = warning(
-    900088,
-    en="{key}: byte {value} is out of range; the variable is placed after the previous one",
-    de="{key}: Byte {value} liegt außerhalb des Bereichs; die Variable folgt auf die vorige",
+    21988,
+    known_as=(900088,),
+    en="{key}: byte {value} is out of range; the variable is left out",
+    de="{key}: Byte {value} liegt außerhalb des Bereichs; die Variable entfällt",
     remedy_en="Give an offset up to {limit}, or leave it to the controller with -1.",
     remedy_de="Einen Offset bis {limit} angeben oder ihn mit -1 der Steuerung überlassen.",
     key=("the entry's name", "der Name des Eintrags"),
     value=("P-EXTV-00002 as written", "P-EXTV-00002, wie geschrieben"),
     limit=("the largest possible offset", "der größte mögliche Offset"),
 )
+VARIABLE_OUTSIDE_MEMORY = warning(
+    21518,
+    cases=by_beginning("scope", {"GLOBAL": 21519}),
+    en="V.E.{name} ({scope}) would end at byte {end} of {available}: it is left out",
+    de="V.E.{name} ({scope}) würde bei Byte {end} von {available} enden und entfällt",
+    remedy_en="Give it a smaller byte_offset, or increase ext_var_max (P-STUP-00037).",
+    remedy_de="Einen kleineren byte_offset angeben oder ext_var_max (P-STUP-00037) erhöhen.",
+    name=("the variable", "die Variable"),
+    scope=("P-EXTV-00004", "P-EXTV-00004"),
+    end=("the byte behind it", "das Byte dahinter"),
+    available=("P-STUP-00037 in bytes", "P-STUP-00037 in Byte"),
+)
 EXTERNAL_VARIABLES_TOO_LARGE = warning(
-    900814,
+    21520,
+    known_as=(900814, 21197, 21342),
     en="the V.E variables of channel {channel} need {needed} bytes, but ext_var_max provides "
     "{available}",
     de="die V.E-Variablen von Kanal {channel} brauchen {needed} Byte, ext_var_max bietet aber "

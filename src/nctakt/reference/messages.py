@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from nctakt.base.diagnostics import Message, Severity, Text
-from nctakt.messages.catalogue import catalogue, is_own
+from nctakt.messages.catalogue import catalogue, is_own, messages_of
 from nctakt.messages.classes import CLEARINGS, REACTIONS
 from nctakt.reference.article import Article, Fact, Topic, fact, same
 
@@ -39,6 +39,9 @@ def _facts(message: Message) -> Iterator[Fact]:
         yield fact(
             "Cleared by", "Gelöscht durch", _class(message.clearing, CLEARINGS[message.clearing])
         )
+    if message.cases is not None:
+        numbers = ", ".join(map(str, message.cases.numbers))
+        yield fact("Number by case", "Nummer je nach Fall", numbers)
     if message.known_as:
         yield fact("Also known as", "Auch bekannt als", ", ".join(map(str, message.known_as)))
 
@@ -48,27 +51,24 @@ def _class(number: int, meaning: Text) -> Text:
 
 
 def _all() -> Iterator[Article]:
-    for message in catalogue().values():
+    for message in catalogue():
         yield article(message)
 
 
 def _find(word: str) -> tuple[Article, ...]:
     if not (word.isascii() and word.isdigit()):
         return ()
-    number = int(word)
-    if number in catalogue():
-        return (article(catalogue()[number]),)
-    return tuple(article(message) for message in catalogue().values() if number in message.known_as)
+    return tuple(map(article, messages_of(int(word))))
 
 
 def _names() -> Iterator[str]:
-    return map(str, catalogue())
+    return (str(message.id) for message in catalogue())
 
 
 MESSAGES = Topic(
     "messages",
     Text("Messages by their number", "Meldungen nach ihrer Nummer"),
-    ("22009", "50879", "900213"),
+    ("22009", "50879", "20196"),
     _all,
     _find,
     _names,

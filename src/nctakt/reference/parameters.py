@@ -12,9 +12,10 @@ from nctakt.lists.all_parameters import (
     find_parameters,
     similar_parameters,
 )
+from nctakt.lists.format.controller_numbers import CASES, numbers_of
 from nctakt.lists.format.parameter import Effect, Parameter, Relevance, ValueType, range_text, shown
 from nctakt.lists.format.schema import Schema
-from nctakt.reference.article import Article, Fact, Topic, fact
+from nctakt.reference.article import Article, Fact, Topic, fact, same
 
 #: Maximum number of names of a value in an article.
 _MANY_NAMES = 20
@@ -85,6 +86,9 @@ def _facts(parameter: Parameter) -> Iterator[Fact]:
     if parameter.concern:
         yield fact("Concerns", "Betrifft", CONCERNS[parameter.concern])
     yield fact("In nctakt", "In nctakt", effect(parameter))
+    for one in numbers_of(parameter.id):
+        if one.case != "other":
+            yield Fact(same(one.number), CASES[one.case])
     if parameter.page:
         yield fact("Help page", "Hilfeseite", parameter.page)
 

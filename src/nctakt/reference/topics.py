@@ -13,6 +13,7 @@ from nctakt.reference.article import Article, Topic
 from nctakt.reference.interface import HLI
 from nctakt.reference.language import EXPRESSIONS, KEYWORDS_TOPIC, WORDS
 from nctakt.reference.messages import MESSAGES
+from nctakt.reference.parameter_numbers import PARAMETER_NUMBERS
 from nctakt.reference.parameters import PARAMETERS
 from nctakt.reference.rules import RULES_TOPIC
 from nctakt.reference.variables import VARIABLES
@@ -21,6 +22,7 @@ from nctakt.reference.variables import VARIABLES
 TOPICS: tuple[Topic, ...] = (
     MESSAGES,
     PARAMETERS,
+    PARAMETER_NUMBERS,
     VARIABLES,
     WORDS,
     EXPRESSIONS,

@@ -8,12 +8,13 @@ from __future__ import annotations
 
 import enum
 from collections.abc import Sequence
+from dataclasses import replace
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Language, Span, Text
 from nctakt.kernel import rows
 from nctakt.messages import diagnostic
-from nctakt.messages.catalogue import catalogue
+from nctakt.messages.catalogue import messages_of
 from nctakt.messages.diagnosis import (
     LOG_AXIS_MOVES,
     LOG_AXIS_MOVES_ENDLESSLY,
@@ -194,10 +195,11 @@ def management_line(time_us: int, message: Diagnostic) -> Line:
 
 def _message_without_parameters(event: Event) -> Diagnostic | None:
     """Return the message of an event if it needs no parameters, else ``None``."""
-    message = catalogue().get(int(event.text))
-    if message is None or message.parameters:
+    number = int(event.text)
+    leading = [message for message in messages_of(number) if number in message.leading]
+    if len(leading) != 1 or leading[0].parameters:
         return None
-    return diagnostic(message, event.span)
+    return replace(diagnostic(leading[0], event.span), number=number)
 
 
 def _axis_message(event: Event) -> Diagnostic:

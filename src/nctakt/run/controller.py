@@ -225,7 +225,7 @@ class Controller:
     def backward(self, channel: int = 1) -> None:
         """Move backward on the path from the next tick on (MO-7); ``forward`` ends it.
 
-        Raises ``Failure`` (900880) if the machine keeps no history of the path.
+        Raises ``Failure`` (50453) if the machine keeps no history of the path.
         """
         index = self._index(channel)
         if self._machine.channels[index].path.history_size == 0:

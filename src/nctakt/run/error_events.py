@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 
 from nctakt.base.diagnostics import Diagnostic, Text
 from nctakt.base.source_ids import statement_span
@@ -27,12 +28,11 @@ from nctakt.messages.backward import (
     BACKWARD_WITHOUT_HISTORY,
     EDGE_NOT_FOUND,
 )
-from nctakt.messages.catalogue import catalogue
 from nctakt.messages.checked_axes import (
     INDEPENDENT_MOTION_NOT_PERMITTED,
     INDEPENDENT_MOTION_REFUSED,
 )
-from nctakt.messages.checked_values import INDEX_OUT_OF_RANGE
+from nctakt.messages.checked_values import CYCLE_INDEX_OUT_OF_RANGE
 from nctakt.messages.feed import WAITING_FOR_MAIN_SPINDLE
 from nctakt.messages.fixed_stops import FIXED_STOP_NOT_FOUND
 from nctakt.messages.memory import PLC_VALUE_NOT_FINITE
@@ -67,6 +67,57 @@ from nctakt.nc.vocabulary.axis_commands import REFUSALS
 from nctakt.run.assembly import AssembledMachine
 from nctakt.trace.events import Event, number_text
 
+#: What the realtime part reports, by the numbers that lead.
+_MESSAGES = {
+    number: message
+    for message in (
+        AXIS_IN_ERROR_STATE,
+        AXIS_IN_INDEPENDENT_MOTION,
+        AXIS_MOVED_BY_PATH,
+        AXIS_NOT_AT_BLOCK_START,
+        BACKWARD_AT_HISTORY_START,
+        BACKWARD_WITHOUT_HISTORY,
+        BLOCK_CYCLE_NEVER_RAN,
+        BUFFERED_MOTION_OUTSIDE_LIMITS,
+        BUFFERED_MOTION_WAITING,
+        CHANNEL_BEING_RESET,
+        CONTINUE_WITHOUT_EFFECT,
+        CYCLES_EXCEED_DURATION,
+        CYCLES_EXCEED_STEP_LIMIT,
+        CYCLE_ACTIONS_FULL,
+        CYCLE_ID_IN_USE,
+        CYCLE_INDEX_OUT_OF_RANGE,
+        CYCLE_MEMORY_FULL,
+        CYCLE_OPERATION_WITHOUT_RESULT,
+        CYCLE_TOO_LARGE,
+        CYCLE_VALUE_OUT_OF_RANGE,
+        EDGE_NOT_FOUND,
+        ENDLESS_MOTION_AT_LIMIT,
+        ENDLESS_MOTION_BLOCKS_PATH,
+        FIXED_STOP_NOT_FOUND,
+        HELD_MOTION_BLOCKS_PATH,
+        HOLD_WITHOUT_EFFECT,
+        INDEPENDENT_MOTION_NOT_PERMITTED,
+        INDEPENDENT_MOTION_REFUSED,
+        INDP_TARGET_OUTSIDE_LIMITS,
+        INVALID_SPINDLE_SPEED,
+        INVALID_USER_ERROR_ID,
+        INVALID_USER_ERROR_RC,
+        M19_SPEED_ZERO,
+        NO_CYCLE_TO_DELETE,
+        PLC_INTERFACE_FULL,
+        PLC_VALUE_NOT_FINITE,
+        SPINDLE_BUSY,
+        SPINDLE_JOB_HELD,
+        TOO_MANY_CYCLES,
+        TOO_MANY_FUNCTIONS_IN_TICK,
+        UNKNOWN_CYCLE_ID,
+        UNKNOWN_CYCLE_TIMER,
+        WAITING_FOR_MAIN_SPINDLE,
+    )
+    for number in message.leading
+}
+
 
 def realtime_diagnostic(event: Event, machine: AssembledMachine) -> Diagnostic:
     """Return the diagnostic of an error or warning of a cycle, of the path or of the PLC's image.
@@ -80,7 +131,8 @@ def realtime_diagnostic(event: Event, machine: AssembledMachine) -> Diagnostic:
     a, b = context.fault_a, context.fault_b
     cycle = event.cycle
     values: dict[str, object]
-    match number:
+    message = _MESSAGES[number]
+    match message.id:
         case CYCLE_OPERATION_WITHOUT_RESULT.id:
             values = {"cycle": cycle, "operation": OPERATIONS.get(int(a), "=")}
         case CYCLE_VALUE_OUT_OF_RANGE.id:
@@ -94,7 +146,7 @@ def realtime_diagnostic(event: Event, machine: AssembledMachine) -> Diagnostic:
                 "low": scalar.low,
                 "high": scalar.high,
             }
-        case INDEX_OUT_OF_RANGE.id:
+        case CYCLE_INDEX_OUT_OF_RANGE.id:
             values = {"variable": _array(event, machine), "index": number_text(a), "count": int(b)}
         case PLC_INTERFACE_FULL.id | TOO_MANY_FUNCTIONS_IN_TICK.id:
             function = f"H{-int(a) - 1}" if a < 0 else f"M{int(a)}"
@@ -164,7 +216,8 @@ def realtime_diagnostic(event: Event, machine: AssembledMachine) -> Diagnostic:
         case _:
             raise AssertionError(number)
     line = "" if event.span is None else machine.files.line_at(event.span)
-    return diagnostic(catalogue()[number], statement_span(event.span, line), line, **values)
+    found = diagnostic(message, statement_span(event.span, line), line, **values)
+    return replace(found, number=number)
 
 
 def _used_slots(count: int) -> Text:

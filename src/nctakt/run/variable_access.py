@@ -20,6 +20,7 @@ from nctakt.kernel.base import arithmetic
 from nctakt.kernel.kernel import Kernel
 from nctakt.lists.declared.variables import SCALARS
 from nctakt.messages import diagnostic
+from nctakt.messages.decoder import VALUE_OUTSIDE_TYPE_RANGE
 from nctakt.messages.folders import UNKNOWN_CHANNEL
 from nctakt.messages.inputs import (
     MISSPELLED_MACHINE_VARIABLE,
@@ -27,7 +28,7 @@ from nctakt.messages.inputs import (
     VALUE_NOT_OF_TYPE,
     VARIABLE_NOT_SETTABLE,
 )
-from nctakt.messages.realtime import CYCLE_VALUE_OUT_OF_RANGE, VALUE_NOT_FINITE
+from nctakt.messages.realtime import VALUE_NOT_FINITE
 from nctakt.nc.vocabulary import strings
 from nctakt.nc.vocabulary.cells import CELL_BYTES
 from nctakt.nc.vocabulary.variable_table import Location, NameTable, NotFound
@@ -182,9 +183,7 @@ def _command(shown: PanelValue, value: float | bool | str) -> Write:
     if number < 0.0:
         largest = SCALARS["REAL64"].high
         raise Failure(
-            diagnostic(
-                CYCLE_VALUE_OUT_OF_RANGE, variable=shown.name, value=number, low=0, high=largest
-            )
+            diagnostic(VALUE_OUTSIDE_TYPE_RANGE, name=shown.name, value=number, low=0, high=largest)
         )
     return Write(shown.cell, number)
 
@@ -201,8 +200,8 @@ def _number(name: str, type_: str, number: float) -> float:
     if not scalar.low <= number <= scalar.high:
         raise Failure(
             diagnostic(
-                CYCLE_VALUE_OUT_OF_RANGE,
-                variable=name,
+                VALUE_OUTSIDE_TYPE_RANGE,
+                name=name,
                 value=number,
                 low=scalar.low,
                 high=scalar.high,

@@ -37,7 +37,8 @@ def differences(
         yield f"{file}: {found.render()}"
     for error in run.run.errors:
         line = None if error.span is None else error.span.line
-        if (error.id, line) not in numbers and (error.id, None) not in numbers:
+        named = {(number, at) for number in (error.id, *error.also) for at in (line, None)}
+        if named.isdisjoint(numbers):
             yield f"{error.render()}\n    unexpected error"
 
 
@@ -74,7 +75,11 @@ def signal_of(run: NcRun, name: str) -> str:
 def _wrong_error(diagnostics: Sequence[Diagnostic], expectation: Expectation) -> list[str]:
     severity = Severity.ERROR if expectation.name == "error" else Severity.WARNING
     alike = [diagnostic for diagnostic in diagnostics if diagnostic.severity is severity]
-    matching = [diagnostic for diagnostic in alike if diagnostic.id == expectation.number]
+    matching = [
+        diagnostic
+        for diagnostic in alike
+        if expectation.number in (diagnostic.id, *diagnostic.also)
+    ]
     if expectation.about is not None:
         matching = [
             diagnostic

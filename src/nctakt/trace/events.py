@@ -14,7 +14,7 @@ from typing import Protocol
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Severity, Span
 from nctakt.kernel import codes, rows
-from nctakt.messages.catalogue import catalogue
+from nctakt.messages.catalogue import messages_of
 from nctakt.nc.check.user_errors import KEYWORDS
 
 _ROW = struct.Struct(f"={rows.EVENT_WIDTH}d")
@@ -346,6 +346,5 @@ def _line_text(span: Span | None) -> str:
 
 
 def _severity_word(number: int) -> str:
-    message = catalogue().get(number)
-    is_warning = message is not None and message.severity is not Severity.ERROR
-    return "warning" if is_warning else "error"
+    severities = [one.severity for one in messages_of(number) if number in one.leading]
+    return "warning" if severities and max(severities) < Severity.ERROR else "error"

@@ -26,6 +26,7 @@ from nctakt.kernel.cycles.conditions import Combination, Condition
 from nctakt.kernel.cycles.cycles import RealtimeCycle
 from nctakt.kernel.cycles.instructions import Statement
 from nctakt.lists.declared.variables import SCALARS
+from nctakt.messages.checked_values import CYCLE_INDEX_OUT_OF_RANGE
 from nctakt.nc import tree
 from nctakt.nc.check.cost import command_steps, condition_steps, max_steps
 from nctakt.nc.parse.printer import format_expression
@@ -350,5 +351,6 @@ class CycleBuilder:
                 dimension.count,
                 further or expressions.Constant(0.0),
                 self._source_id(index.span),
+                CYCLE_INDEX_OUT_OF_RANGE.number_of({"variable": location.name}),
             )
         return cell, further

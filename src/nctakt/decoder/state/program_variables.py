@@ -168,7 +168,7 @@ class Scopes:
         return None
 
     def get(self, family: str, path: str) -> ProgramVariable:
-        """Return a variable as ``find``; raises ``VariableError`` 900314 if there is none."""
+        """Return a variable as ``find``; raises ``VariableError`` 20932 if there is none."""
         variable = self.find(family, path)
         if variable is None:
             names = [name for scope in self._scopes_of(family) for name in scope]

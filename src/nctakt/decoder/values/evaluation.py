@@ -226,7 +226,7 @@ class Evaluator:
         )
 
     def _argument(self, parameter: tree.Parameter) -> float | str:
-        """Return the argument @P1, @P2, … of the innermost cycle; raises ``DecodeError`` 900312."""
+        """Return the argument @P1, @P2, … of the innermost cycle; raises ``DecodeError`` 20925."""
         number = self._parameter(parameter)
         value = self.state.call_stack.arguments.get(number)
         if value is None:

@@ -23,8 +23,8 @@ from nctakt.decoder.values.evaluation import Evaluator
 from nctakt.kernel.base import arithmetic
 from nctakt.lists.declared.variables import SCALARS
 from nctakt.lists.machine.variables import Node
+from nctakt.messages.decoder import VALUE_OUTSIDE_TYPE_RANGE
 from nctakt.messages.memory import TEXT_INSTEAD_OF_NUMBER
-from nctakt.messages.realtime import CYCLE_VALUE_OUT_OF_RANGE
 from nctakt.nc import tree
 from nctakt.nc.fast.templates import TemplateExpression, to_tree
 from nctakt.nc.vocabulary import strings
@@ -239,9 +239,9 @@ class Values(Evaluator):
         value = arithmetic.round_half_even(value)
         if not scalar.low <= value <= scalar.high:
             self.fail(
-                CYCLE_VALUE_OUT_OF_RANGE,
+                VALUE_OUTSIDE_TYPE_RANGE,
                 span,
-                variable=location.name,
+                name=location.name,
                 value=int(value),
                 low=scalar.low,
                 high=scalar.high,

@@ -96,10 +96,10 @@ class AxisMotions:
         self.limit_j[axis] = jerk
 
     def is_beyond(self, axis: int, target: float) -> int:
-        """Return whether a target lies beyond the software limits."""
-        if self.axes.modulo_range[axis] > 0.0:
+        """Return 60158 for a target above the software limits, 60159 for one below them, else 0."""
+        if self.axes.modulo_range[axis] > 0.0 or self.low[axis] <= target <= self.high[axis]:
             return 0
-        return 0 if self.low[axis] <= target <= self.high[axis] else 1
+        return 60159 if target < self.low[axis] else 60158
 
     def is_at_speed(self, axis: int) -> int:
         """Return whether an endless motion has reached its speed."""
@@ -323,7 +323,7 @@ class AxisMotions:
             return 0
         self.axes.command[axis] = self.end[axis]
         if self.kind[axis] == codes.ENDLESS:
-            self.fail(axis, 900434)
+            self.fail(axis, 1702 if self.direction[axis] > 0.0 else 1703)
         else:
             self.event(rows.EVENT_AXIS_ENDED, axis, rows.MOTION_DONE)
             self.arrived[axis] = self.owner[axis]

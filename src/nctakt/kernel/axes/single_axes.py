@@ -34,8 +34,8 @@ class SingleAxes(AxisMotions):
         ``direction`` (``codes.POSITIVE`` …) counts for modulo axes only.
         """
         message = self.refusal(axis, mode)
-        if message == 0 and self.is_beyond(axis, target):
-            message = 900432
+        if message == 0:
+            message = self.is_beyond(axis, target)
         if message == 0:
             self.put(axis, codes.TO_POSITION, target, speed_v, direction, mode, owner)
         return message
@@ -46,8 +46,8 @@ class SingleAxes(AxisMotions):
         start = self.axes.command[axis]
         if mode == codes.BUFFERED and self.kind[axis] == codes.TO_POSITION:
             start = self.goal[axis]
-        if message == 0 and self.is_beyond(axis, start + distance):
-            message = 900432
+        if message == 0:
+            message = self.is_beyond(axis, start + distance)
         if message == 0:
             self.put(axis, codes.BY_DISTANCE, distance, speed_v, codes.PRESENT, mode, owner)
         return message
@@ -73,10 +73,10 @@ class SingleAxes(AxisMotions):
         if self.closed[axis]:
             return 900810
         if self.axes.on_path[axis]:
-            return 900430
+            return 50603
         if self.fault[axis]:
-            return 900431
-        return 900433 if mode == codes.BUFFERED and self.next_kind[axis] else 0
+            return 60213
+        return 1704 if mode == codes.BUFFERED and self.next_kind[axis] else 0
 
     def put(
         self,

@@ -90,7 +90,7 @@ class Spindles:
     # --- jobs -----------------------------------------------------------------------------------
 
     def is_ready(self, spindle: int, tick: int) -> int:
-        """Return whether the spindle takes a job in this tick (else 50935)."""
+        """Return whether the spindle takes a job in this tick (else 60331)."""
         return (
             1 if self.taken_tick[spindle] != tick and self.plc_state[spindle] == codes.FREE else 0
         )

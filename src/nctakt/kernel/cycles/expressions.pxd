@@ -21,6 +21,7 @@ cdef class Index(Expression):
     cdef long long count
     cdef Expression further
     cdef long long source
+    cdef int message
     @cython.locals(number=double)
     cdef double value(self, Context context) noexcept nogil
 

@@ -47,18 +47,25 @@ class Load(Expression):
 class Index(Expression):
     """The part of an array access that is not fixed: ``next + stride * index`` (RC-307).
 
-    An index outside 0 … count-1 notes 50929, one that is no number 50879; ``further`` is the next
-    dimension's part.
+    An index outside 0 … count-1 notes ``message``, one that is no number 50879; ``further`` is
+    the next dimension's part.
     """
 
     def __init__(
-        self, index: Expression, stride: int, count: int, further: Expression, source: int
+        self,
+        index: Expression,
+        stride: int,
+        count: int,
+        further: Expression,
+        source: int,
+        message: int,
     ) -> None:
         self.index = index
         self.stride = stride
         self.count = count
         self.further = further
         self.source = source
+        self.message = message
 
     def value(self, context: Context) -> float:
         number = arithmetic.round_half_even(self.index.value(context))
@@ -66,7 +73,7 @@ class Index(Expression):
             context.fail(50879, self.source, 0.0, number)
             return 0.0
         if not 0.0 <= number < self.count:
-            context.fail(50929, self.source, number, self.count)
+            context.fail(self.message, self.source, number, self.count)
             return 0.0
         return self.stride * number + self.further.value(context)
 

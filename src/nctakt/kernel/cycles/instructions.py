@@ -349,7 +349,7 @@ class IssueTechnology(Counted):
 
 
 class CommandTimer(Counted):
-    """``#TIMER START|STOP|READ|CLEAR SYN [ID=i]`` (RC-401); 900421 for an unknown ID."""
+    """``#TIMER START|STOP|READ|CLEAR SYN [ID=i]`` (RC-401); 21167 for an unknown ID."""
 
     def __init__(self, action: int, timer: Expression, source: int, cost: int) -> None:
         super().__init__(source, cost)
@@ -362,7 +362,7 @@ class CommandTimer(Counted):
             return 1
         value = arithmetic.round_half_even(value)
         if not 0.0 <= value <= 127.0:
-            context.fail(900421, self.source, value, 127.0)
+            context.fail(21167, self.source, value, 127.0)
             return 1
         context.timers.command(self.action, int(value), context.tick)
         if context.record.records_writes:

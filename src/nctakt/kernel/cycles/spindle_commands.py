@@ -13,8 +13,8 @@ from nctakt.kernel.cycles.instructions import Counted
 class CommandSpindle(Counted):
     """M3, M4, M5 or M19 of one spindle; revolutions per minute, degrees.
 
-    50935: the spindle takes no job in this tick. 51028: the cycle has no room for another action.
-    900470, 900472: the speed is below 0, or 0 on the way to a position.
+    60331: the spindle takes no job in this tick. 51028: the cycle has no room for another action.
+    20991, 20007: the speed is below 0, or 0 on the way to a position.
     """
 
     def __init__(
@@ -44,9 +44,9 @@ class CommandSpindle(Counted):
         if context.fault == 0 and position - position != 0.0:
             context.fail(50879, self.source, 0.0, position)
         if speed < 0.0:
-            context.fail(900470, self.source, speed, 0.0)
+            context.fail(20991, self.source, speed, 0.0)
         if self.function == codes.SPINDLE_POSITION and speed == 0.0:
-            context.fail(900472, self.source, 0.0, 0.0)
+            context.fail(20007, self.source, 0.0, 0.0)
         if context.fault:
             return instructions.stop(self, context)
         return self.take(context, 6.0 * speed, position)
@@ -55,7 +55,7 @@ class CommandSpindle(Counted):
         """Give the job to the spindle, or report the message that refuses it."""
         if not context.spindles.is_ready(self.spindle, context.tick):
             number = context.spindles.first_number + self.spindle
-            context.fail(50935, self.source, number, 0.0)
+            context.fail(60331, self.source, number, 0.0)
             return 1
         if not context.spindles.has_job(self.spindle, context.serial):
             open_count = context.spindles.open_count(context.serial)

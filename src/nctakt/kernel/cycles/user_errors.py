@@ -64,7 +64,7 @@ class TextValue(UserValue):
 
 
 class RaiseUserError(Counted):
-    """``#ERROR [ID=… RC=… PV1=…]``; 900460, 900461 for an ID or RC out of range."""
+    """``#ERROR [ID=… RC=… PV1=…]``; 21171, 21173 for an ID or RC out of range."""
 
     def __init__(
         self,
@@ -82,8 +82,8 @@ class RaiseUserError(Counted):
     def run(self, context: Context) -> int:
         if instructions.begin(self, context):
             return 1
-        identity = self.whole(context, self.identity, 1.0, 1000.0, 900460)
-        reaction = self.whole(context, self.reaction, 0.0, 7.0, 900461)
+        identity = self.whole(context, self.identity, 1.0, 1000.0, 21171)
+        reaction = self.whole(context, self.reaction, 0.0, 7.0, 21173)
         self.values.evaluate(context)
         if context.fault:
             return instructions.stop(self, context)

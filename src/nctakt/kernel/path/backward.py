@@ -395,7 +395,7 @@ class BackwardMotion(History):
                 axis = self.path.members[i]
                 self.path.refused_axis = axis
                 if self.foreign[i] or self.path.axes.independent[axis]:
-                    return 900435
+                    return 50766
                 if self.path.history_rows[end + i] != self.path.axes.command[axis]:
                     return 900420
         return 0

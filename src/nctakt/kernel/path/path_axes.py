@@ -48,7 +48,7 @@ class PathAxes:
         if not geometry.moves_axis(queue, queue_row, self.count, i):
             return 0
         if self.axes.independent[self.members[i]]:
-            return 900435
+            return 50766
         if queue[queue_row + rows.START + i] != self.axes.command[self.members[i]]:
             return 900420
         return 0

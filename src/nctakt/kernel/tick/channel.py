@@ -303,7 +303,7 @@ class Channel(CommandExecutor):
         """Advance a tick of backward motion, or forward over the history (MO-7)."""
         if self.path.history_size == 0:
             if self.panel.turns_back:
-                self.record.event(rows.EVENT_ERROR, 0, 0, 900880)
+                self.record.event(rows.EVENT_ERROR, 0, 0, 50453)
             return self.path.step(factor, is_stopping)
         if not self.path.is_retracing:
             if self.is_stopped or self.is_resetting or not self.backward.can_take_over():
@@ -320,7 +320,7 @@ class Channel(CommandExecutor):
         return has_time_left
 
     def warn_of_wait(self) -> None:
-        """Warn once that a program waits because nothing is left to walk back (900890)."""
+        """Warn once that a program waits because nothing is left to walk back (50449)."""
         if self.panel.turns_back or self.is_resetting:
             self.has_warned_of_wait = False
         waits = self.head < self.tail and not self.path.is_active
@@ -328,7 +328,7 @@ class Channel(CommandExecutor):
             self.has_warned_of_wait = True
             row = self.head % self.capacity * self.width
             source = int(self.queue[row + rows.SOURCE])
-            self.record.event(rows.EVENT_ERROR, source, 0, 900890)
+            self.record.event(rows.EVENT_ERROR, source, 0, 50449)
 
     def publish_block(self) -> None:
         """Publish the N number of this tick's block, its last tick included."""

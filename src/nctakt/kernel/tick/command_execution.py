@@ -399,7 +399,7 @@ class CommandExecutor(CommandQueue):
         member = self.fixed_stops.missing()
         if member >= 0:
             source = int(self.queue[row + rows.SOURCE])
-            self.report(source, 50885, self.path.members[member])
+            self.report(source, 50886, self.path.members[member])
 
     def take_measure(self, row: int) -> None:
         """Start measuring in the next block."""

@@ -124,7 +124,7 @@ def zero_offsets_configuration(
     """Return the zero offsets of a channel with this number of axes.
 
     Reported: an unknown axis (900741), offsets of G53 without effect (900742), a default group
-    without offsets (900743).
+    without offsets (20585).
     """
     g53_available = values.flag("g53_verfuegbar")
     groups: dict[int, dict[int, float]] = {}

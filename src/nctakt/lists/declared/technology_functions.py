@@ -178,7 +178,7 @@ def technology_functions(
     """Return the functions of ``letter`` (``m``, ``h``) that are defined, by number, ascending.
 
     ``axes``: the names of the channel's axes and spindles; a function for any other one is the
-    channel's (900812).
+    channel's (21131).
     """
     functions: dict[int, TechnologyFunction] = {}
     numbers = {*values.indices(f"{letter}_synch[]"), *internal}

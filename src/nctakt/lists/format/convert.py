@@ -8,6 +8,7 @@ the value, or ``None`` after a report with the reason.
 from __future__ import annotations
 
 from nctakt.base.diagnostics import Message
+from nctakt.lists.format.controller_numbers import bound_number, range_number
 from nctakt.lists.format.parameter import Effect, Parameter, Value, ValueType, range_text, shown
 from nctakt.lists.format.reader import Entry, ListDialect
 from nctakt.lists.format.value_text import (
@@ -73,8 +74,9 @@ class _Report:
         )
         return None
 
-    def defect(self, message: Message, word: Word, **values: object) -> Value:
-        self.collector.report(
+    def defect(self, message: Message, word: Word, leading: int = 0, /, **values: object) -> Value:
+        self.collector.report_as(
+            leading,
             message,
             word.span,
             self.entry.line,
@@ -112,7 +114,13 @@ def _boolean(parameter: Parameter, word: Word, dialect: ListDialect, report: _Re
             NOT_A_BOOLEAN if dialect.boolean_words else NOT_A_NUMBER, word, value=word.text
         )
     if number not in (0, 1):
-        return report.defect(PARAMETER_OUT_OF_RANGE, word, value=word.text, range="0 … 1")
+        return report.defect(
+            PARAMETER_OUT_OF_RANGE,
+            word,
+            bound_number(parameter.id, number, is_above=number > 1),
+            value=word.text,
+            range="0 … 1",
+        )
     report.quoted_number(word)
     return number == 1
 
@@ -148,7 +156,11 @@ def _number(parameter: Parameter, word: Word, dialect: ListDialect, report: _Rep
     report.quoted_number(word)
     if not parameter.allows(number):
         return report.defect(
-            PARAMETER_OUT_OF_RANGE, word, value=word.text, range=range_text(parameter)
+            PARAMETER_OUT_OF_RANGE,
+            word,
+            range_number(parameter, number),
+            value=word.text,
+            range=range_text(parameter),
         )
     return number
 

@@ -11,6 +11,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from nctakt.base.diagnostics import Span
+from nctakt.lists.format.controller_numbers import bound_number
 from nctakt.lists.format.parameter import Limit, Parameter, ValueType, shown, with_indices
 from nctakt.lists.format.references import effective_value, key_of
 from nctakt.lists.format.schema import Schema
@@ -58,7 +59,8 @@ def _within(
         return item
     position = _position(file, item, values.get(limiting))
     if position is not None:
-        collector.report(
+        collector.report_as(
+            bound_number(parameter.id, value, is_above=is_upper),
             BEYOND_OTHER_PARAMETER,
             *position,
             key=with_indices(*key),

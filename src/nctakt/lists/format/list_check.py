@@ -29,6 +29,7 @@ from nctakt.messages.lists import (
     PARAMETER_INDEX_OUT_OF_RANGE,
     PARAMETER_OF_OTHER_LIST,
     UNKNOWN_ENTRIES,
+    UNKNOWN_ENTRY_NUMBERS,
     UNKNOWN_PARAMETER,
 )
 
@@ -170,10 +171,12 @@ def _report_unknown(
     """Report unknown entries at their lines, from a maximum on all others together."""
     foreign = {name.pattern: name for name in schema.foreign}
     strangers: list[Entry] = []
+    number = UNKNOWN_ENTRY_NUMBERS.get(schema.kind, 0)
     for entry in unknown:
         if entry.pattern in foreign:
             other = foreign[entry.pattern]
-            collector.report(
+            collector.report_as(
+                number,
                 PARAMETER_OF_OTHER_LIST,
                 entry.key_span,
                 entry.line,
@@ -189,12 +192,17 @@ def _report_unknown(
         if nearest.count("[]") == len(entry.indices):
             nearest = with_indices(nearest, entry.indices)
         nearest = nearest.replace("[]", "[i]")
-        collector.report(
-            MISSPELLED_PARAMETER, entry.key_span, entry.line, key=entry.path, nearest=nearest
+        collector.report_as(
+            number,
+            MISSPELLED_PARAMETER,
+            entry.key_span,
+            entry.line,
+            key=entry.path,
+            nearest=nearest,
         )
     single = strangers if detail == "all" else strangers[:_NAMED_ENTRIES]
     for entry in single:
-        collector.report(UNKNOWN_PARAMETER, entry.key_span, entry.line, key=entry.path)
+        collector.report_as(number, UNKNOWN_PARAMETER, entry.key_span, entry.line, key=entry.path)
     if len(strangers) > len(single):
         first = strangers[len(single)]
         position = Span(first.key_span.file, first.key_span.line, 1, 2)

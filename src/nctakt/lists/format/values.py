@@ -135,12 +135,16 @@ class Values:
         collector: Collector,
         message: Message,
         at: tuple[str, *tuple[int, ...]],
+        number: int = 0,
         /,
         **values: object,
     ) -> None:
-        """Report ``message`` at the entry ``at``: the pattern, then the indices."""
+        """Report ``message`` at the entry ``at``: the pattern, then the indices.
+
+        ``number``: that of a case which the values do not tell.
+        """
         span, line = self.position(*at)
-        message_at_entry = collector.report(message, span, line, **values)
+        message_at_entry = collector.report_as(number, message, span, line, **values)
         collector.diagnostics[-1] = replace(message_at_entry, entry=with_indices(at[0], at[1:]))
 
     def _parameter(self, pattern: str) -> Parameter:

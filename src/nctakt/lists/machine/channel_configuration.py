@@ -17,6 +17,7 @@ from nctakt.lists.declared.technology_functions import (
     split,
     technology_functions,
 )
+from nctakt.lists.format.controller_numbers import bound_number
 from nctakt.lists.format.parameter import with_indices
 from nctakt.lists.format.values import Values
 from nctakt.messages import Collector
@@ -362,6 +363,7 @@ def _program_start(values: Values, collector: Collector) -> ProgramStart:
                 collector,
                 PARAMETER_OUT_OF_RANGE,
                 ("prog_start.feedrate_factor",),
+                bound_number("P-CHAN-00108", factor, is_above=False),
                 key="prog_start.feedrate_factor",
                 value=factor,
                 range=f"0.1 … {MM_PER_MINUTE_FACTOR}",

@@ -62,7 +62,7 @@ from nctakt.lists.machine.scheduling import load_rtconf
 from nctakt.lists.machine.scheduling_checks import check_contexts, check_time_limits
 from nctakt.lists.machine.scheduling_profile import STANDARD_OPTIONS, RtconfOptions
 from nctakt.lists.machine.user_texts import user_texts
-from nctakt.lists.machine.variable_checks import check_memory
+from nctakt.lists.machine.variable_checks import check_memory, possible_variables
 from nctakt.lists.machine.variables import (
     Variable,
     VariablesConfiguration,
@@ -269,6 +269,7 @@ class _Loader:
         for kind, reference in startup.others:
             self.lists.values(SCHEMA_BY_KIND[kind], reference)
         variables = tuple(self._variables(channel) for channel in startup.channels)
+        variables = possible_variables(startup, variables, self.collector)
         shared, variables = self._share(variables)
         check_memory(startup, variables, self.startup_values, self.collector)
         channels = tuple(

@@ -153,7 +153,7 @@ class Variable:
 class VariablesConfiguration:
     """The variables of a list, in the order of their indices.
 
-    ``checks_overlapping``: whether overlapping is reported (P-EXTV-00011).
+    ``checks_overlapping``: whether overlapping variables are left out (P-EXTV-00011).
     """
 
     external: tuple[Variable, ...]
@@ -229,10 +229,15 @@ class _Builder:
                 continue
             if not self._fits(f"{prefix}.type", f"{prefix}.array_elements", index):
                 continue
-            variables[name] = self._variable(prefix, space, name, index)
+            variable = self._variable(prefix, space, name, index)
+            if variable is not None:
+                variables[name] = variable
         return tuple(variables.values())
 
-    def _variable(self, prefix: str, space: VariableSpace, name: str, index: int) -> Variable:
+    def _variable(
+        self, prefix: str, space: VariableSpace, name: str, index: int
+    ) -> Variable | None:
+        """The variable, ``None`` where its place is outside any memory."""
         values = self.values
         synchronous = values.flag(f"{prefix}.synchronisation", index)
         external = space is VariableSpace.EXTERNAL
@@ -254,7 +259,7 @@ class _Builder:
                 value=offset,
                 limit=MOST_OFFSET,
             )
-            offset = -1
+            return None
         return Variable(space, scope, node, offset)
 
     def _node(

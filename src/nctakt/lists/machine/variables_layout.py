@@ -103,12 +103,15 @@ def place_variables(variables: Sequence[Variable], pack: int) -> tuple[Placed, .
 
 
 def overlaps(placed: Sequence[Placed]) -> Iterator[tuple[Placed, Placed]]:
-    """Yield each variable that begins within another one, after that one."""
+    """Yield each variable that begins within another one, after that one.
+
+    Without the second of each pair nothing overlaps.
+    """
     furthest: Placed | None = None
     for item in sorted(placed, key=lambda each: each.offset):
         if furthest is not None and item.offset < furthest.end:
             yield furthest, item
-        if furthest is None or item.end > furthest.end:
+        else:
             furthest = item
 
 

@@ -21,6 +21,7 @@ from nctakt.messages.checked_cycles import (
 from nctakt.messages.checked_values import (
     ACCESS_NOT_DEFINED,
     ASYNCHRONOUS_INDEX,
+    CYCLE_INDEX_OUT_OF_RANGE,
     INDEX_OUT_OF_RANGE,
     INVALID_EXIST_ARGUMENT,
     MIXED_SYNCHRONOUS_ACCESS,
@@ -426,7 +427,7 @@ class ValueChecker:
             if isinstance(index, Number) and not 0 <= round(index.value) < dimension.count:
                 fits = False
                 self._findings.report(
-                    INDEX_OUT_OF_RANGE,
+                    CYCLE_INDEX_OUT_OF_RANGE if self._in_cycle else INDEX_OUT_OF_RANGE,
                     index.span,
                     variable=location.name,
                     index=round(index.value),

@@ -2,7 +2,7 @@
 """Positions that an axis never reaches: in conditions, and as targets of independent motions.
 
 In: a comparison, an axis command; the software limits or modulo ranges of the axes. Out: a warning
-(901052) where the comparison has one result for all positions, an error (900432) where a run would
+(901052) where the comparison has one result for all positions, an error (60158) where a run would
 refuse the target. Only positions of the axis coordinate system count: no offset shifts them.
 """
 

@@ -3,7 +3,7 @@
 
 In: a block's text at the reading position. Out: nodes of ``tree.py``; the position is behind them.
 Infix operators are combined with two stacks, so that only brackets and functions recurse; neither
-their nesting nor the height of the tree exceeds ``EXPRESSION_DEPTH`` (50861).
+their nesting nor the height of the tree exceeds ``EXPRESSION_DEPTH`` (20386).
 """
 
 from __future__ import annotations

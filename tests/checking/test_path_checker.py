@@ -109,7 +109,7 @@ def test_a_program_that_ends_as_a_subprogram_is_noted(tmp_path: Path) -> None:
     sub.write_text("G00 X1\nM29\n", "utf-8")
 
     def notes(*paths: Path) -> list[tuple[str, int]]:
-        found = check_files(list(paths), machine).found
+        found = check_files(list(paths), machine).findings
         return [(Path(one.file).name, one.diagnostic.id) for one in found]
 
     assert notes(sub) == [("sub.nc", 901076)]

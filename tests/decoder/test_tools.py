@@ -121,7 +121,7 @@ def test_t_that_selects_offsets_needs_a_tool_of_the_list(tmp_path: Path) -> None
     program = NcText("p.nc", "T7\nT7 D1\nM30\n")
     for value, expected in (("0", [(20167, 1), (20167, 2)]), ("1", [(20172, 1), (20167, 2)])):
         machine = machine_with(tmp_path / value, sda_mds1=f"einrechnen_mit_t {value}")
-        checked = check_files([program], AssembledMachine(load_machine(machine))).found
+        checked = check_files([program], AssembledMachine(load_machine(machine))).findings
         found = [one.diagnostic for one in checked]
         numbers = [(one.id, one.span and one.span.line) for one in found if one.id != 900201]
         assert numbers == expected

@@ -162,7 +162,7 @@ def test_no_text_breaks_the_controller(seeds: range) -> None:
         text = damaged(seed)
         try:
             run = Controller(DEMO).run(NcText("p.nc", text), ticks=TICKS, memory_trace=False)
-            found = [one.diagnostic for one in check_files([NcText("p.nc", text)], TARGET).found]
+            found = [one.diagnostic for one in check_files([NcText("p.nc", text)], TARGET).findings]
             found += run.diagnostics
             shown = [one.render(language) for one in found for language in ("en", "de")]
         except Exception as error:

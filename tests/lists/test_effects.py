@@ -3,15 +3,63 @@
 
 from __future__ import annotations
 
+import re
+from dataclasses import fields
 from pathlib import Path
 
 import pytest
 
+import nctakt
 from nctakt.lists.all_parameters import SCHEMAS
+from nctakt.lists.declared.offsets import ClampOffsets, ZeroOffsets
+from nctakt.lists.declared.startup import ChannelStartup, StartupConfiguration
+from nctakt.lists.declared.tools import Tool
 from nctakt.lists.format.parameter import Effect, Value
 from nctakt.lists.format.values import Values
-from nctakt.lists.machine.machine import load_machine
+from nctakt.lists.machine.axis_configuration import (
+    AxisConfiguration,
+    AxisDynamics,
+    JerkSlope,
+    TrapezoidSlope,
+)
+from nctakt.lists.machine.channel_configuration import (
+    CentreTolerance,
+    ChannelParameters,
+    ImplicitPrograms,
+    NamedAxis,
+    ProgramPath,
+    ProgramStart,
+    RealtimeCycleLimits,
+    Spindle,
+    ToolSelection,
+)
+from nctakt.lists.machine.machine import ChannelConfiguration, load_machine
 
+SOURCE = "\n".join(
+    path.read_text("utf-8") for path in sorted(Path(nctakt.__path__[0]).rglob("*.py"))
+)
+#: What the lists of a machine yield.
+CONFIGURATIONS = (
+    StartupConfiguration,
+    ChannelStartup,
+    ChannelParameters,
+    ChannelConfiguration,
+    CentreTolerance,
+    ImplicitPrograms,
+    NamedAxis,
+    ProgramPath,
+    ProgramStart,
+    RealtimeCycleLimits,
+    Spindle,
+    ToolSelection,
+    AxisConfiguration,
+    AxisDynamics,
+    JerkSlope,
+    TrapezoidSlope,
+    Tool,
+    ZeroOffsets,
+    ClampOffsets,
+)
 CENTRE = Path(__file__).parent.parent / "machines" / "centre"
 #: Entries that the other machines do not have.
 RARE = {
@@ -61,3 +109,12 @@ def test_each_parameter_that_takes_effect_is_read(
         (schema.kind, parameter.pattern) for schema in SCHEMAS for parameter in schema.declared
     }
     assert sorted(declared - read) == []
+
+
+@pytest.mark.parametrize("configuration", CONFIGURATIONS, ids=lambda one: one.__name__)
+def test_each_value_of_a_configuration_is_used(configuration: type) -> None:
+    """What is gathered and asked for by nobody has no effect either."""
+    unused = [
+        item.name for item in fields(configuration) if not re.search(rf"\.{item.name}\b", SOURCE)
+    ]
+    assert unused == []

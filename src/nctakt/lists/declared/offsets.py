@@ -37,12 +37,11 @@ class ZeroOffsets:
     """The zero offsets of a channel; ``groups``: group -> index of an axis -> offset.
 
     An offset that is not listed, or inactive in its axis (P-ZERO-00004), is 0. ``default_group``:
-    active after start-up and reset. Group 0 has no offsets unless ``g53_available``.
+    active after start-up and reset. Group 0 has no offsets unless P-ZERO-00001 says so.
     """
 
     groups: Mapping[int, Mapping[int, float]] = field(default_factory=dict)
     default_group: int = 0
-    g53_available: bool = False
 
     def offset(self, group: int, axis: int) -> float:
         """Return the offset of a group in an axis of the channel, mm or degrees."""
@@ -148,7 +147,7 @@ def zero_offsets_configuration(
     default_group = values.integer("default_index")
     if default_group and default_group not in groups:
         values.report(collector, DEFAULT_GROUP_EMPTY, ("default_index",), group=default_group)
-    return ZeroOffsets(groups, default_group, g53_available)
+    return ZeroOffsets(groups, default_group)
 
 
 def clamp_offsets_configuration(

@@ -148,7 +148,6 @@ class AxisConfiguration:
     obstacle: float
     feed_forward_share: float
     dynamics: AxisDynamics
-    gears: tuple[AxisDynamics, ...]
     file: str
 
     @property
@@ -215,7 +214,6 @@ def axis_configuration(values: Values, collector: Collector) -> AxisConfiguratio
         0.0 if is_modulo else values.integer("antr.simu.fixed_stop") / POSITION_UNITS,
         _feed_forward(values),
         _active_gear(values, gears, collector),
-        gears,
         values.file,
     )
 

@@ -15,7 +15,7 @@ from __future__ import annotations
 
 import shutil
 import tomllib
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -25,7 +25,10 @@ import nctakt
 from nctakt.plc import load_plc
 from nctakt.results.run import Run
 from nctakt.run.controller import Controller
+from nctakt.run.inputs import Input
+from nctakt.run.tape import Tape
 from nctakt.schedule.open_schedule import RunSchedule, open_schedule
+from nctakt.trace.sinks import Sink
 
 HERE = Path(__file__).parent
 FOLDERS = sorted(folder.parent.name for folder in HERE.glob("*/expected.trace"))
@@ -52,8 +55,17 @@ def changed_machine(changes: Mapping[str, Sequence[str]], target: Path) -> Path:
     return target
 
 
-def perform(folder: Path, names: set[str], work: Path, programs: str = "*.nc") -> Run:
-    """Run the programs of a folder and record the signals ``names``."""
+def perform(
+    folder: Path,
+    names: set[str],
+    work: Path,
+    programs: str = "*.nc",
+    *,
+    replay: Tape | None = None,
+    record: Callable[[Input], None] | None = None,
+    sinks: Sequence[Sink] = (),
+) -> Run:
+    """Run the programs of a folder and record the signals ``names``; with ``replay`` no PLC."""
     given = settings(folder)
     machine = given.get("machine_folder")
     changes = given.get("machine")
@@ -61,7 +73,7 @@ def perform(folder: Path, names: set[str], work: Path, programs: str = "*.nc") -
         machine = folder / machine
     elif changes is not None:
         machine = changed_machine(changes, work / "machine")
-    plc = given.get("plc")
+    plc = given.get("plc") if replay is None else None
     others = {
         int(number): [folder / name for name in names]
         for number, names in given.get("channels", {}).items()
@@ -78,6 +90,9 @@ def perform(folder: Path, names: set[str], work: Path, programs: str = "*.nc") -
         wait_for_start=given.get("wait_for_start", False),
         record_writes=given.get("record_writes", True),
         signals=sorted(names),
+        replay=replay,
+        record=record,
+        sinks=sinks,
         skip=given.get("skip", ()),
         blocks=given.get("blocks", False),
     )

@@ -35,6 +35,7 @@ _OBJECTS_BETWEEN_SEARCHES = 50_000
 #: Subcommands and the modules that hold them as ``command``.
 _COMMANDS = {
     "run": "nctakt.cli.run",
+    "replay": "nctakt.cli.replay",
     "check": "nctakt.cli.check",
     "explain": "nctakt.cli.explain",
     "list": "nctakt.cli.listing",

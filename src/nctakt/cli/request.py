@@ -30,12 +30,14 @@ from nctakt.messages.files import (
 )
 from nctakt.messages.folders import INVALID_CHANNEL_NUMBER, NO_PROGRAM_NAMED
 from nctakt.messages.plc import PLC_AND_HLI_OPTIONS
+from nctakt.messages.tape import RECORD_WITH_PARTNER
 from nctakt.nc.parse.block_head import SKIP_LEVELS
 from nctakt.run.stimuli import Stimulus, parse_assignment, parse_stimulus
 
 if TYPE_CHECKING:
     from nctakt.plc import AnyPlc
     from nctakt.run.controller import NcText
+    from nctakt.run.tape import Tape
 
 STANDARD_INPUT = "-"
 
@@ -81,6 +83,8 @@ class Options:
     form: str = "text"
     limit_fails: bool = False
     confined: tuple[str, ...] = ()
+    record: str | None = None
+    tape: Tape | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -143,17 +147,24 @@ def read_request(options: Options, access: FileAccess) -> Request:
     skip_levels = reader.read(_skip_levels, options.skip)
     if options.plc is not None and options.hli is not None:
         reader.diagnostics.append(diagnostic(PLC_AND_HLI_OPTIONS))
+    if options.record is not None and options.hli is not None:
+        reader.diagnostics.append(diagnostic(RECORD_WITH_PARTNER))
     signals = None if options.signals is None else split_names(options.signals)
-    for option, is_given in (("--signals", signals is not None), ("--blocks", options.blocks)):
+    for option, is_given in (
+        ("--signals", signals is not None),
+        ("--blocks", options.blocks and options.tape is None),
+    ):
         if is_given and options.trace is None:
             reader.diagnostics.append(diagnostic(RECORDING_WITHOUT_TRACE, option=option))
     if reader.diagnostics:
         raise Failure(*reader.diagnostics)
     if signals is None and options.trace is not None:
         signals = options.project_signals
-    programs: dict[int, list[Path | NcText]] = {1: [_program(item) for item in options.programs]}
+    programs: dict[int, list[Path | NcText]] = {
+        1: [_program(item, options) for item in options.programs]
+    }
     for (number,), (_, program) in zip(numbers, options.others, strict=True):
-        programs.setdefault(number, []).append(_program(program))
+        programs.setdefault(number, []).append(_program(program, options))
     return Request(
         tuple(programs.pop(1)),
         {number: tuple(own) for number, own in programs.items()},
@@ -204,12 +215,13 @@ def _check_machine(path: Path) -> None:
         raise Failure(diagnostic(NEITHER_FOLDER_NOR_LIST, folder=str(path)))
 
 
-def _program(program: str) -> Path | NcText:
+def _program(program: str, options: Options) -> Path | NcText:
     if program != STANDARD_INPUT:
         return Path(program)
     from nctakt.run.controller import NcText  # noqa: PLC0415 - the mode is chosen before its import
 
-    return NcText("<stdin>", read_standard_input())
+    recorded = None if options.tape is None else options.tape.text
+    return NcText("<stdin>", read_standard_input() if recorded is None else recorded)
 
 
 def _load_plc(path: str, access: FileAccess) -> AnyPlc:

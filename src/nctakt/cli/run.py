@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from nctakt.base.diagnostics import Severity
-from nctakt.cli import EXIT_NC_ERROR
+from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN
 from nctakt.cli.file_options import WATCH_OPTION
 from nctakt.cli.plotting import Plot
 from nctakt.cli.request import Options, Request, read_request
@@ -50,6 +50,7 @@ if TYPE_CHECKING:
     from nctakt.results.report import DiagnosisSink
     from nctakt.results.run import ProgramMessage, Run
     from nctakt.run.controller import Controller
+    from nctakt.run.tape import TapeComparison, TapeWriter
     from nctakt.trace.sinks import Sink
 
 #: Time limits in seconds for a PLC in another process: to appear, and to answer a tick.
@@ -79,14 +80,15 @@ _EPILOG = f"""{RUN_CODES}
 )
 @click.option("--hli", metavar="NAME", help="Share the HLI; a PLC in another process answers.")
 @click.option("--error-log", metavar="FILE", help="Write the user errors (#ERROR) to a file.")
+@click.option("--record", metavar="FILE", help="Record all inputs for nctakt replay.")
 @WATCH_OPTION
 def command(**words: Any) -> int:
     """Run NC programs one after another on the same controller ('-': standard input)."""
-    return carry_out(words, _run)
+    return carry_out(words, run_with)
 
 
-def _run(options: Options, access: FileAccess) -> int:
-    """Prepare, run and report; raises ``Failure`` for invalid options."""
+def run_with(options: Options, access: FileAccess) -> int:
+    """Prepare, run and report, also a run from a tape; raises ``Failure`` for invalid options."""
     choose_mode(options)
     request = read_request(options, access)
     controller = start_controller(options, access)
@@ -110,15 +112,60 @@ def _run(options: Options, access: FileAccess) -> int:
         if plot is not None:
             listeners = plot.sinks(listeners, request)
             request = plot.request(request)
+        tape = _Taping(options, request, open_file("--record", options.record))
         begin_s = time.perf_counter()
-        run = _run_controller(options, request, controller, listeners, messages)
+        run = _run_controller(
+            options, request, controller, [*listeners, *tape.sinks], messages, tape
+        )
+        tape.finish(run, controller, access)
         wall_s = time.perf_counter() - begin_s
         diagnostics = () if run is None else run.diagnostics
         if report is not None:
             report.write(_diagnosis_text(controller, diagnosis, options, diagnostics))
         if plot is not None and picture is not None and run is not None:
             picture.fill(plot.draw)
-    return EXIT_NC_ERROR if run is None else _tell(options, run, wall_s)
+    if run is None:
+        return EXIT_NC_ERROR
+    return max(_tell(options, run, wall_s), tape.tell(run))
+
+
+class _Taping:
+    """The tape that a run is recorded on, and the one that it is replayed from."""
+
+    def __init__(self, options: Options, request: Request, file: OutputFile | None) -> None:
+        self._options = options
+        self.writer: TapeWriter | None = None
+        self._comparison: TapeComparison | None = None
+        self.sinks: list[Sink] = []
+        if file is not None:
+            from nctakt.cli.tapes import start_tape  # noqa: PLC0415 - seldom needed
+
+            self.writer = start_tape(options, request, file)
+            self.sinks.append(self.writer)
+        if options.tape is not None:
+            from nctakt.run.tape import TapeComparison  # noqa: PLC0415 - as above
+
+            self._comparison = TapeComparison(options.tape)
+            self.sinks.append(self._comparison)
+
+    def finish(self, run: Run | None, controller: Controller, access: FileAccess) -> None:
+        """Write the last line of the recorded tape."""
+        if self.writer is not None:
+            from nctakt.cli.tapes import inputs_of_run  # noqa: PLC0415 - as above
+
+            files = dict(inputs_of_run(self._options, access))
+            self.writer.finish("broken" if run is None else run.state, controller.tick, files)
+
+    def tell(self, run: Run) -> int:
+        """Tell whether a replay had the recorded events; the exit code of that."""
+        if self._comparison is None:
+            return EXIT_RAN
+        from nctakt.cli.tapes import verdict  # noqa: PLC0415 - as above
+
+        lowest = Severity.WARNING if self._options.quiet else Severity.NOTE
+        found = verdict(self._comparison, run.ticks, run.cycle_time_us)
+        print_diagnostics([found], self._options.language, lowest)
+        return EXIT_RAN if self._comparison.first is None else EXIT_NC_ERROR
 
 
 def _with_partner(
@@ -190,6 +237,7 @@ def _run_controller(
     controller: Controller,
     sinks: list[Sink],
     messages: OutputFile | None,
+    tape: _Taping,
 ) -> Run | None:
     """Return the result of the run; its messages are shown and saved as they come."""
 
@@ -201,7 +249,14 @@ def _run_controller(
 
     if messages is not None:
         messages.write("")
-    return run_programs(options, request, controller, sinks=sinks, on_message=show_message)
+    return run_programs(
+        options,
+        request,
+        controller,
+        sinks=sinks,
+        on_message=show_message,
+        record=None if tape.writer is None else tape.writer.note,
+    )
 
 
 def _tell(options: Options, run: Run, wall_s: float) -> int:

@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from nctakt.decoder.cycles.builder import CycleDefinition
     from nctakt.results.run import ProgramMessage, Run
     from nctakt.run.controller import Controller
+    from nctakt.run.inputs import Input
     from nctakt.schedule.open_schedule import RunSchedule
     from nctakt.trace.sinks import Sink
 
@@ -201,6 +202,7 @@ def run_programs(
     why: bool = False,
     on_message: Callable[[ProgramMessage], None] | None = None,
     on_cycle: Callable[[str, CycleDefinition], None] | None = None,
+    record: Callable[[Input], None] | None = None,
 ) -> Run | None:
     """Return the result; ``None`` if the user's PLC failed, which has been reported."""
     from nctakt.plc.error import PlcError  # noqa: PLC0415 - the mode is chosen before
@@ -237,6 +239,8 @@ def run_programs(
                 on_progress=show_progress,
                 on_cycle=on_cycle,
                 blocks=options.blocks,
+                record=record,
+                replay=options.tape,
             )
     except PlcError as failure:
         bar.hide()

@@ -237,7 +237,7 @@ class Plc(WatchedPlc):
             for name, index, mark in self._marks
             if (name, index) not in memory.called
         ]
-        return [*not_reached(memory.inputs, end_us), *unused]
+        return [*not_reached(memory.inputs, end_us, hli.cycle_time_us), *unused]
 
     def each_tick(self, hli: PlcView) -> None:
         """Do nothing; a class overrides it for actions after each tick."""

@@ -38,6 +38,7 @@ from nctakt.messages.plc import STALE_ACKNOWLEDGEMENT
 from nctakt.nc.outline import ProgramText
 from nctakt.nc.vocabulary.variable_table import ChannelNames, Layout, Location, NameTable
 from nctakt.run.event_registry import EventRegistry
+from nctakt.run.inputs import API, Inputs
 from nctakt.run.spindle_setup import all_names, channel_spindles, max_speeds
 from nctakt.run.variable_access import VariableAccess
 
@@ -185,6 +186,7 @@ class AssembledMachine:
             self.kernel,
             (diagnostic(NAMES_OF_DEMO_MACHINE),) if configuration.is_demo else (),
         )
+        self.inputs = Inputs(self)
         self._cell_names: dict[int, str] = {}
         self._stale_names: dict[str, None] = {}
         self.report: Callable[[Diagnostic], None] = _ignore
@@ -319,9 +321,9 @@ class AssembledMachine:
         """Return the value of a variable; a written value is returned before it is latched."""
         return self.access.read(name)
 
-    def write(self, name: str, value: float | bool | str) -> None:
+    def write(self, name: str, value: float | bool | str, source: str = API) -> None:
         """Write a variable with effect from the next tick."""
-        self.access.write(name, value)
+        self.inputs.write(name, value, source)
 
     def _name_of_cell(self, cell: int) -> str:
         if not self._cell_names:

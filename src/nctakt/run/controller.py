@@ -35,12 +35,14 @@ from nctakt.run.plc_view import AnyPlc, PlcView, WatchedPlc
 from nctakt.run.program_loader import LoadedProgram, NcText, ProgramErrors
 from nctakt.run.recording import Recording
 from nctakt.run.shared_image import SharedImage
-from nctakt.run.stimuli import Stimulus, StimulusLike, not_reached, read_stimulus
+from nctakt.run.stimuli import StimulusLike, as_inputs, not_reached, read_stimulus
 from nctakt.run.wait_reasons import wait_reasons
 from nctakt.trace.recorded import MemorySink
 from nctakt.trace.sinks import Sink
 
 if TYPE_CHECKING:
+    from nctakt.run.inputs import Input
+    from nctakt.run.tape import Tape
     from nctakt.schedule.open_schedule import RunSchedule
 
 __all__ = ["DEFAULT_LIMIT_US", "Controller", "NcText"]
@@ -106,8 +108,7 @@ class Controller:
         self._recording = Recording(
             self._machine, self.diagnostics.append, functools.partial(is_reported, self._channels)
         )
-        self._stimuli: list[Stimulus] = []
-        self._stimuli_from = 0
+        self._has_plc = False
         self._plc: AnyPlc | None = None
         self._image: SharedImage | None = None
         self._loaded: list[LoadedProgram] = []
@@ -282,6 +283,8 @@ class Controller:
         on_progress: Callable[[int, int | None], None] | None = None,
         on_cycle: Callable[[str, CycleDefinition], None] | None = None,
         blocks: bool = False,
+        record: Callable[[Input], None] | None = None,
+        replay: Tape | None = None,
     ) -> Run:
         """Run programs one after another and return the result.
 
@@ -300,7 +303,9 @@ class Controller:
         (``Run.coverage``). ``blocks``: events for decoding and execution of blocks, and for each
         flush of the channel. ``on_message`` is called with each message of a program,
         ``on_progress`` with the ticks so far and of the whole run, ``on_cycle`` with the name and
-        the definition of each realtime cycle when it is decoded.
+        the definition of each realtime cycle when it is decoded, ``record`` with each input from
+        outside behind ``set``. ``replay``: the inputs of a recorded run instead of ``at`` and
+        ``plc``.
 
         Raises ``Failure`` for a program that cannot be read and for an invalid name, value or time;
         mistakes in the programs are in the result.
@@ -318,6 +323,7 @@ class Controller:
         for name, value in (set or {}).items():
             self._machine.write(name, value)
         self._machine.access.apply_writes()
+        self._machine.inputs.listener = record
         for stimulus in stimuli:
             self._machine.access.check(stimulus.name, stimulus.value)
         if isinstance(plc, WatchedPlc):
@@ -330,11 +336,12 @@ class Controller:
         listeners = [*sinks, *((memory,) if memory else ()), statistics]
         self._recording.open(listeners, signals, bool(sinks) or memory_trace, record_writes, why)
         self._plc = plc
+        self._has_plc = plc is not None or (replay is not None and replay.has_plc)
         for channel in self._channels:
-            channel.channel.hli.acknowledges_itself = plc is None
+            channel.channel.hli.acknowledges_itself = not self._has_plc
         self._recording.on_message = on_message
-        self._stimuli = sorted(stimuli, key=lambda stimulus: stimulus.time.us(self.cycle_time_us))
-        self._stimuli_from = first_tick
+        planned = as_inputs(stimuli, first_tick, self.cycle_time_us)
+        self._machine.inputs.plan(planned if replay is None else replay.inputs)
         end = first_tick + limit
         self._machine.poll = functools.partial(self._report_progress, on_progress, end)
         try:
@@ -346,11 +353,11 @@ class Controller:
             self._recording.close()
             for channel in self._channels:
                 channel.close()
-            registry.on_cycle = None
+            registry.on_cycle = self._machine.inputs.listener = None
             self._machine.poll = do_nothing
         if state not in ("error", "interrupted"):
             end_us = (self.tick - first_tick) * self.cycle_time_us
-            self.diagnostics += not_reached(self._stimuli, end_us)
+            self.diagnostics += not_reached(stimuli, end_us, self.cycle_time_us)
             if isinstance(plc, WatchedPlc):
                 self.diagnostics += plc.unused_handlers(self.hli)
         if self._scheduled_run is not None:
@@ -464,14 +471,14 @@ class Controller:
 
     def _advance(self, end: int) -> None:
         """Run up to tick ``end``, or until the decoder, a stimulus or the PLC is due."""
-        due = min(end, self._next_stimulus())
+        due = min(end, self._machine.inputs.apply_due())
         if self._plc is not None:
             due = min(due, self.tick + 1)
         plc_calls = 1
         is_lost = False
         if self._scheduled_run is not None:
             due = min(due, self.tick + 1)
-            share = self._scheduled_run.prepare(self._channels, has_plc=self._plc is not None)
+            share = self._scheduled_run.prepare(self._channels, has_plc=self._has_plc)
             plc_calls, is_lost = share.plc_calls, share.is_lost
         self._machine.access.post_writes()
         self._machine.reserve()
@@ -483,14 +490,3 @@ class Controller:
         if self._plc is not None and self._kernel.tick == due and reason != codes.FULL:
             for _ in range(plc_calls):
                 self._plc.cycle(PlcView(self._machine))
-
-    def _next_stimulus(self) -> int:
-        """Post the stimuli of the coming tick; return the tick in which the next one is due."""
-        while self._stimuli:
-            stimulus = self._stimuli[0]
-            tick = self._stimuli_from + stimulus.time.ticks(self.cycle_time_us)
-            if tick > self.tick:
-                return tick
-            self._machine.write(stimulus.name, stimulus.value)
-            self._stimuli.pop(0)
-        return self.tick + (1 << 60)

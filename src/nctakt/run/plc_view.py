@@ -27,6 +27,7 @@ from nctakt.messages.plc import (
     UNKNOWN_PLC_AXIS,
 )
 from nctakt.run.assembly import AssembledMachine
+from nctakt.run.inputs import PLC
 from nctakt.run.variable_access import split_channel
 
 
@@ -239,7 +240,7 @@ class PlcView:
             math.isfinite(value) and 0.0 < speed < math.inf
         ):
             raise Failure(diagnostic(INVALID_AXIS_COMMAND, name=name, value=value, speed=speed))
-        owner = self._machine.kernel.requests.post(kind, axis, value, speed, mode, direction)
+        owner = self._machine.inputs.request_axis(kind, axis, value, speed, mode, direction)
         if owner == 0:
             raise Failure(diagnostic(TOO_MANY_AXIS_COMMANDS, name=name))
         return owner
@@ -310,9 +311,9 @@ class PlcView:
 
         Raises ``ValueError`` for an entry that is not one of ``functions``.
         """
-        section = self._hli.realtime if entry.is_realtime else self._hli.program
-        if not section.acknowledge(entry.slot, entry.serial):
-            self._machine.report_stale(entry.name)
+        self._machine.inputs.acknowledge(
+            self._index, entry.is_realtime, entry.slot, entry.serial, entry.name
+        )
 
     def spindle_jobs(self) -> list[SpindleEntry]:
         """Return the jobs of spindles that the PLC turns, in the order of the channel list."""
@@ -339,9 +340,7 @@ class PlcView:
 
         Raises ``ValueError`` for a job that is not one of ``spindle_jobs``.
         """
-        spindles = self._machine.channels[self._index].context.spindles
-        if not spindles.acknowledge(job.index, job.serial):
-            self._machine.report_stale(job.name)
+        self._machine.inputs.acknowledge_spindle(self._index, job.index, job.serial, job.name)
 
     def acknowledge_all(self) -> None:
         """Acknowledge all waiting functions and spindle jobs."""
@@ -356,7 +355,7 @@ class PlcView:
 
     def write(self, name: str, value: float | bool | str) -> None:
         """Write a V.E variable; raises ``Failure`` for a wrong name or value."""
-        self._machine.write(self._own(name), value)
+        self._machine.write(self._own(name), value, PLC)
 
     @property
     def override_pct(self) -> float:

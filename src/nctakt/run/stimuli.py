@@ -22,6 +22,7 @@ from nctakt.messages.inputs import (
     STIMULUS_NOT_REACHED,
     UNREADABLE_VALUE,
 )
+from nctakt.run.inputs import STIMULI, WRITE, Input
 
 _NUMBER = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?", re.ASCII)
 _TRUTH = {"TRUE": 1.0, "FALSE": 0.0}
@@ -70,12 +71,26 @@ def read_stimulus(value: StimulusLike) -> Stimulus:
     return Stimulus(*value)
 
 
-def not_reached(stimuli: Iterable[Stimulus], end_us: int) -> list[Diagnostic]:
+def as_inputs(stimuli: Iterable[Stimulus], first_tick: int, cycle_time_us: int) -> list[Input]:
+    """Return the stimuli of a run as inputs, in the order of their times."""
+    return [
+        Input(
+            first_tick + stimulus.time.ticks(cycle_time_us),
+            STIMULI,
+            WRITE,
+            (stimulus.name, stimulus.value),
+        )
+        for stimulus in sorted(stimuli, key=lambda stimulus: stimulus.time.us(cycle_time_us))
+    ]
+
+
+def not_reached(stimuli: Iterable[Stimulus], end_us: int, cycle_time_us: int) -> list[Diagnostic]:
     """Return a warning (901007) for each stimulus whose time a run has not reached."""
     end = str(Time(end_us))
     return [
         diagnostic(STIMULUS_NOT_REACHED, name=stimulus.name, time=str(stimulus.time), end=end)
-        for stimulus in stimuli
+        for stimulus in sorted(stimuli, key=lambda stimulus: stimulus.time.us(cycle_time_us))
+        if stimulus.time.ticks(cycle_time_us) * cycle_time_us >= end_us
     ]
 
 

@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: MIT
+"""Messages about recorded inputs: tapes."""
+
+from __future__ import annotations
+
+from nctakt.messages.catalogue import error, note, warning
+
+INVALID_TAPE = error(
+    901070,
+    en="this is not a line of a tape: {reason}",
+    de="das ist keine Zeile einer Eingabe-Aufzeichnung: {reason}",
+    remedy_en="Name a file that nctakt run --record has written.",
+    remedy_de="Eine Datei nennen, die nctakt run --record geschrieben hat.",
+    reason=("the reason", "der Grund"),
+)
+TAPE_OF_OTHER_VERSION = error(
+    901071,
+    en="the tape has version {found}; this nctakt reads version {version}",
+    de="die Aufzeichnung hat die Version {found}; dieses nctakt liest die Version {version}",
+    remedy_en="Record the run again, or replay it with nctakt {writer}.",
+    remedy_de="Den Lauf neu aufzeichnen oder mit nctakt {writer} wiederholen.",
+    found=("the version of the tape", "die Version der Aufzeichnung"),
+    version=("the version that is read", "die Version, die gelesen wird"),
+    writer=("the nctakt that wrote it", "das nctakt, das sie geschrieben hat"),
+)
+TAPE_CUT_OFF = error(
+    901072,
+    en="the tape is cut off: its last line is missing",
+    de="die Aufzeichnung ist abgeschnitten: ihre letzte Zeile fehlt",
+    remedy_en="Record the run again; the tape is complete when the run has ended.",
+    remedy_de="Den Lauf neu aufzeichnen; vollständig ist die Aufzeichnung, wenn der Lauf endet.",
+)
+TAPE_FILES_CHANGED = error(
+    901073,
+    en="changed since the tape was recorded: {files}",
+    de="geändert seit der Aufzeichnung: {files}",
+    remedy_en="--anyway replays it with the files as they are now.",
+    remedy_de="--anyway wiederholt den Lauf mit den Dateien, wie sie jetzt sind.",
+    files=("programs and lists", "Programme und Listen"),
+)
+REPLAY_DIFFERS = warning(
+    901074,
+    en="the events differ from those of the recorded run, first in tick {tick} ({time}): {events}",
+    de="die Ereignisse weichen vom aufgezeichneten Lauf ab, zuerst im Takt {tick} ({time}): "
+    "{events}",
+    remedy_en="The trace around this tick tells more: --trace out.csv",
+    remedy_de="Mehr sagt die Aufzeichnung um diesen Takt: --trace out.csv",
+    tick=("the tick, counted from 0", "der Takt, ab 0 gezählt"),
+    time=("its virtual time", "seine virtuelle Zeit"),
+    events=("the events of the tick now, or –", "die jetzigen Ereignisse des Takts oder –"),
+)
+REPLAY_AGREES = note(
+    901075,
+    en="the events of all {ticks} ticks are those of the recorded run",
+    de="die Ereignisse aller {ticks} Takte sind die des aufgezeichneten Laufs",
+    ticks=("the number of ticks", "die Anzahl der Takte"),
+)
+INPUT_NOT_POSSIBLE = error(
+    901077,
+    en="the recorded input of tick {tick} is not possible on this machine: {input}",
+    de="die aufgezeichnete Eingabe des Takts {tick} ist auf dieser Maschine nicht möglich: {input}",
+    remedy_en="Replay the run on the machine on which it was recorded.",
+    remedy_de="Den Lauf auf der Maschine wiederholen, auf der er aufgezeichnet wurde.",
+    tick=("the tick, counted from 0", "der Takt, ab 0 gezählt"),
+    input=("the input", "die Eingabe"),
+)
+RECORD_WITH_PARTNER = error(
+    901076,
+    en="--record cannot record what a PLC in another process writes (--hli)",
+    de="--record kann nicht aufzeichnen, was eine SPS in einem anderen Prozess schreibt (--hli)",
+    remedy_en="Use a PLC in Python: --plc FILE.py",
+    remedy_de="Eine SPS in Python verwenden: --plc FILE.py",
+)

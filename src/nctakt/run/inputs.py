@@ -1,0 +1,131 @@
+# SPDX-License-Identifier: MIT
+"""The door through which everything reaches a run from outside, tick by tick.
+
+In: values of variables and of the operator's panel, acknowledgements of functions and spindle jobs,
+motions of single axes that a PLC requests; now, or planned for a tick (stimuli, a tape). Out: what
+the next tick latches (RC-002), in the order of arrival. A listener learns of each input: it is all
+that a run needs to be repeated.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Callable, Iterable
+from typing import TYPE_CHECKING
+
+from nctakt.base.dataclass import dataclass
+from nctakt.base.failure import Failure
+from nctakt.messages import diagnostic
+from nctakt.messages.tape import INPUT_NOT_POSSIBLE
+
+if TYPE_CHECKING:
+    from nctakt.run.assembly import AssembledMachine
+
+#: The kinds of inputs.
+WRITE, ACKNOWLEDGE, ACKNOWLEDGE_SPINDLE, AXIS = "write", "ack", "ack_spindle", "axis"
+
+#: Where inputs come from.
+API, STIMULI, PLC = "api", "stimuli", "plc"
+
+#: A tick that no run reaches.
+NEVER = 1 << 62
+
+
+@dataclass(frozen=True, slots=True)
+class Input:
+    """An input that ``tick`` latches; ``values`` are the arguments of the method for its kind."""
+
+    tick: int
+    source: str
+    kind: str
+    values: tuple[float | str | bool, ...]
+
+
+class Inputs:
+    """The inputs of one machine; ``listener`` is called with each of them."""
+
+    def __init__(self, machine: AssembledMachine) -> None:
+        self._machine = machine
+        self._planned: deque[Input] = deque()
+        self.listener: Callable[[Input], None] | None = None
+
+    # --- planned inputs -------------------------------------------------------------------------
+
+    def plan(self, inputs: Iterable[Input]) -> None:
+        """Replace the planned inputs; they come in the order of their ticks."""
+        self._planned = deque(inputs)
+
+    def apply_due(self) -> int:
+        """Apply the planned inputs of the coming tick; return the tick of the next planned one."""
+        planned = self._planned
+        while planned and planned[0].tick <= self._machine.kernel.tick:
+            self._apply(planned.popleft())
+        return planned[0].tick if planned else NEVER
+
+    def _apply(self, planned: Input) -> None:
+        """Apply a planned input; raises ``Failure`` (901077) where this machine cannot take it."""
+        try:
+            self._repeat(planned)
+        except (IndexError, OverflowError, ValueError) as error:
+            found = f"{planned.kind} {', '.join(map(str, planned.values))}"
+            raise Failure(diagnostic(INPUT_NOT_POSSIBLE, tick=planned.tick, input=found)) from error
+
+    def _repeat(self, planned: Input) -> None:
+        values = planned.values
+        match planned.kind:
+            case "write":
+                name, value = values
+                self.write(str(name), value, planned.source)
+            case "ack":
+                channel, is_realtime, slot, serial, name = values
+                self.acknowledge(int(channel), bool(is_realtime), int(slot), int(serial), str(name))
+            case "ack_spindle":
+                channel, index, serial, name = values
+                self.acknowledge_spindle(int(channel), int(index), int(serial), str(name))
+            case "axis":
+                kind, axis, position, speed, mode, direction = values
+                self.request_axis(
+                    int(kind), int(axis), float(position), float(speed), int(mode), int(direction)
+                )
+
+    # --- inputs now -----------------------------------------------------------------------------
+
+    def write(self, name: str, value: float | bool | str, source: str = API) -> None:
+        """Write a variable or an operator's value; raises ``Failure`` for a wrong one."""
+        self._machine.access.write(name, value)
+        self._tell(source, WRITE, name, value if isinstance(value, str) else float(value))
+
+    def acknowledge(
+        self, channel: int, is_realtime: bool, slot: int, serial: int, name: str
+    ) -> None:
+        """Acknowledge a function; a warning (900671) is reported if it no longer waits.
+
+        Raises ``ValueError`` for a slot that there is not.
+        """
+        if channel < 0:
+            raise ValueError(channel)
+        hli = self._machine.channels[channel].hli
+        section = hli.realtime if is_realtime else hli.program
+        if not section.acknowledge(slot, serial):
+            self._machine.report_stale(name)
+        self._tell(PLC, ACKNOWLEDGE, channel, is_realtime, slot, serial, name)
+
+    def acknowledge_spindle(self, channel: int, index: int, serial: int, name: str) -> None:
+        """Acknowledge a spindle job as done; otherwise as ``acknowledge``."""
+        spindles = self._machine.channels[channel].context.spindles
+        if not spindles.acknowledge(index, serial):
+            self._machine.report_stale(name)
+        self._tell(PLC, ACKNOWLEDGE_SPINDLE, channel, index, serial, name)
+
+    def request_axis(
+        self, kind: int, axis: int, value: float, speed: float, mode: int, direction: int
+    ) -> int:
+        """Request a motion of a single axis; return its owner's number, 0 if there is no room."""
+        owner = self._machine.kernel.requests.post(kind, axis, value, speed, mode, direction)
+        if owner:
+            self._tell(PLC, AXIS, kind, axis, float(value), float(speed), mode, direction)
+        return owner
+
+    def _tell(self, source: str, kind: str, *values: float | str | bool) -> None:
+        if self.listener is not None:
+            self.listener(Input(self._machine.kernel.tick, source, kind, values))

@@ -217,6 +217,18 @@ def test_functions_stand_in_units_until_they_are_acknowledged() -> None:
     assert [one.number for one in memory.controller.hli.functions()] == [101]
 
 
+def test_what_waits_before_there_is_an_image_stands_in_it() -> None:
+    """One function, so that nothing changes any more that would be written anew."""
+    controller = Controller()
+    controller.write("HLI.PLC_PRESENT", 1)
+    controller.start(NcText("p.nc", "M111\nM30"))
+    controller.step(3)
+    (function,) = controller.hli.functions()
+    memory = Memory(controller)
+    controller.step(1)
+    assert memory.unit("program", function.slot)["serial"] == function.serial
+
+
 def test_without_a_plc_the_cnc_acknowledges() -> None:
     """``plc_present`` 0: what appears in a tick is free in the next one."""
     memory = running("#RT CYCLE\n$IF ONCE TRUE\nM101\n$ENDIF\n#RT CYCLE END\nG04 X1\nM30")

@@ -18,7 +18,7 @@ from nctakt.kernel.base.timers import Timers
 from nctakt.kernel.cycles.cycles import CycleManager
 from nctakt.kernel.path.edge_probe import EdgeProbe
 from nctakt.kernel.path.path import Path as KernelPath
-from nctakt.kernel.plc.image_slots import SectionUnits, Units
+from nctakt.kernel.plc.image_slots import SectionUnits, SpindleUnits, Units
 from nctakt.kernel.plc.panel import Panel
 from nctakt.kernel.plc.technology_slots import Hli, Section
 from nctakt.kernel.tick.channel import LOW_WATER
@@ -122,7 +122,18 @@ CONSTRUCTORS: dict[str, _Entrance] = {
     "CycleManager": lambda rig, n: CycleManager(rig.machine.record, rig.machine.single_axes, 0, n),
     "SectionUnits first": lambda rig, n: units_of(rig, n, 0),
     "SectionUnits acknowledged": lambda rig, n: units_of(rig, 0, n),
+    "SpindleUnits job": lambda rig, n: jobs_of(rig, n, 64, 0, 8),
+    "SpindleUnits size": lambda rig, n: jobs_of(rig, 0, n, 0, 8),
+    "SpindleUnits answer": lambda rig, n: jobs_of(rig, 0, 64, n, 8),
+    "SpindleUnits answer size": lambda rig, n: jobs_of(rig, 0, 64, 0, n),
 }
+
+
+def jobs_of(rig: Rig, job: int, size: int, answer: int, answer_size: int) -> SpindleUnits:
+    """Jobs of the channel's spindles in an image of 64 KiB."""
+    image = memoryview(bytearray(1 << 16))
+    spindles = rig.channel.context.spindles
+    return SpindleUnits(spindles, image, image, job, size, answer, answer_size, 1000, Units())
 
 
 def units_of(rig: Rig, first: int, acknowledged: int) -> SectionUnits:

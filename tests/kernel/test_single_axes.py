@@ -198,7 +198,7 @@ def test_a_target_beyond_a_limit_moves_nothing() -> None:
     """RC-406."""
     rig = AxesRig()
     assert rig.absolute(10_000.5) == 60158
-    assert rig.single.relative(Z, -10_000.5, 500.0, ABORTING, OWNER) == 60158
+    assert rig.single.relative(Z, -10_000.5, 500.0, ABORTING, OWNER) == 60159
     assert rig.run(3) == [0.0, 0.0, 0.0]
     assert rig.told == []
 

@@ -56,6 +56,6 @@ def test_an_entry_of_absurd_size_is_told(
     lines.insert(-1, entry)
     (machine / file).write_text("\n".join(lines) + "\n", "utf-8")
     found = load_machine(machine).diagnostics
-    at_line = {one.id for one in found if one.span and one.span.line == len(lines) - 1}
+    at_line = {one.message.id for one in found if one.span and one.span.line == len(lines) - 1}
     assert at_line == expected
     assert all(len(one.text("en")) < 600 for one in found)

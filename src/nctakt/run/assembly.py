@@ -186,7 +186,7 @@ class AssembledMachine:
             self.kernel,
             (diagnostic(NAMES_OF_DEMO_MACHINE),) if configuration.is_demo else (),
         )
-        self.inputs = Inputs(self)
+        self.inputs = Inputs(self.kernel, self.channels, self.access, self.report_stale)
         self._cell_names: dict[int, str] = {}
         self._stale_names: dict[str, None] = {}
         self.report: Callable[[Diagnostic], None] = _ignore

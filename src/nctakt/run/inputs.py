@@ -10,16 +10,15 @@ that a run needs to be repeated.
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Callable, Iterable
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Iterable, Sequence
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.failure import Failure
+from nctakt.kernel.kernel import Kernel
+from nctakt.kernel.tick.channel import Channel
 from nctakt.messages import diagnostic
 from nctakt.messages.tape import INPUT_NOT_POSSIBLE
-
-if TYPE_CHECKING:
-    from nctakt.run.assembly import AssembledMachine
+from nctakt.run.variable_access import VariableAccess
 
 #: The kinds of inputs.
 WRITE, ACKNOWLEDGE, ACKNOWLEDGE_SPINDLE, AXIS = "write", "ack", "ack_spindle", "axis"
@@ -44,8 +43,17 @@ class Input:
 class Inputs:
     """The inputs of one machine; ``listener`` is called with each of them."""
 
-    def __init__(self, machine: AssembledMachine) -> None:
-        self._machine = machine
+    def __init__(
+        self,
+        kernel: Kernel,
+        channels: Sequence[Channel],
+        access: VariableAccess,
+        report_stale: Callable[[str], None],
+    ) -> None:
+        self._kernel = kernel
+        self._channels = channels
+        self._access = access
+        self._report_stale = report_stale
         self._planned: deque[Input] = deque()
         self.listener: Callable[[Input], None] | None = None
 
@@ -58,7 +66,7 @@ class Inputs:
     def apply_due(self) -> int:
         """Apply the planned inputs of the coming tick; return the tick of the next planned one."""
         planned = self._planned
-        while planned and planned[0].tick <= self._machine.kernel.tick:
+        while planned and planned[0].tick <= self._kernel.tick:
             self._apply(planned.popleft())
         return planned[0].tick if planned else NEVER
 
@@ -92,7 +100,7 @@ class Inputs:
 
     def write(self, name: str, value: float | bool | str, source: str = API) -> None:
         """Write a variable or an operator's value; raises ``Failure`` for a wrong one."""
-        self._machine.access.write(name, value)
+        self._access.write(name, value)
         self._tell(source, WRITE, name, value if isinstance(value, str) else float(value))
 
     def acknowledge(
@@ -104,28 +112,28 @@ class Inputs:
         """
         if channel < 0:
             raise ValueError(channel)
-        hli = self._machine.channels[channel].hli
+        hli = self._channels[channel].hli
         section = hli.realtime if is_realtime else hli.program
         if not section.acknowledge(slot, serial):
-            self._machine.report_stale(name)
+            self._report_stale(name)
         self._tell(PLC, ACKNOWLEDGE, channel, is_realtime, slot, serial, name)
 
     def acknowledge_spindle(self, channel: int, index: int, serial: int, name: str) -> None:
         """Acknowledge a spindle job as done; otherwise as ``acknowledge``."""
-        spindles = self._machine.channels[channel].context.spindles
+        spindles = self._channels[channel].context.spindles
         if not spindles.acknowledge(index, serial):
-            self._machine.report_stale(name)
+            self._report_stale(name)
         self._tell(PLC, ACKNOWLEDGE_SPINDLE, channel, index, serial, name)
 
     def request_axis(
         self, kind: int, axis: int, value: float, speed: float, mode: int, direction: int
     ) -> int:
         """Request a motion of a single axis; return its owner's number, 0 if there is no room."""
-        owner = self._machine.kernel.requests.post(kind, axis, value, speed, mode, direction)
+        owner = self._kernel.requests.post(kind, axis, value, speed, mode, direction)
         if owner:
             self._tell(PLC, AXIS, kind, axis, float(value), float(speed), mode, direction)
         return owner
 
     def _tell(self, source: str, kind: str, *values: float | str | bool) -> None:
         if self.listener is not None:
-            self.listener(Input(self._machine.kernel.tick, source, kind, values))
+            self.listener(Input(self._kernel.tick, source, kind, values))

@@ -19,6 +19,8 @@ cdef enum:
     BLOCK_SCOPE = 0
     PROG_SCOPE = 1
     GLOBAL_SCOPE = 2
+    BLOCK_IS_OVER = -1
+    WAITING_BLOCK = -2
     CONTROL_START = 1
     CONTROL_HOLD = 2
     CONTROL_CONTINUE = 3

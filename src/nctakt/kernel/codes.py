@@ -36,6 +36,9 @@ from __future__ import annotations
 #: Scopes.
 BLOCK_SCOPE, PROG_SCOPE, GLOBAL_SCOPE = range(3)
 
+#: Blocks of BLOCK cycles that are none of the path: it is over by now; it waits.
+BLOCK_IS_OVER, WAITING_BLOCK = -1, -2
+
 #: Management commands (RC-111).
 CONTROL_START, CONTROL_HOLD, CONTROL_CONTINUE, CONTROL_ABORT, CONTROL_DELETE = range(1, 6)
 

@@ -225,6 +225,16 @@ BLOCK_CYCLE_NEVER_RAN = note(
     cause_en="A BLOCK cycle waits for the next block that takes time, and none came.",
     cause_de="Ein BLOCK-Zyklus wartet auf den nächsten Satz, der Zeit braucht, und es kam keiner.",
 )
+BLOCK_PASSED_OVER = note(
+    901049,
+    en="this block takes no time: the realtime cycle with scope BLOCK waits for the next one",
+    de="dieser Satz braucht keine Zeit: der Echtzeit-Zyklus mit Gültigkeit BLOCK wartet auf den "
+    "nächsten",
+    cause_en="A BLOCK cycle runs in the next block that takes at least one tick: by a motion, a "
+    "dwell, or because it waits.",
+    cause_de="Ein BLOCK-Zyklus läuft im nächsten Satz, der mindestens einen Takt dauert: durch "
+    "Bewegung, Verweilen oder weil er wartet.",
+)
 UNKNOWN_CYCLE_TIMER = error(
     21167,
     known_as=(900421,),

@@ -39,6 +39,7 @@ from nctakt.messages.memory import PLC_VALUE_NOT_FINITE
 from nctakt.messages.plc import CHANNEL_BEING_RESET
 from nctakt.messages.realtime import (
     BLOCK_CYCLE_NEVER_RAN,
+    BLOCK_PASSED_OVER,
     CONTINUE_WITHOUT_EFFECT,
     CYCLE_ID_IN_USE,
     CYCLE_MEMORY_FULL,
@@ -191,6 +192,7 @@ def realtime_diagnostic(event: Event, machine: AssembledMachine) -> Diagnostic:
             | HOLD_WITHOUT_EFFECT.id
             | CONTINUE_WITHOUT_EFFECT.id
             | BLOCK_CYCLE_NEVER_RAN.id
+            | BLOCK_PASSED_OVER.id
         ):
             values = {}
         case INVALID_USER_ERROR_ID.id | INVALID_USER_ERROR_RC.id | INVALID_SPINDLE_SPEED.id:

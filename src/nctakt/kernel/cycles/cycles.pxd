@@ -84,6 +84,8 @@ cdef class CycleManager:
     @cython.locals(slot=Py_ssize_t, index=Py_ssize_t)
     cdef void enter_block(self, long long serial) noexcept nogil
     @cython.locals(slot=Py_ssize_t, index=Py_ssize_t)
+    cdef void change_block(self, long long before, long long serial) noexcept nogil
+    @cython.locals(slot=Py_ssize_t, index=Py_ssize_t)
     cdef void leave_blocks(self, long long serial) noexcept nogil
     @cython.locals(again=cython.bint)
     cdef void end(self, Py_ssize_t slot, int reason) noexcept nogil

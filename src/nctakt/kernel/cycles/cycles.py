@@ -351,6 +351,15 @@ class CycleManager:
                 if self.state[slot] == codes.ARMED:
                     self.enter(slot, codes.RUNNING)
 
+    def change_block(self, before: int, serial: int) -> None:
+        """The block ``before`` goes on as another one: its cycles go on in that."""
+        if self.in_block_count == 0:
+            return
+        for index in range(self.loaded_count):
+            slot = self.order[index]
+            if self.block[slot] == before:
+                self.block[slot] = serial
+
     def leave_blocks(self, serial: int) -> None:
         """End the BLOCK cycles of other blocks than ``serial`` (0: of all blocks)."""
         if self.in_block_count == 0:

@@ -2,7 +2,6 @@
 # C types of command_execution.py.
 cimport cython
 from nctakt.kernel cimport cells, codes, rows
-from nctakt.kernel.path cimport geometry
 from nctakt.kernel.cycles.cycles cimport CycleManager
 from nctakt.kernel.path.edge_probe cimport EdgeProbe
 from nctakt.kernel.path.fixed_stops cimport FixedStops
@@ -12,6 +11,7 @@ from nctakt.kernel.plc.panel cimport Panel
 from nctakt.kernel.base.record cimport Record
 from nctakt.kernel.path.override cimport Overrides
 from nctakt.kernel.path.backward cimport BackwardMotion
+from nctakt.kernel.tick.block_scope cimport BlockScope
 from nctakt.kernel.tick.command_queue cimport CommandQueue
 from nctakt.kernel.axes.single_axes cimport SingleAxes
 from nctakt.kernel.base.timers cimport Timers
@@ -24,6 +24,7 @@ cdef class CommandExecutor(CommandQueue):
     cdef readonly Hli hli
     cdef readonly Panel panel
     cdef readonly CycleManager manager
+    cdef BlockScope block_scope
     cdef readonly BackwardMotion backward
     cdef Overrides overrides
     cdef readonly FixedStops fixed_stops
@@ -44,8 +45,9 @@ cdef class CommandExecutor(CommandQueue):
     cdef readonly bint is_fatal
     cdef readonly bint is_resetting
 
-    @cython.locals(row=Py_ssize_t, kind=int)
     cdef void take_commands(self, long long tick) noexcept nogil
+    @cython.locals(row=Py_ssize_t, kind=int)
+    cdef void take_due(self, long long tick) noexcept nogil
     @cython.locals(stands=bint)
     cdef int is_at_stand(self) noexcept nogil
     cdef int is_reversing(self) noexcept nogil
@@ -72,13 +74,8 @@ cdef class CommandExecutor(CommandQueue):
     cdef int take(self, long long tick, Py_ssize_t row, int kind) noexcept nogil
     @cython.locals(source=cython.longlong, number=cython.longlong, serial=cython.longlong, name=double, value=double, decoded_tick=double, reason=cython.longlong, cell=double)
     cdef void take_event(self, Py_ssize_t row, int kind) noexcept nogil
-    @cython.locals(is_current=bint, message=int, source=cython.longlong)
+    @cython.locals(is_current=bint, serial=cython.longlong, message=int, source=cython.longlong)
     cdef int take_block(self, Py_ssize_t row) noexcept nogil
-    cdef int time_units(self, Py_ssize_t row) noexcept nogil
-    @cython.locals(last=cython.longlong, row=Py_ssize_t, remaining=double, limit_v=double)
-    cdef double remaining_of_block(self, long long position) noexcept nogil
-    @cython.locals(row=Py_ssize_t)
-    cdef int block_continues(self, long long position) noexcept nogil
     @cython.locals(slot=Py_ssize_t, message=int, source=cython.longlong)
     cdef int take_definition(self, long long tick, Py_ssize_t row) noexcept nogil
     @cython.locals(source=cython.longlong, identity=cython.longlong, action=int, message=int)

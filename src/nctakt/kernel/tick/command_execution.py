@@ -15,7 +15,6 @@ from nctakt.kernel.base.record import Record
 from nctakt.kernel.base.timers import Timers
 from nctakt.kernel.cycles.context import Context
 from nctakt.kernel.cycles.cycles import CycleManager
-from nctakt.kernel.path import geometry
 from nctakt.kernel.path.backward import BackwardMotion
 from nctakt.kernel.path.edge_probe import EdgeProbe
 from nctakt.kernel.path.fixed_stops import FixedStops
@@ -23,6 +22,7 @@ from nctakt.kernel.path.lookahead import LookAhead
 from nctakt.kernel.path.override import Overrides
 from nctakt.kernel.path.path import Path
 from nctakt.kernel.plc.technology_slots import Hli
+from nctakt.kernel.tick.block_scope import BlockScope
 from nctakt.kernel.tick.command_queue import CommandQueue
 
 
@@ -50,6 +50,7 @@ class CommandExecutor(CommandQueue):
         self.hli = hli
         self.panel = hli.panel
         self.manager = manager
+        self.block_scope = BlockScope(manager, record)
         self.fixed_stops = FixedStops(path, record)
         self.is_at_fixed_stop = False
         self.edge_probe = EdgeProbe(
@@ -79,8 +80,15 @@ class CommandExecutor(CommandQueue):
         self.manager.spindles = spindles
 
     def take_commands(self, tick: int) -> None:
+        """Take the commands of this tick; BLOCK cycles leave their block with them (RC-105)."""
+        if self.manager.in_block_count > 0:
+            self.block_scope.leave(self)
+        self.take_due(tick)
+        if self.block_scope.lingers:
+            self.block_scope.leave(self)
+
+    def take_due(self, tick: int) -> None:
         """Take commands in order until one takes time or has to wait (RC-003, RC-004)."""
-        self.manager.leave_blocks(self.path.block_serial())
         if self.is_stopped or self.is_resetting or self.is_reversing():
             return
         while self.head < self.tail and self.waiting == 0 and not self.is_stopped:
@@ -88,6 +96,8 @@ class CommandExecutor(CommandQueue):
                 return
             if self.path.is_active and self.started < self.head:
                 return
+            if self.block_scope.lingers:
+                self.block_scope.leave(self)
             row = self.head % self.capacity * self.width
             kind = int(self.queue[row + rows.KIND])
             if kind == rows.LOOP_END and self.loop_repeats():
@@ -97,10 +107,15 @@ class CommandExecutor(CommandQueue):
                 self.is_skipping = True
             if self.is_skipping and kind != rows.LOOP_END:
                 self.timed_count -= self.time_units(row)
-            elif not self.enter_block(row) or not self.take(tick, row, kind):
+            elif not self.enter_block(row):
+                return
+            elif not self.take(tick, row, kind):
+                self.block_scope.wait(self)
                 return
             else:
                 self.is_between = kind == rows.LOOP_PASS
+                if self.manager.armed_count > 0:
+                    self.block_scope.pass_over(kind, self.taken_source)
             self.head += 1
 
     def is_at_stand(self) -> int:
@@ -224,7 +239,8 @@ class CommandExecutor(CommandQueue):
         self.timed_count -= self.time_units(row)
         if self.head <= self.started:
             is_current = self.head == self.started and self.path.is_active
-            self.manager.enter_block(self.path.serial if is_current else -1)
+            serial = self.path.serial if is_current else codes.BLOCK_IS_OVER
+            self.block_scope.move(self, row, serial)
             if self.head == self.started:
                 self.started = -1
             return 1
@@ -237,39 +253,8 @@ class CommandExecutor(CommandQueue):
         self.path.begin(row, self.queue, 0.0)
         if self.path.continues_block():
             self.path.set_remaining(self.remaining_of_block(self.head))
-        self.manager.enter_block(self.path.serial)
+        self.block_scope.move(self, row, self.path.serial)
         return 1
-
-    def time_units(self, row: int) -> int:
-        """Number of commands that take time, of a segment or dwell: 0 or 1."""
-        if self.queue[row + rows.KIND] == rows.SEGMENT:
-            return 0 if self.queue[row + rows.SHAPE] == rows.ROUNDING else 1
-        return 1 if self.queue[row + rows.KIND] == rows.DWELL else 0
-
-    def remaining_of_block(self, position: int) -> float:
-        """Remaining length or end speed of a block for ``Path.set_remaining``; 0 if unknown."""
-        last = position
-        while self.block_continues(last):
-            last += 1
-            if last >= self.tail:
-                return 0.0
-        remaining = 0.0
-        while last > position:
-            row = last % self.capacity * self.width
-            if self.queue[row + rows.JERK] > 0.0:
-                remaining += geometry.total_length(self.queue, row)
-            else:
-                limit_v = self.queue[row + rows.MAX_SPEED]
-                remaining = self.look_ahead.entry_speed(self.queue, row, remaining, limit_v)
-            last -= 1
-        return remaining
-
-    def block_continues(self, position: int) -> int:
-        """Return whether a command is a segment whose block continues with the next one."""
-        row = position % self.capacity * self.width
-        if self.queue[row + rows.KIND] != rows.SEGMENT:
-            return 0
-        return 1 if self.queue[row + rows.CONTINUES] > 0.0 else 0
 
     def take_definition(self, tick: int, row: int) -> int:
         """Define a realtime cycle."""

@@ -2,6 +2,7 @@
 # C types of command_queue.py.
 cimport cython
 from nctakt.kernel cimport rows
+from nctakt.kernel.path cimport geometry
 from nctakt.kernel.path.lookahead cimport LookAhead
 from nctakt.kernel.tick.loop_body cimport LoopBody
 from nctakt.kernel.path.path cimport Path
@@ -49,3 +50,8 @@ cdef class CommandQueue:
     cdef double braking_distance_in(self, Py_ssize_t row) noexcept nogil
     @cython.locals(end=Py_ssize_t, i=Py_ssize_t, k=Py_ssize_t, row=Py_ssize_t, kept=Py_ssize_t)
     cdef void repeat_body(self) noexcept nogil
+    cdef int time_units(self, Py_ssize_t row) noexcept nogil
+    @cython.locals(last=cython.longlong, row=Py_ssize_t, remaining=double, limit_v=double)
+    cdef double remaining_of_block(self, long long position) noexcept nogil
+    @cython.locals(row=Py_ssize_t)
+    cdef int block_continues(self, long long position) noexcept nogil

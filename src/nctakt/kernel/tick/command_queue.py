@@ -12,6 +12,7 @@ from collections.abc import Sequence
 
 from nctakt.kernel import rows
 from nctakt.kernel.base.bounds import check_range
+from nctakt.kernel.path import geometry
 from nctakt.kernel.path.lookahead import LookAhead
 from nctakt.kernel.path.path import Path
 from nctakt.kernel.tick.loop_body import LoopBody
@@ -364,3 +365,34 @@ class CommandQueue:
         for i in range(self.width):
             self.queue[row + i] = self.end_row[i]
         self.tail += 1
+
+    def time_units(self, row: int) -> int:
+        """Number of commands that take time, of a segment or dwell: 0 or 1."""
+        if self.queue[row + rows.KIND] == rows.SEGMENT:
+            return 0 if self.queue[row + rows.SHAPE] == rows.ROUNDING else 1
+        return 1 if self.queue[row + rows.KIND] == rows.DWELL else 0
+
+    def remaining_of_block(self, position: int) -> float:
+        """Remaining length or end speed of a block for ``Path.set_remaining``; 0 if unknown."""
+        last = position
+        while self.block_continues(last):
+            last += 1
+            if last >= self.tail:
+                return 0.0
+        remaining = 0.0
+        while last > position:
+            row = last % self.capacity * self.width
+            if self.queue[row + rows.JERK] > 0.0:
+                remaining += geometry.total_length(self.queue, row)
+            else:
+                limit_v = self.queue[row + rows.MAX_SPEED]
+                remaining = self.look_ahead.entry_speed(self.queue, row, remaining, limit_v)
+            last -= 1
+        return remaining
+
+    def block_continues(self, position: int) -> int:
+        """Return whether a command is a segment whose block continues with the next one."""
+        row = position % self.capacity * self.width
+        if self.queue[row + rows.KIND] != rows.SEGMENT:
+            return 0
+        return 1 if self.queue[row + rows.CONTINUES] > 0.0 else 0

@@ -48,7 +48,7 @@ class BlockScope:
         """
         if commands.head >= commands.tail:
             return 0
-        row = commands.head % commands.capacity * commands.width
+        row = commands.head_row()
         source = int(commands.queue[row + rows.SOURCE])
         if source >> 20 != self.source >> 20:
             return 0
@@ -63,7 +63,7 @@ class BlockScope:
         """The command at the head of the queue waits: its block is that of armed cycles."""
         if self.manager.armed_count == 0:
             return
-        row = commands.head % commands.capacity * commands.width
+        row = commands.head_row()
         if self.is_wait(int(commands.queue[row + rows.KIND])):
             self.enter(commands, row, codes.WAITING_BLOCK)
             self.has_moved = False

@@ -55,3 +55,4 @@ cdef class CommandQueue:
     cdef double remaining_of_block(self, long long position) noexcept nogil
     @cython.locals(row=Py_ssize_t)
     cdef int block_continues(self, long long position) noexcept nogil
+    cdef Py_ssize_t head_row(self) noexcept nogil

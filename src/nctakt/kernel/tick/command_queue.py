@@ -366,6 +366,10 @@ class CommandQueue:
             self.queue[row + i] = self.end_row[i]
         self.tail += 1
 
+    def head_row(self) -> int:
+        """Return the row of the command at the head of the queue."""
+        return self.head % self.capacity * self.width
+
     def time_units(self, row: int) -> int:
         """Number of commands that take time, of a segment or dwell: 0 or 1."""
         if self.queue[row + rows.KIND] == rows.SEGMENT:

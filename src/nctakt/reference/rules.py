@@ -38,7 +38,7 @@ RULES: dict[int, str] = {
     204: "a qualified $IF that is not reached neither evaluates nor forgets",
     205: "assignments: =, +=, -=, *=, /=",
     206: "operators, functions, precedence; degrees",
-    207: "faults of expressions: 50879, nothing assigned; 20396, 20398, 20399, 21241 in the decoder",
+    207: "faults in expressions: 50879, nothing assigned; decoder: 20396, 20398, 20399, 21241",
     208: "what may stand in a cycle: 22001, 22002, 22004, 21981, 21984",
     301: "only synchronous variables may be written: 22009; Vs.",
     302: "asynchronous variables are frozen when the definition is decoded",

@@ -307,8 +307,8 @@ def test_program_paths_come_in_order_of_priority() -> None:
     )
     early, late = channel(text)[0].program_paths
     assert (early.folder, late.folder) == ("early", "late")
-    assert (early.holds_main_programs, early.holds_subprograms) == (True, True)
-    assert (late.holds_main_programs, late.holds_subprograms) == (False, True)
+    assert (early.has_main_programs, early.has_subprograms) == (True, True)
+    assert (late.has_main_programs, late.has_subprograms) == (False, True)
 
 
 def test_implicit_programs() -> None:

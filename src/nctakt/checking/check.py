@@ -176,7 +176,7 @@ class _Checker:
         folders = self._targets.folders
         around = tuple(path.as_posix() for path in self._around if path.parent in folders)
         found = _ordered(self._found, self._channels)
-        settings = tuple(one for one in self._settings if one.path in self._targets.assigned)
+        settings = tuple(item for item in self._settings if item.path in self._targets.assigned)
         return CheckResult(files, found, machines, self._targets.uses_default, around, settings)
 
     def _keep(
@@ -261,7 +261,7 @@ class _Checker:
             except Failure as error:
                 self._keep(choice.path.as_posix(), error.diagnostics)
                 return
-            errors = [one for one in machine.diagnostics if one.severity is Severity.ERROR]
+            errors = [item for item in machine.diagnostics if item.severity is Severity.ERROR]
             self._keep(choice.path.as_posix(), errors)
             self._targets.assign(choice.path, machine)
         self._targets.use(choice.path, None if program is None else program.resolve().parent)
@@ -367,14 +367,14 @@ class _Checker:
             self._queue(path, (target,), "either" if is_input else "called")
 
 
-def _ordered(found: Sequence[Finding], channels: Mapping[str, set[int]]) -> tuple[Finding, ...]:
+def _ordered(findings: Sequence[Finding], channels: Mapping[str, set[int]]) -> tuple[Finding, ...]:
     """Return each finding once, in the order of file, line, column, number.
 
     ``channels``: file -> the channels for which it was checked; a diagnostic of all has none.
     """
     first: dict[_Key, Finding] = {}
     concerned: dict[_Key, set[int]] = {}
-    for item in found:
+    for item in findings:
         first.setdefault(_key(item), item)
         concerned.setdefault(_key(item), set()).update(item.channels)
     return tuple(
@@ -387,7 +387,7 @@ def _named(concerned: set[int], checked: set[int]) -> tuple[int, ...]:
     return () if concerned == checked else tuple(sorted(concerned))
 
 
-def _key(found: Finding) -> _Key:
-    message = found.diagnostic
+def _key(finding: Finding) -> _Key:
+    message = finding.diagnostic
     line, column = (0, 0) if message.span is None else (message.span.line, message.span.column)
-    return found.file, line, column, message.id, message.text()
+    return finding.file, line, column, message.id, message.text()

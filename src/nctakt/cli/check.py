@@ -193,10 +193,10 @@ def _detail(options: Options) -> Detail:
     return "effects" if options.effects else "summary"
 
 
-def _machine(options: Options, named: str | None, access: FileAccess) -> AssembledMachine:
+def _machine(options: Options, folder: str | None, access: FileAccess) -> AssembledMachine:
     """Return the machine of the programs; mistakes in its lists are reported as well."""
     configuration = load_machine(
-        named, root=options.root, rtconf=_rtconf_options(options), access=access
+        folder, root=options.root, rtconf=_rtconf_options(options), access=access
     )
     print_diagnostics(configuration.diagnostics, options.language, Severity.ERROR)
     return AssembledMachine(configuration, access)

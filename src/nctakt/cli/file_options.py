@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Which files a command may read, and those that it has open from its start: ``--confine``.
+"""The files that a command may read (``--confine``), and those open from its start.
 
 In: the folders of the words. Out: a ``FileAccess`` that knows where standard input comes from and
 where standard output and standard error go to.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What a check has found, as text for a person and in the formats of other tools.
+"""The findings of a check as text for a reader, and in the formats of other tools.
 
 In: ``CheckResult``, language, the folder that paths are relative to. Out: text with a newline at
 its end. JSON is nctakt's own (docs/checking.md), ``github`` are the workflow commands of GitHub

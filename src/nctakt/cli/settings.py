@@ -29,12 +29,12 @@ DEFAULT_PLC = "default"
 
 def carry_out(words: dict[str, Any], action: Callable[[Options, FileAccess], int]) -> int:
     """Carry out a command that runs programs; its exit code. A ``Failure`` is shown."""
-    named = [*words["programs"], *(program for _, program in words["others"])]
-    return maybe_watched(words, named, lambda access: _carry_out(words, action, access))
+    paths = [*words["programs"], *(program for _, program in words["others"])]
+    return maybe_watched(words, paths, lambda access: _carry_out(words, action, access))
 
 
 def maybe_watched(
-    words: dict[str, Any], named: Sequence[str], carry_out: Callable[[FileAccess], int]
+    words: dict[str, Any], paths: Sequence[str], carry_out: Callable[[FileAccess], int]
 ) -> int:
     """Carry out a command, with ``--watch`` again and again; its exit code."""
 
@@ -47,7 +47,7 @@ def maybe_watched(
 
     language: Language = words["language"] or "en"
     try:
-        return watch(carry_out, open_access, named, language)
+        return watch(carry_out, open_access, paths, language)
     except Failure as failure:
         print_diagnostics(failure.diagnostics, language)
         return EXIT_USAGE

@@ -34,7 +34,7 @@ def report_usage(error: click.ClickException, words: Sequence[str]) -> None:
 
 
 def _language(words: Sequence[str]) -> Language:
-    """What ``--lang`` says, or the environment; English where they say nothing of use."""
+    """Return the language of ``--lang``, else of the environment, else English."""
     for word, following in zip(words, [*words[1:], ""], strict=False):
         language = word.partition("=")[2] if word.startswith("--lang=") else following
         if word.startswith("--lang") and language in ("en", "de"):

@@ -96,10 +96,10 @@ def _is_standard(name: str) -> bool:
     return name.partition(".")[0] in sys.stdlib_module_names
 
 
-def _folders(named: Sequence[str], access: FileAccess) -> list[Path]:
+def _folders(names: Sequence[str], access: FileAccess) -> list[Path]:
     """Return the folders of all files that the command has read or was given."""
     folders: dict[Path, None] = {}
-    for path in (*map(Path, named), *access.read_files):
+    for path in (*map(Path, names), *access.read_files):
         for folder in _with_inner(path) if path.is_dir() else (path.parent,):
             if folder.is_dir():
                 folders[folder.resolve()] = None
@@ -116,14 +116,14 @@ def _with_inner(folder: Path) -> Iterator[Path]:
 
 def _state(folders: Sequence[Path]) -> _State:
     """Return the files in folders that may concern a command, with time and size."""
-    found: _State = {}
+    states: _State = {}
     for folder in folders:
         with contextlib.suppress(OSError):  # it has just been deleted
             for path in sorted(folder.iterdir()):
                 if path.suffix.casefold() in _SUFFIXES or path.is_dir():
                     state = path.stat()
-                    found[path] = (0, 0) if path.is_dir() else (state.st_mtime_ns, state.st_size)
-    return found
+                    states[path] = (0, 0) if path.is_dir() else (state.st_mtime_ns, state.st_size)
+    return states
 
 
 def _wait(library: ModuleType, folders: Sequence[Path], access: FileAccess, before: _State) -> None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""How a message is declared, and the catalogue of all messages by number.
+"""The declaration of messages, and the catalogue of all messages by number.
 
 In: the declarations of the modules beside this one. Out: a ``Message`` for each, which is reported
 by its name, and the messages of a number for whoever has only the number: a user who asks for it.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What the classes of the controller's errors mean: what an error does, and what clears it.
+"""The classes of the controller's errors: the effect of an error, and its clearing.
 
 In: ``Message.reaction`` and ``Message.clearing``, which the controller's diagnosis pages print as
 two numbers (``2/3``). Out: their meaning. Class 0 is ours: the message has no class.

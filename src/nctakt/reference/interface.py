@@ -69,7 +69,7 @@ def _all() -> Iterator[Article]:
 
 
 def _find(word: str) -> tuple[Article, ...]:
-    """A structure, a value with or without its structure, or its name from outside."""
+    """Return the articles of a structure, a value with or without its structure, or its name."""
     name = word.lower()
     outside = PREFIX.lower()
     if name.startswith(outside):

@@ -69,13 +69,13 @@ class MachineVariables:
 
 
 def _plain(word: str) -> str:
-    """The name with ``V.`` and without indices: ``Vs.E.A[3].B`` -> ``V.E.A.B``."""
+    """Return the name with ``V.`` and without indices: ``Vs.E.A[3].B`` -> ``V.E.A.B``."""
     name = _INDEX.sub("", word)
     return f"V.{name[3:]}" if name[:3].casefold() == "vs." else name
 
 
 def _declared(machine: Machine) -> Iterator[tuple[str, Variable, Node, int]]:
-    """Each variable and member: name, variable, node, channel (0: all channels)."""
+    """Yield each variable and member: name, variable, node, channel (0: all channels)."""
     for variable in machine.global_variables:
         for name, node in _nodes(f"{variable.space.value}.{variable.name}", variable.node):
             yield name, variable, node, 0

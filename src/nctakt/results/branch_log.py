@@ -200,7 +200,7 @@ class BranchLog:
             fault_tick = fault.tick
         node = self._condition.node
         expressions = [] if outline.condition is None else combined(outline.condition)
-        spans = [access.span for one in expressions for access in accesses_in(one)]
+        spans = [access.span for item in expressions for access in accesses_in(item)]
         return BranchHistory(
             outline.span,
             outline.lines,
@@ -216,6 +216,6 @@ class BranchLog:
             ),
             self.evaluated.finish(node.next_tick),
             self.bodies.finish(self._reaction.next_tick),
-            tuple(one for one in frozen if one.span in spans),
+            tuple(item for item in frozen if item.span in spans),
             outline.commands,
         )

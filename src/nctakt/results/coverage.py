@@ -56,8 +56,8 @@ class ConditionCounts:
     def plus(self, other: ConditionCounts) -> ConditionCounts:
         """Return the sum of two runs."""
         true = self.true + other.true
-        misses = [one.nearest for one in (self, other) if one.nearest is not None]
-        nearest = None if true or not misses else min(misses, key=lambda one: one.distance)
+        misses = [counts.nearest for counts in (self, other) if counts.nearest is not None]
+        nearest = None if true or not misses else min(misses, key=lambda counts: counts.distance)
         evaluated = self if self.true or self.false else other
         return replace(evaluated, true=true, false=self.false + other.false, nearest=nearest)
 

@@ -144,8 +144,8 @@ def as_lcov(coverage: Coverage) -> str:
     false; an ``$ELSE`` has no condition and so no branch of its own.
     """
     lines: list[str] = []
-    for file in dict.fromkeys(one.file for one in coverage.cycles):
-        cycles = [one for one in coverage.cycles if one.file == file]
+    for file in dict.fromkeys(cycle.file for cycle in coverage.cycles):
+        cycles = [cycle for cycle in coverage.cycles if cycle.file == file]
         lines += ["TN:", f"SF:{file}"]
         branches = [branch for cycle in cycles for branch in _lcov_branches(cycle)]
         lines += [f"BRDA:{line},0,{number},{count}" for line, number, count in branches]

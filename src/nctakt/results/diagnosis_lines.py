@@ -179,8 +179,8 @@ def line_of(event: Event, level: Level) -> Line:
     if event.kind == "user_error":
         number = user_message(int(event.text.split()[1])).id
         return Line(event.time_us, level, number, event.span, None)
-    known = _message_without_parameters(event)
-    return Line(event.time_us, level, int(event.text), event.span, known)
+    plain = _message_without_parameters(event)
+    return Line(event.time_us, level, int(event.text), event.span, plain)
 
 
 def _user_level(event: Event) -> Level:

@@ -97,7 +97,7 @@ class DiagnosisReport:
             if level <= level_limit
             for index, entry in self._kept[level]
         ]
-        kept.sort(key=lambda found: found[:2])
+        kept.sort(key=lambda item: item[:2])
         return [
             entry if isinstance(entry, Line) else line_of(entry, level) for _, level, entry in kept
         ]

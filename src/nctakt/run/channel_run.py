@@ -139,9 +139,9 @@ class ChannelRun:
     # --- under a schedule -----------------------------------------------------------------------
 
     @property
-    def wants_to_decode(self) -> bool:
+    def can_decode(self) -> bool:
         """Whether the decoder of the channel has work."""
-        return self.feeder is not None and self.feeder.wants_to_decode
+        return self.feeder is not None and self.feeder.can_decode
 
     def decode(self) -> None:
         """Decode as long as the granted time lasts."""

@@ -223,7 +223,7 @@ def realtime_diagnostic(event: Event, machine: AssembledMachine) -> Diagnostic:
 
 
 def _used_slots(count: int) -> Text:
-    """What the slots for actions (P-CHAN-00480) of a cycle that has no free one are used for."""
+    """Return the use of the slots for actions (P-CHAN-00480) of a cycle without a free one."""
     if count == 0:
         return Text("it has no slots for actions at all", "er hat gar keine Plätze für Aktionen")
     if count == 1:

@@ -68,7 +68,7 @@ def search_folders(caller: str, parameters: ChannelParameters, machine_folder: P
     their order (P-CHAN-00401 … 00404), relative to the machine's folder or to the one above it.
     """
     folders = [Path(caller).parent]
-    paths = [path for path in parameters.program_paths if path.holds_subprograms]
+    paths = [path for path in parameters.program_paths if path.has_subprograms]
     for path in sorted(paths, key=lambda path: path.priority):
         folders.append(program_folder(path.folder, machine_folder))
     return list(dict.fromkeys(folders))

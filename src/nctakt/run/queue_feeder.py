@@ -87,13 +87,13 @@ class QueueFeeder:
             return
         if self._unpaid is not None and not self._queue_paid_command():
             return
-        while self.wants_to_decode and (self._budget is None or self._budget.can_begin):
+        while self.can_decode and (self._budget is None or self._budget.can_begin):
             self._next()
             if self._unloaded is not None or self._unpaid is not None:
                 return
 
     @property
-    def wants_to_decode(self) -> bool:
+    def can_decode(self) -> bool:
         """Whether the decoder does not wait and the queue is below its mark."""
         channel = self._channel
         return bool(channel.decoder_open and channel.timed_count < self._high_water)

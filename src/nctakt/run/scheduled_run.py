@@ -108,7 +108,7 @@ class ScheduledRun:
 
     def _begin_tick(self, share: Share, runs: Sequence[ChannelRun], *, has_plc: bool) -> None:
         for (_, channels), time_ns in zip(self._roles.decoders, share.decoding, strict=True):
-            busy = [index for index in channels if runs[index].wants_to_decode]
+            busy = [index for index in channels if runs[index].can_decode]
             for index in channels:
                 self._budgets[index].grant(time_ns // len(busy) if index in busy else 0)
         for thread in share.overflows:

@@ -74,9 +74,9 @@ def pytest_terminal_summary(
     terminalreporter: pytest.TerminalReporter, config: pytest.Config
 ) -> None:
     """Tell which machines the tests had that no test and no entry of pytest's names."""
-    from nctakt.testing.machines_told import MACHINES_TOLD  # noqa: PLC0415 - see above
+    from nctakt.testing.reported_machines import REPORTED_MACHINES  # noqa: PLC0415 - see above
 
-    for text in config.stash.get(MACHINES_TOLD, {}):
+    for text in config.stash.get(REPORTED_MACHINES, {}):
         terminalreporter.write_line(f"nctakt: {text}")
 
 

@@ -27,7 +27,7 @@ from nctakt.project.machine_choice import machine_of, machine_of_environment
 from nctakt.results.run import Run
 from nctakt.run.controller import Controller, NcText
 from nctakt.run.stimuli import StimulusLike
-from nctakt.testing.machines_told import MACHINES_TOLD
+from nctakt.testing.reported_machines import REPORTED_MACHINES
 from nctakt.trace.events import Event, number_text
 
 if TYPE_CHECKING:
@@ -51,7 +51,7 @@ def configured_machine(config: pytest.Config, test: Path) -> Machine:
     choice = machine_of(test, FileAccess())
     note = choice.note()
     if note is not None:
-        config.stash.setdefault(MACHINES_TOLD, {})[note.text()] = None
+        config.stash.setdefault(REPORTED_MACHINES, {})[note.text()] = None
     return load_machine(choice.path)
 
 
@@ -101,8 +101,8 @@ def run_program(
     if limit_fails is None:
         limit_fails = until is None and ticks is None
     if limit_fails and run.state == "limit":
-        found = diagnostic(RUN_NOT_ENDED, time=str(Time(run.virtual_time_us)))
-        raise Failure(found, *run.diagnostics)
+        message = diagnostic(RUN_NOT_ENDED, time=str(Time(run.virtual_time_us)))
+        raise Failure(message, *run.diagnostics)
     return NcRun(run, start)
 
 
@@ -164,7 +164,7 @@ class Occurrences:
     @property
     def times(self) -> list[float]:
         """The time of each occurrence in seconds."""
-        return [one.at for one in self._occurrences]
+        return [occurrence.at for occurrence in self._occurrences]
 
     @property
     def count(self) -> int:

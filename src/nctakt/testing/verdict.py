@@ -33,8 +33,8 @@ def differences(
             yield "\n".join((head, *(f"    {line}" for line in lines)))
     numbers = [(error.number, error.about) for error in expectations if error.kind == "error"]
     if run.run.state == "limit" and not is_limited:
-        found = diagnostic(RUN_NOT_ENDED, time=str(Time(run.run.virtual_time_us)))
-        yield f"{file}: {found.render()}"
+        message = diagnostic(RUN_NOT_ENDED, time=str(Time(run.run.virtual_time_us)))
+        yield f"{file}: {message.render()}"
     for error in run.run.errors:
         line = None if error.span is None else error.span.line
         named = {(number, at) for number in (error.id, *error.also) for at in (line, None)}

@@ -67,8 +67,8 @@ class EventChunk(Sequence[Event]):
 
     def of_kinds(self, kinds: Collection[int]) -> EventChunk:
         """Return the rows of these kinds (``rows.EVENT_FIRED`` …), not decoded yet."""
-        found = self.column(rows.EVENT_KIND)
-        return self.select([i for i, kind in enumerate(found) if kind in kinds])
+        chunk_kinds = self.column(rows.EVENT_KIND)
+        return self.select([i for i, kind in enumerate(chunk_kinds) if kind in kinds])
 
     def repetitions(self) -> list[tuple[Event, int, int]]:
         """Return each event once, with its number of occurrences and the tick of the last one.
@@ -86,13 +86,13 @@ class EventChunk(Sequence[Event]):
         indexes = {index for key, index in firsts.items() if key[0] in _FREQUENT}
         indexes.update(i for i, key in enumerate(keys) if key[0] not in _FREQUENT)
         ordered = sorted(indexes)
-        found: list[tuple[Event, int, int]] = []
+        repetitions: list[tuple[Event, int, int]] = []
         for index, event in zip(ordered, self.select(ordered), strict=True):
             is_frequent = keys[index][0] in _FREQUENT
             count = counts[keys[index]] if is_frequent else 1
             last = last_ticks[keys[index]] if is_frequent else ticks[index]
-            found.append((event, count, int(last)))
-        return found
+            repetitions.append((event, count, int(last)))
+        return repetitions
 
     def _decoded(self) -> list[Event]:
         if self._events is None:

@@ -91,12 +91,12 @@ class ProgramPath:
     priority: int
 
     @property
-    def holds_main_programs(self) -> bool:
+    def has_main_programs(self) -> bool:
         """Whether main programs are searched in the folder."""
         return bool(self.type & MAIN_PROGRAM_BIT)
 
     @property
-    def holds_subprograms(self) -> bool:
+    def has_subprograms(self) -> bool:
         """Whether subprograms are searched in the folder."""
         return bool(self.type & SUBPROGRAM_BIT)
 

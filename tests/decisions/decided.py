@@ -33,7 +33,7 @@ def told(run: Run, *kinds: str) -> list[str]:
 
 def numbers(run: Run) -> list[int]:
     """The numbers of a run's diagnostics."""
-    return [found.message.id for found in run.diagnostics]
+    return [found.id for found in run.diagnostics]
 
 
 def left(program: str, name: str, **settings: Any) -> float | bool | str:

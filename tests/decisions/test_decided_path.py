@@ -133,10 +133,10 @@ def test_a_skipped_block_runs() -> None:
 
 
 def test_a_dwell_is_in_seconds_however_it_is_written() -> None:
-    """``G04 X0.003``, ``G04 0.003`` and ``#TIME 0.003`` are three ticks; −1 is 20751."""
+    """``G04 X0.003``, ``G04 0.003`` and ``#TIME 0.003`` are three ticks; −1 is 20017."""
     for dwell in ("G04 X0.003", "G04 0.003", "#TIME 0.003"):
         assert ticks_of(f"{dwell}\nM30") == 3, dwell
-    assert numbers(perform("#TIME -1\nM30")) == [20751]
+    assert numbers(perform("#TIME -1\nM30")) == [20017]
 
 
 def test_the_path_never_jumps() -> None:

@@ -23,8 +23,10 @@ from nctakt.cli.running import FORMAT_OPTION
 from nctakt.cli.terminal import print_diagnostics
 
 _EPILOG = """\b
-A replay runs in the folder in which the run was recorded. Exit codes as those
-of nctakt run; 1 also where the events differ from the recorded ones.
+A replay runs in the folder in which the run was recorded.
+Exit codes: 0 it ran and the events were the recorded ones, 1 an NC error,
+interrupted by Ctrl-C or other events, 2 wrong usage or unusable input, 3 an
+error of nctakt's own.
 
 \b
   nctakt run part.nc --plc cell.py --record run.tape

@@ -11,14 +11,17 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Callable, Iterable, Sequence
+from typing import TYPE_CHECKING
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.failure import Failure
-from nctakt.kernel.kernel import Kernel
-from nctakt.kernel.tick.channel import Channel
 from nctakt.messages import diagnostic
 from nctakt.messages.tape import INPUT_NOT_POSSIBLE
-from nctakt.run.variable_access import VariableAccess
+
+if TYPE_CHECKING:
+    from nctakt.kernel.kernel import Kernel
+    from nctakt.kernel.tick.channel import Channel
+    from nctakt.run.variable_access import VariableAccess
 
 #: The kinds of inputs.
 WRITE, ACKNOWLEDGE, ACKNOWLEDGE_SPINDLE, AXIS = "write", "ack", "ack_spindle", "axis"

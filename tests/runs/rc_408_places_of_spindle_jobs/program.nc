@@ -4,9 +4,11 @@
   $ELSEIF V.E.COUNT == 3
     M3 S6
   $ELSEIF V.E.COUNT == 5
-    S2[M3 REV=60]
-  $ELSEIF V.E.COUNT == 6
     M5
+  $ELSEIF V.E.COUNT == 6
+    S2[M3 REV=60]
+  $ELSEIF V.E.COUNT == 7
+    M3 S60
   $ENDIF
   V.E.COUNT += 1
 #RT CYCLE END

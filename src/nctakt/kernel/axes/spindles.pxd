@@ -58,6 +58,7 @@ cdef class Spindles:
     cdef int is_busy(self, Py_ssize_t spindle) noexcept nogil
     cdef int is_resting(self, Py_ssize_t spindle) noexcept nogil
     cdef int has_job(self, Py_ssize_t spindle, long long owner) noexcept nogil
+    cdef int is_endless(self, Py_ssize_t spindle) noexcept nogil
     @cython.locals(spindle=Py_ssize_t)
     cdef void hold(self, long long owner, long long tick) noexcept nogil
     @cython.locals(spindle=Py_ssize_t)

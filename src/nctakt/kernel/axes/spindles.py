@@ -201,8 +201,7 @@ class Spindles:
         """Number of open jobs of a realtime cycle (P-CHAN-00480)."""
         count = 0
         for spindle in range(self.count):
-            if self.is_open[spindle] and self.owner[spindle] == owner:
-                count += 1
+            count += self.has_job(spindle, owner)
         return count
 
     def is_busy(self, spindle: int) -> int:
@@ -221,8 +220,16 @@ class Spindles:
         return bool(self.is_plc[spindle])
 
     def has_job(self, spindle: int, owner: int) -> int:
-        """Return whether the spindle's open job is this cycle's: the next one replaces it."""
-        return 1 if self.is_open[spindle] and self.owner[spindle] == owner else 0
+        """Return whether the spindle has an open job of this cycle: the next one replaces it."""
+        if self.owner[spindle] != owner:
+            return 0
+        return 1 if self.is_open[spindle] or self.is_endless(spindle) else 0
+
+    def is_endless(self, spindle: int) -> int:
+        """Return whether the latest job turns the spindle endlessly: it stays open (RC-408)."""
+        if self.is_plc[spindle] or self.commanded_v[spindle] == 0.0:
+            return 0
+        return 1 if self.function[spindle] in (codes.SPINDLE_FORWARD, codes.SPINDLE_BACKWARD) else 0
 
     def hold(self, owner: int, tick: int) -> None:
         """Brake the spindles with an open job of the cycle to a stand; keep the jobs (HOLD)."""
@@ -242,11 +249,11 @@ class Spindles:
     def abort(self, owner: int, tick: int) -> None:
         """Brake the spindles of the cycle to a stand and drop their jobs (ABORT ACTION)."""
         for spindle in range(self.count):
-            if self.owner[spindle] == owner and not self.is_plc[spindle]:
-                if self.is_held[spindle] or self.is_open[spindle]:
-                    self.is_held[spindle] = 0
-                    self.function[spindle] = codes.SPINDLE_STOP
-                    self.plan(spindle, tick)
+            if self.has_job(spindle, owner) and not self.is_plc[spindle]:
+                self.is_held[spindle] = 0
+                self.is_open[spindle] = 1
+                self.function[spindle] = codes.SPINDLE_STOP
+                self.plan(spindle, tick)
 
     def leave(self, owner: int) -> None:
         """Let the spindles of an ended cycle go on without it; held ones stay at rest."""

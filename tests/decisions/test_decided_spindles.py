@@ -33,7 +33,8 @@ def test_hold_continue_and_abort_act_on_a_spindle_in_any_tick(tick: int) -> None
     begin = min(tick, 10)
     run = turning(
         f"#TIME {tick / 1000}\n#RT CYCLE HOLD [ID=1]\n#TIME 0.02\n#RT CYCLE CONTINUE [ID=1]\n"
-        "#TIME 0.03\n#RT CYCLE ABORT ACTION [ID=1]\n#TIME 0.02\n#RT CYCLE CONTINUE [ID=1]\n#TIME 0.02"
+        "#TIME 0.03\n#RT CYCLE ABORT ACTION [ID=1]\n#TIME 0.02\n"
+        "#RT CYCLE CONTINUE [ID=1]\n#TIME 0.02"
     )
     assert speeds(run, tick - 1, tick) == [6.0 * begin, 6.0 * (begin - 1)]
     assert speeds(run, tick + 19, tick + 20, tick + 29, tick + 49) == [0.0, 6.0, 60.0, 60.0]

@@ -174,7 +174,7 @@ def test_a_tape_that_cannot_be_read(
 
 
 def test_a_plc_in_another_process_is_not_recorded(told: Told) -> None:
-    """901076."""
+    """901078."""
     code, _, err = told("run", "a.nc", "--hli", "x", "--record", "run.tape")
     assert code == 2
-    assert "error 901076: " in err
+    assert "error 901078: " in err

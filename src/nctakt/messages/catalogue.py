@@ -15,6 +15,7 @@ from nctakt.base.diagnostics import Cases, Message, Severity
 FIRST_OWN, LAST_OWN = 900_000, 999_999
 
 _declared: list[Message] = []
+_own: set[int] = set()
 
 
 def _declare(
@@ -53,6 +54,9 @@ def _declare(
         known_as,
         cases,
     )
+    own = set(filter(is_own, message.numbers))
+    assert own.isdisjoint(_own), number
+    _own.update(own)
     _declared.append(message)
     return message
 

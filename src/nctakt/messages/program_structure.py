@@ -16,8 +16,8 @@ SUBPROGRAM_END_IN_MAIN_PROGRAM = error(
 )
 PROGRAM_ENDS_AS_SUBPROGRAM = note(
     901076,
-    en="{word} ends a subprogram: run as a main program, this file is refused (900123)",
-    de="{word} beendet ein Unterprogramm: als Hauptprogramm wird diese Datei abgelehnt (900123)",
+    en="{word} ends a subprogram: run as a main program, this file is refused (20376)",
+    de="{word} beendet ein Unterprogramm: als Hauptprogramm wird diese Datei abgelehnt (20376)",
     remedy_en="Write M30 if it is a main program; check it together with its caller if it is not.",
     remedy_de="M30 schreiben, wenn es ein Hauptprogramm ist; sonst mit dem Aufrufer zusammen "
     "prüfen.",

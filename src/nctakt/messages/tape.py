@@ -65,7 +65,7 @@ INPUT_NOT_POSSIBLE = error(
     input=("the input", "die Eingabe"),
 )
 RECORD_WITH_PARTNER = error(
-    901076,
+    901078,
     en="--record cannot record what a PLC in another process writes (--hli)",
     de="--record kann nicht aufzeichnen, was eine SPS in einem anderen Prozess schreibt (--hli)",
     remedy_en="Use a PLC in Python: --plc FILE.py",

@@ -13,6 +13,7 @@ from pathlib import Path
 import pytest
 
 import nctakt
+from nctakt.base.mode import is_compiled
 from nctakt.schedule.results import Simulation
 
 SOURCE = Path(nctakt.__file__)
@@ -39,6 +40,7 @@ NOT_FOR_A_PLAIN_RUN = {
 }  # fmt: skip
 
 
+@pytest.mark.skipif(not is_compiled(), reason="plain Python imports Cython, which imports the rest")
 def test_a_plain_run_imports_what_it_needs(tmp_path: Path) -> None:
     """From the start to the summary: no picture, no schedule, no PLC, no tests."""
     program = tmp_path / "short.nc"

@@ -248,7 +248,7 @@ def decode(controller: Controller, loaded: LoadedProgram) -> None:
     """Decode a program into a queue that is a new one whenever it is full."""
     machine = controller._machine
     feed = QueueFeeder(machine, loaded, controller.diagnostics.append)
-    path, ahead = machine.channels[0].path, machine.channels[0].look_ahead
+    path, ahead = machine.channels[0].path, machine.channels[0].queue.look_ahead
     queue = CommandQueue(path, ahead)
     for command in feed._decoded:
         assert not waits(command), command

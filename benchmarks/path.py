@@ -48,7 +48,7 @@ def blocks_per_second(
         channel = AssembledMachine(load_machine(None)).channels[0]
         begin = time.perf_counter()
         for i in range(CHUNK):
-            channel.put_segment(
+            channel.queue.put_segment(
                 *(0, i, corners[i], corners[i + 1], rows.FEED_MOTION, 200.0, False),
                 *(deviation, limits_jerk, None),
             )

@@ -45,7 +45,7 @@ LONG_FILES = {
 }
 
 #: The only remainders outside ``arithmetic``: places in rings, of numbers that are never negative.
-RING_SIZES = ("self.capacity", "self.ring_size")
+RING_SIZES = ("self.capacity", "self.queue.capacity", "self.ring_size")
 
 NOT_DETERMINISTIC = ("time", "datetime", "random", "threading", "secrets", "uuid")
 

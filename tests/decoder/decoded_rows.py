@@ -26,5 +26,5 @@ def rows(content: str, high_water: int = 100_000) -> Rows:
     feed._high_water = high_water
     channel = controller._machine.channels[0]
     feed.refill()
-    queued = [channel.command(index) for index in range(channel.queued())]
+    queued = [channel.queue.command(index) for index in range(channel.queue.queued())]
     return [struct.pack(f"{len(row)}d", *row) for row in queued], found

@@ -56,22 +56,22 @@ class Rig:
         row[rows.EXACT_STOP] = exact_stop
         row[rows.START] = start
         row[rows.START + self.channel.path.count] = self.end
-        self.channel.put(row)
+        self.channel.queue.put(row)
 
     def dwell(self, ticks: int) -> None:
         """Append a dwell."""
-        self.channel.put([rows.DWELL, 0, 0, ticks])
+        self.channel.queue.put([rows.DWELL, 0, 0, ticks])
 
     def flush(self) -> None:
         """Append a flush that nobody waits for."""
-        self.channel.put([rows.FLUSH, 0, 0, 0])
+        self.channel.queue.put([rows.FLUSH, 0, 0, 0])
 
     def cycle(self, scope: int, identity: int = 0) -> RealtimeCycle:
         """Append the definition of an empty cycle; its ``runs`` tell when it ran."""
         self._serials += 1
         made = RealtimeCycle(Statement(), self._serials, 3, 0)
         slot = self.channel.manager.load(made, identity, scope, 0)
-        self.channel.put([rows.DEFINE_CYCLE, 0, 0, slot, 1])
+        self.channel.queue.put([rows.DEFINE_CYCLE, 0, 0, slot, 1])
         return made
 
     def run(self, ticks: int) -> list[float]:
@@ -88,7 +88,7 @@ class Rig:
     def run_to_the_end(self, most: int = 200_000) -> int:
         """Run until the queue is empty and the path stands: the ticks that it took."""
         for ticks in range(most):
-            if not self.channel.queued() and not self.channel.path.is_active:
+            if not self.channel.queue.queued() and not self.channel.path.is_active:
                 return ticks
             self.run(1)
         raise AssertionError("the path never ends")

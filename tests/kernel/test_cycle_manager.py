@@ -25,11 +25,11 @@ class Managed(Rig):
         super().__init__()
         self.made = RealtimeCycle(Statement(), 1, 3, 0)
         self.slot = self.channel.manager.load(self.made, ID, scope, 0)
-        self.channel.put([rows.DEFINE_CYCLE, 0, 0, self.slot, starts])
+        self.channel.queue.put([rows.DEFINE_CYCLE, 0, 0, self.slot, starts])
 
     def command(self, action: int) -> None:
         """Append a management command for the cycle."""
-        self.channel.put([rows.CONTROL_CYCLE, 0, 0, action, ID])
+        self.channel.queue.put([rows.CONTROL_CYCLE, 0, 0, action, ID])
 
     def events(self) -> list[tuple[int, float]]:
         """Kind and first value of the events of one more tick."""
@@ -152,7 +152,7 @@ def test_every_command_in_every_state(name: str, action: int) -> None:
     runs = rig.made.runs
     rig.run(3)
     assert rig.made.runs - runs == (3 if after == codes.RUNNING else 0)
-    assert bool(rig.channel.is_stopped) is (events == NO_CYCLE)
+    assert bool(rig.channel.executor.is_stopped) is (events == NO_CYCLE)
 
 
 @pytest.mark.parametrize(("action", "waits"), [(HOLD, True), (DELETE, True), (ABORT, False)])
@@ -201,9 +201,9 @@ def test_end_of_program_ends_what_is_local() -> None:
         for scope in (codes.BLOCK_SCOPE, codes.PROG_SCOPE, codes.GLOBAL_SCOPE)
     }
     rig.run(1)
-    rig.channel.put([rows.PROGRAM_END, 0, 0, 0])
+    rig.channel.queue.put([rows.PROGRAM_END, 0, 0, 0])
     rig.run(1)
-    assert rig.channel.program_ended
+    assert rig.channel.executor.program_ended
     rig.channel.accept_end()
     rig.run(5)
     assert [
@@ -220,7 +220,7 @@ def test_a_reset_keeps_global_cycles_with_their_states() -> None:
     rig.segment(200.0)
     rig.run(300)
     rig.channel.request_reset()
-    while rig.channel.is_resetting:
+    while rig.channel.executor.is_resetting:
         rig.run(1)
     assert (local.runs, everywhere.runs) == (300, 300)
     assert len(rig.x) > 400

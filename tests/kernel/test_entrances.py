@@ -78,11 +78,11 @@ ENTRANCES: dict[str, _Entrance] = {
     "manager.state_of": lambda rig, n: rig.channel.manager.state_of(n),
     "path.segment_row": lambda rig, n: rig.channel.path.segment_row(n),
     "path members": lambda rig, n: KernelPath(rig.machine.axes, [0, n], 1000),
-    "queue.row": lambda rig, n: rig.channel.command(n),
-    "ahead.limit": lambda rig, n: rig.channel.look_ahead.limits.limit(
+    "queue.row": lambda rig, n: rig.channel.queue.command(n),
+    "ahead.limit": lambda rig, n: rig.channel.queue.look_ahead.limits.limit(
         n, True, (1.0, 1.0), (1.0, 1.0)
     ),
-    "ahead.limit_slope": lambda rig, n: rig.channel.look_ahead.limits.limit_slope(
+    "ahead.limit_slope": lambda rig, n: rig.channel.queue.look_ahead.limits.limit_slope(
         n, (1.0, 1.0), (1.0, 1.0)
     ),
 }
@@ -169,9 +169,9 @@ def test_a_command_longer_than_a_row_is_refused() -> None:
     """The next command would lose its begin, and the last one would leave the queue."""
     rig = Rig()
     with pytest.raises(ValueError, match="length of a command"):
-        rig.channel.put([1.0] * (rig.channel.width + 1))
+        rig.channel.queue.put([1.0] * (rig.channel.queue.width + 1))
     with pytest.raises(ValueError, match="length of a command"):
-        rig.channel.put([])
+        rig.channel.queue.put([])
 
 
 def test_more_ticks_than_an_integer_holds_are_no_end_in_the_past() -> None:

@@ -113,7 +113,7 @@ def test_overrides_and_holds_never_break_a_limit(seed: int) -> None:
     chance = random.Random(seed)
     rig = Rig()
     highest = winding_path(rig, chance, 25)
-    while rig.channel.queued() or rig.channel.path.is_active:
+    while rig.channel.queue.queued() or rig.channel.path.is_active:
         rig.run(chance.randint(1, 30))
         if len(rig.x) < 1500:
             rig.channel.panel.put(
@@ -230,14 +230,14 @@ def test_a_reset_brakes_on_the_path_over_block_ends() -> None:
     reset_at = rig.x[-1]
     rig.channel.request_reset()
     ticks = 0
-    while rig.channel.is_resetting:
+    while rig.channel.executor.is_resetting:
         rig.run(1)
         ticks += 1
     assert ticks == 125
     assert rig.x[-1] == pytest.approx(reset_at + 500.0**2 / (2 * ACCELERATION), abs=1e-6)
     assert_within_limits(rig.x)
-    assert rig.channel.queued() == 0
-    assert rig.channel.timed_count == 0
+    assert rig.channel.queue.queued() == 0
+    assert rig.channel.queue.timed_count == 0
 
 
 def test_commands_between_passed_blocks_are_taken_in_the_next_tick() -> None:
@@ -262,7 +262,7 @@ def test_a_block_cycle_in_front_of_a_passed_block_runs_with_it() -> None:
     rig.segment(10.0, speed=100.0)
     begins = None
     for tick in range(400):
-        if not rig.channel.queued() and not rig.channel.path.is_active:
+        if not rig.channel.queue.queued() and not rig.channel.path.is_active:
             break
         rig.run(1)
         if begins is None and rig.channel.path.serial == 2:
@@ -291,7 +291,7 @@ def test_a_segment_that_does_not_start_where_the_axes_stand_is_refused() -> None
     rig.end += 0.5
     rig.segment(1.0)
     rig.run(60)
-    assert rig.channel.error_pending
+    assert rig.channel.executor.error_pending
     assert rig.x[-1] == 1.0
 
 

@@ -45,7 +45,7 @@ for number in range(blocks):
         place = (start[0] + length, start[1])
     ends = (*start, 0.0, 0.0), (*place, 0.0, 0.0)
     is_smooth = kind == "smooth"
-    channel.put_segment(0, number, *ends, rows.FEED_MOTION, 200.0, False, 0.0, is_smooth, arc)
+    channel.queue.put_segment(0, number, *ends, rows.FEED_MOTION, 200.0, False, 0.0, is_smooth, arc)
 sys.setprofile(None)
 print(calls / blocks)
 """

@@ -275,7 +275,7 @@ def test_the_error_of_an_axis_without_a_channel(tmp_path: Path) -> None:
     assert rig.told[-1][1] == "axis Z failed"
     assert (rig.state(), rig.single.fault_of(Z)) == (ERROR_STOP, 1702)
     assert rig.single.fault_count == 0
-    assert not rig.channel.is_stopped
+    assert not rig.channel.executor.is_stopped
     assert rig.absolute(0.0) == 60213
     rig.single.clear(Z)
     assert (rig.state(), rig.single.fault_of(Z)) == (STANDSTILL, 0)
@@ -377,7 +377,7 @@ def test_reset_brakes_and_ends_when_all_stands() -> None:
     rig.run(10)
     rig.channel.request_reset()
     ticks = 0
-    while rig.channel.is_resetting:
+    while rig.channel.executor.is_resetting:
         rig.run(1)
         ticks += 1
     assert ticks == 10

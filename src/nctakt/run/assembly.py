@@ -237,7 +237,7 @@ class AssembledMachine:
         )
         limits = parameters.realtime_cycles
         spindles = channel_spindles(self.configuration, index, layout, self.memory, self.record)
-        channel.set_spindles(spindles, limits.buffers)
+        channel.executor.set_spindles(spindles, limits.buffers)
         channel.panel.show_size(channel.path.history_size)
         context = channel.context
         context.max_steps = limits.max_steps

@@ -58,7 +58,7 @@ class ChannelRun:
     @property
     def is_stopped(self) -> bool:
         """Whether the channel is in error state."""
-        return bool(self.channel.is_stopped)
+        return bool(self.channel.executor.is_stopped)
 
     @property
     def is_braking(self) -> bool:
@@ -72,7 +72,7 @@ class ChannelRun:
         return self._outcome == "reset" and not self._stands()
 
     def _stands(self) -> bool:
-        return self._machine.path_stands(self._index) and not self.channel.is_resetting
+        return self._machine.path_stands(self._index) and not self.channel.executor.is_resetting
 
     # --- programs in sequence -------------------------------------------------------------------
 
@@ -116,7 +116,7 @@ class ChannelRun:
 
     def begin(self, program: LoadedProgram) -> None:
         """Start a checked program; raises ``Failure`` after a fatal error."""
-        if self.channel.is_fatal:
+        if self.channel.executor.is_fatal:
             raise Failure(diagnostic(STOPPED_BY_FATAL_USER_ERROR))
         self._outcome = None
         self._stopped_at = -1

@@ -155,7 +155,7 @@ class Controller:
     @property
     def has_limited_jerk(self) -> bool:
         """Whether any block of the first channel so far had the jerk-limited slope."""
-        return self._machine.channels[0].look_ahead.limits.has_jerk_limit
+        return self._machine.channels[0].queue.look_ahead.limits.has_jerk_limit
 
     @property
     def instructions_in_tick(self) -> int:
@@ -250,7 +250,7 @@ class Controller:
     def _reset(self, channels: Sequence[ChannelRun]) -> None:
         for channel in channels:
             channel.request_reset()
-        while any(channel.channel.is_resetting for channel in channels):
+        while any(channel.channel.executor.is_resetting for channel in channels):
             self._advance(self.tick + 1)
 
     def _index(self, channel: int) -> int:

@@ -156,11 +156,11 @@ def realtime_diagnostic(event: Event, machine: AssembledMachine) -> Diagnostic:
         case CYCLES_EXCEED_STEP_LIMIT.id | CYCLES_EXCEED_DURATION.id:
             values = {"cycle": cycle, "steps": int(a), "limit": int(b)}
         case UNKNOWN_CYCLE_ID.id | CYCLE_ID_IN_USE.id:
-            values = {"id": int(channel.error_detail)}
+            values = {"id": int(channel.executor.error_detail)}
         case CYCLE_MEMORY_FULL.id | CYCLE_TOO_LARGE.id:
             manager = channel.manager
             free = manager.memory_limit - manager.memory_used
-            values = {"needed": int(channel.error_detail), "free": free}
+            values = {"needed": int(channel.executor.error_detail), "free": free}
         case TOO_MANY_CYCLES.id:
             values = {"count": channel.manager.capacity}
         case INDEPENDENT_MOTION_REFUSED.id:
@@ -172,9 +172,9 @@ def realtime_diagnostic(event: Event, machine: AssembledMachine) -> Diagnostic:
             | ENDLESS_MOTION_BLOCKS_PATH.id
             | HELD_MOTION_BLOCKS_PATH.id
         ):
-            values = {"axis": machine.registry.axis(int(channel.error_detail))}
+            values = {"axis": machine.registry.axis(int(channel.executor.error_detail))}
         case SPINDLE_JOB_HELD.id:
-            values = {"spindle": machine.registry.spindle(int(channel.error_detail))}
+            values = {"spindle": machine.registry.spindle(int(channel.executor.error_detail))}
         case UNKNOWN_CYCLE_TIMER.id:
             values = {"timer": int(a)}
         case PLC_VALUE_NOT_FINITE.id:

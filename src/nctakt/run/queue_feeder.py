@@ -75,8 +75,8 @@ class QueueFeeder:
         self._budget = budget
         if budget is not None:
             budget.forgive()
-        self._high_water = self._channel.look_ahead.blocks + HIGH_WATER
-        self._channel.taken_source = 0
+        self._high_water = self._channel.queue.look_ahead.blocks + HIGH_WATER
+        self._channel.executor.taken_source = 0
         self._channel.decoder_open = True
         self._channel.wants_slot = False
 
@@ -96,7 +96,7 @@ class QueueFeeder:
     def can_decode(self) -> bool:
         """Whether the decoder does not wait and the queue is below its mark."""
         channel = self._channel
-        return bool(channel.decoder_open and channel.timed_count < self._high_water)
+        return bool(channel.decoder_open and channel.queue.timed_count < self._high_water)
 
     def _queue_paid_command(self) -> bool:
         """Queue the held command once its decode time has been granted; return whether it was."""
@@ -162,7 +162,7 @@ class QueueFeeder:
 
     def _take(self, command: Command) -> None:
         if isinstance(command, PlainRun):
-            command.blocks.fill(self._channel, self._high_water)
+            command.blocks.fill(self._channel.queue, self._high_water)
             return
         if isinstance(command, commands.LoadCycle):
             self._load(command)
@@ -206,7 +206,7 @@ class QueueFeeder:
     def _put(self, command: Command, subject: int) -> None:
         """Queue a command; ``subject``: its tick, slot or number in the registry."""
         if isinstance(command, commands.Segment):
-            self._channel.put_segment(
+            self._channel.queue.put_segment(
                 command.source,
                 command.number,
                 command.start,
@@ -220,15 +220,15 @@ class QueueFeeder:
                 None if command.modifiers is None else command.modifiers.row,
             )
             if command.goes_on:
-                self._channel.continue_block()
+                self._channel.queue.continue_block()
             self._decoder.pass_time(command)
             return
         row = pack(command, subject)
         if isinstance(command, commands.LoopBegin):
-            self._channel.begin_loop(row)
+            self._channel.queue.begin_loop(row)
         elif isinstance(command, commands.LoopEnd):
-            self._channel.end_loop(row)
+            self._channel.queue.end_loop(row)
         else:
-            self._channel.put(row)
+            self._channel.queue.put(row)
         if row[rows.KIND] in rows.TIMED_KINDS:
             self._decoder.pass_time(command)

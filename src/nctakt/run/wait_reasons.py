@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The reasons why a program waits when a run reaches its limit.
 
-In: a channel of the realtime part (``kernel.tick.channel.Channel.wait_reason``). Out: a note with
-the block, its line and the reason, or none if the program is at work.
+In: a channel of the realtime part (``kernel.tick.wait_reasons.WaitReasons.reason``). Out: a note
+with the block, its line and the reason, or none if the program is at work.
 """
 
 from __future__ import annotations
@@ -74,7 +74,7 @@ def wait_reasons(machine: AssembledMachine, channels: Sequence[ChannelRun]) -> l
 
 def wait_reason(machine: AssembledMachine, index: int) -> Diagnostic | None:
     """Return a note with the reason why a channel's program waits, ``None`` if it does not."""
-    word, source, detail = machine.channels[index].wait_reason()
+    word, source, detail = machine.channels[index].waits.reason()
     if not word:
         return None
     text = _REASONS[word]

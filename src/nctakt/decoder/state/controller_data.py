@@ -80,6 +80,6 @@ def controller_data(
     timers = ProgramTimers(latched, tick, configuration.cycle_time_us)
     data = []
     for channel in channels:
-        channel.program_timers = counting
+        channel.executor.program_timers = counting
         data.append(ControllerData(timers))
     return data

@@ -96,7 +96,10 @@ class CornerRounding:
     ) -> float:
         """Highest speed on the rounding; 0 if the corner lets the path pass as fast."""
         shortest = min(segments[before + rows.LENGTH], segments[row + rows.LENGTH])
-        speed = min(self.limits.speed_of(segments, before), self.limits.speed_of(segments, row))
+        speed = min(
+            self.limits.speed_of(segments[before + rows.SPEED], segments[before + rows.MAX_SPEED]),
+            self.limits.speed_of(segments[row + rows.SPEED], segments[row + rows.MAX_SPEED]),
+        )
         corner_v = 1e300
         for i in range(self.limits.count):
             corner_v = min(corner_v, self.corner.corner_speed(i, shortest, 0.0))
@@ -118,7 +121,10 @@ class CornerRounding:
         """
         limit_a = min(segments[before + rows.ACCELERATION], segments[row + rows.ACCELERATION])
         limit_j = min(segments[before + rows.JERK], segments[row + rows.JERK])
-        top_v = min(self.limits.speed_of(segments, before), self.limits.speed_of(segments, row))
+        top_v = min(
+            self.limits.speed_of(segments[before + rows.SPEED], segments[before + rows.MAX_SPEED]),
+            self.limits.speed_of(segments[row + rows.SPEED], segments[row + rows.MAX_SPEED]),
+        )
         room = min(segments[before + rows.LENGTH], segments[row + rows.LENGTH])
         time = self.ramp_time(top_v, limit_a, limit_j)
         while top_v > speed and top_v * time > room:

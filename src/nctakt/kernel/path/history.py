@@ -150,11 +150,9 @@ class History:
         """
         own_a = self.path.history_rows[before + rows.ACCELERATION]
         own_j = self.path.history_rows[before + rows.JERK]
-        fades_d = (
-            self.look_ahead.limits.speed_of(self.path.history_rows, row)
-            * self.limit_a
-            / self.limit_j
-        )
+        speed = self.path.history_rows[row + rows.SPEED]
+        max_speed = self.path.history_rows[row + rows.MAX_SPEED]
+        fades_d = self.look_ahead.limits.speed_of(speed, max_speed) * self.limit_a / self.limit_j
         if self.path.history_rows[row + rows.LENGTH] < fades_d:
             self.limit_a = min(self.limit_a, self.rounding_a)
             self.limit_j = min(self.limit_j, self.rounding_j)

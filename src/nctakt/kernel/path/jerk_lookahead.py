@@ -69,7 +69,9 @@ class JerkLookAhead:
             return
         segments[before + rows.CORNER_SPEED] = speed
         speed = min(
-            speed, self.limits.speed_of(segments, before), self.limits.speed_of(segments, row)
+            speed,
+            self.limits.speed_of(segments[before + rows.SPEED], segments[before + rows.MAX_SPEED]),
+            self.limits.speed_of(segments[row + rows.SPEED], segments[row + rows.MAX_SPEED]),
         )
         self.corner.corner_v = speed
         passed = speed * self.limits.tick_t / shortest
@@ -130,7 +132,11 @@ class JerkLookAhead:
             is_less = 1 if change < 0 else is_less
             if is_less == 0 and passed & codes.FAR_CHECK == codes.FAR_CHECK:
                 if passed >= self.blocks or self.is_far(
-                    segments, before, self.limits.speed_of(segments, before)
+                    segments,
+                    before,
+                    self.limits.speed_of(
+                        segments[before + rows.SPEED], segments[before + rows.MAX_SPEED]
+                    ),
                 ):
                     return 1
             if self.goal.store(segments, before) == 0 and change == 0 and passed > 0:
@@ -158,7 +164,9 @@ class JerkLookAhead:
         is_exempt = segments[row + rows.IGNORES_OVERRIDE] > 0.0
         is_other = is_exempt != (segments[before + rows.IGNORES_OVERRIDE] > 0.0)
         feed_v = segments[row + rows.SPEED]
-        if segments[row + rows.MAX_SPEED] < self.limits.speed_of(segments, before):
+        if segments[row + rows.MAX_SPEED] < self.limits.speed_of(
+            segments[before + rows.SPEED], segments[before + rows.MAX_SPEED]
+        ):
             top_v = min(top_v, segments[row + rows.MAX_SPEED])
         if (feed_v < segments[before + rows.SPEED] or is_other) and feed_v < top_v:
             top_v = feed_v
@@ -166,7 +174,11 @@ class JerkLookAhead:
         is_rounding = segments[before + rows.SHAPE] == rows.ROUNDING
         if is_rounding or segments[row + rows.SHAPE] == rows.ROUNDING:
             top_v = min(
-                top_v, self.limits.speed_of(segments, before), self.limits.speed_of(segments, row)
+                top_v,
+                self.limits.speed_of(
+                    segments[before + rows.SPEED], segments[before + rows.MAX_SPEED]
+                ),
+                self.limits.speed_of(segments[row + rows.SPEED], segments[row + rows.MAX_SPEED]),
             )
         elif top_v > 1e299 or goal.distance_d <= goal.braking_distance(top_v):
             return
@@ -181,7 +193,8 @@ class JerkLookAhead:
         self.goal.carried_j = segments[row + rows.JERK]
         if (
             segments[row + rows.LENGTH] * self.goal.carried_j
-            < self.limits.speed_of(segments, row) * self.goal.carried_a
+            < self.limits.speed_of(segments[row + rows.SPEED], segments[row + rows.MAX_SPEED])
+            * self.goal.carried_a
         ):
             self.goal.carried_a = min(
                 self.goal.carried_a, segments[row + rows.CARRIED_ACCELERATION]

@@ -99,7 +99,9 @@ class LookAhead:
             return
         segments[before + rows.CORNER_SPEED] = limit_v
         speed = min(
-            limit_v, self.limits.speed_of(segments, before), self.limits.speed_of(segments, row)
+            limit_v,
+            self.limits.speed_of(segments[before + rows.SPEED], segments[before + rows.MAX_SPEED]),
+            self.limits.speed_of(segments[row + rows.SPEED], segments[row + rows.MAX_SPEED]),
         )
         density = max(1.0, speed * self.limits.tick_t / shortest)
         max_share = 0.0
@@ -176,7 +178,10 @@ class LookAhead:
             if self.corner.steps[i] > 0.0:
                 step_a = 0.9 * self.limits.axis_acceleration(i) / self.corner.steps[i]
                 curve_v2 = min(curve_v2, 2.0 * half * step_a)
-        speed = min(self.limits.speed_of(segments, before), self.limits.speed_of(segments, row))
+        speed = min(
+            self.limits.speed_of(segments[before + rows.SPEED], segments[before + rows.MAX_SPEED]),
+            self.limits.speed_of(segments[row + rows.SPEED], segments[row + rows.MAX_SPEED]),
+        )
         share = 0.9 * min(1.0, speed * speed / curve_v2)
         curve_a = 1e300
         for i in range(self.limits.count):

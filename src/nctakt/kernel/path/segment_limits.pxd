@@ -47,7 +47,7 @@ cdef class SegmentLimits:
     cdef double straight_acceleration(self, double[::1] parts) noexcept nogil
     @cython.locals(angle=double, pieces=Py_ssize_t)
     cdef void divide_arc(self, double[::1] segments, Py_ssize_t row, double piece) noexcept nogil
-    cdef double speed_of(self, double[::1] segments, Py_ssize_t row) noexcept nogil
+    cdef double speed_of(self, double speed, double max_speed) noexcept nogil
     cdef double axis_jerk(self, Py_ssize_t index) noexcept nogil
     cdef double axis_acceleration(self, Py_ssize_t index) noexcept nogil
     cdef double min_acceleration(self, Py_ssize_t index) noexcept nogil

@@ -318,9 +318,9 @@ class SegmentLimits:
 
     # --- what axes can do -----------------------------------------------------------------------
 
-    def speed_of(self, segments: memoryview[float], row: int) -> float:
-        """Highest speed that a segment is ever driven with, per s."""
-        return min(segments[row + rows.SPEED] * self.max_factor, segments[row + rows.MAX_SPEED])
+    def speed_of(self, speed: float, max_speed: float) -> float:
+        """Highest speed that a segment is ever driven with, per s, from its two columns."""
+        return min(speed * self.max_factor, max_speed)
 
     def axis_jerk(self, index: int) -> float:
         """Jerk of an axis that both segments of a corner allow."""

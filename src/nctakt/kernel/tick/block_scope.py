@@ -49,12 +49,12 @@ class BlockScope:
         if commands.head >= commands.tail:
             return 0
         row = commands.head_row()
-        source = int(commands.queue[row + rows.SOURCE])
+        source = int(commands.rows[row + rows.SOURCE])
         if source >> 20 != self.source >> 20:
             return 0
         if commands.head == self.position:
             return 1
-        kind = int(commands.queue[row + rows.KIND])
+        kind = int(commands.rows[row + rows.KIND])
         if kind in (rows.SEGMENT, rows.DWELL):
             return 0 if self.has_moved else 1
         return 0 if source == self.source else 1
@@ -64,7 +64,7 @@ class BlockScope:
         if self.manager.armed_count == 0:
             return
         row = commands.head_row()
-        if self.is_wait(int(commands.queue[row + rows.KIND])):
+        if self.is_wait(int(commands.rows[row + rows.KIND])):
             self.enter(commands, row, codes.WAITING_BLOCK)
             self.has_moved = False
             self.lingers = True
@@ -91,7 +91,7 @@ class BlockScope:
     def enter(self, commands: CommandQueue, row: int, serial: int) -> None:
         """Armed cycles run in this block from now on."""
         self.position = commands.head
-        self.source = int(commands.queue[row + rows.SOURCE])
+        self.source = int(commands.rows[row + rows.SOURCE])
         self.serial = serial
         self.tell_passed(self.source)
         self.manager.enter_block(serial)

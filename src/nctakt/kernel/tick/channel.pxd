@@ -3,10 +3,38 @@
 cimport cython
 from nctakt.kernel cimport cells, codes, rows
 from nctakt.kernel.base cimport arithmetic
+from nctakt.kernel.base.record cimport Record
+from nctakt.kernel.cycles.context cimport Context
+from nctakt.kernel.cycles.cycles cimport CycleManager
+from nctakt.kernel.path.backward cimport BackwardMotion
+from nctakt.kernel.path.edge_probe cimport EdgeProbe
+from nctakt.kernel.path.fixed_stops cimport FixedStops
+from nctakt.kernel.path.override cimport Overrides
+from nctakt.kernel.path.path cimport Path
+from nctakt.kernel.plc.panel cimport Panel
+from nctakt.kernel.plc.technology_slots cimport Hli
 from nctakt.kernel.tick.command_execution cimport CommandExecutor
+from nctakt.kernel.tick.command_queue cimport CommandQueue
+from nctakt.kernel.tick.wait_reasons cimport WaitReasons
 
 @cython.final
-cdef class Channel(CommandExecutor):
+cdef class Channel:
+    cdef readonly CommandQueue queue
+    cdef readonly CommandExecutor executor
+    cdef readonly Path path
+    cdef double[::1] cells
+    cdef readonly Py_ssize_t first_cell
+    cdef Record record
+    cdef readonly Hli hli
+    cdef readonly Panel panel
+    cdef readonly CycleManager manager
+    cdef readonly Context context
+    cdef FixedStops fixed_stops
+    cdef bint is_at_fixed_stop
+    cdef EdgeProbe edge_probe
+    cdef Overrides overrides
+    cdef readonly BackwardMotion backward
+    cdef readonly WaitReasons waits
     cdef double total_pct
     cdef public Py_ssize_t low_water
     cdef public bint decoder_open
@@ -42,8 +70,6 @@ cdef class Channel(CommandExecutor):
     cdef void publish_block(self) noexcept nogil
     @cython.locals(source=cython.longlong)
     cdef void watch_spindle(self, double factor) noexcept nogil
-    @cython.locals(spindle=Py_ssize_t)
-    cdef Py_ssize_t resting_spindle(self) noexcept nogil
     @cython.locals(position=Py_ssize_t, row=Py_ssize_t, kind=int, message=int, source=cython.longlong)
     cdef void pass_block_ends(self, int is_stopping) noexcept nogil
     @cython.locals(message=int)

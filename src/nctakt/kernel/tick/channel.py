@@ -16,17 +16,24 @@ from nctakt.kernel.base import arithmetic
 from nctakt.kernel.base.record import Record
 from nctakt.kernel.base.timers import Timers
 from nctakt.kernel.cycles.cycles import CycleManager
+from nctakt.kernel.path.backward import BackwardMotion
 from nctakt.kernel.path.lookahead import LookAhead
+from nctakt.kernel.path.override import Overrides
 from nctakt.kernel.path.path import Path
 from nctakt.kernel.plc.technology_slots import Hli
 from nctakt.kernel.tick.command_execution import CommandExecutor
+from nctakt.kernel.tick.command_queue import CommandQueue
+from nctakt.kernel.tick.wait_reasons import WaitReasons
 
 #: Commands that take time below which the kernel asks for more.
 LOW_WATER = 8
 
 
-class Channel(CommandExecutor):
-    """One channel with its path, its cycles and its image of the PLC."""
+class Channel:
+    """One channel: its path, its cycles, its image of the PLC.
+
+    It has a ``queue`` of commands and an ``executor`` that takes them.
+    """
 
     def __init__(
         self,
@@ -41,9 +48,24 @@ class Channel(CommandExecutor):
         look_ahead: LookAhead,
         single_axes: SingleAxes,
     ) -> None:
-        super().__init__(
-            memory, first_cell, record, hli, manager, path, timers, look_ahead, single_axes
+        self.queue = CommandQueue(path, look_ahead)
+        self.executor = CommandExecutor(
+            memory, first_cell, record, hli, manager, timers, single_axes, self.queue
         )
+        self.path = path
+        self.cells = memoryview(memory).cast("d")
+        self.first_cell = first_cell
+        self.record = record
+        self.hli = hli
+        self.panel = hli.panel
+        self.manager = manager
+        self.context = self.executor.context
+        self.fixed_stops = self.executor.fixed_stops
+        self.is_at_fixed_stop = False
+        self.edge_probe = self.executor.edge_probe
+        self.overrides = Overrides(self.context)
+        self.backward = BackwardMotion(path, hli.panel, record, look_ahead, self.overrides)
+        self.waits = WaitReasons(self.executor, self.overrides)
         self.overrides.max_pct = max_override_pct
         self.total_pct = 100.0
         self.low_water = max(LOW_WATER, look_ahead.blocks)
@@ -81,7 +103,7 @@ class Channel(CommandExecutor):
 
     def event_bound(self) -> int:
         """Highest number of events of a tick: a few for each command, cycle and slot."""
-        commands = self.tail - self.head
+        commands = self.queue.tail - self.queue.head
         single = self.context.single_axes.event_bound(commands) + self.context.spindles.count
         return (
             12
@@ -92,71 +114,6 @@ class Channel(CommandExecutor):
             + self.manager.capacity
         )
 
-    def wait_reason(self) -> tuple[str, int, int]:
-        """Word, source and detail of what holds the program up, for ``run/wait_reasons.py``.
-
-        The word is empty where nothing does: the path moves, or a dwell lasts.
-        """
-        row = self.head % self.capacity * self.width
-        queued = int(self.queue[row + rows.SOURCE]) if self.head < self.tail else self.taken_source
-        if self.is_stopped or self.is_resetting:
-            return ("reset" if self.is_stopped else "", queued, 0)
-        if not self.panel.is_running:
-            return ("program start" if self.panel.is_armed else "", 0, 0)
-        if self.path.speed_v != 0.0:
-            return ("", queued, 0)
-        if self.panel.backward_motion and self.path.history_size > 0:
-            return ("forward", queued, 0)
-        if self.panel.is_paused:
-            before = (self.head - 1) % self.capacity * self.width
-            kind, source = self.queue[before + rows.KIND], self.queue[before + rows.SOURCE]
-            is_programmed = self.head > 0 and kind == rows.PROGRAM_STOP
-            is_programmed = is_programmed and int(source) == self.taken_source
-            return ("programmed stop" if is_programmed else "single block", self.taken_source, 0)
-        if self.path.is_active:
-            word, detail = self.path_wait_reason()
-            return (word, int(self.path.history_rows[self.path.row + rows.SOURCE]), detail)
-        if self.head == self.tail:
-            return ("", queued, 0)
-        word, detail = self.command_wait_reason(row)
-        return (word, queued, detail)
-
-    def path_wait_reason(self) -> tuple[str, int]:
-        """Word and detail for what holds up the current block of a standing path."""
-        if self.panel.feed_hold:
-            return ("feed hold", 0)
-        if self.path.is_dwell:
-            return ("", 0)
-        ignores_override = self.path.history_rows[self.path.row + rows.IGNORES_OVERRIDE] != 0.0
-        if self.panel.override_pct == 0.0 and not ignores_override:
-            return ("override", 0)
-        if self.overrides.cycle_pct == 0.0:
-            return ("cycle override", 0)
-        spindle = self.resting_spindle()
-        return (
-            ("spindle turns", self.context.spindles.first_number + spindle - 1)
-            if spindle
-            else ("", 0)
-        )
-
-    def command_wait_reason(self, row: int) -> tuple[str, int]:
-        """Word and detail for what holds up the command at the head of the queue."""
-        kind = int(self.queue[row + rows.KIND])
-        if kind == rows.TECHNOLOGY:
-            return ("free place", int(self.queue[row + rows.TECHNOLOGY_FUNCTION]))
-        if kind == rows.AWAIT_ACKNOWLEDGE:
-            return ("acknowledgement", int(self.queue[row + rows.AWAITED_FUNCTION]))
-        if kind in (rows.SPINDLE, rows.AWAIT_SPINDLE):
-            spindle = int(self.queue[row + rows.JOB_SPINDLE])
-            is_plc = self.context.spindles.has_plc(spindle)
-            word = "spindle acknowledged" if is_plc else "spindle"
-            return (word, self.context.spindles.first_number + spindle)
-        if kind == rows.MEASURE_END:
-            return ("acknowledgement", self.edge_probe.function)
-        if kind == rows.POSITIONS and self.context.single_axes.request_state(self.queue, row):
-            return ("axis", self.context.single_axes.requested_axis)
-        return ("", 0)
-
     # --- the tick -------------------------------------------------------------------------------
 
     def needs_python(self) -> int:
@@ -165,9 +122,9 @@ class Channel(CommandExecutor):
             return codes.RESET
         if self.panel.start_taken:
             return codes.START
-        if self.error_pending:
+        if self.executor.error_pending:
             return codes.ERROR
-        if self.program_ended:
+        if self.executor.program_ended:
             return codes.PROGRAM_END
         if self.answer_ready:
             return codes.ANSWER
@@ -176,27 +133,27 @@ class Channel(CommandExecutor):
         if self.decoder_open and self.wants_slot:
             has_slot = self.manager.ended_count > 0 or self.is_idle()
             return codes.REFILL if has_slot else codes.DONE
-        if self.decoder_open and self.timed_count < self.low_water:
+        if self.decoder_open and self.queue.timed_count < self.low_water:
             return codes.REFILL
         return codes.DONE
 
     def is_idle(self) -> int:
         """Return whether nothing is queued or current, and no cycle waits for its block's end."""
-        if self.head < self.tail or self.path.is_active:
+        if self.queue.head < self.queue.tail or self.path.is_active:
             return 0
         return 1 if self.manager.in_block_count == 0 else 0
 
     def watch_queue(self, tick: int) -> None:
         """Record from when to when the path starves because the decoder is late."""
-        is_empty = self.head == self.tail and self.decoder_open and not self.wants_slot
-        can_go = not (self.path.is_active or self.is_stopped or self.is_resetting)
+        is_empty = self.queue.head == self.queue.tail and self.decoder_open and not self.wants_slot
+        can_go = not (self.path.is_active or self.executor.is_stopped or self.executor.is_resetting)
         can_go = can_go and not self.panel.is_paused
         if is_empty and can_go:
             if self.starved_since < 0:
                 self.starved_since = tick
-                self.record.event(rows.EVENT_STARVED, self.taken_source)
+                self.record.event(rows.EVENT_STARVED, self.executor.taken_source)
         elif self.starved_since >= 0:
-            self.record.event(rows.EVENT_FED, self.taken_source, tick - self.starved_since)
+            self.record.event(rows.EVENT_FED, self.executor.taken_source, tick - self.starved_since)
             self.starved_since = -1
 
     def begin_tick(self, tick: int) -> None:
@@ -207,7 +164,7 @@ class Channel(CommandExecutor):
         if self.panel.reset_pressed:
             self.begin_reset()
         elif self.panel.start_pressed:
-            self.panel.take_start(not self.is_stopped and not self.is_resetting)
+            self.panel.take_start(not self.executor.is_stopped and not self.executor.is_resetting)
         if self.is_reset_due:
             self.is_reset_due = False
             self.hli.clear()
@@ -218,21 +175,24 @@ class Channel(CommandExecutor):
 
     def run_cycles(self) -> None:
         """Run all active realtime cycles once; none during a reset (RC-007)."""
-        if self.is_resetting:
+        if self.executor.is_resetting:
             return
         if self.manager.run_cycles(self.context):
-            self.enter_error(self.context.fault)
+            self.executor.enter_error(self.context.fault)
         if self.context.user_reaction > 0:
-            self.stop_for_user(self.context.user_reaction)
+            self.executor.stop_for_user(self.context.user_reaction)
 
     def interpolate(self) -> None:
         """Advance the path by a tick with the present override (RC-305, MO-5)."""
         factor = self.override()
         is_stopping = (
-            self.is_stopped or self.is_resetting or self.panel.feed_hold or self.is_at_fixed_stop
+            self.executor.is_stopped
+            or self.executor.is_resetting
+            or self.panel.feed_hold
+            or self.is_at_fixed_stop
         )
-        if self.is_looping and not self.path.is_retracing:
-            self.prolong_loop()
+        if self.executor.is_looping and not self.path.is_retracing:
+            self.executor.prolong_loop()
         if (
             self.edge_probe.phase != codes.NOT_MEASURING
             and self.path.is_active
@@ -262,17 +222,10 @@ class Channel(CommandExecutor):
         """Warn once for each stand that the path waits for a spindle (G95, 900819)."""
         if factor != 0.0:
             self.has_warned_of_spindle = False
-        elif not self.has_warned_of_spindle and self.resting_spindle() > 0:
+        elif not self.has_warned_of_spindle and self.waits.resting_spindle() > 0:
             self.has_warned_of_spindle = True
             source = int(self.path.history_rows[self.path.row + rows.SOURCE])
             self.record.event(rows.EVENT_ERROR, source, 0, 900819)
-
-    def resting_spindle(self) -> int:
-        """Number, from 1, of the resting spindle that a standing path follows; else 0."""
-        if not self.path.is_active or self.path.is_dwell or self.path.speed_v != 0.0:
-            return 0
-        spindle = int(self.path.history_rows[self.path.row + rows.FEED_SPINDLE])
-        return spindle if spindle > 0 and self.context.spindles.is_resting(spindle - 1) else 0
 
     def watch_stops(self) -> None:
         """Brake at the fixed stop, and drop the rest of the block (MO-12)."""
@@ -306,7 +259,11 @@ class Channel(CommandExecutor):
                 self.record.event(rows.EVENT_ERROR, 0, 0, 50453)
             return self.path.step(factor, is_stopping)
         if not self.path.is_retracing:
-            if self.is_stopped or self.is_resetting or not self.backward.can_take_over():
+            if (
+                self.executor.is_stopped
+                or self.executor.is_resetting
+                or not self.backward.can_take_over()
+            ):
                 self.warn_of_wait()
                 return self.path.step(factor, 1)
             self.backward.leave()
@@ -315,19 +272,26 @@ class Channel(CommandExecutor):
         if self.backward.entered >= 0.0:
             self.cells[self.first_cell + cells.CHANNEL_BLOCK] = self.backward.entered
         if self.backward.fault != 0:
-            self.report(self.backward.fault_source, self.backward.fault, self.path.refused_axis)
+            self.executor.report(
+                self.backward.fault_source, self.backward.fault, self.path.refused_axis
+            )
             self.backward.fault = 0
         return has_time_left
 
     def warn_of_wait(self) -> None:
         """Warn once that a program waits because nothing is left to walk back (50449)."""
-        if self.panel.turns_back or self.is_resetting:
+        if self.panel.turns_back or self.executor.is_resetting:
             self.has_warned_of_wait = False
-        waits = self.head < self.tail and not self.path.is_active
-        if waits and not self.has_warned_of_wait and not self.is_stopped and not self.is_resetting:
+        waits = self.queue.head < self.queue.tail and not self.path.is_active
+        if (
+            waits
+            and not self.has_warned_of_wait
+            and not self.executor.is_stopped
+            and not self.executor.is_resetting
+        ):
             self.has_warned_of_wait = True
-            row = self.head % self.capacity * self.width
-            source = int(self.queue[row + rows.SOURCE])
+            row = self.queue.head % self.queue.capacity * self.queue.width
+            source = int(self.queue.rows[row + rows.SOURCE])
             self.record.event(rows.EVENT_ERROR, source, 0, 50449)
 
     def publish_block(self) -> None:
@@ -341,53 +305,56 @@ class Channel(CommandExecutor):
         A block that it cannot take is an error; with speed left, it brakes on this block with the
         axes that are free, since it must not stop in a step (MO-1, MO-6).
         """
-        position = max(self.head, self.started + 1)
+        position = max(self.queue.head, self.queue.started + 1)
         if self.path.is_single and self.path.speed_v == 0.0:
             return
-        while position < self.tail:
-            row = position % self.capacity * self.width
-            kind = int(self.queue[row + rows.KIND])
+        while position < self.queue.tail:
+            row = position % self.queue.capacity * self.queue.width
+            kind = int(self.queue.rows[row + rows.KIND])
             if kind == rows.SEGMENT:
-                message = self.path.refusal(row, self.queue)
+                message = self.path.refusal(row, self.queue.rows)
                 if message:
                     if self.path.speed_v == 0.0:
                         return
-                    source = int(self.queue[row + rows.SOURCE])
-                    self.report(source, message, self.path.refused_axis)
+                    source = int(self.queue.rows[row + rows.SOURCE])
+                    self.executor.report(source, message, self.path.refused_axis)
                     is_stopping = 1
-                self.started = position
-                self.path.begin(row, self.queue, self.path.left_t)
+                self.queue.started = position
+                self.path.begin(row, self.queue.rows, self.path.left_t)
                 if self.path.continues_block():
-                    self.path.set_remaining(self.remaining_of_block(position))
+                    self.path.set_remaining(self.queue.remaining_of_block(position))
                 if self.path.left_t > 0.0:
                     self.publish_block()
                 if not self.path.step_carried(self.override(), is_stopping):
                     return
-            elif not self.is_transparent(kind):
+            elif not self.queue.is_transparent(kind):
                 return
             position += 1
 
     def end_tick(self) -> None:
         """Answer what waits for the path to stand; end a reset; publish (RC-005, RC-007)."""
         state = codes.CHANNEL_READY
-        if self.is_resetting:
+        if self.executor.is_resetting:
             state = codes.CHANNEL_RESET
-        elif self.is_stopped:
+        elif self.executor.is_stopped:
             state = codes.CHANNEL_ERROR
         if self.path.is_standing():
-            if not self.is_stopped and not self.path.is_retracing:
-                if self.waiting == rows.LOOP_END:
-                    row = self.head % self.capacity * self.width
-                    self.leave_loop(int(self.queue[row + rows.SOURCE]))
-                if self.waiting in (rows.FLUSH, rows.READ, rows.LOOP_END) or self.axes_stand():
+            if not self.executor.is_stopped and not self.path.is_retracing:
+                if self.executor.waiting == rows.LOOP_END:
+                    row = self.queue.head % self.queue.capacity * self.queue.width
+                    self.executor.leave_loop(int(self.queue.rows[row + rows.SOURCE]))
+                if (
+                    self.executor.waiting in (rows.FLUSH, rows.READ, rows.LOOP_END)
+                    or self.axes_stand()
+                ):
                     self.answer_waiting()
-            if self.is_resetting:
+            if self.executor.is_resetting:
                 self.end_reset()
         if self.context.single_axes.fault_count > 0:
             self.report_axes()
         self.context.spindles.step(self.context.tick, self.hli.has_default_plc())
         self.hli.run_default_plc(self.context.tick)
-        self.panel.publish(state, self.error_message)
+        self.panel.publish(state, self.executor.error_message)
         if self.path.history_size > 0:
             self.panel.show_history(self.backward.state(), self.path.used - self.path.oldest)
         self.cells[self.first_cell + cells.CHANNEL_PATH_SPEED] = self.path.speed_v
@@ -398,48 +365,48 @@ class Channel(CommandExecutor):
         """Enter the error state if an independent motion of the channel's axes has failed."""
         message = self.context.single_axes.take_faults(self.path.members, self.path.count)
         if message:
-            self.enter_error(message)
+            self.executor.enter_error(message)
 
     def axes_stand(self) -> int:
         """Return whether the requested axes stand; axes that never will are an error."""
-        if self.waiting != rows.POSITIONS:
+        if self.executor.waiting != rows.POSITIONS:
             return 0
-        row = self.head % self.capacity * self.width
-        message = self.context.single_axes.request_state(self.queue, row)
+        row = self.queue.head % self.queue.capacity * self.queue.width
+        message = self.context.single_axes.request_state(self.queue.rows, row)
         if message > codes.MOVES_STILL:
-            source = int(self.queue[row + rows.SOURCE])
-            self.report(source, message, self.context.single_axes.requested_axis)
+            source = int(self.queue.rows[row + rows.SOURCE])
+            self.executor.report(source, message, self.context.single_axes.requested_axis)
         return 1 if message == codes.STANDS else 0
 
     def answer_waiting(self) -> None:
         """Answer the flush or synchronous read at the head with the present values."""
-        row = self.head % self.capacity * self.width
+        row = self.queue.head % self.queue.capacity * self.queue.width
         self.answer = 0.0
-        if self.waiting == rows.READ:
-            cell = int(self.queue[row + rows.READ_CELL])
+        if self.executor.waiting == rows.READ:
+            cell = int(self.queue.rows[row + rows.READ_CELL])
             self.answer = self.cells[cell]
-        if self.queue[row + rows.IS_ANSWERED] != 0.0:
+        if self.queue.rows[row + rows.IS_ANSWERED] != 0.0:
             self.answer_ready = True
-        self.waiting = 0
-        self.head += 1
-        self.timed_count -= 1
+        self.executor.waiting = 0
+        self.queue.head += 1
+        self.queue.timed_count -= 1
 
     def end_reset(self) -> None:
         """End a reset once all stands: give up the commands decoded ahead."""
         if not self.context.single_axes.all_free(self.path.members, self.path.count):
             return
-        self.is_resetting = False
+        self.executor.is_resetting = False
         for i in range(self.path.count):
             self.context.single_axes.reopen(self.path.members[i])
         self.path.abandon()
-        self.give_up_loop()
+        self.executor.give_up_loop()
         self.is_at_fixed_stop = False
         self.fixed_stops.clear()
         self.edge_probe.clear()
-        self.head = self.tail
-        self.timed_count = 0
-        self.started = -1
-        self.last_segment = -1
+        self.queue.head = self.queue.tail
+        self.queue.timed_count = 0
+        self.queue.started = -1
+        self.queue.last_segment = -1
 
     def request_reset(self) -> None:
         """Request a reset, which begins with the next tick."""
@@ -447,23 +414,23 @@ class Channel(CommandExecutor):
 
     def begin_reset(self) -> None:
         """Latch a reset: until the path stands, at least one tick (RC-007)."""
-        self.is_resetting = True
+        self.executor.is_resetting = True
         self.is_reset_due = True
-        self.is_stopped = self.is_fatal
-        self.error_pending = False
-        self.error_message = 0
-        self.waiting = 0
+        self.executor.is_stopped = self.executor.is_fatal
+        self.executor.error_pending = False
+        self.executor.error_message = 0
+        self.executor.waiting = 0
         self.answer_ready = False
-        self.program_ended = False
+        self.executor.program_ended = False
         self.panel.is_paused = False
 
     def clear_error(self) -> None:
         """Note that Python has read the error; the channel stays stopped until a reset."""
-        self.error_pending = False
+        self.executor.error_pending = False
 
     def accept_end(self) -> None:
         """Accept another program behind M30; raise ``ValueError`` if none has ended."""
-        if not self.program_ended:
+        if not self.executor.program_ended:
             raise ValueError("no program has ended")
-        self.program_ended = False
-        self.waiting = 0
+        self.executor.program_ended = False
+        self.executor.waiting = 0

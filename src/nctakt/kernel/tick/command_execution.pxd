@@ -9,14 +9,16 @@ from nctakt.kernel.plc.technology_slots cimport Hli
 from nctakt.kernel.cycles.context cimport Context
 from nctakt.kernel.plc.panel cimport Panel
 from nctakt.kernel.base.record cimport Record
-from nctakt.kernel.path.override cimport Overrides
-from nctakt.kernel.path.backward cimport BackwardMotion
+from nctakt.kernel.path.path cimport Path
 from nctakt.kernel.tick.block_scope cimport BlockScope
 from nctakt.kernel.tick.command_queue cimport CommandQueue
 from nctakt.kernel.axes.single_axes cimport SingleAxes
 from nctakt.kernel.base.timers cimport Timers
 
-cdef class CommandExecutor(CommandQueue):
+@cython.final
+cdef class CommandExecutor:
+    cdef readonly CommandQueue queue
+    cdef readonly Path path
     cdef double[::1] cells
     cdef unsigned char[::1] characters
     cdef readonly Py_ssize_t first_cell
@@ -25,10 +27,7 @@ cdef class CommandExecutor(CommandQueue):
     cdef readonly Panel panel
     cdef readonly CycleManager manager
     cdef BlockScope block_scope
-    cdef readonly BackwardMotion backward
-    cdef Overrides overrides
     cdef readonly FixedStops fixed_stops
-    cdef bint is_at_fixed_stop
     cdef readonly EdgeProbe edge_probe
     cdef readonly Context context
     cdef public Timers program_timers

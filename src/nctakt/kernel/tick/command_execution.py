@@ -15,19 +15,15 @@ from nctakt.kernel.base.record import Record
 from nctakt.kernel.base.timers import Timers
 from nctakt.kernel.cycles.context import Context
 from nctakt.kernel.cycles.cycles import CycleManager
-from nctakt.kernel.path.backward import BackwardMotion
 from nctakt.kernel.path.edge_probe import EdgeProbe
 from nctakt.kernel.path.fixed_stops import FixedStops
-from nctakt.kernel.path.lookahead import LookAhead
-from nctakt.kernel.path.override import Overrides
-from nctakt.kernel.path.path import Path
 from nctakt.kernel.plc.technology_slots import Hli
 from nctakt.kernel.tick.block_scope import BlockScope
 from nctakt.kernel.tick.command_queue import CommandQueue
 
 
-class CommandExecutor(CommandQueue):
-    """The queue of a channel with all that its commands act on, and the channel's error state."""
+class CommandExecutor:
+    """Takes the commands of one channel's queue; holds what they act on, and the error state."""
 
     def __init__(
         self,
@@ -36,13 +32,13 @@ class CommandExecutor(CommandQueue):
         record: Record,
         hli: Hli,
         manager: CycleManager,
-        path: Path,
         timers: Timers,
-        look_ahead: LookAhead,
         single_axes: SingleAxes,
+        queue: CommandQueue,
     ) -> None:
+        self.queue = queue
+        self.path = queue.path
         check_cells(first_cell, cells.CHANNEL_TIMER, memory)
-        super().__init__(path, look_ahead)
         self.cells = memoryview(memory).cast("d")
         self.characters = memoryview(memory)
         self.first_cell = first_cell
@@ -51,14 +47,11 @@ class CommandExecutor(CommandQueue):
         self.panel = hli.panel
         self.manager = manager
         self.block_scope = BlockScope(manager, record)
-        self.fixed_stops = FixedStops(path, record)
-        self.is_at_fixed_stop = False
+        self.fixed_stops = FixedStops(queue.path, record)
         self.edge_probe = EdgeProbe(
-            path, hli, record, memory, first_cell + cells.CHANNEL_MEAS_DELTA
+            queue.path, hli, record, memory, first_cell + cells.CHANNEL_MEAS_DELTA
         )
         self.context = Context(memory, record, hli, timers, single_axes)
-        self.overrides = Overrides(self.context)
-        self.backward = BackwardMotion(path, hli.panel, record, look_ahead, self.overrides)
         self.program_timers = timers
         self.waiting = 0
         self.taken_source = 0
@@ -82,48 +75,48 @@ class CommandExecutor(CommandQueue):
     def take_commands(self, tick: int) -> None:
         """Take the commands of this tick; BLOCK cycles leave their block with them (RC-105)."""
         if self.manager.in_block_count > 0:
-            self.block_scope.leave(self)
+            self.block_scope.leave(self.queue)
         self.take_due(tick)
         if self.block_scope.lingers:
-            self.block_scope.leave(self)
+            self.block_scope.leave(self.queue)
 
     def take_due(self, tick: int) -> None:
         """Take commands in order until one takes time or has to wait (RC-003, RC-004)."""
         if self.is_stopped or self.is_resetting or self.is_reversing():
             return
-        while self.head < self.tail and self.waiting == 0 and not self.is_stopped:
+        while self.queue.head < self.queue.tail and self.waiting == 0 and not self.is_stopped:
             if self.panel.is_paused:
                 return
-            if self.path.is_active and self.started < self.head:
+            if self.path.is_active and self.queue.started < self.queue.head:
                 return
             if self.block_scope.lingers:
-                self.block_scope.leave(self)
-            row = self.head % self.capacity * self.width
-            kind = int(self.queue[row + rows.KIND])
+                self.block_scope.leave(self.queue)
+            row = self.queue.head % self.queue.capacity * self.queue.width
+            kind = int(self.queue.rows[row + rows.KIND])
             if kind == rows.LOOP_END and self.loop_repeats():
-                self.repeat_body()
+                self.queue.repeat_body()
                 continue
             if self.is_between and not self.loop_repeats() and self.is_at_stand():
                 self.is_skipping = True
             if self.is_skipping and kind != rows.LOOP_END:
-                self.timed_count -= self.time_units(row)
+                self.queue.timed_count -= self.queue.time_units(row)
             elif not self.enter_block(row):
                 return
             elif not self.take(tick, row, kind):
-                self.block_scope.wait(self)
+                self.block_scope.wait(self.queue)
                 return
             else:
                 self.is_between = kind == rows.LOOP_PASS
                 if self.manager.armed_count > 0:
                     self.block_scope.pass_over(kind, self.taken_source)
-            self.head += 1
+            self.queue.head += 1
 
     def is_at_stand(self) -> int:
         """Return whether the path stands between two blocks with none started ahead."""
         stands = (
             self.path.speed_v == 0.0 and not self.path.is_active and not self.path.continues_block()
         )
-        return 1 if stands and self.started < self.head else 0
+        return 1 if stands and self.queue.started < self.queue.head else 0
 
     def is_reversing(self) -> int:
         """Return whether the path walks over its history or is about to: no command is taken."""
@@ -135,10 +128,10 @@ class CommandExecutor(CommandQueue):
 
     def enter_block(self, row: int) -> int:
         """Return whether the command may be taken: single block stops in front of a block."""
-        source = int(self.queue[row + rows.SOURCE])
+        source = int(self.queue.rows[row + rows.SOURCE])
         self.taken_source = source
         line = source >> 20  # file and line (``row/source_ids.py``)
-        is_started = self.head <= self.started or self.path.speed_v > 0.0
+        is_started = self.queue.head <= self.queue.started or self.path.speed_v > 0.0
         if self.path.continues_block():
             return 1
         if self.panel.permits_block(line, self.is_motion(row), is_started):
@@ -148,7 +141,7 @@ class CommandExecutor(CommandQueue):
 
     def is_motion(self, row: int) -> bool:
         """Return whether a command is a segment or a dwell."""
-        kind = int(self.queue[row + rows.KIND])
+        kind = int(self.queue.rows[row + rows.KIND])
         return kind in (rows.SEGMENT, rows.DWELL)
 
     def take(self, tick: int, row: int, kind: int) -> int:
@@ -162,9 +155,9 @@ class CommandExecutor(CommandQueue):
         if kind == rows.TECHNOLOGY:
             return self.take_technology(tick, row)
         if kind == rows.AWAIT_ACKNOWLEDGE:
-            if self.hli.program.is_waiting(int(self.queue[row + rows.AWAITED_FUNCTION])):
+            if self.hli.program.is_waiting(int(self.queue.rows[row + rows.AWAITED_FUNCTION])):
                 return 0
-            self.timed_count -= 1
+            self.queue.timed_count -= 1
         elif kind == rows.WRITE_VARIABLE:
             self.take_write(row)
         elif kind == rows.WRITE_TEXT:
@@ -180,8 +173,8 @@ class CommandExecutor(CommandQueue):
         elif kind == rows.AWAIT_SPINDLE:
             return self.take_spindle_wait(row)
         elif kind == rows.TIMER:
-            timer = int(self.queue[row + rows.TIMER_NUMBER])
-            self.program_timers.command(int(self.queue[row + rows.TIMER_ACTION]), timer, tick)
+            timer = int(self.queue.rows[row + rows.TIMER_NUMBER])
+            self.program_timers.command(int(self.queue.rows[row + rows.TIMER_ACTION]), timer, tick)
         elif kind == rows.CLEAR_HISTORY:
             self.path.forget()
         elif kind == rows.MEASURE:
@@ -197,13 +190,13 @@ class CommandExecutor(CommandQueue):
         elif kind == rows.LOOP_PASS:
             self.cells[self.first_cell + cells.CHANNEL_LOOP_COUNT] += 1.0
         elif kind == rows.PROGRAM_STOP:
-            self.timed_count -= 1
-            if self.panel.stop_for_program(self.queue[row + rows.STOP_IS_OPTIONAL] != 0.0):
-                self.record.event(rows.EVENT_PAUSED, int(self.queue[row + rows.SOURCE]))
+            self.queue.timed_count -= 1
+            if self.panel.stop_for_program(self.queue.rows[row + rows.STOP_IS_OPTIONAL] != 0.0):
+                self.record.event(rows.EVENT_PAUSED, int(self.queue.rows[row + rows.SOURCE]))
         elif kind == rows.GIVE_UP:
-            self.timed_count -= 1
-            message = int(self.queue[row + rows.GIVE_UP_MESSAGE])
-            self.report(int(self.queue[row + rows.SOURCE]), message, 0.0)
+            self.queue.timed_count -= 1
+            message = int(self.queue.rows[row + rows.GIVE_UP_MESSAGE])
+            self.report(int(self.queue.rows[row + rows.SOURCE]), message, 0.0)
         elif kind in (rows.MESSAGE, rows.FREEZE, rows.BLOCK_MARK, rows.WAIT_MARK):
             self.take_event(row, kind)
         else:
@@ -213,22 +206,22 @@ class CommandExecutor(CommandQueue):
 
     def take_event(self, row: int, kind: int) -> None:
         """Record a command that is nothing but an event."""
-        source = int(self.queue[row + rows.SOURCE])
+        source = int(self.queue.rows[row + rows.SOURCE])
         if kind == rows.MESSAGE:
-            number = int(self.queue[row + rows.MESSAGE_TEXT])
+            number = int(self.queue.rows[row + rows.MESSAGE_TEXT])
             self.record.event(rows.EVENT_MESSAGE, source, number)
         elif kind == rows.FREEZE:
-            serial = int(self.queue[row + rows.FROZEN_CYCLE])
-            name = self.queue[row + rows.FROZEN_NAME]
-            value = self.queue[row + rows.FROZEN_VALUE]
+            serial = int(self.queue.rows[row + rows.FROZEN_CYCLE])
+            name = self.queue.rows[row + rows.FROZEN_NAME]
+            value = self.queue.rows[row + rows.FROZEN_VALUE]
             self.record.event(rows.EVENT_FROZEN, source, serial, name, value)
         elif kind == rows.BLOCK_MARK:
-            number = int(self.queue[row + rows.BLOCK_NUMBER])
-            decoded_tick = self.queue[row + rows.MARK_TICK]
+            number = int(self.queue.rows[row + rows.BLOCK_NUMBER])
+            decoded_tick = self.queue.rows[row + rows.MARK_TICK]
             self.record.event(rows.EVENT_BLOCK, source, number, decoded_tick)
         else:
-            reason = int(self.queue[row + rows.WAIT_REASON])
-            cell = self.queue[row + rows.WAIT_CELL]
+            reason = int(self.queue.rows[row + rows.WAIT_REASON])
+            cell = self.queue.rows[row + rows.WAIT_CELL]
             self.record.event(rows.EVENT_WAIT, source, reason, cell)
 
     def take_block(self, row: int) -> int:
@@ -236,40 +229,40 @@ class CommandExecutor(CommandQueue):
 
         BLOCK cycles that stood before it run with it, or once where it is over by now (RC-105).
         """
-        self.timed_count -= self.time_units(row)
-        if self.head <= self.started:
-            is_current = self.head == self.started and self.path.is_active
+        self.queue.timed_count -= self.queue.time_units(row)
+        if self.queue.head <= self.queue.started:
+            is_current = self.queue.head == self.queue.started and self.path.is_active
             serial = self.path.serial if is_current else codes.BLOCK_IS_OVER
-            self.block_scope.move(self, row, serial)
-            if self.head == self.started:
-                self.started = -1
+            self.block_scope.move(self.queue, row, serial)
+            if self.queue.head == self.queue.started:
+                self.queue.started = -1
             return 1
-        if self.queue[row + rows.KIND] == rows.SEGMENT:
-            message = self.path.refusal(row, self.queue)
+        if self.queue.rows[row + rows.KIND] == rows.SEGMENT:
+            message = self.path.refusal(row, self.queue.rows)
             if message:
-                source = int(self.queue[row + rows.SOURCE])
+                source = int(self.queue.rows[row + rows.SOURCE])
                 self.report(source, message, self.path.refused_axis)
                 return 1
-        self.path.begin(row, self.queue, 0.0)
+        self.path.begin(row, self.queue.rows, 0.0)
         if self.path.continues_block():
-            self.path.set_remaining(self.remaining_of_block(self.head))
-        self.block_scope.move(self, row, self.path.serial)
+            self.path.set_remaining(self.queue.remaining_of_block(self.queue.head))
+        self.block_scope.move(self.queue, row, self.path.serial)
         return 1
 
     def take_definition(self, tick: int, row: int) -> int:
         """Define a realtime cycle."""
-        slot = int(self.queue[row + rows.CYCLE_SLOT])
-        message = self.manager.define(slot, int(self.queue[row + rows.CYCLE_STARTS]), tick)
+        slot = int(self.queue.rows[row + rows.CYCLE_SLOT])
+        message = self.manager.define(slot, int(self.queue.rows[row + rows.CYCLE_STARTS]), tick)
         if message != 0:
-            source = int(self.queue[row + rows.SOURCE])
+            source = int(self.queue.rows[row + rows.SOURCE])
             self.report(source, message, self.manager.refused_value(slot, message))
         return 1
 
     def take_control(self, tick: int, row: int) -> int:
         """Carry out a management command; DELETE and HOLD may have to wait (RC-004)."""
-        source = int(self.queue[row + rows.SOURCE])
-        action = int(self.queue[row + rows.CONTROL_ACTION])
-        identity = int(self.queue[row + rows.CONTROL_IDENTITY])
+        source = int(self.queue.rows[row + rows.SOURCE])
+        action = int(self.queue.rows[row + rows.CONTROL_ACTION])
+        identity = int(self.queue.rows[row + rows.CONTROL_IDENTITY])
         if action in (codes.CONTROL_HOLD, codes.CONTROL_DELETE) and self.manager.started_this_tick(
             identity, tick
         ):
@@ -281,77 +274,77 @@ class CommandExecutor(CommandQueue):
 
     def take_technology(self, tick: int, row: int) -> int:
         """Issue an M or H function of the main program; wait while no slot is free."""
-        function = int(self.queue[row + rows.TECHNOLOGY_FUNCTION])
-        ticks = int(self.queue[row + rows.TECHNOLOGY_TICKS])
+        function = int(self.queue.rows[row + rows.TECHNOLOGY_FUNCTION])
+        ticks = int(self.queue.rows[row + rows.TECHNOLOGY_TICKS])
         if self.hli.program.issue(function, tick, ticks) <= 0:
             return 0
-        value = int(self.queue[row + rows.TECHNOLOGY_VALUE])
+        value = int(self.queue.rows[row + rows.TECHNOLOGY_VALUE])
         self.hli.program.give_value(value)
-        has_value = self.queue[row + rows.TECHNOLOGY_HAS_VALUE] != 0.0
-        source = int(self.queue[row + rows.SOURCE])
+        has_value = self.queue.rows[row + rows.TECHNOLOGY_HAS_VALUE] != 0.0
+        source = int(self.queue.rows[row + rows.SOURCE])
         self.record.event(rows.EVENT_TECHNOLOGY, source, has_value, function, value)
         return 1
 
     def take_spindle(self, tick: int, row: int) -> int:
         """Give a spindle its job; wait until the spindle can take it."""
-        spindle = int(self.queue[row + rows.JOB_SPINDLE])
+        spindle = int(self.queue.rows[row + rows.JOB_SPINDLE])
         if not self.context.spindles.is_ready(spindle, tick):
             return 0
         self.context.spindles.command(
             spindle,
-            int(self.queue[row + rows.JOB_FUNCTION]),
-            self.queue[row + rows.JOB_SPEED],
-            self.queue[row + rows.JOB_POSITION],
-            int(self.queue[row + rows.JOB_DIRECTION]),
+            int(self.queue.rows[row + rows.JOB_FUNCTION]),
+            self.queue.rows[row + rows.JOB_SPEED],
+            self.queue.rows[row + rows.JOB_POSITION],
+            int(self.queue.rows[row + rows.JOB_DIRECTION]),
             0,
             tick,
         )
-        self.context.spindles.record_job(spindle, int(self.queue[row + rows.SOURCE]), 0)
-        ticks = int(self.queue[row + rows.JOB_TICKS])
+        self.context.spindles.record_job(spindle, int(self.queue.rows[row + rows.SOURCE]), 0)
+        ticks = int(self.queue.rows[row + rows.JOB_TICKS])
         self.context.spindles.hand_over(spindle, tick + ticks)
         return 1
 
     def take_spindle_wait(self, row: int) -> int:
         """Wait for speed or position of a spindle; a held job would never reach it."""
-        spindle = int(self.queue[row + rows.JOB_SPINDLE])
+        spindle = int(self.queue.rows[row + rows.JOB_SPINDLE])
         if self.context.spindles.is_busy(spindle):
             if not self.context.spindles.is_held[spindle]:
                 return 0
             number = self.context.spindles.first_number + spindle
-            self.report(int(self.queue[row + rows.SOURCE]), 900811, number)
-        self.timed_count -= 1
+            self.report(int(self.queue.rows[row + rows.SOURCE]), 900811, number)
+        self.queue.timed_count -= 1
         return 1
 
     def take_write(self, row: int) -> None:
         """Write a synchronous variable (RC-308)."""
-        cell = int(self.queue[row + rows.VARIABLE_CELL])
-        self.cells[cell] = self.queue[row + rows.VARIABLE_VALUE]
-        if self.queue[row + rows.VARIABLE_IS_REPORTED] != 0.0:
-            self.record.written(int(self.queue[row + rows.SOURCE]), 0, cell, self.cells[cell])
+        cell = int(self.queue.rows[row + rows.VARIABLE_CELL])
+        self.cells[cell] = self.queue.rows[row + rows.VARIABLE_VALUE]
+        if self.queue.rows[row + rows.VARIABLE_IS_REPORTED] != 0.0:
+            self.record.written(int(self.queue.rows[row + rows.SOURCE]), 0, cell, self.cells[cell])
 
     def take_characters(self, row: int) -> None:
         """Write a part of a string, and zeros behind it."""
-        cell = int(self.queue[row + rows.TEXT_CELL])
-        first = int(self.queue[row + rows.TEXT_FIRST])
+        cell = int(self.queue.rows[row + rows.TEXT_CELL])
+        first = int(self.queue.rows[row + rows.TEXT_FIRST])
         first += 8 * cell
-        count = int(self.queue[row + rows.TEXT_COUNT])
-        zeros = int(self.queue[row + rows.TEXT_ZEROS])
+        count = int(self.queue.rows[row + rows.TEXT_COUNT])
+        zeros = int(self.queue.rows[row + rows.TEXT_ZEROS])
         for i in range(count):
-            self.characters[first + i] = int(self.queue[row + rows.TEXT_CHARACTERS + i])
+            self.characters[first + i] = int(self.queue.rows[row + rows.TEXT_CHARACTERS + i])
         for i in range(count, count + zeros):
             self.characters[first + i] = 0
 
     def take_offset(self, row: int, kind: int) -> None:
         """Set offset, origin or turn of a system: the cycles of this tick see it (MO-8)."""
         if kind == rows.SET_TURN:
-            self.path.axes.turn(self.queue, row)
+            self.path.axes.turn(self.queue.rows, row)
         elif kind == rows.SET_ORIGIN:
-            axis = int(self.queue[row + rows.ORIGIN_AXIS])
-            self.path.axes.set_origin(axis, self.queue[row + rows.ORIGIN_VALUE])
+            axis = int(self.queue.rows[row + rows.ORIGIN_AXIS])
+            self.path.axes.set_origin(axis, self.queue.rows[row + rows.ORIGIN_VALUE])
         else:
-            axis = int(self.queue[row + rows.OFFSET_AXIS])
-            offset = int(self.queue[row + rows.OFFSET_KIND])
-            self.path.axes.set_offset(axis, offset, self.queue[row + rows.OFFSET_VALUE])
+            axis = int(self.queue.rows[row + rows.OFFSET_AXIS])
+            offset = int(self.queue.rows[row + rows.OFFSET_KIND])
+            self.path.axes.set_offset(axis, offset, self.queue.rows[row + rows.OFFSET_VALUE])
 
     def take_loop(self, row: int) -> None:
         """Begin a realtime loop; without its condition it is skipped."""
@@ -359,7 +352,7 @@ class CommandExecutor(CommandQueue):
         self.is_skipping = self.cells[self.first_cell + cells.CHANNEL_LOOP_ENABLED] == 0.0
         self.is_looping = not self.is_skipping
         self.panel.show_loop(self.is_looping)
-        source = int(self.queue[row + rows.SOURCE])
+        source = int(self.queue.rows[row + rows.SOURCE])
         how = rows.LOOP_SKIPPED if self.is_skipping else rows.LOOP_BEGUN
         self.record.event(rows.EVENT_LOOP, source, how)
         self.prolong_loop()
@@ -367,42 +360,44 @@ class CommandExecutor(CommandQueue):
     def prolong_loop(self) -> None:
         """Keep another pass ahead of the path while the loop's condition holds."""
         if self.loop_repeats():
-            while self.needs_pass():
-                self.repeat_body()
+            while self.queue.needs_pass():
+                self.queue.repeat_body()
 
     def take_fixed_stop(self, row: int) -> None:
         """Monitor an axis from now on, or no longer."""
-        member = int(self.queue[row + rows.FIXED_STOP_AXIS])
-        if self.queue[row + rows.FIXED_STOP_IS_ON] != 0.0:
-            self.fixed_stops.arm(member, int(self.queue[row + rows.SOURCE]), self.queue, row)
+        member = int(self.queue.rows[row + rows.FIXED_STOP_AXIS])
+        if self.queue.rows[row + rows.FIXED_STOP_IS_ON] != 0.0:
+            self.fixed_stops.arm(
+                member, int(self.queue.rows[row + rows.SOURCE]), self.queue.rows, row
+            )
         else:
             self.fixed_stops.disarm(member)
 
     def take_fixed_stop_end(self, row: int) -> None:
         """End the block that moves to a fixed stop."""
-        self.timed_count -= 1
+        self.queue.timed_count -= 1
         member = self.fixed_stops.missing()
         if member >= 0:
-            source = int(self.queue[row + rows.SOURCE])
+            source = int(self.queue.rows[row + rows.SOURCE])
             self.report(source, 50886, self.path.members[member])
 
     def take_measure(self, row: int) -> None:
         """Start measuring in the next block."""
-        source = int(self.queue[row + rows.SOURCE])
-        function = int(self.queue[row + rows.MEASURE_FUNCTION])
-        ticks = int(self.queue[row + rows.MEASURE_TICKS])
-        self.edge_probe.arm(source, function, ticks, self.queue[row + rows.MEASURE_RESIDUAL])
-        self.edge_probe.has_value = self.queue[row + rows.MEASURE_HAS_VALUE] != 0.0
-        self.edge_probe.value = int(self.queue[row + rows.MEASURE_VALUE])
+        source = int(self.queue.rows[row + rows.SOURCE])
+        function = int(self.queue.rows[row + rows.MEASURE_FUNCTION])
+        ticks = int(self.queue.rows[row + rows.MEASURE_TICKS])
+        self.edge_probe.arm(source, function, ticks, self.queue.rows[row + rows.MEASURE_RESIDUAL])
+        self.edge_probe.has_value = self.queue.rows[row + rows.MEASURE_HAS_VALUE] != 0.0
+        self.edge_probe.value = int(self.queue.rows[row + rows.MEASURE_VALUE])
 
     def take_measure_end(self, tick: int, row: int) -> int:
         """Finish measuring in a block; return 0 while its function waits for the PLC."""
         outcome = self.edge_probe.finish(tick)
         if outcome == 0:
             return 0
-        self.timed_count -= 1
+        self.queue.timed_count -= 1
         if outcome < 0:
-            self.report(int(self.queue[row + rows.SOURCE]), 50891, 0.0)
+            self.report(int(self.queue.rows[row + rows.SOURCE]), 50891, 0.0)
         return 1
 
     def loop_repeats(self) -> int:
@@ -422,19 +417,19 @@ class CommandExecutor(CommandQueue):
         self.is_skipping = False
         self.is_between = False
         self.panel.show_loop(False)
-        self.loop_body.give_up()
+        self.queue.loop_body.give_up()
 
     def take_program_end(self, tick: int, row: int) -> int:
         """End the program (M30), not in the tick of a cycle's start (RC-004, RC-106)."""
         if self.manager.has_started_this_tick(tick):
             return 0
-        self.timed_count -= 1
+        self.queue.timed_count -= 1
         self.path.forget()
         self.fixed_stops.clear()
         self.edge_probe.clear()
         self.manager.end_program()
-        program = int(self.queue[row + rows.PROGRAM_NUMBER])
-        source = int(self.queue[row + rows.SOURCE])
+        program = int(self.queue.rows[row + rows.PROGRAM_NUMBER])
+        source = int(self.queue.rows[row + rows.SOURCE])
         self.record.event(rows.EVENT_PROGRAM_END, source, program)
         self.program_ended = True
         self.waiting = rows.PROGRAM_END
@@ -442,21 +437,21 @@ class CommandExecutor(CommandQueue):
 
     def take_user_error(self, row: int, kind: int) -> None:
         """Record ``#ERROR`` of the main program and its values; RC may stop the channel."""
-        source = int(self.queue[row + rows.SOURCE])
+        source = int(self.queue.rows[row + rows.SOURCE])
         if kind == rows.USER_ERROR:
-            identity = self.queue[row + rows.ERROR_IDENTITY]
-            reaction = self.queue[row + rows.ERROR_REACTION]
+            identity = self.queue.rows[row + rows.ERROR_IDENTITY]
+            reaction = self.queue.rows[row + rows.ERROR_REACTION]
             self.record.event(rows.EVENT_USER_ERROR, source, 0, identity, reaction)
         elif kind == rows.USER_STOP:
-            self.timed_count -= 1
-            self.stop_for_user(int(self.queue[row + rows.STOP_REACTION]))
+            self.queue.timed_count -= 1
+            self.stop_for_user(int(self.queue.rows[row + rows.STOP_REACTION]))
         elif kind == rows.USER_TEXT:
-            keyword = self.queue[row + rows.USER_TEXT_KEYWORD]
-            text = self.queue[row + rows.USER_TEXT_NUMBER]
+            keyword = self.queue.rows[row + rows.USER_TEXT_KEYWORD]
+            text = self.queue.rows[row + rows.USER_TEXT_NUMBER]
             self.record.event(rows.EVENT_USER_TEXT, source, 0, keyword, text)
         else:
-            keyword = self.queue[row + rows.VALUE_KEYWORD]
-            value = self.queue[row + rows.VALUE_NUMBER]
+            keyword = self.queue.rows[row + rows.VALUE_KEYWORD]
+            value = self.queue.rows[row + rows.VALUE_NUMBER]
             self.record.event(rows.EVENT_USER_VALUE, source, 0, keyword, value)
 
     def stop_for_user(self, reaction: int) -> None:

@@ -7,12 +7,13 @@ from nctakt.kernel.path.lookahead cimport LookAhead
 from nctakt.kernel.tick.loop_body cimport LoopBody
 from nctakt.kernel.path.path cimport Path
 
+@cython.final
 cdef class CommandQueue:
     cdef readonly Path path
     cdef readonly LookAhead look_ahead
     cdef readonly Py_ssize_t width
     cdef Py_ssize_t capacity
-    cdef double[::1] queue
+    cdef double[::1] rows
     cdef Py_ssize_t head
     cdef Py_ssize_t tail
     cdef readonly Py_ssize_t timed_count

@@ -31,7 +31,7 @@ class CommandQueue:
         self.capacity = 256
         look_ahead.resize(self.capacity)
         self.path.arc.share(self.look_ahead.limits.max_v, self.look_ahead.limits.feed_a)
-        self.queue = memoryview(bytearray(8 * self.width * self.capacity)).cast("d")
+        self.rows = memoryview(bytearray(8 * self.width * self.capacity)).cast("d")
         self.head = 0
         self.tail = 0
         self.timed_count = 0
@@ -45,9 +45,9 @@ class CommandQueue:
         check_range(len(command), 1, self.width, "length of a command")
         row = self.next_row()
         for i, number in enumerate(command):
-            self.queue[row + i] = number
+            self.rows[row + i] = number
         for i in range(len(command), self.width):
-            self.queue[row + i] = 0.0
+            self.rows[row + i] = 0.0
         self.tail += 1
         kind = int(command[rows.KIND])
         if kind in rows.TIMED_KINDS:
@@ -55,7 +55,7 @@ class CommandQueue:
         if not self.is_transparent(kind):
             self.last_segment = -1
         if self.loop_body.is_open:
-            self.loop_body.append(self.queue, row)
+            self.loop_body.append(self.rows, row)
 
     def begin_loop(self, command: list[float]) -> None:
         """Append the begin of a realtime loop; what comes up to its end is its body."""
@@ -95,22 +95,22 @@ class CommandQueue:
         """
         row = self.next_row()
         self.begin_segment(row, source, number, motion, exact_stop, limits_jerk)
-        self.queue[row + rows.SPEED] = feed_v
-        self.queue[row + rows.DEVIATION] = deviation
+        self.rows[row + rows.SPEED] = feed_v
+        self.rows[row + rows.DEVIATION] = deviation
         first = row + rows.START
         for i in range(self.path.count):
-            self.queue[first + i] = start[i]
-            self.queue[first + self.path.count + i] = target[i]
+            self.rows[first + i] = start[i]
+            self.rows[first + self.path.count + i] = target[i]
         if arc is not None:
-            self.queue[row + rows.SHAPE] = rows.ARC
+            self.rows[row + rows.SHAPE] = rows.ARC
             for i in range(rows.ARC_WIDTH):
-                self.queue[row + rows.ARC_FIRST_AXIS + i] = arc[i]
+                self.rows[row + rows.ARC_FIRST_AXIS + i] = arc[i]
         if pace is not None:
             for i in range(rows.PACE_WIDTH):
-                self.queue[row + rows.SPEED_OVERRIDE + i] = pace[i]
-            self.queue[row + rows.SPEED] *= self.queue[row + rows.SPEED_OVERRIDE]
+                self.rows[row + rows.SPEED_OVERRIDE + i] = pace[i]
+            self.rows[row + rows.SPEED] *= self.rows[row + rows.SPEED_OVERRIDE]
         if self.loop_body.is_open:
-            self.loop_body.append(self.queue, row)
+            self.loop_body.append(self.rows, row)
         self.end_segment(row)
 
     def put_line(
@@ -128,8 +128,8 @@ class CommandQueue:
         """``put_segment`` of a line, without objects; there is room for it (``reserve``)."""
         row = self.tail % self.capacity * self.width
         self.begin_segment(row, source, number, motion, exact_stop, limits_jerk)
-        self.queue[row + rows.SPEED] = feed_v
-        self.queue[row + rows.DEVIATION] = deviation
+        self.rows[row + rows.SPEED] = feed_v
+        self.rows[row + rows.DEVIATION] = deviation
         self.put_ends(row, start, target)
         self.end_segment(row)
 
@@ -149,12 +149,12 @@ class CommandQueue:
         """``put_segment`` of an arc, without objects; there is room for it (``reserve``)."""
         row = self.tail % self.capacity * self.width
         self.begin_segment(row, source, number, motion, exact_stop, limits_jerk)
-        self.queue[row + rows.SPEED] = feed_v
-        self.queue[row + rows.DEVIATION] = deviation
+        self.rows[row + rows.SPEED] = feed_v
+        self.rows[row + rows.DEVIATION] = deviation
         self.put_ends(row, start, target)
-        self.queue[row + rows.SHAPE] = rows.ARC
+        self.rows[row + rows.SHAPE] = rows.ARC
         for i in range(rows.ARC_WIDTH):
-            self.queue[row + rows.ARC_FIRST_AXIS + i] = arc[i]
+            self.rows[row + rows.ARC_FIRST_AXIS + i] = arc[i]
         self.end_segment(row)
 
     def begin_segment(
@@ -162,50 +162,50 @@ class CommandQueue:
     ) -> None:
         """Write the head of a segment into its row, which is otherwise 0."""
         for i in range(self.width):
-            self.queue[row + i] = 0.0
-        self.queue[row + rows.KIND] = rows.SEGMENT
-        self.queue[row + rows.SOURCE] = source
-        self.queue[row + rows.BLOCK_NUMBER] = number
-        self.queue[row + rows.MOTION] = motion
-        self.queue[row + rows.EXACT_STOP] = exact_stop
-        self.queue[row + rows.HAS_JERK_LIMIT] = limits_jerk
+            self.rows[row + i] = 0.0
+        self.rows[row + rows.KIND] = rows.SEGMENT
+        self.rows[row + rows.SOURCE] = source
+        self.rows[row + rows.BLOCK_NUMBER] = number
+        self.rows[row + rows.MOTION] = motion
+        self.rows[row + rows.EXACT_STOP] = exact_stop
+        self.rows[row + rows.HAS_JERK_LIMIT] = limits_jerk
 
     def put_ends(self, row: int, start: memoryview[float], target: memoryview[float]) -> None:
         """Write the positions at start and end of a segment."""
         first = row + rows.START
         for i in range(self.path.count):
-            self.queue[first + i] = start[i]
-            self.queue[first + self.path.count + i] = target[i]
+            self.rows[first + i] = start[i]
+            self.rows[first + self.path.count + i] = target[i]
 
     def end_segment(self, row: int) -> None:
         """Count and prepare the segment that stands in its row."""
         self.tail += 1
         self.timed_count += 1
-        exact_stop = self.queue[row + rows.EXACT_STOP] > 0.0
+        exact_stop = self.rows[row + rows.EXACT_STOP] > 0.0
         self.prepare(row)
         self.last_segment = -1 if exact_stop else self.tail - 1
 
     def continue_block(self) -> None:
         """Make the newest segment, without exact stop, and the next one one block."""
         row = (self.tail - 1) % self.capacity * self.width
-        self.queue[row + rows.CONTINUES] = 1.0
+        self.rows[row + rows.CONTINUES] = 1.0
 
     def prepare(self, row: int) -> None:
         """Prepare the newest segment: its limits, and the speeds of those before it."""
-        self.look_ahead.measure(self.queue, row)
-        if self.queue[row + rows.MOTION] == rows.RAPID_MOTION:
-            if self.queue[row + rows.SPEED_OVERRIDE] > 0.0:
-                self.queue[row + rows.SPEED] *= self.queue[row + rows.SPEED_OVERRIDE]
-        length = self.queue[row + rows.LENGTH]
+        self.look_ahead.measure(self.rows, row)
+        if self.rows[row + rows.MOTION] == rows.RAPID_MOTION:
+            if self.rows[row + rows.SPEED_OVERRIDE] > 0.0:
+                self.rows[row + rows.SPEED] *= self.rows[row + rows.SPEED_OVERRIDE]
+        length = self.rows[row + rows.LENGTH]
         oldest = max(self.head, self.started + 1)
         if self.last_segment >= oldest and self.has_same_slope(self.last_segment, row):
             before = self.last_segment % self.capacity * self.width
             back = self.tail - 1 - self.last_segment
-            if self.look_ahead.rounding.round(self.queue, before, row, back):
+            if self.look_ahead.rounding.round(self.rows, before, row, back):
                 row = self.insert_rounding(oldest)
             else:
                 self.connect(back, oldest)
-        self.look_ahead.corner.leave(self.queue, row, length)
+        self.look_ahead.corner.leave(self.rows, row, length)
 
     def connect(self, back: int, oldest: int) -> None:
         """Let the path continue into the newest segment from the one ``back`` rows before."""
@@ -214,7 +214,7 @@ class CommandQueue:
         if self.path.is_active:
             promised_v = self.path.promised_speed(rows.END_SPEED)
             promised_max_v = self.path.promised_speed(rows.MAX_END_SPEED)
-        self.look_ahead.connect(self.queue, self.tail - 1, back, oldest, promised_v, promised_max_v)
+        self.look_ahead.connect(self.rows, self.tail - 1, back, oldest, promised_v, promised_max_v)
 
     def insert_rounding(self, oldest: int) -> int:
         """Insert the rounding behind ``last_segment``; return the newest segment's row.
@@ -227,16 +227,16 @@ class CommandQueue:
         rounding = (self.last_segment + 1) % self.capacity * self.width
         row = (self.tail - 1) % self.capacity * self.width
         for i in range(self.width):
-            self.queue[rounding + i] = self.look_ahead.rounding.row[i]
-        if self.look_ahead.jerk.spread(self.queue, self.tail - 1, oldest, self.path.is_active):
+            self.rows[rounding + i] = self.look_ahead.rounding.row[i]
+        if self.look_ahead.jerk.spread(self.rows, self.tail - 1, oldest, self.path.is_active):
             return row
         for number in range(self.last_segment + 1, self.tail - 1):
             self.copy_row(number + 1, number)
         self.tail -= 1
         before = self.last_segment % self.capacity * self.width
         row = (self.tail - 1) % self.capacity * self.width
-        self.look_ahead.rounding.restore(self.queue, before, row)
-        self.look_ahead.jerk.spread(self.queue, self.tail - 1, oldest, 0)
+        self.look_ahead.rounding.restore(self.rows, before, row)
+        self.look_ahead.jerk.spread(self.rows, self.tail - 1, oldest, 0)
         return row
 
     def copy_row(self, number: int, to: int) -> None:
@@ -244,13 +244,13 @@ class CommandQueue:
         row = number % self.capacity * self.width
         target = to % self.capacity * self.width
         for i in range(self.width):
-            self.queue[target + i] = self.queue[row + i]
+            self.rows[target + i] = self.rows[row + i]
 
     def has_same_slope(self, number: int, row: int) -> int:
         """Return whether two segments have one slope; else the path stops between them."""
         before = number % self.capacity * self.width
-        limits_jerk = self.queue[row + rows.JERK] > 0.0
-        return 1 if limits_jerk == (self.queue[before + rows.JERK] > 0.0) else 0
+        limits_jerk = self.rows[row + rows.JERK] > 0.0
+        return 1 if limits_jerk == (self.rows[before + rows.JERK] > 0.0) else 0
 
     def next_row(self) -> int:
         """Row of the next command; there is room for a rounding in front of it."""
@@ -268,20 +268,20 @@ class CommandQueue:
         commands = [self.command(n) for n in range(self.head, self.tail)]
         self.capacity *= 2
         self.look_ahead.resize(self.capacity)
-        self.queue = memoryview(bytearray(8 * self.width * self.capacity)).cast("d")
+        self.rows = memoryview(bytearray(8 * self.width * self.capacity)).cast("d")
         self.started = max(self.started - self.head, -1)
         self.last_segment = max(self.last_segment - self.head, -1)
         self.head = 0
         self.tail = len(commands)
         for n, command in enumerate(commands):
             for i, number in enumerate(command):
-                self.queue[n * self.width + i] = number
+                self.rows[n * self.width + i] = number
 
     def command(self, number: int) -> list[float]:
         """Command with this running number; raise ``ValueError`` if it is not queued."""
         check_range(number, self.head, self.tail - 1, "command")
         row = number % self.capacity * self.width
-        return [self.queue[row + i] for i in range(self.width)]
+        return [self.rows[row + i] for i in range(self.width)]
 
     def queued(self) -> int:
         """Number of commands that wait."""
@@ -327,9 +327,9 @@ class CommandQueue:
         position = max(self.head, self.started + 1)
         while position < self.tail:
             row = position % self.capacity * self.width
-            if self.queue[row + rows.KIND] == rows.SEGMENT:
+            if self.rows[row + rows.KIND] == rows.SEGMENT:
                 count += 1
-                length += self.queue[row + rows.LENGTH]
+                length += self.rows[row + rows.LENGTH]
                 needed = max(needed, self.braking_distance_in(row))
                 if count > 1 and length >= needed:
                     return 0
@@ -338,32 +338,32 @@ class CommandQueue:
 
     def braking_distance_in(self, row: int) -> float:
         """Braking distance in mm from a segment's highest speed, three ticks included."""
-        fastest_v = self.queue[row + rows.SPEED] * self.look_ahead.limits.max_factor
-        speed = min(fastest_v, self.queue[row + rows.MAX_SPEED])
-        acceleration = self.queue[row + rows.ACCELERATION]
+        fastest_v = self.rows[row + rows.SPEED] * self.look_ahead.limits.max_factor
+        speed = min(fastest_v, self.rows[row + rows.MAX_SPEED])
+        acceleration = self.rows[row + rows.ACCELERATION]
         length = speed * (0.5 * speed / acceleration + 3.0 * self.path.cycle_time_t)
-        if self.queue[row + rows.JERK] > 0.0:
-            length += speed * acceleration / self.queue[row + rows.JERK]
+        if self.rows[row + rows.JERK] > 0.0:
+            length += speed * acceleration / self.rows[row + rows.JERK]
         return length
 
     def repeat_body(self) -> None:
         """Insert the body again in front of the loop's end, which is the last command."""
         end = (self.tail - 1) % self.capacity * self.width
         for i in range(self.width):
-            self.end_row[i] = self.queue[end + i]
+            self.end_row[i] = self.rows[end + i]
         self.tail -= 1
         for k in range(self.loop_body.count):
             row = self.tail % self.capacity * self.width
             kept = k * self.width
             for i in range(self.width):
-                self.queue[row + i] = self.loop_body.rows[kept + i]
-            if self.queue[row + rows.KIND] == rows.SEGMENT:
+                self.rows[row + i] = self.loop_body.rows[kept + i]
+            if self.rows[row + rows.KIND] == rows.SEGMENT:
                 self.end_segment(row)
             else:
                 self.tail += 1
         row = self.tail % self.capacity * self.width
         for i in range(self.width):
-            self.queue[row + i] = self.end_row[i]
+            self.rows[row + i] = self.end_row[i]
         self.tail += 1
 
     def head_row(self) -> int:
@@ -372,9 +372,9 @@ class CommandQueue:
 
     def time_units(self, row: int) -> int:
         """Number of commands that take time, of a segment or dwell: 0 or 1."""
-        if self.queue[row + rows.KIND] == rows.SEGMENT:
-            return 0 if self.queue[row + rows.SHAPE] == rows.ROUNDING else 1
-        return 1 if self.queue[row + rows.KIND] == rows.DWELL else 0
+        if self.rows[row + rows.KIND] == rows.SEGMENT:
+            return 0 if self.rows[row + rows.SHAPE] == rows.ROUNDING else 1
+        return 1 if self.rows[row + rows.KIND] == rows.DWELL else 0
 
     def remaining_of_block(self, position: int) -> float:
         """Remaining length or end speed of a block for ``Path.set_remaining``; 0 if unknown."""
@@ -386,17 +386,17 @@ class CommandQueue:
         remaining = 0.0
         while last > position:
             row = last % self.capacity * self.width
-            if self.queue[row + rows.JERK] > 0.0:
-                remaining += geometry.total_length(self.queue, row)
+            if self.rows[row + rows.JERK] > 0.0:
+                remaining += geometry.total_length(self.rows, row)
             else:
-                limit_v = self.queue[row + rows.MAX_SPEED]
-                remaining = self.look_ahead.entry_speed(self.queue, row, remaining, limit_v)
+                limit_v = self.rows[row + rows.MAX_SPEED]
+                remaining = self.look_ahead.entry_speed(self.rows, row, remaining, limit_v)
             last -= 1
         return remaining
 
     def block_continues(self, position: int) -> int:
         """Return whether a command is a segment whose block continues with the next one."""
         row = position % self.capacity * self.width
-        if self.queue[row + rows.KIND] != rows.SEGMENT:
+        if self.rows[row + rows.KIND] != rows.SEGMENT:
             return 0
-        return 1 if self.queue[row + rows.CONTINUES] > 0.0 else 0
+        return 1 if self.rows[row + rows.CONTINUES] > 0.0 else 0

@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: MIT
+"""What holds up the program of a channel, for reports behind a run (``run/wait_reasons.py``)."""
+
+from __future__ import annotations
+
+from nctakt.kernel import rows
+from nctakt.kernel.path.override import Overrides
+from nctakt.kernel.tick.command_execution import CommandExecutor
+
+
+class WaitReasons:
+    """The reasons of one channel, found where its commands are executed."""
+
+    def __init__(self, executor: CommandExecutor, overrides: Overrides) -> None:
+        self.executor = executor
+        self.queue = executor.queue
+        self.path = executor.path
+        self.overrides = overrides
+
+    def reason(self) -> tuple[str, int, int]:
+        """Word, source and detail of what holds the program up, for ``run/wait_reasons.py``.
+
+        The word is empty where nothing does: the path moves, or a dwell lasts.
+        """
+        row = self.queue.head % self.queue.capacity * self.queue.width
+        queued = (
+            int(self.queue.rows[row + rows.SOURCE])
+            if self.queue.head < self.queue.tail
+            else self.executor.taken_source
+        )
+        if self.executor.is_stopped or self.executor.is_resetting:
+            return ("reset" if self.executor.is_stopped else "", queued, 0)
+        if not self.executor.panel.is_running:
+            return ("program start" if self.executor.panel.is_armed else "", 0, 0)
+        if self.path.speed_v != 0.0:
+            return ("", queued, 0)
+        if self.executor.panel.backward_motion and self.path.history_size > 0:
+            return ("forward", queued, 0)
+        if self.executor.panel.is_paused:
+            before = (self.queue.head - 1) % self.queue.capacity * self.queue.width
+            kind, source = (
+                self.queue.rows[before + rows.KIND],
+                self.queue.rows[before + rows.SOURCE],
+            )
+            is_programmed = self.queue.head > 0 and kind == rows.PROGRAM_STOP
+            is_programmed = is_programmed and int(source) == self.executor.taken_source
+            return (
+                "programmed stop" if is_programmed else "single block",
+                self.executor.taken_source,
+                0,
+            )
+        if self.path.is_active:
+            word, detail = self._of_path()
+            return (word, int(self.path.history_rows[self.path.row + rows.SOURCE]), detail)
+        if self.queue.head == self.queue.tail:
+            return ("", queued, 0)
+        word, detail = self._of_command(row)
+        return (word, queued, detail)
+
+    def _of_path(self) -> tuple[str, int]:
+        """Word and detail for what holds up the current block of a standing path."""
+        if self.executor.panel.feed_hold:
+            return ("feed hold", 0)
+        if self.path.is_dwell:
+            return ("", 0)
+        ignores_override = self.path.history_rows[self.path.row + rows.IGNORES_OVERRIDE] != 0.0
+        if self.executor.panel.override_pct == 0.0 and not ignores_override:
+            return ("override", 0)
+        if self.overrides.cycle_pct == 0.0:
+            return ("cycle override", 0)
+        spindle = self.resting_spindle()
+        return (
+            ("spindle turns", self.executor.context.spindles.first_number + spindle - 1)
+            if spindle
+            else ("", 0)
+        )
+
+    def _of_command(self, row: int) -> tuple[str, int]:
+        """Word and detail for what holds up the command at the head of the queue."""
+        kind = int(self.queue.rows[row + rows.KIND])
+        if kind == rows.TECHNOLOGY:
+            return ("free place", int(self.queue.rows[row + rows.TECHNOLOGY_FUNCTION]))
+        if kind == rows.AWAIT_ACKNOWLEDGE:
+            return ("acknowledgement", int(self.queue.rows[row + rows.AWAITED_FUNCTION]))
+        if kind in (rows.SPINDLE, rows.AWAIT_SPINDLE):
+            spindle = int(self.queue.rows[row + rows.JOB_SPINDLE])
+            is_plc = self.executor.context.spindles.has_plc(spindle)
+            word = "spindle acknowledged" if is_plc else "spindle"
+            return (word, self.executor.context.spindles.first_number + spindle)
+        if kind == rows.MEASURE_END:
+            return ("acknowledgement", self.executor.edge_probe.function)
+        if kind == rows.POSITIONS and self.executor.context.single_axes.request_state(
+            self.queue.rows, row
+        ):
+            return ("axis", self.executor.context.single_axes.requested_axis)
+        return ("", 0)
+
+    def resting_spindle(self) -> int:
+        """Number, from 1, of the resting spindle that a standing path follows; else 0."""
+        if not self.path.is_active or self.path.is_dwell or self.path.speed_v != 0.0:
+            return 0
+        spindle = int(self.path.history_rows[self.path.row + rows.FEED_SPINDLE])
+        return (
+            spindle if spindle > 0 and self.executor.context.spindles.is_resting(spindle - 1) else 0
+        )

@@ -10,7 +10,7 @@ when lists are read, ``run`` while the controller works.
 from __future__ import annotations
 
 from functools import cache
-from importlib.resources import files
+from pathlib import Path
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Text
@@ -67,7 +67,7 @@ class ParameterNumber:
 @cache
 def all_numbers() -> tuple[ParameterNumber, ...]:
     """Return the table."""
-    text = files("nctakt.lists.declared").joinpath("numbers.tsv").read_text("utf-8")
+    text = (Path(__file__).parent.parent / "declared" / "numbers.tsv").read_text("utf-8")
     lines = [line.split("\t") for line in text.splitlines() if not line.startswith("#")]
     return tuple(ParameterNumber(int(number), *rest) for number, *rest in lines[1:])
 

@@ -164,7 +164,7 @@ def test_the_panel_by_name() -> None:
     for name, value, number in (
         ("HLI.STATE", 1.0, 900542),
         ("HLI.OVERIDE", 1.0, 900541),
-        ("HLI.OVERRIDE", -1.0, 50892),
+        ("HLI.OVERRIDE", -1.0, 20847),
         ("HLI.FEED_HOLD", 2.0, None),
         ("HLI.OVERRIDE", "fast", 900543),
         ("HLI.OVERRIDE", float("nan"), 50893),

@@ -196,6 +196,12 @@ class Reference:
             moved = 10 - self._left if self._left and self._moving else 0
             self._braking = min(moved, self._left)
 
+    def _enter_block(self) -> None:
+        """RC-105: BLOCK cycles run with the next block that takes time, by a motion or a wait."""
+        self._attached = [cycle for cycle in self._cycles if cycle.armed]
+        for cycle in self._attached:
+            cycle.armed = False
+
     def _leave_block(self) -> None:
         """RC-105: the tick behind the last increment."""
         for cycle in self._attached:
@@ -219,15 +225,15 @@ class Reference:
             case "dwell" | "move":
                 self._moving = command.kind == "move"
                 self._left = 10 if self._moving else command.ticks
-                self._attached = [c for c in self._cycles if c.armed]
-                for cycle in self._attached:
-                    cycle.armed = False
+                self._enter_block()
             case "flush" | "read":
+                self._enter_block()
                 return True
             case "function":
                 self._tell("output", f"M {command.number}")
             case "waiting function":
                 self._tell("output", f"M {command.number}")
+                self._enter_block()
                 return True
             case "set":
                 self._values[command.variable] = command.number

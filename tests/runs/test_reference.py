@@ -88,6 +88,7 @@ class Writer:
         match self.random.randint(0, 6):
             case 0:
                 self._write(self.random.choice(("#FLUSH", "#FLUSH WAIT")))
+                self._pass_block()
                 return Command("flush")
             case 4:
                 self._write(self.random.choice((f"G00 X{self.moved / 10}", "G90", "#TIME 0")))
@@ -97,6 +98,7 @@ class Writer:
                 return Command("function", number=100)
             case 6:
                 self._write(f"M{111 + number % 3}")
+                self._pass_block()
                 return Command("waiting function", number=111 + number % 3)
             case 1:
                 variable = self.random.choice((*COUNTERS, *INPUTS))
@@ -108,6 +110,7 @@ class Writer:
                     return Command("set read", variable="COUNT_NEG")
                 self.has_read = True
                 self._write("P1 = V.E.COUNT")
+                self._pass_block()
                 return Command("read")
         self._write(f'#MSG ["{number}"]')
         return Command("message", number=number)

@@ -70,7 +70,7 @@ def test_show_corrected_values(folder: Path, capsys: Capture) -> None:
 
     assert row("cycle_time")[2:8] == ["cycle_time", "1750", "2000", "µs", "1000153:", "cycle_time:"]
     assert row("windows_time")[3:7] == ["499", "500", "µs", "900036:"]
-    assert row("thread[0].cpu")[3:6] == ["9", "1", "900019:"]
+    assert row("thread[0].cpu")[3:6] == ["9", "1", "1000180:"]
     assert row("thread[1].function[0].trace_bit")[3:5] == ["x", "0"]
     assert "2022:" in row("thread[1].function[0].trace_bit")
 

@@ -231,7 +231,7 @@ def test_ctrl_c_ends_a_run_with_its_summary_and_trace() -> None:
     with subprocess.Popen(
         words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=environment()
     ) as process:
-        trace = Path("out.csv")
+        trace = Path("out.partial.csv")
         for _ in range(300):
             if trace.exists() and trace.stat().st_size > 100_000:
                 break

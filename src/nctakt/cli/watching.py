@@ -66,8 +66,9 @@ def watch(
         new = [folder for folder in _folders(named, access) if folder not in folders]
         folders += new
         before |= _state(new)
-        complain(diagnostic(WATCHING_FILES, count=len(access.read_files)).headline(language))
-        try:
+        waiting = diagnostic(WATCHING_FILES, count=len(access.read_files)).headline(language)
+        try:  # from the moment on at which the user reads that it waits
+            complain(waiting)
             _wait(library, folders, access, before)
         except KeyboardInterrupt:
             return code

@@ -67,7 +67,9 @@ class Sessions:
 
     def run(self, *words: str) -> tuple[int, str]:
         """Run pytest; return its exit code and what it prints."""
-        here = ("-p", "no:faulthandler", "--import-mode=importlib")
+        # Collecting the garbage of this process after each session would take most of the time.
+        left_out = ("-p", "no:faulthandler", "-p", "no:unraisableexception")
+        here = (*left_out, "--import-mode=importlib")
         code = pytest.main([*plugin_words(), *WORDS, *here, *words])
         return code, "".join(self.capsys.readouterr())
 

@@ -189,7 +189,7 @@ MODAL = [
 ]
 
 
-@each_seed(60, 12)
+@each_seed(40, 10)
 def test_both_ways_give_the_same_commands(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
     """Random programs: the rows of the queue are equal to the bit, and so are the diagnostics."""
     content = text(seed)
@@ -283,7 +283,7 @@ def contour(seed: int) -> str:
     return "\n".join(["#VAR", "V.P.A = 1", "#ENDVAR", *lines])
 
 
-@each_seed(60, 12)
+@each_seed(40, 10)
 def test_both_ways_give_the_same_contours(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
     """MO-9: random contours beside which the tool goes, with what interrupts them."""
     content = contour(seed)

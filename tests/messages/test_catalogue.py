@@ -9,7 +9,7 @@ from string import Formatter
 
 import pytest
 
-from nctakt.base.diagnostics import Message, Severity, Text
+from nctakt.base.diagnostics import Severity, Text
 from nctakt.messages import diagnostic
 from nctakt.messages.catalogue import catalogue, is_own, messages_of, next_free_number
 from nctakt.messages.classes import CLEARINGS, REACTIONS
@@ -17,59 +17,55 @@ from nctakt.messages.classes import CLEARINGS, REACTIONS
 #: A text fits on a line of a terminal and of a report.
 LONGEST = 110
 
-ALL = pytest.mark.parametrize(
-    "message", catalogue(), ids=lambda message: str(max(message.numbers, key=is_own))
-)
-
 
 def fields(text: str) -> set[str]:
     return {name for _, name, _, _ in Formatter().parse(text) if name is not None}
 
 
-@ALL
-def test_both_languages(message: Message) -> None:
+def test_both_languages() -> None:
     """RC-602: a message has text, remedy and cause in both languages or in none."""
-    assert message.text.en
-    assert message.text.de
-    assert bool(message.remedy.en) == bool(message.remedy.de)
-    assert bool(message.cause.en) == bool(message.cause.de)
-    assert message.text.en != message.text.de or "{" in message.text.en
+    for message in catalogue():
+        assert message.text.en, message
+        assert message.text.de, message
+        assert bool(message.remedy.en) == bool(message.remedy.de), message
+        assert bool(message.cause.en) == bool(message.cause.de), message
+        assert message.text.en != message.text.de or "{" in message.text.en, message
 
 
-@ALL
-def test_parameters_are_those_of_the_texts(message: Message) -> None:
+def test_parameters_are_those_of_the_texts() -> None:
     """RC-602: text and remedy use exactly the parameters that the message explains."""
-    for language in ("en", "de"):
-        used = fields(message.text.get(language)) | fields(message.remedy.get(language))
-        assert used == message.parameters.keys()
-    assert not fields(message.cause.en) | fields(message.cause.de)
-    for meaning in message.parameters.values():
-        assert all(meaning), meaning
+    for message in catalogue():
+        for language in ("en", "de"):
+            used = fields(message.text.get(language)) | fields(message.remedy.get(language))
+            assert used == message.parameters.keys(), message
+        assert not fields(message.cause.en) | fields(message.cause.de), message
+        for meaning in message.parameters.values():
+            assert all(meaning), message
 
 
-@ALL
-def test_texts_fit_on_a_line(message: Message) -> None:
+def test_texts_fit_on_a_line() -> None:
     """No text or remedy is longer than a line."""
-    for text in (message.text, message.remedy):
-        for line in (*text.en.split("\n"), *text.de.split("\n")):
-            assert len(line) <= LONGEST, line
+    for message in catalogue():
+        for text in (message.text, message.remedy):
+            for line in (*text.en.split("\n"), *text.de.split("\n")):
+                assert len(line) <= LONGEST, message
 
 
-@ALL
-def test_errors_tell_a_remedy(message: Message) -> None:
+def test_errors_tell_a_remedy() -> None:
     """What stops a program says what to do about it."""
-    if message.severity is Severity.ERROR:
-        assert message.remedy.en
+    for message in catalogue():
+        if message.severity is Severity.ERROR:
+            assert message.remedy.en, message
 
 
-@ALL
-def test_classes_are_explained(message: Message) -> None:
+def test_classes_are_explained() -> None:
     """The class numbers of a message stand in the tables, or it has none."""
-    assert (message.reaction == 0) == (message.clearing == 0)
-    if message.reaction:
-        assert message.reaction in REACTIONS
-        assert message.clearing in CLEARINGS
-        assert message.severity >= Severity.WARNING
+    for message in catalogue():
+        assert (message.reaction == 0) == (message.clearing == 0), message
+        if message.reaction:
+            assert message.reaction in REACTIONS, message
+            assert message.clearing in CLEARINGS, message
+            assert message.severity >= Severity.WARNING, message
 
 
 def test_class_tables_have_both_languages() -> None:
@@ -104,11 +100,11 @@ def test_each_message_has_a_number_of_its_own() -> None:
         assert any(map(is_own, message.numbers)) or shared[message.id] == 1, message
 
 
-@ALL
-def test_numbers_of_a_message_are_told_once(message: Message) -> None:
+def test_numbers_of_a_message_are_told_once() -> None:
     """What a message is also known as neither leads it nor is told twice."""
-    assert len(message.known_as) == len(set(message.known_as))
-    assert set(message.known_as).isdisjoint(message.leading)
+    for message in catalogue():
+        assert len(message.known_as) == len(set(message.known_as)), message
+        assert set(message.known_as).isdisjoint(message.leading), message
 
 
 def test_the_controllers_number_leads() -> None:
@@ -171,13 +167,12 @@ def test_numbers_with_two_readings_name_both() -> None:
 CODE = re.compile(r"[^\w]|[\d_]|^nctakt$|^moduloo$")
 
 
-@ALL
-def test_remedies_are_sentences(message: Message) -> None:
+def test_remedies_are_sentences() -> None:
     """A remedy begins with a capital letter, unless with code, and ends as a sentence does.
 
     Behind a colon there may be names at its end, which a full stop would blur.
     """
-    for text in (message.remedy.en, message.remedy.de):
+    for text in [text for one in catalogue() for text in (one.remedy.en, one.remedy.de)]:
         if not text:
             continue
         first, last = text.split()[0].rstrip(":,;"), text.split()[-1]

@@ -9,6 +9,8 @@ from pathlib import Path
 
 import pytest
 
+pytestmark = pytest.mark.slow
+
 PART = '#MSG ["hello"]\n#RT CYCLE\nV.E.VALUE = 1\n#RT CYCLE END\nG00 X1\nM30\n'
 WRONG = "QQQ\nM30\n"
 FULL = Path("/dev/full")

@@ -210,6 +210,7 @@ def test_many_random_programs_are_in_order_and_full_of_plain_blocks(
     assert 0.5 * sum(found) < sum(taken) < 0.95 * sum(found)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("row", MODAL, ids=lambda row: row.name)
 def test_plain_blocks_follow_the_table_of_functions(
     row: GFunction, monkeypatch: pytest.MonkeyPatch

@@ -25,6 +25,8 @@ from nctakt.run.controller import Controller, NcText
 from nctakt.schedule.open_schedule import open_schedule
 from nctakt.trace.reading import read_trace
 
+pytestmark = pytest.mark.slow
+
 PART = """\
 #RT CYCLE [ID = 17 SCOPE = PROG]
 $IF ONCE V.RTA.ACS.ACT_POS.X > 5

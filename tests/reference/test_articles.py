@@ -17,6 +17,8 @@ from nctakt.nc.vocabulary.realtime_variables import AXIS_VARIABLES, CHANNEL_VARI
 from nctakt.reference.article import Article, Topic
 from nctakt.reference.topics import TOPICS, explain, nearest_word
 
+pytestmark = pytest.mark.slow
+
 EVERY = [article for topic in TOPICS for article in topic.articles()]
 
 

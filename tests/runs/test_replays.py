@@ -14,6 +14,8 @@ from nctakt.files.access import FileAccess
 from nctakt.run.tape import TapeComparison, TapeWriter, read_tape
 from nctakt.trace.sinks import JsonlSink
 
+pytestmark = pytest.mark.slow
+
 SIGNALS = {"X.ACS.ACT_POS", "PATH.SPEED", "BLOCK"}
 
 

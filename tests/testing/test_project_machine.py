@@ -9,7 +9,11 @@ import sys
 from importlib.metadata import entry_points
 from pathlib import Path
 
+import pytest
+
 import nctakt
+
+pytestmark = pytest.mark.slow
 
 SOURCES = Path(nctakt.__file__).parent.parent
 

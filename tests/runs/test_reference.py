@@ -2,7 +2,8 @@
 """Random programs, run by the product and by the interpreter of ``reference.py``, which is not its.
 
 What both must agree on: every event in its order, with each value that a realtime cycle writes, and
-the position of X after each tick. 5000 seeds are 10^4 programs.
+the position of X after each tick. Each seed makes a run of one to three programs; those with an
+odd number may have faults in it.
 """
 
 from __future__ import annotations
@@ -20,7 +21,6 @@ from nctakt.run.stimuli import Stimulus
 
 DEMO = load_machine(None)
 
-#: Each seed makes a run of one to three programs; those with an odd number may have faults in it.
 #: What can have no result, or one that grows beyond all bounds.
 RISKY = ("**", "/", "MOD", "&", "|", "^")
 SAFE_OPERATORS = [one for one in sorted(PRECEDENCE) if one not in (*RISKY, "*")]

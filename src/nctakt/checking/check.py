@@ -251,7 +251,7 @@ class _Checker:
             self._machine_around(program)
 
     def _machine_of_setting(self, program: Path | None, choice: MachineChoice) -> None:
-        """A machine that a setting names; only errors of its lists are told."""
+        """Load the machine that a setting names, and report only the errors of its lists."""
         if choice not in self._settings:
             self._settings[choice] = None
             try:
@@ -316,7 +316,7 @@ class _Checker:
     # --- programs --------------------------------------------------------------------------------
 
     def _report_subprogram_ends(self, files: Sequence[Path], texts: Sequence[str]) -> None:
-        """Report that programs which the user named end as subprograms, where nobody calls them."""
+        """Report programs named by the user that end as subprograms and that nothing calls."""
         names = [path.as_posix() for path in files if path.resolve() not in self._called]
         for name in (*names, *texts):
             if name in self._subprogram_ends:

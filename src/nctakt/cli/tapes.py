@@ -31,7 +31,7 @@ from nctakt.run.tape import Tape, TapeComparison, TapeWriter, digest_of
 if TYPE_CHECKING:
     from nctakt.files.output import OutputFile
 
-#: What stands on a tape in front of the files of the built-in machines.
+#: Prefix of the files of built-in machines on a tape.
 _OWN_MARK = "nctakt:"
 _OWN_FOLDER = Path(__file__).parent.parent
 

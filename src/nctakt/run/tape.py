@@ -31,6 +31,12 @@ from nctakt.trace.texts import by_tick, join_events
 #: The version of the format; no other one is read.
 VERSION = 1
 
+#: The first characters of each tape.
+_BEGIN = '{"tape":'
+
+#: Head, end, and what stands behind the last line end: nothing.
+_MIN_LINES = 3
+
 #: The types of the values of each kind of input.
 _SHAPES: Mapping[str, tuple[tuple[type, ...], ...]] = {
     WRITE: ((str,), (float, int, str)),
@@ -166,9 +172,11 @@ def read_tape(path: Path, access: FileAccess) -> Tape:
     """
     lines = decode_text(access.read_bytes(path)).text.split("\n")
     reader = _Reader(path.as_posix(), lines)
-    if lines[-1] or len(lines) < 3:
+    if len(lines) == 1 and _BEGIN.startswith(lines[0][: len(_BEGIN)]):
         reader.cut_off()
     head = reader.head()
+    if lines[-1] or len(lines) < _MIN_LINES:
+        reader.cut_off()
     inputs: list[Input] = []
     checksums: dict[int, int] = {}
     for number in range(2, len(lines) - 1):
@@ -186,7 +194,7 @@ class _Reader:
     def head(self) -> dict[str, Any]:
         head = self._object(1)
         version = head.get("tape")
-        if not isinstance(version, int):
+        if not isinstance(version, int) or isinstance(version, bool):
             raise self._invalid(1, "no version")
         if version != VERSION:
             writer = str(head.get("nctakt", "–"))
@@ -206,8 +214,6 @@ class _Reader:
 
     def add(self, number: int, inputs: list[Input], checksums: dict[int, int]) -> None:
         """Add what a line between the first and the last one has."""
-        if number == len(self._lines) - 1:
-            return
         entry = self._object(number)
         if "end" in entry:
             return

@@ -45,7 +45,7 @@ class Chain:
         self.hidden_count = 0
 
     def import_from(self, count: int, barrier: int) -> None:
-        """Restore the state with so many pieces, in which nothing was crossed."""
+        """Restore ``count`` pieces and their ``barrier``; none of them was crossed."""
         self.count = count
         self.barrier = barrier
         self.crossed = 0

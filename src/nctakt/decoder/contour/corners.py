@@ -63,7 +63,7 @@ class Corners:
         motions[at + rows.IS_TOO_SMALL] = 0.0
 
     def bend(self, at: int, centre_x: float, centre_y: float, angle: float) -> None:
-        """Make the motion an arc; start, end and distance stand in it already."""
+        """Turn the line in row ``at`` into an arc with this centre (mm) and angle (°)."""
         motions = self.motions
         motions[at + rows.SHAPE] = rows.ARC
         motions[at + rows.CENTRE_X] = centre_x
@@ -217,7 +217,7 @@ class Corners:
         return across - motions[first + rows.END_SINE] * motions[second + rows.START_COSINE]
 
     def is_straight(self, first: int, second: int) -> int:
-        """Return whether there is no corner."""
+        """Return whether two motions join tangentially, within 0.01 degrees."""
         return (
             1
             if self.cosine(first, second) > 0.0

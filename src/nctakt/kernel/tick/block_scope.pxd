@@ -27,5 +27,5 @@ cdef class BlockScope:
     cdef void move(self, CommandQueue commands, Py_ssize_t row, long long serial) noexcept nogil
     cdef void enter(self, CommandQueue commands, Py_ssize_t row, long long serial) noexcept nogil
     cdef void pass_over(self, int kind, long long source) noexcept nogil
-    cdef void tell_passed(self, long long source) noexcept nogil
+    cdef void report_passed(self, long long source) noexcept nogil
     cdef int is_content(self, int kind) noexcept nogil

@@ -42,7 +42,7 @@ class BlockScope:
         self.manager.leave_blocks(serial)
 
     def holds_next(self, commands: CommandQueue) -> int:
-        """Whether the command at the head of the queue belongs to the block.
+        """Return whether the command at the head of the queue belongs to the block.
 
         On its line, a second motion, or the command with which it began, begins the next one.
         """
@@ -70,7 +70,7 @@ class BlockScope:
             self.lingers = True
 
     def is_wait(self, kind: int) -> int:
-        """Whether a command that waits is part of a block.
+        """Return whether a command that waits is part of a block.
 
         Commands that manage cycles, the program's end and position requests are not.
         """
@@ -93,7 +93,7 @@ class BlockScope:
         self.position = commands.head
         self.source = int(commands.rows[row + rows.SOURCE])
         self.serial = serial
-        self.tell_passed(self.source)
+        self.report_passed(self.source)
         self.manager.enter_block(serial)
 
     def pass_over(self, kind: int, source: int) -> None:
@@ -101,17 +101,17 @@ class BlockScope:
         if self.manager.armed_count == 0:
             self.passed_source = 0
         elif self.is_content(kind):
-            self.tell_passed(source)
+            self.report_passed(source)
             self.passed_source = source
 
-    def tell_passed(self, source: int) -> None:
+    def report_passed(self, source: int) -> None:
         """The block that was passed over last is over by now, unless ``source`` stands in it."""
         if self.passed_source != 0 and self.passed_source >> 20 != source >> 20:
             self.record.event(rows.EVENT_NOTICE, self.passed_source, 0, 901049)
         self.passed_source = 0
 
     def is_content(self, kind: int) -> int:
-        """Whether a command that takes no time is one of a block, and not of the decoder."""
+        """Return whether a command that takes no time belongs to a block of the program."""
         if kind in (rows.TECHNOLOGY, rows.SPINDLE, rows.TIMER, rows.MESSAGE, rows.USER_ERROR):
             return 1
         if kind in (rows.WRITE_VARIABLE, rows.WRITE_TEXT):

@@ -527,7 +527,7 @@ def test_numbers_of_the_queue_have_names() -> None:
         "lists/declared/startup.py": ("MIN_BACKWARD_MEMORY",),
         "nc/parse/expressions.py": ("EXPRESSION_DEPTH",),
         "decoder/program.py": ("MAX_BLOCKS_WITHOUT_TIME",),
-        "run/controller.py": ("DEFAULT_LIMIT_US", "PROGRESS_TICKS"),
+        "run/program_run.py": ("DEFAULT_LIMIT_US", "PROGRESS_TICKS"),
     }
     for file, names in bounds.items():
         tree = tree_of(PACKAGE / file)

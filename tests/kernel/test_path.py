@@ -299,6 +299,6 @@ def test_used_segments_stay_in_the_ring() -> None:
     """The latest segments can be looked up when the path has left them, the last one first."""
     controller = Controller()
     controller.run(NcText("part.nc", "G00 X1\nG00 X3\nG00 X3 Y4\nM30"))
-    path = controller._channels[0].channel.path
+    path = controller._loop.channels[0].channel.path
     assert path.used == 3
     assert [path.segment_row(back)[rows.LENGTH] for back in range(3)] == [4.0, 2.0, 1.0]

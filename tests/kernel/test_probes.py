@@ -33,7 +33,7 @@ def rows_of(condition: str, values: list[float]) -> tuple[Controller, list[tuple
     assert isinstance(found, tuple)
     machine.access.post_writes()
     machine.kernel.run(0)
-    controller._channels[0].feeder.refill()
+    controller._loop.channels[0].feeder.refill()
     found_rows: list[tuple[int, int]] = []
     for value in values:
         machine.kernel.post(found[1], value)

@@ -5,6 +5,7 @@ from nctakt.kernel cimport codes, rows
 from nctakt.kernel.axes.axes cimport Axes
 from nctakt.kernel.plc.axis_requests cimport AxisRequests
 from nctakt.kernel.tick.channel cimport Channel
+from nctakt.kernel.tick.stops cimport Stops
 from nctakt.kernel.plc.interface_image cimport InterfaceImage
 from nctakt.kernel.base.record cimport Record
 from nctakt.kernel.axes.single_axes cimport SingleAxes
@@ -37,6 +38,8 @@ cdef class Kernel:
     cdef readonly AxisRequests requests
     cdef readonly InterfaceImage image
     cdef Lane lane
+    cdef readonly Stops stops
+    cdef readonly bint is_stopped
     cdef readonly long long tick
     cdef Py_ssize_t input_count
     cdef Py_ssize_t input_capacity

@@ -20,6 +20,7 @@ from nctakt.kernel.base.record import Record
 from nctakt.kernel.plc.axis_requests import AxisRequests
 from nctakt.kernel.plc.interface_image import InterfaceImage
 from nctakt.kernel.tick.channel import Channel
+from nctakt.kernel.tick.stops import Stops
 
 #: Ticks of one call at most, far from what an integer of 64 bits cannot hold.
 MAX_TICKS = 1 << 60
@@ -107,6 +108,8 @@ class Kernel:
             named = number if len(channels) > 1 else 0
             lane = ChannelLane(channels[number - 1], record, named, lane)
         self.lane = lane
+        self.stops = Stops(memory, record)
+        self.is_stopped = False
         self.tick = 0
         self.input_count = 0
         self.input_capacity = 0
@@ -141,8 +144,12 @@ class Kernel:
             self.input_words[i] = word
 
     def run(self, ticks: int) -> int:
-        """Run up to ``ticks`` ticks; return why it ended, ``codes.DONE`` after all of them."""
+        """Run up to ``ticks`` ticks; return why it ended, ``codes.DONE`` after all of them.
+
+        ``is_stopped`` tells whether a stop has ended it before.
+        """
         ticks = min(ticks, MAX_TICKS)
+        self.is_stopped = False
         with cython.nogil:
             reason = self.loop(ticks)
         return reason
@@ -165,6 +172,9 @@ class Kernel:
             if not self.record.has_room(self.event_bound(), self.lane.probe_bound()):
                 return codes.FULL
             self.run_tick()
+            if self.stops.is_watching and self.stops.check(self.tick - 1):
+                self.is_stopped = True
+                break
         return self.lane.needs_python()
 
     def run_tick(self) -> None:

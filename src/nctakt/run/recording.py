@@ -92,6 +92,14 @@ class Recording:
             sink.close()
         self._sinks = ()
 
+    def add(self, sink: Sink) -> None:
+        """Let a further listener have the events from now on; it is not opened."""
+        self._sinks = (*self._sinks, sink)
+
+    def remove(self, sink: Sink) -> None:
+        """Take a listener away that ``add`` has brought."""
+        self._sinks = tuple(one for one in self._sinks if one is not sink)
+
     def drain(self) -> None:
         """Empty the kernel's record into the listeners."""
         record = self._machine.record

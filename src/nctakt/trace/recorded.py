@@ -138,3 +138,28 @@ class MemorySink:
     def trace(self) -> Trace:
         """The trace recorded so far."""
         return Trace(self._header, self._first_tick, tuple(self._chunks), tuple(self._events))
+
+
+class EventList:
+    """Keeps the events of a trace and nothing else."""
+
+    def __init__(self) -> None:
+        self._chunks: list[Sequence[Event]] = []
+
+    def open(self, header: TraceHeader) -> None:
+        """Do nothing: events need no header."""
+
+    def events(self, events: Sequence[Event]) -> None:
+        """Keep the events; an ``EventChunk`` is not decoded."""
+        self._chunks.append(events)
+
+    def rows(self, first_tick: int, rows: memoryview[float], width: int) -> None:
+        """Ignore the rows."""
+
+    def close(self) -> None:
+        """Do nothing: the events stay."""
+
+    def take(self) -> list[Event]:
+        """Return the events since the last call."""
+        chunks, self._chunks = self._chunks, []
+        return [event for chunk in chunks for event in chunk]

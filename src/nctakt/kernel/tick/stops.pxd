@@ -1,0 +1,74 @@
+# SPDX-License-Identifier: MIT
+# C types of stops.py.
+cimport cython
+from nctakt.kernel cimport codes, rows
+from nctakt.kernel.base.record cimport Record
+from nctakt.kernel.cycles.branches cimport Reaction
+from nctakt.kernel.cycles.conditions cimport Condition
+from nctakt.kernel.cycles.context cimport Context
+from nctakt.kernel.cycles.expressions cimport Expression
+
+cdef class Stop:
+    cdef Expression guard
+    cdef long long hits_needed
+    cdef readonly long long count
+    cdef readonly long long last_tick
+    cdef void begin(self, Context context) noexcept nogil
+    cdef int holds(self, Context context, Record record) noexcept nogil
+
+@cython.locals(value=double)
+cdef int is_true(Expression expression, Context context) noexcept nogil
+
+cdef class BecomesTrue(Stop):
+    cdef Expression expression
+    cdef int truth
+    cdef int previous
+    cdef void begin(self, Context context) noexcept nogil
+    @cython.locals(before=int)
+    cdef int holds(self, Context context, Record record) noexcept nogil
+
+cdef class Changes(Stop):
+    cdef Expression expression
+    cdef double previous
+    cdef void begin(self, Context context) noexcept nogil
+    @cython.locals(before=double)
+    cdef int holds(self, Context context, Record record) noexcept nogil
+
+cdef class Happens(Stop):
+    cdef long long kinds
+    cdef double first_source
+    cdef double last_source
+    cdef double low
+    cdef double high
+    @cython.locals(number=Py_ssize_t, row=Py_ssize_t, kind=int)
+    cdef int holds(self, Context context, Record record) noexcept nogil
+
+cdef class Runs(Stop):
+    cdef Reaction reaction
+    cdef int holds(self, Context context, Record record) noexcept nogil
+
+cdef class Turns(Stop):
+    cdef Condition condition
+    cdef int truth
+    cdef int previous
+    cdef void begin(self, Context context) noexcept nogil
+    @cython.locals(before=int)
+    cdef int holds(self, Context context, Record record) noexcept nogil
+
+cdef class Link:
+    cdef int check(self, Context context, Record record) noexcept nogil
+
+cdef class StopLink(Link):
+    cdef Stop stop
+    cdef Link others
+    @cython.locals(ends=int)
+    cdef int check(self, Context context, Record record) noexcept nogil
+
+@cython.final
+cdef class Stops:
+    cdef Context context
+    cdef Record record
+    cdef readonly bint is_watching
+    cdef Link chain
+    cpdef void add(self, Stop stop)
+    cdef int check(self, long long tick) noexcept nogil

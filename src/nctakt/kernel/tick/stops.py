@@ -1,0 +1,208 @@
+# SPDX-License-Identifier: MIT
+"""Stops: what ends ``Kernel.run`` behind a tick, for those who watch a run.
+
+Each stop is looked at behind every tick, and sees what the tick has done: the memory, the events of
+the tick, the nodes of the realtime cycles. It changes nothing of the machine's and takes none of
+the instructions that the cycles may run.
+"""
+
+from __future__ import annotations
+
+from nctakt.kernel import codes, rows
+from nctakt.kernel.base.record import Record
+from nctakt.kernel.cycles.branches import Reaction
+from nctakt.kernel.cycles.conditions import Condition
+from nctakt.kernel.cycles.context import Context, context_of
+from nctakt.kernel.cycles.expressions import Expression
+
+
+class Stop:
+    """Base of a stop, and null object at the end of the chain: never holds.
+
+    It ends the run when it holds for the ``hits_needed``-th time while ``guard`` is true, from a
+    magnitude of 0.5 on. ``count``: how often it has held so; ``last_tick``: when it did last.
+    """
+
+    def __init__(self, guard: Expression, hits_needed: int) -> None:
+        self.guard = guard
+        self.hits_needed = hits_needed
+        self.count = 0
+        self.last_tick = -1
+
+    def begin(self, context: Context) -> None:
+        """Take the present state as the one before the first tick."""
+
+    def holds(self, context: Context, record: Record) -> int:
+        """Return whether the stop holds behind this tick."""
+        return 0
+
+
+def is_true(expression: Expression, context: Context) -> int:
+    """Return whether an expression is true; one that is not defined at the moment is false."""
+    context.fault = 0
+    value = expression.value(context)
+    return 1 if context.fault == 0 and (value >= 0.5 or value <= -0.5) else 0
+
+
+class BecomesTrue(Stop):
+    """An expression becomes true, or false where ``truth`` is 0."""
+
+    def __init__(
+        self, expression: Expression, truth: int, guard: Expression, hits_needed: int
+    ) -> None:
+        super().__init__(guard, hits_needed)
+        self.expression = expression
+        self.truth = truth
+        self.previous = 0
+
+    def begin(self, context: Context) -> None:
+        self.previous = is_true(self.expression, context)
+
+    def holds(self, context: Context, record: Record) -> int:
+        before = self.previous
+        self.previous = is_true(self.expression, context)
+        return 1 if self.previous == self.truth and before != self.truth else 0
+
+
+class Changes(Stop):
+    """The value of an expression changes."""
+
+    def __init__(self, expression: Expression, guard: Expression, hits_needed: int) -> None:
+        super().__init__(guard, hits_needed)
+        self.expression = expression
+        self.previous = 0.0
+
+    def begin(self, context: Context) -> None:
+        self.previous = self.expression.value(context)
+
+    def holds(self, context: Context, record: Record) -> int:
+        before = self.previous
+        self.previous = self.expression.value(context)
+        if before == self.previous:
+            return 0
+        return 1 if before == before or self.previous == self.previous else 0
+
+
+class Happens(Stop):
+    """An event of one of the ``kinds`` happens, a set of bits.
+
+    Its place in the programs is from ``first_source`` up to ``last_source``, and ``EVENT_A`` from
+    ``low`` up to ``high``.
+    """
+
+    def __init__(
+        self,
+        kinds: int,
+        first_source: int,
+        last_source: int,
+        low: float,
+        high: float,
+        guard: Expression,
+        hits_needed: int,
+    ) -> None:
+        super().__init__(guard, hits_needed)
+        self.kinds = kinds
+        self.first_source = first_source
+        self.last_source = last_source
+        self.low = low
+        self.high = high
+
+    def holds(self, context: Context, record: Record) -> int:
+        number = record.event_count
+        while number > 0:
+            number -= 1
+            row = number * rows.EVENT_WIDTH
+            if record.events[row + rows.EVENT_TICK] != context.tick:
+                return 0
+            kind = int(record.events[row + rows.EVENT_KIND])
+            if (
+                self.kinds >> kind & 1
+                and self.first_source <= record.events[row + rows.EVENT_SOURCE] <= self.last_source
+                and self.low <= record.events[row + rows.EVENT_A] <= self.high
+            ):
+                return 1
+        return 0
+
+
+class Runs(Stop):
+    """The body of a branch runs."""
+
+    def __init__(self, reaction: Reaction, guard: Expression, hits_needed: int) -> None:
+        super().__init__(guard, hits_needed)
+        self.reaction = reaction
+
+    def holds(self, context: Context, record: Record) -> int:
+        return 1 if self.reaction.next_tick == context.tick + 1 else 0
+
+
+class Turns(Stop):
+    """The condition of a branch turns true, or false where ``truth`` is ``codes.FALSE``."""
+
+    def __init__(
+        self, condition: Condition, truth: int, guard: Expression, hits_needed: int
+    ) -> None:
+        super().__init__(guard, hits_needed)
+        self.condition = condition
+        self.truth = truth
+        self.previous = codes.UNKNOWN
+
+    def begin(self, context: Context) -> None:
+        self.previous = self.condition.truth
+
+    def holds(self, context: Context, record: Record) -> int:
+        before = self.previous
+        self.previous = self.condition.truth
+        return 1 if self.previous == self.truth and before != self.truth else 0
+
+
+class Link:
+    """A chain of stops, since the tick cannot walk through a list; the base is its end."""
+
+    def check(self, context: Context, record: Record) -> int:
+        """Look at each stop; return whether one of them ends the run."""
+        return 0
+
+
+class StopLink(Link):
+    """One stop and those behind it."""
+
+    def __init__(self, stop: Stop, others: Link) -> None:
+        self.stop = stop
+        self.others = others
+
+    def check(self, context: Context, record: Record) -> int:
+        ends = 0
+        if self.stop.holds(context, record) and is_true(self.stop.guard, context):
+            self.stop.count += 1
+            self.stop.last_tick = context.tick
+            if self.stop.count >= self.stop.hits_needed:
+                ends = 1
+        return self.others.check(context, record) | ends
+
+
+class Stops:
+    """The stops of a machine with this memory and this record."""
+
+    def __init__(self, memory: bytearray, record: Record) -> None:
+        self.context = context_of(memory)
+        self.record = record
+        self.is_watching = False
+        self.chain = Link()
+
+    def watch(self, stops: list[Stop]) -> None:
+        """Watch these stops from the next tick on, instead of those before."""
+        self.chain = Link()
+        self.is_watching = False
+        for stop in stops:
+            self.add(stop)
+
+    def add(self, stop: Stop) -> None:
+        """Watch one more stop."""
+        stop.begin(self.context)
+        self.chain = StopLink(stop, self.chain)
+        self.is_watching = True
+
+    def check(self, tick: int) -> int:
+        """Return whether a stop holds behind this tick."""
+        self.context.tick = tick
+        return self.chain.check(self.context, self.record)

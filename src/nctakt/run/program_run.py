@@ -1,0 +1,270 @@
+# SPDX-License-Identifier: MIT
+"""A run of programs on a controller, from its begin to its result, in parts of any length.
+
+In: ``RunOptions`` and a machine's loop of ticks. Out: ``ProgramRun``, which goes on up to a tick as
+often as it is asked to, and then closes with the ``Run``. Where it is cut never changes a result.
+"""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from nctakt.base.dataclass import dataclass, field
+from nctakt.base.diagnostics import Diagnostic
+from nctakt.decoder.cycles.builder import CycleDefinition
+from nctakt.lists.format.times import TimeLike, read_time
+from nctakt.nc.outline import ProgramText
+from nctakt.results.run import ProgramMessage, Run, RunState
+from nctakt.results.run_statistics import RunStatistics
+from nctakt.run import program_loader
+from nctakt.run.assembly import do_nothing
+from nctakt.run.channel_run import ChannelRun, worst_state
+from nctakt.run.plc_view import AnyPlc, PlcView, WatchedPlc
+from nctakt.run.program_loader import LoadedProgram, NcText, ProgramErrors
+from nctakt.run.stimuli import StimulusLike, as_inputs, not_reached, read_stimulus
+from nctakt.run.tick_loop import TickLoop
+from nctakt.run.wait_reasons import wait_reasons
+from nctakt.trace.recorded import MemorySink
+from nctakt.trace.sinks import Sink
+
+if TYPE_CHECKING:
+    from nctakt.run.inputs import Input
+    from nctakt.run.tape import Tape
+
+#: Virtual time after which a run ends if neither ``until`` nor ``ticks`` limits it.
+DEFAULT_LIMIT_US = 600_000_000
+
+#: How long a run that an error has stopped waits for axes and spindles to come to a stand.
+REST_US = 60_000_000
+
+#: Ticks between two calls of a progress function.
+PROGRESS_TICKS = 100_000
+
+
+@dataclass(frozen=True, slots=True)
+class RunOptions:
+    """What a run is made of; ``Controller.run`` explains each.
+
+    ``programs``: number of the channel, from 1 -> its programs, one after another.
+    """
+
+    programs: Mapping[int, Sequence[str | Path | NcText]]
+    set: Mapping[str, float | str] = field(default_factory=dict)
+    at: Sequence[StimulusLike] = ()
+    until: TimeLike | None = None
+    ticks: int | None = None
+    after: TimeLike = 0
+    plc: AnyPlc | None = None
+    wait_for_start: bool = False
+    skip: Collection[int] = ()
+    signals: Sequence[str] | None = None
+    sinks: Sequence[Sink] = ()
+    memory_trace: bool = True
+    record_writes: bool = True
+    why: bool = False
+    on_message: Callable[[ProgramMessage], None] | None = None
+    on_progress: Callable[[int, int | None], None] | None = None
+    on_cycle: Callable[[str, CycleDefinition], None] | None = None
+    blocks: bool = False
+    record: Callable[[Input], None] | None = None
+    replay: Tape | None = None
+
+
+class ProgramRun:
+    """A run that has begun; ``state`` is ``None`` until it is over.
+
+    Raises ``Failure`` as ``Controller.run``.
+    """
+
+    def __init__(self, loop: TickLoop, diagnostics: list[Diagnostic], options: RunOptions) -> None:
+        machine = loop.machine
+        self._loop = loop
+        self._machine = machine
+        self._diagnostics = diagnostics
+        self._options = options
+        self._cycle_time_us = machine.configuration.cycle_time_us
+        self._first_tick = first_tick = loop.tick
+        self._end = first_tick + self._limit()
+        self._stimuli = [read_stimulus(stimulus) for stimulus in options.at]
+        for channel in loop.channels:
+            channel.skip_levels = frozenset(options.skip)
+            channel.marks_blocks = options.blocks
+        for name, value in options.set.items():
+            machine.write(name, value)
+        machine.access.apply_writes()
+        machine.inputs.listener = options.record
+        for stimulus in self._stimuli:
+            machine.access.check(stimulus.name, stimulus.value)
+        if isinstance(options.plc, WatchedPlc):
+            options.plc.begin_run(PlcView(machine))
+        self._first_diagnostic = len(diagnostics) if first_tick else 0
+        self._memory = MemorySink() if options.memory_trace else None
+        machine.registry.on_cycle = options.on_cycle
+        self._statistics = RunStatistics(machine.registry.reactions_of, machine.registry.frozen_in)
+        memory = (self._memory,) if self._memory else ()
+        loop.recording.open(
+            [*options.sinks, *memory, self._statistics],
+            options.signals,
+            bool(options.sinks) or options.memory_trace,
+            options.record_writes,
+            options.why,
+        )
+        replay = options.replay
+        loop.connect(
+            options.plc, has_plc=options.plc is not None or (replay is not None and replay.has_plc)
+        )
+        loop.recording.on_message = options.on_message
+        machine.inputs.plan(
+            as_inputs(self._stimuli, first_tick, self._cycle_time_us)
+            if replay is None
+            else replay.inputs
+        )
+        machine.poll = functools.partial(self._report_progress, options.on_progress)
+        self._parts: Iterator[int] | None = None
+        self._loaded: list[LoadedProgram] = []
+        self.state: RunState | None = None
+
+    def _limit(self) -> int:
+        """Return the maximum number of ticks of the run."""
+        ticks, until = self._options.ticks, self._options.until
+        limits = [ticks] if ticks is not None else []
+        if until is not None:
+            limits.append(read_time(until).ticks(self._cycle_time_us))
+        return min(limits) if limits else DEFAULT_LIMIT_US // self._cycle_time_us
+
+    def _report_progress(self, on_progress: Callable[[int, int | None], None] | None) -> None:
+        if on_progress is not None:
+            on_progress(self._loop.tick, self._end)
+
+    # --- going on -------------------------------------------------------------------------------
+
+    def load(self) -> None:
+        """Read and check the programs, before the first tick."""
+        loaded: dict[int, list[LoadedProgram]] = {}
+        has_errors = False
+        for number, programs in self._options.programs.items():
+            own = loaded.setdefault(number, [])
+            for program in programs:
+                try:
+                    own.append(
+                        program_loader.load(program, self._machine, self._diagnostics, number - 1)
+                    )
+                except ProgramErrors:
+                    has_errors = True
+        self._loaded = [program for own in loaded.values() for program in own]
+        self._parts = iter(()) if has_errors else self._run_programs(loaded)
+        self.state = "error" if has_errors else None
+
+    @property
+    def texts(self) -> list[ProgramText]:
+        """The texts of its programs, with the subprograms that have been called so far."""
+        return [text for program in self._loaded for text in program.texts]
+
+    def advance(self, end: int | None = None) -> bool:
+        """Go on up to tick ``end``, by default to the end of the run.
+
+        Returns whether a stop of the kernel has ended it before. Once ``state`` has a value the run
+        is over.
+        """
+        if self._parts is None:
+            self.load()
+        assert self._parts is not None
+        while self.state is None and (end is None or self._loop.tick < end):
+            bound = next(self._parts, None)
+            if bound is None:
+                break
+            is_stopped = self._loop.advance(bound if end is None else min(bound, end))
+            self._machine.poll()
+            if is_stopped:
+                return True
+        return False
+
+    def _run_programs(self, programs: Mapping[int, Sequence[LoadedProgram]]) -> Iterator[int]:
+        """Yield up to which tick the loop may go next; set the state at the end."""
+        loop, end = self._loop, self._end
+        channels = [loop.channels[number - 1] for number, own in programs.items() if own]
+        waits = self._options.wait_for_start
+        if not waits:
+            loop.make_ready(channels)
+        for number, own in programs.items():
+            loop.channels[number - 1].queue(own, waits_for_start=waits)
+        while self._proceed(channels):
+            if loop.tick >= end:
+                self._diagnostics += wait_reasons(self._machine, loop.channels)
+                self.state = worst_state(channels, "limit")
+                return
+            # A path that brakes ends the run in the tick in which it stands.
+            count = 1 if any(channel.is_braking for channel in channels) else PROGRESS_TICKS
+            yield min(end, loop.tick + count)
+        state = worst_state(channels, "ended")
+        stop = loop.tick + read_time(self._options.after).ticks(self._cycle_time_us)
+        while loop.tick < min(stop, end):
+            yield min(stop, end, loop.tick + PROGRESS_TICKS)
+        count = REST_US // self._cycle_time_us if state == "error" else end
+        rest = min(end, loop.tick + count)
+        while loop.tick < rest and not self._machine.stands():
+            yield loop.tick + 1
+        if loop.state == "error":
+            self.state = "error"
+        else:
+            self.state = "limit" if loop.tick < stop else state
+
+    def _proceed(self, channels: Sequence[ChannelRun]) -> bool:
+        """Let each channel begin the program that is due; return whether any is still at work."""
+        for channel in channels:
+            channel.proceed()
+        return any(channel.result is None for channel in channels)
+
+    # --- the result -----------------------------------------------------------------------------
+
+    def interrupt(self) -> None:
+        """End the run where it stands."""
+        self._loop.recording.drain()
+        self.state = "interrupted"
+
+    def close(self) -> None:
+        """Close the listeners; no program waits for START any more."""
+        self._loop.recording.close()
+        for channel in self._loop.channels:
+            channel.close()
+        self._machine.registry.on_cycle = self._machine.inputs.listener = None
+        self._machine.poll = do_nothing
+
+    def result(self) -> Run:
+        """Return the result of a run that is over and closed."""
+        assert self.state is not None
+        machine, loop, plc = self._machine, self._loop, self._options.plc
+        if self.state not in ("error", "interrupted"):
+            end_us = (loop.tick - self._first_tick) * self._cycle_time_us
+            self._diagnostics += not_reached(self._stimuli, end_us, self._cycle_time_us)
+            if isinstance(plc, WatchedPlc):
+                self._diagnostics += plc.unused_handlers(PlcView(machine))
+        scheduled = loop.scheduled_run
+        if scheduled is not None:
+            self._diagnostics += scheduled.findings()
+        report, coverage = loop.recording.why(self._first_tick, self.texts)
+        statistics = self._statistics
+        return Run(
+            programs=tuple(
+                program_loader.name_of(program)
+                for own in self._options.programs.values()
+                for program in own
+            ),
+            cycle_time_us=self._cycle_time_us,
+            first_tick=self._first_tick,
+            ticks=loop.tick - self._first_tick,
+            state=self.state,
+            trace=None if self._memory is None else self._memory.trace,
+            diagnostics=tuple(self._diagnostics[self._first_diagnostic :]),
+            messages=tuple(loop.recording.messages),
+            cycles=statistics.cycles(machine.registry.runs()),
+            outputs=statistics.outputs(),
+            schedule=None if scheduled is None else scheduled.schedule,
+            starved=statistics.schedule.starved(loop.tick),
+            overflows=statistics.schedule.overflows(),
+            why=report,
+            coverage=coverage,
+        )

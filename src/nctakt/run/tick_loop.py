@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: MIT
+"""The loop between decoder, kernel and PLC: ticks run until one of the others is due.
+
+In: an assembled machine with its channels, the planned inputs, a scripted PLC, a schedule. Out: the
+ticks, with all that they record handed to the listeners. Where the loop is cut never changes what
+the ticks do.
+"""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING
+
+from nctakt.base.diagnostics import Diagnostic
+from nctakt.kernel import codes
+from nctakt.run.assembly import AssembledMachine
+from nctakt.run.channel_run import ChannelRun, is_reported
+from nctakt.run.plc_view import AnyPlc, PlcView
+from nctakt.run.recording import Recording
+
+if TYPE_CHECKING:
+    from nctakt.run.scheduled_run import ScheduledRun
+
+
+class TickLoop:
+    """The ticks of one machine.
+
+    ``plc``: a scripted PLC; ``has_plc``: something acknowledges technology functions, be it that
+    script or a tape of one. ``scheduled_run``: the limited times of decoder, interpolation and PLC
+    under a schedule.
+    """
+
+    def __init__(
+        self,
+        machine: AssembledMachine,
+        report: Callable[[Diagnostic], None],
+        scheduled_run: ScheduledRun | None,
+    ) -> None:
+        self.machine = machine
+        self.channels = [
+            ChannelRun(machine, index, report) for index in range(len(machine.channels))
+        ]
+        self.recording = Recording(machine, report, functools.partial(is_reported, self.channels))
+        self.scheduled_run = scheduled_run
+        if scheduled_run is not None:
+            for index, channel in enumerate(self.channels):
+                channel.budget = scheduled_run.budget(index)
+        self.plc: AnyPlc | None = None
+        self.has_plc = False
+        self._kernel = machine.kernel
+
+    @property
+    def tick(self) -> int:
+        """The number of ticks since start-up."""
+        return self._kernel.tick
+
+    def connect(self, plc: AnyPlc | None, *, has_plc: bool) -> None:
+        """Let this PLC run after each tick; without any, functions acknowledge themselves."""
+        self.plc = plc
+        self.has_plc = has_plc
+        for channel in self.channels:
+            channel.channel.hli.acknowledges_itself = not has_plc
+
+    def advance(self, end: int) -> bool:
+        """Run up to tick ``end``, or until the decoder, an input or the PLC is due.
+
+        Returns whether one of the kernel's stops has ended it.
+        """
+        due = min(end, self.machine.inputs.apply_due())
+        if self.plc is not None:
+            due = min(due, self.tick + 1)
+        plc_calls = 1
+        is_lost = False
+        if self.scheduled_run is not None:
+            due = min(due, self.tick + 1)
+            share = self.scheduled_run.prepare(self.channels, has_plc=self.has_plc)
+            plc_calls, is_lost = share.plc_calls, share.is_lost
+        self.machine.access.post_writes()
+        self.machine.reserve()
+        reason = self._kernel.lose_tick() if is_lost else self._kernel.run(due - self.tick)
+        self.recording.drain()
+        if reason not in (codes.DONE, codes.FULL):
+            for channel in self.channels:
+                channel.serve()
+        if self.plc is not None and self._kernel.tick == due and reason != codes.FULL:
+            for _ in range(plc_calls):
+                self.plc.cycle(PlcView(self.machine))
+        return bool(self._kernel.is_stopped)
+
+    def reset(self, channels: Sequence[ChannelRun]) -> None:
+        """Reset channels (RC-007); run until they stand, at least one tick."""
+        for channel in channels:
+            channel.request_reset()
+        while any(channel.channel.executor.is_resetting for channel in channels):
+            self.advance(self.tick + 1)
+
+    def make_ready(self, channels: Sequence[ChannelRun]) -> None:
+        """Reset those of the channels that an earlier run has left stopped or running."""
+        busy = [channel for channel in channels if channel.is_stopped or channel.is_running]
+        if busy:
+            self.reset(busy)
+
+    @property
+    def state(self) -> str:
+        """``error`` if a channel has one, else ``running`` during a program, else ``ready``."""
+        if any(channel.is_stopped for channel in self.channels):
+            return "error"
+        return "running" if any(channel.is_running for channel in self.channels) else "ready"

@@ -102,25 +102,25 @@ def ruckig_costs() -> tuple[float, float] | None:
         return None
     ruckig: Any = importlib.import_module("ruckig")
     generator = ruckig.Ruckig(1, 0.001)
-    wanted, given = ruckig.InputParameter(1), ruckig.OutputParameter(1)
-    wanted.max_velocity, wanted.max_acceleration, wanted.max_jerk = [SPEED], [ACCELERATION], [JERK]
+    target, given = ruckig.InputParameter(1), ruckig.OutputParameter(1)
+    target.max_velocity, target.max_acceleration, target.max_jerk = [SPEED], [ACCELERATION], [JERK]
 
     def updates() -> None:
-        wanted.target_position, wanted.max_velocity = [9000.0], [1.0]
+        target.target_position, target.max_velocity = [9000.0], [1.0]
         for _ in range(TARGETS):
-            generator.update(wanted, given)
-            given.pass_to_input(wanted)
+            generator.update(target, given)
+            given.pass_to_input(target)
 
     def targets() -> None:
-        wanted.max_velocity = [SPEED]
+        target.max_velocity = [SPEED]
         for i in range(TARGETS):
             shift = 0.001 * (i & 1)  # the same target would not be planned anew
-            wanted.target_position = [100.0 + shift if i & 64 else -100.0 - shift]
+            target.target_position = [100.0 + shift if i & 64 else -100.0 - shift]
             try:
-                generator.update(wanted, given)
-                given.pass_to_input(wanted)
+                generator.update(target, given)
+                given.pass_to_input(target)
             except ruckig.RuckigError:  # it finds nothing from a few states: begin at rest
-                wanted.current_velocity, wanted.current_acceleration = [0.0], [0.0]
+                target.current_velocity, target.current_acceleration = [0.0], [0.0]
 
     return best_ns(updates, TARGETS), best_ns(targets, TARGETS)
 

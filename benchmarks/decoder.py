@@ -330,9 +330,9 @@ def main() -> None:
         path = Path(folder, "straight.nc")
         lines = write(straight(options.lines), path)
         name = f"{lines:,} straight blocks"
-        print(f"{name:34} {'lines/s':>12} {'lines/CPU s':>14} {'MB':>9}  wanted")
-        wanted = {"check": "", "decode": "300,000 lines/s, 100 MB", "run": "100,000 lines/s"}
-        for name, target in wanted.items():
+        print(f"{name:34} {'lines/s':>12} {'lines/CPU s':>14} {'MB':>9}  target")
+        targets = {"check": "", "decode": "300,000 lines/s, 100 MB", "run": "100,000 lines/s"}
+        for name, target in targets.items():
             print(measure(name, path, lines).row(name, target), flush=True)
         reference = rs274(path, lines)
         print(

@@ -169,8 +169,8 @@ def c_ns_per_tick(law: Law, folder: Path, cycles: int, ticks: int) -> float | No
     flags = ["-O2", "-ffp-contract=off", "-o", str(binary), str(source), "-lm"]
     subprocess.run([compiler, *flags], check=True)
     words = [str(binary), str(cycles), str(ticks), str(SLICES)]
-    told = subprocess.run(words, check=True, capture_output=True, text=True).stdout
-    return float(told.split()[0]) / ticks * 1e9
+    output = subprocess.run(words, check=True, capture_output=True, text=True).stdout
+    return float(output.split()[0]) / ticks * 1e9
 
 
 def instructions() -> None:

@@ -50,8 +50,8 @@ def test_data_grow_from_run_to_run(folder: Path, capsys: pytest.CaptureFixture[s
     assert main(["coverage", "part.nc", "--data", "all.json", "--at", "4ms", "V.E.TRIGGER=1"]) == 0
     assert bodies(data) == [6, 14]
     shown = capsys.readouterr().out
-    assert "in all: 1 of 2 branches ran, 50 %; runs: 1" in shown
-    assert "in all: 2 of 2 branches ran, 100 %; runs: 2" in shown
+    assert "total: 1 of 2 branches ran, 50 %; runs: 1" in shown
+    assert "total: 2 of 2 branches ran, 100 %; runs: 2" in shown
     before = data.read_bytes()
     assert main(["coverage", "--data", "all.json"]) == 0
     assert data.read_bytes() == before

@@ -83,7 +83,7 @@ def test_hold_and_override_are_told_in_their_own_names() -> None:
         ("M00\nG00 X1\nM30", {"HLI.FEED_HOLD": 1.0}, 1, "START after M00"),
         ("G00 X1\nM30", {"HLI.FEED_HOLD": 1.0}, 1, "the end of the feed hold"),
         ("#TIME 1\nM30", {"HLI.FEED_HOLD": 1.0}, 1, "the end of the feed hold"),
-        ("G00 X1\nM30", {"HLI.OVERRIDE": 0.0}, 1, "the operator's is 0 %"),
+        ("G00 X1\nM30", {"HLI.OVERRIDE": 0.0}, 1, "the operator's override is 0 %"),
         (
             "#RT CYCLE [ID=1]\nV.RTG.OVERRIDE.VEL.CYCLE = 0\n#RT CYCLE END\nG00 X1\nM30",
             {},

@@ -274,7 +274,10 @@ def test_the_source_with_its_counts() -> None:
     """Each line of the definition, up to its end; what never ran is marked."""
     text = NESTED.replace("V.E.CONDITION == 1", "V.E.CONDITION == 0")
     shown = CoverageText(cover(text), "de").source().splitlines()
-    assert shown[0] == "part.nc:1  Echtzeit-Zyklus #1 PROG, 14 mal gelaufen, 1 von 2 Zweigen liefen"
+    assert (
+        shown[0]
+        == "part.nc:1  Echtzeit-Zyklus #1 PROG, 14-mal gelaufen, 1 von 2 Zweigen ausgeführt"
+    )
     rows = [(line[0], line[1:47].split(), line[49:]) for line in shown[2:9]]
     assert rows == [
         (" ", ["1", "14"], "#RT CYCLE [SCOPE = PROG]"),
@@ -285,7 +288,7 @@ def test_the_source_with_its_counts() -> None:
         (" ", ["6"], "  $ENDIF"),
         (" ", ["7"], "#RT CYCLE END"),
     ]
-    assert shown[-1] == "insgesamt: 1 von 2 Zweigen liefen, 50 %; Läufe: 1"
+    assert shown[-1] == "insgesamt: 1 von 2 Zweigen ausgeführt, 50 %; Läufe: 1"
 
 
 def test_without_realtime_cycles_there_is_nothing_to_cover() -> None:

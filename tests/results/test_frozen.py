@@ -101,6 +101,6 @@ def test_the_summary_stays_short() -> None:
     """At the most that a line tells all are there, one more is counted only."""
     line = next(one for one in summary(cycle_with(MAX_FROZEN)) if one.startswith("Frozen"))
     assert line.count("line") == MAX_FROZEN
-    assert "further" not in line
+    assert " more" not in line
     line = next(one for one in summary(cycle_with(MAX_FROZEN + 1)) if one.startswith("Frozen"))
-    assert line.endswith("P6 = 6 (line 6), … 1 further")
+    assert line.endswith("P6 = 6 (line 6), … 1 more")

@@ -26,14 +26,14 @@ realtime cycle 17  part.nc:1  PROG
 GERMAN = """\
 Echtzeit-Zyklus 17  part.nc:1  PROG
   angelegt und gestartet in Takt 0 (0 s)
-  lief: Takte 0 bis 724
+  gelaufen: Takte 0 bis 724
   beendet in Takt 725 (0.725 s): das Programm endete
 
   Zeile 2  $IF ONCE V.RTA.ACS.ACT_POS.X > 200
     ausgewertet: Takte 0 bis 463
     falsch ab Takt 0 (0 s): 0 > 200
     wahr ab Takt 463 (0.463 s): 200.25 > 200
-    Rumpf lief einmal: Takt 463 (0.463 s): M100
+    Zweig einmal ausgeführt: Takt 463 (0.463 s): M100
     ONCE: erledigt, nicht mehr ausgewertet
 """
 
@@ -112,7 +112,7 @@ def test_what_is_to_blame_is_followed_outwards() -> None:
         (
             "#RT CYCLE DEF [ID=1]\n#RT CYCLE END\n",
             "de",
-            "lief nie: in Takt 0 (0 s) mit DEF angelegt",
+            "nie gelaufen: in Takt 0 (0 s) mit DEF angelegt",
         ),
         (
             "#RT CYCLE [SCOPE=BLOCK]\n#RT CYCLE END\n",
@@ -168,7 +168,7 @@ def test_a_line_outside_of_every_branch() -> None:
     """Such a statement runs in each run-through."""
     report = why(ONCE.replace("  $IF ONCE", "  V.E.COUNT += 1\n  $IF ONCE"))
     text = report.select(line=2).render()
-    assert "what stands in no $IF runs in each run-through" in text
+    assert "statements outside $IF run in every run-through" in text
     assert "$IF ONCE" not in text
 
 

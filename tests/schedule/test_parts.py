@@ -88,8 +88,7 @@ def test_report_picture_and_trace(tmp_path: Path, capsys: Capture) -> None:
     files = ["--plot", str(tmp_path / "a.svg"), "--perfetto", str(tmp_path / "a.json")]
     assert main(["schedule", "simulate", *words, *files, "--convention", "table"]) == 0
     assert (
-        "schedule STANDARD: GEO puts out 2000 µs after it has begun to read"
-        in capsys.readouterr().out
+        "schedule STANDARD: GEO outputs 2000 µs after it starts reading" in capsys.readouterr().out
     )
     assert "interpolation: 90 … 400 µs" in (tmp_path / "a.svg").read_text("utf-8")
     events = json.loads((tmp_path / "a.json").read_text("utf-8"))["traceEvents"]

@@ -186,7 +186,7 @@ def test_fix(folder: Path, capsys: Capture) -> None:
     capsys.readouterr()
     assert run("show", path, "--fix", "--format", "json") == 0
     found = json.loads(capsys.readouterr().out)["diagnostics"]
-    assert "0 entries corrected, 0 made comments, 0 lines added" in found[-1]["text"]
+    assert "0 entries corrected, 0 commented out, 0 lines added" in found[-1]["text"]
 
 
 def test_fix_never_takes_another_input(folder: Path, capsys: Capture) -> None:

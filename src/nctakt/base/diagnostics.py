@@ -85,8 +85,8 @@ class Text:
 
 
 _NOTHING_SIMILAR = Text(
-    "Check the spelling; nothing that is known here is similar.",
-    "Die Schreibweise prüfen; nichts, was hier bekannt ist, ist ähnlich.",
+    "Check the spelling; no similar name is known.",
+    "Die Schreibweise prüfen; es ist nichts Ähnliches bekannt.",
 )
 
 

@@ -36,7 +36,7 @@ _SHORTEST_SEARCHED = 3
 #: Maximum number of listed articles that contain a word.
 _MAX_FOUND = 30
 
-_FOUND = Text("'{word}' stands in {count} articles:", "'{word}' steht in {count} Artikeln:")
+_FOUND = Text("'{word}' appears in {count} articles:", "'{word}' steht in {count} Artikeln:")
 _FURTHER = Text("… {count} more", "… {count} weitere")
 
 _EPILOG = """\b

@@ -34,8 +34,8 @@ _ORDINARY = Text("ordinary scheduling", "gewöhnliches Scheduling")
 def plan_report(plan: Plan, language: Language) -> str:
     """Return the processors, priorities and semaphores of a run."""
     heads = Text(
-        "Thread|Class|CPU|Linux CPU|SCHED_FIFO|Semaphore|Played by",
-        "Thread|Klasse|CPU|Linux-CPU|SCHED_FIFO|Semaphor|Gespielt von",
+        "Thread|Class|CPU|Linux CPU|SCHED_FIFO|Semaphore|Run by",
+        "Thread|Klasse|CPU|Linux-CPU|SCHED_FIFO|Semaphor|Ausgeführt von",
     )
     ours, foreign = (
         Text("a process of the run", "einem Prozess des Laufs"),
@@ -86,7 +86,7 @@ def run_report(
     lines = [*chosen_report(run.model, language), line]
     if run.model.windows:
         kept = Text(
-            "Windows' time counts as kept when at most {us} µs of it are missing",
+            "The time of Windows counts as kept if at most {us} µs of it are missing",
             "Die Zeit von Windows gilt als gewahrt, wenn höchstens {us} µs fehlen",
         )
         lines.append(kept.get(language).format(us=us(tolerated(run.model))))

@@ -56,9 +56,9 @@ INDEPENDENT_MOTION_REFUSED = error(
     remedy_de="{axis}[INDP G90 G01 FEED=500 POS=100], {axis}[INDP FEED=500] oder {axis}[INDP STOP] "
     "schreiben.",
     cause_en="A single-axis command moves to a position, moves endlessly or stops; its keywords "
-    "must say one of these.",
+    "must specify one of these.",
     cause_de="Ein Einzelachsbefehl fährt auf eine Position, fährt endlos oder stoppt; seine "
-    "Schlüsselwörter müssen eines davon sagen.",
+    "Schlüsselwörter müssen eines davon angeben.",
     axis=("the axis", "die Achse"),
     reason=("what does not fit", "was nicht passt"),
     reaction=6,
@@ -79,7 +79,8 @@ UNKNOWN_INDP_KEYWORD = error(
     en="{axis}[INDP …]: unknown keyword {word}",
     de="{axis}[INDP …]: unbekanntes Schlüsselwort {word}",
     remedy_en="Keywords: ABORTING, BUFFERED, STOP, OFFSET=, G90, G91, G00, G01, FEED=, POS=, DIR=",
-    remedy_de="Wörter: ABORTING, BUFFERED, STOP, OFFSET=, G90, G91, G00, G01, FEED=, POS=, DIR=",
+    remedy_de="Schlüsselwörter: ABORTING, BUFFERED, STOP, OFFSET=, G90, G91, G00, G01, FEED=, "
+    "POS=, DIR=",
     axis=("the axis", "die Achse"),
     word=("the word as written", "das Wort, wie geschrieben"),
 )
@@ -96,7 +97,7 @@ INDP_KEYWORD_WITH_VALUE = error(
     21068,
     known_as=(900263,),
     en="the keyword {word} takes no value",
-    de="das Schlüsselwort {word} hat keinen Wert",
+    de="das Schlüsselwort {word} erwartet keinen Wert",
     remedy_en="Remove the value.",
     remedy_de="Den Wert entfernen.",
     word=("the word as written", "das Wort, wie geschrieben"),

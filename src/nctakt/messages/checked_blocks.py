@@ -68,7 +68,7 @@ NO_PROGRAM_FOR_G_FUNCTION = error(
     remedy_de="Das Programm in der Kanalliste nennen: {key} DATEI",
     cause_en="G80 … G89 and G800 … G839 call programs of the user (P-CHAN-00160 … 00169, "
     "P-CHAN-00187).",
-    cause_de="G80 … G89 und G800 … G839 rufen Programme des Anwenders (P-CHAN-00160 … 00169, "
+    cause_de="G80 … G89 und G800 … G839 rufen Programme des Anwenders auf (P-CHAN-00160 … 00169, "
     "P-CHAN-00187).",
     word=("the function", "die Funktion"),
     key=("the key of the channel list", "der Schlüssel in der Kanalliste"),
@@ -231,8 +231,8 @@ TEXT_FOR_NUMERIC_WORD = error(
 INVALID_COMMAND_FORM = error(
     900233,
     known_as=(20499, 20675, 20994, 21104, 21107),
-    en="{command} does not have this form",
-    de="{command} hat diese Form nicht",
+    en="there is no such form of {command}",
+    de="diese Form von {command} gibt es nicht",
     remedy_en="Write: {forms}",
     remedy_de="Schreibweise: {forms}",
     command=("the command", "der Befehl"),

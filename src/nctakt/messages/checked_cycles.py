@@ -213,10 +213,10 @@ FREQUENCY_IF_WITH_ELSE = error(
     de="$IF {word} kann weder $ELSEIF noch $ELSE haben",
     remedy_en="Close it first and write a second $IF.",
     remedy_de="Vorher schließen und ein zweites $IF schreiben.",
-    cause_en="While an ALWAYS is latched or a ONCE is done, its condition is not evaluated: "
-    "nothing would decide on the other branch.",
+    cause_en="While an ALWAYS is latched or a ONCE is done, its condition is not evaluated: the "
+    "other branch could never be decided.",
     cause_de="Solange ALWAYS eingerastet oder ONCE erledigt ist, wird die Bedingung nicht "
-    "ausgewertet: nichts entschiede über den anderen Zweig.",
+    "ausgewertet: über den anderen Zweig würde nie entschieden.",
     word=("ONCE, EDGE or ALWAYS", "ONCE, EDGE oder ALWAYS"),
     reaction=2,
     clearing=3,

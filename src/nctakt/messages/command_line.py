@@ -34,7 +34,7 @@ WAITING_AT_RUN_LIMIT = note(
     de="an der Grenze des Laufs wartet das Programm auf {awaited}",
     remedy_en="Provide what it waits for (--at 500ms HLI.START=1), or set another limit (--until, "
     "--ticks).",
-    remedy_de="Geben, worauf es wartet (--at 500ms HLI.START=1), oder eine andere Grenze setzen "
+    remedy_de="Auslösen, worauf es wartet (--at 500ms HLI.START=1), oder eine andere Grenze setzen "
     "(--until, --ticks).",
     awaited=("what is waited for", "worauf gewartet wird"),
 )
@@ -154,7 +154,7 @@ RUN_NOT_ENDED = error(
     en="the run reached its limit, {time}, before the program ended",
     de="der Lauf hat seine Grenze, {time}, vor dem Programmende erreicht",
     remedy_en="Set another limit (--until, --ticks), or find out what the program waits for.",
-    remedy_de="Eine andere Grenze setzen (--until, --ticks) oder ergründen, worauf das Programm "
+    remedy_de="Eine andere Grenze setzen (--until, --ticks) oder herausfinden, worauf das Programm "
     "wartet.",
     time=("how long the run lasted", "die Dauer des Laufs"),
 )

@@ -62,8 +62,8 @@ RESULT_TOO_LARGE = error(
 FOR_STEP_ZERO = warning(
     20852,
     known_as=(900302,),
-    en="the step of this $FOR is 0: it never ends on its own",
-    de="die Schrittweite dieses $FOR ist 0: es endet nie von selbst",
+    en="the step of this $FOR is 0: the loop never ends by itself",
+    de="die Schrittweite dieses $FOR ist 0: die Schleife endet nie von selbst",
     remedy_en="Give a step other than 0, or leave the loop with $BREAK.",
     remedy_de="Eine Schrittweite ungleich 0 angeben oder die Schleife mit $BREAK verlassen.",
 )
@@ -160,7 +160,7 @@ RETURN_LABEL_NOT_UNIQUE = error(
 TOO_FEW_OPEN_CALLS = error(
     22268,
     known_as=(900310,),
-    en="{count} calls are not open, only {most}",
+    en="there are not {count} open calls, only {most}",
     de="es sind keine {count} Aufrufe offen, nur {most}",
     remedy_en="JUMPS counts from 1 to the number of open calls; MAIN returns to the main program.",
     remedy_de="JUMPS zählt von 1 bis zur Anzahl offener Aufrufe; MAIN führt ins Hauptprogramm.",

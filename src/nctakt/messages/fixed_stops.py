@@ -31,8 +31,9 @@ FIXED_STOP_NOT_FOUND = error(
     50886,
     en="axis {axis} found no fixed stop on its way",
     de="Achse {axis} hat auf ihrem Weg keinen Festanschlag gefunden",
-    remedy_en="Move further, lower POS_LAG_LIMIT, or write ERR_NOT_DETECTED=0.",
-    remedy_de="Weiter fahren, POS_LAG_LIMIT senken oder ERR_NOT_DETECTED=0 schreiben.",
+    remedy_en="Program a longer motion, lower POS_LAG_LIMIT, or write ERR_NOT_DETECTED=0.",
+    remedy_de="Einen längeren Weg programmieren, POS_LAG_LIMIT senken oder ERR_NOT_DETECTED=0 "
+    "schreiben.",
     cause_en="A monitored axis must meet an obstacle; in the simulation this is "
     "antr.simu.fixed_stop of the axis list.",
     cause_de="Eine überwachte Achse muss auf ein Hindernis treffen; in der Simulation ist das "

@@ -173,7 +173,7 @@ NAMES_OF_DEMO_MACHINE = note(
 STIMULUS_NOT_REACHED = warning(
     901007,
     en="{name} did not get its value at {time}: the run ended before, after {end}",
-    de="{name} hat um {time} keinen Wert erhalten: der Lauf endete vorher, nach {end}",
+    de="{name} hat bei {time} keinen Wert erhalten: der Lauf endete vorher, nach {end}",
     remedy_en="Give it an earlier time, or let the run go on (--after, --until).",
     remedy_de="Eine frühere Zeit angeben oder den Lauf fortsetzen (--after, --until).",
     name=("the variable", "die Variable"),

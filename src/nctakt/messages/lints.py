@@ -65,9 +65,9 @@ COMPARISON_OUTSIDE_TYPE_RANGE = warning(
 )
 IF_NOT_EVALUATED_EVERY_TICK = note(
     900240,
-    en="$IF {word} inside $IF is evaluated only in ticks that get here; otherwise it keeps its "
+    en="$IF {word} inside $IF is evaluated only in ticks that reach it; otherwise it keeps its "
     "state",
-    de="$IF {word} in $IF wird nur in Takten ausgewertet, die hierher kommen; sonst bleibt sein "
+    de="$IF {word} in $IF wird nur in Takten ausgewertet, die es erreichen; sonst bleibt sein "
     "Zustand",
     remedy_en="This may be intended; otherwise make it the outer $IF, or combine the conditions "
     "with &&.",
@@ -103,7 +103,8 @@ OVERRIDE_FOR_ONE_TICK = warning(
 )
 FUNCTION_OUTPUT_EACH_TICK = warning(
     900243,
-    en="{word} is output again in each tick that gets here; the interface to the PLC has few slots",
+    en="{word} is output again in each tick that reaches this line; the interface to the PLC has "
+    "few slots",
     de="{word} wird in jedem Takt neu ausgegeben; die Schnittstelle zur SPS hat nur wenige Plätze",
     remedy_en="Put it inside $IF EDGE or $IF ONCE; if too many wait for the PLC, the result is "
     "50942.",
@@ -220,8 +221,8 @@ FLUSH_DURING_COMPENSATION = error(
 )
 AXIS_COMMANDED_EACH_TICK = warning(
     900270,
-    en="{axis}[INDP … {word}] is commanded again in each tick that gets here",
-    de="{axis}[INDP … {word}] wird in jedem Takt neu befohlen, der hierher kommt",
+    en="{axis}[INDP … {word}] is commanded again in each tick that reaches this line",
+    de="{axis}[INDP … {word}] wird in jedem Takt neu befohlen, der diese Zeile erreicht",
     remedy_en="Put it inside $IF EDGE or $IF ONCE.",
     remedy_de="In $IF EDGE oder $IF ONCE setzen.",
     cause_en="With G91 each command starts a new distance from where the axis is now; with "

@@ -8,7 +8,7 @@ from nctakt.messages.catalogue import error, note, warning
 LINUX_ONLY = error(
     900680,
     en="a schedule can only be run in real time on Linux; this is {system}",
-    de="ein Ablauf lässt sich nur unter Linux wirklich ausführen; dies ist {system}",
+    de="ein Ablauf lässt sich nur unter Linux in Echtzeit ausführen; dies ist {system}",
     remedy_en="Simulate it instead, with nctakt schedule simulate.",
     remedy_de="Ihn stattdessen mit nctakt schedule simulate simulieren.",
     system=("the operating system", "das Betriebssystem"),
@@ -34,8 +34,8 @@ SCHED_FIFO_NOT_PERMITTED = warning(
 )
 TIMER_INSTEAD_OF_INTERRUPT = note(
     900683,
-    en="a timer gives the NC interrupts as defined in the load: nothing else gives them here",
-    de="ein Timer gibt die NC-Interrupts gemäß der Last: nichts anderes gibt sie hier",
+    en="a timer gives the NC interrupts as defined in the load: there is no other source here",
+    de="ein Timer gibt die NC-Interrupts gemäß der Last: eine andere Quelle gibt es hier nicht",
     remedy_en="Nothing to do; with interrupt_source 3 they come from a semaphore.",
     remedy_de="Nichts zu tun; mit interrupt_source 3 kommen sie von einem Semaphor.",
 )
@@ -108,8 +108,8 @@ SCHEDULE_RECORDING_FULL = warning(
     900691,
     en="the run ended after {cycles} NC cycles: no more can be recorded",
     de="der Lauf endete nach {cycles} NC-Takten: mehr lässt sich nicht aufzeichnen",
-    remedy_en="Make shorter runs.",
-    remedy_de="Kürzere Läufe machen.",
+    remedy_en="Keep the runs shorter.",
+    remedy_de="Die Läufe kürzer halten.",
     cycles=("complete NC cycles", "vollständige NC-Takte"),
 )
 LEFTOVERS_REMOVED = note(

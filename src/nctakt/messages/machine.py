@@ -62,8 +62,8 @@ STARTUP_LIST_IN_FOLDER = note(
     900974,
     en="the machine of {file} is used",
     de="es gilt die Maschine von {file}",
-    remedy_en="Name this file to be explicit.",
-    remedy_de="Diese Datei angeben, um es ausdrücklich zu machen.",
+    remedy_en="Name this file to choose it explicitly.",
+    remedy_de="Diese Datei angeben, um sie ausdrücklich zu wählen.",
     file=("the start-up list that was found", "die gefundene Hochlaufliste"),
 )
 LIST_FORMAT_NOT_SUPPORTED = error(
@@ -160,11 +160,11 @@ MODULO_RANGE_EMPTY = warning(
 UNKNOWN_GEAR_STEP = warning(
     110066,
     known_as=(900074,),
-    en="there is no gear step {wanted}; gear step {used} is used",
-    de="es gibt keine Getriebestufe {wanted}; es gilt Stufe {used}",
+    en="there is no gear step {number}; gear step {used} is used",
+    de="es gibt keine Getriebestufe {number}; es gilt Stufe {used}",
     remedy_en="Correct kenngr.getriebe_stufe or getriebe[i].nummer.",
     remedy_de="kenngr.getriebe_stufe oder getriebe[i].nummer berichtigen.",
-    wanted=("the number as written", "die Nummer, wie geschrieben"),
+    number=("the number as written", "die Nummer, wie geschrieben"),
     used=("the gear step that is used", "die Stufe, die gilt"),
 )
 SOFTWARE_LIMITS_SWAPPED = warning(

@@ -296,9 +296,8 @@ EXPRESSION_TOO_DEEP = error(
     de="der Ausdruck ist mehr als {limit} Ebenen tief geschachtelt",
     remedy_en="Assign part of it to a variable first.",
     remedy_de="Einen Teil davon vorher einer Variablen zuweisen.",
-    cause_en="Evaluation in the realtime part must need little memory, so the depth is limited.",
-    cause_de="Die Auswertung darf im Echtzeit-Teil wenig Speicher brauchen; darum ist die Tiefe "
-    "begrenzt.",
+    cause_en="The realtime part evaluates with little memory, so the depth is limited.",
+    cause_de="Der Echtzeit-Teil rechnet mit wenig Speicher; darum ist die Tiefe begrenzt.",
     limit=("the maximum nesting", "die größte Schachtelung"),
     reaction=6,
     clearing=6,

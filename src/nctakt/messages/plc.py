@@ -216,7 +216,7 @@ UNKNOWN_HLI_VALUE = error(
 UNKNOWN_FUNCTION_IN_PLC = error(
     901013,
     en="the PLC waits for {name}, which the channel list does not have",
-    de="die SPS wartet auf {name}; die Kanalliste hat es nicht",
+    de="die SPS wartet auf {name}, das in der Kanalliste fehlt",
     remedy_en="Did you mean {nearest}? Define it in the channel list, or delete it here.",
     remedy_de="War {nearest} gemeint? In der Kanalliste definieren oder hier streichen.",
     cause_en="The PLC sees M and H functions with a synchronisation type (m_synch[], h_synch[]), "

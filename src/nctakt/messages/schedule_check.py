@@ -94,7 +94,7 @@ THREAD_BEFORE_REALTIME_THREAD = warning(
 )
 COMMENT_CONTRADICTS_ENTRY = note(
     900608,
-    en="{key}: the comment says {word}, which is not true",
+    en="{key}: the comment says {word}, which is wrong",
     de="{key}: der Kommentar sagt {word}, was nicht stimmt",
     remedy_en="Correct the comment or the priority.",
     remedy_de="Kommentar oder Priorität berichtigen.",
@@ -157,7 +157,7 @@ WINDOWS_TIME_OFF = error(
 )
 LIST_REWRITTEN = note(
     900619,
-    en="{file}: {corrected} entries corrected, {commented} made comments, {added} lines added",
+    en="{file}: {corrected} entries corrected, {commented} commented out, {added} lines added",
     de="{file}: {corrected} Einträge berichtigt, {commented} auskommentiert, {added} Zeilen "
     "ergänzt",
     remedy_en="Nothing to do; what is still found needs a decision.",

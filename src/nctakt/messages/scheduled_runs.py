@@ -50,7 +50,7 @@ UNKNOWN_PLC_THREAD = error(
 OPTION_WITHOUT_SCHEDULE = error(
     900734,
     en="{option} needs a schedule, but none is given",
-    de="{option} braucht ein Scheduling, angegeben ist aber keines",
+    de="{option} braucht einen Ablauf, angegeben ist aber keiner",
     remedy_en="Name a scheduling list with --rtconf, or omit the option.",
     remedy_de="Mit --rtconf eine Scheduling-Liste nennen oder die Option weglassen.",
     option=("the option", "die Option"),

@@ -17,9 +17,9 @@ INVALID_SLACK = error(
     900648,
     en="'{text}' is not a slack",
     de="'{text}' ist keine Reserve",
-    remedy_en="Write a number of percent from 0 to below 100, alone or as THREAD=PERCENT. Threads "
-    "are {names}.",
-    remedy_de="Eine Zahl von Prozent ab 0 und unter 100 schreiben, allein oder als THREAD=PROZENT. "
+    remedy_en="Write a percentage from 0 to below 100, alone or as THREAD=PERCENT. Threads are "
+    "{names}.",
+    remedy_de="Einen Prozentwert ab 0 und unter 100 schreiben, allein oder als THREAD=PROZENT. "
     "Threads sind {names}.",
     text=("what was given", "was angegeben wurde"),
     names=("the names of the threads", "die Namen der Threads"),

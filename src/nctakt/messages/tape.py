@@ -69,5 +69,5 @@ RECORD_WITH_PARTNER = error(
     en="--record cannot record what a PLC in another process writes (--hli)",
     de="--record kann nicht aufzeichnen, was eine SPS in einem anderen Prozess schreibt (--hli)",
     remedy_en="Use a PLC in Python: --plc FILE.py",
-    remedy_de="Eine SPS in Python verwenden: --plc FILE.py",
+    remedy_de="Eine SPS in Python verwenden: --plc DATEI.py",
 )

@@ -48,7 +48,7 @@ UNREACHED = (
         22017,
         en="the list of the V.CH variables cannot be read",
         de="die Liste der V.CH-Variablen kann nicht gelesen werden",
-        cause_en="nctakt tells it with 900062 or 900503, as for every other list.",
+        cause_en="nctakt reports this with 900062 or 900503, as for every other list.",
         cause_de="nctakt meldet es mit 900062 oder 900503, wie bei jeder anderen Liste.",
         reaction=2,
         clearing=7,
@@ -65,8 +65,8 @@ UNREACHED = (
         50876,
         en="realtime cycles are off in the realtime part",
         de="Echtzeit-Zyklen sind im Echtzeit-Teil ausgeschaltet",
-        cause_en="Decoder and realtime part of nctakt share one switch, P-CHAN-00406; 21982 tells "
-        "that it is off.",
+        cause_en="Decoder and realtime part of nctakt share one switch, P-CHAN-00406; 21982 "
+        "reports that it is off.",
         cause_de="Dekoder und Echtzeit-Teil von nctakt haben einen gemeinsamen Schalter, "
         "P-CHAN-00406; 21982 meldet, dass er aus ist.",
         clearing=6,

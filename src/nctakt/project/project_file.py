@@ -161,7 +161,7 @@ class _Reader:
                 near = nearest(key, _KEYS) or NOTHING
                 names = ", ".join(_KEYS)
                 self._collector.report(
-                    UNKNOWN_PROJECT_ENTRY, *self._place(key), key=key, nearest=near, names=names
+                    UNKNOWN_PROJECT_ENTRY, *self._location(key), key=key, nearest=near, names=names
                 )
         return Project(
             self._file,
@@ -180,7 +180,7 @@ class _Reader:
             return None
         path = machine_folder(value, self._folder) if key == "machine" else self._folder / value
         if not path.exists():
-            self._collector.report(PROJECT_PATH_MISSING, *self._place(key), key=key, path=value)
+            self._collector.report(PROJECT_PATH_MISSING, *self._location(key), key=key, path=value)
         return from_here(Path(os.path.normpath(path)))
 
     def _paths(self, value: Any) -> tuple[Path, ...]:
@@ -208,15 +208,15 @@ class _Reader:
     def _wrong(self, key: str, value: Any, expected: Text, example: str) -> None:
         self._collector.report(
             INVALID_PROJECT_VALUE,
-            *self._place(key),
+            *self._location(key),
             key=key,
             value=value,
             expected=expected,
             example=example,
         )
 
-    def _place(self, key: str) -> tuple[Span, str]:
-        """Return the place of an entry's name and its line, else the file as a whole."""
+    def _location(self, key: str) -> tuple[Span, str]:
+        """Return the span of an entry's name and its line, else the whole file."""
         pattern = re.compile(rf"""\s*\[?\s*["']?(?P<key>{re.escape(key)})["']?\s*[].=]""")
         for number, line in self._own_lines():
             found = pattern.match(line)

@@ -36,11 +36,11 @@ SUPPORT = {
     Support.SIMULATED: Text("simulated", "simuliert"),
     Support.ACCEPTED: Text(
         "accepted: checked, changes no position here",
-        "angenommen: wird geprüft, ändert hier keine Position",
+        "akzeptiert: wird geprüft, ändert hier keine Position",
     ),
     Support.REFUSED: Text(
-        "refused: an error by name before the program runs",
-        "abgewiesen: ein Fehler mit Namen, bevor das Programm läuft",
+        "refused: reported by name before the program runs",
+        "abgelehnt: mit Namen gemeldet, bevor das Programm läuft",
     ),
 }
 _CONSTANTS = {
@@ -55,15 +55,15 @@ _CONSTANT = Text("constant of expressions", "Konstante in Ausdrücken")
 _COUNTS = Text("one elementary instruction", "eine Elementar-Anweisung")
 
 _WAITS = Text(
-    "at once; a synchronous one is read when the path stands, and written in its turn",
+    "at once; a synchronous one is read when the path stands, and written in program order",
     "sofort; eine synchrone wird gelesen, wenn die Bahn steht, und der Reihe nach geschrieben",
 )
 _LIVE_OR_FROZEN = Text(
-    "synchronous, or with Vs.: the value of each tick; else that of the moment of decoding",
-    "synchron oder mit Vs.: der Wert jedes Takts; sonst der beim Dekodieren",
+    "synchronous, or with Vs.: the value of each tick; otherwise the value at decoding",
+    "synchron oder mit Vs.: der Wert jedes Takts; sonst der Wert beim Dekodieren",
 )
 _PUT_OUT = Text(
-    "put out in the tick, without waiting for the PLC",
+    "output in the tick, without waiting for the PLC",
     "wird im Takt ausgegeben, ohne auf die SPS zu warten",
 )
 _READ_ONLY = Text("read", "lesen")
@@ -93,7 +93,7 @@ _FURTHER: Mapping[str, tuple[Fact, ...]] = MappingProxyType(
                 "In realtime cycles",
                 "In Echtzeit-Zyklen",
                 Text(
-                    "the value of the moment of decoding; cannot be written",
+                    "the value at decoding; cannot be written",
                     "der Wert beim Dekodieren; nicht beschreibbar",
                 ),
             ),

@@ -14,8 +14,8 @@ _MARGIN = "  "
 
 _HEAD = Text("nctakt explain WORD … explains:", "nctakt explain WORT … erklärt:")
 _FOOT = Text(
-    "The word in front of a line lists all that there is: nctakt explain messages",
-    "Das Wort am Anfang der Zeile listet alles auf: nctakt explain messages",
+    "The word at the start of a line lists them all: nctakt explain messages",
+    "Das Wort am Anfang einer Zeile listet alle auf: nctakt explain messages",
 )
 _SUCH_AS = Text("such as", "etwa")
 

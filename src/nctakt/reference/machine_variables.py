@@ -31,12 +31,12 @@ _RIGHTS = {
 }
 _SYNCHRONOUS = {
     True: Text(
-        "TRUE: realtime cycles read and write its value of each tick",
-        "TRUE: Echtzeit-Zyklen lesen und schreiben ihren Wert in jedem Takt",
+        "TRUE: realtime cycles read and write it in each tick",
+        "TRUE: Echtzeit-Zyklen lesen und schreiben sie in jedem Takt",
     ),
     False: Text(
-        "FALSE: realtime cycles have its value from the moment of decoding",
-        "FALSE: Echtzeit-Zyklen haben ihren Wert aus dem Moment des Dekodierens",
+        "FALSE: realtime cycles see its value at decoding",
+        "FALSE: Echtzeit-Zyklen sehen ihren Wert beim Dekodieren",
     ),
 }
 

@@ -79,7 +79,7 @@ def _facts(parameter: Parameter) -> Iterator[Fact]:
         yield fact(
             "Change",
             "Änderung",
-            Text("counts from the next start on", "gilt ab dem nächsten Start"),
+            Text("takes effect at the next start", "gilt ab dem nächsten Start"),
         )
     for alias in parameter.aliases:
         yield fact("Old name", "Alter Name", f"{alias.id} {alias.path}".strip())
@@ -113,7 +113,7 @@ def effect(parameter: Parameter) -> Text:
         case Relevance.YES:
             return Text(
                 "checked, no effect; would change a run",
-                "geprüft, ohne Wirkung; änderte einen Lauf",
+                "geprüft, ohne Wirkung; würde einen Lauf ändern",
             )
         case Relevance.MAYBE:
             return Text(

@@ -24,7 +24,7 @@ RULES: dict[int, str] = {
     104: "SCOPE: BLOCK, PROG, GLOBAL; PROG where it is left out",
     105: "BLOCK: in each tick whose cycle phase finds the next block current",
     106: "PROG: ends with the main program, without a run in that tick",
-    107: "GLOBAL: goes on behind program ends until DELETE or restart",
+    107: "GLOBAL: lives on after program ends until DELETE or restart",
     108: "an ID that lives already: 50900",
     109: "one ordered queue: a cycle begins exactly between the blocks where it stands",
     110: "END_ACTION: what becomes of axis motions when their cycle ends",

@@ -21,9 +21,10 @@ from nctakt.trace.events import number_text
 
 _CYCLE = Text("realtime cycle {name}", "Echtzeit-Zyklus {name}")
 _NO_NAME = Text("realtime cycle", "Echtzeit-Zyklus")
-_RAN = Text("{count} of {all} branches ran", "{count} von {all} Zweigen liefen")
-_TIMES = Text("run {runs} times", "{runs} mal gelaufen")
-_DEFINED = Text("defined {instances} times", "{instances} mal angelegt")
+_RAN = Text("{count} of {all} branches ran", "{count} von {all} Zweigen ausgeführt")
+_ONCE = Text("run once", "einmal gelaufen")
+_TIMES = Text("run {runs} times", "{runs}-mal gelaufen")
+_DEFINED = Text("defined {instances} times", "{instances}-mal angelegt")
 _NEVER = Text("never defined", "nie angelegt")
 _IDLE = Text("defined, never run", "angelegt, nie gelaufen")
 _COLUMNS = (
@@ -31,11 +32,11 @@ _COLUMNS = (
     Text("evaluated", "ausgewertet"),
     Text("true", "wahr"),
     Text("false", "falsch"),
-    Text("body", "Rumpf"),
+    Text("body", "Zweig"),
 )
 _TOTAL = Text(
-    "in all: {count} of {all} branches ran, {percent} %; runs: {runs}",
-    "insgesamt: {count} von {all} Zweigen liefen, {percent} %; Läufe: {runs}",
+    "total: {count} of {all} branches ran, {percent} %; runs: {runs}",
+    "insgesamt: {count} von {all} Zweigen ausgeführt, {percent} %; Läufe: {runs}",
 )
 _NO_CYCLES = Text("no realtime cycles", "keine Echtzeit-Zyklen")
 _PART = Text("part {text}", "Teil {text}")
@@ -43,14 +44,14 @@ _NEAREST = Text("nearest {values}, {distance} away", "am nächsten {values}, Abs
 _STATES: dict[BranchState, Text] = {
     "never true": Text("never true", "nie wahr"),
     "never false": Text("never false", "nie falsch"),
-    "no rise": Text("true all the time, no change to true", "immer wahr, kein Wechsel zu wahr"),
-    "fault": Text("an error broke it off", "ein Fehler brach ab"),
+    "no rise": Text("true all the time, no change to true", "immer wahr, kein Wechsel nach wahr"),
+    "fault": Text("an error ended it", "durch einen Fehler abgebrochen"),
     "not reached": Text("never reached", "nie erreicht"),
-    "cycle": Text("the cycle never ran", "der Zyklus lief nie"),
+    "cycle": Text("the cycle never ran", "der Zyklus ist nie gelaufen"),
 }
 _LEGEND = Text(
-    "! never ran   ~ never false   numbers are ticks",
-    "! lief nie   ~ nie falsch   Zahlen sind Takte",
+    "! never ran   ~ never false   counts are in ticks",
+    "! nie ausgeführt   ~ nie falsch   Zahlen in Takten",
 )
 
 _MARKS: dict[BranchState, str] = {"ran": " ", "never false": "~"}
@@ -97,7 +98,8 @@ class CoverageText:
         else:
             if cycle.instances > 1:
                 facts.append(self._get(_DEFINED, instances=cycle.instances))
-            facts.append(self._get(_TIMES, runs=cycle.runs))
+            times = _ONCE if cycle.runs == 1 else _TIMES
+            facts.append(self._get(times, runs=cycle.runs))
         if cycle.branches:
             facts.append(self._get(_RAN, count=cycle.ran, all=len(cycle.branches)))
         return ", ".join(facts)

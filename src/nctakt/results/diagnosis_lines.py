@@ -110,11 +110,11 @@ _PLAIN = {
 }
 _MOTIONS = {
     "done": Text("is done", "ist beendet"),
-    "aborted": Text("was given up", "wurde abgebrochen"),
+    "aborted": Text("was aborted", "wurde abgebrochen"),
     "failed": Text("has failed", "ist gescheitert"),
     "held": Text("is put on hold", "wird angehalten"),
-    "continued": Text("goes on", "geht weiter"),
-    "stopped": Text("has come to a stand", "ist zum Stehen gekommen"),
+    "continued": Text("continues", "wird fortgesetzt"),
+    "stopped": Text("has come to a stop", "ist zum Stehen gekommen"),
 }
 _DIRECTIONS = {
     "positive": Text("positive", "positiver"),

@@ -15,7 +15,7 @@ from nctakt.decoder.cycles.builder import CycleDefinition
 from nctakt.results.instruction_tree import ListedCycle, ListedStatement, list_cycle
 from nctakt.trace.events import number_text
 
-_HEAD = Text("Realtime cycle {name}, {place}", "Echtzeit-Zyklus {name}, {place}")
+_HEAD = Text("Realtime cycle {name}, {position}", "Echtzeit-Zyklus {name}, {position}")
 _SIZE = Text(
     "elementary instructions: {count}, in one run-through at most {most}; memory: {bytes} bytes",
     "Elementar-Anweisungen: {count}, in einem Durchlauf höchstens {most}; Speicher: {bytes} Byte",
@@ -39,7 +39,7 @@ class Listing:
         """Yield the lines of a cycle; ``memory_bytes`` is its share of P-CHAN-00407."""
         cycle = list_cycle(definition)
         position = f"{cycle.span.file}:{cycle.span.line}"
-        yield self._text(_HEAD, name=name, place=position)
+        yield self._text(_HEAD, name=name, position=position)
         counts = {"count": cycle.count, "most": cycle.max_count, "bytes": memory_bytes}
         yield _STEP + self._text(_SIZE, **counts)
         if cycle.frozen:

@@ -21,20 +21,20 @@ if TYPE_CHECKING:
 MAX_STARVATIONS = 6
 
 _LIST = Text(
-    "{file}: schedule {schedule}, {block} µs for a block of the decoder",
-    "{file}: schedule {schedule}, {block} µs für einen Satz des Dekoders",
+    "{file}: schedule {schedule}, {block} µs of decoding per block",
+    "{file}: schedule {schedule}, {block} µs Dekodierzeit je Satz",
 )
 _ALL = Text(
-    "The queue ran empty {count} times, for {ticks} ticks in all",
+    "The queue ran empty {count} times, for {ticks} ticks in total",
     "Die Queue lief {count}-mal leer, zusammen {ticks} Takte",
 )
 _ONCE = Text(
     "The queue ran empty once, for {ticks} ticks", "Die Queue lief einmal leer, {ticks} Takte"
 )
-_ONE = Text("  {place}: {ticks} from tick {tick} on", "  {place}: {ticks} ab Takt {tick}")
-_BEHIND = Text("behind {place}", "hinter {place}")
+_ONE = Text("  {position}: {ticks} from tick {tick}", "  {position}: {ticks} ab Takt {tick}")
+_BEHIND = Text("after {position}", "nach {position}")
 _START = Text("at the start", "am Anfang")
-_FURTHER = Text("  … {count} further", "  … {count} weitere")
+_FURTHER = Text("  … {count} more", "  … {count} weitere")
 _OVERFLOWS = Text(
     "{thread}: {count} overflows, first in tick {tick}",
     "{thread}: {count} Überläufe, zuerst in Takt {tick}",
@@ -134,10 +134,10 @@ def _line(starvation: Starvation, language: Language) -> str:
     position = _START.get(language)
     if starvation.span is not None:
         position = _BEHIND.get(language).format(
-            place=f"{starvation.span.file}:{starvation.span.line}"
+            position=f"{starvation.span.file}:{starvation.span.line}"
         )
     if starvation.channel:
         position = f"CH{starvation.channel} {position}"
     return _ONE.get(language).format(
-        place=position, ticks=starvation.ticks, tick=starvation.first_tick
+        position=position, ticks=starvation.ticks, tick=starvation.first_tick
     )

@@ -47,10 +47,10 @@ _FROM_CYCLE = Text("realtime cycle", "Echtzeit-Zyklus")
 _FROM_PROGRAM = Text("program", "Programm")
 _FROZEN = Text("Frozen in cycle {name}: {values}", "Eingefroren in Zyklus {name}: {values}")
 _FROZEN_VALUE = Text("{name} = {value} (line {line})", "{name} = {value} (Zeile {line})")
-_FURTHER = Text("… {count} further", "… {count} weitere")
+_FURTHER = Text("… {count} more", "… {count} weitere")
 _NEVER = Text("never", "nie")
 _NO_REACTION = Text("no branch", "kein Zweig")
-_TIMES = Text("{count} times", "{count} mal")
+_TIMES = Text("{count} times", "{count}-mal")
 #: Counted things: singular and plural.
 _COUNTS = (
     (Text("message", "Meldung"), Text("messages", "Meldungen")),
@@ -115,7 +115,7 @@ def headline(run: Run, language: Language, wall_s: float | None) -> str:
     factor = _factor(run.virtual_time_us / 1e6 / wall_s)
     faster = Text(
         f"in {took}, {factor} times as fast as the machine",
-        f"in {took}, {factor} mal so schnell wie die Maschine",
+        f"in {took}, {factor}-mal so schnell wie die Maschine",
     )
     return f"{text}, {faster.get(language)}"
 

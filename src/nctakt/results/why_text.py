@@ -33,20 +33,21 @@ _WIDTH = 90
 
 _CYCLE = Text("realtime cycle {name}", "Echtzeit-Zyklus {name}")
 _UNREACHED = Text("realtime cycle", "Echtzeit-Zyklus")
-_LIVING = Text("lives since before the run", "lebt seit vor dem Lauf")
+_LIVING = Text("already existed before the run", "bestand schon vor dem Lauf")
 _STEPS = {
     "created": Text("defined", "angelegt"),
     "started": Text("started", "gestartet"),
-    "held": Text("held", "angehalten"),
+    "held": Text("put on hold", "angehalten"),
     "continued": Text("continued", "fortgesetzt"),
     "ended": Text("ended", "beendet"),
 }
 _AND_STARTED = Text("defined and started", "angelegt und gestartet")
 _STEP_AT = Text("{step} at {tick}", "{step} in {tick}")
-_RAN_IN = Text("ran in {times}", "lief: {times}")
-_NEVER_RAN = Text("never ran: {reason}", "lief nie: {reason}")
+_RAN_IN = Text("ran in {times}", "gelaufen: {times}")
+_NEVER_RAN = Text("never ran: {reason}", "nie gelaufen: {reason}")
 _OUTSIDE = Text(
-    "what stands in no $IF runs in each run-through", "was in keinem $IF steht, läuft jedes Mal"
+    "statements outside $IF run in every run-through",
+    "Anweisungen außerhalb von $IF laufen in jedem Durchlauf",
 )
 _FROZEN = Text(
     "{name} is {value}, frozen when the definition was decoded",
@@ -56,9 +57,9 @@ _EVALUATED = Text("evaluated in {times}", "ausgewertet: {times}")
 _TRUE_FROM = Text("true from {seen}", "wahr ab {seen}")
 _FALSE_FROM = Text("false from {seen}", "falsch ab {seen}")
 _PART = Text("part {text}", "Teil {text}")
-_BODY_ONCE = Text("body ran once, in {times}", "Rumpf lief einmal: {times}")
-_BODY = Text("body ran {count} times, in {times}", "Rumpf lief {count} mal: {times}")
-_BODY_NEVER = Text("body never ran: {reason}", "Rumpf lief nie: {reason}")
+_BODY_ONCE = Text("body ran once, in {times}", "Zweig einmal ausgeführt: {times}")
+_BODY = Text("body ran {count} times, in {times}", "Zweig {count}-mal ausgeführt: {times}")
+_BODY_NEVER = Text("body never ran: {reason}", "Zweig nie ausgeführt: {reason}")
 _DONE = Text("ONCE: done, no longer evaluated", "ONCE: erledigt, nicht mehr ausgewertet")
 _LATCHED = Text(
     "ALWAYS: latched since {tick}, no longer evaluated",
@@ -74,9 +75,9 @@ _AT_EVALUATED = Text("evaluated in this tick", "in diesem Takt ausgewertet")
 _AT_NOT_EVALUATED = Text("not evaluated in this tick", "in diesem Takt nicht ausgewertet")
 _AT_TRUE = Text("true since {seen}", "wahr seit {seen}")
 _AT_FALSE = Text("false since {seen}", "falsch seit {seen}")
-_AT_BODY = Text("body ran", "Rumpf lief")
-_AT_NO_BODY_FALSE = Text("body did not run", "Rumpf lief nicht")
-_AT_NO_BODY = Text("body did not run: {reason}", "Rumpf lief nicht: {reason}")
+_AT_BODY = Text("body ran", "Zweig ausgeführt")
+_AT_NO_BODY_FALSE = Text("body did not run", "Zweig nicht ausgeführt")
+_AT_NO_BODY = Text("body did not run: {reason}", "Zweig nicht ausgeführt: {reason}")
 
 
 def render_report(

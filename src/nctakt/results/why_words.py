@@ -40,11 +40,11 @@ _NEVER_TRUE = Text("never true", "nie wahr")
 _AT_COMMAND = Text("{text}, {line}", "{text}, {line}")
 
 _ENDED_BY = {
-    "scope": Text("its block was over", "sein Satz war vorbei"),
+    "scope": Text("its block ended", "sein Satz war zu Ende"),
     "program": Text("the program ended", "das Programm endete"),
     "delete": Text("deleted", "gelöscht"),
     "reset": Text("reset", "Reset"),
-    "error": Text("an error in it", "ein Fehler darin"),
+    "error": Text("an error in the cycle", "Fehler im Zyklus"),
 }
 
 _CYCLE_REASONS = {
@@ -54,15 +54,15 @@ _CYCLE_REASONS = {
         "defined at {tick} with DEF, not started", "in {tick} mit DEF angelegt, nicht gestartet"
     ),
     "waiting": Text(
-        "started at {tick}, it waits for its block", "in {tick} gestartet, wartet auf seinen Satz"
+        "started at {tick}, waiting for its block", "in {tick} gestartet, wartet auf seinen Satz"
     ),
-    "held": Text("held since {tick}", "angehalten seit {tick}"),
+    "held": Text("on hold since {tick}", "angehalten seit {tick}"),
     "ended": Text("ended at {tick}", "beendet in {tick}"),
     "stopped": Text(
         "stopped in this tick by the fault of another cycle",
         "in diesem Takt durch den Fehler eines anderen Zyklus gestoppt",
     ),
-    "reset": Text("the channel was being reset", "der Kanal war im Reset"),
+    "reset": Text("the channel was being reset", "der Kanal wurde zurückgesetzt"),
     "forgotten": Text("too long ago to be known", "zu lange her, nicht mehr bekannt"),
 }
 
@@ -72,17 +72,17 @@ _BRANCH_REASONS = {
     "earlier": Text("not reached: {line} ran", "nicht erreicht: {line} lief"),
     "no rise": Text(
         "EDGE: true already since {tick}, no change from false to true",
-        "EDGE: wahr schon seit {tick}, kein Wechsel von falsch nach wahr",
+        "EDGE: schon seit {tick} wahr, kein Wechsel von falsch nach wahr",
     ),
     "no rise before": Text(
         "EDGE: true already before the run, no change from false to true",
-        "EDGE: wahr schon vor dem Lauf, kein Wechsel von falsch nach wahr",
+        "EDGE: schon vor dem Lauf wahr, kein Wechsel von falsch nach wahr",
     ),
     "done": Text("ONCE: done since {tick}", "ONCE: erledigt seit {tick}"),
     "done before": Text("ONCE: done before the run", "ONCE: vor dem Lauf erledigt"),
     "fault": Text("an error ended the cycle at {tick}", "ein Fehler beendete den Zyklus in {tick}"),
     "false since": Text("false since {seen}", "falsch seit {seen}"),
-    "false": Text("false since before the run", "falsch seit vor dem Lauf"),
+    "false": Text("false since before the run", "schon vor dem Lauf falsch"),
     "forgotten": Text("too long ago to be known", "zu lange her, nicht mehr bekannt"),
 }
 

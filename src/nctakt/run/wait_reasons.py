@@ -31,8 +31,8 @@ _REASONS = {
     ),
     "feed hold": Text("the end of the feed hold", "das Ende des Vorschubhalts"),
     "override": Text(
-        "an override above 0: the operator's is 0 %",
-        "einen Override über 0: der des Bedieners ist 0 %",
+        "an override above 0: the operator's override is 0 %",
+        "einen Override über 0: der Override des Bedieners ist 0 %",
     ),
     "cycle override": Text(
         "an override above 0: a realtime cycle sets V.RTG.OVERRIDE.VEL.CYCLE to 0 %",

@@ -44,7 +44,7 @@ from nctakt.schedule.model import (
 #: More calls in one activation than this are not simulated.
 MOST_CALLS = 10_000
 
-_OFFLINE = Text("it is offline or kept from it", "sie ist abgeschaltet oder nicht verfügbar")
+_OFFLINE = Text("it is offline or not available", "sie ist abgeschaltet oder nicht verfügbar")
 
 
 def assemble(

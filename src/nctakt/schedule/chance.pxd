@@ -6,7 +6,7 @@ cdef class Chance:
     cdef object _seed
     cdef object _source
     cdef unsigned long long[::1] _words
-    cdef Py_ssize_t _place
+    cdef Py_ssize_t _next
     cdef Py_ssize_t _count
 
     cdef _refill(self)

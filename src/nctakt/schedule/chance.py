@@ -23,22 +23,22 @@ class Chance:
         self._seed = seed
         self._source: Any = None
         self._words = array("Q")
-        self._place = 0
+        self._next = 0
         self._count = 0
 
     def _refill(self) -> None:
         if self._source is None:
             self._source = _generator(self._seed)
         self._words = array("Q", self._source.random_raw(_BLOCK).tobytes())
-        self._place = 0
+        self._next = 0
         self._count = _BLOCK
 
     def _word(self) -> int:
         """The next 32 bits."""
-        if self._place == self._count:
+        if self._next == self._count:
             self._refill()
-        self._place += 1
-        return self._words[self._place - 1]
+        self._next += 1
+        return self._words[self._next - 1]
 
     def below(self, limit: int, bits: int) -> int:
         """A number from 0 to below ``limit``, which has ``bits`` bits (at most 63)."""

@@ -32,9 +32,9 @@ cdef class Counters:
     @cython.locals(counts=dict, step=cython.longlong)
     cpdef finish(self, Py_ssize_t i, long long response)
     cpdef runs_late(self, Py_ssize_t cpu, Py_ssize_t i)
-    @cython.locals(total=cython.longlong, share=cython.longlong, place=cython.Py_ssize_t)
+    @cython.locals(total=cython.longlong, share=cython.longlong, column=cython.Py_ssize_t)
     cpdef end_cycle(
         self, long long[::1] idle, long long point, long long end, bint is_missed, bint suspended
     )
-    cdef _violate(self, Py_ssize_t place, bint is_late)
-    cdef _share(self, Py_ssize_t place, long long share)
+    cdef _violate(self, Py_ssize_t column, bint is_late)
+    cdef _share(self, Py_ssize_t column, long long share)

@@ -141,31 +141,31 @@ class Counters:
         self._cycles[0] += is_missed
         self._cycles[1] += suspended
         total = 0
-        for place in range(self._sum):
-            share = idle[self._cpus[place]]
+        for column in range(self._sum):
+            share = idle[self._cpus[column]]
             total += share
-            self._share(place, share)
+            self._share(column, share)
             if share < self._guarantee:
-                self._violate(place, point == NEVER or end - point < self._guarantee)
+                self._violate(column, point == NEVER or end - point < self._guarantee)
         if self._has_runners:
             for runners in self._runners:
                 runners.clear()
             self._has_runners = False
         self._share(self._sum, total)
 
-    def _violate(self, place: int, is_late: bool) -> None:
+    def _violate(self, column: int, is_late: bool) -> None:
         """Windows got less than it should have."""
-        for one in (place, self._sum):
+        for one in (column, self._sum):
             self._violated[one] += 1
             self._late[one] += is_late
-            for i in dict.fromkeys(self._runners[self._cpus[place]]):
+            for i in dict.fromkeys(self._runners[self._cpus[column]]):
                 self._culprits[one][i] += 1
 
-    def _share(self, place: int, share: int) -> None:
-        self._total[place] += share
-        self._most[place] = max(self._most[place], share)
-        if share < self._least[place] or self._least[place] == _NONE:
-            self._least[place] = share
+    def _share(self, column: int, share: int) -> None:
+        self._total[column] += share
+        self._most[column] = max(self._most[column], share)
+        if share < self._least[column] or self._least[column] == _NONE:
+            self._least[column] = share
 
     @property
     def missed(self) -> int:
@@ -202,14 +202,14 @@ class Counters:
         return tuple(
             WindowsNumbers(
                 cpu,
-                self._total[place],
-                self._least[place],
-                self._most[place],
-                self._violated[place],
-                tuple(self._culprits[place]),
-                self._late[place],
+                self._total[column],
+                self._least[column],
+                self._most[column],
+                self._violated[column],
+                tuple(self._culprits[column]),
+                self._late[column],
             )
-            for place, cpu in enumerate((*self._cpus, 0))
+            for column, cpu in enumerate((*self._cpus, 0))
         )
 
 

@@ -33,15 +33,15 @@ def load_text(model: Model, learnt: LearntTimes, form: TimesForm, source: str) -
     for (i, name), times in learnt.calls.items():
         key = name
         if len(callers[name]) > 1:
-            # Several threads call it: each place in the list has its own times.
-            key = _place(model, i, name)
+            # Several threads call it: each of them has its own times.
+            key = _entry(model, i, name)
         lines.append(_line(key, times, form))
     for name, times in learnt.external.items():
         lines += ["", f"[external.{_key(name)}]", _line("time", times, form)]
     return "\n".join(lines) + "\n"
 
 
-def _place(model: Model, i: int, name: str) -> str:
+def _entry(model: Model, i: int, name: str) -> str:
     call = next(call for call in model.tasks[i].calls if call.function == name)
     return f"{model.tasks[i].key}.function[{call.index}]"
 

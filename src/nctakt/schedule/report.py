@@ -104,8 +104,8 @@ def chosen_report(model: Model, language: Language) -> list[str]:
 def dead_time_report(model: Model, language: Language) -> list[str]:
     """Return the time from reading to putting out of the interpolation, where the load tells it."""
     text = Text(
-        "schedule {schedule}: {thread} puts out {time} µs after it has begun to read",
-        "schedule {schedule}: {thread} gibt {time} µs nach Beginn des Lesens aus",
+        "schedule {schedule}: {thread} outputs {time} µs after it starts reading",
+        "schedule {schedule}: {thread} gibt {time} µs nach Beginn des Einlesens aus",
     )
     return [
         text.get(language).format(schedule=model.schedule, thread=name, time=us(time))
@@ -146,7 +146,9 @@ def _phase_report(
     )
     lines = [assumed.get(language).format(phase=us(run.model.train.phase))]
     if not worst_phases:
-        same = Text("It makes no difference for long.", "Auf Dauer macht sie keinen Unterschied.")
+        same = Text(
+            "In the long run it makes no difference.", "Auf Dauer macht sie keinen Unterschied."
+        )
         return [f"{lines[0]} {same.get(language)}"]
     runs = [run, *worst_phases.values()]
     heads = Text("Phase", "Phase").get(language)
@@ -318,8 +320,8 @@ def _meaning_of_bounds(analysis: Analysis) -> Text:
             "Die Antwortzeiten sind genau: die der Simulation.",
         )
     return Text(
-        "≤ is an upper bound: no simulation shows more, many show less. ∞: no bound was found.\n"
-        "Without a sign a response is exact: that of the simulation.",
+        "≤ is an upper bound: no simulation shows more, and many show less. ∞: no bound was "
+        "found.\nWithout a sign a response is exact: that of the simulation.",
         "≤ ist eine obere Schranke: keine Simulation zeigt mehr, viele zeigen weniger. ∞: keine\n"
         "Schranke gefunden. Ohne Zeichen ist eine Antwortzeit genau: die der Simulation.",
     )

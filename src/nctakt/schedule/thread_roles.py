@@ -73,12 +73,12 @@ def find_thread_roles(
     if len(periods) > 1:
         names = ", ".join(model.tasks[i].name for i in interpolators)
         found.report(NO_COMMON_TICK, None, threads=names)
-    place = _plc(model, plc, found)
+    plc_thread = _plc(model, plc, found)
     collector.diagnostics += found.diagnostics
     if found.has_errors:
         return None
     groups = tuple((threads, tuple(own)) for threads, own in decoders.items())
-    return ThreadRoles(periods.pop(), tuple(interpolators), groups, place)
+    return ThreadRoles(periods.pop(), tuple(interpolators), groups, plc_thread)
 
 
 def _plc(model: Model, name: str | None, collector: Collector) -> int | None:

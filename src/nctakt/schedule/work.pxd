@@ -15,7 +15,7 @@ cdef class Work:
     cdef long long[::1] _bits
     cdef list _lists
     cdef long long[::1] _function
-    cdef long long[::1] _places
+    cdef long long[::1] _positions
 
     @cython.locals(work=cython.longlong, time=cython.longlong, i=cython.Py_ssize_t)
     cpdef long long draw(self) except? -1

@@ -39,7 +39,7 @@ class Work:
         self._lists = [one.values for one in executions]
         functions = list(dict.fromkeys(call.function for call in task.calls))
         self._function = array("q", [functions.index(call.function) for call in task.calls])
-        self._places = array("q", [0] * len(functions))
+        self._positions = array("q", [0] * len(functions))
 
     @property
     def is_constant(self) -> bool:
@@ -54,7 +54,7 @@ class Work:
     @property
     def state(self) -> tuple[int, ...]:
         """Return the position in each function's list of times."""
-        return tuple(self._places)
+        return tuple(self._positions)
 
     def draw(self) -> int:
         """The work of the next job; ``times`` holds its calls' times from then on."""
@@ -73,6 +73,6 @@ class Work:
     def _next(self, i: int) -> int:
         """The next time in the list of a call's function."""
         values = self._lists[i]
-        place = self._places[self._function[i]]
-        self._places[self._function[i]] = (place + 1) % len(values)
-        return values[place % len(values)]
+        position = self._positions[self._function[i]]
+        self._positions[self._function[i]] = (position + 1) % len(values)
+        return values[position % len(values)]

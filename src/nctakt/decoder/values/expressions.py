@@ -13,7 +13,7 @@ from functools import cached_property
 from typing import NoReturn
 
 from nctakt.decoder.values.fusing import Operand, constant, fuse
-from nctakt.kernel.cycles import conditions, expressions
+from nctakt.kernel.cycles import conditions, expressions, functions
 from nctakt.kernel.cycles.conditions import Condition
 from nctakt.kernel.cycles.context import Context, empty_context
 from nctakt.kernel.cycles.expressions import Expression
@@ -43,27 +43,27 @@ _BINARY: dict[str, type[expressions.Binary]] = {
 _UNARY: dict[str, type[expressions.Unary]] = {
     "-": expressions.Negate,
     "NOT": expressions.Not,
-    "INV": expressions.Invert,
-    "ABS": expressions.Absolute,
-    "SQR": expressions.Square,
-    "SQRT": expressions.SquareRoot,
-    "EXP": expressions.Exponential,
-    "DEXP": expressions.DecimalExponential,
-    "LN": expressions.NaturalLogarithm,
-    "LOG": expressions.DecimalLogarithm,
-    "SIN": expressions.Sine,
-    "COS": expressions.Cosine,
-    "TAN": expressions.Tangent,
-    "COT": expressions.Cotangent,
-    "ASIN": expressions.ArcSine,
-    "ACOS": expressions.ArcCosine,
-    "ATAN": expressions.ArcTangent,
-    "ACOT": expressions.ArcCotangent,
-    "INT": expressions.Truncate,
-    "FRACT": expressions.Fraction,
-    "ROUND": expressions.Round,
-    "CEIL": expressions.Ceiling,
-    "FLOOR": expressions.Floor,
+    "INV": functions.Invert,
+    "ABS": functions.Absolute,
+    "SQR": functions.Square,
+    "SQRT": functions.SquareRoot,
+    "EXP": functions.Exponential,
+    "DEXP": functions.DecimalExponential,
+    "LN": functions.NaturalLogarithm,
+    "LOG": functions.DecimalLogarithm,
+    "SIN": functions.Sine,
+    "COS": functions.Cosine,
+    "TAN": functions.Tangent,
+    "COT": functions.Cotangent,
+    "ASIN": functions.ArcSine,
+    "ACOS": functions.ArcCosine,
+    "ATAN": functions.ArcTangent,
+    "ACOT": functions.ArcCotangent,
+    "INT": functions.Truncate,
+    "FRACT": functions.Fraction,
+    "ROUND": functions.Round,
+    "CEIL": functions.Ceiling,
+    "FLOOR": functions.Floor,
 }
 
 #: Comparisons of two expressions, and of a variable with a number.
@@ -186,7 +186,7 @@ class ExpressionBuilder:
             return asked
         if call.function == "ATAN2":
             left, right = (self.build(argument) for argument in call.arguments)
-            node = expressions.ArcTangent2(left.node, right.node)
+            node = functions.ArcTangent2(left.node, right.node)
             if left.constant is not None and right.constant is not None:
                 return self._folded(node)
             return Operand(node)

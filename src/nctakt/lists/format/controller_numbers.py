@@ -25,17 +25,17 @@ CASES: dict[str, Text] = {
     "negative": Text("it is negative", "er ist negativ"),
     "low": Text("it is too small", "er ist zu klein"),
     "high": Text("it is too large", "er ist zu groß"),
-    "invalid": Text("it is none of those allowed", "er ist keiner der erlaubten"),
+    "invalid": Text("it is not an allowed value", "er ist kein erlaubter Wert"),
     "missing": Text(
-        "what it names or needs is not there", "was er nennt oder braucht, ist nicht vorhanden"
+        "what it names or needs does not exist", "was er nennt oder braucht, ist nicht vorhanden"
     ),
     "count": Text(
         "the number of entries does not fit it", "die Anzahl der Einträge passt nicht dazu"
     ),
     "twice": Text("it is used twice", "er kommt doppelt vor"),
     "order": Text(
-        "it does not fit the value that it belongs to",
-        "er passt nicht zu dem Wert, zu dem er gehört",
+        "it does not fit a related value",
+        "er passt nicht zu einem zugehörigen Wert",
     ),
     "differs": Text(
         "it differs between axes that must agree",
@@ -43,14 +43,15 @@ CASES: dict[str, Text] = {
     ),
     "file": Text("its file cannot be used", "seine Datei ist nicht verwendbar"),
     "position": Text(
-        "an axis is or would be beyond it", "eine Achse steht jenseits davon oder würde es"
+        "an axis is or would be beyond this limit",
+        "eine Achse steht jenseits dieser Grenze oder käme dorthin",
     ),
     "drive": Text("this drive does not allow it", "dieser Antrieb lässt ihn nicht zu"),
     "corrected": Text("it was corrected", "er wurde berichtigt"),
     "restart": Text(
-        "a change counts from the next start on", "eine Änderung gilt ab dem nächsten Start"
+        "a change takes effect at the next start", "eine Änderung gilt ab dem nächsten Start"
     ),
-    "other": Text("a fault in which it is concerned", "ein Fehler, bei dem er beteiligt ist"),
+    "other": Text("a fault that involves it", "ein Fehler, an dem er beteiligt ist"),
 }
 
 

@@ -244,7 +244,7 @@ def _active_gear(
             return gear
     used = gears[0].gear_number
     values.report(
-        collector, UNKNOWN_GEAR_STEP, ("kenngr.getriebe_stufe",), wanted=number, used=used
+        collector, UNKNOWN_GEAR_STEP, ("kenngr.getriebe_stufe",), number=number, used=used
     )
     return gears[0]
 

@@ -116,13 +116,13 @@ KEYWORDS = _rows(
     ),
     (
         "CONTINUE",
-        "a held cycle goes on with the states that it had",
+        "a cycle on hold continues with the states that it had",
         "ein angehaltener Zyklus läuft mit den Zuständen weiter, die er hatte",
         "#RT CYCLE CONTINUE [ID=1]",
     ),
     (
         "ABORT ACTION",
-        "motions and spindle jobs of the cycle end; it goes on running",
+        "motions and spindle jobs of the cycle end; it keeps running",
         "Bewegungen und Spindelaufträge des Zyklus enden; er selbst läuft weiter",
         "#RT CYCLE ABORT ACTION [ID=1]",
     ),

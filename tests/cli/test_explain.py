@@ -172,7 +172,7 @@ def test_a_word_without_an_article_is_searched_in_all_texts(capsys: Captured) ->
     """Names and meanings first; those that are too many are counted."""
     assert main(["explain", "cannot be written"]) == 0
     lines = capsys.readouterr().out.splitlines()
-    assert lines[0].startswith("'cannot be written' stands in ")
+    assert lines[0].startswith("'cannot be written' appears in ")
     assert any(line.startswith("22009 ") for line in lines)
     assert main(["explain", "gleich", "--lang", "de"]) == 0
     assert capsys.readouterr().out.startswith("'gleich' steht in ")

@@ -119,11 +119,11 @@ def test_what_is_to_blame_is_followed_outwards() -> None:
             "en",
             "never ran: ended at tick 1 (0.001 s): the",
         ),
-        ("#RT CYCLE\nV.E.COUNT = 1/V.E.VALUE\n#RT CYCLE END\n", "en", "it: error 50879, line 2"),
+        ("#RT CYCLE\nV.E.COUNT = 1/V.E.VALUE\n#RT CYCLE END\n", "en", "cycle: error 50879, line 2"),
         (
             "#RT CYCLE\nV.E.COUNT = 1/V.E.VALUE\n#RT CYCLE END\n",
             "de",
-            "darin: Fehler 50879, Zeile 2",
+            "im Zyklus: Fehler 50879, Zeile 2",
         ),
         ("$IF 0\n#RT CYCLE\n#RT CYCLE END\n$ENDIF\n", "en", "never ran: not defined in this run"),
         ("G00 X1\n", "en", "no realtime cycles\n"),
@@ -136,7 +136,7 @@ def test_what_is_to_blame_is_followed_outwards() -> None:
         (
             "#RT CYCLE [ID=2]\n#RT CYCLE END\nG04 X1\n#RT CYCLE HOLD [ID=2]\nG04 X1\n",
             "en",
-            "  held at tick 1000 (1 s), line 4\n  ran in ticks 0 to 999\n  ended at",
+            "  put on hold at tick 1000 (1 s), line 4\n  ran in ticks 0 to 999\n  ended at",
         ),
     ],
 )

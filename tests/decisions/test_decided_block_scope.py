@@ -10,6 +10,7 @@ from decided import machine, numbers, perform, told
 
 from nctakt.results.run import Run
 from nctakt.run.controller import Controller
+from nctakt.run.stimuli import Stimulus
 
 CYCLE = "#RT CYCLE [ID=1 SCOPE=BLOCK]\nV.E.COUNT += 1\n#RT CYCLE END\n"
 
@@ -100,3 +101,21 @@ def test_managing_cycles_is_no_block_of_theirs() -> None:
     counts = [line for line in told(run, "written") if "COUNT" in line]
     assert [line.split()[-1] for line in counts] == ["1", "2", "3"]
     assert run.errors == ()
+
+
+@pytest.mark.parametrize("fault", range(1, 11))
+def test_a_block_that_brakes_to_its_end_is_over_behind_a_fault(fault: int) -> None:
+    """RC-105, RC-505, MO-14: G00 X0.1 takes ten ticks, the last five of which brake.
+
+    A fault in the first five stops the path within the block, whose cycle stays. From the sixth on
+    the path has stopped at the block's end with its tenth tick: the cycle ends in the next one.
+    """
+    faulty = "#RT CYCLE [ID=2]\nV.E.VALUE1 = 6 / [V.E.TRIGGER - 2]\n#RT CYCLE END\n"
+    run = perform(
+        f"{faulty}{CYCLE}G00 X0.1\nG04 0.01\nM30",
+        at=[Stimulus(f"{fault - 1} ms", "V.E.TRIGGER", 2)],
+        after="20 ms",
+    )
+    ended = ["10 ended 1 scope"] if fault > 5 else []
+    of_fault = [f"{fault - 1} ended 2 error"]
+    assert told(run, "ended") == sorted(of_fault + ended, key=lambda line: int(line.split()[0]))

@@ -154,6 +154,8 @@ class Reference:
                 self._values[variable] = number
         waiting = command
         answers = reads = False
+        if self._has_ended_braking():
+            self._leave_block()
         if not self._left and self._braking < 0:
             self._leave_block()
             while waiting is not None and not self._left and not answers:
@@ -195,6 +197,10 @@ class Reference:
             self._fault_tick = self.tick
             moved = 10 - self._left if self._left and self._moving else 0
             self._braking = min(moved, self._left)
+
+    def _has_ended_braking(self) -> bool:
+        """RC-105, RC-505: a move whose second half is its braking is over when it stands."""
+        return self._braking == 0 and self._moving and 0 < self._left <= 5
 
     def _enter_block(self) -> None:
         """RC-105: BLOCK cycles run with the next block that takes time, by a motion or a wait."""

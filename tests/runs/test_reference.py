@@ -236,6 +236,12 @@ def test_both_interpreters_agree(seeds: range) -> None:
         agree(seed)
 
 
+@pytest.mark.parametrize("seed", [2005779])
+def test_both_interpreters_agree_where_they_once_did_not(seed: int) -> None:
+    """2005779: a fault while the block of another cycle brakes by itself (RC-105, RC-505)."""
+    agree(seed)
+
+
 def agree(seed: int) -> None:
     """One to three programs of one seed, in both interpreters."""
     writer = Writer(seed)

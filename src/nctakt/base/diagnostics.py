@@ -276,8 +276,9 @@ def _shown_value(value: object, language: Language) -> object:
 
 
 def number_text(value: float) -> str:
-    """Return a number for a reader: integers without ``.0``, others with twelve digits."""
-    return f"{value + 0.0:.12g}"
+    """Return a number for a reader: integers in full, up to 1e21, others with twelve digits."""
+    is_integer = abs(value) < 1e21 and value == int(value)
+    return f"{int(value)}" if is_integer else f"{value:.12g}"
 
 
 def excerpt(line: str, column: int, end_column: int) -> list[str]:

@@ -231,9 +231,11 @@ BLOCK_PASSED_OVER = note(
     de="dieser Satz braucht keine Zeit: der Echtzeit-Zyklus mit Gültigkeit BLOCK wartet auf den "
     "nächsten",
     cause_en="A BLOCK cycle runs in the next block that takes at least one tick: by a motion, a "
-    "dwell, or because it waits.",
+    "dwell, or because it waits. A motion to where the axes are already has zero length and takes "
+    "no time, and neither does a dwell of 0 s.",
     cause_de="Ein BLOCK-Zyklus läuft im nächsten Satz, der mindestens einen Takt dauert: durch "
-    "Bewegung, Verweilen oder weil er wartet.",
+    "Bewegung, Verweilen oder weil er wartet. Eine Bewegung dorthin, wo die Achsen schon sind, "
+    "hat die Länge null und braucht keine Zeit, ebenso wenig eine Verweilzeit von 0 s.",
 )
 UNKNOWN_CYCLE_TIMER = error(
     21167,

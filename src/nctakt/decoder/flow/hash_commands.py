@@ -78,7 +78,7 @@ class HashCommands:
             identity = yield from self._values.evaluate(keyword.value, number)
             if not 0 <= identity == int(identity) < TIMERS:
                 most = TIMERS - 1
-                self._values.fail(UNKNOWN_TIMER, keyword.value.span, id=f"{identity:g}", most=most)
+                self._values.fail(UNKNOWN_TIMER, keyword.value.span, id=identity, most=most)
         index = int(identity)
         timers = self._environment.controller_data.timers
         if not timer.options:

@@ -68,7 +68,7 @@ class ActiveTool:
     def _number(self, word: Word, value: float) -> int:
         number = int(arithmetic.round_half_even(value))
         if number != value or number < 0:
-            self._fail(INVALID_TOOL_NUMBER, word.span, word=word.name, value=f"{value:g}")
+            self._fail(INVALID_TOOL_NUMBER, word.span, word=word.name, value=value)
         return number
 
     def _change_radius(self, radius: float, command: str, span: Span) -> None:

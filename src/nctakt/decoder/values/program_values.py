@@ -121,7 +121,7 @@ class ProgramValues:
                     INVALID_ELEMENT_COUNT,
                     index.span,
                     name=f"V.{variable.family}",
-                    count=f"{count:g}",
+                    count=count,
                 )
             dimensions.append(int(count))
         values: list[float | str] = []

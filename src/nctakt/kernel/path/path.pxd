@@ -67,6 +67,7 @@ cdef class Path(PathAxes):
     @cython.locals(goal=double)
     cdef int ends_moving(self) noexcept nogil
     cdef void set_single(self, bint is_single) noexcept nogil
+    cdef int is_at_end(self) noexcept nogil
     cdef int step_carried(self, double factor, int is_stopping) noexcept nogil
     cdef double highest_speed(self, double factor, int is_stopping) noexcept nogil
     @cython.locals(rest_d=double, limit_a=double, end_v=double, remaining_v=double, ahead=double)

@@ -207,7 +207,19 @@ class Path(PathAxes):
             self.offset_t = 0.0
             self.replan(limit_v)
         self.ticks += 1
-        return self.advance()
+        has_time_left = self.advance()
+        if self.speed_v == 0.0 and self.is_active and self.is_at_end():
+            self.left_t = 0.0
+            return self.finish()
+        return has_time_left
+
+    def is_at_end(self) -> int:
+        """Return whether the segment has nothing left but what rounding may leave, in mm.
+
+        A stop whose braking distance is that to the end has ended the segment (RC-105, MO-6).
+        """
+        rest_d = geometry.total_length(self.history_rows, self.row) - self.covered_d
+        return 1 if rest_d <= 1e-9 and rest_d < self.covered_d else 0
 
     def set_single(self, is_single: bool) -> None:
         """Switch single block; plan the current segment anew where it matters (MO-6)."""

@@ -12,6 +12,7 @@ from dataclasses import replace
 from typing import Literal
 
 from nctakt.base.dataclass import dataclass, field
+from nctakt.base.diagnostics import number_text
 from nctakt.base.text import close_names
 from nctakt.lists.declared.offsets import MOST_GROUPS
 from nctakt.lists.machine.channel_configuration import ChannelParameters, program_parameter
@@ -219,7 +220,7 @@ class WordChecker:
             )
         elif not value.value.is_integer() or value.value < 0:
             self._findings.report(
-                INVALID_FUNCTION_NUMBER, word.span, word=f"{word.name}{value.value:g}"
+                INVALID_FUNCTION_NUMBER, word.span, word=f"{word.name}{number_text(value.value)}"
             )
         else:
             return int(value.value)

@@ -12,6 +12,7 @@ import re
 from collections.abc import Sequence
 from itertools import zip_longest
 
+from nctakt.base.diagnostics import number_text
 from nctakt.base.text import close_names
 from nctakt.messages.checked_cycles import (
     ASYNCHRONOUS_WRITE_IN_CYCLE,
@@ -394,7 +395,7 @@ class ValueChecker:
     def _asynchronous(self, target: Variable | Parameter) -> None:
         name = path_text(target) if isinstance(target, Variable) else "P"
         if isinstance(target, Parameter) and isinstance(target.index, Number):
-            name = f"P{target.index.value:g}"
+            name = f"P{number_text(target.index.value)}"
         self._findings.report(ASYNCHRONOUS_WRITE_IN_CYCLE, target.span, name=name)
 
     def _found(self, variable: Variable) -> Location | None:

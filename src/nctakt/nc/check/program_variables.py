@@ -6,6 +6,7 @@ In: ``#VAR`` and ``#DELETE``. Out: diagnostics.
 
 from __future__ import annotations
 
+from nctakt.base.diagnostics import number_text
 from nctakt.base.text import close_names
 from nctakt.lists.declared.variables import SCALARS
 from nctakt.messages.checked_blocks import INVALID_COMMAND_FORM
@@ -63,7 +64,7 @@ class ProgramVariableChecker:
             if isinstance(index, Number) and not 1 <= index.value == int(index.value):
                 name = path_text(variable)
                 self._findings.report(
-                    INVALID_ELEMENT_COUNT, index.span, name=name, count=f"{index.value:g}"
+                    INVALID_ELEMENT_COUNT, index.span, name=name, count=number_text(index.value)
                 )
         if declaration.type_name is not None and declaration.type_name not in TYPES:
             word = declaration.type_name

@@ -177,9 +177,13 @@ class CycleChecker:
         if not isinstance(value, Number):
             return
         if is_global and value.value <= 0:
-            self._findings.report(INVALID_GLOBAL_CYCLE_ID, value.span, id=f"{value.value:.15g}")
+            self._findings.report(
+                INVALID_GLOBAL_CYCLE_ID, value.span, id=self._findings.written(value.span)
+            )
         elif not 1 <= value.value <= HIGHEST_ID or not value.value.is_integer():
-            self._findings.report(INVALID_CYCLE_ID, value.span, id=f"{value.value:.15g}")
+            self._findings.report(
+                INVALID_CYCLE_ID, value.span, id=self._findings.written(value.span)
+            )
 
     # --- the body --------------------------------------------------------------------------------
 

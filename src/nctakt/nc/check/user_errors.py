@@ -94,4 +94,6 @@ class UserErrorChecker:
             if isinstance(value, Number) and keyword.name in _BOUNDS:
                 low, high, message = _BOUNDS[keyword.name]
                 if not (low <= value.value <= high and value.value.is_integer()):
-                    self._findings.report(message, value.span, value=f"{value.value:g}")
+                    self._findings.report(
+                        message, value.span, value=self._findings.written(value.span)
+                    )

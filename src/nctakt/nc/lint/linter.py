@@ -16,7 +16,7 @@ from dataclasses import replace
 from math import isfinite
 
 from nctakt.base.dataclass import dataclass, field
-from nctakt.base.diagnostics import Span
+from nctakt.base.diagnostics import Span, number_text
 from nctakt.lists.declared.tools import Tool
 from nctakt.lists.machine.channel_configuration import ToolSelection
 from nctakt.messages import Collector
@@ -351,7 +351,7 @@ class Linter:
         for word in block.words:
             if isinstance(word, Word) and word.name == "G" and isinstance(word.value, Number):
                 if word.value.value in COMPENSATIONS:
-                    self._state.compensation = f"G{word.value.value:g}"
+                    self._state.compensation = f"G{number_text(word.value.value)}"
                 elif word.value.value == COMPENSATION_OFF:
                     self._state.compensation = ""
                 elif word.value.value in (INCH, MILLIMETRES):

@@ -12,7 +12,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from nctakt.base.dataclass import dataclass
-from nctakt.base.diagnostics import Span, Text
+from nctakt.base.diagnostics import Span, Text, number_text
 from nctakt.lists.declared.variables import SCALARS
 from nctakt.messages.extensions import EXTENSION_USED
 from nctakt.messages.lints import (
@@ -415,7 +415,7 @@ class CycleLinter:
         assert isinstance(operand, Variable | Parameter)
         known_value = self._values.get(operand_key(operand))
         if known_value is not None:
-            value = f"{known_value.value:.15g}"
+            value = number_text(known_value.value)
             return Text(
                 f"{value}, set in line {known_value.line}", f"{value} aus Zeile {known_value.line}"
             )

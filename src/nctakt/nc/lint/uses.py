@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from math import isfinite
 
+from nctakt.base.diagnostics import number_text
 from nctakt.nc.check.cost import is_live
 from nctakt.nc.tree import (
     Assignment,
@@ -42,7 +43,8 @@ def element_name(variable: Variable) -> str:
     parts = []
     for part in variable.parts:
         indices = (
-            f"[{index.value:g}]" if isinstance(index, Number) else "[]" for index in part.indices
+            f"[{number_text(index.value)}]" if isinstance(index, Number) else "[]"
+            for index in part.indices
         )
         parts.append(part.name + "".join(indices))
     return ".".join((f"V.{variable.family}", *parts))

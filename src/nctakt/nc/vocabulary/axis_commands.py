@@ -12,7 +12,7 @@ from types import MappingProxyType
 from typing import Literal
 
 from nctakt.base.dataclass import dataclass
-from nctakt.base.diagnostics import Message, Span, Text
+from nctakt.base.diagnostics import Message, Span, Text, number_text
 from nctakt.messages.checked_axes import (
     DUPLICATE_INDP_KEYWORD,
     INDEPENDENT_MOTION_REFUSED,
@@ -238,7 +238,7 @@ def _g_word(keyword: Keyword) -> str:
 
 
 def _shown(keyword: Keyword) -> str:
-    return f"G{keyword.value.value:g}" if isinstance(keyword.value, Number) else "G"
+    return f"G{number_text(keyword.value.value)}" if isinstance(keyword.value, Number) else "G"
 
 
 def _value(keywords: dict[str, Keyword], name: str) -> Expression | None:

@@ -75,6 +75,7 @@ def test_every_cell_of_the_channel_holds_what_its_name_says() -> None:
         "CYCLES.DIAG_LEVEL": 3.0,
         "BLOCK": 10.0,
         "CYCLES.ACTIVE": 1.0,
+        "PATH.RAPID": 0.0,
     }
     known = {name: machine.cells[cell] for name, (cell, _, _) in machine.signals().items()}
     for name, value in expected.items():

@@ -51,6 +51,8 @@ PLACE = Span("part.nc", 5, 3, 4)
         (row(rows.EVENT_BLOCK, 10, 5), "block", "10 decoded 5", ""),
         (row(rows.EVENT_WAIT), "waits", "flush", ""),
         (row(rows.EVENT_WAIT, 1, 40), "waits", "read V.E.VALUE", ""),
+        (row(rows.EVENT_ACKNOWLEDGED, 0, 100, 2, 5), "acknowledged", "M 100 2 5000", ""),
+        (row(rows.EVENT_DROPPED, 0, -34, 0, 6), "dropped", "H 33 0 6000", ""),
         (row(rows.EVENT_FROZEN, 2, 4, 16.5), "frozen", "V.E.ASYNC 16.5", "#1"),
     ],
 )

@@ -323,8 +323,8 @@ class Outputs:
     """The pictures and traces of the options; also a context manager."""
 
     def __init__(self, read: ListRead, words: dict[str, Any]) -> None:
+        from nctakt.files.vcd import check_vcd  # noqa: PLC0415
         from nctakt.schedule.draw import check_picture  # noqa: PLC0415 - not for the help
-        from nctakt.schedule.traces import check_vcd  # noqa: PLC0415
 
         self._language: Language = words["language"]
         self._names = (words["file"], words["load"])

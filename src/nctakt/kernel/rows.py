@@ -346,7 +346,9 @@ FEED_MOTION, RAPID_MOTION = range(2)
     EVENT_FED,  # subject: ticks for which the queue was empty
     EVENT_OVERFLOW,  # subject: number of the thread
     EVENT_TIMER,  # timer, ``codes.TIMER_START`` …, the value in ms that READ latches
-) = range(1, 37)
+    EVENT_ACKNOWLEDGED,  # function, number within the tick of its output (0: program), that tick
+    EVENT_DROPPED,  # the same, of a function that a reset ends
+) = range(1, 39)
 
 ENDED_BY_SCOPE, ENDED_BY_DELETE, ENDED_BY_RESET, ENDED_BY_ERROR = range(4)
 

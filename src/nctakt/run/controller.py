@@ -287,6 +287,7 @@ class Controller:
         on_progress: Callable[[int, int | None], None] | None = None,
         on_cycle: Callable[[str, CycleDefinition], None] | None = None,
         blocks: bool = False,
+        condition_signals: bool = False,
         record: Callable[[Input], None] | None = None,
         replay: Tape | None = None,
     ) -> Run:
@@ -304,12 +305,13 @@ class Controller:
         ``default_signals``), which ``memory_trace`` keeps in the result; with ``record_writes``
         each new value that a cycle assigns to a variable is an event in it. ``why`` records the
         history of each condition of the realtime cycles (``Run.why``) and counts it
-        (``Run.coverage``). ``blocks``: events for decoding and execution of blocks, and for each
-        flush of the channel. ``on_message`` is called with each message of a program,
-        ``on_progress`` with the ticks so far and of the whole run, ``on_cycle`` with the name and
-        the definition of each realtime cycle when it is decoded, ``record`` with each input from
-        outside behind ``set``. ``replay``: the inputs of a recorded run instead of ``at`` and
-        ``plc``.
+        (``Run.coverage``). ``blocks``: events for decoding and execution of blocks, for each flush
+        of the channel, and for the acknowledgement of each function. ``condition_signals``:
+        ``signals`` and those that conditions of the programs' realtime cycles read. ``on_message``
+        is called with each message of a program, ``on_progress`` with the ticks so far and of the
+        whole run, ``on_cycle`` with the name and the definition of each realtime cycle when it is
+        decoded, ``record`` with each input from outside behind ``set``. ``replay``: the inputs of a
+        recorded run instead of ``at`` and ``plc``.
 
         Raises ``Failure`` for a program that cannot be read and for an invalid name, value or time;
         mistakes in the programs are in the result.
@@ -337,6 +339,7 @@ class Controller:
                 on_progress,
                 on_cycle,
                 blocks,
+                condition_signals,
                 record,
                 replay,
             )

@@ -22,6 +22,7 @@ from nctakt.results.run_statistics import RunStatistics
 from nctakt.run import program_loader
 from nctakt.run.assembly import do_nothing
 from nctakt.run.channel_run import ChannelRun, worst_state
+from nctakt.run.condition_signals import with_condition_signals
 from nctakt.run.plc_view import AnyPlc, PlcView, WatchedPlc
 from nctakt.run.program_loader import LoadedProgram, NcText, ProgramErrors
 from nctakt.run.stimuli import StimulusLike, as_inputs, not_reached, read_stimulus
@@ -69,6 +70,7 @@ class RunOptions:
     on_progress: Callable[[int, int | None], None] | None = None
     on_cycle: Callable[[str, CycleDefinition], None] | None = None
     blocks: bool = False
+    condition_signals: bool = False
     record: Callable[[Input], None] | None = None
     replay: Tape | None = None
 
@@ -104,18 +106,12 @@ class ProgramRun:
         self._memory = MemorySink() if options.memory_trace else None
         machine.registry.on_cycle = options.on_cycle
         self._statistics = RunStatistics(machine.registry.reactions_of, machine.registry.frozen_in)
-        memory = (self._memory,) if self._memory else ()
-        loop.recording.open(
-            [*options.sinks, *memory, self._statistics],
-            options.signals,
-            bool(options.sinks) or options.memory_trace,
-            options.record_writes,
-            options.why,
-        )
+        self._signals = loop.recording.checked(options.signals)
         replay = options.replay
         loop.connect(
             options.plc, has_plc=options.plc is not None or (replay is not None and replay.has_plc)
         )
+        loop.recording.messages = []
         loop.recording.on_message = options.on_message
         machine.inputs.plan(
             as_inputs(self._stimuli, first_tick, self._cycle_time_us)
@@ -155,8 +151,23 @@ class ProgramRun:
                 except ProgramErrors:
                     has_errors = True
         self._loaded = [program for own in loaded.values() for program in own]
+        self._open_recording(loaded)
         self._parts = iter(()) if has_errors else self._run_programs(loaded)
         self.state = "error" if has_errors else None
+
+    def _open_recording(self, programs: Mapping[int, Sequence[LoadedProgram]]) -> None:
+        options, signals = self._options, self._signals
+        if options.condition_signals:
+            signals = with_condition_signals(signals, programs, self._machine)
+        memory = (self._memory,) if self._memory else ()
+        self._loop.recording.open(
+            [*options.sinks, *memory, self._statistics],
+            signals,
+            bool(options.sinks) or options.memory_trace,
+            options.record_writes,
+            options.why,
+            options.blocks,
+        )
 
     @property
     def texts(self) -> list[ProgramText]:

@@ -64,20 +64,36 @@ class Recording:
         self.messages: list[ProgramMessage] = []
         self.on_message: Callable[[ProgramMessage], None] | None = None
 
+    def checked(self, names: Sequence[str] | None) -> Sequence[str]:
+        """Return the signals of these names, by default those of the machine.
+
+        Raises ``Failure`` for unknown signals.
+        """
+        machine = self._machine
+        if names is None:
+            return machine.default_signals()
+        signals = machine.signals()
+        unknown = [name for name in names if name not in signals]
+        if unknown:
+            raise Failure(*(machine.unknown_signal(name) for name in unknown))
+        return names
+
     def open(
         self,
         sinks: Sequence[Sink],
-        signals: Sequence[str] | None,
+        signals: Sequence[str],
         records: bool,
         record_writes: bool,
         why: bool,
+        answers: bool,
     ) -> None:
-        """Begin to record for these sinks.
+        """Begin to record these signals, which ``checked`` has returned, for these sinks.
 
         Without ``records`` there are no rows and no writes of cycles. ``why`` gathers the histories
-        of conditions. Raises ``Failure`` for unknown signals.
+        of conditions, ``answers`` records each acknowledgement of a function.
         """
         header = self._select(signals, records, record_writes)
+        self._machine.record.records_answers = answers
         self._sinks = sinks
         for sink in sinks:
             sink.open(header)
@@ -91,6 +107,7 @@ class Recording:
         for sink in self._sinks:
             sink.close()
         self._sinks = ()
+        self._machine.record.records_answers = False
 
     def add(self, sink: Sink) -> None:
         """Let a further listener have the events from now on; it is not opened."""
@@ -181,17 +198,10 @@ class Recording:
             self._noticed.add(notice)
             self._report(realtime_diagnostic(event, self._machine))
 
-    def _select(
-        self, names: Sequence[str] | None, records: bool, record_writes: bool
-    ) -> TraceHeader:
-        """Choose the signals of the trace; raises ``Failure`` for unknown ones."""
+    def _select(self, names: Sequence[str], records: bool, record_writes: bool) -> TraceHeader:
+        """Choose the signals of the trace."""
         machine = self._machine
         signals = machine.signals()
-        if names is None:
-            names = machine.default_signals()
-        unknown = [name for name in names if name not in signals]
-        if unknown:
-            raise Failure(*(machine.unknown_signal(name) for name in unknown))
         machine.record.select([signals[name][0] for name in names] if records else [])
         machine.record.records_writes = records and record_writes
         header = tuple(Signal(name, *signals[name][1:]) for name in names) if records else ()

@@ -17,6 +17,7 @@ from dataclasses import replace
 
 from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Diagnostic
+from nctakt.files.vcd import identifier
 from nctakt.lists.declared.rtconf import REALTIME_FUNCTION, InterruptSource
 from nctakt.messages import diagnostic
 from nctakt.messages.learn import (
@@ -27,7 +28,7 @@ from nctakt.messages.learn import (
 )
 from nctakt.schedule.model import ANY_CPU, Model, TaskClass, suspension_point
 from nctakt.schedule.trace_reader import Recording, Times
-from nctakt.schedule.traces import GAP, identifier
+from nctakt.schedule.traces import GAP
 
 #: Who calls a function: the task's place in the model, the function's name.
 Caller = tuple[int, str]

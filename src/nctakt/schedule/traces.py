@@ -7,15 +7,20 @@ In: ``Simulation`` with a record. Out: the file. Writing raises ``OSError``.
 from __future__ import annotations
 
 import csv
-import importlib.util
-import json
 from collections import deque
+from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
 
-from nctakt.base.failure import Failure
-from nctakt.messages import diagnostic
-from nctakt.messages.schedule_results import LIBRARY_MISSING
+from nctakt.files.perfetto import (
+    TraceEvent,
+    counted,
+    lasting,
+    moment,
+    process_name,
+    thread_name,
+    write_perfetto_file,
+)
+from nctakt.files.vcd import VcdVariable, apart, identifier, levels, merged, write_vcd_file
 from nctakt.schedule.findings import us
 from nctakt.schedule.gantt_layout import bit_functions
 from nctakt.schedule.interpolation_steps import parts_of
@@ -33,59 +38,48 @@ MOST_TICKS = 100_000
 _EVENT_ORDER = ("END", "SUSPEND", "NC", "RESUME", "RELEASE", "OVERFLOW", "TICK", "RUN", "WINDOWS")
 
 
-def check_vcd() -> None:
-    """Raise ``Failure`` (900634) where no VCD file can be written."""
-    if importlib.util.find_spec("vcd") is None:
-        raise Failure(diagnostic(LIBRARY_MISSING, library="pyvcd", what="--vcd"))
-
-
 def write_vcd(run: Simulation, path: Path) -> None:
     """Write trace bits with their functions, interrupts, who runs, is suspended, overflows.
 
     The unit is 1 ns.
     """
-    from vcd import VCDWriter  # noqa: PLC0415 - pyvcd only when needed
+    write_vcd_file(path, _variables(run), timescale="1 ns", begin=min(0, run.record.begin))
 
+
+def _variables(run: Simulation) -> Iterator[VcdVariable]:
     record, tasks = run.record, run.model.tasks
-    changes: list[tuple[int, int, Any, int | str]] = []
-    with (
-        path.open("w", encoding="utf-8", newline="\n") as file,
-        VCDWriter(file, timescale="1 ns", date="", init_timestamp=min(0, record.begin)) as writer,
-    ):
 
-        def level(scope: str, name: str, times: list[tuple[int, int]]) -> None:
-            variable = writer.register_var(scope, name, "wire", size=1, init=0)
-            for begin, end in times:
-                changes.append((begin, 1, variable, 1))
-                changes.append((end, 0, variable, 0))
+    def level(scope: str, name: str, times: list[tuple[int, int]]) -> VcdVariable:
+        return VcdVariable((scope,), name, "wire", levels(times))
 
-        bits = trace_bits(run.model, record)
-        for bit, names in bit_functions(run.model).items():
-            level("trace", identifier("_".join((f"bit{bit}", *names))), _apart(bits[bit]))
-        nc = [item.time for item in record.events if item.kind is EventKind.INTERRUPT]
-        level("interrupts", "NC", [(time, time + GAP) for time in nc])
-        ticks = _ticks(run)
-        level("interrupts", "timer", [(time, time + GAP) for time in ticks])
-        for i, task in enumerate(tasks):
-            ran = [(item.begin, item.end) for item in record.segments if item.task == i]
-            level("running", identifier(task.name), _merged(ran))
-            level("suspended", identifier(task.name), suspended_times(run, i))
-            late = [
-                item.time
-                for item in record.events
-                if item.task == i and item.kind is EventKind.OVERFLOW
-            ]
-            level("overflow", identifier(task.name), [(time, time + GAP) for time in late])
-        for cpu in run.model.cpus:
-            variable = writer.register_var("cpu", f"cpu{cpu}", "string", init="")
-            for item in record.segments:
-                if item.cpu == cpu and item.end > item.begin:
-                    changes.append((item.begin, 1, variable, identifier(tasks[item.task].name)))
-            rest = "Windows" if cpu in run.model.windows_cpus else "idle"
-            for begin, _ in windows_times(run, cpu):
-                changes.append((begin, 0, variable, rest))
-        for time, _, variable, value in sorted(changes, key=lambda item: item[:2]):
-            writer.change(variable, time, value)
+    bits = trace_bits(run.model, record)
+    for bit, names in bit_functions(run.model).items():
+        yield level("trace", "_".join((f"bit{bit}", *names)), apart(bits[bit], GAP))
+    nc = [item.time for item in record.events if item.kind is EventKind.INTERRUPT]
+    yield level("interrupts", "NC", [(time, time + GAP) for time in nc])
+    yield level("interrupts", "timer", [(time, time + GAP) for time in _ticks(run)])
+    for i, task in enumerate(tasks):
+        ran = [(item.begin, item.end) for item in record.segments if item.task == i]
+        yield level("running", task.name, merged(ran))
+        yield level("suspended", task.name, suspended_times(run, i))
+        late = [
+            item.time
+            for item in record.events
+            if item.task == i and item.kind is EventKind.OVERFLOW
+        ]
+        yield level("overflow", task.name, [(time, time + GAP) for time in late])
+    for cpu in run.model.cpus:
+        rest = "Windows" if cpu in run.model.windows_cpus else "idle"
+        changes = [(begin, 0, rest) for begin, _ in windows_times(run, cpu)]
+        changes += [
+            (item.begin, 1, tasks[item.task].name)
+            for item in record.segments
+            if item.cpu == cpu and item.end > item.begin
+        ]
+        changes.sort(key=lambda change: change[:2])
+        yield VcdVariable(
+            ("cpu",), f"cpu{cpu}", "text", ((time, identifier(name)) for time, _, name in changes)
+        )
 
 
 def _ticks(run: Simulation) -> range:
@@ -94,118 +88,50 @@ def _ticks(run: Simulation) -> range:
     return ticks if len(ticks) <= MOST_TICKS else range(0)
 
 
-def identifier(name: str) -> str:
-    """Return a name without the characters that end one in a VCD file."""
-    return "".join(
-        character if character.isprintable() and not character.isspace() else "_"
-        for character in name
-    )
-
-
-def _apart(times: list[tuple[int, int]]) -> list[tuple[int, int]]:
-    """Times that touch, with a gap between them that can be seen."""
-    shown: list[tuple[int, int]] = []
-    for begin, end in times:
-        touches = bool(shown) and shown[-1][1] == begin and end - begin > GAP
-        shown.append((begin + GAP if touches else begin, end))
-    return shown
-
-
-def _merged(times: list[tuple[int, int]]) -> list[tuple[int, int]]:
-    """Times that touch as one, empty ones left out."""
-    merged: list[tuple[int, int]] = []
-    for begin, end in sorted(times):
-        if merged and begin <= merged[-1][1]:
-            merged[-1] = (merged[-1][0], max(end, merged[-1][1]))
-        elif end > begin:
-            merged.append((begin, end))
-    return merged
-
-
 def write_perfetto(run: Simulation, path: Path) -> None:
     """Chrome's trace format: processors with their slices, threads with their calls, counters."""
-    events = [*_names(run), *_slices(run), *_instants(run), *_counters(run)]
-    text = json.dumps({"displayTimeUnit": "ns", "traceEvents": events}, ensure_ascii=False)
-    path.write_text(text, "utf-8")
+    events = [*_names(run), *_slices(run), *_moments(run), *_counters(run)]
+    write_perfetto_file(path, events)
 
 
 def _time(time: int) -> float:
     return time / NS_PER_US
 
 
-def _names(run: Simulation) -> list[dict[str, Any]]:
-    names: list[dict[str, Any]] = []
-
-    def name(kind: str, pid: int, tid: int, text: str) -> None:
-        names.append({"ph": "M", "name": kind, "pid": pid, "tid": tid, "args": {"name": text}})
-
-    name("process_name", 0, 0, "calls")
+def _names(run: Simulation) -> Iterator[TraceEvent]:
+    yield from process_name(0, "calls")
     for cpu in run.model.cpus:
-        name("process_name", cpu, 0, f"CPU {cpu}")
+        yield from process_name(cpu, f"CPU {cpu}")
     for i, task in enumerate(run.model.tasks):
         for pid in (0, *run.model.cpus):
-            name("thread_name", pid, i + 1, task.name)
-    return names
+            yield from thread_name(pid, i + 1, task.name)
 
 
-def _slices(run: Simulation) -> list[dict[str, Any]]:
+def _slices(run: Simulation) -> Iterator[TraceEvent]:
     tasks, record = run.model.tasks, run.record
-    slices: list[dict[str, Any]] = [
-        {
-            "ph": "X",
-            "name": tasks[segment.task].name,
-            "pid": segment.cpu,
-            "tid": segment.task + 1,
-            "ts": _time(segment.begin),
-            "dur": _time(segment.end - segment.begin),
-            "args": {"job": segment.job},
-        }
-        for segment in record.segments
-    ]
+    for segment in record.segments:
+        track = (segment.cpu, segment.task + 1)
+        times = (_time(segment.begin), _time(segment.end))
+        yield lasting(tasks[segment.task].name, track, times, job=segment.job)
     for call in calls_of(run.model, record):
-        end = record.end if call.end is None else call.end
-        slices.append(
-            {
-                "ph": "X",
-                "name": tasks[call.task].calls[call.call].function,
-                "pid": 0,
-                "tid": call.task + 1,
-                "ts": _time(call.begin),
-                "dur": _time(end - call.begin),
-                "args": {"job": call.job, "call": call.call},
-            }
-        )
+        times = (_time(call.begin), _time(record.end if call.end is None else call.end))
+        name = tasks[call.task].calls[call.call].function
+        yield lasting(name, (0, call.task + 1), times, job=call.job, call=call.call)
     for part in parts_of(run.model, record):
-        slices.append(
-            {
-                "ph": "X",
-                "name": PARTS[part.part],
-                "pid": 0,
-                "tid": part.task + 1,
-                "ts": _time(part.begin),
-                "dur": _time(part.end - part.begin),
-            }
-        )
-    return slices
+        times = (_time(part.begin), _time(part.end))
+        yield lasting(PARTS[part.part], (0, part.task + 1), times)
 
 
-def _instants(run: Simulation) -> list[dict[str, Any]]:
+def _moments(run: Simulation) -> Iterator[TraceEvent]:
     shown = (EventKind.INTERRUPT, EventKind.OVERFLOW, EventKind.SUSPEND, EventKind.RESUME)
-    return [
-        {
-            "ph": "i",
-            "name": event.kind.value,
-            "pid": 0,
-            "tid": event.task + 1,
-            "ts": _time(event.time),
-            "s": "g" if event.kind is EventKind.INTERRUPT else "t",
-        }
-        for event in run.record.events
-        if event.kind in shown
-    ]
+    for event in run.record.events:
+        if event.kind in shown:
+            is_global = event.kind is EventKind.INTERRUPT
+            track = (0, event.task + 1)
+            yield moment(event.kind.value, track, _time(event.time), is_global=is_global)
 
 
-def _counters(run: Simulation) -> list[dict[str, Any]]:
+def _counters(run: Simulation) -> Iterator[TraceEvent]:
     tracks = {
         f"trace bit {bit}": times
         for bit, times in trace_bits(run.model, run.record).items()
@@ -213,14 +139,10 @@ def _counters(run: Simulation) -> list[dict[str, Any]]:
     }
     for cpu in run.model.windows_cpus:
         tracks[f"Windows CPU {cpu}"] = windows_times(run, cpu)
-    samples: list[dict[str, Any]] = []
     for name, times in tracks.items():
         for begin, end in times:
-            for time, value in ((begin, 1), (end, 0)):
-                samples.append(
-                    {"ph": "C", "name": name, "pid": 0, "ts": _time(time), "args": {"": value}}
-                )
-    return samples
+            yield counted(name, 0, _time(begin), 1)
+            yield counted(name, 0, _time(end), 0)
 
 
 def windows_shares(run: Simulation) -> list[tuple[int, int, int]]:

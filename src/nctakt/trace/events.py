@@ -169,6 +169,8 @@ class EventDecoder:
             rows.EVENT_FED: self._fed,
             rows.EVENT_OVERFLOW: self._overflow,
             rows.EVENT_TIMER: self._timer,
+            rows.EVENT_ACKNOWLEDGED: self._answered("acknowledged"),
+            rows.EVENT_DROPPED: self._answered("dropped"),
         }
 
     def decode(self, data: bytes | memoryview) -> list[Event]:
@@ -316,6 +318,13 @@ class EventDecoder:
     ) -> tuple[str, str]:
         value = f" {number_text(latched_ms)}" if action == codes.TIMER_READ else ""
         return "timer", f"{int(timer)} {_TIMER_ACTIONS[int(action)]}{value}"
+
+    def _answered(self, word: str) -> Maker:
+        def make(_serial: int, function: float, sequence: float, tick: float) -> tuple[str, str]:
+            letter, number = _function(function)
+            return word, f"{letter} {number} {int(sequence)} {int(tick) * self._cycle_time_us}"
+
+        return make
 
     def _program_end(self, number: int, _a: float, _b: float, _c: float) -> tuple[str, str]:
         return "end", self._names.program(number)

@@ -21,6 +21,7 @@ cdef class Record:
     cdef public int channel
     cdef public bint records_writes
     cdef public bint records_series
+    cdef public bint records_answers
 
     @cython.locals(i=Py_ssize_t, row=Py_ssize_t)
     cdef void take_row(self) noexcept nogil

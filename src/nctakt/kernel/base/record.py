@@ -42,6 +42,7 @@ class Record:
         self.channel = 0
         self.records_writes = False
         self.records_series = False
+        self.records_answers = False
 
     def select(self, signals: list[int]) -> None:
         """Set the cells of a row; rows that were not taken are dropped."""

@@ -92,6 +92,8 @@ cdef class Path(PathAxes):
     cdef double distance_to_go(self) noexcept nogil
     cdef double promised_speed(self, Py_ssize_t column) noexcept nogil
     cdef double block_number(self) noexcept nogil
+    @cython.locals(motion=double)
+    cdef int is_rapid(self) noexcept nogil
     cdef double covered_length(self) noexcept nogil
     @cython.locals(acceleration=double, length=double)
     cdef double braking_distance(self) noexcept nogil

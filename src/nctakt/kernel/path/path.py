@@ -448,6 +448,11 @@ class Path(PathAxes):
         """N number of the current block."""
         return self.history_rows[self.row + rows.BLOCK_NUMBER]
 
+    def is_rapid(self) -> int:
+        """Return whether the current block is a rapid motion."""
+        motion = self.history_rows[self.row + rows.MOTION]
+        return 1 if not self.is_dwell and motion == rows.RAPID_MOTION else 0
+
     def segment_row(self, back: int) -> list[float]:
         """Row ``back`` segments before the newest; raise ``ValueError`` where none is kept."""
         check_index(back, min(self.used, self.ring_size), "segment")

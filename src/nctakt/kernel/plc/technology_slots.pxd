@@ -2,6 +2,7 @@
 # C types of technology_slots.py.
 cimport cython
 from nctakt.kernel cimport codes
+from nctakt.kernel.base.record cimport Record
 from nctakt.kernel.plc.panel cimport Panel
 
 @cython.final
@@ -29,6 +30,8 @@ cdef class Section:
     cdef int is_waiting(self, long long function) noexcept nogil
     @cython.locals(i=Py_ssize_t)
     cdef void acknowledge_done(self, long long tick) noexcept nogil
+    @cython.locals(i=Py_ssize_t, number=cython.longlong)
+    cdef void record_answers(self, Record record, int state, int kind, int is_realtime) noexcept nogil
     @cython.locals(i=Py_ssize_t)
     cdef void clear(self) noexcept nogil
 
@@ -42,4 +45,6 @@ cdef class Hli:
     cdef void latch(self) noexcept nogil
     cdef int has_default_plc(self) noexcept nogil
     cdef void run_default_plc(self, long long tick) noexcept nogil
+    cdef long long waiting_count(self) noexcept nogil
+    cdef void record_answers(self, Record record, int state, int kind) noexcept nogil
     cdef void clear(self) noexcept nogil

@@ -13,6 +13,7 @@ from __future__ import annotations
 
 from nctakt.kernel import codes
 from nctakt.kernel.base.bounds import check_index, check_size
+from nctakt.kernel.base.record import Record
 from nctakt.kernel.plc.panel import Panel
 
 #: Slots of a section: a number of ours, no source gives one (RC-403).
@@ -99,6 +100,13 @@ class Section:
             if self.state[i] == codes.WAITING and self.done[i] <= tick:
                 self.state[i] = codes.ACKNOWLEDGED
 
+    def record_answers(self, record: Record, state: int, kind: int, is_realtime: int) -> None:
+        """Record an event of ``kind`` for each slot in this state, before it is freed."""
+        for i in range(self.slot_count):
+            if self.state[i] == state:
+                number = self.sequence[i] if is_realtime else 0
+                record.event(kind, 0, 0, self.function[i], number, self.tick[i])
+
     def clear(self) -> None:
         """Free all slots (reset)."""
         for i in range(self.slot_count):
@@ -162,6 +170,16 @@ class Hli:
         if self.has_default_plc():
             self.realtime.acknowledge_done(tick)
             self.program.acknowledge_done(tick)
+
+    def waiting_count(self) -> int:
+        """Number of slots that are not free."""
+        return self.realtime.taken_count + self.program.taken_count
+
+    def record_answers(self, record: Record, state: int, kind: int) -> None:
+        """Record an event of ``kind`` for each function whose slot is in this state."""
+        if self.waiting_count() > 0:
+            self.realtime.record_answers(record, state, kind, 1)
+            self.program.record_answers(record, state, kind, 0)
 
     def clear(self) -> None:
         """Free the slots of both sections (reset)."""

@@ -66,7 +66,7 @@ cdef class Channel:
     cdef int step_back(self, double factor, int is_stopping) noexcept nogil
     @cython.locals(waits=bint, row=Py_ssize_t, source=cython.longlong)
     cdef void warn_of_wait(self) noexcept nogil
-    @cython.locals(number=double)
+    @cython.locals(number=double, is_rapid=double)
     cdef void publish_block(self) noexcept nogil
     @cython.locals(source=cython.longlong)
     cdef void watch_spindle(self, double factor) noexcept nogil

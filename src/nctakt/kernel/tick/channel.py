@@ -108,6 +108,7 @@ class Channel:
         return (
             12
             + self.path.count
+            + self.hli.waiting_count()
             + single
             + 3 * commands
             + self.manager.events_bound
@@ -159,6 +160,8 @@ class Channel:
     def begin_tick(self, tick: int) -> None:
         """Latch the PLC's answers and a reset; the CYCLE override is 100 % again (RC-305)."""
         self.context.begin(tick)
+        if self.record.records_answers:
+            self.hli.record_answers(self.record, codes.ACKNOWLEDGED, rows.EVENT_ACKNOWLEDGED)
         self.hli.latch()
         self.context.spindles.latch()
         if self.panel.reset_pressed:
@@ -167,6 +170,8 @@ class Channel:
             self.panel.take_start(not self.executor.is_stopped and not self.executor.is_resetting)
         if self.is_reset_due:
             self.is_reset_due = False
+            if self.record.records_answers:
+                self.hli.record_answers(self.record, codes.WAITING, rows.EVENT_DROPPED)
             self.hli.clear()
             self.manager.reset()
             for i in range(self.path.count):
@@ -295,9 +300,11 @@ class Channel:
             self.record.event(rows.EVENT_ERROR, source, 0, 50449)
 
     def publish_block(self) -> None:
-        """Publish the N number of this tick's block, its last tick included."""
+        """Publish N number and kind of this tick's block, its last tick included."""
         number = self.path.block_number() if self.path.is_active else 0.0
         self.cells[self.first_cell + cells.CHANNEL_BLOCK] = number
+        is_rapid = 1.0 if self.path.is_active and self.path.is_rapid() else 0.0
+        self.cells[self.first_cell + cells.CHANNEL_PATH_RAPID] = is_rapid
 
     def pass_block_ends(self, is_stopping: int) -> None:
         """Pass block ends in the tick; commands between are taken in the next one (RC-003).

@@ -114,6 +114,7 @@ CHANNEL_VARIABLES = (
     _state("BLOCK", "UNS32", ""),
     _state("CYCLES.ACTIVE", "UNS32", ""),
     _state("PATH.DIST_TO_GO", "REAL64", "mm"),
+    _state("PATH.RAPID", "UNS32", ""),
     RealtimeVariable(
         "TIMER",
         "UNS32",

@@ -1,0 +1,115 @@
+# SPDX-License-Identifier: MIT
+"""The histories of conditions -> tracks: when a condition was true, when a body ran.
+
+In: ``WhyReport``. Out: for each branch of a realtime cycle a track of its condition and one of its
+reaction, each slice with the compared values. Instances of a cycle with one name share their
+tracks, as do the definitions of one place without a name.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from collections.abc import Iterator
+from itertools import pairwise
+
+from nctakt.base.dataclass import dataclass, field
+from nctakt.base.diagnostics import Span
+from nctakt.results.histories import BranchHistory, Change
+from nctakt.results.timeline import Slice, Track, TrackKind
+from nctakt.results.why import WhyReport
+from nctakt.trace.events import number_text
+
+
+@dataclass(slots=True)
+class _Branch:
+    """What the instances of one branch did."""
+
+    group: str
+    span: Span
+    text: str
+    truths: list[Slice] = field(default_factory=list)
+    bodies: list[Slice] = field(default_factory=list)
+    truths_left_out: int = 0
+    bodies_left_out: int = 0
+
+
+def branch_tracks(why: WhyReport) -> Iterator[Track]:
+    """Yield the tracks of all branches that have slices, conditions first."""
+    branches: dict[tuple[str, Span], _Branch] = {}
+    groups: dict[Span, str] = {}
+    for cycle in why.cycles:
+        if not cycle.life:
+            continue
+        name = groups.setdefault(cycle.span, cycle.name) if "#" in cycle.name else cycle.name
+        for branch in cycle.branches:
+            key = (name, branch.span)
+            own = branches.setdefault(key, _Branch(name, branch.span, branch.text))
+            own.truths += _truths(branch, why)
+            own.bodies += _bodies(branch, why)
+            own.truths_left_out += branch.condition.changes_left_out
+            own.bodies_left_out += branch.bodies.left_out
+    for own in branches.values():
+        if own.truths:
+            yield _track(own, "condition", own.truths, own.truths_left_out)
+    for own in branches.values():
+        if own.bodies:
+            yield _track(own, "reaction", own.bodies, own.bodies_left_out)
+
+
+def _track(own: _Branch, kind: TrackKind, slices: list[Slice], left_out: int) -> Track:
+    ordered = tuple(sorted(slices, key=lambda item: item.begin_us))
+    label = f"{own.group}: {own.span.line}"
+    return Track(kind, label, ordered, own.group, own.span, own.text, left_out)
+
+
+def _bodies(branch: BranchHistory, why: WhyReport) -> Iterator[Slice]:
+    """Yield a slice for each series of ticks in which the body ran."""
+    for series in branch.bodies.series:
+        yield Slice(
+            series.first_tick * why.cycle_time_us,
+            (series.last_tick + 1) * why.cycle_time_us,
+            f"{branch.span.file}:{branch.span.line}",
+            branch.span,
+            _values(branch, series.first_tick),
+        )
+
+
+def _truths(branch: BranchHistory, why: WhyReport) -> Iterator[Slice]:
+    """Yield a slice for each time in which the condition was evaluated and true."""
+    condition = branch.condition
+    if not condition.text:
+        return
+    end_tick = why.first_tick + why.ticks
+    begins: list[tuple[int, bool]] = []
+    if condition.was_true is not None and not condition.changes_left_out:
+        begins.append((why.first_tick, condition.was_true))
+    begins += [(change.tick, change.truth) for change in condition.changes]
+    begins.append((end_tick, False))
+    evaluated = branch.evaluated.series
+    firsts = [series.first_tick for series in evaluated]
+    for (begin, truth), (end, _) in pairwise(begins):
+        if not truth:
+            continue
+        for series in evaluated[max(0, bisect_right(firsts, begin) - 1) :]:
+            first, behind = max(begin, series.first_tick), min(end, series.last_tick + 1)
+            if series.first_tick >= end:
+                break
+            if first < behind:
+                tick_us = why.cycle_time_us
+                values = _values(branch, first)
+                yield Slice(first * tick_us, behind * tick_us, condition.text, branch.span, values)
+
+
+def _values(branch: BranchHistory, tick: int) -> str:
+    """Return the compared values of the last change up to a tick: ``200.25 > 200``."""
+    condition = branch.condition
+    change: Change | None = None
+    for item in condition.changes:
+        if item.tick > tick:
+            break
+        change = item
+    if change is None or not condition.operator:
+        return ""
+    if condition.operator in ("&&", "||"):
+        return ""
+    return f"{number_text(change.left)} {condition.operator} {number_text(change.right)}"

@@ -28,7 +28,7 @@ def at(run: Run, tick: int, signal: str) -> float:
     return run.trace.at(tick, signal)
 
 
-@pytest.mark.parametrize("words", ["G93 X10", "G95 M3 S100 X10", "G93 F0 X1", "G94 F0 X1"])
+@pytest.mark.parametrize("words", ["G93 X10", "G95 M3 S100 X10"])
 def test_each_kind_of_feed_needs_its_own_f(words: str) -> None:
     """MO-17: that of G94, here from the channel list, counts under no other."""
     assert numbers(perform(f"G01 {words}\nM30")) == [20008]

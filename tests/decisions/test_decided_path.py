@@ -36,11 +36,17 @@ def test_feed_is_in_inches_under_g70() -> None:
 
 
 def test_a_feed_block_needs_a_feed() -> None:
-    """MO-17: F0 before a motion is 20008; what was prepared before it is finished."""
+    """MO-17: none before a motion is 20008; what was prepared before it is finished."""
     controller = Controller()
-    run = perform("G00 X1\nG01 X2 F0\nM30", controller)
+    run = perform("G00 X1\nG93 G01 X2\nM30", controller)
     assert numbers(run) == [20008]
     assert controller.read("V.RTA.ACS.ACT_POS.X") == 1.0
+
+
+@pytest.mark.parametrize("words", ["F0", "F-1", "FP1", "G93 F0", "G95 M3 S100 F0", "G70 F0"])
+def test_a_feed_is_above_0_when_it_is_programmed(words: str) -> None:
+    """20176, whether a motion needs it or not."""
+    assert numbers(perform(f"P1 = 0\nG00 X1\n{words}\nM30")) == [20176]
 
 
 def test_more_feed_than_the_axes_can_do_is_limited() -> None:

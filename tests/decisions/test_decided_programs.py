@@ -48,7 +48,7 @@ def test_a_loop_that_never_moves_is_ended() -> None:
     run = perform("$WHILE 1\nP1 = P1 + 1\n$ENDWHILE\nM30")
     assert (run.state, numbers(run)) == ("error", [900303])
     run = perform("$FOR P1 = 0, 1, 0\n#TIME 0.001\n$ENDFOR\nM30", ticks=20)
-    assert (run.state, numbers(run)) == ("limit", [20852])
+    assert (run.state, numbers(run)) == ("error", [20852])
 
 
 @pytest.mark.parametrize(

@@ -103,7 +103,6 @@ def test_the_next_program_has_no_system() -> None:
 @pytest.mark.parametrize(
     ("program", "number"),
     [
-        ("#CS OFF", 20824),
         ("#CS ON", 20821),
         ("#CS ON [3]", 20821),
         ("$FOR P1 = 1, 6, 1\n#CS DEF [P1] [1, 2, 3]\n$ENDFOR", 20826),
@@ -118,6 +117,12 @@ def test_the_next_program_has_no_system() -> None:
 def test_what_cannot_be(program: str, number: int) -> None:
     """Each with a diagnostic of its own; limits hold for all axes that move."""
     assert numbers(perform(program + "\nM30")) == [number]
+
+
+def test_switching_off_what_is_off_is_a_warning() -> None:
+    """20824 stops nothing."""
+    run = perform("#CS OFF\nG00 X1\nM30")
+    assert (run.state, numbers(run)) == ("ended", [20824])
 
 
 def test_the_contour_of_a_turned_system_is_compensated() -> None:

@@ -341,7 +341,7 @@ def test_blocks_that_the_short_way_does_not_take_are_told_from_the_tree() -> Non
     lines = "G01 F100\nX1\nX99999\n"
     assert [str(one.span) for one in rows(lines)[1]] == ["p.nc:3:1"]
     assert [one.id for one in rows(lines)[1]] == [120002]
-    found = rows("G90\nG00 X1 F0\n  G01 X2\n")[1]
+    found = rows("G90\nG00 X1 G93\n  G01 X2\n")[1]
     assert [(one.id, str(one.span)) for one in found] == [(20008, "p.nc:3:3")]
 
 

@@ -155,11 +155,20 @@ def test_a_file_may_be_main_program_and_subprogram(tmp_path: Path) -> None:
     assert [error.id for error in Controller().run(tmp_path / "both.nc").errors] == [20376]
 
 
+def test_a_return_over_more_calls_than_are_open_leads_to_the_main_program() -> None:
+    """22268 is a warning of the controller."""
+    program = '%L SUB\nM17 [JUMPS=3]\n%MAIN\nLL SUB\n#MSG ["back"]\nM30\n'
+    run = Controller().run(NcText("p.nc", program))
+    assert (run.state, said(run)) == ("ended", ["back"])
+    assert [one.id for one in run.diagnostics] == [22268]
+
+
 @pytest.mark.parametrize(
     ("line", "error"),
     [
         ("P1 = @P2", 20925),
-        ("M17 [JUMPS=2]", 22268),
+        ("M17 [JUMPS=0]", 900225),
+        ("M17 [JUMPS=1.5]", 900225),
         ("M17 [NOWHERE]", 20836),
         ("P1 = @P1", 21461),
     ],

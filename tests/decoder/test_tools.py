@@ -42,7 +42,7 @@ def test_v_g_tells_of_the_active_tool_and_of_those_of_the_list() -> None:
     """Lengths in the program's unit; an offset by the axis' name or its place."""
     found, said = run(
         '#MSG ["%g %g %g", V.G.WZ_AKT.R, V.G.D_AKT, V.G.T_AKT]\n'
-        "T5 D2\n"
+        "T3 D2\n"
         '#MSG ["%g %g %g %g", V.G.WZ_AKT.R, V.G.WZ_AKT.L, V.G.D_AKT, V.G.T_AKT]\n'
         '#MSG ["%g %g %g", V.G.WZ[3].V.X, V.G.WZ[1 + 2].V[0], V.G.WZ_AKT.V.X]\n'
         '#MSG ["%g %g %g", V.G.WZ[1].OK, V.G.WZ[1].SPDL_AX_NR, V.G.WZ[0].L]\n'
@@ -50,7 +50,7 @@ def test_v_g_tells_of_the_active_tool_and_of_those_of_the_list() -> None:
         'G70\n#MSG ["%.6f %.6f", V.G.WZR * 25.4, V.G.WZ[3].V.X * 25.4]\n'
     )
     assert found.errors == ()
-    assert said == ["0 0 0", "3 80 2 5", "1 1 0", "1 5 0", "0 0", "3.000000 1.000000"]
+    assert said == ["0 0 0", "3 80 2 3", "1 1 0", "1 5 0", "0 0", "3.000000 1.000000"]
 
 
 def test_radius_and_length_of_the_active_tool_can_be_written() -> None:
@@ -117,14 +117,24 @@ def test_t_selects_the_offsets_of_its_number(tmp_path: Path) -> None:
 
 
 def test_t_that_selects_offsets_needs_a_tool_of_the_list(tmp_path: Path) -> None:
-    """P-CHAN-00014: without the parameter T7 is a warning of the check, with it an error."""
-    program = NcText("p.nc", "T7\nT7 D1\nM30\n")
-    for value, expected in (("0", [(20167, 1), (20167, 2)]), ("1", [(20172, 1), (20167, 2)])):
-        machine = machine_with(tmp_path / value, sda_mds1=f"einrechnen_mit_t {value}")
+    """P-CHAN-00014: with the parameter T2 is D2 as well; the list has T in any case."""
+    program = NcText("p.nc", "T7\nT9\nT9 D1\nM30\n")
+    for value, expected in (("0", [(20167, 1)]), ("1", [(20167, 1), (20691, 2)])):
+        machine = machine_with(
+            tmp_path / value, sda_mds1=f"einrechnen_mit_t {value}", werkz_d1="wz[9].laenge 5"
+        )
         checked = check_files([program], AssembledMachine(load_machine(machine))).findings
         found = [one.diagnostic for one in checked]
         numbers = [(one.id, one.span and one.span.line) for one in found if one.id != 900201]
         assert numbers == expected
+        assert [one.id for one in run("T[3 + 4]\n", machine)[0].errors] == [expected[0][0]]
+
+
+def test_without_a_tool_list_each_t_is_accepted(tmp_path: Path) -> None:
+    """Then the PLC alone knows the tools."""
+    machine = machine_with(tmp_path / "m")
+    (machine / "werkz_d1.lis").write_text("End\n")
+    assert run("T7\n", machine)[0].errors == ()
 
 
 @pytest.mark.parametrize(

@@ -450,7 +450,8 @@ def test_contexts_of_a_channel_need_their_threads(tmp_path: Path) -> None:
     channel = f"{CHANNEL}schedule.context.geo 1\n"
     assert load(write(tmp_path, {"kanal.lis": channel}))[1] == [260102]
     rtconf = RTCONF.replace("thread[0].cycle", "thread[0].context_info 1\nthread[0].cycle")
-    assert load(write(tmp_path, {"rtconf.lis": rtconf}))[1] == []
+    assert load(write(tmp_path, {"rtconf.lis": rtconf, "kanal.lis": channel}))[1] == []
+    assert load(write(tmp_path, {"rtconf.lis": rtconf, "kanal.lis": CHANNEL}))[1] == [260103]
 
 
 @pytest.mark.parametrize(("elements", "found"), [(3, []), (4, [21520])])

@@ -334,12 +334,20 @@ class Channel:
 
 
 def test_contexts_of_channels() -> None:
-    """F7: each context of a channel needs a thread with that context and function."""
+    """F7: each context of a channel needs a thread with that context and function.
+
+    A context of a thread that no channel has is 260103.
+    """
     configuration = load(BASE + "thread[0].context_info 1\n")[0]
-    for channel, count in ((Channel(1, 0, 0), 0), (Channel(2, 0, 0), 1), (Channel(1, 1, 1), 2)):
+    for channel, expected in (
+        (Channel(1, 0, 0), []),
+        (Channel(2, 0, 0), [260102, 260103]),
+        (Channel(1, 1, 1), [260102, 260102]),
+        (Channel(0, 0, 0), [260103]),
+    ):
         collector = Collector()
         check_contexts(configuration, [channel], collector)  # type: ignore[list-item]
-        assert [found.id for found in collector.diagnostics] == [260102] * count
+        assert [found.id for found in collector.diagnostics] == expected
 
 
 PARAMETERS = """\

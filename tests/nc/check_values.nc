@@ -200,7 +200,7 @@ $ENDWHILE
 #MSG [P1] ; error 21460 "P1"
 #MSG [V.E.TEXT, V.E.NONE] ; error 20196 "V.E.NONE"
 #MSG SAFE ["x"] ; error 21220 "SAFE"
-#MSG SAVE SAVE ["x"] ; error 21887 "SAVE"
+#MSG SAVE SAVE ["x"] ; error 21710 "SAVE"
 #MSG SAVE CONTINUE ["x"]
 #MSG INFO ["x"] ; error 900200 "#MSG INFO"
 ; --- variables of a program's own

@@ -164,7 +164,7 @@ $IF P1
   M17 [JUMPS] ; error 900135 "JUMPS is not a valid option of a return"
   M17 [MAIN JUMPS=2] ; error 900135 "JUMPS"
   M17 [5] ; error 900135 "5"
-  M30 ; warning 20377 "M30 in a subprogram ends the main program"
+  M30 ; error 20377 "M30 ends a main program, but this is a subprogram"
 $ENDIF
 M17
 what follows the end is not checked
@@ -186,12 +186,12 @@ LL SUB
 G00 X1 LL SUB
 LL SAB ; error 20373 "no local subprogram SAB"
 LL CYCLE [NAME=SUB @P1=V.E.NONE] ; error 20196 "V.E.NONE"
-LL CYCLE [NAME=SUB @P1=1 @P1=2] ; error 21887 "@P1"
+LL CYCLE [NAME=SUB @P1=1 @P1=2] ; error 21379 "@P1"
 LL CYCLE [NAME=SUB @P201=1] ; error 900133 "@P201"
 LL CYCLE [NAME=SUB @P1] ; error 900133 "@P1"
 LL CYCLE [NAME=SUB COLOUR=1] ; error 900133 "COLOUR is not a parameter of a call"
 LL CYCLE [NAME=SUB MODAL_MOVE @P1=1]
-LL CYCLE [NAME=SUB MODAL MODAL_BLOCK] ; error 21887 "MODAL_BLOCK"
+LL CYCLE [NAME=SUB MODAL MODAL_BLOCK] ; error 21379 "MODAL_BLOCK"
 LL CYCLE [NAME=SUB MODAL_MOVE=1] ; error 900133 "MODAL_MOVE"
 #DISABLE MODAL CYCLE
 #DISABLE MODAL CYCLE [1] ; error 900233 "#DISABLE MODAL CYCLE"

@@ -194,9 +194,9 @@ M30
 G02 X5 ; warning 20036 "no centre"
 G02 X5 ; warning 20036 "no centre"
 G01 X1 F100
-G01 X1 F0 ; warning 20176 "feed 0"
+G01 X1 F0 ; error 20176 "feed 0"
 G01 X1 F100
-G01 X1 F-2.5 ; warning 20176 "feed -2.5"
+G01 X1 F-2.5 ; error 20176 "feed -2.5"
 G03
 G03 R5
 G02 X5

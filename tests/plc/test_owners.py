@@ -160,10 +160,10 @@ def test_a_block_asks_for_an_axis_that_a_cycle_names() -> None:
 
 
 def test_a_block_asks_for_an_axis_that_the_plc_moves_endlessly() -> None:
-    """RC-409, MO-13: 900446, since Z never stands."""
+    """RC-409, MO-13: 50766, since Z never stands."""
     plc = Owner(150, endless=True)
     made = Controller().run(NcText("p.nc", CYCLE + "G04 X0.2\nG00 Z-5\nM30"), plc=plc, ticks=400)
-    assert errors(made) == [900446]
+    assert errors(made) == [50766]
     assert plc.ends == []
 
 

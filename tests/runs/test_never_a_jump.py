@@ -29,7 +29,7 @@ HIGHEST_CHANGE = 0.004
 TICKS = 20_000
 
 #: What a program may end with: an axis that is not free, a start elsewhere, too many actions, …
-EXPECTED_ERRORS = {50858, 50967, 51028, 900420, 50603, 1704, 50766, 900446, 900447}
+EXPECTED_ERRORS = {50858, 50967, 51028, 900420, 50603, 1704, 50766}
 
 
 class Generator:

@@ -67,6 +67,8 @@ cdef enum:
     SYNCHRONIZED_MOTION = 6
     STANDS = 0
     MOVES_STILL = 1
+    MOVES_ENDLESSLY = 2
+    IS_HELD = 3
     PLC_OWNER = 1000000
     ABSOLUTE = 1
     RELATIVE = 2

@@ -102,8 +102,8 @@ NEGATIVE, PRESENT, POSITIVE, SHORTEST = range(-1, 3)
     SYNCHRONIZED_MOTION,  # the axis belongs to the path
 ) = range(1, 7)
 
-#: Whether an axis stands for a position request; any other number is that of a message (RC-409).
-STANDS, MOVES_STILL = range(2)
+#: The state of an axis for a position request (RC-409); in the last two it never stands.
+STANDS, MOVES_STILL, MOVES_ENDLESSLY, IS_HELD = range(4)
 
 #: The owner of the PLC's first request; the others follow.
 PLC_OWNER = 1_000_000

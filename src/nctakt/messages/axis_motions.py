@@ -75,79 +75,43 @@ BUFFERED_MOTION_WAITING = error(
     reaction=6,
     clearing=6,
 )
-ENDLESS_MOTION_AT_LIMIT = error(
+MOTION_ENDED_BY_LIMIT = error(
     1702,
-    known_as=(900434,),
+    known_as=(900434, 900436),
     cases=Cases((1702, 1703), lambda values: 0),
-    en="the endless motion of axis {axis} has reached its software limit",
-    de="die Endlosbewegung der Achse {axis} hat ihren Software-Endschalter erreicht",
-    remedy_en="Stop the axis earlier, or make it a modulo axis.",
-    remedy_de="Die Achse früher stoppen oder zur Modulo-Achse machen.",
-    cause_en="It was braked so that it stopped at the limit.",
-    cause_de="Sie wurde so gebremst, dass sie auf dem Endschalter steht.",
+    en="a software limit of axis {axis} ends its motion",
+    de="ein Software-Endschalter der Achse {axis} beendet ihre Bewegung",
+    remedy_en="Stop the axis earlier, give a shorter distance, or make it a modulo axis.",
+    remedy_de="Die Achse früher stoppen, einen kürzeren Weg angeben oder sie zur Modulo-Achse "
+    "machen.",
+    cause_en="An endless motion was braked so that it stopped at the limit, or a BUFFERED distance "
+    "would have led beyond it from where it starts: after an endless motion that is where the "
+    "endless one reaches its speed.",
+    cause_de="Eine Endlosbewegung wurde so gebremst, dass sie auf dem Endschalter steht, oder ein "
+    "BUFFERED-Weg hätte von seinem Start aus darüber hinausgeführt: nach einer Endlosbewegung ist "
+    "das dort, wo diese ihre Geschwindigkeit erreicht.",
     axis=("the axis", "die Achse"),
     reaction=6,
     clearing=6,
 )
 AXIS_IN_INDEPENDENT_MOTION = error(
     50766,
-    known_as=(900435, 50629),
-    en="the block moves axis {axis}, which is in an independent motion",
-    de="der Satz bewegt die Achse {axis}, die gerade eine unabhängige Bewegung ausführt",
-    remedy_en="Let the motion finish first, or stop the axis.",
-    remedy_de="Die Bewegung vorher enden lassen oder die Achse stoppen.",
-    cause_en="An axis has one owner at a time, and the path never jumps. An endless or held motion "
-    "never ends by itself.",
-    cause_de="Eine Achse hat immer nur einen Eigentümer, und die Bahn springt nie. Eine endlose "
-    "oder angehaltene Bewegung endet nie von selbst.",
-    axis=("the axis", "die Achse"),
-    reaction=6,
-    clearing=6,
-)
-BUFFERED_MOTION_OUTSIDE_LIMITS = error(
-    900436,
-    known_as=(60158, 60159),
-    en="the waiting motion of axis {axis} would go beyond a software limit from where it starts",
-    de="die wartende Bewegung der Achse {axis} würde von ihrem Start aus einen Endschalter "
-    "überfahren",
-    remedy_en="Give a shorter distance, or an absolute target.",
-    remedy_de="Einen kürzeren Weg oder ein absolutes Ziel angeben.",
-    cause_en="A BUFFERED distance after an endless motion starts where that motion reaches its "
-    "speed.",
-    cause_de="Ein BUFFERED-Weg nach einer Endlosbewegung beginnt dort, wo diese ihre "
-    "Geschwindigkeit erreicht.",
-    axis=("the axis", "die Achse"),
-    reaction=6,
-    clearing=6,
-)
-ENDLESS_MOTION_BLOCKS_PATH = error(
-    900446,
-    known_as=(50766,),
-    en="{axis} is moving endlessly beside the path: the block cannot take it over",
-    de="{axis} fährt endlos neben der Bahn: der Satz kann sie nicht übernehmen",
-    remedy_en="Stop it first: {axis}[INDP STOP] in the cycle, ABORT ACTION or END_ACTION.",
-    remedy_de="Vorher anhalten: {axis}[INDP STOP] im Zyklus, ABORT ACTION oder END_ACTION.",
-    cause_en="A block that programs an axis moved by a realtime cycle waits until that axis stops; "
-    "this one never would.",
-    cause_de="Ein Satz mit einer Achse, die ein Echtzeit-Zyklus bewegt, wartet, bis sie steht; "
-    "diese bliebe nie stehen.",
-    axis=("the axis", "die Achse"),
-    reaction=6,
-    clearing=6,
-)
-HELD_MOTION_BLOCKS_PATH = error(
-    900447,
-    known_as=(50766,),
-    en="a motion of {axis} beside the path is on hold: the block cannot take the axis over",
-    de="eine Bewegung von {axis} neben der Bahn ist angehalten: der Satz kann die Achse nicht "
-    "übernehmen",
-    remedy_en="Before the block, continue it with #RT CYCLE CONTINUE or end it with ABORT ACTION.",
-    remedy_de="Vor dem Satz mit #RT CYCLE CONTINUE fortsetzen oder mit ABORT ACTION abbrechen.",
-    cause_en="The motion on hold keeps its target and would continue later from a position that "
+    known_as=(900435, 900446, 900447, 50629),
+    en="the block moves axis {axis}, {motion}",
+    de="der Satz bewegt die Achse {axis}, {motion}",
+    remedy_en="Stop it before: {axis}[INDP STOP], ABORT ACTION or END_ACTION; CONTINUE a held one.",
+    remedy_de="Sie vorher anhalten: {axis}[INDP STOP], ABORT ACTION oder END_ACTION; eine "
+    "angehaltene fortsetzen.",
+    cause_en="An axis has one owner at a time, and the path never jumps. A block that programs an "
+    "axis moved by a realtime cycle waits until that axis stops, which in an endless motion it "
+    "never does. A motion on hold keeps its target and would continue later from a position that "
     "the path has left.",
-    cause_de="Die angehaltene Bewegung behält ihr Ziel und ginge später von einer Position aus "
-    "weiter, die die Bahn verlassen hat.",
+    cause_de="Eine Achse hat immer nur einen Eigentümer, und die Bahn springt nie. Ein Satz mit "
+    "einer Achse, die ein Echtzeit-Zyklus bewegt, wartet, bis sie steht; in einer Endlosbewegung "
+    "bleibt sie nie stehen. Eine angehaltene Bewegung behält ihr Ziel und ginge später von einer "
+    "Position aus weiter, die die Bahn verlassen hat.",
     axis=("the axis", "die Achse"),
+    motion=("its motion beside the path", "ihre Bewegung neben der Bahn"),
     reaction=6,
     clearing=6,
 )

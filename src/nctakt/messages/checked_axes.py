@@ -7,6 +7,7 @@ from nctakt.messages.catalogue import error
 
 DUPLICATE_INDP_KEYWORD = error(
     22032,
+    known_as=(21373,),
     en="{axis}[INDP …]: the keyword {word} is given twice",
     de="{axis}[INDP …]: das Schlüsselwort {word} ist doppelt angegeben",
     remedy_en="Keep one of them.",

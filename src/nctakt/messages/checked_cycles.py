@@ -27,11 +27,13 @@ LOOP_CONTROL_OUTSIDE_LOOP = error(
 )
 DUPLICATE_KEYWORD = error(
     21887,
-    known_as=(900224, 21373, 21379, 21420, 21537, 21710),
-    en="the keyword {word} is given twice",
-    de="das Schlüsselwort {word} ist doppelt angegeben",
+    known_as=(900224, 21420, 21537),
+    cases=by_beginning("command", {"#MSG": 21710, "L": 21379}),
+    en="{command}: the keyword {word} is given twice",
+    de="{command}: das Schlüsselwort {word} ist doppelt angegeben",
     remedy_en="Keep one of them.",
     remedy_de="Eines davon behalten.",
+    command=("the command", "der Befehl"),
     word=("the word as written", "das Wort, wie geschrieben"),
 )
 INVALID_KEYWORD_VALUE = error(

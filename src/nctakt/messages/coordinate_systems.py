@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from nctakt.messages.cases import by_beginning
-from nctakt.messages.catalogue import error
+from nctakt.messages.catalogue import error, warning
 
 COORDINATE_SYSTEM_NOT_STORED = error(
     20821,
@@ -18,15 +18,15 @@ COORDINATE_SYSTEM_NOT_STORED = error(
     reaction=2,
     clearing=3,
 )
-NO_COORDINATE_SYSTEM_ACTIVE = error(
+NO_COORDINATE_SYSTEM_ACTIVE = warning(
     20824,
     known_as=(900841,),
     en="#CS OFF, but no coordinate system is active",
     de="#CS OFF, aber kein Koordinatensystem ist aktiv",
     remedy_en="Remove it; #CS OFF ALL is allowed where none is active.",
     remedy_de="Entfernen; #CS OFF ALL ist erlaubt, wenn keines aktiv ist.",
-    reaction=2,
-    clearing=3,
+    reaction=1,
+    clearing=1,
 )
 ARC_PLANE_ASKEW = error(
     900842,

@@ -59,13 +59,16 @@ RESULT_TOO_LARGE = error(
     reaction=2,
     clearing=3,
 )
-FOR_STEP_ZERO = warning(
+FOR_STEP_ZERO = error(
     20852,
     known_as=(900302,),
-    en="the step of this $FOR is 0: the loop never ends by itself",
-    de="die Schrittweite dieses $FOR ist 0: die Schleife endet nie von selbst",
-    remedy_en="Give a step other than 0, or leave the loop with $BREAK.",
-    remedy_de="Eine Schrittweite ungleich 0 angeben oder die Schleife mit $BREAK verlassen.",
+    en="the step of this $FOR is 0",
+    de="die Schrittweite dieses $FOR ist 0",
+    remedy_en="Give a step other than 0; a loop that $BREAK alone shall end is a $WHILE 1.",
+    remedy_de="Eine Schrittweite ungleich 0 angeben; eine Schleife, die nur $BREAK beenden soll, "
+    "ist ein $WHILE 1.",
+    reaction=2,
+    clearing=3,
 )
 TOO_MANY_BLOCKS_WITHOUT_TIME = error(
     900303,
@@ -157,17 +160,17 @@ RETURN_LABEL_NOT_UNIQUE = error(
     reaction=2,
     clearing=3,
 )
-TOO_FEW_OPEN_CALLS = error(
+TOO_FEW_OPEN_CALLS = warning(
     22268,
     known_as=(900310,),
-    en="there are not {count} open calls, only {most}",
-    de="es sind keine {count} Aufrufe offen, nur {most}",
+    en="there are not {count} open calls, only {most}: the main program continues",
+    de="es sind keine {count} Aufrufe offen, nur {most}: das Hauptprogramm läuft weiter",
     remedy_en="JUMPS counts from 1 to the number of open calls; MAIN returns to the main program.",
     remedy_de="JUMPS zählt von 1 bis zur Anzahl offener Aufrufe; MAIN führt ins Hauptprogramm.",
     count=("the number after JUMPS", "die Zahl hinter JUMPS"),
     most=("the number of open calls", "die Anzahl offener Aufrufe"),
-    reaction=2,
-    clearing=3,
+    reaction=1,
+    clearing=1,
 )
 JUMP_TARGET_NOT_NC_TEXT = error(
     900311,
@@ -317,16 +320,6 @@ G194_ABOVE_MAX_FEED = error(
     remedy_de="Mit G194 ist F ein Anteil am maximalen Vorschub: über 0, höchstens {most} %.",
     value=("the value as programmed", "der Wert, wie programmiert"),
     most=("upper limit", "obere Grenze"),
-    reaction=2,
-    clearing=3,
-)
-NEGATIVE_FEED = error(
-    20176,
-    known_as=(900926, 120022),
-    en="the feed of this motion is negative",
-    de="der Vorschub dieser Bewegung ist negativ",
-    remedy_en="Program F with a value above 0; the target defines the direction.",
-    remedy_de="F mit einem Wert über 0 programmieren; die Richtung ergibt sich aus dem Ziel.",
     reaction=2,
     clearing=3,
 )

@@ -17,6 +17,17 @@ FEED_PER_REVOLUTION_SPINDLE_STOPPED = error(
     reaction=6,
     clearing=6,
 )
+FEED_NOT_POSITIVE = error(
+    20176,
+    known_as=(900903, 900926, 120022),
+    en="feed {value} is not above 0",
+    de="Vorschub {value} liegt nicht über 0",
+    remedy_en="Program F with a value above 0; the target defines the direction.",
+    remedy_de="F mit einem Wert über 0 programmieren; die Richtung ergibt sich aus dem Ziel.",
+    value=("the value", "der Wert"),
+    reaction=2,
+    clearing=3,
+)
 INVALID_PROGRAM_OVERRIDE = error(
     21419,
     known_as=(900835,),

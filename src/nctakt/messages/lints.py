@@ -232,16 +232,6 @@ AXIS_COMMANDED_EACH_TICK = warning(
     axis=("the axis", "die Achse"),
     word=("G91 or BUFFERED", "G91 oder BUFFERED"),
 )
-FEED_NOT_POSITIVE = warning(
-    20176,
-    known_as=(900903,),
-    en="feed {value} is not above 0: a feed motion with it would stop the program",
-    de="Vorschub {value} liegt nicht über 0: eine Vorschubbewegung damit würde das Programm "
-    "anhalten",
-    remedy_en="Program F with a value above 0.",
-    remedy_de="F mit einem Wert über 0 programmieren.",
-    value=("the value", "der Wert"),
-)
 ARC_LIKELY_WITHOUT_CENTRE = warning(
     20036,
     known_as=(900906,),
@@ -249,18 +239,8 @@ ARC_LIKELY_WITHOUT_CENTRE = warning(
     de="dieser Kreisbogen hat keinen Mittelpunkt, und vorher wurde kein Radius programmiert",
     remedy_en="Program the centre with I, J or K, or a radius R other than 0.",
     remedy_de="Den Mittelpunkt mit I, J oder K programmieren oder einen Radius R ungleich 0.",
-    cause_en="If the program runs like this, it stops here with 900700.",
-    cause_de="Läuft das Programm so, hält es hier mit 900700 an.",
-)
-TOOL_NOT_IN_LIST = warning(
-    20167,
-    known_as=(900928,),
-    en="T{tool}: the tool list has no such tool",
-    de="T{tool}: die Werkzeugliste hat kein solches Werkzeug",
-    remedy_en="T passes a tool location to the PLC; D selects dimensions and would find none for "
-    "it.",
-    remedy_de="T übergibt der SPS einen Werkzeugplatz; D wählt Maße an und fände keine dafür.",
-    tool=("the number of the tool", "die Nummer des Werkzeugs"),
+    cause_en="If the program runs like this, it stops here (900700).",
+    cause_de="Läuft das Programm so, hält es hier an (900700).",
 )
 POSITION_COMPARED_IN_INCH = note(
     901001,

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from nctakt.messages.catalogue import error, note, warning
+from nctakt.messages.catalogue import error, note
 
 SUBPROGRAM_END_IN_MAIN_PROGRAM = error(
     20376,
@@ -23,11 +23,11 @@ PROGRAM_ENDS_AS_SUBPROGRAM = note(
     "prüfen.",
     word=("the word as written", "das Wort, wie geschrieben"),
 )
-PROGRAM_END_IN_SUBPROGRAM = warning(
+PROGRAM_END_IN_SUBPROGRAM = error(
     20377,
     known_as=(900124,),
-    en="{word} in a subprogram ends the main program",
-    de="{word} in einem Unterprogramm beendet das Hauptprogramm",
+    en="{word} ends a main program, but this is a subprogram",
+    de="{word} beendet ein Hauptprogramm, dies ist aber ein Unterprogramm",
     remedy_en="Write M17 to return to the caller.",
     remedy_de="M17 schreiben, um zum Aufrufer zurückzukehren.",
     word=("the word as written", "das Wort, wie geschrieben"),

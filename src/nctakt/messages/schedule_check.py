@@ -120,7 +120,7 @@ INVALID_SEMAPHORE_NAME = warning(
 )
 CHANNEL_CONTEXT_WITHOUT_THREAD = warning(
     260102,
-    known_as=(900611, 260103),
+    known_as=(900611,),
     en="channel {channel}: {key} {context}: no thread has this context and {function}",
     de="Kanal {channel}: {key} {context}: kein Thread hat diesen Kontext und {function}",
     remedy_en="Give such a thread context_info {context}.",
@@ -129,6 +129,16 @@ CHANNEL_CONTEXT_WITHOUT_THREAD = warning(
     key=("the channel's parameter", "der Parameter des Kanals"),
     context=("the context", "der Kontext"),
     function=("the function that a thread must have", "die Funktion, die ein Thread haben muss"),
+)
+THREAD_CONTEXT_WITHOUT_CHANNEL = warning(
+    260103,
+    en="{key}: no channel has the context {context}",
+    de="{key}: kein Kanal hat den Kontext {context}",
+    remedy_en="Give a channel this context (schedule.context.geo, .sda or .com), or remove it.",
+    remedy_de="Einem Kanal diesen Kontext geben (schedule.context.geo, .sda oder .com) oder ihn "
+    "entfernen.",
+    key=("the thread's parameter", "der Parameter des Threads"),
+    context=("the context", "der Kontext"),
 )
 SCHEDULE_WITHOUT_THREADS = error(
     900612,

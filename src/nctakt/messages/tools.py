@@ -25,6 +25,19 @@ TOOL_NOT_VALID = error(
     remedy_de="wz[{tool}].gueltig (P-TOOL-00005) auf 1 setzen oder ein anderes Werkzeug anwählen.",
     tool=("the number of the tool", "die Nummer des Werkzeugs"),
 )
+TOOL_NOT_IN_LIST = error(
+    20167,
+    known_as=(900928,),
+    en="T{tool}: the tool list has no such tool",
+    de="T{tool}: die Werkzeugliste hat kein solches Werkzeug",
+    remedy_en="Add wz[{tool}] to the tool list of the channel. A channel without one accepts any "
+    "T.",
+    remedy_de="wz[{tool}] in die Werkzeugliste des Kanals aufnehmen. Ein Kanal ohne Liste nimmt "
+    "jedes T an.",
+    tool=("the number of the tool", "die Nummer des Werkzeugs"),
+    reaction=2,
+    clearing=3,
+)
 INVALID_TOOL_NUMBER = error(
     20171,
     known_as=(900867, 21242),

@@ -8,6 +8,7 @@ from dataclasses import replace
 
 from nctakt.base.diagnostics import Diagnostic, Text
 from nctakt.base.source_ids import statement_span
+from nctakt.kernel import codes
 from nctakt.kernel.cycles.expressions import OPERATIONS
 from nctakt.lists.declared.variables import SCALARS
 from nctakt.messages import diagnostic
@@ -16,12 +17,9 @@ from nctakt.messages.axis_motions import (
     AXIS_IN_INDEPENDENT_MOTION,
     AXIS_MOVED_BY_PATH,
     AXIS_NOT_AT_BLOCK_START,
-    BUFFERED_MOTION_OUTSIDE_LIMITS,
     BUFFERED_MOTION_WAITING,
-    ENDLESS_MOTION_AT_LIMIT,
-    ENDLESS_MOTION_BLOCKS_PATH,
-    HELD_MOTION_BLOCKS_PATH,
     INDP_TARGET_OUTSIDE_LIMITS,
+    MOTION_ENDED_BY_LIMIT,
 )
 from nctakt.messages.backward import (
     BACKWARD_AT_HISTORY_START,
@@ -80,7 +78,6 @@ _MESSAGES = {
         BACKWARD_WITHOUT_HISTORY,
         BLOCK_CYCLE_NEVER_RAN,
         BLOCK_PASSED_OVER,
-        BUFFERED_MOTION_OUTSIDE_LIMITS,
         BUFFERED_MOTION_WAITING,
         CHANNEL_BEING_RESET,
         CONTINUE_WITHOUT_EFFECT,
@@ -94,10 +91,7 @@ _MESSAGES = {
         CYCLE_TOO_LARGE,
         CYCLE_VALUE_OUT_OF_RANGE,
         EDGE_NOT_FOUND,
-        ENDLESS_MOTION_AT_LIMIT,
-        ENDLESS_MOTION_BLOCKS_PATH,
         FIXED_STOP_NOT_FOUND,
-        HELD_MOTION_BLOCKS_PATH,
         HOLD_WITHOUT_EFFECT,
         INDEPENDENT_MOTION_NOT_PERMITTED,
         INDEPENDENT_MOTION_REFUSED,
@@ -106,6 +100,7 @@ _MESSAGES = {
         INVALID_USER_ERROR_ID,
         INVALID_USER_ERROR_RC,
         M19_SPEED_ZERO,
+        MOTION_ENDED_BY_LIMIT,
         NO_CYCLE_TO_DELETE,
         PLC_INTERFACE_FULL,
         PLC_VALUE_NOT_FINITE,
@@ -118,6 +113,17 @@ _MESSAGES = {
         WAITING_FOR_MAIN_SPINDLE,
     )
     for number in message.leading
+}
+
+#: The motions of an axis that the path cannot have.
+_OWN_MOTIONS = {
+    codes.MOVES_STILL: Text(
+        "which is in an independent motion", "die gerade eine unabhängige Bewegung ausführt"
+    ),
+    codes.MOVES_ENDLESSLY: Text(
+        "which is moving endlessly beside the path", "die endlos neben der Bahn fährt"
+    ),
+    codes.IS_HELD: Text("whose motion is on hold", "deren Bewegung angehalten ist"),
 }
 
 
@@ -165,14 +171,10 @@ def realtime_diagnostic(event: Event, machine: AssembledMachine) -> Diagnostic:
             values = {"count": channel.manager.capacity}
         case INDEPENDENT_MOTION_REFUSED.id:
             values = {"axis": machine.registry.axis(int(a)), "reason": REFUSALS[int(b)]}
-        case (
-            FIXED_STOP_NOT_FOUND.id
-            | AXIS_NOT_AT_BLOCK_START.id
-            | AXIS_IN_INDEPENDENT_MOTION.id
-            | ENDLESS_MOTION_BLOCKS_PATH.id
-            | HELD_MOTION_BLOCKS_PATH.id
-        ):
+        case FIXED_STOP_NOT_FOUND.id | AXIS_NOT_AT_BLOCK_START.id | AXIS_IN_INDEPENDENT_MOTION.id:
             values = {"axis": machine.registry.axis(int(channel.executor.error_detail))}
+            if message is AXIS_IN_INDEPENDENT_MOTION:
+                values["motion"] = _OWN_MOTIONS[channel.executor.axis_state]
         case SPINDLE_JOB_HELD.id:
             values = {"spindle": machine.registry.spindle(int(channel.executor.error_detail))}
         case UNKNOWN_CYCLE_TIMER.id:
@@ -214,7 +216,7 @@ def realtime_diagnostic(event: Event, machine: AssembledMachine) -> Diagnostic:
                 "low": number_text(axis.software_limit_low),
                 "high": number_text(axis.software_limit_high),
             }
-        case ENDLESS_MOTION_AT_LIMIT.id | BUFFERED_MOTION_OUTSIDE_LIMITS.id:
+        case MOTION_ENDED_BY_LIMIT.id:
             values = {"axis": machine.registry.axis(machine.single_axes.next_failed())}
         case _:
             raise AssertionError(number)

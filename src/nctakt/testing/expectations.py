@@ -13,7 +13,7 @@ several, separated by ``;``. An expectation behind a block is about its line.
     ; expect: M100                    a function; H7
     ; expect: message "done"          #MSG
     ; expect: X = 200.25 at 463ms     an axis, V.E.COUNT, PATH.SPEED …; within 0.1
-    ; expect: error 22009             in this line; warning 20852
+    ; expect: error 22009             in this line; warning 20824
     ; expect: ended                   the program came to its end
 
 Behind an event: ``at 463ms`` (``at 463 ticks``; several with commas), ``before TIME``,

@@ -3,7 +3,7 @@
 "WHERE" = "X[P1 * 2]"
 "DOWN"
 N20 "WAIT"
-N30 G00 "WHERE" T5
+N30 G00 "WHERE" T1
 "DOWN" = "P1 += 3"
 "DOWN"
 #MSG ["%g", P1]

@@ -322,7 +322,7 @@ class BlockDecoder:
         content: _BlockContent,
     ) -> None:
         if word.name == "F":
-            self.path.feed_rate.feed_word(value)
+            self.path.feed_rate.feed_word(value, word.span)
             return
         if word.name == "R":
             self._state.path.radius = value * self._state.length_unit_mm

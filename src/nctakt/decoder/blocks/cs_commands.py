@@ -58,7 +58,8 @@ class CsCommands:
             )
         if command.action.startswith("OFF"):
             if command.action == "OFF" and not offsets.systems.is_active:
-                self._values.fail(NO_COORDINATE_SYSTEM_ACTIVE, statement.span)
+                self._values.warn(NO_COORDINATE_SYSTEM_ACTIVE, statement.span)
+                return
             count = offsets.systems.count
             if command.action == "OFF":
                 count = 1 if count > self._selected else self._selected

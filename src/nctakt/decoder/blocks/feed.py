@@ -17,8 +17,9 @@ from nctakt.decoder.state.commands import Answer, Command, FeedModifiers
 from nctakt.decoder.state.modal_state import FeedState
 from nctakt.decoder.values.variables import Values
 from nctakt.kernel.base import arithmetic
-from nctakt.messages.decoder import G194_ABOVE_MAX_FEED, NEGATIVE_FEED, NO_FEED_ACTIVE
+from nctakt.messages.decoder import G194_ABOVE_MAX_FEED, NO_FEED_ACTIVE
 from nctakt.messages.feed import (
+    FEED_NOT_POSITIVE,
     FEED_PER_REVOLUTION_SPINDLE_STOPPED,
     FEED_PER_REVOLUTION_WITHOUT_SPINDLE,
     INVALID_PROGRAM_OVERRIDE,
@@ -48,10 +49,14 @@ class FeedRate:
         self._state = values.state
         self._spindles = spindles
 
-    def feed_word(self, value: float) -> None:
+    def feed_word(self, value: float, span: Span) -> None:
         """Process F; in inch under G70, per minute regardless of P-CHAN-00108, or per
         revolution.
+
+        Raises ``DecodeError`` for one that is not above 0.
         """
+        if value <= 0.0:
+            self._values.fail(FEED_NOT_POSITIVE, span, value=value)
         state = self._state
         mode = state.feed.feed_mode
         if mode == INVERSE_TIME_FEED:
@@ -160,9 +165,7 @@ class FeedRate:
         return self._state.feed_mm_s, -1, 0.0
 
     def _need(self, value: float, span: Span) -> None:
-        """Raise ``DecodeError`` for an F of 0 or below, or none (MO-17)."""
-        if value < 0.0:
-            self._values.fail(NEGATIVE_FEED, span)
+        """Raise ``DecodeError`` where there is no F (MO-17)."""
         if value == 0.0:
             self._values.fail(NO_FEED_ACTIVE, span)
 

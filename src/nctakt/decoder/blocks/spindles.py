@@ -21,7 +21,6 @@ from nctakt.decoder.values.variables import Values
 from nctakt.kernel.cycles.instructions import Statement
 from nctakt.kernel.cycles.spindle_commands import CommandSpindle
 from nctakt.lists.machine.channel_configuration import Spindle
-from nctakt.messages import diagnostic
 from nctakt.messages.spindles import (
     DWELL_WITHOUT_SPINDLE,
     INVALID_SPINDLE_SPEED,
@@ -156,11 +155,7 @@ def warn_of_speed(values: Values, index: int, speed: float, span: Span) -> None:
     if limit is None or speed * DEGREES_PER_S <= limit * (1.0 + 1e-9):
         return
     name = values.environment.parameters.spindles[index].name
-    line = values.environment.line_text(span)
-    warning = diagnostic(
-        SPINDLE_SPEED_LIMITED, span, line, spindle=name, limit=limit / DEGREES_PER_S, speed=speed
-    )
-    values.environment.warn(warning)
+    values.warn(SPINDLE_SPEED_LIMITED, span, spindle=name, limit=limit / DEGREES_PER_S, speed=speed)
 
 
 def cycle_statement(

@@ -16,6 +16,7 @@ from nctakt.decoder.state.call_stack import CallFrame
 from nctakt.decoder.state.commands import Answer, Command
 from nctakt.decoder.values.variables import Values
 from nctakt.lists.machine.channel_configuration import ImplicitPrograms
+from nctakt.messages.checked_cycles import INVALID_KEYWORD_VALUE
 from nctakt.messages.decoder import TOO_FEW_OPEN_CALLS
 from nctakt.messages.program_structure import UNKNOWN_LOCAL_SUBPROGRAM
 from nctakt.nc import tree
@@ -131,13 +132,22 @@ class Calls:
             elif isinstance(item, tree.Keyword) and item.name == "JUMPS":
                 assert item.value is not None
                 value = yield from self._values.evaluate(item.value, number)
-                if not 1 <= value <= len(self._values.state.call_stack.frames) - 1:
-                    most = len(self._values.state.call_stack.frames) - 1
-                    self._values.fail(TOO_FEW_OPEN_CALLS, item.span, count=value, most=most)
-                calls = int(value)
+                calls = self._jumps(value, item.span)
             else:
                 label = label_of(item)
         return calls, label
+
+    def _jumps(self, value: float, span: Span) -> int | None:
+        """Return the number of calls to return over, ``None`` for all where fewer are open."""
+        most = len(self._values.state.call_stack.frames) - 1
+        if value < 1 or value != int(value):
+            self._values.fail(
+                INVALID_KEYWORD_VALUE, span, word="JUMPS", value=value, names=f"1 … {most}"
+            )
+        if value > most:
+            self._values.warn(TOO_FEW_OPEN_CALLS, span, count=int(value), most=most)
+            return None
+        return int(value)
 
 
 def has_return(block: tree.Block) -> bool:

@@ -16,7 +16,6 @@ from nctakt.base.diagnostics import Span
 from nctakt.decoder.state.commands import Answer, Command
 from nctakt.decoder.values.variables import Values
 from nctakt.kernel.base import arithmetic
-from nctakt.messages import diagnostic
 from nctakt.messages.decoder import FOR_STEP_ZERO
 from nctakt.nc import tree
 from nctakt.nc.outline import bodies_of, leads_to
@@ -135,11 +134,10 @@ class Flow:
         end = yield from values.evaluate(loop.end, number)
         step = yield from values.evaluate(loop.step, number)
         if step == 0.0:
-            line = values.environment.line_text(loop.step.span)
-            values.environment.warn(diagnostic(FOR_STEP_ZERO, loop.step.span, line))
+            values.fail(FOR_STEP_ZERO, loop.step.span)
         while True:
             value = yield from values.evaluate(loop.variable, number)
-            if (value > end) if step >= 0.0 else (value < end):
+            if (value > end) if step > 0.0 else (value < end):
                 return ""
             continues, signal = yield from self._run_pass(loop)
             if not continues:

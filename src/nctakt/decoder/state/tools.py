@@ -24,6 +24,7 @@ from nctakt.messages.checked_values import INDEX_OUT_OF_RANGE
 from nctakt.messages.tools import (
     INVALID_TOOL_NUMBER,
     TOOL_LENGTH_WITHOUT_AXIS,
+    TOOL_NOT_IN_LIST,
     TOOL_NOT_VALID,
     TOOL_RADIUS_LOST,
     UNKNOWN_TOOL,
@@ -50,8 +51,11 @@ class ActiveTool:
         self._fail = fail
 
     def name(self, word: Word, value: float) -> None:
-        """Process T, the number of the tool for the PLC."""
-        self._state.tool.number = self._number(word, value)
+        """Process T, the number of the tool for the PLC; the tool list has it, if there is one."""
+        number = self._number(word, value)
+        if number and self._environment.tools and number not in self._environment.tools:
+            self._fail(TOOL_NOT_IN_LIST, word.span, tool=number)
+        self._state.tool.number = number
 
     def select(self, word: Word, value: float) -> None:
         """Select the data of a valid tool of the list, or none with the number 0."""

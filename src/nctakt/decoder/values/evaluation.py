@@ -411,6 +411,11 @@ class Evaluator:
         if compensation.side:
             self.fail(FLUSH_DURING_COMPENSATION, span, command=command, word=compensation.word)
 
+    def warn(self, message: Message, span: Span, **values: object) -> None:
+        """Report a warning at ``span``."""
+        line = self.environment.line_text(span)
+        self.environment.warn(diagnostic(message, span, line, **values))
+
     def fail(self, message: Message, span: Span, **values: object) -> NoReturn:
         """Raise ``DecodeError`` with this message."""
         raise DecodeError(diagnostic(message, span, self.environment.line_text(span), **values))

@@ -153,7 +153,7 @@ class AxisMotions:
         else:
             self.event(rows.EVENT_AXIS_BEGUN, axis, self.end[axis])
             if self.is_beyond(axis, self.goal[axis]):
-                self.fail(axis, 900436)
+                self.fail(axis, 1702 if self.goal[axis] > self.high[axis] else 1703)
                 return
         if self.held[axis]:
             self.axes.show_state(axis, codes.STANDSTILL)

@@ -33,9 +33,9 @@ cdef class SingleAxes(AxisMotions):
     cdef int all_free(self, long long[::1] members, Py_ssize_t count) noexcept nogil
     @cython.locals(i=Py_ssize_t, message=int, last_message=int)
     cdef int take_faults(self, long long[::1] members, Py_ssize_t count) noexcept nogil
-    @cython.locals(i=Py_ssize_t, message=int)
+    @cython.locals(i=Py_ssize_t, state=int)
     cdef int request_state(self, double[::1] queue, Py_ssize_t row) noexcept nogil
-    cdef int obstacle(self, Py_ssize_t axis) noexcept nogil
+    cdef int state_for_request(self, Py_ssize_t axis) noexcept nogil
     cdef void reset(self, Py_ssize_t axis) noexcept nogil
     cdef void reopen(self, Py_ssize_t axis) noexcept nogil
     cdef int clear_fault(self, Py_ssize_t axis) noexcept nogil

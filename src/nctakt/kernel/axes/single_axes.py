@@ -200,17 +200,17 @@ class SingleAxes(AxisMotions):
         """First state of an axis in a position request that is not ``codes.STANDS``."""
         for i in range(int(queue[row + rows.POSITIONS_COUNT])):
             self.requested_axis = int(queue[row + rows.POSITIONS_AXES + i])
-            message = self.obstacle(self.requested_axis)
-            if message:
-                return message
-        return 0
+            state = self.state_for_request(self.requested_axis)
+            if state != codes.STANDS:
+                return state
+        return codes.STANDS
 
-    def obstacle(self, axis: int) -> int:
-        """``codes.STANDS``, ``codes.MOVES_STILL``, or the message of an error (RC-409)."""
+    def state_for_request(self, axis: int) -> int:
+        """Return ``codes.STANDS`` … ``codes.IS_HELD`` (RC-409)."""
         if self.held[axis]:
-            return 900447
+            return codes.IS_HELD
         if self.kind[axis] == codes.ENDLESS:
-            return 900446
+            return codes.MOVES_ENDLESSLY
         return codes.STANDS if self.is_free(axis) else codes.MOVES_STILL
 
     def assign_to_channel(self, axis: int) -> None:

@@ -79,7 +79,7 @@ cdef class Channel:
     cdef void begin_reset(self) noexcept nogil
     @cython.locals(i=Py_ssize_t)
     cdef void end_reset(self) noexcept nogil
-    @cython.locals(message=int, row=Py_ssize_t, source=cython.longlong)
+    @cython.locals(state=int, row=Py_ssize_t, source=cython.longlong)
     cdef int axes_stand(self) noexcept nogil
     @cython.locals(row=Py_ssize_t, cell=Py_ssize_t)
     cdef void answer_waiting(self) noexcept nogil

@@ -379,11 +379,12 @@ class Channel:
         if self.executor.waiting != rows.POSITIONS:
             return 0
         row = self.queue.head % self.queue.capacity * self.queue.width
-        message = self.context.single_axes.request_state(self.queue.rows, row)
-        if message > codes.MOVES_STILL:
+        state = self.context.single_axes.request_state(self.queue.rows, row)
+        if state > codes.MOVES_STILL:
             source = int(self.queue.rows[row + rows.SOURCE])
-            self.executor.report(source, message, self.context.single_axes.requested_axis)
-        return 1 if message == codes.STANDS else 0
+            self.executor.report(source, 50766, self.context.single_axes.requested_axis)
+            self.executor.axis_state = state
+        return 1 if state == codes.STANDS else 0
 
     def answer_waiting(self) -> None:
         """Answer the flush or synchronous read at the head with the present values."""

@@ -36,6 +36,7 @@ cdef class CommandExecutor:
     cdef readonly bint program_ended
     cdef readonly bint error_pending
     cdef readonly double error_detail
+    cdef readonly int axis_state
     cdef readonly int error_message
     cdef readonly bint is_looping
     cdef bint is_skipping

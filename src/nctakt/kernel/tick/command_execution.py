@@ -58,6 +58,7 @@ class CommandExecutor:
         self.program_ended = False
         self.error_pending = False
         self.error_detail = 0.0
+        self.axis_state = codes.MOVES_STILL
         self.error_message = 0
         self.is_looping = False
         self.is_skipping = False
@@ -471,4 +472,5 @@ class CommandExecutor:
         """Record an error and enter the error state; the path brakes (RC-505)."""
         self.record.event(rows.EVENT_ERROR, source, 0, message, detail)
         self.error_detail = detail
+        self.axis_state = codes.MOVES_STILL
         self.enter_error(message)

@@ -32,6 +32,7 @@ from nctakt.messages.schedule_check import (
     PRIORITY_OUT_OF_RANGE,
     PRIORITY_RESERVED,
     THREAD_BEFORE_REALTIME_THREAD,
+    THREAD_CONTEXT_WITHOUT_CHANNEL,
 )
 
 _KEY = "thread[].priority"
@@ -146,7 +147,9 @@ def check_contexts(
     channels: Sequence[ChannelParameters],
     collector: Collector,
 ) -> None:
-    """Check that each context has its thread (P-RTCF-00017, P-CHAN-00409 … 00411)."""
+    """Check that each context has its thread, and is a channel's (P-RTCF-00017, P-CHAN-00409 …
+    00411).
+    """
     for number, channel in enumerate(channels, start=1):
         for key, function, context in (
             ("schedule.context.geo", "task_int", channel.context_geo),
@@ -166,6 +169,19 @@ def check_contexts(
                     context=context,
                     function=function,
                 )
+    of_channels = {
+        context
+        for channel in channels
+        for context in (channel.context_geo, channel.context_sda, channel.context_com)
+    }
+    for thread in configuration.threads:
+        if thread.context and thread.context not in of_channels:
+            collector.report(
+                THREAD_CONTEXT_WITHOUT_CHANNEL,
+                None,
+                key=f"thread[{thread.index}].context_info",
+                context=thread.context,
+            )
 
 
 def check_time_limits(

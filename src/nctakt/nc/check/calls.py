@@ -81,12 +81,16 @@ class CallChecker:
     def _keyword(self, keyword: Keyword, seen: dict[str, None]) -> None:
         if keyword.name in _MODAL and keyword.value is None and not keyword.arguments:
             if _MODAL[0] in seen:
-                self._findings.report(DUPLICATE_KEYWORD, keyword.span, word=keyword.name)
+                self._findings.report(
+                    DUPLICATE_KEYWORD, keyword.span, command="L CYCLE", word=keyword.name
+                )
             seen[_MODAL[0]] = None
         elif parameter_number(keyword) is None:
             self._unknown(keyword)
         elif keyword.name in seen:
-            self._findings.report(DUPLICATE_KEYWORD, keyword.span, word=keyword.name)
+            self._findings.report(
+                DUPLICATE_KEYWORD, keyword.span, command="L CYCLE", word=keyword.name
+            )
         elif keyword.value is None:
             self._findings.report(WORD_VALUE_MISSING, keyword.span, word=keyword.name)
         else:

@@ -254,7 +254,9 @@ class Checker:
                     names=", ".join(names),
                 )
             elif option.name in seen:
-                self._findings.report(DUPLICATE_KEYWORD, option.span, word=option.name)
+                self._findings.report(
+                    DUPLICATE_KEYWORD, option.span, command="#MSG", word=option.name
+                )
             seen[option.name] = None
         self._message_text(message)
 

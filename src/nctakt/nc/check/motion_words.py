@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from nctakt.messages.lints import FEED_NOT_POSITIVE
+from nctakt.messages.feed import FEED_NOT_POSITIVE
 from nctakt.messages.motion import ARC_WITH_CENTRE_AND_RADIUS
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.tree import AxisWord, Block, Number, Word

@@ -144,7 +144,9 @@ class CycleChecker:
                     keyword=self._findings.written(item.span) or "–",
                 )
             elif item.name in keywords:
-                self._findings.report(DUPLICATE_KEYWORD, item.span, word=item.name)
+                self._findings.report(
+                    DUPLICATE_KEYWORD, item.span, command="#RT CYCLE", word=item.name
+                )
             else:
                 keywords[item.name] = item
         return keywords

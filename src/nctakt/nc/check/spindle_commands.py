@@ -62,7 +62,10 @@ class SpindleChecker:
             self._findings.report(NOT_A_SPINDLE_WORD, word.span, word=written, nearest=suggestion)
         for doubled in command.doubled:
             self._findings.report(
-                DUPLICATE_KEYWORD, doubled.span, word=self._findings.written(doubled.span)
+                DUPLICATE_KEYWORD,
+                doubled.span,
+                command=f"{command.name or 'S'}[…]",
+                word=self._findings.written(doubled.span),
             )
         for value in (command.speed, command.position):
             if value is not None:

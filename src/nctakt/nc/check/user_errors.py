@@ -70,7 +70,9 @@ class UserErrorChecker:
                         names=names,
                     )
             elif item.name in keywords:
-                self._findings.report(DUPLICATE_KEYWORD, item.span, word=item.name)
+                self._findings.report(
+                    DUPLICATE_KEYWORD, item.span, command="#ERROR", word=item.name
+                )
             else:
                 keywords[item.name] = item
         if "ID" not in keywords:

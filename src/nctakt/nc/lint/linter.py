@@ -23,11 +23,10 @@ from nctakt.messages import Collector
 from nctakt.messages.lints import (
     ARC_LIKELY_WITHOUT_CENTRE,
     GLOBAL_CYCLE_NEVER_DELETED,
-    TOOL_NOT_IN_LIST,
     VARIABLE_WRITTEN_BY_SEVERAL_CYCLES,
 )
 from nctakt.messages.realtime import CYCLE_ID_IN_USE
-from nctakt.messages.tools import TOOL_NOT_VALID, UNKNOWN_TOOL
+from nctakt.messages.tools import TOOL_NOT_IN_LIST, TOOL_NOT_VALID, UNKNOWN_TOOL
 from nctakt.nc.check.calls import may_call
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.check.motion_words import check_feed, has_radius, lacks_centre, leaves_arc
@@ -368,10 +367,9 @@ class Linter:
             return
         number = int(word.value.value)
         has_d = any(isinstance(other, Word) and other.name == "D" for other in block.words)
-        if word.name == "T" and (has_d or not self._selection.by_t):
-            if number > 0 and number not in self._tools:
-                self._findings.report(TOOL_NOT_IN_LIST, word.span, tool=number)
-        elif number > 0 and number not in self._tools:
-            self._findings.report(UNKNOWN_TOOL, word.span, tool=number)
-        elif number > 0 and not self._tools[number].valid:
+        is_selected = word.name == "D" or (self._selection.by_t and not has_d)
+        if number > 0 and number not in self._tools:
+            message = UNKNOWN_TOOL if word.name == "D" else TOOL_NOT_IN_LIST
+            self._findings.report(message, word.span, tool=number)
+        elif number > 0 and is_selected and not self._tools[number].valid:
             self._findings.report(TOOL_NOT_VALID, word.span, tool=number)

@@ -49,8 +49,16 @@ def blocks_per_second(
         begin = time.perf_counter()
         for i in range(CHUNK):
             channel.queue.put_segment(
-                *(0, i, corners[i], corners[i + 1], rows.FEED_MOTION, 200.0, False),
-                *(deviation, limits_jerk, None),
+                0,
+                i,
+                corners[i],
+                corners[i + 1],
+                rows.FEED_MOTION,
+                200.0,
+                False,
+                deviation,
+                limits_jerk,
+                None,
             )
         best = min(best, time.perf_counter() - begin)
     return CHUNK / best

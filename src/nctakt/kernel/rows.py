@@ -59,21 +59,23 @@ from __future__ import annotations
 ) = range(1, 37)
 
 #: The kinds that take or may take time.
-TIMED_KINDS = (
-    SEGMENT,
-    DWELL,
-    AWAIT_ACKNOWLEDGE,
-    FLUSH,
-    READ,
-    POSITIONS,
-    PROGRAM_END,
-    GIVE_UP,
-    USER_STOP,
-    AWAIT_SPINDLE,
-    PROGRAM_STOP,
-    LOOP_END,
-    FIXED_STOP_END,
-    MEASURE_END,
+TIMED_KINDS = frozenset(
+    (
+        SEGMENT,
+        DWELL,
+        AWAIT_ACKNOWLEDGE,
+        FLUSH,
+        READ,
+        POSITIONS,
+        PROGRAM_END,
+        GIVE_UP,
+        USER_STOP,
+        AWAIT_SPINDLE,
+        PROGRAM_STOP,
+        LOOP_END,
+        FIXED_STOP_END,
+        MEASURE_END,
+    )
 )
 
 

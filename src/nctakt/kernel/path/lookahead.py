@@ -284,9 +284,10 @@ class LookAhead:
         row = number % self.capacity * self.width
         before = (number - back) % self.capacity * self.width
         segments[row + rows.PREDECESSOR] = back
-        for i in range(self.width):
-            self.spare[i] = segments[row + i]
-            self.spare[self.width + i] = segments[before + i]
+        if promised_v >= 0.0:
+            for i in range(self.width):
+                self.spare[i] = segments[row + i]
+                self.spare[self.width + i] = segments[before + i]
         self.join(segments, before, row)
         if self.spread_any(segments, number, oldest, promised_v, promised_max_v):
             return

@@ -22,6 +22,10 @@ cdef class CommandQueue:
     cdef readonly LoopBody loop_body
     cdef double[::1] end_row
 
+    @cython.locals(row=Py_ssize_t, i=Py_ssize_t, kind=int)
+    cpdef put(self, list command)
+    @cython.locals(row=Py_ssize_t, first=Py_ssize_t, i=Py_ssize_t)
+    cpdef put_segment(self, double source, double number, start, target, int motion, double feed_v, int exact_stop, double deviation, int limits_jerk, arc, pace=*)
     @cython.locals(length=double, oldest=Py_ssize_t, before=Py_ssize_t, back=Py_ssize_t)
     cdef void prepare(self, Py_ssize_t row) noexcept nogil
     @cython.locals(promised_v=double, promised_max_v=double)
@@ -44,6 +48,7 @@ cdef class CommandQueue:
     cpdef void continue_block(self) noexcept
     @cython.locals(before=Py_ssize_t, limits_jerk=bint)
     cdef int has_same_slope(self, Py_ssize_t number, Py_ssize_t row) noexcept nogil
+    cdef Py_ssize_t next_row(self) except -1
     cdef int is_transparent(self, int kind) noexcept nogil
     @cython.locals(count=Py_ssize_t, length=double, needed=double, position=Py_ssize_t, row=Py_ssize_t)
     cdef int needs_pass(self) noexcept nogil

@@ -54,10 +54,14 @@ NOT_DETERMINISTIC = ("time", "datetime", "random", "threading", "secrets", "uuid
 
 @dataclass
 class Declared:
-    """What a .pxd says of one class; the class ``""`` holds the module's functions."""
+    """What a .pxd says of one class; the class ``""`` holds the module's functions.
+
+    ``entrances``: those of the methods that Python calls between ticks, and that may raise.
+    """
 
     base: str
     methods: set[str] = field(default_factory=set)
+    entrances: set[str] = field(default_factory=set)
     fields: set[str] = field(default_factory=set)
 
 
@@ -71,6 +75,8 @@ def declarations(module: str) -> dict[str, Declared]:
         elif match := re.match(r"(\s*)cp?def [\w\[:\], ]*?\b(\w+)\(", line):
             owner = current if match[1] else found[""]
             owner.methods.add(match[2])
+            if re.match(r"\s*cpdef \w+\(", line) or ") except " in line:
+                owner.entrances.add(match[2])
         elif match := re.match(r"(\s*)cdef [\w\[:\]. ]*?\b(\w+)$", line):
             owner = current if match[1] else found[""]
             owner.fields.add(match[2])
@@ -112,9 +118,10 @@ def ancestors(name: str) -> Iterator[Declared]:
 
 
 def tick_functions(module: str) -> Iterator[tuple[str, ast.FunctionDef]]:
-    """The functions of a module that its .pxd declares: they run without Python objects."""
+    """The functions of a module that run without Python objects, by its .pxd."""
     for owner, function in functions(module):
-        if function.name in ALL_DECLARED[module][owner].methods:
+        declared = ALL_DECLARED[module][owner]
+        if function.name in declared.methods - declared.entrances:
             yield owner, function
 
 

@@ -40,12 +40,10 @@ cdef class Chain:
     cdef void note(self, Py_ssize_t last) noexcept
     @cython.locals(motion=double)
     cdef void cross(self, Py_ssize_t last, Py_ssize_t crossed_piece) noexcept
-    @cython.locals(row=Py_ssize_t, piece=Py_ssize_t)
+    @cython.locals(row=Py_ssize_t, piece=Py_ssize_t, oldest=double)
     cdef Py_ssize_t search(self, Py_ssize_t last, double required_sense) noexcept
-    @cython.locals(row=Py_ssize_t, piece=Py_ssize_t)
+    @cython.locals(row=Py_ssize_t, piece=Py_ssize_t, oldest=double)
     cdef Py_ssize_t search_loops(self, Py_ssize_t last) noexcept
-    @cython.locals(begin=Py_ssize_t)
-    cdef int is_crossed(self, Py_ssize_t piece, Py_ssize_t row) noexcept
     @cython.locals(table=double[::1], x=double, y=double)
     cdef void leave_out(self, Py_ssize_t first, Py_ssize_t last) noexcept
     @cython.locals(at=Py_ssize_t, piece=Py_ssize_t)

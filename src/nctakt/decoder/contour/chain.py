@@ -149,34 +149,27 @@ class Chain:
         """
         self.crossings.required_sense = required_sense
         row = last * rows.PIECE_WIDTH
+        oldest = self.number - rows.REACH
         piece = last - 1
         if piece >= 0 and self.rows[piece * rows.PIECE_WIDTH + rows.SHAPE] != rows.GAP:
             piece -= 1  # the path goes on from this one
-        while piece >= self.barrier and self.is_near(piece):
-            if self.is_crossed(piece, row):
-                return piece
-            piece -= 1
-        return -1
+        piece = pieces.overlapping(self.rows, piece, self.barrier, oldest, row)
+        while piece >= 0 and not self.crossings.find(self.rows, piece * rows.PIECE_WIDTH, row):
+            piece = pieces.overlapping(self.rows, piece - 1, self.barrier, oldest, row)
+        return piece
 
     def search_loops(self, last: int) -> int:
         """Piece of a loop behind which the newest piece leads; -1 without one."""
         self.crossings.required_sense = -self.side
         row = last * rows.PIECE_WIDTH
+        oldest = self.number - rows.REACH
         piece = rows.ROOM + self.left_out_count - 1
         while piece >= rows.ROOM:
-            if self.is_near(piece) and self.is_crossed(piece, row):
-                return piece
+            if pieces.overlapping(self.rows, piece, piece, oldest, row) == piece:
+                if self.crossings.find(self.rows, piece * rows.PIECE_WIDTH, row):
+                    return piece
             piece -= 1
         return -1
-
-    def is_crossed(self, piece: int, row: int) -> int:
-        """Return whether the piece whose row begins at ``row`` crosses this one."""
-        begin = piece * rows.PIECE_WIDTH
-        if self.rows[begin + rows.IS_CONTOUR] == 0.0:
-            return 0
-        if pieces.are_apart(self.rows, begin, row):
-            return 0
-        return self.crossings.find(self.rows, begin, row)
 
     def leave_out(self, first: int, last: int) -> None:
         """Leave out the loop between two pieces that cross, and the first one if nothing is left.

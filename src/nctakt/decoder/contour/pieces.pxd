@@ -12,7 +12,8 @@ cdef double turn(double x, double y, double x_2, double y_2) noexcept nogil
 cdef double length(double[::1] table, Py_ssize_t row) noexcept nogil
 @cython.locals(more=double, angle=double)
 cdef void bound(double[::1] table, Py_ssize_t row) noexcept nogil
-cdef int are_apart(double[::1] table, Py_ssize_t first, Py_ssize_t second) noexcept nogil
+@cython.locals(min_x=double, max_x=double, min_y=double, max_y=double, begin=Py_ssize_t)
+cdef Py_ssize_t overlapping(double[::1] table, Py_ssize_t piece, Py_ssize_t first, double oldest, Py_ssize_t row) noexcept nogil
 cdef void cut_end(double[::1] table, Py_ssize_t row, double x, double y) noexcept nogil
 cdef void cut_start(double[::1] table, Py_ssize_t row, double x, double y) noexcept nogil
 @cython.locals(angle=double)

@@ -65,15 +65,25 @@ def bound(table: memoryview[float], row: int) -> None:
     table[row + rows.MAX_Y] = max(table[row + rows.START_Y], table[row + rows.END_Y]) + more
 
 
-def are_apart(table: memoryview[float], first: int, second: int) -> int:
-    """Return whether the bounds of two pieces have nothing in common."""
-    if table[first + rows.MAX_X] < table[second + rows.MIN_X]:
-        return 1
-    if table[second + rows.MAX_X] < table[first + rows.MIN_X]:
-        return 1
-    if table[first + rows.MAX_Y] < table[second + rows.MIN_Y]:
-        return 1
-    return 1 if table[second + rows.MAX_Y] < table[first + rows.MIN_Y] else 0
+def overlapping(table: memoryview[float], piece: int, first: int, oldest: float, row: int) -> int:
+    """Return the newest piece of the contour whose bounds have something in common with a row's.
+
+    It is one from ``piece`` down to ``first``, of a motion from ``oldest`` on; -1 without one.
+    """
+    min_x = table[row + rows.MIN_X]
+    max_x = table[row + rows.MAX_X]
+    min_y = table[row + rows.MIN_Y]
+    max_y = table[row + rows.MAX_Y]
+    while piece >= first:
+        begin = piece * rows.PIECE_WIDTH
+        if table[begin + rows.MOTION] < oldest:
+            return -1
+        if table[begin + rows.MIN_X] <= max_x and min_x <= table[begin + rows.MAX_X]:
+            if table[begin + rows.MIN_Y] <= max_y and min_y <= table[begin + rows.MAX_Y]:
+                if table[begin + rows.IS_CONTOUR] != 0.0:
+                    return piece
+        piece -= 1
+    return -1
 
 
 def cut_end(table: memoryview[float], row: int, x: float, y: float) -> None:

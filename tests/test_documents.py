@@ -294,7 +294,7 @@ def listed() -> Iterator[str]:
                 break
 
 
-def test_the_tree_of_the_house_is_the_folder() -> None:
+def test_the_list_of_packages_is_complete() -> None:
     """Each folder stands in the tree, and each loose file of a divided one; all of them exist."""
     named = set(listed())
     assert sorted(one for one in named if not (PACKAGE / one).exists()) == []

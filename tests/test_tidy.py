@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The house's own rules, checked in its files: what no compiler and no linter sees.
+"""The project's own rules, checked in its files: what no compiler and no linter sees.
 
 The realtime part is Python with C types in a ``.pxd`` beside each module. A class or a method that
 is missing there compiles without a word and is never called from the tick; these tests compare the
@@ -232,13 +232,13 @@ def test_nothing_is_asserted_in_the_tick(module: str) -> None:
     assert found == []
 
 
-@pytest.mark.parametrize("room", ["kernel", "plc", "hli"])
-def test_no_assert_stands_for_a_check(room: str) -> None:
+@pytest.mark.parametrize("package", ["kernel", "plc", "hli"])
+def test_no_assert_stands_for_a_check(package: str) -> None:
     """What comes from outside is checked and refused: ``python -O`` leaves asserts out."""
     found = [
         f"{path.relative_to(PACKAGE)}:{node.lineno}"
         for path in SOURCES
-        if PACKAGE / room in path.parents
+        if PACKAGE / package in path.parents
         for node in ast.walk(tree_of(path))
         if isinstance(node, ast.Assert)
     ]
@@ -377,14 +377,14 @@ def test_nobody_walks_through_a_set(folder: str) -> None:
     assert found == []
 
 
-# --- the house ----------------------------------------------------------------------------------
+# --- packages and layers ------------------------------------------------------------------------
 
 
-def rooms() -> list[str]:
-    """The folders and loose files of ``docs/architecture.md``, in the order of imports.
+def layers() -> list[str]:
+    """The packages and modules of ``docs/architecture.md``, in the order of imports.
 
-    A folder whose line is followed by folders (``nc/``) is divided: its rooms and its loose files
-    have places of their own. The files that stand below a room only describe it.
+    A package whose line is followed by packages (``nc/``) is divided: its subpackages and its own
+    modules have an order of their own. Modules listed below a subpackage only describe it.
     """
     text = (ROOT / "docs" / "architecture.md").read_text("utf-8")
     tree = text.split("```\nsrc/nctakt/\n")[1].split("```")[0]
@@ -406,17 +406,17 @@ def rooms() -> list[str]:
     return found
 
 
-#: How far folders and rooms are indented in the list of ``docs/architecture.md``.
+#: How far packages and subpackages are indented in the list of ``docs/architecture.md``.
 TOP, INNER = 2, 4
 
-ROOMS = rooms()
+LAYERS = layers()
 
 
 def place_of(module: str) -> int:
-    """The place of a module of the package (``nctakt.nc.tree``) in ``ROOMS``."""
+    """The place of a module of the package (``nctakt.nc.tree``) in ``LAYERS``."""
     path = "/".join(module.split(".")[1:])
-    for number, room in enumerate(ROOMS):
-        if path == room or path.startswith(f"{room}/"):
+    for number, layer in enumerate(LAYERS):
+        if path == layer or path.startswith(f"{layer}/"):
             return number
     raise AssertionError(f"{module} has no place in docs/architecture.md")
 
@@ -452,7 +452,7 @@ FORM_CHOICE = ("kernel", "decoder", "nc")
 
 
 def test_imports_go_in_one_direction() -> None:
-    """A room imports only rooms above it, and the realtime part nothing but itself."""
+    """A package imports only packages above it, and the realtime part nothing but itself."""
     wrong = []
     for path in SOURCES:
         own = own_name(path)
@@ -464,7 +464,7 @@ def test_imports_go_in_one_direction() -> None:
             if module.startswith(tuple(f"nctakt.{one}.__init__" for one in FORM_CHOICE)):
                 continue
             allowed = place_of(module) < place_of(own)
-            allowed |= ROOMS[place_of(module)] == ROOMS[place_of(own)]
+            allowed |= LAYERS[place_of(module)] == LAYERS[place_of(own)]
             if own.startswith("nctakt.kernel."):
                 allowed &= module.startswith("nctakt.kernel.")
             if not allowed and not under_type_checking(path, module):
@@ -672,13 +672,13 @@ def identifiers(tree: ast.Module) -> Iterator[tuple[str, int]]:
             yield node.name, node.lineno
 
 
-@pytest.mark.parametrize("room", ROOMS)
-def test_names_say_what_they_hold(room: str) -> None:
+@pytest.mark.parametrize("layer", LAYERS)
+def test_names_say_what_they_hold(layer: str) -> None:
     """No name is one of the words that may mean anything."""
     found = [
         f"{path.relative_to(PACKAGE)}:{line}: {name}"
         for path in SOURCES
-        if path.relative_to(PACKAGE).as_posix().startswith((f"{room}/", f"{room}.py"))
+        if path.relative_to(PACKAGE).as_posix().startswith((f"{layer}/", f"{layer}.py"))
         for name, line in identifiers(tree_of(path))
         if name.strip("_") in VAGUE_NAMES
     ]

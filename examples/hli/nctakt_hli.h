@@ -186,7 +186,7 @@ _Static_assert(sizeof(hli_spindle) == 96, "hli_spindle");
 /* what the PLC commands a channel */
 typedef struct hli_command {
     double override; /* the operator's override of the path (%) */
-    uint8_t feed_hold; /* 1: the path brakes to a stand and stays there */
+    uint8_t feed_hold; /* 1: the path brakes to a standstill and stays there */
     uint8_t single_block; /* 1: the channel stops in front of each block */
     uint8_t start; /* START: the PLC writes 1, the CNC takes it and writes 0 */
     uint8_t reset; /* RESET: the PLC writes 1, the CNC takes it and writes 0 */

@@ -69,7 +69,7 @@ class Structure:
 #: The operator's commands, written by the PLC.
 PANEL = (
     Entry("override", "REAL64", "%", "the operator's override of the path"),
-    Entry("feed_hold", "BOOLEAN", "", "1: the path brakes to a stand and stays there"),
+    Entry("feed_hold", "BOOLEAN", "", "1: the path brakes to a standstill and stays there"),
     Entry("single_block", "BOOLEAN", "", "1: the channel stops in front of each block"),
     Entry("start", "BOOLEAN", "", "START: the PLC writes 1, the CNC takes it and writes 0"),
     Entry("reset", "BOOLEAN", "", "RESET: the PLC writes 1, the CNC takes it and writes 0"),

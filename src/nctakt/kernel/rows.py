@@ -413,7 +413,7 @@ MATRIX_SIZE = 9
 
 
 def segment_width(axis_count: int) -> int:
-    """Number of columns of a queue over so many axes."""
+    """Return the number of columns of a queue over ``axis_count`` axes."""
     return START + POSITIONS_OF_AXIS * axis_count
 
 

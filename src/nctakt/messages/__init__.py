@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Messages: each one that nctakt can give, declared once, in English and German.
+"""Messages: all that nctakt can give, each declared once, in English and German.
 
-A module holds the messages of one subject. The controller's own number is used where it is known;
-what the controller does not number has one of ours, from 900000 on (``scripts/next_message``
-prints the next one). In: a declared message, a place, the values of its parameters. Out: the
-``Diagnostic``.
+A module holds the messages of one subject. A message has the controller's number where it is known,
+else one of nctakt's own, from 900000 on (``scripts/next_message`` prints the next one). In: a
+declared message, a span, the values of its parameters. Out: the ``Diagnostic``.
 """
 
 from __future__ import annotations
@@ -35,7 +34,7 @@ class Collector:
         /,
         **values: object,
     ) -> Diagnostic:
-        """Add ``message`` with the number of a case that its values do not tell; 0: they do."""
+        """Add ``message`` with the number of a case; 0: that which its values give."""
         assert values.keys() == message.parameters.keys(), (message.id, tuple(values))
         found = Diagnostic(message, span, values, source_line, number=number)
         self.diagnostics.append(found)

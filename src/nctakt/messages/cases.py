@@ -20,7 +20,7 @@ _IDENTIFIER = re.compile(r"[A-Za-z_]\w*", re.ASCII)
 
 
 def by_word(parameter: str, numbers: Mapping[str, int]) -> Cases:
-    """Number by the letters that a value begins with: ``M`` of ``M100``; case does not matter."""
+    """Choose the number by the letters that a value begins with: ``M`` of ``M100``, in any case."""
 
     def number_of(values: Values) -> int:
         match = _HEAD.match(str(values[parameter]))
@@ -30,7 +30,7 @@ def by_word(parameter: str, numbers: Mapping[str, int]) -> Cases:
 
 
 def by_beginning(parameter: str, numbers: Mapping[str, int]) -> Cases:
-    """Number by the text that a value begins with; the first that fits."""
+    """Choose the number by the text that a value begins with; the first that fits."""
 
     def number_of(values: Values) -> int:
         text = str(values[parameter]).upper()
@@ -40,7 +40,7 @@ def by_beginning(parameter: str, numbers: Mapping[str, int]) -> Cases:
 
 
 def by_end(parameter: str, numbers: Mapping[str, int]) -> Cases:
-    """Number by the text that a value ends with."""
+    """Choose the number by the text that a value ends with."""
 
     def number_of(values: Values) -> int:
         text = str(values[parameter])
@@ -50,7 +50,7 @@ def by_end(parameter: str, numbers: Mapping[str, int]) -> Cases:
 
 
 def by_sign(parameter: str, *, negative: int, other: int = 0) -> Cases:
-    """Number of a value below 0, and of any other."""
+    """Choose the number of a value below 0, or that of any other."""
 
     def number_of(values: Values) -> int:
         return negative if number(values[parameter]) < 0 else other
@@ -59,7 +59,7 @@ def by_sign(parameter: str, *, negative: int, other: int = 0) -> Cases:
 
 
 def by_limit(value: str, *, above: int, below: int) -> Cases:
-    """Number of a value above ``high``, and of one below ``low``."""
+    """Choose the number of a value above ``high``, or that of one below ``low``."""
 
     def number_of(values: Values) -> int:
         return above if number(values[value]) > number(values["high"]) else below
@@ -68,7 +68,7 @@ def by_limit(value: str, *, above: int, below: int) -> Cases:
 
 
 def by_counts(*, few: int, many: int, none: int = 0) -> Cases:
-    """Number where fewer are ``given`` than ``expected``, more, or some where none belong."""
+    """Choose the number of too ``few`` values, too ``many``, or any where ``none`` are expected."""
 
     def number_of(values: Values) -> int:
         given = number(values["given"])
@@ -81,7 +81,7 @@ def by_counts(*, few: int, many: int, none: int = 0) -> Cases:
 
 
 def in_case(only: int, applies: Callable[[Values], bool]) -> Cases:
-    """One number, where ``applies`` says so."""
+    """Give the number ``only`` to values for which ``applies`` is true."""
     return Cases((only,), lambda values: only if applies(values) else 0)
 
 
@@ -95,7 +95,7 @@ _GROUPS = (
 
 
 def by_group() -> Cases:
-    """Number by the group that the functions ``word`` and ``other`` belong to."""
+    """Choose the number by the group that the functions ``word`` and ``other`` belong to."""
 
     def number_of(values: Values) -> int:
         words = {str(values["word"]), str(values["other"])}
@@ -105,14 +105,14 @@ def by_group() -> Cases:
 
 
 def feed_factor(values: Values) -> int:
-    """The number of a feed factor; other overrides have the number that leads."""
+    """Return the number of a feed factor; other overrides have the message's own."""
     if values["word"] != "FEED_FACT":
         return 0
     return 21826 if number(values["value"]) < 0 else 21987
 
 
 def names_of_axes(values: Values) -> int:
-    """The number of the name of an axis or a spindle: of its form, or that it is used twice."""
+    """Return the number of an invalid name of an axis or spindle, or of one used twice."""
     key, name = str(values["key"]), str(values["value"])
     if not key.startswith(("spindel", "main_spindle")):
         return 20424 if _AXIS_NAME.fullmatch(name) else 20425
@@ -122,7 +122,7 @@ def names_of_axes(values: Values) -> int:
 
 
 def names_of_variables(values: Values) -> int:
-    """The number of a name in a list of variables: too long, with a sign, or there already."""
+    """Return the number of a variable name that is too long, invalid or already used."""
     key, name = str(values["key"]), str(values["value"])
     is_structure = key.startswith("struct")
     is_element = is_structure and ".element" in key
@@ -134,7 +134,7 @@ def names_of_variables(values: Values) -> int:
 
 
 def number(value: object) -> float:
-    """The number that a shown value begins with; of ``2 to 3`` the first."""
+    """Return the number that a shown value begins with; the first one of ``2 to 3``."""
     match = re.match(r"[+-]?[\d.]+(?:e[+-]?\d+)?", str(value))
     return float(match[0]) if match else 0.0
 

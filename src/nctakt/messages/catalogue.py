@@ -11,7 +11,7 @@ from functools import cache, partial
 
 from nctakt.base.diagnostics import Cases, Message, Severity
 
-#: Numbers of ours lie in this range; others are the controller's.
+#: The range of nctakt's own numbers; all others are the controller's.
 FIRST_OWN, LAST_OWN = 900_000, 999_999
 
 _declared: list[Message] = []
@@ -37,9 +37,10 @@ def _declare(
 ) -> Message:
     """Declare the message of a number; ``parameters`` explains the names in its texts, en and de.
 
-    Text and remedy are format strings; ``cause`` tells, for explanation, what they do not.
+    Text and remedy are format strings; ``cause`` explains how the error comes about.
     ``reaction`` and ``clearing`` are the controller's classes (``classes.py``). ``known_as`` are
-    other numbers of the same message: ours where the controller's leads, those of other documents.
+    other numbers of the same message: nctakt's own where the controller's leads, those of other
+    documents.
     ``cases``: the numbers of a message that the controller numbers by case (``cases.py``).
     """
     message = Message(

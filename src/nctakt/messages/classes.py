@@ -2,7 +2,7 @@
 """The classes of the controller's errors: the effect of an error, and its clearing.
 
 In: ``Message.reaction`` and ``Message.clearing``, which the controller's diagnosis pages print as
-two numbers (``2/3``). Out: their meaning. Class 0 is ours: the message has no class.
+two numbers (``2/3``). Out: their meaning. Class 0: the message has none.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from types import MappingProxyType
 
 from nctakt.base.diagnostics import Text
 
-#: What an error does.
+#: The effect of an error.
 REACTIONS: Mapping[int, Text] = MappingProxyType(
     {
         1: Text("none, it is a warning", "keine, es ist eine Warnung"),
@@ -21,7 +21,7 @@ REACTIONS: Mapping[int, Text] = MappingProxyType(
             "das Programm wird abgebrochen; Vorbereitetes wird noch beendet; Fehlerzustand",
         ),
         3: Text(
-            "the job is given up; the controller goes on as usual",
+            "the job is given up; the controller continues as usual",
             "der Auftrag wird abgebrochen; die Steuerung arbeitet normal weiter",
         ),
         4: Text(
@@ -36,7 +36,7 @@ REACTIONS: Mapping[int, Text] = MappingProxyType(
     }
 )
 
-#: What clears it.
+#: The way to clear it.
 CLEARINGS: Mapping[int, Text] = MappingProxyType(
     {
         1: Text("nothing: there is nothing to clear", "nichts: es gibt nichts zu löschen"),

@@ -153,7 +153,7 @@ class MC_MoveVelocity(AxisBlock):
 
 
 class MC_Halt(AxisBlock):
-    """MC_Halt: brakes any motion to a stand; the axis accepts commands meanwhile."""
+    """MC_Halt: brakes any motion to a standstill; the axis accepts commands meanwhile."""
 
     def __call__(self, hli: PlcView, *, execute: bool) -> None:
         """``done`` when the axis stands, ``command_aborted`` if it moves again before."""

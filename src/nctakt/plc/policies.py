@@ -75,7 +75,7 @@ class Only:
 class RunUp:
     """Acknowledges a job after the time that the spindle needs for its change of speed.
 
-    M19 runs up to its speed and down to a stand.
+    M19 runs up to its speed and down to a standstill.
     """
 
     rpm_per_s: float

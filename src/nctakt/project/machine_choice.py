@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Which machine a program runs on, and is checked for, where nobody names one.
+"""Which machine a program runs on, and is checked for, if none is named.
 
 In: a program, its project. Out: ``MachineChoice``: the machine of the environment, else that of the
 project file, else the one in whose folder the program lies, else the built-in one; and the note

@@ -111,7 +111,7 @@ class Inputs:
     ) -> None:
         """Acknowledge a function; a warning (900671) is reported if it no longer waits.
 
-        Raises ``ValueError`` for a slot that there is not.
+        Raises ``ValueError`` for an unknown slot.
         """
         if channel < 0:
             raise ValueError(channel)

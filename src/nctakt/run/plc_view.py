@@ -424,7 +424,7 @@ class PlcView:
         self.write("HLI.START", 1.0)
 
     def reset(self) -> None:
-        """Press RESET: the program is aborted, the path brakes to a stand (RC-007)."""
+        """Press RESET: the program is aborted, the path brakes to a standstill (RC-007)."""
         self.write("HLI.RESET", 1.0)
 
     @property

@@ -38,7 +38,7 @@ if TYPE_CHECKING:
 #: Virtual time after which a run ends if neither ``until`` nor ``ticks`` limits it.
 DEFAULT_LIMIT_US = 600_000_000
 
-#: How long a run that an error has stopped waits for axes and spindles to come to a stand.
+#: How long a run that an error has stopped waits for axes and spindles to come to a standstill.
 REST_US = 60_000_000
 
 #: Ticks between two calls of a progress function.

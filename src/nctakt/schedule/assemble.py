@@ -248,7 +248,7 @@ class _Assembly:
         self._collector.report(EXECUTION_TIME_MISSING, None, name=name, time=time, entry=entry)
 
     def _refuse_parts(self, key: str, parts: tuple[int, ...]) -> None:
-        """Only the interpolation has parts."""
+        """Report parts of a function other than the interpolation."""
         expected = Text(
             f"a time: only {REALTIME_FUNCTION} has parts",
             f"eine Zeit: nur {REALTIME_FUNCTION} hat Teile",

@@ -2,8 +2,8 @@
 # cython: boundscheck=True, cdivision=False, initializedcheck=True, wraparound=True
 """Random numbers: those of ``random.Random`` with the same seed, drawn in blocks.
 
-In: a seed. Out: whole numbers, evenly spread. The generator's words come from numpy, which has the
-same one (MT19937); what is made of them is what Python's ``randint`` makes.
+In: a seed. Out: uniformly distributed integers. The words come from numpy's generator, which is the
+same as Python's (MT19937); they become integers as in Python's ``randint``.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ import random
 from array import array
 from typing import Any
 
-#: So many words are drawn at once.
+#: Number of words drawn at once.
 _BLOCK = 4096
 
 
@@ -34,14 +34,14 @@ class Chance:
         self._count = _BLOCK
 
     def _word(self) -> int:
-        """The next 32 bits."""
+        """Return the next 32 bits."""
         if self._next == self._count:
             self._refill()
         self._next += 1
         return self._words[self._next - 1]
 
     def below(self, limit: int, bits: int) -> int:
-        """A number from 0 to below ``limit``, which has ``bits`` bits (at most 63)."""
+        """Return a number from 0 to below ``limit``, which has ``bits`` bits (at most 63)."""
         while True:
             if bits <= 32:
                 drawn = self._word() >> (32 - bits)
@@ -52,13 +52,13 @@ class Chance:
                 return drawn
 
     def randint(self, low: int, high: int) -> int:
-        """A number from ``low`` to ``high``."""
+        """Return a number from ``low`` to ``high``."""
         span = high - low + 1
         return low + self.below(span, span.bit_length())
 
 
 def _generator(seed: int) -> Any:
-    """numpy's generator in the state of Python's."""
+    """Return numpy's generator in the state of Python's."""
     from numpy.random import MT19937  # noqa: PLC0415 - a schedule without chance needs no numpy
 
     words = random.Random(seed).getstate()[1]

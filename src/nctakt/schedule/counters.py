@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # cython: boundscheck=True, cdivision=False, initializedcheck=True, wraparound=True
-"""The numbers of a simulation while it runs.
+"""Counts the results of a simulation while it runs.
 
 In: what happens to tasks and in cycles. Out: ``TaskNumbers`` and ``WindowsNumbers``. What only
 adds up can be multiplied when the schedule repeats; a repetition brings no new least or greatest.
@@ -15,7 +15,7 @@ from nctakt.schedule.responses import ResponseCounts
 from nctakt.schedule.results import Snapshot, TaskNumbers, WindowsNumbers
 
 _NONE = -1
-#: So many different responses of a task are told apart, then neighbours count together.
+#: Maximum number of different responses of a task; beyond it neighbours count together.
 _MAX_STEPS = 4096
 #: No point of suspension in a cycle: a moment before all others.
 NEVER = -(1 << 62)
@@ -72,14 +72,14 @@ class Counters:
         ]
 
     def snapshot(self) -> Snapshot:
-        """Return all that adds up, as it stands."""
+        """Return the present values of all sums."""
         return Snapshot(
             [list(numbers) for numbers in self._additive()],
             [self._responses_of(i) for i in range(len(self._responses))],
         )
 
     def repeat(self, before: Snapshot, times: int) -> None:
-        """Add what came since ``before`` so many ``times`` more."""
+        """Add what has come since ``before`` another ``times`` times."""
         for numbers, old in zip(self._additive(), before.numbers, strict=True):
             for i, value in enumerate(old):
                 numbers[i] += (numbers[i] - value) * times
@@ -92,13 +92,13 @@ class Counters:
                 counts[step] += (counts[step] - known.get(step, 0)) * times
 
     def overflow(self, i: int, now: int) -> None:
-        """An activation of task ``i`` found it busy."""
+        """Count an activation that found task ``i`` busy."""
         if not self.overflows[i]:
             self._first_overflow[i] = now
         self.overflows[i] += 1
 
     def finish(self, i: int, response: int) -> None:
-        """A job of task ``i`` ended."""
+        """Count a finished job of task ``i``."""
         self.completed[i] += 1
         self._response_sum[i] += response
         self._response_max[i] = max(self._response_max[i], response)
@@ -127,16 +127,16 @@ class Counters:
         return ResponseCounts(1 << shift, tuple(sorted(counts)))
 
     def runs_late(self, cpu: int, i: int) -> None:
-        """Task ``i`` runs behind the point of suspension."""
+        """Note that task ``i`` runs after the point of suspension."""
         self._runners[cpu].append(i)
         self._has_runners = True
 
     def end_cycle(
         self, idle: array[int], point: int, end: int, is_missed: bool, suspended: bool
     ) -> None:
-        """A cycle is over: ``idle`` is the time that each processor was without work.
+        """Count a finished cycle in which each processor was idle for ``idle`` ns.
 
-        ``point``: when it suspended, or ``NEVER``.
+        ``point``: the time of the suspension, or ``NEVER``.
         """
         self._cycles[0] += is_missed
         self._cycles[1] += suspended
@@ -154,7 +154,7 @@ class Counters:
         self._share(self._sum, total)
 
     def _violate(self, column: int, is_late: bool) -> None:
-        """Windows got less than it should have."""
+        """Count a cycle in which Windows got less time than guaranteed."""
         for one in (column, self._sum):
             self._violated[one] += 1
             self._late[one] += is_late
@@ -169,16 +169,16 @@ class Counters:
 
     @property
     def missed(self) -> int:
-        """Cycles that were over before their point of suspension."""
+        """The number of cycles that ended before their point of suspension."""
         return self._cycles[0]
 
     @property
     def suspended_cycles(self) -> int:
-        """Cycles in which something was suspended."""
+        """The number of cycles in which something was suspended."""
         return self._cycles[1]
 
     def task_numbers(self, unfinished: list[int | None]) -> tuple[TaskNumbers, ...]:
-        """The numbers of all tasks; ``unfinished``: since when each has a job at the end."""
+        """Return the results of all tasks; ``unfinished``: since when each has had an open job."""
         return tuple(
             TaskNumbers(
                 self.due[i],
@@ -198,7 +198,7 @@ class Counters:
         )
 
     def windows_numbers(self) -> tuple[WindowsNumbers, ...]:
-        """Windows on each of its processors, then their sum."""
+        """Return the results of Windows on each of its processors, then their sum."""
         return tuple(
             WindowsNumbers(
                 cpu,

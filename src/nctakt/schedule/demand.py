@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The work that threads bring, at most: how many jobs in a time, how long so many jobs.
+"""The maximum work of threads: jobs in a time, and the time of a number of jobs.
 
 In: ``Task``, ``Train``. Out: counts of jobs, sums of execution times in ns.
 """

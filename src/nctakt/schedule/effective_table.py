@@ -134,7 +134,7 @@ def _row(
 
 
 def _raw(entry: Entry) -> str:
-    """The value as it stands there, without its comment."""
+    """Return the value as written, without its comment."""
     text = entry.rest.strip(BLANKS)
     if text.startswith('"') and text.find('"', 1) > 0:
         return text[: text.find('"', 1) + 1]

@@ -158,7 +158,7 @@ def _stroke(stroke: Stroke) -> Iterator[str]:
 
 
 def arrow_heads(stroke: Stroke) -> Iterator[list[tuple[float, float]]]:
-    """The triangles at the ends of a stroke that has arrows."""
+    """Yield the triangles at the ends of a stroke with arrows."""
     ends = []
     if stroke.arrows in ("end", "both"):
         ends.append((stroke.points[-2], stroke.points[-1]))

@@ -24,7 +24,7 @@ from nctakt.schedule.analyse import Analysis
 from nctakt.schedule.model import NS_PER_US, Model
 from nctakt.schedule.results import Simulation, WindowsNumbers
 
-#: What happens less often than each so many times that it is due happens hardly ever.
+#: A thread that finishes less often than once in this many activations hardly ever finishes.
 _RARE = 10
 _LATE = "late suspension"
 

@@ -49,7 +49,7 @@ _WINDOWS_TEXT = Text("Windows", "Windows")
 
 _SIZE, _LINE, _SWATCH, _GAP = 10.0, 18.0, 24.0, 16.0
 
-#: Draws a sign with its upper left corner at a place.
+#: Draws a sign with its upper left corner at a position.
 _Swatch = Callable[[float, float], list[Shape]]
 
 

@@ -30,7 +30,7 @@ from nctakt.schedule.model import ANY_CPU, Model, TaskClass, suspension_point
 from nctakt.schedule.trace_reader import Recording, Times
 from nctakt.schedule.traces import GAP
 
-#: Who calls a function: the task's place in the model, the function's name.
+#: A caller of a function: the task's index in the model, the function's name.
 Caller = tuple[int, str]
 
 
@@ -149,7 +149,7 @@ class _Learning:
         return _union([*blocked, *(suspended or [])]), suspended is not None
 
     def _suspended(self) -> Times | None:
-        """Return when the list suspends threads; ``None``: nobody can tell."""
+        """Return when the list suspends threads; ``None``: unknown."""
         model = self._model
         if model.source is not InterruptSource.TIMER:
             return None

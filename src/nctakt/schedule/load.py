@@ -83,7 +83,7 @@ _ENTRIES: dict[str, tuple[str, ...]] = {
 }
 
 
-#: A block of a program is decoded in so long where nobody says it: a value for trying.
+#: Decode time of a block unless the load names one, in µs: a value for trying.
 ASSUMED_BLOCK = 100 * NS_PER_US
 
 
@@ -123,7 +123,7 @@ def _us(time: int) -> Execution:
     return Execution((time * NS_PER_US,))
 
 
-#: Without a load each call takes so long: values for trying, of no machine.
+#: Times of calls without a load, in µs: values for trying, of no real machine.
 ASSUMED = Load(
     {
         "task_int": _us(300),

@@ -20,7 +20,7 @@ from nctakt.schedule.model import ANY_CPU, NS_PER_US, Execution, Model, Task
 _MAX_CYCLES = 64
 #: Factors are searched in steps of a thousandth.
 _STEPS = 1000
-#: So many values of windows_time are tried at first.
+#: Number of values of windows_time that are tried first.
 _MAX_TRIALS = 200
 
 

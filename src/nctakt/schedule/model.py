@@ -179,7 +179,7 @@ class Model:
 
 
 def suspension_point(model: Model, begin: int) -> int | None:
-    """When suspendable tasks of the NC cycle from ``begin`` on are stopped, in ns; ``None``: never.
+    """Return when suspendable tasks of the NC cycle from ``begin`` stop, in ns; ``None``: never.
 
     The tick at ``begin`` itself belongs to the cycle before, so the first one lies behind it. The
     result may lie behind the next NC interrupt: then nothing is suspended in this cycle.

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Keeps all that happens in the first cycles of a simulation, for pictures and traces.
 
-In: what the simulation tells. Out: ``Record``. Pieces of one job that follow each other without a
+In: the calls of the simulation. Out: ``Record``. Pieces of one job that follow each other without a
 gap are one segment.
 """
 
@@ -11,7 +11,7 @@ from nctakt.schedule.results import Event, EventKind, Job, Record, Segment
 
 
 class Recorder:
-    """Records ``cycles`` cycles, then it is closed."""
+    """Records ``cycles`` cycles, then closes."""
 
     def __init__(self, cycles: int) -> None:
         self.cycles = cycles
@@ -26,7 +26,7 @@ class Recorder:
         self._suspended: dict[int, int] = {}
 
     def interrupt(self, now: int, cycle: int) -> None:
-        """The NC interrupt that opens ``cycle``."""
+        """Record the NC interrupt that opens ``cycle``."""
         if self._begin is None:
             self._begin = now
         self.event(Event(now, EventKind.INTERRUPT, -1, cycle))
@@ -35,23 +35,23 @@ class Recorder:
         self._suspended.clear()
 
     def suspend(self, now: int, task: int, left: int) -> None:
-        """``task`` is stopped up to the next NC interrupt, with ``left`` ns of work."""
+        """Record that ``task`` is suspended up to the next NC interrupt; ``left``: work in ns."""
         self._suspended[task] = left
         self.event(Event(now, EventKind.SUSPEND, task, left))
 
     def event(self, event: Event) -> None:
-        """Something happens."""
+        """Record an event."""
         self._events.append(event)
 
     def job(self, task: int, due: int, now: int, times: tuple[int, ...]) -> None:
-        """A job of ``task`` is there from ``now`` on; it was due at ``due``."""
+        """Record a job of ``task`` that is released at ``now`` and was due at ``due``."""
         number = self._numbers.get(task, 0)
         self._numbers[task] = number + 1
         self._jobs.append(Job(task, number, due, times))
         self.event(Event(now, EventKind.RELEASE, task, number))
 
     def segment(self, cpu: int, begin: int, end: int, task: int, overhead: int) -> None:
-        """``task`` has a processor for a while."""
+        """Record that ``task`` has a processor from one time to another."""
         job = self._numbers[task] - 1
         index = self._newest.get(cpu)
         if index is not None and not overhead:
@@ -63,12 +63,12 @@ class Recorder:
         self._segments.append(Segment(cpu, begin, end, task, job, overhead))
 
     def close(self, now: int) -> None:
-        """The last cycle that is recorded has ended."""
+        """Close the record at the end of the last recorded cycle."""
         self.is_open = False
         self._end = now
 
     def result(self) -> Record:
-        """All of it, in the order of time."""
+        """Return the record, in the order of time."""
         events = sorted(self._events, key=lambda event: event.time)
         segments = sorted(self._segments, key=lambda segment: (segment.begin, segment.cpu))
         begin = 0 if self._begin is None else self._begin

@@ -16,11 +16,11 @@ from nctakt.schedule.results import Snapshot
 
 
 class RepeatingState(Protocol):
-    """The part of the scheduler's state that tells a repetition and can be moved in time."""
+    """The part of the scheduler's state that shows a repetition and can be moved in time."""
 
     @property
     def hyperperiod(self) -> int:
-        """The cycles after which all periods begin together again."""
+        """The number of cycles after which all periods begin together again."""
 
     @property
     def model(self) -> Model:
@@ -31,14 +31,14 @@ class RepeatingState(Protocol):
         """The numbers counted so far."""
 
     def key(self, now: int) -> tuple[object, ...]:
-        """Return what the future depends on, relative to the time ``now`` in ns."""
+        """Return the state that decides the future, relative to the time ``now`` in ns."""
 
     def shift(self, distance: int) -> None:
         """Move all pending times by ``distance`` ns."""
 
 
 class Repetition:
-    """Looks for a state of the schedule that was there before."""
+    """Looks for a state of the schedule that has occurred before."""
 
     def __init__(self) -> None:
         #: After how many cycles the schedule repeats, once that is known.

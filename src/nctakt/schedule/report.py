@@ -51,7 +51,7 @@ def table(heads: Sequence[str], rows: Sequence[Sequence[str]], left: int = 1) ->
 
 
 def effective_report(rows: Sequence[EffectiveRow], language: Language) -> str:
-    """The list as it stands and as it counts."""
+    """Return the table of the list as written and as effective."""
     heads = Text(
         "Line|Parameter|Name|Raw|Effective|Unit|Reason",
         "Zeile|Parameter|Name|Roh|Wirksam|Einheit|Grund",
@@ -73,7 +73,7 @@ def effective_report(rows: Sequence[EffectiveRow], language: Language) -> str:
 
 
 def chosen_report(model: Model, language: Language) -> list[str]:
-    """The times of the list and the rules that were chosen."""
+    """Return the times of the list and the chosen rules."""
     rules = model.rules
     source = _SOURCES[model.source.value].get(language)
     text = Text(
@@ -102,7 +102,7 @@ def chosen_report(model: Model, language: Language) -> list[str]:
 
 
 def dead_time_report(model: Model, language: Language) -> list[str]:
-    """Return the time from reading to putting out of the interpolation, where the load tells it."""
+    """Return the time from input to output of the interpolation, if the load names it."""
     text = Text(
         "schedule {schedule}: {thread} outputs {time} µs after it starts reading",
         "schedule {schedule}: {thread} gibt {time} µs nach Beginn des Einlesens aus",

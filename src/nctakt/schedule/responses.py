@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from nctakt.base.dataclass import dataclass
 
-#: The shares of jobs, in per mille, for which reports tell the response.
+#: The shares of jobs, in per mille, for which reports show the response.
 PERCENTILES_PER_MILLE = (500, 900, 990, 999)
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What a simulation gives back: numbers per task and of Windows, and a record for pictures.
+"""Results of a simulation: numbers per task and of Windows, and a record for pictures.
 
 All times in integer nanoseconds. Numbers cover whole NC cycles, from the first interrupt on.
 """
@@ -39,7 +39,7 @@ class TaskNumbers:
 
 @dataclass(frozen=True, slots=True)
 class Snapshot:
-    """All that adds up in a simulation, at one moment."""
+    """The sums of a simulation at one moment."""
 
     numbers: list[list[int]]
     responses: list[ResponseCounts]
@@ -65,7 +65,7 @@ class WindowsNumbers:
 
 @dataclass(frozen=True, slots=True)
 class Segment:
-    """A task has a processor from ``begin`` to ``end``; ``job`` counts the task's jobs.
+    """A time from ``begin`` to ``end`` in which a task has a processor; ``job`` counts its jobs.
 
     ``overhead``: how much of it scheduling added when the task got the processor.
     """
@@ -112,7 +112,7 @@ class Job:
 
 @dataclass(frozen=True, slots=True)
 class Record:
-    """All that happened in the first cycles, from ``begin`` to ``end``."""
+    """The record of the first cycles, from ``begin`` to ``end``."""
 
     begin: int
     end: int
@@ -143,12 +143,12 @@ class Simulation:
 
     @property
     def duration(self) -> int:
-        """From the first interrupt to the end, in ns."""
+        """The time from the first interrupt to the end, in ns."""
         return self.end - self.begin
 
     @property
     def jobs(self) -> int:
-        """Completed jobs of all tasks."""
+        """The number of completed jobs of all tasks."""
         return sum(task.completed for task in self.tasks)
 
     def __repr__(self) -> str:

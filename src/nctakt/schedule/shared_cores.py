@@ -4,7 +4,7 @@
 In: the state of the scheduler, one cycle. Out: the time without work of each processor. A task
 that the operating system places stays where it runs; newly dispatched it takes the free processor
 with the lowest number, else the one with the least urgent task. It can be suspended only while
-Windows' processors are all that there is for it.
+only the processors of Windows are available to it.
 """
 
 from __future__ import annotations
@@ -51,7 +51,7 @@ class Placement:
 
     @property
     def state(self) -> tuple[int, ...]:
-        """The processor of each task, 0 for none."""
+        """Return the processor of each task, 0 for none."""
         return tuple(self._where)
 
     def cpu_at_stop(self, i: int) -> int:
@@ -61,7 +61,7 @@ class Placement:
     def run(
         self, state: RunningState, order: list[int], begin: int, stop: int, end: int
     ) -> list[int]:
-        """One cycle; how long each processor (from 1) has no work. ``order``: by urgency."""
+        """Simulate a cycle; return the idle time of each processor. ``order``: by urgency."""
         idle = [0] * (max(self._cpus) + 1)
         now = begin
         is_stopped = now >= stop
@@ -103,7 +103,7 @@ class Placement:
             self._where[i] = cpu
 
     def _best(self, cpus: list[int], runner: dict[int, int]) -> int:
-        """The first processor that is free, else that of the least urgent task."""
+        """Return the first free processor, else that of the least urgent task."""
         free = [cpu for cpu in cpus if cpu not in runner]
         tasks = self._model.tasks
         return free[0] if free else min(cpus, key=lambda cpu: tasks[runner[cpu]].urgency)

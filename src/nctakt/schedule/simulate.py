@@ -29,12 +29,12 @@ from nctakt.schedule.work import Work
 
 #: No job: the work left of a task that waits.
 IDLE = -1
-#: Up to so many cycles of a hyperperiod the tasks due are looked up, not computed.
+#: Maximum hyperperiod, in cycles, whose due tasks are looked up, not computed.
 _LONGEST_TABLE = 10_000
 
 
 def hyperperiod(model: Model) -> int:
-    """After how many NC cycles the same tasks are due again."""
+    """Return the number of NC cycles after which the same tasks are due again."""
     return lcm(1, *(task.every for task in model.tasks))
 
 
@@ -67,7 +67,7 @@ def simulate(
 
 
 class SchedulerState:
-    """All that a cycle leaves to the next one."""
+    """The state that a cycle passes on to the next one."""
 
     def __init__(self, model: Model, recorder: Recorder) -> None:
         tasks = model.tasks
@@ -104,7 +104,7 @@ class SchedulerState:
         self._due_table = self._make_due_table()
 
     def _sort_tasks(self) -> None:
-        """The tasks of each processor, the most urgent first."""
+        """Sort the tasks of each processor, the most urgent first."""
         tasks, cpus = self.model.tasks, self.model.cpus
         is_free = len(cpus) > 1 and any(task.cpu == ANY_CPU for task in tasks)
         self._placement = Placement(self.model) if is_free else None
@@ -132,7 +132,7 @@ class SchedulerState:
         return not self.model.train.jitter and not any(work.is_random for work in self._work)
 
     def key(self, now: int) -> tuple[object, ...]:
-        """All that decides the future, as it stands at the start of a cycle at ``now``."""
+        """Return the state that decides the future, at the start of a cycle at ``now``."""
         busy = [i for i, left in enumerate(self.left) if left != IDLE]
         busy.sort(key=self._sequence.__getitem__)
         return (
@@ -146,12 +146,12 @@ class SchedulerState:
         )
 
     def shift(self, by: int) -> None:
-        """Go on ``by`` ns later in the same state."""
+        """Continue ``by`` ns later in the same state."""
         self._due = array("q", [due + by for due in self._due])
         self._waiting = [deque(due + by for due in waiting) for waiting in self._waiting]
 
     def interrupt(self, cycle: int) -> int:
-        """The moment of the NC interrupt that opens ``cycle``."""
+        """Return the time of the NC interrupt that opens ``cycle``, in ns."""
         moment = self._phase + cycle * self._distance
         if self._jitter:
             moment += self._chance.randint(-self._jitter, self._jitter)
@@ -163,7 +163,7 @@ class SchedulerState:
         self._records = False
 
     def run_cycle(self, cycle: int, begin: int, end: int) -> None:
-        """One NC cycle, from its interrupt up to the next one."""
+        """Simulate one NC cycle, from its interrupt up to the next one."""
         self._release(cycle, begin)
         point = self._point(begin)
         stop = end if point == NEVER or point > end else point
@@ -203,7 +203,7 @@ class SchedulerState:
                 self.recorder.job(i, begin, begin, work.times)
 
     def _overflow(self, i: int, begin: int) -> None:
-        """An activation finds its task busy."""
+        """Handle an activation that finds its task busy."""
         self.counters.overflow(i, begin)
         if self._records:
             self.recorder.event(Event(begin, EventKind.OVERFLOW, i, self.left[i]))
@@ -215,7 +215,7 @@ class SchedulerState:
             self.counters.lost[i] += 1
 
     def _by_urgency(self, cpu: int) -> list[int]:
-        """The tasks of a processor; equally urgent ones in the order of their release."""
+        """Return the tasks of a processor; equally urgent ones in the order of their release."""
         order = self._order[cpu]
         if not self._has_ties[cpu]:
             return order
@@ -223,7 +223,7 @@ class SchedulerState:
         return sorted(order, key=lambda i: (-tasks[i].urgency, sequence[i]))
 
     def _run_cpu(self, cpu: int, begin: int, stop: int, end: int) -> int:
-        """One processor's cycle; how long it has no work."""
+        """Simulate a cycle of one processor; return its idle time in ns."""
         now = begin
         for i in self._by_urgency(cpu):
             if self.left[i] == IDLE:
@@ -242,7 +242,7 @@ class SchedulerState:
         return 0 if self._last[cpu] == i else self._switch
 
     def advance(self, i: int, cpu: int, now: int, until: int, overhead: int) -> int:
-        """Task ``i`` has the processor from ``now`` to ``until``, which is returned."""
+        """Let task ``i`` run from ``now`` to ``until``, which is returned."""
         self._last[cpu] = i
         if self._records:
             self.recorder.segment(cpu, now, until, i, overhead)
@@ -254,7 +254,7 @@ class SchedulerState:
         return until
 
     def _finish(self, i: int, now: int) -> None:
-        """The job of task ``i`` ends; a remembered activation begins at once."""
+        """End the job of task ``i``; a remembered activation begins at once."""
         response = now - self._due[i]
         self.counters.finish(i, response)
         if self._records:
@@ -269,7 +269,7 @@ class SchedulerState:
             self.recorder.job(i, self._due[i], now, work.times)
 
     def _suspend(self, moment: int) -> bool:
-        """Stop what can be stopped on Windows' processors; whether there was anything."""
+        """Suspend tasks on the CPUs of Windows; return whether any was suspended."""
         is_any = False
         for i in self._stoppable:
             if self.left[i] == IDLE:

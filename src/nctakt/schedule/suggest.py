@@ -25,13 +25,13 @@ from nctakt.schedule.model import Model
 Variable = Literal["windows_time", "time_slice", "priorities", "cpus", "calls"]
 VARIABLES: tuple[Variable, ...] = ("windows_time", "time_slice", "priorities", "cpus", "calls")
 
-#: As many lists are looked further at after each change, so many changes are made at most.
+#: Number of lists kept after each change, and maximum number of changes.
 _BEAM, _MAX_CHANGES = 8, 4
-#: As many suggestions are given.
+#: Maximum number of suggestions.
 _MAX_SUGGESTIONS = 3
-#: What a thread without a bound lacks counts as so many times its period.
+#: The lack of a thread without a bound, in periods.
 _NO_BOUND = 10.0
-#: As many values of windows_time are tried.
+#: Number of values of windows_time that are tried.
 _MAX_WINDOWS = 24
 #: time_slice lies between these parts of cycle_time (manual 3.3).
 _RATIOS = range(3, 21)
@@ -258,7 +258,7 @@ class _Search:
         return calls_of_threads
 
 
-#: More calls of a function are not tried.
+#: Maximum number of calls of a function that is tried.
 _MAX_CALLS = 1000
 _ROTATING = "task_rnd"
 

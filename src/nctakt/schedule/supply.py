@@ -55,7 +55,7 @@ def suspension_offsets(model: Model) -> Offsets:
 
 
 def _over_all_phases(before: int, step: int, slice_: int, *, counts_ticks: bool) -> Offsets:
-    """Return the bounds where NC interrupts come in steps behind a phase that nobody knows."""
+    """Return the bounds where NC interrupts come in steps after an unknown phase."""
     if counts_ticks:
         return Offsets(before - slice_ + 1, before, step - 1, 0)
     return Offsets(before, before + slice_ - 1, -before % step, (1 - before) % step)

@@ -82,7 +82,7 @@ def find_thread_roles(
 
 
 def _plc(model: Model, name: str | None, collector: Collector) -> int | None:
-    """The external thread that is the PLC: the one that the load names, else the first."""
+    """Return the external thread that is the PLC: the one that the load names, else the first."""
     external = [i for i, task in enumerate(model.tasks) if task.kind is TaskClass.EXTERNAL]
     if name is None:
         return external[0] if external else None

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The schedule beside the ticks of a controller: who gets how much time between two of them.
+"""The schedule beside the ticks of a controller: the time of each thread between two of them.
 
 In: a model, the threads that work for the controller. Out: for each tick its ``Share``. A tick is
 one call of the thread with ``task_int``; it takes over what decoder and PLC have done before that
@@ -58,7 +58,7 @@ class Share:
 
 
 class TickSchedule:
-    """A schedule that goes on tick by tick."""
+    """A schedule that advances tick by tick."""
 
     def __init__(self, model: Model, roles: ThreadRoles) -> None:
         self._roles = roles
@@ -74,7 +74,7 @@ class TickSchedule:
         self._now = self._period()
 
     def next_share(self) -> Share:
-        """The share of the tick that comes, from tick 0 on."""
+        """Return the share of the next tick, beginning with tick 0."""
         late, now = self._late, self._now
         following = self._period()
         decoding = tuple(a + b for a, b in zip(late, now.early, strict=True))
@@ -85,7 +85,7 @@ class TickSchedule:
         return Share(decoding, now.is_lost, now.overflows, plc_calls)
 
     def simulation(self, ticks: int) -> Simulation:
-        """The numbers of the schedule in the first so many ticks.
+        """Return the results of the schedule in the first ``ticks`` ticks.
 
         What is there of Windows and of missed suspensions is that of these ticks exactly; greatest
         responses are those up to here, two ticks ahead of the controller.
@@ -107,7 +107,7 @@ class TickSchedule:
         return _Mark(ticks, counters.windows_numbers(), counters.missed)
 
     def _period(self) -> _Period:
-        """The NC cycles from one activation of the interpolation to the next."""
+        """Simulate the NC cycles from one activation of the interpolation to the next."""
         self._watcher.clear()
         begin = self._begin
         for _ in range(self._roles.every):
@@ -152,7 +152,7 @@ class _Period:
 
 
 class _Watcher(Recorder):
-    """Keeps of a period what concerns the controller, instead of all that happens."""
+    """Records what concerns the controller in a period, instead of everything."""
 
     def __init__(self, model: Model, roles: ThreadRoles) -> None:
         super().__init__(1)
@@ -165,7 +165,7 @@ class _Watcher(Recorder):
         self._plc_ends: list[int] = []
 
     def clear(self) -> None:
-        """Another period begins."""
+        """Begin another period."""
         self._begun.clear()
         self._overflows.clear()
         self._plc_ends.clear()
@@ -194,29 +194,29 @@ class _Watcher(Recorder):
             len(self._plc_ends) - plc_early,
         )
 
-    # --- what the simulation tells --------------------------------------------------------------
+    # --- calls of the simulation ----------------------------------------------------------------
 
     def interrupt(self, now: int, cycle: int) -> None:
-        """Nothing to keep."""
+        """Do nothing: it does not concern the controller."""
 
     def suspend(self, now: int, task: int, left: int) -> None:
-        """Nothing to keep."""
+        """Do nothing: it does not concern the controller."""
 
     def event(self, event: Event) -> None:
-        """An overflow, or the end of the PLC's call."""
+        """Record an overflow or the end of the PLC's call."""
         if event.kind is EventKind.OVERFLOW:
             self._overflows.append(event.task)
         elif event.kind is EventKind.END and event.task == self._roles.plc:
             self._plc_ends.append(event.time)
 
     def job(self, task: int, due: int, now: int, times: tuple[int, ...]) -> None:
-        """A job of ``task`` is there."""
+        """Record a released job of ``task``."""
         self._released.add(task)
         if task in self._calls:
             self._calls[task].begin(times)
 
     def segment(self, cpu: int, begin: int, end: int, task: int, overhead: int) -> None:
-        """``task`` has a processor for a while."""
+        """Record that ``task`` has a processor from one time to another."""
         if task in self._released:
             self._released.remove(task)
             self._begun.setdefault(task, begin)
@@ -235,12 +235,12 @@ class _Calls:
         self.worked: list[tuple[int, int]] = []
 
     def begin(self, times: Sequence[int]) -> None:
-        """Another job, with the times of its calls."""
+        """Begin another job, with the times of its calls."""
         self._overhead = self._activation
         self._left = deque(zip(self._decodes, times, strict=True))
 
     def go_on(self, begin: int, end: int, overhead: int) -> None:
-        """The job has a processor; what scheduling costs comes first."""
+        """Let the job have a processor; the cost of scheduling comes first."""
         self._overhead += overhead
         used = min(self._overhead, end - begin)
         self._overhead -= used

@@ -19,7 +19,7 @@ BITS = range(1, 8)
 
 @dataclass(frozen=True, slots=True)
 class Ran:
-    """A call that was begun: its place in the task's calls, its times.
+    """A call that has begun: its index in the task's calls, its times.
 
     ``end`` ``None``: not by the end of the record.
     """
@@ -32,7 +32,7 @@ class Ran:
 
 
 def calls_of(model: Model, record: Record) -> list[Ran]:
-    """All calls, in the order of their tasks and jobs."""
+    """Return all calls, in the order of their tasks and jobs."""
     segments: dict[tuple[int, int], list[Segment]] = {}
     for segment in record.segments:
         segments.setdefault((segment.task, segment.job), []).append(segment)
@@ -43,7 +43,7 @@ def calls_of(model: Model, record: Record) -> list[Ran]:
 
 
 def calls_of_job(job: Job, segments: list[Segment], model: Model) -> Iterator[Ran]:
-    """Distributes the time that a job had a processor over its calls, in their order."""
+    """Distribute the processor time of a job over its calls, in their order."""
     pieces = list(_work_of(segments, model.overheads.activation))
     index = 0
     for call, time in enumerate(job.times):
@@ -69,7 +69,7 @@ def calls_of_job(job: Job, segments: list[Segment], model: Model) -> Iterator[Ra
 
 
 def _work_of(segments: list[Segment], activation: int) -> Iterator[tuple[int, int]]:
-    """Begin and length of the pieces in which the job's calls run; overheads come before them."""
+    """Yield begin and length of the pieces in which calls of the job run, without overheads."""
     overhead = activation
     for segment in segments:
         overhead += segment.overhead
@@ -81,7 +81,7 @@ def _work_of(segments: list[Segment], activation: int) -> Iterator[tuple[int, in
 
 
 def trace_bits(model: Model, record: Record) -> dict[int, list[tuple[int, int]]]:
-    """For each bit from 1 to 7 the times in which it is high; calls that touch are apart."""
+    """Return for each bit from 1 to 7 when it is high; calls that touch stay apart."""
     edges: dict[int, list[tuple[int, int]]] = {bit: [] for bit in BITS}
     for ran in calls_of(model, record):
         bit = model.tasks[ran.task].calls[ran.call].trace_bit
@@ -91,7 +91,7 @@ def trace_bits(model: Model, record: Record) -> dict[int, list[tuple[int, int]]]
 
 
 def _merged(times: list[tuple[int, int]]) -> list[tuple[int, int]]:
-    """Times that overlap as one."""
+    """Return the times with overlapping ones merged."""
     merged: list[tuple[int, int]] = []
     for begin, end in times:
         if merged and begin < merged[-1][1]:

@@ -29,7 +29,7 @@ from nctakt.schedule.results import EventKind, Simulation
 from nctakt.schedule.timeline import suspended_times, tick_times, windows_times
 from nctakt.schedule.tracebits import BITS, calls_of, trace_bits
 
-#: Between two calls that touch a bit is shown low for so long, and an interrupt high, in ns.
+#: Time in ns for which a bit is low between two touching calls, and an interrupt high.
 GAP = 1000
 
 #: More timer interrupts than this are left out.

@@ -57,7 +57,7 @@ class Work:
         return tuple(self._positions)
 
     def draw(self) -> int:
-        """The work of the next job; ``times`` holds its calls' times from then on."""
+        """Return the work of the next job in ns; ``times`` then holds the times of its calls."""
         if self._constant != _CHANGES:
             return self._constant
         work = self._extra
@@ -71,7 +71,7 @@ class Work:
         return work
 
     def _next(self, i: int) -> int:
-        """The next time in the list of a call's function."""
+        """Return the next time in the list of a call's function."""
         values = self._lists[i]
         position = self._positions[self._function[i]]
         self._positions[self._function[i]] = (position + 1) % len(values)

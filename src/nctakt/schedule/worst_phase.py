@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A simulation beside those with the worst phases of an NC interrupt whose phase nobody names.
+"""A simulation beside those with the worst phases of an NC interrupt of unknown phase.
 
 In: ``Simulation``. Out: one simulation for each phase that the analysis calls the worst one of a
 thread; none where the phase is known, or makes no difference.

@@ -117,7 +117,7 @@ class Flow:
         return ""
 
     def _do(self, loop: tree.Do | tree.Repeat, number: int) -> Decoding:
-        """``$DO`` goes on while its condition holds, ``$REPEAT`` until it does."""
+        """Run ``$DO`` while its condition holds, ``$REPEAT`` until it does."""
         while True:
             continues, signal = yield from self._run_pass(loop)
             if not continues:

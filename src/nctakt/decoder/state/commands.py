@@ -72,7 +72,7 @@ class Segment(Command):
 
 @dataclass(frozen=True, slots=True)
 class Dwell(Command):
-    """Standing still for so many ticks."""
+    """A dwell of ``ticks`` ticks."""
 
     ticks: int
 
@@ -233,7 +233,7 @@ class Freeze(Command):
 
 @dataclass(frozen=True, slots=True)
 class UserErrorReport(Command):
-    """``#ERROR`` of the main program is told (RC-402); its values follow."""
+    """``#ERROR`` of the main program is reported (RC-402); its values follow."""
 
     identity: int
     reaction: int

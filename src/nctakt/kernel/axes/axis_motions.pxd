@@ -72,7 +72,7 @@ cdef class AxisMotions:
     cdef void drop_present(self, Py_ssize_t axis) noexcept nogil
     cdef void give_up(self, Py_ssize_t axis) noexcept nogil
     cdef void brake(self, Py_ssize_t axis) noexcept nogil
-    cdef void come_to_stand(self, Py_ssize_t axis) noexcept nogil
+    cdef void come_to_standstill(self, Py_ssize_t axis) noexcept nogil
     cdef void fail(self, Py_ssize_t axis, int message) noexcept nogil
     @cython.locals(axis=Py_ssize_t)
     cdef void step(self) noexcept nogil

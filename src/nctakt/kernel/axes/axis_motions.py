@@ -201,18 +201,18 @@ class AxisMotions:
         self.owner[axis] = 0
 
     def give_up(self, axis: int) -> None:
-        """Brake to a stand and give up all motions of an axis."""
+        """Brake to a standstill and give up all motions of an axis."""
         self.drop(axis)
         if codes.IDLE < self.kind[axis] < codes.BRAKING:
             self.brake(axis)
 
     def brake(self, axis: int) -> None:
-        """Brake to a stand; the motion itself has been given up."""
+        """Brake to a standstill; the motion itself has been given up."""
         self.kind[axis] = codes.BRAKING
         self.held[axis] = 0
         self.axes.show_state(axis, codes.STOPPING)
 
-    def come_to_stand(self, axis: int) -> None:
+    def come_to_standstill(self, axis: int) -> None:
         """End the motion of an axis, or begin the one that waits."""
         self.kind[axis] = codes.IDLE
         self.axes.independent[axis] = 0
@@ -313,7 +313,7 @@ class AxisMotions:
             position = self.start_d[axis] + self.plans.distance_d
             self.axes.command[axis] = self.in_range(axis, position)
             self.event(rows.EVENT_AXIS_CHANGED, axis, rows.MOTION_STOPPED)
-            self.come_to_stand(axis)
+            self.come_to_standstill(axis)
             return 1
         if top_v == 0.0 or (
             self.kind[axis] == codes.ENDLESS and not arithmetic.is_finite(self.goal[axis])
@@ -327,7 +327,7 @@ class AxisMotions:
         else:
             self.event(rows.EVENT_AXIS_ENDED, axis, rows.MOTION_DONE)
             self.arrived[axis] = self.owner[axis]
-        self.come_to_stand(axis)
+        self.come_to_standstill(axis)
         return 1
 
     def take_fault(self, axis: int) -> int:

@@ -2,7 +2,7 @@
 """Independent motion: axes that cycles or the PLC move beside the path (MO-11, MO-13).
 
 Commands and questions; what the axes then do in each tick is in ``axis_motions.py``. An owner is a
-number: 0 nobody, channel * 1024 + slot + 1 a realtime cycle, from ``codes.PLC_OWNER`` on the PLC.
+number: 0 none, channel * 1024 + slot + 1 a realtime cycle, from ``codes.PLC_OWNER`` on the PLC.
 Each command answers 0, or the number of the message that refuses it; then nothing changes.
 """
 
@@ -60,7 +60,7 @@ class SingleAxes(AxisMotions):
         return message
 
     def stop(self, axis: int, owner: int) -> int:
-        """Brake to a stand; give up the axis' motions, whoever commanded them."""
+        """Brake to a standstill; give up the axis' motions, whoever commanded them."""
         message = self.refusal(axis, codes.ABORTING)
         if message == 0:
             self.give_up(axis)
@@ -281,7 +281,7 @@ class SingleAxes(AxisMotions):
         return 1 if self.kind[axis] == codes.TO_POSITION else 0
 
     def event_bound(self, commands: int) -> int:
-        """Highest number of events in a tick that takes so many commands."""
+        """Return the highest number of events in a tick with ``commands`` commands."""
         return 6 * self.count + 4 * commands * self.active_count
 
     # --- Python's side, between two ticks -------------------------------------------------------

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The spindles of one channel: endless, to a position, to a stand; those that the PLC turns.
+"""The spindles of one channel: endless, to a position, to a standstill; those that the PLC turns.
 
 A job is taken in the command or cycle phase and acts in the same tick: the speed changes from what
 it is, within acceleration and jerk of the axis list, and never jumps. A job is open until its speed
@@ -176,7 +176,7 @@ class Spindles:
     def remaining_angle(self, spindle: int) -> float:
         """Degrees to the position of a job: where braking ends, then on in the direction.
 
-        Without a direction a spindle that turns goes on turning, one that stands takes the shorter
+        Without a direction a spindle that turns keeps turning, one that stands takes the shorter
         way, forward where both are equal.
         """
         direction = self.direction[spindle]
@@ -232,7 +232,7 @@ class Spindles:
         return 1 if self.function[spindle] in (codes.SPINDLE_FORWARD, codes.SPINDLE_BACKWARD) else 0
 
     def hold(self, owner: int, tick: int) -> None:
-        """Brake the spindles with an open job of the cycle to a stand; keep the jobs (HOLD)."""
+        """Brake the spindles with open jobs of the cycle to a standstill; keep the jobs (HOLD)."""
         for spindle in range(self.count):
             if self.has_job(spindle, owner) and not self.is_plc[spindle]:
                 self.is_held[spindle] = 1
@@ -247,7 +247,7 @@ class Spindles:
                 self.plan(spindle, tick)
 
     def abort(self, owner: int, tick: int) -> None:
-        """Brake the spindles of the cycle to a stand and drop their jobs (ABORT ACTION)."""
+        """Brake the spindles of the cycle to a standstill and drop their jobs (ABORT ACTION)."""
         for spindle in range(self.count):
             if self.has_job(spindle, owner) and not self.is_plc[spindle]:
                 self.is_held[spindle] = 0
@@ -369,7 +369,7 @@ class Spindles:
         return True
 
     def ending_count(self) -> int:
-        """Number of spindles on their way to a stand."""
+        """Number of spindles on their way to a standstill."""
         return sum(
             1
             for spindle in range(self.count)

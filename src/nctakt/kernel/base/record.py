@@ -112,7 +112,7 @@ class Record:
         self.probe_count += 1
 
     def has_room(self, events: int, probes: int) -> int:
-        """Return whether a tick that records at most so many events and probes fits."""
+        """Return whether there is room for a tick with at most ``events`` and ``probes``."""
         if self.signal_count > 0 and self.row_count >= self.row_capacity:
             return 0
         if self.event_count + events > self.event_capacity:

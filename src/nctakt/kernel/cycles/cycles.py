@@ -352,7 +352,7 @@ class CycleManager:
                     self.enter(slot, codes.RUNNING)
 
     def change_block(self, before: int, serial: int) -> None:
-        """The block ``before`` goes on as another one: its cycles go on in that."""
+        """Move the cycles of block ``before`` to the block ``serial``, which continues it."""
         if self.in_block_count == 0:
             return
         for index in range(self.loaded_count):

@@ -98,7 +98,7 @@ class ArcSpeed(ArcLimits):
         return 1 if start_v * start_v <= 1.000001 * speed2 else 0
 
     def plan(self, stage: int, rest_d: float, start_v: float, limit_v: float) -> None:
-        """Plan the rest of a piece, at most with ``limit_v``; 0: brake to a stand."""
+        """Plan the rest of a piece, at most with ``limit_v``; 0: brake to a standstill."""
         start2 = start_v * start_v
         limit2 = min(limit_v * limit_v, self.caps[stage])
         if rest_d <= 0.0:

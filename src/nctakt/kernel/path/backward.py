@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Backward motion on the path: over the segments that the path has kept, and forward again (MO-7).
 
-Backward is commanded: the path brakes to a stand, then walks back on the same curve, with the
+Backward is commanded: the path brakes to a standstill, then walks back on the same curve, with the
 feeds and limits of the blocks, until backward is taken away or the history ends. Forward it walks
 over the same segments to its *front*, where it turned, and continues. Nothing but motion happens
 meanwhile: no command is taken, dwells are passed over.

@@ -2,9 +2,9 @@
 """Measuring the edge joint within a block (G108): where a strip begins, and where it is cut.
 
 The block is armed. The probe of the HLI reports that it has found the edge: from there the path
-goes on by a residual path, brakes to a stand, puts the block's function out, and goes on to the end
-of the block when the PLC has acknowledged it. V.RTG.MEAS_DELTA is how far in front of the block's
-end the path stands then.
+continues by a residual path, brakes to a standstill, outputs the block's function, and continues to
+the end of the block once the PLC has acknowledged it. V.RTG.MEAS_DELTA is the distance from there
+to the end of the block.
 """
 
 from __future__ import annotations

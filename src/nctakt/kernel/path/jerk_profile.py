@@ -47,7 +47,7 @@ class JerkProfile:
         factor: float,
         is_single: int,
     ) -> None:
-        """Plan the rest of a segment up to its goal; to a stand where ``limit_v`` is 0.
+        """Plan the rest of a segment up to its goal; to a standstill where ``limit_v`` is 0.
 
         ``row``: where the segment's row begins. In single block the segment's end is the goal if
         the path can still stop there; it brakes with the segment's own limits, and so may come too

@@ -189,7 +189,7 @@ class Path(PathAxes):
     def step(self, factor: float, is_stopping: int) -> int:
         """Advance a tick at an override factor; return 1 if the segment ended with time left.
 
-        ``is_stopping`` brakes on the path to a stand, at the path's acceleration (MO-6).
+        ``is_stopping`` brakes on the path to a standstill, at the path's acceleration (MO-6).
         """
         if not self.is_active:
             self.speed_v = 0.0

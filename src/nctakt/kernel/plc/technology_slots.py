@@ -56,7 +56,7 @@ class Section:
                 self.version += 1
 
     def issue(self, function: int, tick: int, ticks: int) -> int:
-        """Put a function that takes so many ticks into a free slot; return its number.
+        """Put a function that takes ``ticks`` ticks into a free slot; return its number.
 
         0 where the section holds no more in one tick (50943), -1 where no slot is free (50942).
         """
@@ -166,7 +166,7 @@ class Hli:
         return 1 if self.acknowledges_itself and not self.panel.plc_present else 0
 
     def run_default_plc(self, tick: int) -> None:
-        """Run the PLC phase of a tick, if nobody else plays the PLC."""
+        """Run the PLC phase of a tick, if no other PLC is connected."""
         if self.has_default_plc():
             self.realtime.acknowledge_done(tick)
             self.program.acknowledge_done(tick)

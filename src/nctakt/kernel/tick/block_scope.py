@@ -79,7 +79,7 @@ class BlockScope:
         return 1 if kind in (rows.SPINDLE, rows.AWAIT_SPINDLE, rows.FLUSH, rows.READ) else 0
 
     def move(self, commands: CommandQueue, row: int, serial: int) -> None:
-        """A motion or dwell is taken, as ``serial`` of the path or ``codes.BLOCK_IS_OVER``."""
+        """Note a motion or dwell, with its ``serial`` on the path or ``codes.BLOCK_IS_OVER``."""
         if self.lingers:
             self.manager.change_block(codes.WAITING_BLOCK, serial)
             self.serial = serial
@@ -89,7 +89,7 @@ class BlockScope:
         self.lingers = False
 
     def enter(self, commands: CommandQueue, row: int, serial: int) -> None:
-        """Armed cycles run in this block from now on."""
+        """Let armed cycles run in this block from now on."""
         self.position = commands.head
         self.source = int(commands.rows[row + rows.SOURCE])
         self.serial = serial
@@ -97,7 +97,7 @@ class BlockScope:
         self.manager.enter_block(serial)
 
     def pass_over(self, kind: int, source: int) -> None:
-        """A command was taken that takes no time; where its block is over as well, tell it."""
+        """Note a command that takes no time; report its block once that has ended, too."""
         if self.manager.armed_count == 0:
             self.passed_source = 0
         elif self.is_content(kind):
@@ -105,7 +105,7 @@ class BlockScope:
             self.passed_source = source
 
     def report_passed(self, source: int) -> None:
-        """The block that was passed over last is over by now, unless ``source`` stands in it."""
+        """Report that the block passed over last has ended, unless ``source`` is in it (901049)."""
         if self.passed_source != 0 and self.passed_source >> 20 != source >> 20:
             self.record.event(rows.EVENT_NOTICE, self.passed_source, 0, 901049)
         self.passed_source = 0

@@ -472,6 +472,12 @@ def test_imports_go_in_one_direction() -> None:
     assert wrong == []
 
 
+def test_nothing_inside_imports_the_public_names() -> None:
+    """``nctakt`` itself stands above all its packages: they import what they need where it is."""
+    found = [own_name(path) for path in SOURCES if "nctakt" in imports(path)]
+    assert found == []
+
+
 def test_no_files_import_each_other() -> None:
     """No circle of files, not even for types only."""
     left = {own_name(path): imported_modules(path) - {own_name(path)} for path in SOURCES}

@@ -49,6 +49,7 @@ and may move or change at any time.
 """
 
 from nctakt.base.lazy_names import import_when_used
+from nctakt.base.version import __version__ as __version__
 
 TYPE_CHECKING = False  # type checkers know better, and importing typing takes longer than this
 if TYPE_CHECKING:
@@ -62,8 +63,6 @@ if TYPE_CHECKING:
     from nctakt.run.program_loader import NcText
     from nctakt.run.stimuli import Stimulus
     from nctakt.schedule.open_schedule import open_schedule, simulate_schedule
-
-__version__ = "0.2.0"
 
 __all__ = [
     "Controller",

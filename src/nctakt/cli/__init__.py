@@ -17,7 +17,7 @@ from collections.abc import Sequence
 
 import click
 
-from nctakt import __version__
+from nctakt.base.version import __version__
 from nctakt.cli.terminal import complain, print_diagnostics, silence
 
 EXIT_RAN = 0

@@ -15,8 +15,8 @@ from pathlib import Path
 
 import click
 
-from nctakt import __version__
 from nctakt.base.diagnostics import Diagnostic, Language, Severity, Span, Text
+from nctakt.base.version import __version__
 from nctakt.checking.check import CheckResult
 from nctakt.checking.inputs import Finding
 from nctakt.cli.selection import RULE_PREFIX

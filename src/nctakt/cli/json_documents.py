@@ -14,8 +14,8 @@ from collections.abc import Mapping
 from dataclasses import fields, is_dataclass
 from typing import TYPE_CHECKING
 
-from nctakt import __version__
 from nctakt.base.diagnostics import Language, Span, Text
+from nctakt.base.version import __version__
 from nctakt.cli.formats import diagnostics_as_json
 
 if TYPE_CHECKING:

@@ -14,8 +14,8 @@ import json
 from pathlib import Path
 from urllib.parse import quote
 
-from nctakt import __version__
 from nctakt.base.diagnostics import Language, Message, Severity
+from nctakt.base.version import __version__
 from nctakt.checking.check import CheckResult
 from nctakt.checking.inputs import Finding
 from nctakt.cli.formats import position_of, relative, rule_of, text_with_remedy

@@ -17,10 +17,10 @@ from typing import TYPE_CHECKING, Any, Self
 
 import click
 
-from nctakt import __version__
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Language, Severity
 from nctakt.base.failure import Failure
+from nctakt.base.version import __version__
 from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN, EXIT_USAGE
 from nctakt.cli.file_options import CONFINE_OPTION, file_access
 from nctakt.cli.formats import diagnostics_as_json

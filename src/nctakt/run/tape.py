@@ -15,11 +15,11 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from nctakt import __version__
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Span
 from nctakt.base.failure import Failure
 from nctakt.base.text import decode_text
+from nctakt.base.version import __version__
 from nctakt.files.access import FileAccess
 from nctakt.messages import diagnostic
 from nctakt.messages.tape import INVALID_TAPE, TAPE_CUT_OFF, TAPE_OF_OTHER_VERSION

@@ -6,7 +6,7 @@
  *     nctakt schedule run examples/schedule/rtconf.lis --load examples/schedule/load.toml
  *
  * plc NAME [PRIORITY]: waits up to ten seconds for the semaphore NAME, then works at each wake-up
- * until none comes for a second, and says how many there were. With PRIORITY it asks for SCHED_FIFO;
+ * until none comes for a second, and says how many there were. With PRIORITY it uses SCHED_FIFO;
  * `nctakt schedule run --dry-run` says which one fits the list.
  */
 #define _GNU_SOURCE

@@ -410,7 +410,8 @@ def test_the_scanner_reads_what_the_parser_reads(seed: int) -> None:
         assert isinstance(block, Block)
         assert block.span.column == scanner.column, line
         number = block.head.number
-        assert (0 if number is None else number.value) == scanner.number  # type: ignore[attr-defined]
+        value = 0 if number is None else number.value  # type: ignore[attr-defined]
+        assert value == scanner.number
         words: dict[str, float] = {}
         shape: list[str | float] = []
         for word in block.words:

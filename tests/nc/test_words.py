@@ -12,6 +12,7 @@ from nctakt.nc.tree import (
     AxisWord,
     Block,
     BracketCommand,
+    Keyword,
     MacroDefinition,
     Number,
     StringLiteral,
@@ -125,8 +126,9 @@ def test_bracket_commands_hold_keywords_in_their_order(
     assert isinstance(command, BracketCommand)
     assert command.name == name
     found = [
-        (item.name, None if item.value is None else format_expression(item.value))  # type: ignore[union-attr]
+        (item.name, None if item.value is None else format_expression(item.value))
         for item in command.items
+        if isinstance(item, Keyword)
     ]
     assert found == items
 

@@ -109,7 +109,7 @@ def _answer(word: str, machine: str | None, language: Language) -> _Answer:
     listed = () if named_topic is None else tuple(named_topic.articles())
     articles = explain(word)
     if _MACHINE_VARIABLE.match(word):
-        from nctakt.reference.machine_variables import MachineVariables  # noqa: PLC0415 - few need it
+        from nctakt.reference.machine_variables import MachineVariables  # noqa: PLC0415 - as above
 
         variables = MachineVariables(machine)
         own = variables.find(word)

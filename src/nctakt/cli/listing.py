@@ -99,7 +99,7 @@ def _lister(
     options: Options, controller: Controller, listed: list[ListedDefinition]
 ) -> Callable[[str, CycleDefinition], None]:
     """Return a function that adds a definition to ``listed``."""
-    from nctakt.decoder.cycles.memory_budget import memory_bytes  # noqa: PLC0415 - the mode is chosen before
+    from nctakt.decoder.cycles.memory_budget import memory_bytes  # noqa: PLC0415 - mode first
     from nctakt.results.listing import Listing  # noqa: PLC0415
 
     listing = Listing(options.language)

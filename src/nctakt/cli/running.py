@@ -154,7 +154,7 @@ def run_options(
 
 def choose_mode(options: Options) -> None:
     """Choose compiled or plain before the realtime part is imported."""
-    from nctakt.base import mode  # noqa: PLC0415 - a command that only shows its help does not load it
+    from nctakt.base import mode  # noqa: PLC0415 - help does not need it
 
     if options.compiled is False:
         mode.use_plain()

@@ -122,11 +122,14 @@ def _axis(
     trapezoid = (dynamics.feed_acceleration, dynamics.rapid_acceleration)
     jerk = max(dynamics.smooth_jerks) if limits_jerk else 0.0
     limits = (axis.max_speed, max(trapezoid), jerk)
+    speed, acceleration, third = (
+        derivative(position, time_s, cycle_time_s, order) for order in (1, 2, 3)
+    )
     return AxisMotion(
         axis.name,
         "mm" if axis.is_linear else "°",
         Curve(time_s, position),
-        tuple(derivative(position, time_s, cycle_time_s, order) for order in (1, 2, 3)),  # type: ignore[arg-type]
+        (speed, acceleration, third),
         limits,
         bool(len(position)) and bool(numpy.ptp(position) > 0.0),
     )

@@ -187,7 +187,8 @@ class _Drawing:
             return
         space = sheet.add_subplot(grid[0, 1], projection="3d")
         space.plot(*_points(*spatial[:3]), color="#1f77b4", linewidth=0.8)
-        for axis, label in zip(spatial, (space.set_xlabel, space.set_ylabel, space.set_zlabel)):  # noqa: B905
+        labels = (space.set_xlabel, space.set_ylabel, space.set_zlabel)
+        for axis, label in zip(spatial, labels, strict=False):
             label(f"{axis.name} / mm")
         space.set_title(self._text(_SPACE), fontsize=9)
         space.tick_params(labelsize=7)

@@ -83,7 +83,8 @@ class SessionCoverage:
     def pytest_sessionfinish(self, session: pytest.Session) -> None:
         """Write the requested files, in a worker send the coverage instead."""
         if self._is_worker:
-            session.config.workeroutput[_NAME] = as_json(self.coverage)  # type: ignore[attr-defined]
+            output = session.config.workeroutput  # type: ignore[attr-defined]
+            output[_NAME] = as_json(self.coverage)
             return
         for file in self._files:
             try:

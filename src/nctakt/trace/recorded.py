@@ -48,7 +48,10 @@ class Trace(Mapping[str, "Values"]):
     def __repr__(self) -> str:
         begin = f", from tick {self.first_tick} on" if self.first_tick else ""
         count = sum(map(len, self._event_chunks))
-        return f"<Trace of {len(self)} signals: {self.ticks} ticks{begin}, {count} events>"
+        return (
+            f"<Trace of {_counted(len(self), 'signal')}: {_counted(self.ticks, 'tick')}{begin}, "
+            f"{_counted(count, 'event')}>"
+        )
 
     def __getitem__(self, name: str) -> Values:
         column = self._columns.get(name)
@@ -163,3 +166,8 @@ class EventList:
         """Return the events since the last call."""
         chunks, self._chunks = self._chunks, []
         return [event for chunk in chunks for event in chunk]
+
+
+def _counted(count: int, noun: str) -> str:
+    """Return a number with its noun: ``1 tick``, ``2 ticks``."""
+    return f"{count} {noun}" if count == 1 else f"{count} {noun}s"

@@ -23,6 +23,8 @@ cdef class TemplateEvaluator:
     cdef object scopes
     cdef dict parameters
 
-    @cython.locals(i=Py_ssize_t, cell=Py_ssize_t, sign=double, values=list, context=Context, result=double)
+    @cython.locals(
+        i=Py_ssize_t, cell=Py_ssize_t, sign=double, values=list, context=Context, result=double
+    )
     cpdef object value(self, TemplatePlan plan, Occurrence occurrence)
     cpdef int write(self, TemplatePlan plan, double value) except -1

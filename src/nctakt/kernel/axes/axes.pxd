@@ -50,7 +50,9 @@ cdef class Axes:
     cdef void publish(self) noexcept nogil
     cdef int is_shown(self, Py_ssize_t i, double actual) noexcept nogil
     @cython.locals(cell=Py_ssize_t, distance_to_go=double, shift=double)
-    cdef void publish_axis(self, Py_ssize_t i, double command, double actual, double target) noexcept nogil
+    cdef void publish_axis(
+        self, Py_ssize_t i, double command, double actual, double target
+    ) noexcept nogil
     @cython.locals(cell=Py_ssize_t, pct=double, cycle_pct=double)
     cdef void publish_override(self, Py_ssize_t i, double operator_pct) noexcept nogil
     @cython.locals(actual=double)
@@ -60,7 +62,11 @@ cdef class Axes:
     @cython.locals(j=Py_ssize_t, k=Py_ssize_t, cell=int, x=double, y=double, z=double)
     cdef void publish_turned(self, Py_ssize_t i) noexcept nogil
     @cython.locals(first=Py_ssize_t, second=Py_ssize_t, third=Py_ssize_t, value=double)
-    cdef void publish_inside(self, Py_ssize_t i, Py_ssize_t axis, int column, int cell, double x, double y, double z) noexcept nogil
+    cdef void publish_inside(
+        self, Py_ssize_t i, Py_ssize_t axis, int column, int cell, double x, double y, double z
+    ) noexcept nogil
     cdef void set_origin(self, Py_ssize_t axis, double value) noexcept nogil
     cdef void turn(self, double[::1] queue, Py_ssize_t row) noexcept nogil
-    cdef void publish_system(self, Py_ssize_t cell, double command, double actual, double target, double distance_to_go) noexcept nogil
+    cdef void publish_system(
+        self, Py_ssize_t cell, double command, double actual, double target, double distance_to_go
+    ) noexcept nogil

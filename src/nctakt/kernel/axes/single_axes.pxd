@@ -8,15 +8,25 @@ from nctakt.kernel.axes.axis_motions cimport AxisMotions
 cdef class SingleAxes(AxisMotions):
     cdef void order(self, long long source, long long serial) noexcept nogil
     @cython.locals(message=int)
-    cdef int move_to(self, Py_ssize_t axis, double target, double speed_v, int mode, int direction, long long owner) noexcept nogil
+    cdef int move_to(
+        self, Py_ssize_t axis, double target, double speed_v, int mode, int direction,
+        long long owner
+    ) noexcept nogil
     @cython.locals(message=int, start=double)
-    cdef int move_by(self, Py_ssize_t axis, double distance, double speed_v, int mode, long long owner) noexcept nogil
+    cdef int move_by(
+        self, Py_ssize_t axis, double distance, double speed_v, int mode, long long owner
+    ) noexcept nogil
     @cython.locals(message=int)
-    cdef int run_endless(self, Py_ssize_t axis, double speed_v, int direction, int mode, long long owner) noexcept nogil
+    cdef int run_endless(
+        self, Py_ssize_t axis, double speed_v, int direction, int mode, long long owner
+    ) noexcept nogil
     @cython.locals(message=int)
     cdef int stop(self, Py_ssize_t axis, long long owner) noexcept nogil
     cdef int refusal(self, Py_ssize_t axis, int mode) noexcept nogil
-    cdef void put(self, Py_ssize_t axis, int kind, double value, double speed_v, int direction, int mode, long long owner) noexcept nogil
+    cdef void put(
+        self, Py_ssize_t axis, int kind, double value, double speed_v, int direction, int mode,
+        long long owner
+    ) noexcept nogil
     @cython.locals(axis=Py_ssize_t)
     cdef void hold(self, long long owner) noexcept nogil
     @cython.locals(axis=Py_ssize_t, is_endless=cython.bint)

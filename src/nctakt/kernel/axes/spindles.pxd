@@ -45,9 +45,14 @@ cdef class Spindles:
     cdef readonly Py_ssize_t active_count
 
     cdef int is_ready(self, Py_ssize_t spindle, long long tick) noexcept nogil
-    cdef void command(self, Py_ssize_t spindle, int function, double speed_v, double position, int direction, long long owner, long long tick) noexcept nogil
+    cdef void command(
+        self, Py_ssize_t spindle, int function, double speed_v, double position, int direction,
+        long long owner, long long tick
+    ) noexcept nogil
     @cython.locals(number=Py_ssize_t, function=cython.longlong, speed=double, position=double)
-    cdef void record_job(self, Py_ssize_t spindle, long long source, long long serial) noexcept nogil
+    cdef void record_job(
+        self, Py_ssize_t spindle, long long source, long long serial
+    ) noexcept nogil
     cdef void hand_over(self, Py_ssize_t spindle, long long done_tick) noexcept nogil
     @cython.locals(end_v=double)
     cdef void plan(self, Py_ssize_t spindle, long long tick) noexcept nogil

@@ -26,11 +26,17 @@ cdef class Record:
     @cython.locals(i=Py_ssize_t, row=Py_ssize_t)
     cdef void take_row(self) noexcept nogil
     @cython.locals(row=Py_ssize_t)
-    cdef void event(self, int kind, long long source, long long subject=*, double a=*, double b=*, double c=*) noexcept nogil
-    cdef void written(self, long long source, long long serial, Py_ssize_t cell, double value) noexcept nogil
+    cdef void event(
+        self, int kind, long long source, long long subject=*, double a=*, double b=*, double c=*
+    ) noexcept nogil
+    cdef void written(
+        self, long long source, long long serial, Py_ssize_t cell, double value
+    ) noexcept nogil
     @cython.locals(kind=int)
     cdef void probe(self, long long number, int truth, double left, double right) noexcept nogil
     cdef void series(self, long long number, int kind, long long next_tick) noexcept nogil
     @cython.locals(row=Py_ssize_t)
-    cdef void append_probe(self, int kind, long long number, double left, double right, long long next_tick) noexcept nogil
+    cdef void append_probe(
+        self, int kind, long long number, double left, double right, long long next_tick
+    ) noexcept nogil
     cdef int has_room(self, Py_ssize_t events, Py_ssize_t probes) noexcept nogil

@@ -32,7 +32,9 @@ cdef class AxisStatement(Counted):
 cdef int refuse(AxisStatement statement, Context context, int message, double value) noexcept nogil
 cdef int complete(AxisStatement statement, Context context, double value) noexcept nogil
 @cython.locals(open_count=cython.longlong)
-cdef int has_room_for_action(AxisStatement statement, Context context, int is_buffered) noexcept nogil
+cdef int has_room_for_action(
+    AxisStatement statement, Context context, int is_buffered
+) noexcept nogil
 cdef int sign(double value) noexcept nogil
 cdef int direction_of(AxisStatement statement, Context context, double value) noexcept nogil
 
@@ -55,7 +57,9 @@ cdef class MoveAxis(MovingStatement):
     @cython.locals(speed_v=double, position_d=double, direction=int)
     cdef int run(self, Context context) noexcept nogil
     @cython.locals(message=int)
-    cdef int command(self, Context context, double position_d, double speed_v, int direction) noexcept nogil
+    cdef int command(
+        self, Context context, double position_d, double speed_v, int direction
+    ) noexcept nogil
 
 cdef class RunAxis(MovingStatement):
     @cython.locals(speed_v=double, direction=int, message=int)

@@ -19,8 +19,12 @@ cdef class Condition:
     cdef void forget(self) noexcept nogil
 
 @cython.locals(distance=double)
-cdef inline void note(Condition condition, Context context, int truth, double left, double right) noexcept nogil
-cdef void record_change(Condition condition, Context context, int truth, double left, double right) noexcept nogil
+cdef inline void note(
+    Condition condition, Context context, int truth, double left, double right
+) noexcept nogil
+cdef void record_change(
+    Condition condition, Context context, int truth, double left, double right
+) noexcept nogil
 @cython.locals(distance=double)
 cdef void approach(Condition condition, Context context, double left, double right) noexcept nogil
 

@@ -77,7 +77,9 @@ cdef class CycleManager:
     @cython.locals(slot=Py_ssize_t, index=Py_ssize_t)
     cdef int has_started_this_tick(self, long long tick) noexcept nogil
     @cython.locals(slot=Py_ssize_t, index=Py_ssize_t)
-    cdef int control(self, int action, long long identity, long long tick, long long source) noexcept nogil
+    cdef int control(
+        self, int action, long long identity, long long tick, long long source
+    ) noexcept nogil
     cdef void hold(self, Py_ssize_t slot, long long source) noexcept nogil
     @cython.locals(is_armed=cython.bint)
     cdef void resume(self, Py_ssize_t slot, long long source) noexcept nogil
@@ -93,7 +95,9 @@ cdef class CycleManager:
     cdef void abort_actions(self, Py_ssize_t slot) noexcept nogil
     cdef void end_program(self) noexcept nogil
     cdef void reset(self) noexcept nogil
-    @cython.locals(slot=Py_ssize_t, index=Py_ssize_t, source=cython.longlong, serial=cython.longlong)
+    @cython.locals(
+        slot=Py_ssize_t, index=Py_ssize_t, source=cython.longlong, serial=cython.longlong
+    )
     cdef void delete_local(self, int reason) noexcept nogil
     cdef int run_cycles(self, Context context) noexcept nogil
     @cython.locals(source=cython.longlong, serial=cython.longlong)

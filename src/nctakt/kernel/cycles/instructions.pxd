@@ -51,7 +51,9 @@ cdef class BoundedAssignment(Assignment):
     cdef double lowest
     cdef double highest
 
-cdef double round_into_range(BoundedAssignment statement, Context context, Py_ssize_t cell, double value) noexcept nogil
+cdef double round_into_range(
+    BoundedAssignment statement, Context context, Py_ssize_t cell, double value
+) noexcept nogil
 
 cdef class AddToReal(Assignment):
     @cython.locals(value=double)

@@ -34,4 +34,6 @@ cdef class RaiseUserError(Counted):
     @cython.locals(identity=double, reaction=double)
     cdef int run(self, Context context) noexcept nogil
     @cython.locals(value=double)
-    cdef double whole(self, Context context, Expression expression, double low, double high, int message) noexcept nogil
+    cdef double whole(
+        self, Context context, Expression expression, double low, double high, int message
+    ) noexcept nogil

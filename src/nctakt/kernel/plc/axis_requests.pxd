@@ -20,5 +20,7 @@ cdef class AxisRequests:
 
     cdef Py_ssize_t event_bound(self) noexcept nogil
     cdef void latch(self) noexcept nogil
-    @cython.locals(axis=Py_ssize_t, owner=cython.longlong, mode=int, direction=int, kind=cython.longlong)
+    @cython.locals(
+        axis=Py_ssize_t, owner=cython.longlong, mode=int, direction=int, kind=cython.longlong
+    )
     cdef void give(self, Py_ssize_t slot) noexcept nogil

@@ -26,7 +26,10 @@ cdef class SectionUnits(Units):
     cdef void latch(self) noexcept nogil
     @cython.locals(i=Py_ssize_t)
     cdef void publish(self) noexcept nogil
-    @cython.locals(first=Py_ssize_t, word=Py_ssize_t, function=cython.longlong, number=Py_ssize_t, ticks=cython.longlong)
+    @cython.locals(
+        first=Py_ssize_t, word=Py_ssize_t, function=cython.longlong, number=Py_ssize_t,
+        ticks=cython.longlong
+    )
     cdef void put(self, Py_ssize_t slot) noexcept nogil
 
 cdef class SpindleUnits(Units):
@@ -47,5 +50,8 @@ cdef class SpindleUnits(Units):
     cdef void latch(self) noexcept nogil
     @cython.locals(i=Py_ssize_t)
     cdef void publish(self) noexcept nogil
-    @cython.locals(first=Py_ssize_t, word=Py_ssize_t, direction=cython.longlong, backward=int, ticks=cython.longlong)
+    @cython.locals(
+        first=Py_ssize_t, word=Py_ssize_t, direction=cython.longlong, backward=int,
+        ticks=cython.longlong
+    )
     cdef void put(self, Py_ssize_t i) noexcept nogil

@@ -70,7 +70,9 @@ cdef class Channel:
     cdef void publish_block(self) noexcept nogil
     @cython.locals(source=cython.longlong)
     cdef void watch_spindle(self, double factor) noexcept nogil
-    @cython.locals(position=Py_ssize_t, row=Py_ssize_t, kind=int, message=int, source=cython.longlong)
+    @cython.locals(
+        position=Py_ssize_t, row=Py_ssize_t, kind=int, message=int, source=cython.longlong
+    )
     cdef void pass_block_ends(self, int is_stopping) noexcept nogil
     @cython.locals(message=int)
     cdef void report_axes(self) noexcept nogil

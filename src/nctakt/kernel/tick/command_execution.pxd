@@ -72,7 +72,10 @@ cdef class CommandExecutor:
     cdef bint is_motion(self, Py_ssize_t row) noexcept nogil
     @cython.locals(timer=int, message=int)
     cdef int take(self, long long tick, Py_ssize_t row, int kind) noexcept nogil
-    @cython.locals(source=cython.longlong, number=cython.longlong, serial=cython.longlong, name=double, value=double, decoded_tick=double, reason=cython.longlong, cell=double)
+    @cython.locals(
+        source=cython.longlong, number=cython.longlong, serial=cython.longlong, name=double,
+        value=double, decoded_tick=double, reason=cython.longlong, cell=double
+    )
     cdef void take_event(self, Py_ssize_t row, int kind) noexcept nogil
     @cython.locals(is_current=bint, serial=cython.longlong, message=int, source=cython.longlong)
     cdef int take_block(self, Py_ssize_t row) noexcept nogil
@@ -80,7 +83,10 @@ cdef class CommandExecutor:
     cdef int take_definition(self, long long tick, Py_ssize_t row) noexcept nogil
     @cython.locals(source=cython.longlong, identity=cython.longlong, action=int, message=int)
     cdef int take_control(self, long long tick, Py_ssize_t row) noexcept nogil
-    @cython.locals(function=cython.longlong, ticks=cython.longlong, value=cython.longlong, has_value=cython.bint, source=cython.longlong)
+    @cython.locals(
+        function=cython.longlong, ticks=cython.longlong, value=cython.longlong,
+        has_value=cython.bint, source=cython.longlong
+    )
     cdef int take_technology(self, long long tick, Py_ssize_t row) noexcept nogil
     @cython.locals(spindle=Py_ssize_t, ticks=cython.longlong)
     cdef int take_spindle(self, long long tick, Py_ssize_t row) noexcept nogil
@@ -88,13 +94,18 @@ cdef class CommandExecutor:
     cdef int take_spindle_wait(self, Py_ssize_t row) noexcept nogil
     @cython.locals(cell=Py_ssize_t)
     cdef void take_write(self, Py_ssize_t row) noexcept nogil
-    @cython.locals(cell=Py_ssize_t, first=Py_ssize_t, count=Py_ssize_t, zeros=Py_ssize_t, i=Py_ssize_t)
+    @cython.locals(
+        cell=Py_ssize_t, first=Py_ssize_t, count=Py_ssize_t, zeros=Py_ssize_t, i=Py_ssize_t
+    )
     cdef void take_characters(self, Py_ssize_t row) noexcept nogil
     @cython.locals(axis=Py_ssize_t, offset=int)
     cdef void take_offset(self, Py_ssize_t row, int kind) noexcept nogil
     @cython.locals(program=cython.longlong, source=cython.longlong)
     cdef int take_program_end(self, long long tick, Py_ssize_t row) noexcept nogil
-    @cython.locals(source=cython.longlong, identity=double, reaction=double, keyword=double, text=double, value=double)
+    @cython.locals(
+        source=cython.longlong, identity=double, reaction=double, keyword=double, text=double,
+        value=double
+    )
     cdef void take_user_error(self, Py_ssize_t row, int kind) noexcept nogil
     cdef void stop_for_user(self, int reaction) noexcept nogil
     cdef void enter_error(self, int message) noexcept nogil

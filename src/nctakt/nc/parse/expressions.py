@@ -72,7 +72,8 @@ _PART = re.compile(r"\.([-+]?\w+)")
 _INDEX = re.compile(r"\[")
 _NEXT_TOKEN = re.compile(r"\s*(\w+|\S)")
 _STARTS_VALUE = re.compile(
-    rf'\s*(?:[-+\d\["@]|\.\d|Vs?\.|P(?:\d|\[)|(?:TRUE|FALSE|PI|NOT)(?![\w.])|(?:{FUNCTION_NAMES})\s*\[)',
+    r'\s*(?:[-+\d\["@]|\.\d|Vs?\.|P(?:\d|\[)|(?:TRUE|FALSE|PI|NOT)(?![\w.])'
+    rf"|(?:{FUNCTION_NAMES})\s*\[)",
     re.IGNORECASE,
 )
 

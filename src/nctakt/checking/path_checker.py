@@ -67,6 +67,7 @@ from nctakt.nc.vocabulary.functions import (
     ARC_CLOCKWISE,
     ARC_RADIUS,
     ARCS,
+    AXIS_WEIGHTS,
     EDGE_BANDING,
     INCH,
     REFERENCE_OFFSET,
@@ -246,8 +247,8 @@ class PathChecker:
         self._radius(block)
         if REFERENCE_OFFSET in functions:
             self._shift()
-            return
-        self._move(block)
+        elif AXIS_WEIGHTS.isdisjoint(functions):
+            self._move(block)
 
     def _function(self, function: int) -> None:
         facts = self._facts

@@ -48,6 +48,7 @@ from nctakt.nc.vocabulary.functions import (
     ABSOLUTE,
     ARC_RADIUS,
     ARCS,
+    AXIS_WEIGHTS,
     COMPENSATIONS,
     CONTOURING_ONCE,
     DWELL,
@@ -213,6 +214,8 @@ class BlockDecoder:
             content.functions += yield from self._spindles.functions(command, number)
         if DWELL in numbers and content.axes:
             content.dwell_s = content.axes.pop()[1]
+        if not AXIS_WEIGHTS.isdisjoint(numbers):
+            content.axes.clear()  # 100 each, which changes nothing
         return content
 
     def _tool(

@@ -66,7 +66,7 @@ from nctakt.nc.tree import (
 from nctakt.nc.vocabulary import support_level
 from nctakt.nc.vocabulary.axis_commands import has_function, is_axis_command
 from nctakt.nc.vocabulary.entries import Entry, Support
-from nctakt.nc.vocabulary.function_rows import Form, Group
+from nctakt.nc.vocabulary.function_rows import Form, GFunction, Group
 from nctakt.nc.vocabulary.functions import (
     EXACT_STOP_ONCE,
     MOTIONS,
@@ -101,6 +101,7 @@ class _BlockState:
     names: dict[str, None] = field(default_factory=dict)
     groups: dict[Group, str] = field(default_factory=dict)
     unknown: bool = False
+    axis_words: tuple[AxisWord, ...] = ()
 
 
 class WordChecker:
@@ -124,6 +125,7 @@ class WordChecker:
             check_dwell(block, dwell, self._values, self._findings)
             return
         state = _BlockState(role, any(_returns(word) for word in block.words))
+        state.axis_words = tuple(word for word in block.words if isinstance(word, AxisWord))
         commands, words = split(block.words, self.spindles)
         for command in commands:
             self._commands.check(command)
@@ -254,7 +256,7 @@ class WordChecker:
         if entry is None:
             self._findings.report(INVALID_FUNCTION_NUMBER, word.span, word=f"G{number}")
             return
-        if isinstance(word.additional, Number) and word.additional.value == entry.neutral:
+        if _is_neutral(word, entry, state.axis_words):
             self._findings.report_support(replace(entry, support=Support.ACCEPTED), word.span)
             return
         if entry.form is Form.SUBPROGRAM:
@@ -423,6 +425,19 @@ class WordChecker:
         needs_axis = command.name != "PRESET"
         if needs_axis and not any(isinstance(word, AxisWord) for word in command.words):
             self._findings.report(COMMAND_WITHOUT_AXIS, command.span, command=name)
+
+
+def _is_neutral(word: Word, entry: GFunction, axes: Sequence[AxisWord]) -> bool:
+    """Return whether a G function that is not simulated changes nothing: ``G131=100``."""
+    if entry.neutral is None:
+        return False
+    if entry.form is Form.AXIS_WEIGHTS and word.additional is None:
+        values = [axis.value for axis in axes]
+    else:
+        values = [word.additional]
+    return bool(values) and all(
+        isinstance(value, Number) and value.value == entry.neutral for value in values
+    )
 
 
 def _returns(word: BlockWord) -> bool:

@@ -53,6 +53,7 @@ class Form(enum.Enum):
     ZERO_OFFSET = "G159=2"
     RADIUS = "G163=5"
     SUBPROGRAM = "G80 [1, 2]"
+    AXIS_WEIGHTS = "G130 X100"
 
 
 class Role(enum.Enum):
@@ -74,7 +75,7 @@ class GFunction(Entry):
     may appear in a plain line (``nc/fast/plain_lines.py``); in any other group plain lines may be
     decoded while it is active (``decoder/fast``). ``neutral``: the value with which a
     function that is not simulated changes nothing and is therefore accepted: ``G131=100``,
-    ``G52 0``.
+    ``G130 X100``, ``G52 0``.
     """
 
     number: int = -1
@@ -122,6 +123,13 @@ def refused(number: int, en: str, de: str, instead: Text = NOTHING_INSTEAD) -> G
 def weight(number: int, en: str, de: str) -> GFunction:
     """Return the row of a refused function that weights in per cent; 100 changes nothing."""
     return replace(refused(number, en, de), neutral=100.0)
+
+
+def axis_weights(number: int, en: str, de: str) -> GFunction:
+    """Return the row of a refused function whose axis words weight in per cent; 100 changes
+    nothing.
+    """
+    return replace(weight(number, en, de), form=Form.AXIS_WEIGHTS)
 
 
 def group(group: Group | None, *rows: GFunction) -> Iterator[GFunction]:

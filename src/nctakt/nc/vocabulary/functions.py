@@ -22,6 +22,7 @@ from nctakt.nc.vocabulary.function_rows import (
     MFunction,
     Role,
     accepted,
+    axis_weights,
     by_number,
     group,
     m_function,
@@ -209,16 +210,16 @@ G_FUNCTIONS: Mapping[int, GFunction] = by_number(
         refused(115, "influence on look-ahead", "Einfluss auf Look-ahead"),
         refused(116, "influence on look-ahead", "Einfluss auf Look-ahead"),
         accepted(117, "look-ahead on", "Look-ahead ein"),
-        refused(127, "weight of an axis' speed", "Gewichtung der Achsgeschwindigkeit"),
+        axis_weights(127, "weight of an axis' speed", "Gewichtung der Achsgeschwindigkeit"),
         weight(128, "weight of the highest speed", "Gewichtung der Höchstgeschwindigkeit"),
         weight(129, "weight of the rapid speed", "Gewichtung der Eilganggeschwindigkeit"),
-        refused(130, "weight of an axis' acceleration", "Gewichtung der Achsbeschleunigung"),
+        axis_weights(130, "weight of an axis' acceleration", "Gewichtung der Achsbeschleunigung"),
         weight(131, "weight of acceleration", "Gewichtung der Beschleunigung"),
-        refused(132, "weight of an axis' ramp time", "Gewichtung der Rampenzeit einer Achse"),
+        axis_weights(132, "weight of an axis' ramp time", "Gewichtung der Rampenzeit einer Achse"),
         weight(133, "weight of ramp times", "Gewichtung der Rampenzeiten"),
         weight(134, "weight of geometrical ramp times", "Gewichtung geometr. Rampenzeiten"),
         refused(135, "feed-forward on", "Vorsteuerung ein"),
-        refused(136, "weight of feed-forward", "Gewichtung der Vorsteuerung"),
+        axis_weights(136, "weight of feed-forward", "Gewichtung der Vorsteuerung"),
         accepted(137, "feed-forward off", "Vorsteuerung aus"),
     ),
     group(
@@ -306,18 +307,22 @@ G_FUNCTIONS: Mapping[int, GFunction] = by_number(
         refused(200, "manual mode", "Handbetrieb"),
         refused(201, "manual mode beside the path", "Handbetrieb neben der Bahn"),
         accepted(202, "manual mode beside the path off", "Handbetrieb neben der Bahn aus"),
-        refused(230, "weight of an axis' acceleration, rapid", "Achsbeschleunigung im Eilgang"),
+        axis_weights(230, "weight of an axis' acceleration, rapid", "Achsbeschleunigung im Eilgang"),
         weight(231, "weight of acceleration, rapid", "Gewichtung der Eilgangbeschleunigung"),
-        refused(232, "weight of an axis' ramp time, rapid", "Rampenzeit einer Achse im Eilgang"),
+        axis_weights(232, "weight of an axis' ramp time, rapid", "Rampenzeit einer Achse im Eilgang"),
         weight(233, "weight of ramp times, rapid", "Gewichtung der Eilgang-Rampenzeiten"),
         refused(293, "feed interpolated over time", "Vorschub über der Zeit interpoliert"),
         refused(301, "chamfer", "Fase"),
         refused(302, "rounding", "Rundung"),
         refused(310, "interruptible block", "unterbrechbarer Satz"),
-        refused(333, "weight of an axis' ramp time", "Gewichtung der Rampenzeit einer Achse"),
-        refused(334, "weight of an axis' ramp time", "Gewichtung der Rampenzeit einer Achse"),
-        refused(338, "weight of deceleration", "Gewichtung der Verzögerung"),
-        refused(339, "weight of deceleration", "Gewichtung der Verzögerung"),
+        axis_weights(
+            333, "weight of an axis' deceleration, feed hold", "Achsverzögerung bei Vorschubhalt"
+        ),
+        weight(334, "weight of deceleration, feed hold", "Verzögerung bei Vorschubhalt"),
+        axis_weights(
+            338, "weight of an axis' ramp time, feed hold", "Achsrampenzeit bei Vorschubhalt"
+        ),
+        weight(339, "weight of ramp times, feed hold", "Rampenzeiten bei Vorschubhalt"),
     ),
     group(
         Group.CONTOURING,
@@ -386,6 +391,11 @@ def members(of: Group) -> tuple[int, ...]:
 def _of_role(*roles: Role) -> tuple[int, ...]:
     return tuple(row.number for row in M_FUNCTIONS.values() if row.role in roles)
 
+
+#: G functions whose axis words are weights, not targets.
+AXIS_WEIGHTS = frozenset(
+    row.number for row in G_FUNCTIONS.values() if row.form is Form.AXIS_WEIGHTS
+)
 
 #: All motions, and those that may appear in a plain line.
 MOTIONS = members(Group.MOTION)

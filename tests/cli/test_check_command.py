@@ -353,7 +353,9 @@ def test_binary_files_are_refused(check: Check, name: str, number: int) -> None:
     write(name, b"\x01\x02\x00G00 X1")
     assert (check(name).ids, check(name).code) == ([number], 2)
     write("utf16.nc", "G00 X1\n".encode("utf-16"))
-    assert check("utf16.nc").ids == []
+    assert check("utf16.nc").ids == [21798]
+    write("utf8.nc", b"\xef\xbb\xbfG00 X1\n")
+    assert check("utf8.nc").ids == [21798]
 
 
 @pytest.mark.skipif(os.name != "posix" or os.geteuid() == 0, reason="rights do not bind root")

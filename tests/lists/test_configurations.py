@@ -271,7 +271,7 @@ def test_m_and_h_functions() -> None:
     text = (
         "gruppe[0].achs_anzahl 1\ngruppe[0].achse[0].log_achs_nr 1\n"
         "gruppe[0].achse[0].bezeichnung X\n"
-        "m_synch[100] MOS\nm_prozess_zeit[100] 15\nm_default_outp_ax_name[100] X\n"
+        "m_synch[100] MVS_SVS\nm_prozess_zeit[100] 15\nm_default_outp_ax_name[100] X\n"
         "m_synch[999] PLC_INFO\nm_synch[101] NOT_VALID\nh_synch[0] MNS_SNS\nm_synch[30] MOS\n"
         "m_prozess_zeit[7] 5\n"
     )
@@ -280,7 +280,7 @@ def test_m_and_h_functions() -> None:
     assert list(found.m_functions) == [0, 1, 2, 3, 4, 17, 19, 29, 30, 100, 999]
     function = found.m_functions[100]
     assert (function.synchronisation, function.process_time_us, function.axis_name) == (
-        "MOS",
+        "MVS_SVS",
         1.5,
         "X",
     )
@@ -309,6 +309,31 @@ def test_program_paths_come_in_order_of_priority() -> None:
     assert (early.folder, late.folder) == ("early", "late")
     assert (early.has_main_programs, early.has_subprograms) == (True, True)
     assert (late.has_main_programs, late.has_subprograms) == (False, True)
+
+
+@pytest.mark.parametrize(
+    ("text", "found"),
+    [
+        ("path[0].id 1\npath[1].id 1", [20771]),
+        ("path[0].id 1\npath[1].id 2", []),
+        ("path[0].type 1\npath[0].priority 4\npath[1].type 3\npath[1].priority 4", [20707]),
+        ("path[0].type 1\npath[0].priority 4\npath[1].type 2\npath[1].priority 4", []),
+        ("path[0].type 1\npath[1].type 1", []),
+    ],
+)
+def test_folders_of_programs_have_numbers_and_priorities_of_their_own(
+    text: str, found: list[int]
+) -> None:
+    """20771, 20707: where the list gives them, and for one type."""
+    assert channel(f"path[0].dir a\npath[1].dir b\n{text}\n")[1] == found
+
+
+def test_a_function_that_nothing_waits_for_takes_no_time() -> None:
+    """20760: 0 is used."""
+    text = "m_synch[50] MOS\nm_prozess_zeit[50] 500\nm_synch[51] MVS_SVS\nm_prozess_zeit[51] 500\n"
+    functions, found = channel(text)[0].m_functions, channel(text)[1]
+    assert (functions[50].process_time_us, functions[51].process_time_us) == (0.0, 50.0)
+    assert found == [20760]
 
 
 def test_implicit_programs() -> None:

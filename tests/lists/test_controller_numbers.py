@@ -59,6 +59,7 @@ def found_in(kind: str, line: str) -> list[int]:
             110085,
         ),
         ("manual_mode", "hr_data[0].log_hr_nr 70000", 150100),
+        ("axis_compensation", "P-COMP-00079 0", 110670),
         ("rtconf", "thread[0].function[0].trace_bit 8\nEnd", 1023),
         ("axis", "getriebe[0].dynamik.a_max -1", 1024),
     ],

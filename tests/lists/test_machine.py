@@ -454,6 +454,23 @@ def test_contexts_of_a_channel_need_their_threads(tmp_path: Path) -> None:
     assert load(write(tmp_path, {"rtconf.lis": rtconf, "kanal.lis": CHANNEL}))[1] == [260103]
 
 
+@pytest.mark.parametrize(
+    ("entries", "found"),
+    [
+        ("m_synch[50] MET_SVS", True),
+        ("h_synch[50] MET_SVS\nh_pre_outp[50] 999", True),
+        ("m_synch[50] MET_SVS\nm_pre_outp[50] 2000", False),
+        ("m_synch[50] MEP_SVS", False),
+    ],
+)
+def test_an_early_output_is_at_least_a_tick_early(
+    tmp_path: Path, entries: str, found: bool
+) -> None:
+    """21203, with P-CHAN-00070 and P-CHAN-00107; the tick is 2 ms."""
+    told = load(write(tmp_path, {"kanal.lis": f"{CHANNEL}{entries}\n"}))[1]
+    assert (21203 in told) is found
+
+
 @pytest.mark.parametrize(("elements", "found"), [(3, []), (4, [21520])])
 def test_memory_of_external_variables(tmp_path: Path, elements: int, found: list[int]) -> None:
     """P-STUP-00037: one block has room for three REAL64, not for four; all four are there."""

@@ -41,7 +41,7 @@ PUBLISHED = {
     ),
     "axis_compensation": (
         "COMP",
-        "1-33 40-49 57-72 74-77 80-90",
+        "1-33 40-49 57-72 74-77 80-90",  # and 79, of which only a number is published: 110670
     ),
     "variables": (
         "EXTV",

@@ -15,7 +15,7 @@ from pathlib import Path
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Severity, Span, Text
 from nctakt.base.failure import Failure
-from nctakt.base.text import decode_text, split_lines
+from nctakt.base.text import BYTE_ORDER_MARKS, decode_text, split_lines
 from nctakt.checking.inputs import Finding, gather
 from nctakt.checking.program import check_program
 from nctakt.checking.targets import Target, Targets
@@ -34,6 +34,7 @@ from nctakt.messages.checking import (
     LIST_KIND_NOT_RECOGNISED,
     NOT_A_TEXT_FILE,
 )
+from nctakt.messages.files import BYTE_ORDER_MARK
 from nctakt.nc.check.blocks import Role
 from nctakt.nc.lint.linter import GlobalCycles, never_deleted
 from nctakt.nc.source import Source
@@ -200,13 +201,22 @@ class _Checker:
         """Return the lines of a program of any length; ``None`` as above."""
         if not path.is_file():  # a pipe can be read only once
             data = self._read(path)
-            return None if data is None else split_lines(decode_text(data).text)
+            if data is None:
+                return None
+            self._report_mark(path, data)
+            return split_lines(decode_text(data).text)
         try:
             begin = self._access.read_begin(path)
+            self._report_mark(path, begin)
             return self._access.read_lines(path) if self._is_text(path, begin) else None
         except Failure as failure:
             self._keep(path.as_posix(), failure.diagnostics)
             return None
+
+    def _report_mark(self, path: Path, begin: bytes) -> None:
+        if begin.startswith(BYTE_ORDER_MARKS):
+            file = path.as_posix()
+            self._keep(file, [diagnostic(BYTE_ORDER_MARK, Span(file, 1, 1, 2))])
 
     def _is_text(self, path: Path, begin: bytes) -> bool:
         """Return False and report if the file is binary, judged by its first bytes."""

@@ -86,8 +86,9 @@ def find_parameters(name: str) -> tuple[DeclaredParameter, ...]:
         by_name = schema.find(pattern)
         if by_name is not None:
             parameters.append(DeclaredParameter(schema, by_name[0]))
-        by_id = schema.by_id(name.upper())
-        parameters += [DeclaredParameter(schema, parameter) for parameter in by_id]
+        for parameter in schema.by_id(name.upper()):
+            if by_name is None or parameter is not by_name[0]:
+                parameters.append(DeclaredParameter(schema, parameter))
     return tuple(parameters)
 
 

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from nctakt.messages.catalogue import error, note
+from nctakt.messages.catalogue import error, note, warning
 
 FILE_MISSING = error(
     900500,
@@ -141,4 +141,13 @@ FOLDER_INSTEAD_OF_PROGRAM = error(
     cause_de="Ein Maschinenordner enthält die Listen einer Maschine (nctakt new schreibt einen); "
     "Programme laufen auf dieser Maschine.",
     folder=("the folder", "der Ordner"),
+)
+BYTE_ORDER_MARK = warning(
+    21798,
+    en="the file begins with a byte order mark: the controller expects plain text",
+    de="die Datei beginnt mit einer Byte-Reihenfolge-Marke: die Steuerung erwartet reinen Text",
+    remedy_en="Save the program as ASCII, or as UTF-8 without the mark.",
+    remedy_de="Das Programm als ASCII oder als UTF-8 ohne die Marke speichern.",
+    cause_en="nctakt reads the file all the same.",
+    cause_de="nctakt liest die Datei trotzdem.",
 )

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from nctakt.base.diagnostics import Cases
+from nctakt.messages.cases import by_end
 from nctakt.messages.catalogue import error, note, warning
 
 TEXT_NOT_UTF8 = note(
@@ -392,4 +393,36 @@ UNKNOWN_FUNCTION_AXIS = warning(
     "verwenden.",
     key=("the entry", "der Eintrag"),
     value=("the name", "der Name"),
+)
+PROCESS_TIME_WITHOUT_WAITING = warning(
+    20760,
+    en="{key} {value}: a function of the type MOS takes no time; 0 is used",
+    de="{key} {value}: eine Funktion der Art MOS dauert nicht; 0 wird verwendet",
+    remedy_en="Set it to 0, or let the channel wait for the function (MVS_SVS, MVS_SNS, MNS_SNS).",
+    remedy_de="Auf 0 setzen oder den Kanal auf die Funktion warten lassen (MVS_SVS, MVS_SNS, "
+    "MNS_SNS).",
+    key=("the entry", "der Eintrag"),
+    value=("the time in 0.1 µs", "die Zeit in 0,1 µs"),
+)
+LEAD_TIME_TOO_SHORT = warning(
+    21203,
+    en="{key}: with MET_SVS the function must be output at least one tick ({least} µs) early",
+    de="{key}: mit MET_SVS muss die Funktion mindestens einen Takt ({least} µs) früher ausgegeben "
+    "werden",
+    remedy_en="Set {lead} to {least} or more.",
+    remedy_de="{lead} auf {least} oder mehr setzen.",
+    key=("the entry of the type", "der Eintrag der Art"),
+    lead=("the entry of the lead time", "der Eintrag der Vorhaltezeit"),
+    least=("the shortest lead time, in µs", "die kürzeste Vorhaltezeit, in µs"),
+)
+PATH_GIVEN_TWICE = warning(
+    20771,
+    cases=by_end("key", {".priority": 20707}),
+    en="{key} {value} is that of {other}, too",
+    de="{key} {value} hat auch {other}",
+    remedy_en="Give each folder of a type a number and a priority of its own.",
+    remedy_de="Jedem Verzeichnis einer Art eine eigene Nummer und Priorität geben.",
+    key=("the entry", "der Eintrag"),
+    value=("its value", "sein Wert"),
+    other=("the folder before", "das Verzeichnis davor"),
 )

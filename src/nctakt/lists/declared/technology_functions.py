@@ -15,7 +15,12 @@ from nctakt.base.diagnostics import Text
 from nctakt.lists.format.parameter import Parameter, ValueType, with_indices
 from nctakt.lists.format.values import Values
 from nctakt.messages import Collector
-from nctakt.messages.lists import INVALID_SYNCHRONISATION_TYPE, UNKNOWN_FUNCTION_AXIS
+from nctakt.messages.lists import (
+    INVALID_SYNCHRONISATION_TYPE,
+    LEAD_TIME_TOO_SHORT,
+    PROCESS_TIME_WITHOUT_WAITING,
+    UNKNOWN_FUNCTION_AXIS,
+)
 
 MOST_FUNCTIONS = 1000
 _MOST_SPINDLES = 6
@@ -191,10 +196,48 @@ def technology_functions(
             number,
             synchronisation,
             modifiers,
-            values.integer(f"{letter}_prozess_zeit[]", number) / 10,
+            process_time_us(
+                values, (f"{letter}_prozess_zeit[]", number), synchronisation, collector
+            ),
             _axis_of(values, letter, number, axes, collector),
         )
     return functions
+
+
+def process_time_us(
+    values: Values, at: tuple[str, int], synchronisation: str, collector: Collector
+) -> float:
+    """Return the process time of a function; nothing waits for one of the type MOS (20760)."""
+    tenths = values.integer(*at)
+    if tenths and synchronisation == "MOS":
+        values.report(
+            collector,
+            PROCESS_TIME_WITHOUT_WAITING,
+            at,
+            key=with_indices(at[0], at[1:]),
+            value=tenths,
+        )
+        return 0.0
+    return tenths / 10
+
+
+def check_lead_times(values: Values, cycle_time_us: int, collector: Collector) -> None:
+    """Check that a function of the type MET_SVS is output at least one tick early (21203)."""
+    for letter in "mh":
+        for number in values.indices(f"{letter}_synch[]"):
+            if "MET_SVS" not in values.names(f"{letter}_synch[]", number):
+                continue
+            lead = values.given(f"{letter}_pre_outp[]", number)
+            if lead is None or float(str(lead.value)) < cycle_time_us:
+                at = (f"{letter}_synch[]", number)
+                values.report(
+                    collector,
+                    LEAD_TIME_TOO_SHORT,
+                    at,
+                    key=with_indices(at[0], at[1:]),
+                    lead=with_indices(f"{letter}_pre_outp[]", (number,)),
+                    least=cycle_time_us,
+                )
 
 
 def _axis_of(

@@ -85,6 +85,11 @@ class Values:
         assert self._parameter(pattern)
         return (pattern, indices) in self.entry_values
 
+    def given(self, pattern: str, *indices: int) -> EntryValue | None:
+        """Return what a list gives a parameter with or without an effect; ``None``: nothing."""
+        key = (pattern, indices)
+        return self.entry_values.get(key) or self.unused_values.get(key)
+
     def indices(self, prefix: str, *outer: int) -> tuple[int, ...]:
         """Return the indices of ``prefix`` (``thread[]``) behind ``outer`` with entries."""
         depth = prefix.count("[]")
@@ -102,7 +107,7 @@ class Values:
         For a missing entry it is that of the first entry of the same element (``thread[2]``), else
         that of the file.
         """
-        item = self.entry_values.get((pattern, indices)) or self._relative(pattern, indices)
+        item = self.given(pattern, *indices) or self._relative(pattern, indices)
         if item is None:
             return whole_file(self.file), ""
         return item.entry.key_span, item.entry.line

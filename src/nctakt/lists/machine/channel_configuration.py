@@ -14,6 +14,7 @@ from nctakt.lists.declared.technology_functions import (
     INTERNAL_M_FUNCTIONS,
     SPINDLE_FUNCTION_KEYS,
     TechnologyFunction,
+    process_time_us,
     split,
     technology_functions,
 )
@@ -21,7 +22,11 @@ from nctakt.lists.format.controller_numbers import bound_number
 from nctakt.lists.format.parameter import with_indices
 from nctakt.lists.format.values import Values
 from nctakt.messages import Collector
-from nctakt.messages.lists import PARAMETER_OUT_OF_RANGE, UNKNOWN_PARAMETER_VALUE
+from nctakt.messages.lists import (
+    PARAMETER_OUT_OF_RANGE,
+    PATH_GIVEN_TWICE,
+    UNKNOWN_PARAMETER_VALUE,
+)
 from nctakt.messages.machine import (
     CYCLE_DURATION_ABOVE_TICK,
     DESCRIBED_COUNT_MISMATCH,
@@ -206,7 +211,7 @@ def channel_parameters(values: Values, collector: Collector) -> ChannelParameter
         spindles,
         technology_functions(values, "m", names, collector, INTERNAL_M_FUNCTIONS),
         technology_functions(values, "h", names, collector),
-        _program_paths(values),
+        _program_paths(values, collector),
         _implicit_programs(values),
         _program_start(values, collector),
         values.flag("exact_stop_after_g00"),
@@ -302,22 +307,31 @@ def _spindles(values: Values, collector: Collector) -> tuple[Spindle, ...]:
             values.report(collector, INVALID_AXIS_NAME, key, key=path, value=name or "–")
             continue
         plc_controlled = values.flag("spindel[].plc_control", index)
-        functions = {key: _spindle_function(values, key, index) for key in SPINDLE_FUNCTION_KEYS}
+        functions = {
+            key: _spindle_function(values, key, index, collector) for key in SPINDLE_FUNCTION_KEYS
+        }
         spindles.append(Spindle(name, list_name, number, is_main, plc_controlled, functions))
     if main_number and not any(spindle.is_main for spindle in spindles):
         values.report(collector, UNKNOWN_MAIN_SPINDLE, ("main_spindle_ax_nr",), logical=main_number)
     return tuple(spindles)
 
 
-def _spindle_function(values: Values, key: str, index: int) -> TechnologyFunction:
+def _spindle_function(
+    values: Values, key: str, index: int, collector: Collector
+) -> TechnologyFunction:
     synchronisation, modifiers = split(values.names(f"spindel[].{key}_synch", index), "NO_SYNCH")
     number = int(key[1:]) if len(key) > 1 else 0
-    time = values.integer(f"spindel[].{key}_prozess_zeit", index)
-    return TechnologyFunction(number, synchronisation, modifiers, time / 10, "")
+    at = (f"spindel[].{key}_prozess_zeit", index)
+    time_us = process_time_us(values, at, synchronisation, collector)
+    return TechnologyFunction(number, synchronisation, modifiers, time_us, "")
 
 
-def _program_paths(values: Values) -> tuple[ProgramPath, ...]:
-    """Return the folders with programs in the order of the search: by priority, then as listed."""
+def _program_paths(values: Values, collector: Collector) -> tuple[ProgramPath, ...]:
+    """Return the folders with programs in the order of the search: by priority, then as listed.
+
+    Reported: one number of two folders (20771), one priority of two of a type (20707).
+    """
+    _check_paths(values, collector)
     paths = [
         ProgramPath(
             values.text("path[].dir", index),
@@ -328,6 +342,30 @@ def _program_paths(values: Values) -> tuple[ProgramPath, ...]:
         if values.text("path[].dir", index)
     ]
     return tuple(sorted(paths, key=lambda path: path.priority))
+
+
+def _check_paths(values: Values, collector: Collector) -> None:
+    before: list[int] = []
+    for index in values.indices("path[]"):
+        for name in ("id", "priority"):
+            key = (f"path[].{name}", index)
+            own = values.given(*key)
+            for other in before:
+                first = values.given(key[0], other)
+                if own is None or first is None or own.value != first.value:
+                    continue
+                types = values.integer("path[].type", index), values.integer("path[].type", other)
+                if name == "id" or types[0] & types[1]:
+                    values.report(
+                        collector,
+                        PATH_GIVEN_TWICE,
+                        key,
+                        key=with_indices(key[0], (index,)),
+                        value=str(own.value),
+                        other=f"path[{other}]",
+                    )
+                    break
+        before.append(index)
 
 
 def _implicit_programs(values: Values) -> ImplicitPrograms:

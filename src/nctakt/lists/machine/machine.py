@@ -35,6 +35,7 @@ from nctakt.lists.declared.startup import (
     StartupConfiguration,
     startup_configuration,
 )
+from nctakt.lists.declared.technology_functions import check_lead_times
 from nctakt.lists.declared.tools import TOOLS, Tool, tools_configuration
 from nctakt.lists.declared.variables import VARIABLES
 from nctakt.lists.format.times import Time
@@ -235,6 +236,11 @@ def _startup_file(folder: Path, collector: Collector) -> Path:
     raise Failure(*collector.diagnostics)
 
 
+def _cycle_time_us(rtconf: RtconfConfiguration | None) -> int:
+    """Return the length of a tick, which is the default without rtconf.lis."""
+    return DEFAULT_CYCLE_TIME_US if rtconf is None else rtconf.cycle_time_us
+
+
 class _Loader:
     """Loads the lists of one machine, which its start-up list names."""
 
@@ -263,6 +269,8 @@ class _Loader:
         rtconf = self._rtconf(startup)
         axes = self._axes(startup)
         parameters = self._channel_parameters(startup)
+        for values in self.channel_values:
+            check_lead_times(values, _cycle_time_us(rtconf), self.collector)
         if rtconf is not None:
             check_contexts(rtconf, parameters, self.collector)
             check_time_limits(rtconf, parameters, self.collector)
@@ -281,7 +289,7 @@ class _Loader:
         return Machine(
             self.folder.resolve().name,
             self.folder,
-            rtconf.cycle_time_us if rtconf is not None else DEFAULT_CYCLE_TIME_US,
+            _cycle_time_us(rtconf),
             startup,
             rtconf,
             channels,

@@ -307,9 +307,13 @@ G_FUNCTIONS: Mapping[int, GFunction] = by_number(
         refused(200, "manual mode", "Handbetrieb"),
         refused(201, "manual mode beside the path", "Handbetrieb neben der Bahn"),
         accepted(202, "manual mode beside the path off", "Handbetrieb neben der Bahn aus"),
-        axis_weights(230, "weight of an axis' acceleration, rapid", "Achsbeschleunigung im Eilgang"),
+        axis_weights(
+            230, "weight of an axis' acceleration, rapid", "Achsbeschleunigung im Eilgang"
+        ),
         weight(231, "weight of acceleration, rapid", "Gewichtung der Eilgangbeschleunigung"),
-        axis_weights(232, "weight of an axis' ramp time, rapid", "Rampenzeit einer Achse im Eilgang"),
+        axis_weights(
+            232, "weight of an axis' ramp time, rapid", "Rampenzeit einer Achse im Eilgang"
+        ),
         weight(233, "weight of ramp times, rapid", "Gewichtung der Eilgang-Rampenzeiten"),
         refused(293, "feed interpolated over time", "Vorschub über der Zeit interpoliert"),
         refused(301, "chamfer", "Fase"),

@@ -427,7 +427,7 @@ class WordChecker:
             self._findings.report(COMMAND_WITHOUT_AXIS, command.span, command=name)
 
 
-def _is_neutral(word: Word, entry: GFunction, axes: Sequence[AxisWord]) -> bool:
+def _is_neutral(word: Word, entry: GFunction, axes: tuple[AxisWord, ...]) -> bool:
     """Return whether a G function that is not simulated changes nothing: ``G131=100``."""
     if entry.neutral is None:
         return False

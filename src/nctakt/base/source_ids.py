@@ -73,6 +73,11 @@ class SourceFiles:
         self._by_name[file] = len(self._files) - 1
         return len(self._files) - 1
 
+    @property
+    def names(self) -> list[str]:
+        """The names of the texts, by index."""
+        return [name for name, _ in self._files]
+
     def number(self, span: Span) -> int:
         """Return the source id of the begin of a span; ``NO_SOURCE`` in a text never added."""
         file_index = self._by_name.get(span.file)

@@ -7,6 +7,8 @@ by its name, and the messages of a number for whoever has only the number: a use
 
 from __future__ import annotations
 
+import copyreg
+from collections.abc import Callable
 from functools import cache, partial
 
 from nctakt.base.diagnostics import Cases, Message, Severity
@@ -83,6 +85,19 @@ def messages_of(number: int) -> tuple[Message, ...]:
     """Return the messages that have a number; first those that it leads."""
     having = [message for message in catalogue() if number in message.numbers]
     return tuple(sorted(having, key=lambda message: number not in message.leading))
+
+
+def _find(number: int, text: str) -> Message:
+    """Return the message of this number and English text."""
+    return next(message for message in messages_of(number) if message.text.en == text)
+
+
+def _by_text(message: Message) -> tuple[Callable[[int, str], Message], tuple[int, str]]:
+    return _find, (message.id, message.text.en)
+
+
+# A message goes to another process by its number and text: it is the same object there.
+copyreg.pickle(Message, _by_text)
 
 
 def is_own(number: int) -> bool:

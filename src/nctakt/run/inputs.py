@@ -14,7 +14,9 @@ from collections.abc import Callable, Iterable, Sequence
 from typing import TYPE_CHECKING
 
 from nctakt.base.dataclass import dataclass
+from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
+from nctakt.kernel.plc.technology_slots import SLOT_COUNT
 from nctakt.messages import diagnostic
 from nctakt.messages.tape import INPUT_NOT_POSSIBLE
 
@@ -66,6 +68,26 @@ class Inputs:
         """Replace the planned inputs; they come in the order of their ticks."""
         self._planned = deque(inputs)
 
+    def add(self, inputs: Iterable[Input]) -> None:
+        """Plan further inputs, each behind those of its tick that are planned already."""
+        self._planned = deque(sorted([*self._planned, *inputs], key=lambda planned: planned.tick))
+
+    def check(self, planned: Input) -> None:
+        """Raise ``Failure`` for a name or a value that this machine does not take (901077)."""
+        match planned.kind, planned.values:
+            case "write", (str() as name, value):
+                self._access.check(name, value)
+            case "ack", (int() as channel, bool(), int() as slot, int(), str()) if (
+                0 <= channel < len(self._channels) and 0 <= slot < SLOT_COUNT
+            ):
+                pass
+            case _:
+                raise Failure(self._impossible(planned))
+
+    def _impossible(self, planned: Input) -> Diagnostic:
+        found = f"{planned.kind} {', '.join(map(str, planned.values))}"
+        return diagnostic(INPUT_NOT_POSSIBLE, tick=planned.tick, input=found)
+
     def apply_due(self) -> int:
         """Apply the planned inputs of the coming tick; return the tick of the next planned one."""
         planned = self._planned
@@ -78,8 +100,7 @@ class Inputs:
         try:
             self._repeat(planned)
         except (IndexError, OverflowError, ValueError) as error:
-            found = f"{planned.kind} {', '.join(map(str, planned.values))}"
-            raise Failure(diagnostic(INPUT_NOT_POSSIBLE, tick=planned.tick, input=found)) from error
+            raise Failure(self._impossible(planned)) from error
 
     def _repeat(self, planned: Input) -> None:
         values = planned.values

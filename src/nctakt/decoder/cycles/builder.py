@@ -318,6 +318,11 @@ class CycleBuilder:
         location = self._values.locate(node)
         if not (location.synchronous or node.synchronous):
             return self._freeze(node)
+        return self._load(node)
+
+    def _load(self, node: tree.Variable) -> Operand:
+        """The variable's value in the tick, in the unit of length of the definition."""
+        location = self._values.locate(node)
         cell, index = self._index(node, location)
         built = load(cell)
         if index is not None:

@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: MIT
+"""An expression of the controller's language -> the node that is looked at behind a tick.
+
+In: a text such as ``V.E.COUNT > 5 && V.RTA.ACS.ACT_POS.X < 20``. Out: an expression of the realtime
+part in which each variable has its present value, or the mistakes of the text.
+"""
+
+from __future__ import annotations
+
+from nctakt.base.failure import Failure
+from nctakt.decoder.cycles.builder import CycleBuilder
+from nctakt.decoder.state.environment import DecoderEnvironment
+from nctakt.decoder.state.modal_state import state_at_program_start
+from nctakt.decoder.values.fusing import Operand
+from nctakt.decoder.values.variables import Values
+from nctakt.kernel.cycles.expressions import Expression
+from nctakt.lists.machine.channel_configuration import ChannelParameters
+from nctakt.messages import Collector, diagnostic
+from nctakt.messages.session import NOT_IN_THE_TICK
+from nctakt.nc import tree
+from nctakt.nc.inspection import inspect
+from nctakt.nc.parse.printer import format_expression
+from nctakt.nc.source import Source
+from nctakt.nc.vocabulary.system_variables import is_decoder_data
+
+
+def read_condition(
+    text: str, environment: DecoderEnvironment, parameters: ChannelParameters
+) -> Expression:
+    """Return the expression of a text; raises ``Failure`` with all its mistakes.
+
+    It is read as the condition of a realtime cycle, in mm and degrees.
+    """
+    lines = ["#RT CYCLE [SCOPE=PROG]", f"$IF {text}", "$ENDIF", "#RT CYCLE END", "M30"]
+    collector = Collector()
+    read = inspect(Source("condition", lines), environment.names, parameters, collector)
+    errors = [found for found in collector.diagnostics if found.severity.name == "ERROR"]
+    if errors:
+        raise Failure(*errors)
+    (cycle,) = read.cycles
+    condition = cycle.body[0]
+    if not isinstance(condition, tree.If) or len(cycle.body) > 1:
+        raise Failure(*collector.diagnostics)
+    state = state_at_program_start(parameters.program_start, [0.0] * len(environment.axes))
+    return _LiveBuilder(Values(environment, state), 0).expression(condition.condition)
+
+
+class _LiveBuilder(CycleBuilder):
+    """Builds expressions in which no variable is frozen."""
+
+    def expression(self, expression: tree.Expression) -> Expression:
+        """Return the node of an expression."""
+        return self._builder.build(expression).node
+
+    def _leaf(self, node: tree.Variable | tree.Parameter) -> Operand:
+        if isinstance(node, tree.Parameter) or is_decoder_data(node):
+            raise Failure(diagnostic(NOT_IN_THE_TICK, name=format_expression(node)))
+        return self._load(node)

@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: MIT
+"""Messages about sessions: stops, going back."""
+
+from __future__ import annotations
+
+from nctakt.messages.catalogue import error, warning
+
+NOT_A_STOP = error(
+    901150,
+    en="this is not a stop: {text}",
+    de="das ist kein Haltepunkt: {text}",
+    remedy_en="Write line 12, runs 6, turns 6, V.E.X > 5, changes V.E.X, M100, message or error.",
+    remedy_de="Schreibweisen: line 12, runs 6, turns 6, V.E.X > 5, changes V.E.X, M100, message, "
+    "error.",
+    text=("the text", "der Text"),
+)
+NOT_IN_THE_TICK = error(
+    901151,
+    en="{name} belongs to the decoder, so a tick does not see it",
+    de="{name} gehört zum Decoder, ein Takt sieht es nicht",
+    remedy_en="Watch a V.E, V.CH, V.RTA or V.RTG variable, or stop at the line that writes it.",
+    remedy_de="Eine Variable V.E, V.CH, V.RTA oder V.RTG beobachten oder an der Zeile halten, die "
+    "sie schreibt.",
+    name=("the variable", "die Variable"),
+)
+TOO_MANY_STOPS = error(
+    901152,
+    en="{count} stops are more than the {limit} that a session watches",
+    de="{count} Haltepunkte sind mehr als die {limit}, die eine Sitzung beobachtet",
+    remedy_en="Take some of them away, or give one of them a condition.",
+    remedy_de="Einige entfernen oder einen mit einer Bedingung versehen.",
+    count=("the number of stops", "die Anzahl der Haltepunkte"),
+    limit=("the limit", "die Grenze"),
+)
+CONTROLLER_LOST = error(
+    901153,
+    en="the session's controller is gone: {reason}",
+    de="die Steuerung der Sitzung ist nicht mehr da: {reason}",
+    remedy_en="Open a new session; its tape is still there.",
+    remedy_de="Eine neue Sitzung öffnen; die Aufzeichnung ist noch da.",
+    reason=("what happened to it", "was mit ihr geschah"),
+)
+TICK_NOT_REACHED = error(
+    901154,
+    en="tick {tick} lies outside this branch, which has reached tick {latest}",
+    de="Takt {tick} liegt nicht in diesem Zweig, der bis Takt {latest} reicht",
+    remedy_en="Let the session run on to reach it.",
+    remedy_de="Die Sitzung bis dorthin weiterlaufen lassen.",
+    tick=("the tick", "der Takt"),
+    latest=("the last tick so far", "der bisher letzte Takt"),
+)
+SESSION_IS_CLOSED = error(
+    901155,
+    en="the session is closed",
+    de="die Sitzung ist geschlossen",
+    remedy_en="Open a new one.",
+    remedy_de="Eine neue öffnen.",
+)
+PLC_DIFFERS = warning(
+    901156,
+    en="from tick {tick} on the PLC does otherwise than before: it depends on more than its inputs",
+    de="ab Takt {tick} verhält sich die SPS anders als zuvor: sie hängt von mehr als ihren "
+    "Eingängen ab",
+    remedy_en="Chance, clocks and files make a PLC differ; what it did first is on the tape.",
+    remedy_de="Zufall, Uhren und Dateien machen das aus; was sie zuerst tat, ist aufgezeichnet.",
+    tick=("the first tick that differs", "der erste abweichende Takt"),
+)
+NO_SUCH_BRANCH = error(
+    901157,
+    en="there is no branch {branch}; the session has branches 1 … {count}",
+    de="es gibt keinen Zweig {branch}; die Sitzung hat die Zweige 1 … {count}",
+    remedy_en="Name one of them.",
+    remedy_de="Einen davon nennen.",
+    branch=("the number asked for", "die verlangte Nummer"),
+    count=("the number of branches", "die Anzahl der Zweige"),
+)

@@ -1,0 +1,23 @@
+# SPDX-License-Identifier: MIT
+"""A run that one lives through: on any clock, with stops, forward and back."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from nctakt.base.lazy_names import import_when_used
+
+if TYPE_CHECKING:
+    from nctakt.session.session import Session
+    from nctakt.session.setup import Setup
+    from nctakt.session.stops import StopAt
+
+__all__ = ["Session", "Setup", "StopAt"]
+
+_MODULES = {
+    "Session": "nctakt.session.session",
+    "Setup": "nctakt.session.setup",
+    "StopAt": "nctakt.session.stops",
+}
+
+__getattr__ = import_when_used(globals(), _MODULES)

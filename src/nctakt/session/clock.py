@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: MIT
+"""The clocks of a session: when the next slice is due, and up to which tick it runs.
+
+In: a speed, the time of a monotonic clock. Out: deadlines and ticks. Deadlines are absolute, so a
+late slice does not move those behind it: a session never drifts.
+"""
+
+from __future__ import annotations
+
+#: The length of a slice on the wall clock, in seconds.
+SLICE_S = 0.010
+
+#: How long a slice takes that runs as fast as possible, in seconds: from, to.
+FAST_SLICE_S = (0.012, 0.040)
+
+#: Speeds on the wall clock, as factors.
+MIN_SPEED, MAX_SPEED = 0.01, 1000.0
+
+#: Ticks of a slice at most.
+MAX_SLICE_TICKS = 1_000_000
+
+
+class WallClock:
+    """Machine time that follows the wall clock, times ``speed``, from ``first_tick`` on.
+
+    Slices last ``slice_s`` seconds. ``late_count``: slices that began later than a slice's length
+    after their time; ``worst_s``: the largest lateness in seconds.
+    """
+
+    def __init__(
+        self, speed: float, first_tick: int, cycle_time_us: int, now_s: float, slice_s: float
+    ) -> None:
+        if not MIN_SPEED <= speed <= MAX_SPEED:
+            raise ValueError(speed)
+        self.speed = speed
+        self._first_tick = first_tick
+        self._cycle_time_us = cycle_time_us
+        self._begin_s = now_s
+        self._slice_s = slice_s
+        self._slices = 0
+        self.late_count = 0
+        self.worst_s = 0.0
+
+    def wait_s(self, now_s: float) -> float:
+        """Return how long it is to the next slice, in seconds; 0 if it is due."""
+        return max(0.0, self._begin_s + (self._slices + 1) * self._slice_s - now_s)
+
+    def next_tick(self, now_s: float) -> int:
+        """Return the tick up to which the slice that is due runs; note how late it is."""
+        self._slices += 1
+        lateness = now_s - (self._begin_s + self._slices * self._slice_s)
+        self.worst_s = max(self.worst_s, lateness)
+        if lateness > self._slice_s:
+            self.late_count += 1
+        passed_us = self._slices * self._slice_s * 1e6 * self.speed
+        return self._first_tick + int(passed_us / self._cycle_time_us + 1e-6)
+
+    def note(self, ticks: int, took_s: float) -> None:
+        """Take what the slice has cost: nothing follows from it."""
+
+
+class FastClock:
+    """As fast as possible, in slices short enough for those who watch."""
+
+    speed: float | None = None
+
+    def __init__(self, first_tick: int) -> None:
+        self._tick = first_tick
+        self._ticks = 1000
+
+    def wait_s(self, now_s: float) -> float:
+        """Return 0: a slice is always due."""
+        return 0.0
+
+    def next_tick(self, now_s: float) -> int:
+        """Return the tick up to which the next slice runs."""
+        return self._tick + self._ticks
+
+    def note(self, ticks: int, took_s: float) -> None:
+        """Make the next slice longer or shorter by what this one has cost."""
+        self._tick += ticks
+        shortest, longest = FAST_SLICE_S
+        if took_s < shortest:
+            self._ticks = min(2 * self._ticks, MAX_SLICE_TICKS)
+        elif took_s > longest:
+            self._ticks = max(self._ticks // 2, 1)

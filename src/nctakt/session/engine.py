@@ -1,0 +1,398 @@
+# SPDX-License-Identifier: MIT
+"""One controller at one tick, with the requests that a session makes of it.
+
+In: a ``Setup``, then requests: run up to a tick, plan inputs, read, evaluate. Out: slices and
+values. It knows no process, no thread and no clock: the same requests give the same answers
+wherever it runs.
+"""
+
+from __future__ import annotations
+
+import math
+from collections import deque
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+from nctakt.base.dataclass import dataclass
+from nctakt.base.diagnostics import Diagnostic, Span
+from nctakt.base.failure import Failure
+from nctakt.decoder.cycles.builder import CycleDefinition
+from nctakt.files.access import FileAccess
+from nctakt.kernel import codes, rows
+from nctakt.kernel.cycles.context import context_of
+from nctakt.lists.machine.machine import load_machine
+from nctakt.plc.loading import load_plc
+from nctakt.results.run import ProgramMessage, Run, RunState
+from nctakt.run.assembly import AssembledMachine
+from nctakt.run.inputs import PLC, Input
+from nctakt.run.plc_view import PlcView, TechnologyEntry
+from nctakt.run.program_run import ProgramRun, RunOptions
+from nctakt.run.stimuli import as_inputs, read_stimulus
+from nctakt.run.tick_loop import TickLoop
+from nctakt.session.setup import Description, Setup
+from nctakt.session.stops import StopAt, StopBuilder
+from nctakt.trace.chunks import of_kinds
+from nctakt.trace.events import Event
+from nctakt.trace.recorded import EventList
+from nctakt.trace.sinks import TraceHeader
+
+#: Events of one slice that are handed out: the latest; how many others there were is told.
+MAX_EVENTS = 1000
+
+#: Ticks of a stretch that is looked at in detail.
+MAX_LOOKED_AT = 1_000_000
+
+_BLOCKS = frozenset((rows.EVENT_BLOCK,))
+
+
+@dataclass(frozen=True, slots=True)
+class Slice:
+    """What the ticks from ``first_tick`` up to, but without, ``tick`` have done.
+
+    ``run_state`` has a value once the run is over. ``hits``: the stops that held in the last tick,
+    by their index; they have ended the slice. ``blocks``: number of the channel -> place of its
+    current block. ``inputs``: all that came from outside, in its order. ``decoded``: blocks that
+    have been passed so far. ``differs``: the first tick in which the PLC did otherwise than the
+    tape says.
+    """
+
+    first_tick: int
+    tick: int
+    state: str
+    run_state: RunState | None
+    hits: Sequence[int]
+    events: Sequence[Event]
+    left_out: int
+    messages: Sequence[ProgramMessage]
+    diagnostics: Sequence[Diagnostic]
+    inputs: Sequence[Input]
+    blocks: Mapping[int, Span]
+    decoded: int
+    differs: int | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class BranchState:
+    """A branch of a realtime cycle at this tick.
+
+    ``truth``: of its condition at its last evaluation, ``None`` before the first. ``is_evaluated``
+    and ``has_run``: in the last tick. ``count``: how often its body ran.
+    """
+
+    span: Span
+    frequency: str
+    truth: bool | None
+    is_evaluated: bool
+    has_run: bool
+    count: int
+
+
+@dataclass(frozen=True, slots=True)
+class CycleState:
+    """A living realtime cycle: its name, its state and its branches in the order of the text."""
+
+    name: str
+    state: str
+    scope: str
+    span: Span
+    runs: int
+    branches: tuple[BranchState, ...]
+
+
+class _Happened:
+    """The events since the last slice: the latest of them, and the current blocks."""
+
+    def __init__(self) -> None:
+        self._chunks: deque[Sequence[Event]] = deque()
+        self._count = 0
+        self.left_out = 0
+        self.blocks: dict[int, Span] = {}
+        self.block_count = 0
+
+    def open(self, header: TraceHeader) -> None:
+        """Do nothing."""
+
+    def events(self, events: Sequence[Event]) -> None:
+        """Keep events, and forget the oldest of too many."""
+        begun = of_kinds(events, _BLOCKS)
+        self.block_count += len(begun)
+        if len(begun):
+            for event in begun[-8:]:
+                if event.span is not None:
+                    self.blocks[max(event.channel, 1)] = event.span
+        self._chunks.append(events)
+        self._count += len(events)
+        while self._count - len(self._chunks[0]) >= MAX_EVENTS:
+            forgotten = len(self._chunks.popleft())
+            self._count -= forgotten
+            self.left_out += forgotten
+
+    def rows(self, first_tick: int, rows: memoryview[float], width: int) -> None:
+        """Ignore the values."""
+
+    def close(self) -> None:
+        """Do nothing."""
+
+    def take(self) -> tuple[list[Event], int]:
+        """Return the latest events, and how many there were before them."""
+        kept = [event for chunk in self._chunks for event in chunk]
+        left_out = self.left_out + max(0, len(kept) - MAX_EVENTS)
+        self._chunks.clear()
+        self._count = self.left_out = 0
+        return kept[-MAX_EVENTS:], left_out
+
+
+class Engine:
+    """One controller that runs the programs of a setup; raises ``Failure`` as a controller does."""
+
+    def __init__(self, setup: Setup) -> None:
+        access = FileAccess([Path(folder) for folder in setup.folders])
+        configuration = load_machine(setup.machine, access=access)
+        self._diagnostics = list(configuration.diagnostics)
+        self._machine = machine = AssembledMachine(configuration, access)
+        machine.report = self._diagnostics.append
+        self._loop = TickLoop(machine, self._diagnostics.append, None)
+        self._happened = _Happened()
+        self._inputs: list[Input] = []
+        self._expected: deque[Input] = deque()
+        self._differs: int | None = None
+        self._stop_builder = StopBuilder(machine)
+        self._cycles: dict[int, tuple[str, CycleDefinition]] = {}
+        self._stops: Sequence[StopAt] = ()
+        self._told_diagnostics = self._told_messages = 0
+        plc = None if setup.plc is None else load_plc(setup.plc)
+        stimuli = [read_stimulus(stimulus) for stimulus in setup.at]
+        self._run = ProgramRun(
+            self._loop,
+            self._diagnostics,
+            RunOptions(
+                setup.programs,
+                set=setup.set,
+                at=stimuli,
+                until=setup.until,
+                after=setup.after,
+                plc=plc,
+                wait_for_start=setup.wait_for_start,
+                skip=setup.skip,
+                signals=(),
+                sinks=(self._happened,),
+                memory_trace=False,
+                on_cycle=self._add_cycle,
+                blocks=True,
+                record=self._note,
+            ),
+        )
+        self._loop.connect(plc, has_plc=plc is not None or not setup.acknowledges)
+        self._run.load()
+        self.description = Description(
+            configuration.cycle_time_us,
+            len(machine.channels),
+            {name: unit for name, (_, unit, _) in machine.signals().items()},
+            {text.source.file: tuple(text.source.lines) for text in self._run.texts},
+            tuple(self._diagnostics),
+            as_inputs(stimuli, 0, configuration.cycle_time_us),
+            self._run.state is not None,
+        )
+
+    def _add_cycle(self, name: str, definition: CycleDefinition) -> None:
+        self._cycles[definition.serial] = name, definition
+        self._stop_builder.add_cycle(definition)
+
+    def _note(self, arrived: Input) -> None:
+        self._inputs.append(arrived)
+        if arrived.source != PLC or self._differs is not None:
+            return
+        if self._expected and self._expected.popleft() != arrived:
+            self._differs = arrived.tick
+
+    # --- going on -------------------------------------------------------------------------------
+
+    @property
+    def tick(self) -> int:
+        """The number of ticks since start-up."""
+        return self._loop.tick
+
+    def plan(self, inputs: Sequence[Input]) -> None:
+        """Replace the inputs that are to come, from this tick on.
+
+        Those of the PLC are only compared with what it does, since it runs again, too.
+        """
+        own = [planned for planned in inputs if planned.source != PLC]
+        self._expected = deque(planned for planned in inputs if planned.source == PLC)
+        self._differs = None
+        self._machine.inputs.plan(own)
+
+    def post(self, inputs: Sequence[Input]) -> None:
+        """Add inputs; raises ``Failure`` for an unknown name or a wrong value, and adds none."""
+        for posted in inputs:
+            self._machine.inputs.check(posted)
+        self._machine.inputs.add(inputs)
+        self._expected.clear()
+
+    def run(self, end: int, stops: Sequence[StopAt] = ()) -> Slice:
+        """Run up to tick ``end``, to the first tick in which a stop holds, or to the run's end."""
+        if stops != self._stops:
+            self._stop_builder.watch(stops)
+            self._stops = stops
+        first = self.tick
+        is_stopped = self._run.advance(end)
+        return self._slice(first, self._stop_builder.hits(self.tick - 1) if is_stopped else [])
+
+    def search(self, end: int, stops: Sequence[StopAt]) -> list[int]:
+        """Run up to tick ``end``; return the ticks behind which a stop has held."""
+        self._stop_builder.watch(stops)
+        self._stops = stops
+        found = []
+        while self._run.state is None and self.tick < end:
+            if self._run.advance(end):
+                found.append(self.tick)
+        return found
+
+    def check_stops(self, stops: Sequence[StopAt]) -> None:
+        """Raise ``Failure`` with the mistakes of stops."""
+        self._stop_builder.check(stops)
+
+    def _slice(self, first: int, hits: Sequence[int]) -> Slice:
+        events, left_out = self._happened.take()
+        inputs, self._inputs = self._inputs, []
+        messages = self._loop.recording.messages[self._told_messages :]
+        diagnostics = self._diagnostics[self._told_diagnostics :]
+        self._told_messages += len(messages)
+        self._told_diagnostics += len(diagnostics)
+        return Slice(
+            first,
+            self.tick,
+            self._loop.state,
+            self._run.state,
+            tuple(hits),
+            tuple(events),
+            left_out,
+            tuple(messages),
+            tuple(diagnostics),
+            tuple(inputs),
+            dict(self._happened.blocks),
+            self._happened.block_count,
+            self._differs,
+        )
+
+    # --- looking --------------------------------------------------------------------------------
+
+    def read(self, names: Sequence[str]) -> list[float | bool | str]:
+        """Return signals and variables by name; raises ``Failure`` for an unknown one."""
+        signals = self._machine.signals()
+        cells = self._machine.cells
+        return [
+            cells[signals[name][0]] if name in signals else self._machine.read(name)
+            for name in names
+        ]
+
+    def evaluate(self, text: str, channel: int = 1) -> float:
+        """Return the value of an expression in the controller's language.
+
+        It is no number where the expression is not defined at the moment. Raises ``Failure`` for
+        mistakes in it.
+        """
+        context = context_of(self._machine.memory)
+        value = self._stop_builder.read(text, channel).measure(context)
+        return math.nan if context.fault else value
+
+    def cycles(self) -> list[CycleState]:
+        """Return the living realtime cycles with the truth of their conditions."""
+        last = self.tick - 1
+        found = []
+        for manager in (channel.manager for channel in self._machine.channels):
+            for cycle in manager.loaded:
+                name, definition = self._cycles[cycle.serial]
+                branches = []
+                for branch in definition.reactions:
+                    node, condition = branch.node, branch.node.condition
+                    truth = None if condition.truth == codes.UNKNOWN else bool(condition.truth)
+                    branches.append(
+                        BranchState(
+                            branch.span,
+                            branch.frequency,
+                            truth,
+                            condition.next_tick == last + 1,
+                            node.next_tick == last + 1,
+                            node.count,
+                        )
+                    )
+                found.append(
+                    CycleState(
+                        name,
+                        _STATES[manager.state_of(cycle.slot)],
+                        definition.scope,
+                        definition.span,
+                        cycle.runs,
+                        tuple(branches),
+                    )
+                )
+        return found
+
+    def waiting(self) -> list[tuple[int, TechnologyEntry]]:
+        """Return the functions that wait for their acknowledgement, each with its channel."""
+        return [
+            (number, entry)
+            for number in range(1, len(self._machine.channels) + 1)
+            for entry in PlcView(self._machine, number - 1).functions()
+        ]
+
+    def look(self, end: int, signals: Sequence[str], every: int) -> bytes:
+        """Run up to tick ``end``; return the signals behind each ``every``-th tick.
+
+        Rows of float64, one cell for each signal.
+        """
+        if end - self.tick > MAX_LOOKED_AT * every:
+            raise ValueError(f"{end - self.tick} ticks")
+        known = self._machine.signals()
+        unknown = [name for name in signals if name not in known]
+        if unknown:
+            raise Failure(*(self._machine.unknown_signal(name) for name in unknown))
+        cells = [known[name][0] for name in signals]
+        found = bytearray()
+        if every > 1:
+            memory = self._machine.cells
+            while self._run.state is None and self.tick < end:
+                self._run.advance(min(end, self.tick + every))
+                for cell in cells:
+                    found += memory[cell : cell + 1].tobytes()
+            return bytes(found)
+        collector = _Rows(found)
+        self._machine.record.select(cells)
+        self._loop.recording.add(collector)
+        self._run.advance(end)
+        return bytes(found)
+
+    # --- the end --------------------------------------------------------------------------------
+
+    def result(self) -> Run:
+        """End the run where it is; return its result."""
+        if self._run.state is None:
+            self._run.interrupt()
+        self._run.close()
+        return self._run.result()
+
+
+class _Rows(EventList):
+    """Keeps the rows of a trace as bytes."""
+
+    def __init__(self, found: bytearray) -> None:
+        super().__init__()
+        self._found = found
+
+    def events(self, events: Sequence[Event]) -> None:
+        """Ignore the events."""
+
+    def rows(self, first_tick: int, rows: memoryview[float], width: int) -> None:
+        """Keep the rows."""
+        self._found += rows.tobytes()
+
+
+_STATES = {
+    codes.LOADED: "loaded",
+    codes.DEFINED: "defined",
+    codes.ARMED: "armed",
+    codes.RUNNING: "running",
+    codes.HELD: "held",
+    codes.ENDED: "ended",
+}

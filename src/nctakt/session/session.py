@@ -1,0 +1,437 @@
+# SPDX-License-Identifier: MIT
+"""A session: one thread owns the story of a controller; everybody else asks it.
+
+In: commands from any thread, a clock. Out: slices and values as answers, frames and notices for
+those who listen. Between two slices the thread does what it was asked for.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import queue
+import threading
+import time
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from concurrent.futures import Future
+from types import TracebackType
+from typing import Any, ParamSpec, Self, TypeVar
+
+from nctakt.base.failure import Failure
+from nctakt.lists.format.times import TimeLike
+from nctakt.messages import diagnostic
+from nctakt.messages.session import PLC_DIFFERS, SESSION_IS_CLOSED
+from nctakt.results.run import Run
+from nctakt.run.inputs import API, Input
+from nctakt.run.plc_view import TechnologyEntry
+from nctakt.session.clock import SLICE_S, FastClock, WallClock
+from nctakt.session.engine import CycleState, Slice
+from nctakt.session.listening import Frame, Listener, Notice, NoticeKind
+from nctakt.session.setup import Description, Setup
+from nctakt.session.stops import StopAt
+from nctakt.session.story import MAX_ROWS, NEXT_BLOCK, NEXT_REACTION, Story
+
+#: Commands that wait for the thread at most; whoever brings one more waits.
+MAX_COMMANDS = 1000
+
+#: Slices whose events wait for a listener's next frame at most.
+MAX_PENDING = 64
+
+_P = ParamSpec("_P")
+_T = TypeVar("_T")
+
+
+class Session:
+    """A run that one lives through: on any clock, with stops, forward and back.
+
+    Each command may come from any thread; it returns when it has been done. ``pace``: ``slice``
+    runs the ticks of 10 ms together on the wall clock, ``tick`` each at its own time. Raises
+    ``Failure`` with the mistakes of the setup; programs with errors are a session that is over.
+
+    >>> with Session(Setup({1: [NcText("move.nc", "G01 X100 F6000 M30")]})) as session:
+    ...     session.run(until="V.RTA.ACS.ACT_POS.X >= 50").tick
+    ...     session.back(10).tick
+    ...     session.evaluate("V.RTA.ACS.ACT_POS.X < 50")
+    514
+    504
+    1.0
+    """
+
+    def __init__(self, setup: Setup, *, pace: str = "slice") -> None:
+        if pace not in ("slice", "tick"):
+            raise ValueError(pace)
+        self._story = Story(setup)
+        self.description: Description = self._story.description
+        self._slice_s = SLICE_S if pace == "slice" else self.description.cycle_time_us / 1e6
+        self._clock: WallClock | FastClock | None = None
+        self._listeners: list[Listener] = []
+        self._pending: dict[int, list[Slice]] = {}
+        self._has_differed = False
+        self._commands: queue.Queue[Callable[[], None] | None] = queue.Queue(MAX_COMMANDS)
+        self._is_closed = False
+        self._thread = threading.Thread(target=self._live, name="nctakt session", daemon=True)
+        self._thread.start()
+
+    # --- the thread -----------------------------------------------------------------------------
+
+    def _live(self) -> None:
+        """Do commands, and between them the slices that the clock asks for."""
+        while True:
+            clock = self._clock
+            wait_s = None if clock is None else clock.wait_s(time.monotonic())
+            try:
+                command = self._commands.get(block=wait_s != 0.0, timeout=wait_s or None)
+            except queue.Empty:
+                assert clock is not None
+                self._run_slice(clock)
+                continue
+            if command is None:
+                return
+            command()
+
+    def _run_slice(self, clock: WallClock | FastClock) -> None:
+        begin_s = time.monotonic()
+        end = clock.next_tick(begin_s)
+        first = self._story.tick
+        try:
+            done = self._story.run(end)
+        except (Failure, RuntimeError) as error:
+            self._clock = None
+            self._tell("refused", str(error))
+            return
+        clock.note(done.tick - first, time.monotonic() - begin_s)
+        is_at_end = bool(done.hits) or done.run_state is not None
+        if is_at_end:
+            self._clock = None
+        self._publish(done, at_once=is_at_end)
+
+    def _ask(self, method: Callable[_P, _T], *words: _P.args, **keywords: _P.kwargs) -> _T:
+        """Return what a method gives in the session's thread."""
+        if threading.current_thread() is self._thread:
+            return method(*words, **keywords)
+        answer: Future[_T] = Future()
+
+        def command() -> None:
+            try:
+                answer.set_result(method(*words, **keywords))
+            except BaseException as error:  # noqa: BLE001 - whoever has asked gets it
+                answer.set_exception(error)
+
+        if self._is_closed:
+            raise Failure(diagnostic(SESSION_IS_CLOSED))
+        self._commands.put(command)
+        return answer.result()
+
+    # --- where it stands ------------------------------------------------------------------------
+
+    @property
+    def tick(self) -> int:
+        """The tick that comes next."""
+        return self._story.tick
+
+    @property
+    def latest(self) -> Slice:
+        """What the latest ticks have done."""
+        return self._story.latest
+
+    @property
+    def is_over(self) -> bool:
+        """Whether the run has ended at this tick."""
+        return self._story.is_over
+
+    @property
+    def branch(self) -> int:
+        """The number of the branch of the tape that it is in, from 1."""
+        return self._story.branch.number
+
+    @property
+    def branches(self) -> dict[int, int]:
+        """The branches of the tape, each with the tick that it has reached."""
+        return {branch.number: branch.latest for branch in self._story.branches}
+
+    @property
+    def stops(self) -> tuple[StopAt, ...]:
+        """The stops at which it stops."""
+        return self._story.stops
+
+    # --- forward --------------------------------------------------------------------------------
+
+    def run(
+        self, end: TimeLike | None = None, *, until: str | StopAt | Sequence[str | StopAt] = ()
+    ) -> Slice:
+        """Run to a time, a stop of the session or of ``until``, or the end of the run."""
+        wanted = [until] if isinstance(until, str | StopAt) else until
+        return self._ask(self._run, end, wanted)
+
+    def _run(self, end: TimeLike | None, until: Sequence[str | StopAt]) -> Slice:
+        self._clock = None
+        tick = None if end is None else self._story.ticks_of(end)
+        stops = [*self._story.stops, *self._story.read_stops(until)]
+        return self._ran(self._story.run(tick, stops=stops))
+
+    def step(self, ticks: int = 1) -> Slice:
+        """Run this number of ticks, past any stop."""
+        return self._ask(self._pausing, self._story.step, ticks)
+
+    def next_block(self) -> Slice:
+        """Run until a block becomes current."""
+        return self._ask(self._until, NEXT_BLOCK)
+
+    def next_reaction(self) -> Slice:
+        """Run until a branch of a realtime cycle fires."""
+        return self._ask(self._until, NEXT_REACTION)
+
+    def _until(self, stop: StopAt) -> Slice:
+        self._clock = None
+        return self._ran(self._story.run(stops=[stop]))
+
+    def _pausing(self, method: Callable[..., Slice], *words: Any) -> Slice:
+        self._clock = None
+        return self._ran(method(*words))
+
+    # --- back -----------------------------------------------------------------------------------
+
+    def go_to(self, tick: int, branch: int | None = None) -> Slice:
+        """Stand before a tick that a branch has reached, by default this one (901154, 901157)."""
+        return self._ask(self._travel, self._story.go_to, tick, branch)
+
+    def back(self, ticks: int = 1) -> Slice:
+        """Go back by this number of ticks, at most to the start."""
+        return self._ask(self._travel, self._story.back, ticks)
+
+    def back_to(self, *stops: str | StopAt) -> Slice | None:
+        """Go back to the last time that one of these stops held, by default the session's.
+
+        ``None``, and stay, if that was never.
+        """
+        return self._ask(self._back_to, stops)
+
+    def previous_block(self) -> Slice | None:
+        """Go back to where the block before became current."""
+        return self._ask(self._back_to, [NEXT_BLOCK])
+
+    def previous_reaction(self) -> Slice | None:
+        """Go back to the last time that a branch fired."""
+        return self._ask(self._back_to, [NEXT_REACTION])
+
+    def last_change(self, expression: str) -> Slice | None:
+        """Go back to the last time that the value of an expression changed."""
+        return self._ask(self._back_to, [StopAt("changes", expression)])
+
+    def _back_to(self, stops: Sequence[str | StopAt]) -> Slice | None:
+        self._clock = None
+        wanted = self._story.read_stops(stops) if stops else self._story.stops
+        done = self._story.back_to(wanted)
+        return None if done is None else self._travelled(done)
+
+    def _travel(self, method: Callable[..., Slice], *words: Any) -> Slice:
+        self._clock = None
+        return self._travelled(method(*words))
+
+    # --- the clock ------------------------------------------------------------------------------
+
+    def play(self, speed: float | None = None) -> None:
+        """Go on by itself: at ``speed`` times the wall clock, 0.01 … 1000, else at full speed.
+
+        Raises ``ValueError`` for another speed.
+        """
+        self._ask(self._play, speed)
+
+    def _play(self, speed: float | None) -> None:
+        tick = self._story.tick
+        if speed is None:
+            self._clock = FastClock(tick)
+        else:
+            cycle_us = self.description.cycle_time_us
+            self._clock = WallClock(speed, tick, cycle_us, time.monotonic(), self._slice_s)
+
+    def pause(self) -> Slice:
+        """Stop between two ticks; return what the latest ones have done."""
+        return self._ask(self._pause)
+
+    def _pause(self) -> Slice:
+        self._clock = None
+        return self._story.latest
+
+    @property
+    def speed(self) -> float | None:
+        """The factor to the wall clock; ``None`` as fast as possible, and while it pauses."""
+        clock = self._clock
+        return None if clock is None else clock.speed
+
+    @property
+    def is_playing(self) -> bool:
+        """Whether it goes on by itself."""
+        return self._clock is not None
+
+    @property
+    def lateness(self) -> tuple[int, float]:
+        """The number of late slices since ``play``, and the largest lateness in seconds."""
+        clock = self._clock
+        return (clock.late_count, clock.worst_s) if isinstance(clock, WallClock) else (0, 0.0)
+
+    # --- stops, inputs --------------------------------------------------------------------------
+
+    def set_stops(self, *stops: str | StopAt) -> tuple[StopAt, ...]:
+        """Stop at these, and at no other, from now on; raises ``Failure`` with all mistakes."""
+        return self._ask(self._story.set_stops, stops)
+
+    def write(self, values: Mapping[str, float | bool | str], source: str = API) -> None:
+        """Let variables or the operator's values have these from the next tick on.
+
+        In the past this begins another branch of the tape. Raises ``Failure`` for a wrong name or
+        value, and nothing is written.
+        """
+        self._ask(self._input, self._story.write, values, source)
+
+    def acknowledge(self, channel: int, entry: TechnologyEntry, source: str = API) -> None:
+        """Acknowledge a function of ``waiting``; otherwise as ``write``."""
+        self._ask(self._input, self._story.acknowledge, channel, entry, source)
+
+    def _input(self, method: Callable[..., bool], *words: Any) -> None:
+        if method(*words):
+            self._tell("branch", str(self._story.branch.number))
+
+    # --- looking --------------------------------------------------------------------------------
+
+    def read(self, *names: str) -> list[float | bool | str]:
+        """Return signals and variables at this tick; raises ``Failure`` for an unknown name."""
+        return self._ask(self._story.read, names)
+
+    def evaluate(self, expression: str, channel: int = 1) -> float:
+        """Return the value of an expression in the controller's language at this tick."""
+        return self._ask(self._story.evaluate, expression, channel)
+
+    def cycles(self) -> list[CycleState]:
+        """Return the living realtime cycles at this tick, with the truth of their conditions."""
+        return self._ask(self._story.cycles)
+
+    def waiting(self) -> list[tuple[int, TechnologyEntry]]:
+        """Return the functions that wait for their acknowledgement, each with its channel."""
+        return self._ask(self._story.waiting)
+
+    def look(
+        self, first: int, end: int, signals: Sequence[str], rows: int = MAX_ROWS
+    ) -> tuple[int, memoryview[float]]:
+        """Return signals behind the ticks from ``first`` up to, but without, ``end``.
+
+        At most ``rows`` rows of float64 cells: one for each, or for each second, third … tick; the
+        distance comes with them. The session stays where it is.
+        """
+        return self._ask(self._story.look, first, end, signals, rows)
+
+    def result(self) -> Run:
+        """Return the result of the run up to here; the session goes on."""
+        return self._ask(self._story.result)
+
+    def tape(self) -> list[Input]:
+        """Return the inputs of this branch, the PLC's too, in the order of their ticks."""
+        return self._ask(self._story.tape)
+
+    # --- listening ------------------------------------------------------------------------------
+
+    @contextlib.contextmanager
+    def listen(self, *signals: str, rate_hz: float = 20.0) -> Iterator[Listener]:
+        """Listen to signals, at most so often a second; raises ``Failure`` for an unknown one."""
+        listener = Listener(signals, rate_hz)
+        self._ask(self._add_listener, listener)
+        try:
+            yield listener
+        finally:
+            with contextlib.suppress(Failure):
+                self._ask(self._remove_listener, listener)
+
+    def _add_listener(self, listener: Listener) -> None:
+        self._story.read(listener.signals)
+        self._listeners.append(listener)
+        self._pending[id(listener)] = [self._story.latest]
+        self._give([listener])
+
+    def _remove_listener(self, listener: Listener) -> None:
+        if listener in self._listeners:
+            self._listeners.remove(listener)
+            del self._pending[id(listener)]
+
+    def _ran(self, done: Slice) -> Slice:
+        self._publish(done, at_once=True)
+        return done
+
+    def _travelled(self, done: Slice) -> Slice:
+        self._tell("travelled", str(self._story.branch.number))
+        self._publish(done, at_once=True)
+        return done
+
+    def _publish(self, done: Slice, *, at_once: bool) -> None:
+        """Hand out what a slice has done: to all at once, or to those whose time has come."""
+        if done.differs is not None and not self._has_differed:
+            self._has_differed = True
+            self._tell("refused", str(diagnostic(PLC_DIFFERS, tick=done.differs)))
+        for listener in self._listeners:
+            self._pending[id(listener)].append(done)
+        due = [
+            one
+            for one in self._listeners
+            if at_once or one.is_due() or len(self._pending[id(one)]) >= MAX_PENDING
+        ]
+        if due:
+            self._give(due)
+        if done.hits:
+            self._tell("stopped", ", ".join(map(str, done.hits)))
+        if done.run_state is not None:
+            self._tell("ended", done.run_state)
+
+    def _give(self, listeners: Sequence[Listener]) -> None:
+        """Give these listeners their frames; the signals of all are read at once."""
+        names = list(dict.fromkeys(name for one in listeners for name in one.signals))
+        values = dict(zip(names, self._story.read(names) if names else (), strict=True))
+        for listener in listeners:
+            parts, self._pending[id(listener)] = self._pending[id(listener)], []
+            latest = self._story.latest
+            listener.give(
+                Frame(
+                    latest.tick,
+                    self._story.branch.number,
+                    latest.state,
+                    latest.run_state,
+                    self.speed,
+                    {name: values[name] for name in listener.signals},
+                    latest.blocks,
+                    tuple(event for part in parts for event in part.events),
+                    sum(part.left_out for part in parts),
+                    tuple(message for part in parts for message in part.messages),
+                    tuple(found for part in parts for found in part.diagnostics),
+                    0,
+                )
+            )
+
+    def _tell(self, kind: NoticeKind, text: str = "") -> None:
+        notice = Notice(kind, self._story.tick, text)
+        for listener in list(self._listeners):
+            listener.tell(notice)
+            if listener.is_dropped:
+                self._remove_listener(listener)
+
+    # --- the end --------------------------------------------------------------------------------
+
+    def close(self) -> None:
+        """End the session and all its processes."""
+        if self._is_closed:
+            return
+        self._is_closed = True
+        self._commands.put(None)
+        self._thread.join()
+        self._tell("closed")
+        self._story.close()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self.close()
+
+    def __repr__(self) -> str:
+        return f"<Session at tick {self.tick} of branch {self.branch}, {self.latest.state}>"

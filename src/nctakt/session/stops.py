@@ -1,0 +1,227 @@
+# SPDX-License-Identifier: MIT
+"""Stops as a person names them: a line, a branch, a condition, a function.
+
+In: a ``StopAt``, or its text. Out: the kernel's stop for it, in a machine with its cycles.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Sequence
+from typing import Any, Literal, NoReturn
+
+from nctakt.base.dataclass import dataclass
+from nctakt.base.failure import Failure
+from nctakt.base.source_ids import LAST_COLUMN, LAST_LINE, pack
+from nctakt.decoder.cycles.builder import CycleDefinition
+from nctakt.decoder.cycles.watching import read_condition
+from nctakt.kernel import codes, rows
+from nctakt.kernel.cycles.expressions import Constant, Expression
+from nctakt.kernel.tick.stops import BecomesTrue, Changes, Happens, Runs, Stop, Turns
+from nctakt.messages import diagnostic
+from nctakt.messages.folders import UNKNOWN_CHANNEL
+from nctakt.messages.session import NOT_A_STOP, TOO_MANY_STOPS
+from nctakt.run.assembly import AssembledMachine
+
+#: Stops that a session watches at most.
+MAX_STOPS = 1000
+
+Kind = Literal[
+    "block", "fires", "runs", "turns", "false", "condition", "changes", "function", "message",
+    "error",
+]  # fmt: skip
+
+#: A limit that no value of an event passes.
+_ANY = 1e300
+
+_EVENTS: dict[Kind, tuple[int, ...]] = {
+    "block": (rows.EVENT_BLOCK,),
+    "fires": (rows.EVENT_FIRED,),
+    "function": (rows.EVENT_TECHNOLOGY, rows.EVENT_TECHNOLOGY_RT),
+    "message": (rows.EVENT_MESSAGE,),
+    "error": (rows.EVENT_ERROR, rows.EVENT_USER_ERROR),
+}
+
+_LINE = re.compile(r"(?:(?P<file>\S.*?):)?(?P<line>\d+)")
+_WORDS: dict[str, Kind] = {"line": "block", "fires": "fires", "runs": "runs", "turns": "turns"}
+_FUNCTION = re.compile(r"(?P<letter>[MH])(?P<number>\d+)", re.IGNORECASE)
+
+
+@dataclass(frozen=True, slots=True)
+class StopAt:
+    """Where a session stops.
+
+    ``kind``: a ``block`` of a line becomes current; a branch in a line ``fires``, that is begins a
+    series of runs, or ``runs``, in any tick; its condition ``turns`` true, or turns ``false``; a
+    ``condition`` becomes true; the value of an expression ``changes``; a ``function`` goes out; a
+    ``message``; an ``error``. ``text``: the expression or function. ``file``: empty for any file.
+    ``only_if``: an expression that must be true as well. ``count``: how often it must hold.
+    ``channel``: the one whose variables the expressions name, from 1.
+    """
+
+    kind: Kind
+    text: str = ""
+    file: str = ""
+    line: int = 0
+    only_if: str = ""
+    count: int = 1
+    channel: int = 1
+
+
+def read_stop(text: str) -> StopAt:
+    """Return the stop of a text.
+
+    ``line 12`` or ``line part.nc:12``, ``fires 6``, ``runs 6``, ``turns 6``, ``changes V.E.X``,
+    ``M100``, ``message``, ``error``; anything else is a condition. ``… if CONDITION`` and
+    ``… 3 times`` may follow. Raises ``Failure`` (901150).
+    """
+    text, count = _divided(text.strip(), re.compile(r"(.*\S)\s+(\d+)\s+times", re.IGNORECASE))
+    text, only_if = _divided(text, re.compile(r"(.*\S)\s+if\s+(\S.*)", re.IGNORECASE))
+    options: dict[str, Any] = {"only_if": only_if, "count": int(count or 1)}
+    if not text or options["count"] < 1:
+        raise Failure(diagnostic(NOT_A_STOP, text=text))
+    word, _, rest = text.partition(" ")
+    place = _LINE.fullmatch(rest.strip())
+    if word.lower() in _WORDS:
+        if place is None:
+            raise Failure(diagnostic(NOT_A_STOP, text=text))
+        file = place["file"] or ""
+        return StopAt(_WORDS[word.lower()], file=file, line=int(place["line"]), **options)
+    if word.lower() == "changes" and rest:
+        return StopAt("changes", rest.strip(), **options)
+    if _FUNCTION.fullmatch(text):
+        return StopAt("function", text.upper(), **options)
+    if text.lower() == "message":
+        return StopAt("message", **options)
+    if text.lower() == "error":
+        return StopAt("error", **options)
+    return StopAt("condition", text, **options)
+
+
+def _divided(text: str, pattern: re.Pattern[str]) -> tuple[str, str]:
+    match = pattern.fullmatch(text)
+    return (text, "") if match is None else (match[1], match[2])
+
+
+class StopBuilder:
+    """Makes the kernel's stops for a machine; ``add_cycle`` tells it of each new cycle."""
+
+    def __init__(self, machine: AssembledMachine) -> None:
+        self._machine = machine
+        self._definitions: list[CycleDefinition] = []
+        self._conditions: dict[tuple[int, str], Expression] = {}
+        self._watched: list[tuple[Stop, int]] = []
+        self._stops: Sequence[StopAt] = ()
+
+    def check(self, stops: Sequence[StopAt]) -> None:
+        """Raise ``Failure`` with the mistakes of stops."""
+        self._built(stops)
+
+    def watch(self, stops: Sequence[StopAt]) -> None:
+        """Let the kernel watch these stops from now on."""
+        self._watched = self._built(stops)
+        self._stops = stops
+        self._machine.kernel.stops.watch([stop for stop, _ in self._watched])
+
+    def hits(self, tick: int) -> list[int]:
+        """Return which of the stops have held in a tick, in their order."""
+        return sorted({number for stop, number in self._watched if stop.last_tick == tick})
+
+    def add_cycle(self, definition: CycleDefinition) -> None:
+        """Take a realtime cycle; stops that name its lines are watched in it, too."""
+        self._definitions.append(definition)
+        for number, stop in enumerate(self._stops):
+            for node in self._in_cycles(stop, [definition]):
+                self._watched.append((node, number))
+                self._machine.kernel.stops.add(node)
+
+    def _built(self, stops: Sequence[StopAt]) -> list[tuple[Stop, int]]:
+        if len(stops) > MAX_STOPS:
+            raise Failure(diagnostic(TOO_MANY_STOPS, count=len(stops), limit=MAX_STOPS))
+        return [(node, number) for number, stop in enumerate(stops) for node in self._nodes(stop)]
+
+    def _nodes(self, stop: StopAt) -> Iterable[Stop]:
+        guard = self._guard(stop)
+        match stop.kind:
+            case "condition":
+                return (BecomesTrue(self._condition(stop, stop.text), 1, guard, stop.count),)
+            case "changes":
+                return (Changes(self._condition(stop, stop.text), guard, stop.count),)
+            case "runs" | "turns" | "false":
+                return self._in_cycles(stop, self._definitions)
+        return tuple(self._events(stop, guard))
+
+    def _events(self, stop: StopAt, guard: Expression) -> Iterable[Stop]:
+        kinds = sum(1 << kind for kind in _EVENTS[stop.kind])
+        low, high = -_ANY, _ANY
+        if stop.kind == "function":
+            match = _FUNCTION.fullmatch(stop.text)
+            if match is None:
+                raise Failure(diagnostic(NOT_A_STOP, text=stop.text))
+            number = int(match["number"])
+            low = high = float(number if match["letter"].upper() == "M" else -number - 1)
+        for first, last in self._sources(stop):
+            yield Happens(kinds, first, last, low, high, guard, stop.count)
+
+    def _sources(self, stop: StopAt) -> Iterable[tuple[int, int]]:
+        """Yield the source ids of the line of a stop, in each file that it may mean."""
+        if not stop.line:
+            yield 0, 1 << 53
+            return
+        line = min(stop.line, LAST_LINE)
+        for index, name in enumerate(self._machine.files.names):
+            if names_file(stop.file, name):
+                first = pack(index, line, 1)
+                yield first, first | LAST_COLUMN
+
+    def _in_cycles(self, stop: StopAt, definitions: Iterable[CycleDefinition]) -> list[Stop]:
+        """Return the stops in the nodes of realtime cycles."""
+        if stop.kind not in ("runs", "turns", "false"):
+            return []
+        guard = self._guard(stop)
+        found: list[Stop] = []
+        for definition in definitions:
+            for branch in definition.reactions:
+                if branch.span.line != stop.line or not names_file(stop.file, branch.span.file):
+                    continue
+                if stop.kind == "runs":
+                    found.append(Runs(branch.node, guard, stop.count))
+                else:
+                    truth = codes.TRUE if stop.kind == "turns" else codes.FALSE
+                    found.append(Turns(branch.node.condition, truth, guard, stop.count))
+        return found
+
+    def _guard(self, stop: StopAt) -> Expression:
+        return self._condition(stop, stop.only_if) if stop.only_if else Constant(1.0)
+
+    def _condition(self, stop: StopAt, text: str) -> Expression:
+        """Return the expression of a text, read once."""
+        key = stop.channel, text
+        if key not in self._conditions:
+            self._conditions[key] = self.read(text, stop.channel)
+        return self._conditions[key]
+
+    def read(self, text: str, channel: int = 1) -> Expression:
+        """Return the expression of a text in the controller's language; raises ``Failure``."""
+        channels = self._machine.assembled
+        if not 0 < channel <= len(channels):
+            raise Failure(diagnostic(UNKNOWN_CHANNEL, channel=channel, count=len(channels)))
+        environment = self._machine.environment(
+            _no_subprogram, _ignore, frozenset(), channel - 1, False
+        )
+        return read_condition(text, environment, channels[channel - 1].parameters)
+
+
+def _no_subprogram(name: str, *_: object) -> NoReturn:
+    """Refuse to call: a condition has no program of its own."""
+    raise Failure(diagnostic(NOT_A_STOP, text=name))
+
+
+def _ignore(_: object) -> None:
+    """Do nothing: a condition that is read gives no notices."""
+
+
+def names_file(wanted: str, name: str) -> bool:
+    """Return whether a file is meant by its name, by the end of its path, or by no name at all."""
+    name, wanted = name.replace("\\", "/"), wanted.replace("\\", "/")
+    return not wanted or name == wanted or name.endswith(f"/{wanted}")

@@ -1,0 +1,206 @@
+# SPDX-License-Identifier: MIT
+"""The commands of a session -> their effects, without a thread, a socket or a clock.
+
+In: commands such as step, run, back, post. Out: slices, values. A session stands between two ticks:
+``tick`` is the one that comes next, and what a command returns is what the ticks before it did.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import cast
+
+from nctakt.base.diagnostics import Diagnostic
+from nctakt.base.failure import Failure
+from nctakt.lists.format.times import TimeLike, read_time
+from nctakt.results.run import Run
+from nctakt.run.inputs import ACKNOWLEDGE, WRITE, Input
+from nctakt.run.plc_view import TechnologyEntry
+from nctakt.session.engine import CycleState, Slice
+from nctakt.session.setup import Description, Setup
+from nctakt.session.stops import StopAt, read_stop
+from nctakt.session.timeline import Branch, Timeline
+
+#: Rows that a look at a stretch of the session returns at most.
+MAX_ROWS = 20_000
+
+#: The stops at which a step to the next block or reaction ends.
+NEXT_BLOCK = StopAt("block")
+NEXT_REACTION = StopAt("fires")
+
+#: A tick that no session reaches.
+_NEVER = 1 << 60
+
+
+class Story:
+    """One session's commands; raises ``Failure`` with the mistakes of the setup.
+
+    ``stops``: those at which it stops, in the order in which they were added.
+    """
+
+    def __init__(self, setup: Setup) -> None:
+        self._timeline = Timeline(setup)
+        self.description: Description = self._timeline.description
+        self.stops: tuple[StopAt, ...] = ()
+        self._latest = self._timeline.run(0)
+
+    # --- where it stands ------------------------------------------------------------------------
+
+    @property
+    def tick(self) -> int:
+        """The tick that comes next."""
+        return self._timeline.tick
+
+    @property
+    def branch(self) -> Branch:
+        """The branch of the tape that it is in."""
+        return self._timeline.branch
+
+    @property
+    def branches(self) -> Sequence[Branch]:
+        """All branches of the tape."""
+        return self._timeline.branches
+
+    @property
+    def is_over(self) -> bool:
+        """Whether the run has ended at this tick."""
+        return self._latest.run_state is not None
+
+    @property
+    def latest(self) -> Slice:
+        """What the last command that ran ticks has done."""
+        return self._latest
+
+    @property
+    def parked_ticks(self) -> Sequence[int]:
+        """The ticks from which the past is run again."""
+        return self._timeline.parked_ticks
+
+    def ticks_of(self, time: TimeLike) -> int:
+        """Return the tick that begins at or after a time of the session."""
+        return read_time(time).ticks(self.description.cycle_time_us)
+
+    # --- forward --------------------------------------------------------------------------------
+
+    def run(self, end: int | None = None, *, stops: Sequence[StopAt] | None = None) -> Slice:
+        """Run up to tick ``end``, to a stop, or to the end of the run.
+
+        ``stops`` are watched instead of those of the session.
+        """
+        watched = self.stops if stops is None else tuple(stops)
+        self._latest = self._timeline.run(_NEVER if end is None else end, watched)
+        return self._latest
+
+    def step(self, ticks: int = 1) -> Slice:
+        """Run this number of ticks, past any stop."""
+        return self.run(self.tick + ticks, stops=())
+
+    # --- back -----------------------------------------------------------------------------------
+
+    def go_to(self, tick: int, branch: int | None = None) -> Slice:
+        """Stand before a tick that the session has reached; raises ``Failure`` (901154)."""
+        self._latest = self._timeline.go_to(tick, branch)
+        return self._latest
+
+    def back(self, ticks: int = 1) -> Slice:
+        """Go back by this number of ticks, at most to the start."""
+        return self.go_to(max(0, self.tick - ticks))
+
+    def back_to(self, stops: Sequence[StopAt]) -> Slice | None:
+        """Go back to the last time that one of these stops held; ``None``, and stay, if never."""
+        tick = self._timeline.previous(stops)
+        return None if tick is None else self.go_to(tick)
+
+    # --- stops ----------------------------------------------------------------------------------
+
+    def set_stops(self, stops: Sequence[StopAt | str]) -> tuple[StopAt, ...]:
+        """Stop at these from now on; raises ``Failure`` with all mistakes, and keeps the old."""
+        self.stops = self.read_stops(stops)
+        return self.stops
+
+    def read_stops(self, stops: Sequence[StopAt | str]) -> tuple[StopAt, ...]:
+        """Return stops that this machine can watch; raises ``Failure`` with all mistakes."""
+        read: list[StopAt] = []
+        mistakes: list[Diagnostic] = []
+        for stop in stops:
+            try:
+                read.append(stop if isinstance(stop, StopAt) else read_stop(stop))
+                self._timeline.live.ask("check_stops", read[-1:])
+            except Failure as failure:
+                mistakes += failure.diagnostics
+        if mistakes:
+            raise Failure(*mistakes)
+        self._timeline.live.ask("check_stops", read)
+        return tuple(read)
+
+    # --- inputs ---------------------------------------------------------------------------------
+
+    def write(self, values: Mapping[str, float | bool | str], source: str) -> bool:
+        """Let variables or the operator's values have these from the next tick on.
+
+        Returns whether another branch of the tape has begun. Raises ``Failure`` for a wrong name or
+        value.
+        """
+        return self._timeline.post(
+            [Input(self.tick, source, WRITE, (name, value)) for name, value in values.items()]
+        )
+
+    def acknowledge(self, channel: int, entry: TechnologyEntry, source: str) -> bool:
+        """Acknowledge a function of ``waiting``; returns as ``write``."""
+        values = (channel - 1, entry.is_realtime, entry.slot, entry.serial, entry.name)
+        return self._timeline.post([Input(self.tick, source, ACKNOWLEDGE, values)])
+
+    # --- looking --------------------------------------------------------------------------------
+
+    def read(self, names: Sequence[str]) -> list[float | bool | str]:
+        """Return signals and variables at this tick; raises ``Failure`` for an unknown name."""
+        return cast("list[float | bool | str]", self._timeline.live.ask("read", list(names)))
+
+    def evaluate(self, text: str, channel: int = 1) -> float:
+        """Return the value of an expression in the controller's language at this tick."""
+        return cast("float", self._timeline.live.ask("evaluate", text, channel))
+
+    def cycles(self) -> list[CycleState]:
+        """Return the living realtime cycles at this tick."""
+        return self._timeline.live.cycles()
+
+    def waiting(self) -> list[tuple[int, TechnologyEntry]]:
+        """Return the functions that wait for their acknowledgement, each with its channel."""
+        return cast("list[tuple[int, TechnologyEntry]]", self._timeline.live.ask("waiting"))
+
+    def look(
+        self, first: int, end: int, signals: Sequence[str], rows: int = MAX_ROWS
+    ) -> tuple[int, memoryview[float]]:
+        """Return signals behind the ticks from ``first`` up to, but without, ``end``.
+
+        At most ``rows`` rows: one for each, or for each second, third … tick; the distance comes
+        with them. The cells are float64, row after row. The session stays where it is.
+        """
+        end = min(end, self.branch.latest)
+        first = min(max(0, first), end)
+        count = max(1, min(rows, MAX_ROWS))
+        every = max(1, -(-(end - first) // count))
+        engine = self._timeline.trial(first)
+        try:
+            data = engine.ask("look", end, list(signals), every)
+        finally:
+            engine.close()
+        return every, memoryview(data).cast("d")
+
+    # --- the end --------------------------------------------------------------------------------
+
+    def result(self) -> Run:
+        """Return the result of the run so far; the session stays where it is."""
+        engine = self._timeline.trial(self.tick)
+        try:
+            return cast("Run", engine.ask("result"))
+        finally:
+            engine.close()
+
+    def tape(self) -> list[Input]:
+        """Return the inputs of this branch, the PLC's too, in the order of their ticks."""
+        return self._timeline.tape()
+
+    def close(self) -> None:
+        """End the session."""
+        self._timeline.close()

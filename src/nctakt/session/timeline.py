@@ -1,0 +1,296 @@
+# SPDX-License-Identifier: MIT
+"""The past of a session: branches of its tape, parked controllers, the way to any moment.
+
+In: runs forward, inputs, wishes to be elsewhere. Out: the live controller, at the moment that was
+asked for. The past is not stored but run again: from the nearest parked controller over the tape.
+An input in the past begins another branch; the old one stays.
+"""
+
+from __future__ import annotations
+
+import bisect
+from collections.abc import Sequence
+from dataclasses import replace
+
+from nctakt.base.dataclass import dataclass, field
+from nctakt.base.failure import Failure
+from nctakt.messages import diagnostic
+from nctakt.messages.session import NO_SUCH_BRANCH, TICK_NOT_REACHED
+from nctakt.run.inputs import PLC, Input
+from nctakt.session.engine import Slice
+from nctakt.session.parking import SPARSE_US, Cost, approach, surplus
+from nctakt.session.setup import Setup
+from nctakt.session.stops import StopAt
+from nctakt.session.workshop import RemoteEngine, Workshop
+
+#: Ticks that are run again at a time while a stop is looked for backward.
+_SEARCHED_TICKS = 4096
+
+
+@dataclass(slots=True)
+class Branch:
+    """One story of the inputs.
+
+    It shares the inputs of its ``parent`` before ``first_tick``. ``inputs`` are its own, by tick
+    and order; ``latest``: the furthest tick that it has reached; ``is_over``: the run ends there.
+    """
+
+    number: int
+    parent: Branch | None
+    first_tick: int
+    inputs: list[Input] = field(default_factory=list)
+    latest: int = 0
+    is_over: bool = False
+
+    def all_inputs(self, before: int | None = None) -> list[Input]:
+        """Return its inputs from the start on, up to but without tick ``before``."""
+        inherited = [] if self.parent is None else self.parent.all_inputs(self.first_tick)
+        own = self.inputs
+        if before is not None:
+            own = own[: bisect.bisect_left(own, before, key=lambda one: one.tick)]
+            inherited = [one for one in inherited if one.tick < before]
+        return inherited + own
+
+    def shares(self, other: Branch, tick: int) -> bool:
+        """Return whether a state of ``other`` before a tick is one of this branch's, too."""
+        branch: Branch | None = self
+        while branch is not None and branch is not other:
+            if tick > branch.first_tick:
+                return False
+            branch = branch.parent
+        return branch is other
+
+
+@dataclass(frozen=True, slots=True)
+class _Parked:
+    branch: Branch
+    tick: int
+    blocks: int
+    engine: RemoteEngine
+
+
+class Timeline:
+    """The moments of a session, and the live controller that stands in one of them.
+
+    Raises ``Failure`` with the mistakes of the setup. ``branch``: the one that it is in.
+    """
+
+    def __init__(self, setup: Setup) -> None:
+        self._setup = setup
+        self._workshop = Workshop()
+        try:
+            self.live, self.description = self._workshop.open(setup)
+        except BaseException:
+            self._workshop.close()
+            raise
+        self._cost = Cost()
+        self.branch = Branch(1, None, 0, list(self.description.inputs))
+        self.branches = [self.branch]
+        self._plc: dict[int, list[Input]] = {1: []}
+        self._parked: list[_Parked] = []
+        self._blocks = 0
+        if self._workshop.can_copy:
+            self._park()
+
+    @property
+    def tick(self) -> int:
+        """The tick at which the live controller stands."""
+        return self.live.tick
+
+    # --- forward --------------------------------------------------------------------------------
+
+    def run(self, end: int, stops: Sequence[StopAt] = ()) -> Slice:
+        """Run the live controller up to a tick or a stop."""
+        done = self.live.run(end, stops)
+        self._blocks = done.decoded
+        branch = self.branch
+        if done.tick > branch.latest:
+            news = [one for one in done.inputs if one.tick > branch.latest and one.source == PLC]
+            self._plc[branch.number] += news
+            branch.latest = done.tick
+        if done.run_state is not None:
+            branch.is_over = True
+        if self._workshop.can_copy and self._is_far_from_parked():
+            self._park()
+        return done
+
+    def _is_far_from_parked(self) -> bool:
+        here = self._cost.of(self.tick, self._blocks)
+        last = max((self._cost.of(one.tick, one.blocks) for one in self._near()), default=0.0)
+        return here - last > SPARSE_US
+
+    def _near(self) -> list[_Parked]:
+        """Return the parked controllers of this branch at or before the present, by tick."""
+        return [
+            one
+            for one in self._parked
+            if one.tick <= self.tick and self.branch.shares(one.branch, one.tick)
+        ]
+
+    def _park(self) -> None:
+        """Park a copy of the live controller; give up those that stand too dense."""
+        if any(one.tick == self.tick for one in self._near()):
+            return
+        self._parked.append(_Parked(self.branch, self.tick, self._blocks, self.live.copy()))
+        self._parked.sort(key=lambda one: (one.tick, one.branch.number))
+        present = self._cost.of(self.tick, self._blocks)
+        works = [min(self._cost.of(one.tick, one.blocks), present) for one in self._parked]
+        for index in reversed(surplus(works, present)):
+            self._parked.pop(index).engine.close()
+
+    # --- inputs ---------------------------------------------------------------------------------
+
+    def post(self, inputs: Sequence[Input]) -> bool:
+        """Let inputs reach the next tick; return whether that has begun another branch.
+
+        Raises ``Failure`` for a wrong name or value, and nothing has happened.
+        """
+        here = [replace(one, tick=self.tick) for one in inputs]
+        self.live.post(here)
+        branch = self.branch
+        begins = self.tick < branch.latest
+        if begins:
+            later = [one for one in branch.all_inputs() if one.tick >= self.tick]
+            planned = [one for one in later if one.source == "stimuli"]
+            self.branch = Branch(len(self.branches) + 1, branch, self.tick, [], self.tick)
+            self.branches.append(self.branch)
+            self._plc[self.branch.number] = []
+            self.branch.inputs = planned
+        own = self.branch.inputs
+        own[:] = sorted([*own, *here], key=lambda one: one.tick)
+        if begins:
+            self.live.plan(self.branch.inputs)
+        return begins
+
+    # --- anywhere -------------------------------------------------------------------------------
+
+    def go_to(self, tick: int, branch: int | None = None) -> Slice:
+        """Make the live controller stand before a tick of a branch, by default of this one.
+
+        Returns what its last ticks have done. Raises ``Failure`` (901154, 901157).
+        """
+        target = self.branch if branch is None else self._branch(branch)
+        if not 0 <= tick <= target.latest:
+            raise Failure(diagnostic(TICK_NOT_REACHED, tick=tick, latest=target.latest))
+        if target is self.branch and tick == self.tick:
+            return self.live.run(tick)
+        is_forward = target is self.branch and tick > self.tick
+        if self._workshop.can_copy and self.tick == self.branch.latest:
+            self._park()  # so that the way back to the front is short
+        nearest = self._nearest(target, tick)
+        if not is_forward or (nearest is not None and nearest.tick > self.tick):
+            self._wake(target, nearest)
+        self.branch = target
+        return self._approach(tick)
+
+    def _branch(self, number: int) -> Branch:
+        if not 0 < number <= len(self.branches):
+            raise Failure(diagnostic(NO_SUCH_BRANCH, branch=number, count=len(self.branches)))
+        return self.branches[number - 1]
+
+    def _nearest(self, branch: Branch, tick: int) -> _Parked | None:
+        """Return the last parked controller of a branch at or before a tick."""
+        usable = [
+            one for one in self._parked if one.tick <= tick and branch.shares(one.branch, one.tick)
+        ]
+        return max(usable, key=lambda one: one.tick, default=None)
+
+    def _wake(self, branch: Branch, nearest: _Parked | None) -> None:
+        """Let a copy of a parked controller be the live one, with the inputs of a branch."""
+        if nearest is None:
+            fresh, _ = self._workshop.open(self._setup)
+            blocks = 0
+        else:
+            fresh, blocks = nearest.engine.copy(), nearest.blocks
+        self.live.close()
+        self.live, self._blocks = fresh, blocks
+        fresh.plan(self._planned(branch, fresh.tick))
+
+    def _planned(self, branch: Branch, tick: int) -> list[Input]:
+        """Return the inputs of a branch from a tick on, with those that its PLC gave."""
+        planned = [one for one in branch.all_inputs() if one.tick >= tick]
+        given: list[Input] = []
+        story: Branch | None = branch
+        last = branch.latest
+        while story is not None:
+            given = [one for one in self._plc[story.number] if tick < one.tick <= last] + given
+            last, story = story.first_tick, story.parent
+        return planned + given
+
+    def _approach(self, tick: int) -> Slice:
+        """Run the live controller up to a tick; park on the way where that is dear."""
+        first = self.tick
+        if self._workshop.can_copy:
+            per_tick = self._cost.of(1, 0) + self._cost.of(0, self._blocks) / max(first, 1)
+            places = approach(per_tick * first, per_tick * tick)
+            for place in places:
+                between = int(place / per_tick)
+                if first < between < tick:
+                    self._blocks = self.live.run(between).decoded
+                    self._park()
+        done = self.live.run(tick)
+        self._blocks = done.decoded
+        return done
+
+    # --- looking --------------------------------------------------------------------------------
+
+    def trial(self, tick: int, branch: int | None = None) -> RemoteEngine:
+        """Return a controller before a tick that never joins the session; close it after use.
+
+        Raises ``Failure`` (901154).
+        """
+        target = self.branch if branch is None else self._branch(branch)
+        if not 0 <= tick <= target.latest:
+            raise Failure(diagnostic(TICK_NOT_REACHED, tick=tick, latest=target.latest))
+        nearest = self._nearest(target, tick)
+        if self._workshop.can_copy and target is self.branch and self.tick == tick:
+            return self.live.copy()
+        if nearest is None:
+            engine, _ = self._workshop.open(self._setup)
+        else:
+            engine = nearest.engine.copy()
+        engine.plan(self._planned(target, engine.tick))
+        if engine.tick < tick:
+            engine.run(tick)
+        return engine
+
+    def previous(self, stops: Sequence[StopAt]) -> int | None:
+        """Return the last tick before the present at which one of the stops held, or ``None``.
+
+        It runs the past again in stretches, from the latest to the earliest.
+        """
+        once = [replace(stop, count=1) for stop in stops]
+        end, width = self.tick - 1, _SEARCHED_TICKS
+        while end > 0:
+            begin = max(0, end - width)
+            nearest = self._nearest(self.branch, begin)
+            if nearest is not None and end - nearest.tick < 4 * width:
+                begin = nearest.tick
+            engine = self.trial(begin)
+            try:
+                found = engine.search(end, once)
+            finally:
+                engine.close()
+            if found:
+                return found[-1]
+            end, width = begin, 2 * width
+        return None
+
+    def tape(self) -> list[Input]:
+        """Return the inputs of this branch, the PLC's too, in the order of their ticks."""
+        return sorted(self._planned(self.branch, -1), key=lambda one: one.tick)
+
+    # --- the end --------------------------------------------------------------------------------
+
+    def close(self) -> None:
+        """Let all controllers end."""
+        for parked in self._parked:
+            parked.engine.close()
+        self._parked.clear()
+        self.live.close()
+        self._workshop.close()
+
+    @property
+    def parked_ticks(self) -> list[int]:
+        """The ticks at which controllers are parked."""
+        return [one.tick for one in self._parked]

@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: MIT
+"""The process that a session's controller lives in; started as ``python -m nctakt.session.worker``.
+
+It has one thread: it takes a request from its connection, does it, and answers. So it can fork
+between two requests: the child is a parked controller, a copy of the whole state at that tick (the
+decoder's generators and a scripted PLC included), which takes a few milliseconds and shares its
+memory until it runs. A parked controller that is woken forks again, and its copy goes on; so it can
+be woken any number of times.
+"""
+
+from __future__ import annotations
+
+import os
+import signal
+import sys
+import traceback
+from collections.abc import Callable
+from multiprocessing.connection import Client, Connection
+from typing import Any
+
+from nctakt.base.failure import Failure
+from nctakt.session.engine import Engine
+from nctakt.session.setup import Setup
+
+#: What a request is answered with: the result, or the reason why there is none.
+DONE, REFUSED, BROKEN = "done", "refused", "broken"
+
+#: The length of the secret that a worker and its session share, in bytes.
+KEY_SIZE = 32
+
+
+def can_fork() -> bool:
+    """Return whether this system can park controllers as processes."""
+    return hasattr(os, "fork") and sys.platform == "linux"
+
+
+class Worker:
+    """One controller and its connection to the session."""
+
+    def __init__(self, address: str, key: bytes) -> None:
+        self._address = address
+        self._key = key
+        self._connection: Connection[Any, Any] | None = None
+        self._engine: Engine | None = None
+
+    def connect(self, name: str) -> None:
+        """Connect to the session as ``name``."""
+        self._connection = Client(self._address, authkey=self._key)
+        self._connection.send(name)
+
+    def serve(self) -> None:
+        """Answer requests until the session closes the connection."""
+        while self._connection is not None:
+            try:
+                request, words = self._connection.recv()
+            except (EOFError, OSError):
+                return
+            answer = self._answer(request, words)
+            if answer is None:
+                continue  # in the copy, whose own connection follows
+            try:
+                self._connection.send(answer)
+            except OSError:
+                return
+
+    def _answer(self, request: str, words: tuple[Any, ...]) -> tuple[str, Any] | None:
+        try:
+            if request == "open":
+                (setup,) = words
+                if not isinstance(setup, Setup):
+                    raise TypeError(setup)
+                self._engine = Engine(setup)
+                return DONE, self._engine.description
+            if request == "copy":
+                return self._copy(*words)
+            method: Callable[..., Any] = getattr(self._engine, request)
+            return DONE, method(*words)
+        except Failure as failure:
+            return REFUSED, failure.diagnostics
+        except Exception:  # noqa: BLE001 - the session shows it as an internal error
+            return BROKEN, traceback.format_exc()
+
+    def _copy(self, name: str) -> tuple[str, Any] | None:
+        """Copy this process; the copy connects as ``name``. Return ``None`` in the copy."""
+        child = os.fork()
+        if child:
+            return DONE, child
+        if self._connection is not None:
+            self._connection.close()
+        try:
+            self.connect(name)
+        except (OSError, EOFError):
+            os._exit(0)  # the session has ended meanwhile
+        return None
+
+
+def main() -> None:
+    """Serve the session whose address is the first word; the key comes by standard input."""
+    key = sys.stdin.buffer.read(KEY_SIZE)
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is the session's to handle
+    if can_fork():
+        signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # nobody waits for the copies
+    worker = Worker(sys.argv[1], key)
+    worker.connect(sys.argv[2])
+    worker.serve()
+
+
+if __name__ == "__main__":
+    main()

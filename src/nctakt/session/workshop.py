@@ -1,0 +1,155 @@
+# SPDX-License-Identifier: MIT
+"""The processes of a session: opens controllers, copies them, speaks with them.
+
+In: a ``Setup``. Out: ``RemoteEngine`` objects, each a controller in a process of its own.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import secrets
+import subprocess
+import sys
+import threading
+from collections.abc import Sequence
+from multiprocessing.connection import Connection, Listener
+from pathlib import Path
+from typing import Any, cast
+
+from nctakt.base.failure import Failure
+from nctakt.messages import diagnostic
+from nctakt.messages.session import CONTROLLER_LOST
+from nctakt.run.inputs import Input
+from nctakt.session.engine import CycleState, Slice
+from nctakt.session.setup import Description, Setup
+from nctakt.session.stops import StopAt
+from nctakt.session.worker import BROKEN, KEY_SIZE, REFUSED, can_fork
+
+#: How long a new process may take to report, in seconds.
+START_S = 60.0
+
+
+class RemoteEngine:
+    """A controller in another process, with the methods of ``Engine``.
+
+    Raises ``Failure`` as that does, and 901153 when its process is gone. ``tick``: where it stands.
+    """
+
+    def __init__(self, connection: Connection[Any, Any], workshop: Workshop, tick: int) -> None:
+        self._connection = connection
+        self._workshop = workshop
+        self.tick = tick
+
+    def ask(self, request: str, *words: Any) -> Any:
+        """Return the answer to a request."""
+        try:
+            self._connection.send((request, words))
+            verdict, answer = self._connection.recv()
+        except (EOFError, OSError) as error:
+            raise Failure(diagnostic(CONTROLLER_LOST, reason=str(error) or "EOF")) from error
+        if verdict == REFUSED:
+            raise Failure(*answer)
+        if verdict == BROKEN:
+            raise RuntimeError(answer)
+        return answer
+
+    def copy(self) -> RemoteEngine:
+        """Return a copy at the same tick, in a process of its own."""
+        name = self._workshop.next_name()
+        self.ask("copy", name)
+        return RemoteEngine(self._workshop.accept(name), self._workshop, self.tick)
+
+    def run(self, end: int, stops: Sequence[StopAt] = ()) -> Slice:
+        """Run as ``Engine.run``."""
+        done = cast("Slice", self.ask("run", end, stops))
+        self.tick = done.tick
+        return done
+
+    def search(self, end: int, stops: Sequence[StopAt]) -> list[int]:
+        """Search as ``Engine.search``."""
+        return cast("list[int]", self.ask("search", end, stops))
+
+    def plan(self, inputs: Sequence[Input]) -> None:
+        """Plan as ``Engine.plan``."""
+        self.ask("plan", inputs)
+
+    def post(self, inputs: Sequence[Input]) -> None:
+        """Post as ``Engine.post``."""
+        self.ask("post", inputs)
+
+    def cycles(self) -> list[CycleState]:
+        """Return the living realtime cycles."""
+        return cast("list[CycleState]", self.ask("cycles"))
+
+    def close(self) -> None:
+        """Let the process end."""
+        self._connection.close()
+
+
+class Workshop:
+    """Opens controllers in processes of their own; ``close`` ends them all."""
+
+    def __init__(self) -> None:
+        self._key = secrets.token_bytes(KEY_SIZE)
+        self._listener = Listener(authkey=self._key)
+        self._count = 0
+        self._waiting: dict[str, Connection[Any, Any]] = {}
+        self._processes: list[subprocess.Popen[bytes]] = []
+
+    def next_name(self) -> str:
+        """Return the name of the next process."""
+        self._count += 1
+        return str(self._count)
+
+    def open(self, setup: Setup) -> tuple[RemoteEngine, Description]:
+        """Return a new controller before its first tick; raises ``Failure`` with its mistakes."""
+        name = self.next_name()
+        address = self._listener.address
+        source = str(Path(__file__).parents[2])
+        search = os.pathsep.join(filter(None, (source, os.environ.get("PYTHONPATH", ""))))
+        process = subprocess.Popen(
+            [sys.executable, "-P", "-m", "nctakt.session.worker", str(address), name],
+            stdin=subprocess.PIPE,
+            env={**os.environ, "PYTHONPATH": search},
+        )
+        self._processes.append(process)
+        assert process.stdin is not None
+        with contextlib.suppress(OSError):
+            process.stdin.write(self._key)
+            process.stdin.close()
+        engine = RemoteEngine(self.accept(name), self, 0)
+        try:
+            return engine, cast("Description", engine.ask("open", setup))
+        except Failure:
+            engine.close()
+            raise
+
+    def accept(self, name: str) -> Connection[Any, Any]:
+        """Return the connection of the process of this name, once it has reported."""
+        watchdog = threading.Timer(START_S, self._listener.close)
+        watchdog.daemon = True
+        watchdog.start()
+        try:
+            while name not in self._waiting:
+                connection = self._listener.accept()
+                self._waiting[connection.recv()] = connection
+        except (EOFError, OSError) as error:
+            raise Failure(diagnostic(CONTROLLER_LOST, reason=str(error) or "EOF")) from error
+        finally:
+            watchdog.cancel()
+        return self._waiting.pop(name)
+
+    @property
+    def can_copy(self) -> bool:
+        """Whether a controller can be copied here."""
+        return can_fork()
+
+    def close(self) -> None:
+        """Close the door, and wait for the first processes; the others end by themselves."""
+        self._listener.close()
+        for connection in self._waiting.values():
+            connection.close()
+        for process in self._processes:
+            with contextlib.suppress(subprocess.TimeoutExpired):
+                process.wait(timeout=5.0)

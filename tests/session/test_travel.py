@@ -1,0 +1,120 @@
+# SPDX-License-Identifier: MIT
+"""However a session was lived through, it is a straight run of its tape."""
+
+from __future__ import annotations
+
+import random
+from pathlib import Path
+
+import pytest
+from random_seeds import each_seed
+
+from nctakt import Controller, NcText
+from nctakt.plc.loading import load_plc
+from nctakt.results.run import Run
+from nctakt.run.inputs import PLC as PLC_SOURCE
+from nctakt.run.tape import Tape
+from nctakt.session.setup import Setup
+from nctakt.session.stops import read_stop
+from nctakt.session.story import Story
+
+PROGRAM = """\
+#RT CYCLE [ID=1 SCOPE=PROG]
+  $IF EDGE V.E.VALUE > 0.5
+    V.E.COUNT += 1
+    Z[INDP G90 FEED=2000 POS=V.E.COUNT]
+  $ELSEIF V.RTA.ACS.ACT_POS.X > 30 && V.E.COUNT > 2
+    V.E.CONDITION = 1
+  $ENDIF
+#RT CYCLE END
+$FOR P1 = 1, 4, 1
+  G01 X[10*P1] Y[P1] F3000
+  M111
+  #FLUSH WAIT
+  $IF V.E.COUNT > 3
+    G04 X0.02
+  $ENDIF
+$ENDFOR
+G01 X0
+M30
+"""
+
+PLC = """\
+from nctakt import Plc
+
+class Cell(Plc):
+    def __init__(self):
+        self.calls = 0
+
+    def cycle(self, hli):
+        self.calls += 1
+        for function in hli.functions():
+            if self.calls % 7 == 0:
+                hli.acknowledge(function)
+        if self.calls % 50 == 0:
+            hli.override_pct = 40 + self.calls % 60
+"""
+
+STOPS = ["V.E.COUNT > 2", "fires 2", "line 11", "changes V.E.VALUE", "M111", "runs 5"]
+
+
+def straight(story: Story, plc: Path | None, programs: list[NcText]) -> tuple[Controller, Run]:
+    """Run the tape of a session from the start up to where the session stands."""
+    inputs = tuple(one for one in story.tape() if one.source != PLC_SOURCE)
+    controller = Controller()
+    tape = Tape({}, None, plc is not None, inputs, {}, 0, "", {})
+    run = controller.run(
+        *programs,
+        plc=None if plc is None else load_plc(plc),
+        replay=tape,
+        ticks=story.tick,
+        memory_trace=False,
+    )
+    return controller, run
+
+
+def wander(story: Story, chance: random.Random) -> None:
+    """Do something with a session."""
+    match chance.randrange(8):
+        case 0:
+            story.step(chance.randint(1, 300))
+        case 1:
+            story.run(stops=[read_stop(chance.choice(STOPS))])
+        case 2:
+            story.go_to(chance.randint(0, story.branch.latest))
+        case 3:
+            story.back(chance.randint(1, 50))
+        case 4:
+            story.back_to([read_stop(chance.choice(STOPS))])
+        case 5 | 6:
+            name = chance.choice(["V.E.VALUE", "V.E.VALUE", "HLI.OVERRIDE"])
+            story.write({name: chance.choice([0, 1, 60])}, "page")
+            story.step()
+        case 7:
+            branch = chance.choice(story.branches)
+            story.go_to(chance.randint(0, branch.latest), branch.number)
+
+
+@each_seed(4, 2)
+@pytest.mark.parametrize("has_plc", [False, True])
+def test_a_session_is_a_straight_run_of_its_tape(seed: int, has_plc: bool, tmp_path: Path) -> None:
+    """Steps, travel, stops and inputs in the past leave no trace but the tape."""
+    chance = random.Random(1000 * seed + has_plc)
+    file = tmp_path / "cell.py"
+    file.write_text(PLC, "utf-8")
+    plc = file if has_plc else None
+    programs = [NcText("p.nc", PROGRAM)]
+    story = Story(Setup({1: programs}, plc=plc, at=[("60 ms", "V.E.VALUE", 1)]))
+    try:
+        for _ in range(25):
+            wander(story, chance)
+        controller, run = straight(story, plc, programs)
+        assert controller.tick == story.tick
+        signals = sorted(story.description.signals)
+        assert story.read(signals) == [controller.signal(name) for name in signals]
+        result = story.result()
+        assert result.cycles == run.cycles
+        assert result.outputs == run.outputs
+        assert result.messages == run.messages
+    finally:
+        story.close()

@@ -159,8 +159,8 @@ class Session:
         self, end: TimeLike | None = None, *, until: str | StopAt | Sequence[str | StopAt] = ()
     ) -> Slice:
         """Run to a time, a stop of the session or of ``until``, or the end of the run."""
-        wanted = [until] if isinstance(until, str | StopAt) else until
-        return self._ask(self._run, end, wanted)
+        named = [until] if isinstance(until, str | StopAt) else until
+        return self._ask(self._run, end, named)
 
     def _run(self, end: TimeLike | None, until: Sequence[str | StopAt]) -> Slice:
         self._clock = None
@@ -219,8 +219,8 @@ class Session:
 
     def _back_to(self, stops: Sequence[str | StopAt]) -> Slice | None:
         self._clock = None
-        wanted = self._story.read_stops(stops) if stops else self._story.stops
-        done = self._story.back_to(wanted)
+        named = self._story.read_stops(stops) if stops else self._story.stops
+        done = self._story.back_to(named)
         return None if done is None else self._travelled(done)
 
     def _travel(self, method: Callable[..., Slice], *words: Any) -> Slice:

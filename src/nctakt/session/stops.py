@@ -81,12 +81,12 @@ def read_stop(text: str) -> StopAt:
     if not text or options["count"] < 1:
         raise Failure(diagnostic(NOT_A_STOP, text=text))
     word, _, rest = text.partition(" ")
-    place = _LINE.fullmatch(rest.strip())
+    line = _LINE.fullmatch(rest.strip())
     if word.lower() in _WORDS:
-        if place is None:
+        if line is None:
             raise Failure(diagnostic(NOT_A_STOP, text=text))
-        file = place["file"] or ""
-        return StopAt(_WORDS[word.lower()], file=file, line=int(place["line"]), **options)
+        file = line["file"] or ""
+        return StopAt(_WORDS[word.lower()], file=file, line=int(line["line"]), **options)
     if word.lower() == "changes" and rest:
         return StopAt("changes", rest.strip(), **options)
     if _FUNCTION.fullmatch(text):
@@ -221,7 +221,7 @@ def _ignore(_: object) -> None:
     """Do nothing: a condition that is read gives no notices."""
 
 
-def names_file(wanted: str, name: str) -> bool:
+def names_file(asked: str, name: str) -> bool:
     """Return whether a file is meant by its name, by the end of its path, or by no name at all."""
-    name, wanted = name.replace("\\", "/"), wanted.replace("\\", "/")
-    return not wanted or name == wanted or name.endswith(f"/{wanted}")
+    name, asked = name.replace("\\", "/"), asked.replace("\\", "/")
+    return not asked or name == asked or name.endswith(f"/{asked}")

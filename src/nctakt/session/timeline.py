@@ -115,9 +115,9 @@ class Timeline:
         return done
 
     def _is_far_from_parked(self) -> bool:
-        here = self._cost.of(self.tick, self._blocks)
+        present = self._cost.of(self.tick, self._blocks)
         last = max((self._cost.of(one.tick, one.blocks) for one in self._near()), default=0.0)
-        return here - last > SPARSE_US
+        return present - last > SPARSE_US
 
     def _near(self) -> list[_Parked]:
         """Return the parked controllers of this branch at or before the present, by tick."""
@@ -145,8 +145,8 @@ class Timeline:
 
         Raises ``Failure`` for a wrong name or value, and nothing has happened.
         """
-        here = [replace(one, tick=self.tick) for one in inputs]
-        self.live.post(here)
+        arriving = [replace(one, tick=self.tick) for one in inputs]
+        self.live.post(arriving)
         branch = self.branch
         begins = self.tick < branch.latest
         if begins:
@@ -157,7 +157,7 @@ class Timeline:
             self._plc[self.branch.number] = []
             self.branch.inputs = planned
         own = self.branch.inputs
-        own[:] = sorted([*own, *here], key=lambda one: one.tick)
+        own[:] = sorted([*own, *arriving], key=lambda one: one.tick)
         if begins:
             self.live.plan(self.branch.inputs)
         return begins
@@ -222,9 +222,9 @@ class Timeline:
         first = self.tick
         if self._workshop.can_copy:
             per_tick = self._cost.of(1, 0) + self._cost.of(0, self._blocks) / max(first, 1)
-            places = approach(per_tick * first, per_tick * tick)
-            for place in places:
-                between = int(place / per_tick)
+            halves = approach(per_tick * first, per_tick * tick)
+            for work in halves:
+                between = int(work / per_tick)
                 if first < between < tick:
                     self._blocks = self.live.run(between).decoded
                     self._park()

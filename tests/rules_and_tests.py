@@ -17,7 +17,7 @@ from nctakt.reference.rules import RULES
 TESTS = Path(__file__).parent
 
 #: Tests that are named of each rule; those of a whole run come first.
-MOST_NAMED = 4
+MAX_NAMED = 4
 
 _CITED = re.compile(r"RC-\d{3}(?:\s*(?:…|,|\band\b)\s*(?:RC-)?\d{3}(?!\d))*")
 _STEP = re.compile(r"(…|,|and)?\s*(?:RC-)?(\d{3})")
@@ -66,11 +66,11 @@ def table() -> Iterator[str]:
     yield "# The rules of realtime cycles, and their tests"
     yield ""
     yield "Written by `scripts/docs` from `tests/rules_and_tests.py` and from what tests cite."
-    yield f"Up to {MOST_NAMED} tests of each rule are named; `grep -r RC-203 tests` finds all."
+    yield f"Up to {MAX_NAMED} tests of each rule are named; `grep -r RC-203 tests` finds all."
     yield "What a rule leaves open, and what was decided, says [conformance.md](conformance.md)."
     yield ""
     yield "| rule | says | tests |"
     yield "|---|---|---|"
     for rule, tests in sorted(proofs().items()):
-        named = ", ".join(f"`{test}`" for test in tests[:MOST_NAMED])
+        named = ", ".join(f"`{test}`" for test in tests[:MAX_NAMED])
         yield f"| RC-{rule:03} | {RULES[rule]} | {named} |"

@@ -92,5 +92,5 @@ def test_foreign_arcs_take_hardly_longer_than_without_inertia(name: str) -> None
     text = LEFT_OUT.sub("", file.read_text("latin-1"))
     run = Controller().run(NcText(file.name, text + "\nM30\n"), memory_trace=False, signals=[])
     assert (run.state, run.errors) == ("ended", ())
-    least = least_time(text)
-    assert least <= run.ticks * TICK <= 1.03 * least
+    minimum = least_time(text)
+    assert minimum <= run.ticks * TICK <= 1.03 * minimum

@@ -16,7 +16,7 @@ from typing import Any
 import pytest
 import trace_digests
 from program_generator import program
-from trace_digests import DEMO, MOST_TICKS, SEEDS, random_trace
+from trace_digests import DEMO, MAX_TICKS, SEEDS, random_trace
 
 from nctakt.kernel.base.record import Record
 from nctakt.run import assembly
@@ -74,7 +74,7 @@ def test_random_programs_do_something(tmp_path: Path) -> None:
     """The programs of these tests run, move, fire and end in different ways."""
     states, kinds = set(), set()
     for seed in SEEDS:
-        run = Controller(DEMO).run(NcText("p.nc", program(seed)), ticks=MOST_TICKS)
+        run = Controller(DEMO).run(NcText("p.nc", program(seed)), ticks=MAX_TICKS)
         states.add(run.state)
         kinds |= {event.kind for event in run.events}
         assert run.ticks > 20, seed

@@ -30,13 +30,13 @@ SEEDS = range(30)
 DEMO = load_machine(None)
 
 #: Most ticks of a random program: GLOBAL cycles with low overrides can make one long.
-MOST_TICKS = 4000
+MAX_TICKS = 4000
 
 
 def random_trace(seed: int, file: Path) -> bytes:
     """The CSV trace of a random program."""
     text = NcText(f"p{seed}.nc", program(seed))
-    Controller(DEMO).run(text, ticks=MOST_TICKS, sinks=[CsvSink(file)], memory_trace=False)
+    Controller(DEMO).run(text, ticks=MAX_TICKS, sinks=[CsvSink(file)], memory_trace=False)
     return file.read_bytes()
 
 

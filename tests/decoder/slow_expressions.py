@@ -209,9 +209,9 @@ def text_of(tree: Tree) -> str:
     raise AssertionError(tree)
 
 
-def bracketed(tree: Tree, least: int) -> str:
+def bracketed(tree: Tree, minimum: int) -> str:
     """The text, in brackets where its operator binds weaker than ``least``."""
-    return f"[{text_of(tree)}]" if rank_of(tree) < least else text_of(tree)
+    return f"[{text_of(tree)}]" if rank_of(tree) < minimum else text_of(tree)
 
 
 def rank_of(tree: Tree) -> int:

@@ -22,7 +22,7 @@ from nctakt.nc.tree import Expression
 from nctakt.run.controller import Controller, NcText
 
 #: Rows of the queue that are compared at most: some programs never end.
-MOST_ROWS = 3000
+MAX_ROWS = 3000
 
 #: Ordinary statements; ``#`` stands for a number.
 STATEMENTS = (
@@ -150,9 +150,9 @@ def by_parser(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_both_ways_give_the_same_commands(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
     """Random programs: the rows of the queue are equal to the bit, and so are the diagnostics."""
     text = content(seed)
-    short = rows(text, MOST_ROWS)
+    short = rows(text, MAX_ROWS)
     by_parser(monkeypatch)
-    assert rows(text, MOST_ROWS) == short
+    assert rows(text, MAX_ROWS) == short
 
 
 @pytest.mark.slow
@@ -169,7 +169,7 @@ def test_many_random_programs_run_and_are_full_of_forms(monkeypatch: pytest.Monk
         return value
 
     monkeypatch.setattr(Evaluator, "constant_value", count)
-    found = [rows(content(seed), MOST_ROWS) for seed in range(30)]
+    found = [rows(content(seed), MAX_ROWS) for seed in range(30)]
     assert sum(len(one) > 20 for one, _ in found) > 10
     assert known[0] > 1000
     assert 5 < known[1] < 0.3 * known[0]
@@ -193,11 +193,11 @@ def test_a_jump_back_finds_the_forms_again(monkeypatch: pytest.MonkeyPatch) -> N
     lines = [HEAD, *(f"X[P1 + {i}]" for i in range(1, 30)), "N50: P1 = P1 + 1"]
     lines += [*(f"Y[P1 * {i}]" for i in range(1, 30)), "$IF P1 < 5 $GOTO N50", "M30"]
     text = "\n".join(lines)
-    short = rows(text, MOST_ROWS)
+    short = rows(text, MAX_ROWS)
     assert short[1] == []
     assert len(short[0]) > 140
     by_parser(monkeypatch)
-    assert rows(text, MOST_ROWS) == short
+    assert rows(text, MAX_ROWS) == short
 
 
 def test_a_mistake_is_told_at_its_own_place() -> None:

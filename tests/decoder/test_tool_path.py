@@ -149,7 +149,7 @@ def _side(start: Point, end: Point, place: Point) -> float:
 
 def nearest(ways: list[Way], result: Passed, radius: float) -> tuple[float, int, int]:
     """The least distance from the contour less the radius; of which motion, from which one."""
-    least = (1e9, 0, 0)
+    minimum = (1e9, 0, 0)
     count = len(ways)
     for number, one in result.ways[1:]:
         for place in places(one, 24):
@@ -157,9 +157,9 @@ def nearest(ways: list[Way], result: Passed, radius: float) -> tuple[float, int,
                 if abs(number - other) > count - 4:
                     continue
                 off = distance(place, way) - radius
-                if off < least[0]:
-                    least = (off, number, other)
-    return least
+                if off < minimum[0]:
+                    minimum = (off, number, other)
+    return minimum
 
 
 def chosen(seed: int) -> tuple[list[Way], float, bool]:

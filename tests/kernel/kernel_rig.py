@@ -85,9 +85,9 @@ class Rig:
             self.x.append(self.machine.positions()[0])
         return self.x[before:]
 
-    def run_to_the_end(self, most: int = 200_000) -> int:
+    def run_to_the_end(self, maximum: int = 200_000) -> int:
         """Run until the queue is empty and the path stands: the ticks that it took."""
-        for ticks in range(most):
+        for ticks in range(maximum):
             if not self.channel.queue.queued() and not self.channel.path.is_active:
                 return ticks
             self.run(1)

@@ -54,16 +54,18 @@ def broken_limits(
     jerk = np.diff(change, axis=0)
     jerk[~(smooth[3:] & smooth[2:-1] & smooth[1:-2] & smooth[:-3])] = 0.0
     found = []
-    for what, values, most, skipped in (
+    for what, values, maximum, skipped in (
         ("speed", speed, machine.speed, 2),
         ("acceleration", change, machine.acceleration, 1),
         ("jerk", jerk, machine.jerk, 0),
     ):
         for axis, name in enumerate(AXES):
             sizes = np.abs(values[:, axis])
-            if (worst := sizes.max()) > most[axis] * (1 + 1e-6) + FUZZ_MM:
+            if (worst := sizes.max()) > maximum[axis] * (1 + 1e-6) + FUZZ_MM:
                 tick = int(sizes.argmax()) - skipped
-                found.append(f"{name}: {what} {worst / most[axis]:.4f} of its limit, tick {tick}")
+                found.append(
+                    f"{name}: {what} {worst / maximum[axis]:.4f} of its limit, tick {tick}"
+                )
     return found
 
 

@@ -276,7 +276,7 @@ class MotionProgram:
             WAVE.format(
                 step=f"{chance.choice((0.4, 2.0, 11.0)):.1f}",
                 low=f"{chance.choice((-0.9, -0.5, 0.0)):.1f}",
-                most=chance.choice((60, 80, 100)),
+                maximum=chance.choice((60, 80, 100)),
             )
         )
 

@@ -11,8 +11,8 @@ import numpy as np
 
 #: Names of the demo machine's axes, with their highest speed and acceleration per tick.
 AXES = ("X", "Y", "Z", "A")
-MOST_MM = {"X": 0.5, "Y": 0.5, "Z": 0.5, "A": 0.36}
-MOST_STEP_MM = 0.004
+MAX_MM = {"X": 0.5, "Y": 0.5, "Z": 0.5, "A": 0.36}
+MAX_STEP_MM = 0.004
 
 
 def program(seed: int, slope: str = "") -> str:
@@ -123,9 +123,9 @@ def violations(positions: Sequence[float], name: str, jerk_mm: float = 0.0) -> l
     step = np.diff(speed)
     found = []
     fuzz = 1e-9
-    if (worst := np.abs(speed).max()) > MOST_MM[name] * (1 + 1e-9) + fuzz:
+    if (worst := np.abs(speed).max()) > MAX_MM[name] * (1 + 1e-9) + fuzz:
         found.append(f"{name}: speed {worst * 1000:.3f} mm/s at {np.abs(speed).argmax()}")
-    if (worst := np.abs(step).max()) > MOST_STEP_MM * (1 + 1e-6) + fuzz:
+    if (worst := np.abs(step).max()) > MAX_STEP_MM * (1 + 1e-6) + fuzz:
         found.append(f"{name}: acceleration {worst * 1e6:.1f} mm/s² at {np.abs(step).argmax()}")
     if jerk_mm:
         jerk = np.diff(step)

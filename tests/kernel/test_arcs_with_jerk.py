@@ -12,7 +12,7 @@ from random_paths import violations
 from nctakt.run.controller import Controller, NcText
 
 SIGNALS = ["X.ACS.ACT_POS", "Y.ACS.ACT_POS", "Z.ACS.ACT_POS"]
-MOST_JERK_MM = 8e-5
+MAX_JERK_MM = 8e-5
 
 
 def assert_within_limits(program: str) -> None:
@@ -22,7 +22,7 @@ def assert_within_limits(program: str) -> None:
     assert run.state == "ended", run.diagnostics
     assert run.trace is not None
     for name, signal in zip("XYZ", SIGNALS, strict=True):
-        assert violations(run.trace[signal], name, MOST_JERK_MM) == []
+        assert violations(run.trace[signal], name, MAX_JERK_MM) == []
 
 
 @pytest.mark.parametrize("feed", [10, 60, 200, 450])

@@ -19,7 +19,7 @@ from nctakt.run.plc_view import PlcView
 
 SIGNALS = [f"{name}.ACS.ACT_POS" for name in AXES]
 SLOPE = "#SLOPE [TYPE=TRAPEZ]"
-MOST_JERK_MM = 8e-5
+MAX_JERK_MM = 8e-5
 
 
 def performed(text: str, plc: Operator | None = None) -> tuple[Run, np.ndarray]:
@@ -28,7 +28,7 @@ def performed(text: str, plc: Operator | None = None) -> tuple[Run, np.ndarray]:
     assert run.state == "ended", run.diagnostics
     assert run.trace is not None
     for name, signal in zip(AXES, SIGNALS, strict=True):
-        assert violations(run.trace[signal], name, MOST_JERK_MM) == [], text
+        assert violations(run.trace[signal], name, MAX_JERK_MM) == [], text
     places = np.array([np.asarray(run.trace[signal]) for signal in SIGNALS]).T
     return run, places
 
@@ -90,7 +90,7 @@ def test_single_block_stands_behind_the_bend() -> None:
     places = sorted({(round(x[tick], 6), round(y[tick], 6)) for tick in stands if x[tick] > 1})
     assert places == sorted([(50.0, round(half, 6)), (round(50 - half, 6), 50.0)])
     for name, signal in zip(AXES, SIGNALS[:2], strict=False):
-        assert violations(run.trace[signal], name, MOST_JERK_MM) == []
+        assert violations(run.trace[signal], name, MAX_JERK_MM) == []
 
 
 @pytest.mark.parametrize("ways", ["override", "override hold", "single", "back", "back override"])
@@ -123,7 +123,7 @@ def test_a_reset_in_any_tick_brakes_within_the_limits(seed: int) -> None:
         for name in AXES:
             found[name].append(float(controller.read(f"V.RTA.ACS.ACT_POS.{name}")))
     for name in AXES:
-        assert violations(found[name], name, MOST_JERK_MM) == []
+        assert violations(found[name], name, MAX_JERK_MM) == []
         assert found[name][-1] == found[name][-2]
 
 
@@ -152,6 +152,6 @@ M30"""
     assert run.state == "ended", run.diagnostics
     assert run.trace is not None
     for name, signal in zip(AXES, SIGNALS, strict=True):
-        assert violations(run.trace[signal], name, MOST_JERK_MM) == []
+        assert violations(run.trace[signal], name, MAX_JERK_MM) == []
     speed = np.asarray(run.trace["PATH.SPEED"])
     assert ((speed[1:] == 0.0) & (speed[:-1] > 0.0)).sum() == 2

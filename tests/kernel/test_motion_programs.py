@@ -17,7 +17,7 @@ from nctakt.run.stimuli import Stimulus
 PLAY_US = 3_000_000
 
 #: A slow program is looked at as far as it comes in so many ticks.
-MOST_TICKS = 25_000
+MAX_TICKS = 25_000
 
 SLOPES = (("STEP",), ("TRAPEZ",), ("STEP", "TRAPEZ"))
 #: What ends a program otherwise: contours that the tool's radius does not fit into.
@@ -67,7 +67,7 @@ def wrong_with(seed: int) -> list[str]:
     run = Controller(chosen.configuration).run(
         NcText("p.nc", program.text),
         signals=SIGNALS,
-        ticks=MOST_TICKS,
+        ticks=MAX_TICKS,
         at=disturbances(seed),
         record_writes=False,
     )

@@ -113,8 +113,8 @@ def test_look_ahead_is_bounded_by_its_blocks() -> None:
     program = "G01 F24000\n" + "\n".join(f"X{end:.2f}" for end in ends)
     run = Controller(DEMO).run(NcText("p.nc", program + "\nM30"), signals=["PATH.SPEED"])
     assert run.trace is not None
-    most = math.sqrt(2 * ACCELERATION * 0.01 * 190)
-    assert math.sqrt(2 * ACCELERATION * 0.01 * 110) < max(run.trace["PATH.SPEED"]) <= most
+    maximum = math.sqrt(2 * ACCELERATION * 0.01 * 190)
+    assert math.sqrt(2 * ACCELERATION * 0.01 * 110) < max(run.trace["PATH.SPEED"]) <= maximum
 
 
 def test_short_blocks_lose_nothing_with_a_limit_of_the_jerk() -> None:

@@ -19,7 +19,7 @@ from nctakt.run.plc_view import PlcView
 SIGNALS = [f"{name}.ACS.ACT_POS" for name in AXES]
 JERK_LIMITED = "#SLOPE [TYPE=TRAPEZ]"
 #: 4000 mm/s² in 50 ms, per tick³.
-MOST_JERK_MM = 8e-5
+MAX_JERK_MM = 8e-5
 
 
 class Operator:
@@ -50,7 +50,7 @@ def performed(
     assert run.state == "ended", (seed, run.diagnostics)
     assert run.trace is not None
     for name, signal in zip(AXES, SIGNALS, strict=True):
-        jerk = MOST_JERK_MM if slope else 0.0
+        jerk = MAX_JERK_MM if slope else 0.0
         assert violations(run.trace[signal], name, jerk) == [], seed
     return run
 
@@ -122,6 +122,6 @@ def test_a_reset_in_any_tick_brakes_within_the_limits(seed: int, slope: str) -> 
         for name in AXES:
             found[name].append(float(controller.read(f"V.RTA.ACS.ACT_POS.{name}")))
     for name in AXES:
-        jerk = MOST_JERK_MM if slope else 0.0
+        jerk = MAX_JERK_MM if slope else 0.0
         assert violations(found[name], name, jerk) == []
         assert found[name][-1] == found[name][-2]

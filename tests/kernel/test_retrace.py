@@ -22,7 +22,7 @@ PLAY_TICKS = 4000
 
 SIGNALS = [*(f"{name}.ACS.ACT_POS" for name in AXES), "HLI.RETRACE"]
 JERK_LIMITED = "#SLOPE [TYPE=TRAPEZ]"
-MOST_JERK_MM = 8e-5
+MAX_JERK_MM = 8e-5
 
 
 class Operator:
@@ -81,7 +81,7 @@ def test_forward_and_backward_come_to_the_same_end(
         found = places(run)
         for i, name in enumerate(AXES):
             assert run.trace[SIGNALS[i]][-1] == straight.trace[SIGNALS[i]][-1], seed
-            jerk = MOST_JERK_MM if slope else 0.0
+            jerk = MAX_JERK_MM if slope else 0.0
             assert violations(run.trace[SIGNALS[i]], name, jerk) == [], seed
         walked = found[np.asarray(run.trace["HLI.RETRACE"]) > 0]
         assert farthest(walked[::37], plain) < 0.05, seed
@@ -114,7 +114,7 @@ def test_the_way_back_passes_block_ends_with_a_limit_of_the_jerk() -> None:
     assert speed[back].max() == pytest.approx(100.0)
     assert [run.trace.at(int(tick), SIGNALS[0]) for tick in stands if 1900 < tick < 5000] == [0.0]
     for i, name in enumerate(AXES):
-        assert violations(run.trace[SIGNALS[i]], name, MOST_JERK_MM) == []
+        assert violations(run.trace[SIGNALS[i]], name, MAX_JERK_MM) == []
 
 
 def test_the_way_back_passes_rounded_corners_with_a_limit_of_the_jerk() -> None:
@@ -140,7 +140,7 @@ def test_the_way_back_passes_rounded_corners_with_a_limit_of_the_jerk() -> None:
     assert speed[at_corner].min() == pytest.approx(100.0)
     assert (found[-1] == places(straight)[-1]).all()
     for i, name in enumerate(AXES):
-        assert violations(run.trace[SIGNALS[i]], name, MOST_JERK_MM) == []
+        assert violations(run.trace[SIGNALS[i]], name, MAX_JERK_MM) == []
 
 
 def test_the_way_back_has_the_override_of_each_block() -> None:
@@ -192,7 +192,7 @@ def test_a_stop_in_any_tick_of_the_way_back_stays_on_the_path(
     go(400)
     walked = np.asarray(found)
     for i, name in enumerate(AXES):
-        assert violations(walked[:, i], name, MOST_JERK_MM if slope else 0.0) == []
+        assert violations(walked[:, i], name, MAX_JERK_MM if slope else 0.0) == []
         assert walked[-1][i] == walked[-2][i]
     walked[:, 3] = np.unwrap(walked[:, 3], period=360.0)
     assert farthest(walked[-1:], np.concatenate([np.zeros((1, 4)), plain])) < 0.05

@@ -51,9 +51,9 @@ class AxesRig(Rig):
             self.places.append(self.machine.axes.positions()[self.axis])
         return self.places[before:]
 
-    def run_to_stand(self, most: int = 100_000) -> int:
+    def run_to_stand(self, maximum: int = 100_000) -> int:
         """Run until the axis stands: the ticks that it took."""
-        for ticks in range(most):
+        for ticks in range(maximum):
             if self.single.ending_count() == 0:
                 return ticks
             self.run(1)

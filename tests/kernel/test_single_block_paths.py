@@ -15,7 +15,7 @@ from nctakt.run.controller import Controller, NcText
 
 SIGNALS = [f"{name}.ACS.ACT_POS" for name in AXES]
 JERK_LIMITED = "#SLOPE [TYPE=TRAPEZ]"
-MOST_JERK_MM = 8e-5
+MAX_JERK_MM = 8e-5
 
 
 def found(text: str, plc: Operator) -> list[str]:
@@ -23,7 +23,7 @@ def found(text: str, plc: Operator) -> list[str]:
     run = Controller(DEMO).run(NcText("p.nc", text), signals=SIGNALS, ticks=400_000, plc=plc)
     assert run.state == "ended", run.diagnostics
     assert run.trace is not None
-    jerk = MOST_JERK_MM if JERK_LIMITED in text else 0.0
+    jerk = MAX_JERK_MM if JERK_LIMITED in text else 0.0
     return [
         violation
         for name, signal in zip(AXES, SIGNALS, strict=True)

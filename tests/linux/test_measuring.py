@@ -167,7 +167,7 @@ def test_windows_time_may_be_a_little_short() -> None:
     for by, violated in ((50_000, 0), (50_001, 1)):
         late["value"][segments] = 1_500_000 + by
         found = measure(replace(log, entries=late), 6).run.windows[0]
-        assert (found.least, found.violated) == (500_000 - by, violated)
+        assert (found.minimum, found.violated) == (500_000 - by, violated)
 
 
 def test_how_late_it_was() -> None:

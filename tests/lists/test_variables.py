@@ -9,7 +9,7 @@ from nctakt.lists.declared.variables import SCALARS, VARIABLES
 from nctakt.lists.format.list_check import load_list
 from nctakt.lists.machine.variables import (
     MANAGEMENT_BYTES,
-    MOST_LEAVES,
+    MAX_LEAVES,
     AccessRights,
     VariablesConfiguration,
     VariableScope,
@@ -265,7 +265,7 @@ def test_largest_variable(members: int, fits: bool) -> None:
     lines += [f"struct[0].element[{index}].name M{index}" for index in range(members)]
     configuration, found = load("\n".join(lines))
     assert found == ([] if fits else [900084])
-    assert len(paths(configuration)) == (MOST_LEAVES if fits else 0)
+    assert len(paths(configuration)) == (MAX_LEAVES if fits else 0)
 
 
 @pytest.mark.parametrize(("depth", "numbers"), [(32, []), (33, []), (34, [21440])])

@@ -180,10 +180,10 @@ def test_templates_make_what_the_parser_gives(seed: int) -> None:
 
 def test_most_ordinary_statements_are_made_from_templates() -> None:
     """The comparison is worth something."""
-    for first, least in ((2, 0.2), (0, 0.05)):  # statements one by one, structures
+    for first, minimum in ((2, 0.2), (0, 0.05)):  # statements one by one, structures
         seeds = range(first, 80, 4)
         found = [by_templates(Source("p.nc", program(seed))) for seed in seeds]
-        assert sum(made for _, made in found) > least * sum(len(all_) for all_, _ in found)
+        assert sum(made for _, made in found) > minimum * sum(len(all_) for all_, _ in found)
 
 
 def checked(lines: list[str]) -> list[Diagnostic]:

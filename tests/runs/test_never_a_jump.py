@@ -145,11 +145,11 @@ class RandomPlc(Plc):
 def assert_within_limits(run: Run, seed: int) -> None:
     """MO-1: the speed and the acceleration of each axis, tick by tick."""
     assert run.trace is not None
-    for axis, most in HIGHEST.items():
+    for axis, maximum in HIGHEST.items():
         steps = np.diff(run.trace[f"{axis}.ACS.ACT_POS"], prepend=0.0)
         if axis == "A":
             steps = (steps + 180.0) % 360.0 - 180.0
-        assert np.abs(steps).max(initial=0.0) <= most * (1 + 1e-9), (seed, axis)
+        assert np.abs(steps).max(initial=0.0) <= maximum * (1 + 1e-9), (seed, axis)
         changes = np.diff(steps, prepend=0.0)
         assert np.abs(changes).max(initial=0.0) <= HIGHEST_CHANGE * (1 + 1e-6), (seed, axis)
 

@@ -18,7 +18,7 @@ def call(time: int, name: str = "f") -> Call:
 
 @st.composite
 def tasks(
-    draw: st.DrawFn, cpus: int, longest: int, *, ties: bool, least: int = 1
+    draw: st.DrawFn, cpus: int, longest: int, *, ties: bool, minimum: int = 1
 ) -> tuple[Task, ...]:
     """A realtime task, suspendable ones, and maybe external ones."""
     count = draw(st.integers(1, 5))
@@ -40,7 +40,7 @@ def tasks(
             draw(st.sampled_from([1, 1, 2, 3, 4])),
             urgencies[i],
             draw(st.integers(1, cpus)),
-            (call(draw(st.integers(least, longest)), f"f{i}"),),
+            (call(draw(st.integers(minimum, longest)), f"f{i}"),),
         )
         for i, kind in enumerate(kinds)
     )

@@ -36,10 +36,10 @@ def test_percentiles(values: list[int]) -> None:
 
 
 @given(st.lists(st.integers(0, 100_000), min_size=1, max_size=200), st.integers(1, 30))
-def test_bars(values: list[int], most: int) -> None:
+def test_bars(values: list[int], maximum: int) -> None:
     """Each value lies in one bar, bars follow each other, and there are not too many."""
-    bars = counted(values).bars(most)
-    assert 1 <= len(bars) <= max(2, most)
+    bars = counted(values).bars(maximum)
+    assert 1 <= len(bars) <= max(2, maximum)
     for low, high, count in bars:
         assert count == sum(low <= one < high for one in values)
     assert all(one[1] == other[0] for one, other in pairwise(bars))

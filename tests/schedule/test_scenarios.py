@@ -114,7 +114,7 @@ def test_s0a_example_with_little_load() -> None:
     ]
     run = simulate(model, 60)
     assert share(run) == 39.17
-    assert run.windows[0].least == 550 * US
+    assert run.windows[0].minimum == 550 * US
     assert all(one.overflows == one.suspensions == 0 for one in run.tasks)
 
 
@@ -354,7 +354,7 @@ def test_s6_realtime_thread_in_the_time_of_windows() -> None:
     for row in timeline(model, 60):
         assert [name for name, _, _ in row] == [GEO, EXT, "WIN"]
     run = simulate(model, 60)
-    assert (run.windows[0].least, run.windows[0].most) == (100 * US, 100 * US)
+    assert (run.windows[0].minimum, run.windows[0].maximum) == (100 * US, 100 * US)
     assert [numbers(run, name)[:2] for name in (BG, MMI, COM)] == [(59, 0), (19, 0), (29, 0)]
 
 
@@ -376,7 +376,7 @@ def test_s7_external_interrupt(mode: str, at: int, windows: int) -> None:
 
 def test_s8_drift() -> None:
     """S8: over a drifting interrupt the suspension varies by one time_slice."""
-    for mode, low, high, least in (("ticks", 1001, 1500, 503), ("elapsed", 1500, 1999, 4)):
+    for mode, low, high, minimum in (("ticks", 1001, 1500, 503), ("elapsed", 1500, 1999, 4)):
         model = asynchronous(2003, 137, mode)
         run = simulate(model, 2000, record=2000)
         starts = {
@@ -389,14 +389,14 @@ def test_s8_drift() -> None:
                 begin = starts[cycle]
                 offsets.append((one.time - begin) // US)
         assert (min(offsets), max(offsets)) == (low, high)
-        assert run.windows[0].least == least * US
+        assert run.windows[0].minimum == minimum * US
 
 
-@pytest.mark.parametrize(("period", "least"), [(1997, 497), (1600, 137)])
-def test_short_interrupts_break_the_guarantee(period: int, least: int) -> None:
+@pytest.mark.parametrize(("period", "minimum"), [(1997, 497), (1600, 137)])
+def test_short_interrupts_break_the_guarantee(period: int, minimum: int) -> None:
     """Interrupts that come early leave Windows less than windows_time."""
     run = simulate(asynchronous(period, 137), 2000)
-    assert run.windows[0].least == least * US
+    assert run.windows[0].minimum == minimum * US
 
 
 @pytest.mark.parametrize(("period", "cycles"), [(1400, 1334), (1200, 600)])
@@ -454,7 +454,7 @@ def test_s12_windows_takes_the_whole_cycle() -> None:
     run = simulate(model, 60)
     assert {time % 2000 for time, _, _ in suspensions(model, 6)} == {0}
     assert numbers(run, BG)[:2] == (59, 0)
-    assert (run.windows[0].least, run.windows[0].most) == (1400 * US, 1400 * US)
+    assert (run.windows[0].minimum, run.windows[0].maximum) == (1400 * US, 1400 * US)
 
 
 def test_s13_longer_windows_time() -> None:

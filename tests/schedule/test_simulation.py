@@ -53,7 +53,7 @@ def test_simulation_is_that_of_a_scheduler_that_looks_at_each_nanosecond(model: 
         assert found == wanted
     for place, windows in enumerate(run.windows[:-1]):
         shares = [row[place] for row in expected.windows]
-        assert (windows.total, windows.least, windows.most) == (
+        assert (windows.total, windows.minimum, windows.maximum) == (
             sum(shares),
             min(shares),
             max(shares),
@@ -264,8 +264,8 @@ def test_placing_is_that_of_bound_tasks_where_only_one_is_free(model: Model) -> 
     with_idle = replace(model, tasks=(*model.tasks, idle))
     bound, placed = simulate(model, 20), simulate(with_idle, 20)
     assert placed.tasks[:-1] == bound.tasks
-    shares = [(one.total, one.least, one.most) for one in placed.windows]
-    assert shares == [(one.total, one.least, one.most) for one in bound.windows]
+    shares = [(one.total, one.minimum, one.maximum) for one in placed.windows]
+    assert shares == [(one.total, one.minimum, one.maximum) for one in bound.windows]
 
 
 @pytest.mark.parametrize("record", [0, 3])

@@ -126,7 +126,7 @@ def _cover(
     show_at_the_end(lambda file: print(_shown(total, form, options.language), end="", file=file))
     if minimum is not None and total.percent < minimum:
         percent = f"{int(10 * total.percent) / 10:g}"  # rounded down
-        message = diagnostic(COVERAGE_BELOW_MINIMUM, percent=percent, least=f"{minimum:g}")
+        message = diagnostic(COVERAGE_BELOW_MINIMUM, percent=percent, minimum=f"{minimum:g}")
         print_diagnostics([message], options.language)
         return EXIT_NC_ERROR
     return code

@@ -183,7 +183,7 @@ def _skip_levels(text: str) -> tuple[int, ...]:
     words = [word.strip() for word in text.split(",") if word.strip()]
     wrong = [word for word in words if not word.isdecimal() or not 1 <= int(word) <= SKIP_LEVELS]
     if wrong:
-        raise Failure(diagnostic(INVALID_SKIP_OPTION, found=wrong[0], most=SKIP_LEVELS))
+        raise Failure(diagnostic(INVALID_SKIP_OPTION, found=wrong[0], maximum=SKIP_LEVELS))
     return tuple(int(word) for word in words)
 
 

@@ -42,7 +42,7 @@ if TYPE_CHECKING:
 
 _DEFAULT_DURATION = "1s"
 #: Default maximum of NC cycles in pictures and traces.
-_MOST_DRAWN = 60
+_MAX_DRAWN = 60
 
 #: Options for reading a scheduling list, also of ``nctakt check``.
 RTCONF_OPTIONS = (
@@ -316,7 +316,7 @@ def drawn_cycles(model: Model, words: dict[str, Any]) -> int:
     """Return the number of NC cycles in pictures and traces."""
     from nctakt.schedule.simulate import hyperperiod  # noqa: PLC0415
 
-    return words["drawn"] or min(hyperperiod(model), _MOST_DRAWN)
+    return words["drawn"] or min(hyperperiod(model), _MAX_DRAWN)
 
 
 class Outputs:

@@ -73,7 +73,7 @@ def single_axes(configuration: Machine, axes: Axes, record: Record) -> SingleAxe
                 high=axis.software_limit_high,
                 speed=axis.max_speed,
                 acceleration=(
-                    min(slope.least_acceleration, axis.dynamics.max_acceleration)
+                    min(slope.min_acceleration, axis.dynamics.max_acceleration)
                     if has_jerk
                     else axis.max_acceleration
                 ),

@@ -15,7 +15,7 @@ from pathlib import Path
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
 from nctakt.messages.linux_run import LINUX_ONLY, SCHEDULE_RUNNER_MISSING
-from nctakt.schedule.load import MOST_CPUS
+from nctakt.schedule.load import MAX_CPUS
 
 _ONLINE = Path("/sys/devices/system/cpu/online")
 _PRESENT = Path("/sys/devices/system/cpu/present")
@@ -35,7 +35,7 @@ def parse_cpus(text: str) -> tuple[int, ...]:
     for part in text.strip().split(","):
         low, _, high = part.partition("-")
         cpus += range(int(low) + 1, int(high or low) + 2)
-    return tuple(cpu for cpu in cpus if cpu <= MOST_CPUS)
+    return tuple(cpu for cpu in cpus if cpu <= MAX_CPUS)
 
 
 def present_cpus() -> tuple[int, ...]:

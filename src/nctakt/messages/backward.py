@@ -7,15 +7,15 @@ from nctakt.messages.catalogue import error, warning
 
 BACKWARD_MEMORY_TOO_SMALL = warning(
     50450,
-    en="the memory for backward motion ({value} bytes) is too small; {least} bytes are used",
-    de="der Speicher für das Rückwärtsfahren ({value} Byte) ist zu klein; es gelten {least} Byte",
-    remedy_en="Set fb_storage_size to at least {least}, or to 0 if nothing moves backward.",
-    remedy_de="fb_storage_size auf mindestens {least} setzen, oder auf 0, wenn nichts rückwärts "
+    en="the memory for backward motion ({value} bytes) is too small; {minimum} bytes are used",
+    de="der Speicher für das Rückwärtsfahren ({value} Byte) ist zu klein; es gelten {minimum} Byte",
+    remedy_en="Set fb_storage_size to at least {minimum}, or to 0 if nothing moves backward.",
+    remedy_de="fb_storage_size auf mindestens {minimum} setzen, oder auf 0, wenn nichts rückwärts "
     "fährt.",
     cause_en="The history of the path must hold a few blocks in any case.",
     cause_de="Die Historie der Bahn muss in jedem Fall einige Sätze fassen.",
     value=("P-STUP-00033 as written", "P-STUP-00033, wie geschrieben"),
-    least=("the smallest size in bytes", "die kleinste Größe in Byte"),
+    minimum=("the smallest size in bytes", "die kleinste Größe in Byte"),
 )
 BACKWARD_WITHOUT_HISTORY = warning(
     50453,

@@ -261,14 +261,14 @@ G60_WITHOUT_MOTION = error(
 WORD_VALUE_OUT_OF_RANGE = error(
     900847,
     cases=by_word("word", {"M": 21494, "H": 21495}),
-    en="{word}: {value} is not between {least} and {most}",
-    de="{word}: {value} liegt nicht zwischen {least} und {most}",
+    en="{word}: {value} is not between {minimum} and {maximum}",
+    de="{word}: {value} liegt nicht zwischen {minimum} und {maximum}",
     remedy_en="An M or H function passes the PLC a 32-bit whole number.",
     remedy_de="Mit einer M- oder H-Funktion erhält die SPS eine ganze Zahl mit 32 Bit.",
     word=("the word as written", "das Wort, wie geschrieben"),
     value=("the value, rounded", "der Wert, gerundet"),
-    least=("lower limit", "untere Grenze"),
-    most=("upper limit", "obere Grenze"),
+    minimum=("lower limit", "untere Grenze"),
+    maximum=("upper limit", "obere Grenze"),
     reaction=2,
     clearing=3,
 )

@@ -211,12 +211,12 @@ INVALID_EXIST_ARGUMENT = error(
 TOO_MANY_INDICES = error(
     20974,
     known_as=(900139, 20924),
-    en="{name} has more than {most} indices",
-    de="{name} hat mehr als {most} Indizes",
-    remedy_en="Declare an array of at most {most} dimensions.",
-    remedy_de="Ein Feld mit höchstens {most} Dimensionen anlegen.",
+    en="{name} has more than {maximum} indices",
+    de="{name} hat mehr als {maximum} Indizes",
+    remedy_en="Declare an array of at most {maximum} dimensions.",
+    remedy_de="Ein Feld mit höchstens {maximum} Dimensionen anlegen.",
     name=("the variable", "die Variable"),
-    most=("the maximum number of indices", "die größte Anzahl von Indizes"),
+    maximum=("the maximum number of indices", "die größte Anzahl von Indizes"),
 )
 INVALID_ELEMENT_COUNT = error(
     20917,

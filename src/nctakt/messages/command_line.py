@@ -59,10 +59,10 @@ INVALID_SKIP_OPTION = error(
     known_as=(900490,),
     en="{found} is not a skip level",
     de="{found} ist keine Ausblendebene",
-    remedy_en="Levels are whole numbers from 1 to {most}, separated by commas: --skip 1,3",
-    remedy_de="Ebenen sind ganze Zahlen von 1 bis {most}, durch Kommas getrennt: --skip 1,3",
+    remedy_en="Levels are whole numbers from 1 to {maximum}, separated by commas: --skip 1,3",
+    remedy_de="Ebenen sind ganze Zahlen von 1 bis {maximum}, durch Kommas getrennt: --skip 1,3",
     found=("the word as written", "das Wort, wie geschrieben"),
-    most=("the highest level", "die höchste Ebene"),
+    maximum=("the highest level", "die höchste Ebene"),
 )
 UNKNOWN_OPTION = error(
     900907,

@@ -54,11 +54,11 @@ LINEAR_AXES_MISSING = error(
 TOO_MANY_COORDINATE_SYSTEMS = error(
     20826,
     known_as=(900844,),
-    en="more than {most} coordinate systems are stored",
-    de="mehr als {most} Koordinatensysteme sind gespeichert",
+    en="more than {maximum} coordinate systems are stored",
+    de="mehr als {maximum} Koordinatensysteme sind gespeichert",
     remedy_en="Reuse a number, or use #CS ON with values and without a number.",
     remedy_de="Eine Nummer wiederverwenden oder #CS ON mit Werten und ohne Nummer verwenden.",
-    most=("the maximum number", "die größte Anzahl"),
+    maximum=("the maximum number", "die größte Anzahl"),
     reaction=2,
     clearing=3,
 )
@@ -92,11 +92,11 @@ INVALID_COORDINATE_SYSTEM_NAME = error(
     known_as=(21598,),
     en="{name} is not a valid name for a coordinate system",
     de="{name} ist kein gültiger Name für ein Koordinatensystem",
-    remedy_en="Choose another name of up to {most} characters; ACS, IMCS and MCS are reserved.",
-    remedy_de="Einen anderen Namen mit bis zu {most} Zeichen wählen; ACS, IMCS und MCS sind "
+    remedy_en="Choose another name of up to {maximum} characters; ACS, IMCS and MCS are reserved.",
+    remedy_de="Einen anderen Namen mit bis zu {maximum} Zeichen wählen; ACS, IMCS und MCS sind "
     "reserviert.",
     name=("the name as written", "der Name, wie geschrieben"),
-    most=("upper limit", "obere Grenze"),
+    maximum=("upper limit", "obere Grenze"),
     reaction=2,
     clearing=3,
 )
@@ -105,11 +105,11 @@ COORDINATE_SYSTEM_NOT_ADDED = error(
     known_as=(900930, 21600),
     en="#CS ADD [{name}]: the name is taken, or the stack is full",
     de="#CS ADD [{name}]: der Name ist vergeben, oder der Stapel ist voll",
-    remedy_en="Up to {most} systems with different names can be stacked. Present: {known}",
-    remedy_de="Bis zu {most} Systeme mit verschiedenen Namen können gestapelt sein. Vorhanden: "
+    remedy_en="Up to {maximum} systems with different names can be stacked. Present: {known}",
+    remedy_de="Bis zu {maximum} Systeme mit verschiedenen Namen können gestapelt sein. Vorhanden: "
     "{known}",
     name=("the name as written", "der Name, wie geschrieben"),
-    most=("upper limit", "obere Grenze"),
+    maximum=("upper limit", "obere Grenze"),
     known=("the coordinate systems on the stack", "die Koordinatensysteme auf dem Stapel"),
     reaction=2,
     clearing=3,

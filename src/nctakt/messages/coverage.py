@@ -30,12 +30,12 @@ COVERAGE_COUNTS_DROPPED = warning(
 )
 COVERAGE_BELOW_MINIMUM = error(
     900803,
-    en="{percent} % of the branches ran; at least {least} % are required",
-    de="{percent} % der Zweige sind gelaufen; mindestens {least} % sind verlangt",
+    en="{percent} % of the branches ran; at least {minimum} % are required",
+    de="{percent} % der Zweige sind gelaufen; mindestens {minimum} % sind verlangt",
     remedy_en="Add runs in which the branches marked with ! run.",
     remedy_de="Läufe ergänzen, in denen die mit ! markierten Zweige laufen.",
     percent=("the share of branches that ran", "der Anteil der Zweige, die liefen"),
-    least=("the value of --fail-under", "der Wert von --fail-under"),
+    minimum=("the value of --fail-under", "der Wert von --fail-under"),
 )
 UNKNOWN_COVERAGE_FORMAT = error(
     900804,

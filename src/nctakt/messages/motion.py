@@ -23,13 +23,13 @@ ARC_WITHOUT_CENTRE = error(
 ARC_RADIUS_TOO_SMALL = error(
     20033,
     known_as=(900701, 20034),
-    en="no arc of radius {radius} leads to this target; it must be at least {least}",
-    de="kein Kreisbogen mit Radius {radius} führt zu diesem Ziel; nötig ist mindestens {least}",
+    en="no arc of radius {radius} leads to this target; it must be at least {minimum}",
+    de="kein Kreisbogen mit Radius {radius} führt zu diesem Ziel; nötig ist mindestens {minimum}",
     remedy_en="Program a larger radius, or the centre. A full circle needs its centre.",
     remedy_de="Einen größeren Radius oder den Mittelpunkt programmieren. Ein Vollkreis braucht "
     "seinen Mittelpunkt.",
     radius=("the radius in mm", "der Radius in mm"),
-    least=("half the distance to the target in mm", "der halbe Abstand zum Ziel in mm"),
+    minimum=("half the distance to the target in mm", "der halbe Abstand zum Ziel in mm"),
     reaction=2,
     clearing=3,
 )

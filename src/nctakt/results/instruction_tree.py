@@ -68,9 +68,9 @@ class ListedCycle:
 def list_cycle(definition: CycleDefinition) -> ListedCycle:
     """Return the listing of a cycle."""
     lister = _Lister(definition.frozen)
-    most = lister.sequence(definition.statement.body, 0)
+    maximum = lister.sequence(definition.statement.body, 0)
     text = next(print_statement(dataclasses.replace(definition.statement, body=())))
-    return ListedCycle(text, definition.span, tuple(lister.listed), most, definition.frozen)
+    return ListedCycle(text, definition.span, tuple(lister.listed), maximum, definition.frozen)
 
 
 class _Lister:
@@ -99,15 +99,15 @@ class _Lister:
         """Add all branches and return the cost of the most expensive one with all conditions."""
         frequency = f" {statement.frequency}" if statement.frequency else ""
         asked = self._condition(statement.span, depth, f"$IF{frequency}", statement.condition)
-        most = asked + self.sequence(statement.body, depth + 1)
+        maximum = asked + self.sequence(statement.body, depth + 1)
         for branch in statement.elseifs:
             asked += self._condition(branch.span, depth, "$ELSEIF", branch.condition)
-            most = max(most, asked + self.sequence(branch.body, depth + 1))
+            maximum = max(maximum, asked + self.sequence(branch.body, depth + 1))
         if statement.else_body is not None:
             assert statement.else_span is not None
             self._add(statement.else_span, depth, "$ELSE", iter(()))
             asked += self.sequence(statement.else_body, depth + 1)
-        return max(most, asked)
+        return max(maximum, asked)
 
     def _condition(self, span: Span, depth: int, word: str, condition: tree.Expression) -> int:
         text = f"{word} {format_expression(condition)}"

@@ -17,8 +17,9 @@ from nctakt.trace.events import number_text
 
 _HEAD = Text("Realtime cycle {name}, {position}", "Echtzeit-Zyklus {name}, {position}")
 _SIZE = Text(
-    "elementary instructions: {count}, in one run-through at most {most}; memory: {bytes} bytes",
-    "Elementar-Anweisungen: {count}, in einem Durchlauf höchstens {most}; Speicher: {bytes} Byte",
+    "elementary instructions: {count}, in one run-through at most {maximum}; memory: {bytes} bytes",
+    "Elementar-Anweisungen: {count}, in einem Durchlauf höchstens {maximum}; Speicher: {bytes} "
+    "Byte",
 )
 _FROZEN = Text("frozen when it was decoded: {values}", "beim Dekodieren eingefroren: {values}")
 _FROZEN_VALUE = Text("{name} = {value} (line {line})", "{name} = {value} (Zeile {line})")
@@ -40,7 +41,7 @@ class Listing:
         cycle = list_cycle(definition)
         position = f"{cycle.span.file}:{cycle.span.line}"
         yield self._text(_HEAD, name=name, position=position)
-        counts = {"count": cycle.count, "most": cycle.max_count, "bytes": memory_bytes}
+        counts = {"count": cycle.count, "maximum": cycle.max_count, "bytes": memory_bytes}
         yield _STEP + self._text(_SIZE, **counts)
         if cycle.frozen:
             yield _STEP + self._text(_FROZEN, values=self._frozen(cycle))

@@ -39,7 +39,7 @@ from nctakt.kernel.kernel import Kernel
 from nctakt.kernel.plc.image_slots import SectionUnits, SpindleUnits, Units
 from nctakt.kernel.plc.interface_image import KINDS
 from nctakt.kernel.tick.channel import Channel
-from nctakt.lists.declared.technology_functions import MOST_FUNCTIONS, TechnologyFunction
+from nctakt.lists.declared.technology_functions import MAX_FUNCTIONS, TechnologyFunction
 from nctakt.lists.machine.channel_configuration import Spindle
 from nctakt.lists.machine.machine import ChannelConfiguration, Machine
 from nctakt.lists.machine.variables_layout import fields, pack_of
@@ -355,7 +355,7 @@ def _axes_of(
     """Return the logical number of the axis or spindle of each function by its number, 0: none."""
     numbers = {axis.name: axis.logical_number for axis in channel.axes}
     numbers |= {spindle.name: spindle.logical_number for spindle in channel.parameters.spindles}
-    table = bytearray(8 * MOST_FUNCTIONS)
+    table = bytearray(8 * MAX_FUNCTIONS)
     for function in functions.values():
         logical = numbers.get(function.axis_name, 0)
         struct.pack_into("=q", table, 8 * function.number, logical)

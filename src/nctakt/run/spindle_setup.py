@@ -38,7 +38,7 @@ def channel_spindles(
         jerk = slope.jerk if is_jerk_limited else 0.0
         acceleration = axis.max_acceleration
         if jerk > 0.0:
-            acceleration = min(slope.least_acceleration, axis.dynamics.max_acceleration)
+            acceleration = min(slope.min_acceleration, axis.dynamics.max_acceleration)
         speed = axis.max_speed
         realtime.configure(column, plc=False, speed=speed, acceleration=acceleration, jerk=jerk)
     return realtime

@@ -166,5 +166,5 @@ def _analyse_cpu(search: ResponseSearch, cpu: int, tasks: tuple[TaskAnalysis, ..
         model.tasks[i].kind is TaskClass.ASYNCHRONOUS and model.tasks[i].calls for i in own
     )
     is_late = has_suspendable and search.offsets.latest > max(0, begin)
-    share = search.supply.least_per_cycle / distance
+    share = search.supply.min_per_cycle / distance
     return CpuAnalysis(cpu, demand, share, intruders, is_late)

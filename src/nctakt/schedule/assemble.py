@@ -42,7 +42,7 @@ from nctakt.schedule.model import (
 )
 
 #: More calls in one activation than this are not simulated.
-MOST_CALLS = 10_000
+MAX_CALLS = 10_000
 
 _OFFLINE = Text("it is offline or not available", "sie ist abgeschaltet oder nicht verfügbar")
 
@@ -197,9 +197,9 @@ class _Assembly:
 
     def _calls(self, thread: SchedulerThread) -> tuple[Call, ...]:
         count = sum(function.calls_per_cycle for function in thread.functions)
-        if count > MOST_CALLS:
+        if count > MAX_CALLS:
             self._collector.report(
-                CALL_COUNT_NOT_SIMULATED, None, thread=thread.name, count=count, limit=MOST_CALLS
+                CALL_COUNT_NOT_SIMULATED, None, thread=thread.name, count=count, limit=MAX_CALLS
             )
             return ()
         rounds = max((function.calls_per_cycle for function in thread.functions), default=0)

@@ -63,7 +63,7 @@ class WindowsComparison:
 
     cpu: int
     shares: tuple[float | None, float | None]
-    least: tuple[int | None, int | None]
+    minimum: tuple[int | None, int | None]
     verdict: Verdict
 
 
@@ -147,7 +147,7 @@ def _windows(first: Simulation, second: Simulation) -> Iterator[WindowsCompariso
         yield WindowsComparison(
             cpu,
             (_share(first, one), _share(second, other)),
-            (None if one is None else one.least, None if other is None else other.least),
+            (None if one is None else one.minimum, None if other is None else other.minimum),
             verdict,
         )
 
@@ -155,7 +155,7 @@ def _windows(first: Simulation, second: Simulation) -> Iterator[WindowsCompariso
 def _lack(run: Simulation, windows: WindowsNumbers) -> tuple[float, float, float]:
     """Return what is the better for Windows, the smaller it is."""
     share = windows.total / run.duration
-    return windows.violated / run.cycles, -windows.least / run.model.cycle, -share
+    return windows.violated / run.cycles, -windows.minimum / run.model.cycle, -share
 
 
 def _share(run: Simulation, windows: WindowsNumbers | None) -> float | None:

@@ -78,7 +78,7 @@ def _windows(comparison: Comparison, language: Language) -> list[str]:
         [
             f"CPU {windows.cpu}" if windows.cpu else Text("sum", "Summe").get(language),
             *(NONE if share is None else f"{100 * share:.2f}" for share in windows.shares),
-            *(NONE if least is None else us(least) for least in windows.least),
+            *(NONE if minimum is None else us(minimum) for minimum in windows.minimum),
             _VERDICTS[windows.verdict].get(language),
         ]
         for windows in comparison.windows
@@ -111,7 +111,7 @@ def comparison_document(comparison: Comparison, first: Side, second: Side) -> Do
                 "share_pct": [
                     None if share is None else round(100 * share, 3) for share in windows.shares
                 ],
-                "min_us": [None if time is None else time / NS_PER_US for time in windows.least],
+                "min_us": [None if time is None else time / NS_PER_US for time in windows.minimum],
                 "verdict": windows.verdict.value,
             }
             for windows in comparison.windows

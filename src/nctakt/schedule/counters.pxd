@@ -17,8 +17,8 @@ cdef class Counters:
     cdef long long[::1] _response_max
     cdef long long[::1] _first_overflow
     cdef long long[::1] _total
-    cdef long long[::1] _least
-    cdef long long[::1] _most
+    cdef long long[::1] _min
+    cdef long long[::1] _max
     cdef long long[::1] _violated
     cdef long long[::1] _late
     cdef list _culprits

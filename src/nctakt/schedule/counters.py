@@ -42,8 +42,8 @@ class Counters:
         self._response_max = _numbers(count, _NONE)
         self._first_overflow = _numbers(count, _NONE)
         self._total = _numbers(places)
-        self._least = _numbers(places, _NONE)
-        self._most = _numbers(places, _NONE)
+        self._min = _numbers(places, _NONE)
+        self._max = _numbers(places, _NONE)
         self._violated = _numbers(places)
         self._late = _numbers(places)
         self._culprits = [_numbers(count) for _ in range(places)]
@@ -163,9 +163,9 @@ class Counters:
 
     def _share(self, column: int, share: int) -> None:
         self._total[column] += share
-        self._most[column] = max(self._most[column], share)
-        if share < self._least[column] or self._least[column] == _NONE:
-            self._least[column] = share
+        self._max[column] = max(self._max[column], share)
+        if share < self._min[column] or self._min[column] == _NONE:
+            self._min[column] = share
 
     @property
     def missed(self) -> int:
@@ -203,8 +203,8 @@ class Counters:
             WindowsNumbers(
                 cpu,
                 self._total[column],
-                self._least[column],
-                self._most[column],
+                self._min[column],
+                self._max[column],
                 self._violated[column],
                 tuple(self._culprits[column]),
                 self._late[column],

@@ -165,9 +165,9 @@ def _windows(run: Simulation, windows: WindowsNumbers) -> Document:
     return {
         "cpu": windows.cpu or None,
         "share_pct": round(100 * windows.total / run.duration, 3),
-        "min_us": _us(windows.least),
+        "min_us": _us(windows.minimum),
         "mean_us": _us(rounded_mean(windows.total, run.cycles)),
-        "max_us": _us(windows.most),
+        "max_us": _us(windows.maximum),
         "cycles_below": windows.violated,
         "late_suspensions": windows.late,
         "culprits": {

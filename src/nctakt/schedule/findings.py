@@ -59,7 +59,7 @@ def simulation_findings(run: Simulation, foreign: Container[int] = ()) -> Iterat
                 who=culprits(run.model, windows),
             )
     longest = [numbers.response_max or 0 for numbers in run.tasks]
-    yield from _without_windows_time(run.model, longest, run.windows[-1].least)
+    yield from _without_windows_time(run.model, longest, run.windows[-1].minimum)
 
 
 def starvation_findings(run: Simulation, foreign: Container[int] = ()) -> Iterator[Diagnostic]:
@@ -91,7 +91,7 @@ def culprits(model: Model, windows: WindowsNumbers) -> str:
     return ", ".join(names)
 
 
-def _without_windows_time(model: Model, responses: list[int], least: int) -> Iterator[Diagnostic]:
+def _without_windows_time(model: Model, responses: list[int], minimum: int) -> Iterator[Diagnostic]:
     """Without guaranteed time all threads should finish in each cycle."""
     if model.windows:
         return
@@ -103,7 +103,7 @@ def _without_windows_time(model: Model, responses: list[int], least: int) -> Ite
             )
             yield diagnostic(WINDOWS_WITHOUT_GUARANTEE, what=reason)
             return
-    if least == 0:
+    if minimum == 0:
         reason = Text("Windows gets no time in some cycles", "Windows bekommt manchmal keine Zeit")
         yield diagnostic(WINDOWS_WITHOUT_GUARANTEE, what=reason)
 

@@ -129,11 +129,11 @@ def _interesting(run: Simulation) -> Iterator[int]:
                 longest[event.task] = (event.value, event.time)
     yield from first_overflow.values()
     for cpu in run.model.windows_cpus:
-        yield _least_windows(run, cpu)
+        yield _min_windows(run, cpu)
     yield from (time - response for response, time in longest.values())
 
 
-def _least_windows(run: Simulation, cpu: int) -> int:
+def _min_windows(run: Simulation, cpu: int) -> int:
     """Return the begin of the recorded cycle in which Windows has the least time."""
     events = run.record.events
     begins = [event.time for event in events if event.kind is EventKind.INTERRUPT]

@@ -49,7 +49,7 @@ from nctakt.schedule.model import NO_OVERHEADS, NS_PER_US, PARTS, Execution, Ove
 #: The longest time that a load can name, in µs: that of UNS32, as for the list.
 LONGEST_US = 2**32 - 2
 #: The most processors: those that ``thread[i].cpu`` can name.
-MOST_CPUS = 8
+MAX_CPUS = 8
 
 _TIME = Text(
     'a time in µs, 0 or more, or a text such as "1.5 ms"',
@@ -65,10 +65,10 @@ _SIGNED = Text(
     'a time in µs or a text such as "-1.5 ms"', 'eine Zeit in µs oder ein Text wie "-1.5 ms"'
 )
 _NUMBER = Text("an integer", "eine ganze Zahl")
-_CPU = Text(f"a number from 1 to {MOST_CPUS}", f"eine Zahl von 1 bis {MOST_CPUS}")
+_CPU = Text(f"a number from 1 to {MAX_CPUS}", f"eine Zahl von 1 bis {MAX_CPUS}")
 _CPUS = Text(
-    f"a list of different numbers from 1 to {MOST_CPUS}",
-    f"eine Liste verschiedener Zahlen von 1 bis {MOST_CPUS}",
+    f"a list of different numbers from 1 to {MAX_CPUS}",
+    f"eine Liste verschiedener Zahlen von 1 bis {MAX_CPUS}",
 )
 _NAME = Text("a name", "ein Name")
 _TABLE = Text("a table", "eine Tabelle")
@@ -321,4 +321,4 @@ def _nanoseconds(entry: Any) -> int | None:
 
 
 def _is_cpu(entry: Any) -> bool:
-    return isinstance(entry, int) and not isinstance(entry, bool) and 1 <= entry <= MOST_CPUS
+    return isinstance(entry, int) and not isinstance(entry, bool) and 1 <= entry <= MAX_CPUS

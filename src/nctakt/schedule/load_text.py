@@ -52,11 +52,11 @@ def _line(key: str, times: Sequence[int], form: TimesForm) -> str:
 
 
 def _value(times: Sequence[int], form: TimesForm) -> str:
-    least, longest = min(times), max(times)
-    if least == longest or form == "longest":
+    minimum, longest = min(times), max(times)
+    if minimum == longest or form == "longest":
         return us(longest)
     if form == "uniform":
-        return f"{{ uniform = [{us(least)}, {us(longest)}] }}"
+        return f"{{ uniform = [{us(minimum)}, {us(longest)}] }}"
     return f"[{', '.join(us(time) for time in times[:MAX_LISTED])}]"
 
 

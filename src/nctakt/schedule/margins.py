@@ -206,8 +206,8 @@ def with_cycle(model: Model, cycle: int) -> Model:
 
 
 def _cycle_time(model: Model) -> int | None:
-    least, most = 1, _MAX_CYCLES * model.cycle // model.slice
+    minimum, maximum = 1, _MAX_CYCLES * model.cycle // model.slice
     less = _greatest(
-        lambda less: _fits(with_cycle(model, (most - less) * model.slice)), most - least
+        lambda less: _fits(with_cycle(model, (maximum - less) * model.slice)), maximum - minimum
     )
-    return None if less is None else (most - less) * model.slice
+    return None if less is None else (maximum - less) * model.slice

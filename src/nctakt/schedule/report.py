@@ -157,8 +157,8 @@ def _phase_report(
     for i, task in enumerate(run.model.tasks):
         for name, value in (("R max", _longest), (_OVERFLOWS.get(language), _overflows)):
             rows.append([task.name, name, *(value(simulation.tasks[i]) for simulation in runs)])
-    least = [us(simulation.windows[-1].least) for simulation in runs]
-    rows.append(["Windows", Text("least", "kleinste").get(language), *least])
+    minimum = [us(simulation.windows[-1].minimum) for simulation in runs]
+    rows.append(["Windows", Text("least", "kleinste").get(language), *minimum])
     return [*lines, *table([heads, "µs", *columns], rows, left=2)]
 
 
@@ -202,12 +202,12 @@ def _permille(value: int) -> str:
 
 
 def _histogram(bars: list[tuple[int, int, int]]) -> list[str]:
-    most = max(count for _, _, count in bars)
+    maximum = max(count for _, _, count in bars)
     names = [f"{us(low)} …" for low, _, _ in bars]
     width = max(len(name) for name in names)
-    digits = len(str(most))
+    digits = len(str(maximum))
     return [
-        f"  {name:>{width}}  {count:>{digits}}  {'█' * -(-_BAR_LENGTH * count // most)}".rstrip()
+        f"  {name:>{width}}  {count:>{digits}}  {'█' * -(-_BAR_LENGTH * count // maximum)}".rstrip()
         for name, (_, _, count) in zip(names, bars, strict=True)
     ]
 
@@ -266,9 +266,9 @@ def _windows_table(run: Simulation, language: Language) -> list[str]:
         [
             f"CPU {numbers.cpu}" if numbers.cpu else Text("sum", "Summe").get(language),
             f"{100 * numbers.total / run.duration:.2f}",
-            us(numbers.least),
+            us(numbers.minimum),
             us(rounded_mean(numbers.total, run.cycles)),
-            us(numbers.most),
+            us(numbers.maximum),
             str(numbers.violated) if run.model.windows else NONE,
             culprits(run.model, numbers) or NONE,
         ]

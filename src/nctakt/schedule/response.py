@@ -126,10 +126,10 @@ class ResponseSearch:
             return True
         # What cannot be suspended must be over when the others are.
         in_time = {
-            k: (response or 0) <= self.supply.least_per_cycle for k, response in responses.items()
+            k: (response or 0) <= self.supply.min_per_cycle for k, response in responses.items()
         }
         if model.tasks[i].kind is not TaskClass.ASYNCHRONOUS:
-            return time <= self.supply.least_per_cycle and all(in_time.values())
+            return time <= self.supply.min_per_cycle and all(in_time.values())
         fixed = [k for k in others if model.tasks[k].kind is not TaskClass.ASYNCHRONOUS]
         return all(in_time[k] for k in fixed)
 
@@ -169,7 +169,7 @@ class _BusyTime:
     def longest_response(self) -> int | None:
         """Return the longest response of all jobs of the busy time; ``None``: no bound."""
         search, task = self._search, self._task
-        if self._is_suspendable and not search.supply.least_per_cycle:
+        if self._is_suspendable and not search.supply.min_per_cycle:
             return None
         if any(self._pending[k] is None for k in self._fixed):
             return None
@@ -195,7 +195,7 @@ class _BusyTime:
 
     def _end(self, own: int, jobs: int, start: int, limit: int | None) -> int | None:
         """Return when ``own`` work is done, from the begin of the busy time on."""
-        time = max(start, self._least_end(own))
+        time = max(start, self._min_end(own))
         while self._steps < MAX_STEPS:
             self._steps += 1
             needed = self._needed(own, jobs, time)
@@ -211,10 +211,10 @@ class _BusyTime:
         supply = self._search.supply
         fixed = self._work_of(self._fixed, time) + self._switching(jobs, time)
         if self._is_behind:
-            most = supply.most(time)
+            maximum = supply.maximum(time)
             if all(self._pending[k] is not None for k in self._suspendable):
-                most = min(most, self._work_of(self._suspendable, time))
-            return own + fixed + most
+                maximum = min(maximum, self._work_of(self._suspendable, time))
+            return own + fixed + maximum
         amount = own + fixed + self._work_of(self._suspendable, time)
         return supply.moment(amount) if self._is_suspendable else amount
 
@@ -248,7 +248,7 @@ class _BusyTime:
         """Return the share of the time that more urgent tasks need, and that there is for all."""
         model = self._search.model
         distance = model.train.distance
-        supply = self._search.supply.least_per_cycle / distance
+        supply = self._search.supply.min_per_cycle / distance
         switching = model.overheads.switch * self._losers() / distance
         fixed = self._rate_of(self._fixed) + switching
         suspendable = self._rate_of(self._suspendable)
@@ -269,11 +269,11 @@ class _BusyTime:
         demand, supply = self._rates()
         return demand + self._rate_of([self._i]) > supply * 1.000_001
 
-    def _least_end(self, own: int) -> int:
+    def _min_end(self, own: int) -> int:
         """Return a time before which the work cannot be done: at the rate that others leave."""
         demand, supply = self._rates()
         if self._is_suspendable:
-            own -= self._search.supply.least_per_cycle
+            own -= self._search.supply.min_per_cycle
         return max(1, int(own / (supply - demand) * 0.999_999)) if supply > demand else 1
 
     def _hyperperiod(self) -> int:

@@ -38,7 +38,7 @@ class ResponseCounts:
                 return response + self.resolution - 1
         return None
 
-    def bars(self, most: int) -> list[tuple[int, int, int]]:
+    def bars(self, maximum: int) -> list[tuple[int, int, int]]:
         """Return at most so many bars of equal width: from, below, how many jobs.
 
         Widths are 1, 2 or 5 times a power of ten; bars without jobs between others are there.
@@ -46,8 +46,8 @@ class ResponseCounts:
         if not self.counts:
             return []
         first, last = self.counts[0][0], self.counts[-1][0]
-        width = _round_width(max(1, self.resolution, -(-(last - first + 1) // most)))
-        while last // width - first // width >= most:
+        width = _round_width(max(1, self.resolution, -(-(last - first + 1) // maximum)))
+        while last // width - first // width >= maximum:
             width = _round_width(width + 1)
         low = first // width
         bars = [0] * (last // width - low + 1)

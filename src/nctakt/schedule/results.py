@@ -56,8 +56,8 @@ class WindowsNumbers:
 
     cpu: int
     total: int
-    least: int
-    most: int
+    minimum: int
+    maximum: int
     violated: int
     culprits: tuple[int, ...]
     late: int

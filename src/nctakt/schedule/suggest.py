@@ -213,9 +213,9 @@ class _Search:
     @staticmethod
     def _windows_times(configuration: RtconfConfiguration) -> Iterator[RtconfConfiguration]:
         slice_, present = configuration.time_slice_us, configuration.windows_time_us
-        most = configuration.cycle_time_us // slice_
-        step = -(-most // _MAX_WINDOWS)
-        for slices in range(0, most, step):
+        maximum = configuration.cycle_time_us // slice_
+        step = -(-maximum // _MAX_WINDOWS)
+        for slices in range(0, maximum, step):
             if slices * slice_ != present:
                 yield replace(configuration, windows_time_us=slices * slice_)
 

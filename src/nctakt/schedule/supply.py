@@ -71,16 +71,16 @@ class Supply:
         self._latest = offsets.latest
 
     @property
-    def least_per_cycle(self) -> int:
+    def min_per_cycle(self) -> int:
         """The least time of a cycle of the mean length."""
         return min(self._earliest, self._distance)
 
     def moment(self, amount: int) -> int:
         """Return the latest time by which there is ``amount`` (> 0); needs a supply at all."""
-        cycles = self._most_cycles_below(amount)
+        cycles = self._max_cycles_below(amount)
         return amount + self._longest_loss(cycles)
 
-    def most(self, length: int) -> int:
+    def maximum(self, length: int) -> int:
         """Return the most that there can be within ``length``."""
         cycles, rest = divmod(length + self._spread, self._distance)
         return min(length, cycles * self._latest + min(rest, self._latest))
@@ -91,8 +91,8 @@ class Supply:
         Two long ones never follow each other without a short one between them, nor two short ones
         without a long one. The loss of a cycle is convex in its length, so nothing loses more.
         """
-        most = (cycles + 1) // 2
-        return most, max(0, most - 1), cycles - 2 * most + 1 if cycles else 0
+        maximum = (cycles + 1) // 2
+        return maximum, max(0, maximum - 1), cycles - 2 * maximum + 1 if cycles else 0
 
     def _longest_loss(self, cycles: int) -> int:
         """Return the most that as many whole cycles keep from suspendable threads."""
@@ -106,20 +106,20 @@ class Supply:
     def _loss(self, length: int) -> int:
         return max(0, length - self._earliest)
 
-    def _least(self, cycles: int) -> int:
+    def _min(self, cycles: int) -> int:
         """Return the least time of as many whole cycles."""
         short, long, usual = self._lengths(cycles)
         return (
             long * min(self._earliest, self._distance + self._spread)
             + short * min(self._earliest, self._distance - self._spread)
-            + usual * self.least_per_cycle
+            + usual * self.min_per_cycle
         )
 
-    def _most_cycles_below(self, amount: int) -> int:
+    def _max_cycles_below(self, amount: int) -> int:
         """Return how many whole cycles can have less than ``amount``, at most."""
         shortest, longest = self._distance - self._spread, self._distance + self._spread
         of_two = min(self._earliest, shortest) + min(self._earliest, longest)
         cycles = 2 * ((amount - 1) // of_two)
-        while self._least(cycles + 1) < amount:
+        while self._min(cycles + 1) < amount:
             cycles += 1
         return cycles

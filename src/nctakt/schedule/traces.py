@@ -33,7 +33,7 @@ from nctakt.schedule.tracebits import BITS, calls_of, trace_bits
 GAP = 1000
 
 #: More timer interrupts than this are left out.
-MOST_TICKS = 100_000
+MAX_TICKS = 100_000
 
 _EVENT_ORDER = ("END", "SUSPEND", "NC", "RESUME", "RELEASE", "OVERFLOW", "TICK", "RUN", "WINDOWS")
 
@@ -85,7 +85,7 @@ def _variables(run: Simulation) -> Iterator[VcdVariable]:
 def _ticks(run: Simulation) -> range:
     """The timer interrupts of the record; none where they are too many."""
     ticks = tick_times(run.model, run.record.begin, run.record.end)
-    return ticks if len(ticks) <= MOST_TICKS else range(0)
+    return ticks if len(ticks) <= MAX_TICKS else range(0)
 
 
 def write_perfetto(run: Simulation, path: Path) -> None:

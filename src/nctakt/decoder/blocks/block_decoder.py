@@ -37,7 +37,7 @@ from nctakt.decoder.state.uncertain_axes import UncertainAxes
 from nctakt.decoder.values.variables import Values
 from nctakt.kernel import codes
 from nctakt.kernel.base import arithmetic
-from nctakt.lists.declared.offsets import MOST_GROUPS
+from nctakt.lists.declared.offsets import MAX_GROUPS
 from nctakt.messages.backward import EDGE_BANDING_NOT_SIMULATED
 from nctakt.messages.decoder import INVALID_DWELL_TIME
 from nctakt.messages.fixed_stops import FIXED_STOP_WITHOUT_MOTION
@@ -272,8 +272,8 @@ class BlockDecoder:
         none.
         """
         group = arithmetic.round_half_even(value)
-        if not 0 <= group < MOST_GROUPS:
-            self._values.fail(UNKNOWN_ZERO_OFFSET, word.span, group=value, highest=MOST_GROUPS - 1)
+        if not 0 <= group < MAX_GROUPS:
+            self._values.fail(UNKNOWN_ZERO_OFFSET, word.span, group=value, highest=MAX_GROUPS - 1)
         content.zero_group = int(group)
 
     def _offsets(self, content: _BlockContent, source: int, number: int) -> Iterator[Command]:

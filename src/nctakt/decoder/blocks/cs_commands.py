@@ -88,7 +88,11 @@ class CsCommands:
         if command.name in self._stack or len(self._stack) >= MAX_STORED:
             names = ", ".join(self._stack)
             self._values.fail(
-                COORDINATE_SYSTEM_NOT_ADDED, span, name=command.name, most=MAX_STORED, known=names
+                COORDINATE_SYSTEM_NOT_ADDED,
+                span,
+                name=command.name,
+                maximum=MAX_STORED,
+                known=names,
             )
         assert command.components is not None
         self._stack[command.name] = yield from self._evaluated(command.components, number)
@@ -143,7 +147,7 @@ class CsCommands:
                 return components
             identity = next(free for free in range(1, 7) if free not in self._stored)
         if identity not in self._stored and len(self._stored) >= MAX_STORED:
-            self._values.fail(TOO_MANY_COORDINATE_SYSTEMS, span, most=MAX_STORED)
+            self._values.fail(TOO_MANY_COORDINATE_SYSTEMS, span, maximum=MAX_STORED)
         self._stored[identity] = components
         self._latest = identity
         return components

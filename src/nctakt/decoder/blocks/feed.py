@@ -158,7 +158,7 @@ class FeedRate:
             self._need(feed_state.share_pct, span)
             if feed_state.share_pct > MAX_SHARE_PCT:
                 self._values.fail(
-                    G194_ABOVE_MAX_FEED, span, value=feed_state.share_pct, most=MAX_SHARE_PCT
+                    G194_ABOVE_MAX_FEED, span, value=feed_state.share_pct, maximum=MAX_SHARE_PCT
                 )
             return self._max_axis_feed(start, target, arc) * feed_state.share_pct / 100.0, -1, 0.0
         self._need(self._state.feed_mm_s, span)

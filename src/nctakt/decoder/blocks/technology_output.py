@@ -67,8 +67,8 @@ def _plc_value(values: Values, word: Word, number: int, value: float) -> int:
             word.span,
             word=f"{word.name}{number}",
             value=whole,
-            least=MIN_VALUE,
-            most=MAX_VALUE,
+            minimum=MIN_VALUE,
+            maximum=MAX_VALUE,
         )
     return whole
 

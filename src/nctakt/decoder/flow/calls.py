@@ -139,13 +139,13 @@ class Calls:
 
     def _jumps(self, value: float, span: Span) -> int | None:
         """Return the number of calls to return over, ``None`` for all where fewer are open."""
-        most = len(self._values.state.call_stack.frames) - 1
+        maximum = len(self._values.state.call_stack.frames) - 1
         if value < 1 or value != int(value):
             self._values.fail(
-                INVALID_KEYWORD_VALUE, span, word="JUMPS", value=value, names=f"1 … {most}"
+                INVALID_KEYWORD_VALUE, span, word="JUMPS", value=value, names=f"1 … {maximum}"
             )
-        if value > most:
-            self._values.warn(TOO_FEW_OPEN_CALLS, span, count=int(value), most=most)
+        if value > maximum:
+            self._values.warn(TOO_FEW_OPEN_CALLS, span, count=int(value), maximum=maximum)
             return None
         return int(value)
 

@@ -77,8 +77,8 @@ class HashCommands:
             assert keyword.value is not None
             identity = yield from self._values.evaluate(keyword.value, number)
             if not 0 <= identity == int(identity) < TIMERS:
-                most = TIMERS - 1
-                self._values.fail(UNKNOWN_TIMER, keyword.value.span, id=identity, most=most)
+                maximum = TIMERS - 1
+                self._values.fail(UNKNOWN_TIMER, keyword.value.span, id=identity, maximum=maximum)
         index = int(identity)
         timers = self._environment.controller_data.timers
         if not timer.options:

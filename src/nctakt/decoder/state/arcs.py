@@ -106,11 +106,11 @@ def arc_of_radius(
     x, y = target[first] - start[first], target[second] - start[second]
     chord = _length(x, y)
     if chord == 0.0 or radius == 0.0:
-        raise ArcError(ARC_RADIUS_TOO_SMALL, radius=radius, least=chord / 2.0)
+        raise ArcError(ARC_RADIUS_TOO_SMALL, radius=radius, minimum=chord / 2.0)
     height2 = radius * radius - chord * chord / 4.0
     if height2 < 0.0:
         if chord / 2.0 - abs(radius) > RADIUS_TOLERANCE_MM:
-            raise ArcError(ARC_RADIUS_TOO_SMALL, radius=radius, least=chord / 2.0)
+            raise ArcError(ARC_RADIUS_TOO_SMALL, radius=radius, minimum=chord / 2.0)
         height2 = 0.0
     height = arithmetic.square_root(height2) / chord
     if clockwise != (radius < 0.0):

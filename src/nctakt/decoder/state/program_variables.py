@@ -60,7 +60,9 @@ class ProgramVariable:
     def __post_init__(self) -> None:
         count = prod(self.dimensions)
         if count > MAX_ELEMENTS:
-            raise VariableError(TOO_MANY_ELEMENTS, name=self.name, count=count, most=MAX_ELEMENTS)
+            raise VariableError(
+                TOO_MANY_ELEMENTS, name=self.name, count=count, maximum=MAX_ELEMENTS
+            )
         self.values = ["" if self.type == "STRING" else 0.0] * count
 
     def element(self, indices: Sequence[int]) -> int:

@@ -19,7 +19,7 @@ from nctakt.decoder.state.commands import SetOffset
 from nctakt.decoder.state.environment import DecoderEnvironment
 from nctakt.decoder.state.modal_state import ModalState
 from nctakt.kernel.base import arithmetic
-from nctakt.lists.declared.tools import MOST_PARAMETERS, NO_TOOL, Tool
+from nctakt.lists.declared.tools import MAX_PARAMETERS, NO_TOOL, Tool
 from nctakt.messages.checked_values import INDEX_OUT_OF_RANGE
 from nctakt.messages.tools import (
     INVALID_TOOL_NUMBER,
@@ -127,7 +127,7 @@ class ActiveTool:
             case "V":
                 return self._axis_offset(variable, system_variable, tool, index)
             case "P":
-                parameter = self._element(variable, system_variable, MOST_PARAMETERS, index)
+                parameter = self._element(variable, system_variable, MAX_PARAMETERS, index)
                 return tool.parameters.get(parameter, 0.0)
             case "OK":
                 return float(tool.valid)

@@ -16,7 +16,7 @@ from nctakt.decoder.state.modal_state import ModalState
 from nctakt.decoder.state.tools import Fail
 from nctakt.kernel import codes
 from nctakt.kernel.base import arithmetic
-from nctakt.lists.declared.offsets import MOST_GROUPS
+from nctakt.lists.declared.offsets import MAX_GROUPS
 from nctakt.messages.checked_values import INDEX_OUT_OF_RANGE
 from nctakt.messages.offsets import UNKNOWN_ZERO_OFFSET
 from nctakt.nc.tree import Expression, Variable
@@ -123,7 +123,7 @@ class SystemValues:
 
     def _group(self, variable: Variable, system: SystemVariable) -> int:
         assert system.number is not None
-        return self._element(variable, system.number, MOST_GROUPS)
+        return self._element(variable, system.number, MAX_GROUPS)
 
     def _element(self, variable: Variable, index: Expression, count: int) -> int:
         number = int(self._index(index))
@@ -141,8 +141,8 @@ class SystemValues:
         offsets = self._environment.offsets
         if system.kind == "channel":
             group = arithmetic.round_half_even(value)
-            if not 0 <= group < MOST_GROUPS:
-                self._fail(UNKNOWN_ZERO_OFFSET, variable.span, group=value, highest=MOST_GROUPS - 1)
+            if not 0 <= group < MAX_GROUPS:
+                self._fail(UNKNOWN_ZERO_OFFSET, variable.span, group=value, highest=MAX_GROUPS - 1)
             offsets.default_group = int(group)
             return
         axis = self._axis_index(variable, system)

@@ -15,7 +15,7 @@ from nctakt.lists.format.schema import Schema
 from nctakt.lists.format.table import ParameterTable
 
 GEAR_STEPS = 6
-MOST_OVERRIDE = 2000
+MAX_OVERRIDE = 2000
 _MAX_SGN32 = 2**31 - 1
 _FASTEST = 2_000_000_000
 _STEEPEST = 100_000_000
@@ -88,22 +88,22 @@ def _gear(
 
 def _speed(id_: str, path: str, default: int, en: str, de: str) -> Parameter:
     """Return the declaration of a speed, bounded by the maximum of the axis."""
-    most = None if id_ == _MAX_SPEED.id else _MAX_SPEED
-    return _gear(id_, path, default, en, de, low=1, high=_FASTEST, unit=_SPEED, at_most=most)
+    maximum = None if id_ == _MAX_SPEED.id else _MAX_SPEED
+    return _gear(id_, path, default, en, de, low=1, high=_FASTEST, unit=_SPEED, at_most=maximum)
 
 
 def _acceleration(id_: str, path: str, default: int, en: str, de: str) -> Parameter:
     """Return the declaration of an acceleration, bounded by the maximum of the axis."""
-    most = None if id_ == _MAX_ACCELERATION.id else _MAX_ACCELERATION
+    maximum = None if id_ == _MAX_ACCELERATION.id else _MAX_ACCELERATION
     return _gear(
-        id_, path, default, en, de, low=1, high=_STEEPEST, unit=_ACCELERATION, at_most=most
+        id_, path, default, en, de, low=1, high=_STEEPEST, unit=_ACCELERATION, at_most=maximum
     )
 
 
 def _ramp(id_: str, path: str, default: int, en: str, de: str) -> Parameter:
     """Return the declaration of a ramp time, bounded by the minimum of the axis."""
-    least = None if id_ == _SHORTEST_RAMP.id else _SHORTEST_RAMP
-    return _gear(id_, path, default, en, de, unit="µs", at_least=least)
+    minimum = None if id_ == _SHORTEST_RAMP.id else _SHORTEST_RAMP
+    return _gear(id_, path, default, en, de, unit="µs", at_least=minimum)
 
 
 _HEADER = (
@@ -190,7 +190,7 @@ _CHARACTER = (
         "Highest override of independent motions",
         "Größter Override unabhängiger Bewegungen",
         low=1,
-        high=MOST_OVERRIDE,
+        high=MAX_OVERRIDE,
         unit="0.1 %",
     ),
     _axis(

@@ -14,12 +14,12 @@ from nctakt.lists.format.reader import ListDialect
 from nctakt.lists.format.schema import Schema
 from nctakt.lists.format.table import ParameterTable
 
-MOST_AXES = 32
-MOST_SPINDLES = 6
-MOST_PATHS = 12
-MOST_G_GROUPS = 40
-MOST_G800 = 40
-MOST_OVERRIDE = 2000
+MAX_AXES = 32
+MAX_SPINDLES = 6
+MAX_PATHS = 12
+MAX_G_GROUPS = 40
+MAX_G800 = 40
+MAX_OVERRIDE = 2000
 NAME_LENGTH = 16
 _FILE_LENGTH = 83
 _PATH_LENGTH = 256
@@ -62,11 +62,11 @@ _AXES = (
         0,
         "Number of axes of the channel",
         "Anzahl der Achsen des Kanals",
-        high=MOST_AXES,
+        high=MAX_AXES,
     ),
     _channel(
         "P-CHAN-00035",
-        f"gruppe[0..0].achse[0..{MOST_AXES - 1}].log_achs_nr",
+        f"gruppe[0..0].achse[0..{MAX_AXES - 1}].log_achs_nr",
         ValueType.UNS16,
         0,
         "Logical number of an axis of the channel",
@@ -74,7 +74,7 @@ _AXES = (
     ),
     _channel(
         "P-CHAN-00006",
-        f"gruppe[0..0].achse[0..{MOST_AXES - 1}].bezeichnung",
+        f"gruppe[0..0].achse[0..{MAX_AXES - 1}].bezeichnung",
         ValueType.STRING,
         "",
         "Name of an axis in NC programs",
@@ -91,7 +91,7 @@ _SPINDLES = (
         0,
         "Number of spindles of the channel",
         "Anzahl der Spindeln des Kanals",
-        high=MOST_SPINDLES,
+        high=MAX_SPINDLES,
     ),
     _channel(
         "P-CHAN-00051",
@@ -112,7 +112,7 @@ _SPINDLES = (
     ),
     _channel(
         "P-CHAN-00007",
-        f"spindel[0..{MOST_SPINDLES - 1}].bezeichnung",
+        f"spindel[0..{MAX_SPINDLES - 1}].bezeichnung",
         ValueType.STRING,
         "",
         "Name of a spindle in NC programs; begins with S",
@@ -121,7 +121,7 @@ _SPINDLES = (
     ),
     _channel(
         "P-CHAN-00036",
-        f"spindel[0..{MOST_SPINDLES - 1}].log_achs_nr",
+        f"spindel[0..{MAX_SPINDLES - 1}].log_achs_nr",
         ValueType.UNS16,
         0,
         "Logical number of a spindle",
@@ -129,7 +129,7 @@ _SPINDLES = (
     ),
     _channel(
         "P-CHAN-00069",
-        f"spindel[0..{MOST_SPINDLES - 1}].plc_control",
+        f"spindel[0..{MAX_SPINDLES - 1}].plc_control",
         ValueType.BOOLEAN,
         False,
         "The PLC turns the spindle; no axis list is needed",
@@ -140,7 +140,7 @@ _SPINDLES = (
 _PROGRAMS = (
     _channel(
         "P-CHAN-00401",
-        f"path[0..{MOST_PATHS - 1}].dir",
+        f"path[0..{MAX_PATHS - 1}].dir",
         ValueType.STRING,
         "",
         "Folder that is searched for NC programs",
@@ -149,7 +149,7 @@ _PROGRAMS = (
     ),
     _channel(
         "P-CHAN-00403",
-        f"path[0..{MOST_PATHS - 1}].type",
+        f"path[0..{MAX_PATHS - 1}].type",
         ValueType.UNS16,
         0,
         "What the folder holds, as bits: 1 main, 2 subprograms, 4 message files, 8 debug data",
@@ -158,7 +158,7 @@ _PROGRAMS = (
     ),
     _channel(
         "P-CHAN-00404",
-        f"path[0..{MOST_PATHS - 1}].priority",
+        f"path[0..{MAX_PATHS - 1}].priority",
         ValueType.UNS16,
         0,
         "Order of the search, the lowest first",
@@ -205,7 +205,7 @@ _PROGRAMS = (
     ),
     _channel(
         "P-CHAN-00187",
-        f"g800_prog_file[0..{MOST_G800 - 1}]",
+        f"g800_prog_file[0..{MAX_G800 - 1}]",
         ValueType.STRING,
         "",
         "Subprogram that G800 and the following call",
@@ -244,7 +244,7 @@ _DEFAULTS = (
         1000,
         "Highest override of the path",
         "Größter Override der Bahn",
-        high=MOST_OVERRIDE,
+        high=MAX_OVERRIDE,
         unit="0.1 %",
     ),
     _channel(
@@ -277,7 +277,7 @@ _DEFAULTS = (
     ),
     _channel(
         "P-CHAN-00063",
-        f"prog_start.g_gruppe[0..{MOST_G_GROUPS - 1}].nr",
+        f"prog_start.g_gruppe[0..{MAX_G_GROUPS - 1}].nr",
         ValueType.SGN16,
         -1,
         "G function of a group at program start; -1: the built-in one",

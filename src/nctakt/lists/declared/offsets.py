@@ -22,14 +22,14 @@ from nctakt.messages.folders import (
     UNKNOWN_AXIS_INDEX,
 )
 
-MOST_GROUPS = 97
-MOST_CLAMP_GROUPS = 150
-MOST_AXES = 32
+MAX_GROUPS = 97
+MAX_CLAMP_GROUPS = 150
+MAX_AXES = 32
 _POSITION_UNITS = 10_000
 _POSITION = "0.1 µm, 1e-4°"
-_AXIS = f"achse[0..{MOST_AXES - 1}]"
-_ZERO = f"np_grp[0..{MOST_GROUPS - 1}].{_AXIS}"
-_CLAMP = f"pzv_grp[0..{MOST_CLAMP_GROUPS - 1}].{_AXIS}"
+_AXIS = f"achse[0..{MAX_AXES - 1}]"
+_ZERO = f"np_grp[0..{MAX_GROUPS - 1}].{_AXIS}"
+_CLAMP = f"pzv_grp[0..{MAX_CLAMP_GROUPS - 1}].{_AXIS}"
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,7 +80,7 @@ ZERO_OFFSETS = Schema(
             ValueType.UNS16,
             0,
             Text("Group that is active after start-up", "Gruppe, die nach dem Hochlauf aktiv ist"),
-            high=MOST_GROUPS - 1,
+            high=MAX_GROUPS - 1,
         ),
         Parameter(
             "P-ZERO-00003",

@@ -18,9 +18,9 @@ from nctakt.messages import Collector
 from nctakt.messages.backward import BACKWARD_MEMORY_TOO_SMALL
 from nctakt.messages.variables import INVALID_ALIGNMENT
 
-MOST_CHANNELS = 12
-MOST_AXES = 64
-MOST_VOLUMETRIC_COMPENSATIONS = 5
+MAX_CHANNELS = 12
+MAX_AXES = 64
+MAX_VOLUMETRIC_COMPENSATIONS = 5
 _PATH_LENGTH = 256
 #: Alignments of a structure's members in bytes; 0: chosen by the controller.
 ALIGNMENTS = (0, 1, 2, 4, 8)
@@ -132,7 +132,7 @@ _LISTS = (
         1,
         Text("Number of channels", "Anzahl der Kanäle"),
         low=1,
-        high=MOST_CHANNELS,
+        high=MAX_CHANNELS,
         restart=True,
     ),
     Parameter(
@@ -141,7 +141,7 @@ _LISTS = (
         ValueType.UNS16,
         0,
         Text("Number of axis lists", "Anzahl der Achslisten"),
-        high=MOST_AXES,
+        high=MAX_AXES,
         restart=True,
     ),
     _list(
@@ -157,7 +157,7 @@ _LISTS = (
         "List with defaults for all axes",
         "Liste mit Standardwerten für alle Achsen",
     ),
-    _list("P-STUP-00015", f"achs_mds[0..{MOST_AXES - 1}]", "List of an axis", "Liste einer Achse"),
+    _list("P-STUP-00015", f"achs_mds[0..{MAX_AXES - 1}]", "List of an axis", "Liste einer Achse"),
     _list(
         "P-STUP-00146",
         "ve_var[0..11]",
@@ -191,13 +191,13 @@ _LISTS = (
     ),
     _list(
         "P-STUP-00017",
-        f"achs_kw[0..{MOST_AXES - 1}]",
+        f"achs_kw[0..{MAX_AXES - 1}]",
         "Compensations of an axis",
         "Kompensationen einer Achse",
     ),
     _list(
         "P-STUP-00101",
-        f"vol_comp[0..{MOST_VOLUMETRIC_COMPENSATIONS - 1}].file_name",
+        f"vol_comp[0..{MAX_VOLUMETRIC_COMPENSATIONS - 1}].file_name",
         "A volumetric compensation",
         "Eine volumetrische Kompensation",
     ),
@@ -371,7 +371,7 @@ def _backward_memory(values: Values, index: int, collector: Collector) -> int:
             BACKWARD_MEMORY_TOO_SMALL,
             ("fb_storage_size[]", index),
             value=size,
-            least=MIN_BACKWARD_MEMORY,
+            minimum=MIN_BACKWARD_MEMORY,
         )
         return MIN_BACKWARD_MEMORY
     return size

@@ -22,8 +22,8 @@ from nctakt.messages.lists import (
     UNKNOWN_FUNCTION_AXIS,
 )
 
-MOST_FUNCTIONS = 1000
-_MOST_SPINDLES = 6
+MAX_FUNCTIONS = 1000
+_MAX_SPINDLES = 6
 #: M functions of the controller itself, defined without an entry.
 INTERNAL_M_FUNCTIONS = (0, 1, 2, 3, 4, 17, 19, 29, 30)
 
@@ -95,7 +95,7 @@ def _axis_name(id_: str, path: str, en: str, de: str) -> Parameter:
     return Parameter(id_, path, ValueType.STRING, "", text, high=16)
 
 
-_INDEX = f"[0..{MOST_FUNCTIONS - 1}]"
+_INDEX = f"[0..{MAX_FUNCTIONS - 1}]"
 
 TECHNOLOGY = (
     _synchronisation(
@@ -148,7 +148,7 @@ _SPINDLE_IDS = {
 
 
 def _spindle_function(name: str) -> tuple[Parameter, Parameter]:
-    prefix = f"spindel[0..{_MOST_SPINDLES - 1}].{name}"
+    prefix = f"spindel[0..{_MAX_SPINDLES - 1}].{name}"
     word = name.upper()
     synchronisation, process_time = _SPINDLE_IDS[name]
     return (

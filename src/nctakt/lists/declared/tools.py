@@ -19,9 +19,9 @@ from nctakt.lists.format.values import Values
 from nctakt.messages import Collector
 from nctakt.messages.folders import TOOL_ZERO_WITHOUT_DIMENSIONS, UNKNOWN_AXIS_INDEX
 
-MOST_TOOLS = 201
-MOST_AXES = 32
-MOST_PARAMETERS = 60
+MAX_TOOLS = 201
+MAX_AXES = 32
+MAX_PARAMETERS = 60
 #: Lengths of the lists (0.1 µm, 0.0001 inch) per mm or inch.
 _LENGTH_UNITS = 10_000
 _MM_PER_INCH = 25.4
@@ -64,7 +64,7 @@ def _tool(
     high: int | None = None,
     unit: str = "",
 ) -> Parameter:
-    path = f"wz[0..{MOST_TOOLS - 1}].{path}"
+    path = f"wz[0..{MAX_TOOLS - 1}].{path}"
     return Parameter(id_, path, type_, default, Text(en, de), low=low, high=high, unit=unit)
 
 
@@ -115,7 +115,7 @@ _DIMENSIONS = (
     ),
     _tool(
         "P-TOOL-00006",
-        f"ax_versatz[0..{MOST_AXES - 1}]",
+        f"ax_versatz[0..{MAX_AXES - 1}]",
         ValueType.SGN32,
         0,
         "Offset of the tool in an axis of the channel",
@@ -124,7 +124,7 @@ _DIMENSIONS = (
     ),
     _tool(
         "P-TOOL-00007",
-        f"param[0..{MOST_PARAMETERS - 1}]",
+        f"param[0..{MAX_PARAMETERS - 1}]",
         ValueType.REAL64,
         0.0,
         "Value for the user's own purposes",

@@ -161,11 +161,11 @@ class Parameter:
     def bounds(self) -> tuple[int | float, int | float]:
         """The range of a number, both ends included."""
         if self.type is ValueType.REAL64:
-            least: int | float = float("-inf")
+            minimum: int | float = float("-inf")
             greatest: int | float = float("inf")
         else:
-            least, greatest = integer_bounds(self.type)
-        low = least if self.low is None else self.low
+            minimum, greatest = integer_bounds(self.type)
+        low = minimum if self.low is None else self.low
         return low, greatest if self.high is None else self.high
 
     def allows(self, number: int | float) -> bool:

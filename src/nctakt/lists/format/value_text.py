@@ -30,7 +30,7 @@ _HEXADECIMAL = re.compile(r"[+-]?0[xX][0-9A-Fa-f]+")
 _REAL = re.compile(r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?")
 
 #: More digits than any type holds; longer numbers are cut, since they are out of range anyway.
-_MOST_DIGITS = 40
+_MAX_DIGITS = 40
 #: Maximum length of a real number, in characters.
 _LONGEST_REAL = 400
 
@@ -134,7 +134,7 @@ def parse_integer(text: str, *, hexadecimal: bool) -> int | None:
         base = 16
     sign = -1 if text.startswith("-") else 1
     digits = text.lstrip("+-")[2 if base == 16 else 0 :].lstrip("0") or "0"
-    return sign * int(digits[:_MOST_DIGITS], base)
+    return sign * int(digits[:_MAX_DIGITS], base)
 
 
 def parse_real(text: str, *, hexadecimal: bool) -> float | None:

@@ -66,7 +66,7 @@ class JerkSlope:
     rapid_ramp_time_us: int
 
     @property
-    def least_acceleration(self) -> float:
+    def min_acceleration(self) -> float:
         """The acceleration that never exceeds those of feed, braking and rapid."""
         return min(self.acceleration, self.deceleration, self.rapid_acceleration)
 
@@ -75,7 +75,7 @@ class JerkSlope:
         """The jerk that never exceeds that of any ramp; 0 if no ramp takes time."""
         up, down, brake, release = self.ramp_times_us
         longest_us = max(up, down, brake, release, self.rapid_ramp_time_us)
-        return self.least_acceleration / (longest_us / 1e6) if longest_us > 0 else 0.0
+        return self.min_acceleration / (longest_us / 1e6) if longest_us > 0 else 0.0
 
 
 @dataclass(frozen=True, slots=True)

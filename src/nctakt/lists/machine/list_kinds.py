@@ -76,12 +76,12 @@ def kind_of(name: str, data: bytes) -> Schema | None:
     if is_xml(data):
         return _kind_of_xml(data)
     counts = _known_entries(_entries(name, data))
-    most = max(counts.values())
-    best = [schema for schema in SCHEMAS if counts[schema.kind] == most]
+    maximum = max(counts.values())
+    best = [schema for schema in SCHEMAS if counts[schema.kind] == maximum]
     by_name = [schema for schema in best if _NAMES[schema.kind].search(name.casefold())]
     if by_name:
         return by_name[0]
-    return best[0] if most else None
+    return best[0] if maximum else None
 
 
 def knows_any(schema: Schema, entries: Sequence[Entry]) -> bool:

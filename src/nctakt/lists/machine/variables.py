@@ -29,11 +29,11 @@ from nctakt.messages.variables import (
 )
 
 #: Maximum number of numbers and strings in a variable.
-MOST_LEAVES = 65_536
+MAX_LEAVES = 65_536
 #: Maximum depth of structures in structures.
-MOST_NESTING = 32
+MAX_NESTING = 32
 #: Maximum offset of a variable in a list, in bytes.
-MOST_OFFSET = 0xFFFFFF
+MAX_OFFSET = 0xFFFFFF
 #: Management data of each variable in V.CH memory, in bytes.
 MANAGEMENT_BYTES = 64
 _STRING_BYTES, _EXTENDED_STRING_BYTES, _VSTRING_BYTES = 24, 128, 128
@@ -248,7 +248,7 @@ class _Builder:
             scope = VariableScope(values.text(f"{prefix}.scope", index))
         node = self._node(prefix, (index,), name, synchronous, rights)
         offset = values.integer(f"{prefix}.byte_offset", index) if external else -1
-        if offset > MOST_OFFSET:
+        if offset > MAX_OFFSET:
             at = (f"{prefix}.byte_offset", index)
             key = with_indices(at[0], (index,))
             values.report(
@@ -257,7 +257,7 @@ class _Builder:
                 at,
                 key=key,
                 value=offset,
-                limit=MOST_OFFSET,
+                limit=MAX_OFFSET,
             )
             return None
         return Variable(space, scope, node, offset)
@@ -334,14 +334,14 @@ class _Builder:
         if elements is None:
             return False
         elements *= max(1, self.values.integer(array_pattern, index))
-        if elements > MOST_LEAVES:
+        if elements > MAX_LEAVES:
             key = with_indices(array_pattern, (index,))
             self.values.report(
                 self.collector,
                 VARIABLE_TOO_LARGE,
                 (array_pattern, index),
                 key=key,
-                limit=MOST_LEAVES,
+                limit=MAX_LEAVES,
             )
             return False
         return True
@@ -357,9 +357,9 @@ class _Builder:
         if type_ in outer:
             self.values.report(self.collector, RECURSIVE_STRUCTURE, at, name=type_)
             return None
-        if len(outer) > MOST_NESTING:
+        if len(outer) > MAX_NESTING:
             self.values.report(
-                self.collector, VARIABLE_STRUCTURE_TOO_DEEP, at, name=outer[0], limit=MOST_NESTING
+                self.collector, VARIABLE_STRUCTURE_TOO_DEEP, at, name=outer[0], limit=MAX_NESTING
             )
             return None
         if type_ not in self.structures:

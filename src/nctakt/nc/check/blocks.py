@@ -14,7 +14,7 @@ from typing import Literal
 from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import number_text
 from nctakt.base.text import close_names
-from nctakt.lists.declared.offsets import MOST_GROUPS
+from nctakt.lists.declared.offsets import MAX_GROUPS
 from nctakt.lists.machine.channel_configuration import ChannelParameters, program_parameter
 from nctakt.messages.checked_axes import INDP_OUTSIDE_REALTIME_CYCLE
 from nctakt.messages.checked_blocks import (
@@ -300,8 +300,8 @@ class WordChecker:
                 value.span,
                 word=name,
                 value=round(value.value),
-                least=MIN_VALUE,
-                most=MAX_VALUE,
+                minimum=MIN_VALUE,
+                maximum=MAX_VALUE,
             )
 
     def _technology_entry(self, letter: str, number: int) -> Entry | None:
@@ -379,9 +379,9 @@ class WordChecker:
         """Check the zero offset of G159 if it is a constant."""
         if isinstance(value, Number):
             group = value.value
-            if not 0 <= round(group) < MOST_GROUPS:
+            if not 0 <= round(group) < MAX_GROUPS:
                 self._findings.report(
-                    UNKNOWN_ZERO_OFFSET, value.span, group=group, highest=MOST_GROUPS - 1
+                    UNKNOWN_ZERO_OFFSET, value.span, group=group, highest=MAX_GROUPS - 1
                 )
 
     def _reference(self, block: Block) -> None:

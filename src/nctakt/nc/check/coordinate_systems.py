@@ -99,8 +99,10 @@ def check_cs_command(command: HashCommand, values: ValueChecker, findings: Findi
         findings.report(INVALID_COMMAND_FORM, command.span, command=name, forms=forms)
         return True
     if len(parsed.name) > MAX_CHARACTERS or parsed.name in RESERVED:
-        most = MAX_CHARACTERS
-        findings.report(INVALID_COORDINATE_SYSTEM_NAME, command.span, name=parsed.name, most=most)
+        maximum = MAX_CHARACTERS
+        findings.report(
+            INVALID_COORDINATE_SYSTEM_NAME, command.span, name=parsed.name, maximum=maximum
+        )
     for value in (parsed.identity, *(parsed.components or ())):
         if value is not None:
             values.value(value)

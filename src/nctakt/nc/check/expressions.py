@@ -336,7 +336,9 @@ class ValueChecker:
             )
         elif sum(1 for _ in indices_of(variable)) > MAX_DIMENSIONS:
             name = path_text(variable)
-            self._findings.report(TOO_MANY_INDICES, variable.span, name=name, most=MAX_DIMENSIONS)
+            self._findings.report(
+                TOO_MANY_INDICES, variable.span, name=name, maximum=MAX_DIMENSIONS
+            )
 
     def assignment(self, statement: Assignment) -> None:
         """Check ``target operator value``, including texts, structures and lists of values."""

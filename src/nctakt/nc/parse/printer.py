@@ -94,12 +94,12 @@ def _format_binary(node: Binary) -> str:
     return f"{left} {node.operator} {right}"
 
 
-def _operand(node: Expression, least: int, *, right: bool = False) -> str:
+def _operand(node: Expression, minimum: int, *, right: bool = False) -> str:
     text = format_expression(node)
     if right and _has_prefix(node):
         # A prefix may begin any operand, whatever the precedence of the operator.
         return text
-    return text if _strength(node) >= least else f"[{text}]"
+    return text if _strength(node) >= minimum else f"[{text}]"
 
 
 def _has_prefix(node: Expression) -> bool:

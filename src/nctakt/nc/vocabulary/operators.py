@@ -152,8 +152,8 @@ def _asking(
 ) -> Mapping[str, Function]:
     return MappingProxyType(
         {
-            name: Function(name, least, len(kinds), Text(en, de), domain, True, kinds, is_text)
-            for name, least, kinds, en, de, domain, is_text in rows
+            name: Function(name, minimum, len(kinds), Text(en, de), domain, True, kinds, is_text)
+            for name, minimum, kinds, en, de, domain, is_text in rows
         }
     )
 

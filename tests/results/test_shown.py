@@ -59,7 +59,7 @@ def test_a_notebook_shows_a_table_with_escaped_texts() -> None:
     page = run._repr_html_()
     assert page.startswith("<table><caption>&lt;i&gt;.nc</caption>")
     assert ">error</td>" in page
-    assert "error 20008" in page
+    assert "error 20176" in page
     run = Controller().run(NcText("<i>.nc", REACTION))
     page = run._repr_html_()
     assert "&lt;b&gt;half &amp; way" in page

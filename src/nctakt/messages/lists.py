@@ -406,14 +406,14 @@ PROCESS_TIME_WITHOUT_WAITING = warning(
 )
 LEAD_TIME_TOO_SHORT = warning(
     21203,
-    en="{key}: with MET_SVS the function must be output at least one tick ({least} µs) early",
-    de="{key}: mit MET_SVS muss die Funktion mindestens einen Takt ({least} µs) früher ausgegeben "
+    en="{key}: with MET_SVS the function must be output at least one tick ({minimum} µs) early",
+    de="{key}: mit MET_SVS muss die Funktion mindestens einen Takt ({minimum} µs) früher ausgegeben "
     "werden",
-    remedy_en="Set {lead} to {least} or more.",
-    remedy_de="{lead} auf {least} oder mehr setzen.",
+    remedy_en="Set {lead} to {minimum} or more.",
+    remedy_de="{lead} auf {minimum} oder mehr setzen.",
     key=("the entry of the type", "der Eintrag der Art"),
     lead=("the entry of the lead time", "der Eintrag der Vorhaltezeit"),
-    least=("the shortest lead time, in µs", "die kürzeste Vorhaltezeit, in µs"),
+    minimum=("the shortest lead time, in µs", "die kürzeste Vorhaltezeit, in µs"),
 )
 PATH_GIVEN_TWICE = warning(
     20771,

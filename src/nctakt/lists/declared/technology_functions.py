@@ -236,7 +236,7 @@ def check_lead_times(values: Values, cycle_time_us: int, collector: Collector) -
                     at,
                     key=with_indices(at[0], at[1:]),
                     lead=with_indices(f"{letter}_pre_outp[]", (number,)),
-                    least=cycle_time_us,
+                    minimum=cycle_time_us,
                 )
 
 

@@ -407,8 +407,8 @@ PROCESS_TIME_WITHOUT_WAITING = warning(
 LEAD_TIME_TOO_SHORT = warning(
     21203,
     en="{key}: with MET_SVS the function must be output at least one tick ({minimum} µs) early",
-    de="{key}: mit MET_SVS muss die Funktion mindestens einen Takt ({minimum} µs) früher ausgegeben "
-    "werden",
+    de="{key}: mit MET_SVS muss die Funktion mindestens einen Takt ({minimum} µs) früher "
+    "ausgegeben werden",
     remedy_en="Set {lead} to {minimum} or more.",
     remedy_de="{lead} auf {minimum} oder mehr setzen.",
     key=("the entry of the type", "der Eintrag der Art"),

@@ -3,11 +3,17 @@
 
 from __future__ import annotations
 
+import shutil
+from pathlib import Path
+
 import pytest
 from decided import left, numbers, perform
 
+import nctakt
 from nctakt.run.controller import Controller, NcText
 from nctakt.run.plc_view import PlcView
+
+DEMO = Path(nctakt.__file__).parent / "machines" / "demo"
 
 
 def ticks_of(program: str) -> int:
@@ -58,6 +64,20 @@ def test_g00_ends_with_an_exact_stop_where_the_channel_says_so() -> None:
     """P-CHAN-00235 is 1: two G00 of 1 mm in one line take twice 32 ticks, one of 2 mm takes 45."""
     assert ticks_of("G00 X1\nG00 X2\nM30") == 64
     assert ticks_of("G00 X2\nM30") == 45
+
+
+def test_commands_keep_the_software_limits_whatever_their_tolerance(tmp_path: Path) -> None:
+    """P-AXIS-00179 of 1 mm: X begins 0.5 mm beyond its limit in silence, and goes to 0.5 … 20."""
+    machine = tmp_path / "machine"
+    shutil.copytree(DEMO, machine)
+    file = machine / "achs_mds1.lis"
+    limits = "kenngr.swe_neg 5000\nkenngr.swe_pos 200000\nkenngr.swe_toleranz 10000\n"
+    file.write_text(limits + file.read_text("utf-8"), "utf-8")
+    controller = Controller(machine)
+    assert not controller.diagnostics
+    assert numbers(perform("G00 X20\nX0.5\nM30", controller)) == []
+    assert numbers(perform("G00 X20.001\nM30", Controller(machine))) == [120002]
+    assert numbers(perform("G00 X0.4\nM30", Controller(machine))) == [120003]
 
 
 def test_a_modulo_axis_shows_positions_in_its_range() -> None:

@@ -299,6 +299,36 @@ def test_functions_end_at_999(index: int) -> None:
     assert channel("m_synch[999] MOS\n")[1] == []
 
 
+@pytest.mark.parametrize(
+    ("low", "high", "tolerance", "found"),
+    [
+        (0, 100, 0, []),
+        (10, 100, 9, [110055]),
+        (10, 100, 10, []),
+        (-100, -10, 9, [110054]),
+        (-100, -10, 10, []),
+        (-100, 2**31 - 5, 4, []),
+        (-100, 2**31 - 5, 5, [110317]),
+        (-(2**31), 100, 1, [110318]),
+        (3, 100, 4_294_967_295, [110317]),
+    ],
+)
+def test_the_tolerance_widens_the_software_limits(
+    low: int, high: int, tolerance: int, found: list[int]
+) -> None:
+    """P-AXIS-00179: for an axis that stands at 0; the limits of commands are as they were."""
+    text = f"kenngr.swe_neg {low}\nkenngr.swe_pos {high}\nkenngr.swe_toleranz {tolerance}\n"
+    made, told = axis(text)
+    assert told == found
+    assert (made.software_limit_low, made.software_limit_high) == (low / 10_000, high / 10_000)
+
+
+def test_a_modulo_axis_has_no_software_limits() -> None:
+    """P-AXIS-00015: nothing is beyond them."""
+    text = "kenngr.achs_typ 2\nkenngr.achs_mode 4\nkenngr.swe_neg 10\nkenngr.swe_toleranz 0\n"
+    assert axis(text)[1] == []
+
+
 def test_program_paths_come_in_order_of_priority() -> None:
     """P-CHAN-00401 … 00404."""
     text = (

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from nctakt.base.diagnostics import Cases
-from nctakt.messages.cases import by_end, in_case, names_of_axes
+from nctakt.messages.cases import by_end, by_sign, in_case, names_of_axes
 from nctakt.messages.catalogue import error, note, warning
 
 MACHINE_FOLDER_MISSING = error(
@@ -176,6 +176,31 @@ SOFTWARE_LIMITS_SWAPPED = warning(
     remedy_de="kenngr.swe_pos größer als kenngr.swe_neg setzen.",
     low=("kenngr.swe_neg as written", "kenngr.swe_neg, wie geschrieben"),
     high=("kenngr.swe_pos as written", "kenngr.swe_pos, wie geschrieben"),
+)
+AXIS_BEYOND_LIMIT = warning(
+    110054,
+    cases=by_sign("limit", negative=110054, other=110055),
+    en="axis {axis} stands at 0, beyond its software limit {limit} by more than {tolerance}",
+    de="Achse {axis} steht bei 0, um mehr als {tolerance} jenseits ihres Software-Endschalters "
+    "{limit}",
+    remedy_en="Move it between its limits first: a run begins with all axes at 0.",
+    remedy_de="Sie zuerst zwischen ihre Endschalter fahren: ein Lauf beginnt mit allen Achsen bei "
+    "0.",
+    axis=("the axis", "die Achse"),
+    limit=("the limit in mm or degrees", "der Endschalter in mm oder Grad"),
+    tolerance=("its tolerance (P-AXIS-00179)", "seine Toleranz (P-AXIS-00179)"),
+)
+LIMIT_TOLERANCE_TOO_LARGE = warning(
+    110317,
+    cases=by_sign("limit", negative=110318, other=110317),
+    en="kenngr.swe_toleranz {value}: the limit {limit} with it exceeds 32 bits; {most} is used",
+    de="kenngr.swe_toleranz {value}: der Endschalter {limit} hat damit mehr als 32 Bit; {most} "
+    "wird verwendet",
+    remedy_en="Write a smaller tolerance.",
+    remedy_de="Eine kleinere Toleranz angeben.",
+    value=("the tolerance as written", "die Toleranz, wie geschrieben"),
+    limit=("the limit as written", "der Endschalter, wie geschrieben"),
+    most=("the tolerance that is used", "die Toleranz, die gilt"),
 )
 MACHINE_WITHOUT_CHANNELS = error(
     900077,

@@ -183,6 +183,16 @@ _CHARACTER = (
         unit=_POSITION,
     ),
     _axis(
+        "P-AXIS-00179",
+        "kenngr.swe_toleranz",
+        ValueType.UNS32,
+        1000,
+        "Widens the software limits for the place where the axis stands; commands keep them",
+        "Erweitert die Softwareendschalter für den Ort, an dem die Achse steht; Befehle halten "
+        "sie ein",
+        unit=_POSITION,
+    ),
+    _axis(
         "P-AXIS-00109",
         "kenngr.max_vb_override",
         ValueType.UNS16,

@@ -15,12 +15,20 @@ from nctakt.base.dataclass import dataclass
 from nctakt.lists.declared.axis import LINEAR_TYPE, ROTARY_TYPE, SPINDLE_TYPE
 from nctakt.lists.format.values import Values
 from nctakt.messages import Collector
-from nctakt.messages.machine import MODULO_RANGE_EMPTY, SOFTWARE_LIMITS_SWAPPED, UNKNOWN_GEAR_STEP
+from nctakt.messages.machine import (
+    AXIS_BEYOND_LIMIT,
+    LIMIT_TOLERANCE_TOO_LARGE,
+    MODULO_RANGE_EMPTY,
+    SOFTWARE_LIMITS_SWAPPED,
+    UNKNOWN_GEAR_STEP,
+)
 
 #: Positions of the lists (0.1 µm, 1e-4°) per mm or degree.
 POSITION_UNITS = 10_000
 #: Speeds of the lists (µm/s, 1e-3°/s) per mm/s or °/s.
 SPEED_UNITS = 1_000
+#: The largest limit with its tolerance, in units of the lists.
+MAX_SGN32 = 2**31 - 1
 _MODULO_BIT = 0x4
 _MODULO_LINEAR_BIT = 0x400
 
@@ -227,12 +235,44 @@ def _feed_forward(values: Values) -> float:
 
 
 def _software_limits(values: Values, collector: Collector) -> tuple[float, float]:
+    """Return the software limits of an axis that begins to stand at 0.
+
+    The tolerance (P-AXIS-00179) widens them for that place, not for commands. Reported: limits that
+    are swapped, an axis beyond them, a sum of limit and tolerance beyond 32 bits.
+    """
     low = values.integer("kenngr.swe_neg")
     high = values.integer("kenngr.swe_pos")
     if low >= high:
         values.report(collector, SOFTWARE_LIMITS_SWAPPED, ("kenngr.swe_neg",), low=low, high=high)
         low, high = min(low, high), max(low, high)
+    tolerance = _tolerance(values, low, high, collector)
+    if not low - tolerance <= 0 <= high + tolerance:
+        key = "kenngr.swe_pos" if high < 0 else "kenngr.swe_neg"
+        values.report(
+            collector,
+            AXIS_BEYOND_LIMIT,
+            (key,),
+            axis=values.text("kopf.log_achs_name") or values.integer("kopf.achs_nr"),
+            limit=(high if high < 0 else low) / POSITION_UNITS,
+            tolerance=tolerance / POSITION_UNITS,
+        )
     return low / POSITION_UNITS, high / POSITION_UNITS
+
+
+def _tolerance(values: Values, low: int, high: int, collector: Collector) -> int:
+    """Return the tolerance of the software limits, as large as 32 bits allow."""
+    tolerance = values.integer("kenngr.swe_toleranz")
+    most = min(MAX_SGN32 - high, low + MAX_SGN32 + 1)
+    if tolerance > most:
+        values.report(
+            collector,
+            LIMIT_TOLERANCE_TOO_LARGE,
+            ("kenngr.swe_toleranz",),
+            value=tolerance,
+            limit=high if high + tolerance > MAX_SGN32 else low,
+            most=most,
+        )
+    return min(tolerance, most)
 
 
 def _active_gear(

@@ -99,7 +99,7 @@ AXIS_IN_INDEPENDENT_MOTION = error(
     known_as=(900435, 900446, 900447, 50629),
     en="the block moves axis {axis}, {motion}",
     de="der Satz bewegt die Achse {axis}, {motion}",
-    remedy_en="Stop it before: {axis}[INDP STOP], ABORT ACTION or END_ACTION; CONTINUE a held one.",
+    remedy_en="Stop it first: {axis}[INDP STOP], ABORT ACTION or END_ACTION; CONTINUE one on hold.",
     remedy_de="Sie vorher anhalten: {axis}[INDP STOP], ABORT ACTION oder END_ACTION; eine "
     "angehaltene fortsetzen.",
     cause_en="An axis has one owner at a time, and the path never jumps. A block that programs an "

@@ -64,9 +64,8 @@ FOR_STEP_ZERO = error(
     known_as=(900302,),
     en="the step of this $FOR is 0",
     de="die Schrittweite dieses $FOR ist 0",
-    remedy_en="Give a step other than 0; a loop that $BREAK alone shall end is a $WHILE 1.",
-    remedy_de="Eine Schrittweite ungleich 0 angeben; eine Schleife, die nur $BREAK beenden soll, "
-    "ist ein $WHILE 1.",
+    remedy_en="Give a step other than 0; for a loop that only $BREAK ends, write $WHILE 1.",
+    remedy_de="Eine Schrittweite ungleich 0 angeben; $WHILE 1, wenn nur $BREAK sie beendet.",
     reaction=2,
     clearing=3,
 )

@@ -397,7 +397,7 @@ UNKNOWN_FUNCTION_AXIS = warning(
 PROCESS_TIME_WITHOUT_WAITING = warning(
     20760,
     en="{key} {value}: a function of the type MOS takes no time; 0 is used",
-    de="{key} {value}: eine Funktion der Art MOS dauert nicht; 0 wird verwendet",
+    de="{key} {value}: eine Funktion der Art MOS braucht keine Zeit; es gilt 0",
     remedy_en="Set it to 0, or let the channel wait for the function (MVS_SVS, MVS_SNS, MNS_SNS).",
     remedy_de="Auf 0 setzen oder den Kanal auf die Funktion warten lassen (MVS_SVS, MVS_SNS, "
     "MNS_SNS).",
@@ -418,8 +418,8 @@ LEAD_TIME_TOO_SHORT = warning(
 PATH_GIVEN_TWICE = warning(
     20771,
     cases=by_end("key", {".priority": 20707}),
-    en="{key} {value} is that of {other}, too",
-    de="{key} {value} hat auch {other}",
+    en="{key} {value} is already used by {other}",
+    de="{key} {value} verwendet schon {other}",
     remedy_en="Give each folder of a type a number and a priority of its own.",
     remedy_de="Jedem Verzeichnis einer Art eine eigene Nummer und Priorität geben.",
     key=("the entry", "der Eintrag"),

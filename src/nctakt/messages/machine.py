@@ -193,14 +193,14 @@ AXIS_BEYOND_LIMIT = warning(
 LIMIT_TOLERANCE_TOO_LARGE = warning(
     110317,
     cases=by_sign("limit", negative=110318, other=110317),
-    en="kenngr.swe_toleranz {value}: the limit {limit} with it exceeds 32 bits; {most} is used",
-    de="kenngr.swe_toleranz {value}: der Endschalter {limit} hat damit mehr als 32 Bit; {most} "
-    "wird verwendet",
+    en="kenngr.swe_toleranz {value}: with it the limit {limit} exceeds 32 bits; {maximum} is used",
+    de="kenngr.swe_toleranz {value}: der Endschalter {limit} hat damit mehr als 32 Bit; es gilt "
+    "{maximum}",
     remedy_en="Write a smaller tolerance.",
     remedy_de="Eine kleinere Toleranz angeben.",
     value=("the tolerance as written", "die Toleranz, wie geschrieben"),
     limit=("the limit as written", "der Endschalter, wie geschrieben"),
-    most=("the tolerance that is used", "die Toleranz, die gilt"),
+    maximum=("the tolerance that is used", "die Toleranz, die gilt"),
 )
 MACHINE_WITHOUT_CHANNELS = error(
     900077,

@@ -17,7 +17,7 @@ NOT_A_STOP = error(
 NOT_IN_THE_TICK = error(
     901151,
     en="{name} belongs to the decoder, so a tick does not see it",
-    de="{name} gehört zum Decoder, ein Takt sieht es nicht",
+    de="{name} gehört zum Dekoder, ein Takt sieht es nicht",
     remedy_en="Watch a V.E, V.CH, V.RTA or V.RTG variable, or stop at the line that writes it.",
     remedy_de="Eine Variable V.E, V.CH, V.RTA oder V.RTG beobachten oder an der Zeile halten, die "
     "sie schreibt.",
@@ -27,7 +27,7 @@ TOO_MANY_STOPS = error(
     901152,
     en="{count} stops are more than the {limit} that a session watches",
     de="{count} Haltepunkte sind mehr als die {limit}, die eine Sitzung beobachtet",
-    remedy_en="Take some of them away, or give one of them a condition.",
+    remedy_en="Remove some of them, or give one of them a condition.",
     remedy_de="Einige entfernen oder einen mit einer Bedingung versehen.",
     count=("the number of stops", "die Anzahl der Haltepunkte"),
     limit=("the limit", "die Grenze"),
@@ -58,11 +58,14 @@ SESSION_IS_CLOSED = error(
 )
 PLC_DIFFERS = warning(
     901156,
-    en="from tick {tick} on the PLC does otherwise than before: it depends on more than its inputs",
+    en="from tick {tick} on the PLC behaves differently than before: it depends on more than its "
+    "inputs",
     de="ab Takt {tick} verhält sich die SPS anders als zuvor: sie hängt von mehr als ihren "
     "Eingängen ab",
-    remedy_en="Chance, clocks and files make a PLC differ; what it did first is on the tape.",
-    remedy_de="Zufall, Uhren und Dateien machen das aus; was sie zuerst tat, ist aufgezeichnet.",
+    remedy_en="Random numbers, clocks or files can cause this; the tape holds what the PLC did "
+    "first.",
+    remedy_de="Zufall, Uhren oder Dateien können das bewirken; aufgezeichnet ist, was sie zuerst "
+    "tat.",
     tick=("the first tick that differs", "der erste abweichende Takt"),
 )
 NO_SUCH_BRANCH = error(

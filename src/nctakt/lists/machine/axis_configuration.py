@@ -262,17 +262,17 @@ def _software_limits(values: Values, collector: Collector) -> tuple[float, float
 def _tolerance(values: Values, low: int, high: int, collector: Collector) -> int:
     """Return the tolerance of the software limits, as large as 32 bits allow."""
     tolerance = values.integer("kenngr.swe_toleranz")
-    most = min(MAX_SGN32 - high, low + MAX_SGN32 + 1)
-    if tolerance > most:
+    maximum = min(MAX_SGN32 - high, low + MAX_SGN32 + 1)
+    if tolerance > maximum:
         values.report(
             collector,
             LIMIT_TOLERANCE_TOO_LARGE,
             ("kenngr.swe_toleranz",),
             value=tolerance,
             limit=high if high + tolerance > MAX_SGN32 else low,
-            most=most,
+            maximum=maximum,
         )
-    return min(tolerance, most)
+    return min(tolerance, maximum)
 
 
 def _active_gear(

@@ -244,26 +244,22 @@ def test_texts_out_of_place_are_told_before_the_run(texts: Machine, line: str, n
 @pytest.mark.parametrize(
     "line",
     [
-        'V.E.SYNC = "a"',
-        "V.E.SYNC = V.CH.OWN",
         "V.E.CELL[0].NUMBER = V.E.SYNC",
         'V.E.CELL[0].NUMBER = "a"',
         "V.E.SYNC",
         "Vs.E.FROZEN",
-        'V.E.CELL[0].NUMBER = V.E.SYNC == "a"',
-        "V.E.CELL[0].NUMBER = V.E.FROZEN == V.CH.OWN",
         'V.E.SYNC += "a"',
+        'V.E.SYNC = "a" + "b"',
+        "V.E.SYNC = V.CH.OWN + V.E.SYNC",
+        'V.E.CELL[0].NUMBER = V.E.SYNC < "a"',
+        "V.E.CELL[V.E.SYNC].NUMBER = 1",
+        '$IF V.E.SYNC + "a" == "b"\n$ENDIF',
+        "$IF V.E.SYNC\n$ENDIF",
     ],
 )
-def test_realtime_cycles_know_no_texts(texts: Machine, line: str) -> None:
-    """21981, wherever one stands."""
+def test_realtime_cycles_only_compare_and_assign_texts(texts: Machine, line: str) -> None:
+    """RC-208: 21981 for all else, wherever a text stands."""
     run = texts.run(f"#RT CYCLE [SCOPE=PROG]\n{line}\n#RT CYCLE END\nM30")
-    assert set(errors(run)) == {21981}
-
-
-def test_conditions_of_cycles_know_no_texts(texts: Machine) -> None:
-    """21981 in an ``$IF`` of a cycle, too."""
-    run = texts.run('#RT CYCLE [SCOPE=PROG]\n$IF V.E.SYNC == "a"\n$ENDIF\n#RT CYCLE END\nM30')
     assert set(errors(run)) == {21981}
 
 

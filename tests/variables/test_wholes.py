@@ -216,16 +216,16 @@ def test_an_element_outside_at_run_time_is_told(trees: Machine) -> None:
 @pytest.mark.parametrize(
     ("line", "number"),
     [
-        ("V.CH.Tree = V.E.TREE", 21984),
-        ("V.E.FOREST[1] = V.CH.Tree", 21984),
-        ("V.E.LIST = V.CH.List", 21984),
+        ("V.CH.Tree = V.E.TREE", 22009),  # its member FROZEN is asynchronous
+        ("V.E.FOREST[1] = V.CH.Tree", 22009),
+        ("V.E.LIST = V.E.LONGER", 21443),
         ("V.E.LIST = [1, 2, 3, 4]", 22001),
         ("V.E.TREE = [1, 2]", 22001),
         ("V.E.TREE.NUMBER = V.E.TREE", 900215),
     ],
 )
-def test_cycles_copy_nothing(trees: Machine, line: str, number: int) -> None:
-    """RC-208: a structure is copied (21984), initialised (22001); 900215 suggests a member."""
+def test_what_cycles_do_not_copy(trees: Machine, line: str, number: int) -> None:
+    """RC-208, RC-301: another type, asynchronous members, lists of values, single values."""
     run = trees.run(f"#RT CYCLE [SCOPE=PROG]\n{line}\n#RT CYCLE END\nM30")
     assert number in errors(run)
     assert run.ticks == 0

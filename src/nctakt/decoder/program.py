@@ -8,6 +8,7 @@ Mistakes that depend on values raise ``DecodeError``.
 from __future__ import annotations
 
 from collections.abc import Callable, Generator, Iterable, Sequence
+from math import nan
 
 from nctakt.base.diagnostics import Span
 from nctakt.decoder.blocks.block_decoder import BlockDecoder
@@ -408,7 +409,11 @@ class ProgramDecoder:
         yield LoadCycle(source, number, built.cycle, built.identity, scope, not starts, moves_on)
         for frozen in built.frozen:
             source_id = self._environment.source_id(frozen.span)
-            yield Freeze(source_id, number, serial, frozen.name, frozen.value)
+            if isinstance(frozen.value, str):
+                name = f'{frozen.name} "{frozen.value}"'
+                yield Freeze(source_id, number, serial, name, nan)
+            else:
+                yield Freeze(source_id, number, serial, frozen.name, frozen.value)
 
     def _control(
         self, statement: tree.CycleControl, source: int, number: int

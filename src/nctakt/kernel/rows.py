@@ -350,7 +350,14 @@ FEED_MOTION, RAPID_MOTION = range(2)
     EVENT_TIMER,  # timer, ``codes.TIMER_START`` …, the value in ms that READ latches
     EVENT_ACKNOWLEDGED,  # function, number within the tick of its output (0: program), that tick
     EVENT_DROPPED,  # the same, of a function that a reset ends
-) = range(1, 39)
+    EVENT_WRITTEN_TEXT,  # cell and part of a text, its characters as below
+) = range(1, 40)
+
+#: A text that was written is told in parts. To the cell of each comes so much twice for each part
+#: before it, and once where another part follows;
+TEXT_PART = 1073741824
+#: each of the two columns behind it has so many characters, as a number to the base 256.
+TEXT_HALF = 6
 
 ENDED_BY_SCOPE, ENDED_BY_DELETE, ENDED_BY_RESET, ENDED_BY_ERROR = range(4)
 

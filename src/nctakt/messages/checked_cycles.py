@@ -58,17 +58,33 @@ CYCLE_COMMAND_WITHOUT_ID = error(
 )
 TEXT_IN_REALTIME_CYCLE = error(
     21981,
-    en="{name} holds a text; realtime cycles work with numbers only",
-    de="{name} enthält einen Text; Echtzeit-Zyklen rechnen nur mit Zahlen",
-    remedy_en="Use a variable that holds a number.",
-    remedy_de="Eine Variable verwenden, die eine Zahl enthält.",
-    cause_en="What runs in each tick uses numbers of fixed size; texts are a matter of the "
-    "decoder.",
-    cause_de="Was in jedem Takt läuft, rechnet mit Zahlen fester Größe; Texte sind Sache des "
-    "Dekoders.",
-    name=("the variable", "die Variable"),
+    en="{name} is a text, which a realtime cycle can only compare and assign",
+    de="{name} ist ein Text; ein Echtzeit-Zyklus kann ihn nur vergleichen und zuweisen",
+    remedy_en="Use ==, != or = with texts, and a variable that holds a number for all else.",
+    remedy_de="Texte nur mit ==, != und = verwenden, sonst eine Variable, die eine Zahl enthält.",
+    cause_en="What runs in each tick takes a bounded time; all else about texts is a matter of the "
+    "decoder. The controller knows no texts in realtime cycles at all.",
+    cause_de="Was in jedem Takt läuft, dauert begrenzt lange; alles andere mit Texten ist Sache "
+    "des Dekoders. Die Steuerung kennt in Echtzeit-Zyklen gar keine Texte.",
+    name=("the variable or text", "die Variable oder der Text"),
     reaction=2,
     clearing=3,
+)
+TEXT_OF_ANOTHER_LENGTH = error(
+    901079,
+    en="{value} has {other} bytes and {name} has {size}: a realtime cycle assigns only strings of "
+    "the same length",
+    de="{value} hat {other} Bytes und {name} hat {size}: ein Echtzeit-Zyklus weist nur "
+    "Zeichenketten gleicher Länge zu",
+    remedy_en="Give both variables one type and size: P-EXTV-00003 and P-EXTV-00008.",
+    remedy_de="Beiden Variablen denselben Typ und dieselbe Größe geben: P-EXTV-00003 und "
+    "P-EXTV-00008.",
+    cause_en="In the tick nothing checks whether a text fits.",
+    cause_de="Im Takt prüft nichts, ob ein Text passt.",
+    value=("the assigned variable", "die zugewiesene Variable"),
+    other=("its bytes", "ihre Bytes"),
+    name=("the target", "das Ziel"),
+    size=("the bytes of the target", "die Bytes des Ziels"),
 )
 REALTIME_CYCLES_OFF = error(
     21982,
@@ -94,20 +110,6 @@ INVALID_GLOBAL_CYCLE_ID = error(
     cause_de="Ein GLOBAL-Zyklus überlebt sein Programm; später lässt er sich nur über seine ID "
     "anhalten oder löschen.",
     id=("the ID", "die ID"),
-    reaction=2,
-    clearing=3,
-)
-AGGREGATE_COPY_IN_CYCLE = error(
-    21984,
-    en="{name} cannot be copied as a whole in a realtime cycle",
-    de="{name} kann im Echtzeit-Zyklus nicht als Ganzes kopiert werden",
-    remedy_en="Assign member by member: {member}",
-    remedy_de="Element für Element zuweisen: {member}",
-    cause_en="An assignment stores one number per tick, so that the run time of a cycle is known.",
-    cause_de="Eine Zuweisung speichert je Takt eine Zahl, damit die Laufzeit eines Zyklus bekannt "
-    "ist.",
-    name=("the variable", "die Variable"),
-    member=("a member of the structure", "ein Element der Struktur"),
     reaction=2,
     clearing=3,
 )

@@ -39,7 +39,7 @@ RULES: dict[int, str] = {
     205: "assignments: =, +=, -=, *=, /=",
     206: "operators, functions, precedence; degrees",
     207: "faults in expressions: 50879, nothing assigned; decoder: 20396, 20398, 20399, 21241",
-    208: "what may stand in a cycle: 22001, 22002, 22004, 21981, 21984",
+    208: "what may stand in a cycle: 22001, 22002, 22004, 21981",
     301: "only synchronous variables may be written: 22009; Vs.",
     302: "asynchronous variables are frozen when the definition is decoded",
     303: "rights of V.RTG and V.RTA in programs and cycles: 21993",

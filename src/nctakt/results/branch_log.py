@@ -47,6 +47,7 @@ _OPERATORS: dict[type[conditions.Condition], str] = {
     conditions.IsEqualCellConstant: "==",
     conditions.IsNotEqual: "!=",
     conditions.IsNotEqualCellConstant: "!=",
+    conditions.IsTextTrue: "text",
     conditions.Both: "&&",
     conditions.Either: "||",
 }

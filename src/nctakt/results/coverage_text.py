@@ -17,6 +17,7 @@ from nctakt.results.coverage import (
     Coverage,
     CycleCounts,
 )
+from nctakt.results.histories import WITHOUT_VALUES
 from nctakt.trace.events import number_text
 
 _CYCLE = Text("realtime cycle {name}", "Echtzeit-Zyklus {name}")
@@ -145,7 +146,7 @@ class CoverageText:
     def _nearest(self, condition: ConditionCounts) -> str:
         """Return how near to true a condition came; empty for a combination of conditions."""
         miss = condition.nearest
-        if miss is None or condition.operator in ("&&", "||"):
+        if miss is None or condition.operator in WITHOUT_VALUES:
             return ""
         values = number_text(miss.left)
         if condition.operator:

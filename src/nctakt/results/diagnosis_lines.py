@@ -77,6 +77,7 @@ ACTION_ROWS = frozenset(
     (
         rows.EVENT_FIRED,
         rows.EVENT_WRITTEN,
+        rows.EVENT_WRITTEN_TEXT,
         rows.EVENT_TECHNOLOGY_RT,
         rows.EVENT_AXIS_BEGUN,
         rows.EVENT_AXIS_ENDLESS,
@@ -264,7 +265,7 @@ def _message(event: Event) -> Diagnostic:
         case "user_error":
             return diagnostic(LOG_USER_ERROR, cycle=cycle, id=words[0], rc=words[1])
         case "written":
-            variable, value = event.text.rsplit(" ", 1)
+            variable, value = event.text.split(" ", 1)
             return diagnostic(LOG_VARIABLE_WRITTEN, cycle=cycle, variable=variable, value=value)
         case _:
             function = f"{event.kind}{words[0]}"

@@ -135,13 +135,18 @@ class LifeEvent:
     number: int = 0
 
 
+#: Operators of conditions whose sides are not numbers.
+WITHOUT_VALUES = ("&&", "||", "text")
+
+
 @dataclass(frozen=True, slots=True)
 class ConditionHistory:
     """A condition, or an operand of its ``&&`` or ``||``.
 
-    ``operator`` is that of the comparison, ``&&`` or ``||``, empty for a single value. ``changes``
-    are its changes of truth, the newest ``CHANGES_KEPT``. ``was_true``: its truth before the run,
-    ``None`` without one. ``nearest``: ``None`` if it was true once or never evaluated.
+    ``operator`` is that of the comparison, ``&&`` or ``||``, empty for a single value, ``text`` for
+    a comparison of texts. ``changes`` are its changes of truth, the newest ``CHANGES_KEPT``.
+    ``was_true``: its truth before the run, ``None`` without one. ``nearest``: ``None`` if it was
+    true once or never evaluated.
     ``true_ticks`` and ``false_ticks`` count the evaluations of the whole run by their result; an
     evaluation that an error broke off has none.
     """

@@ -10,7 +10,7 @@ indices were. The nodes that the realtime part fuses are listed separately.
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Span
@@ -18,7 +18,7 @@ from nctakt.decoder.cycles.builder import CycleDefinition, FrozenValue
 from nctakt.nc import tree
 from nctakt.nc.parse.printer import format_expression, format_word, print_statement
 from nctakt.nc.vocabulary.resolution import indices_of
-from nctakt.trace.events import number_text
+from nctakt.trace.events import value_text
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,7 +67,7 @@ class ListedCycle:
 
 def list_cycle(definition: CycleDefinition) -> ListedCycle:
     """Return the listing of a cycle."""
-    lister = _Lister(definition.frozen)
+    lister = _Lister(definition.frozen, definition.steps)
     maximum = lister.sequence(definition.statement.body, 0)
     text = next(print_statement(dataclasses.replace(definition.statement, body=())))
     return ListedCycle(text, definition.span, tuple(lister.listed), maximum, definition.frozen)
@@ -76,8 +76,9 @@ def list_cycle(definition: CycleDefinition) -> ListedCycle:
 class _Lister:
     """Gathers the statements of a cycle; its methods return the maximum cost of a run-through."""
 
-    def __init__(self, frozen: Sequence[FrozenValue]) -> None:
+    def __init__(self, frozen: Sequence[FrozenValue], steps: Mapping[Span, int]) -> None:
         self.listed: list[ListedStatement] = []
+        self._steps = steps
         self._frozen = {value.span: value for value in frozen}
 
     def sequence(self, statements: Sequence[tree.Statement], depth: int) -> int:
@@ -137,7 +138,11 @@ class _Lister:
         """Yield the assignment, below it the indices of the target and the value."""
         assert isinstance(node.target, tree.Variable)
         indices = indices_of(node.target)
-        yield from self._above(f"store {format_expression(node.target)}", 0, *indices)
+        yield Instruction(
+            f"store {format_expression(node.target)}", self._steps.get(node.target.span, 1), 0
+        )
+        for index in indices:
+            yield from self._expression(index, 1)
         if node.operator == "=":
             yield from self._expression(node.value, 1)
         else:
@@ -153,10 +158,12 @@ class _Lister:
         frozen = self._frozen.get(node.span)
         match node:
             case tree.Variable() | tree.Parameter() if frozen is not None:
-                text = f"{frozen.name} = {number_text(frozen.value)}"
+                text = f"{frozen.name} = {value_text(frozen.value)}"
                 yield Instruction(text, 1, depth, is_frozen=True)
             case tree.Variable():
-                yield from self._above(format_expression(node), depth, *indices_of(node))
+                yield Instruction(format_expression(node), self._steps.get(node.span, 1), depth)
+                for index in indices_of(node):
+                    yield from self._expression(index, depth + 1)
             case tree.Unary():
                 yield from self._above(node.operator, depth, node.operand)
             case tree.Binary():

@@ -13,7 +13,7 @@ from collections.abc import Iterator
 from nctakt.base.diagnostics import Language, Span, Text
 from nctakt.decoder.cycles.builder import CycleDefinition
 from nctakt.results.instruction_tree import ListedCycle, ListedStatement, list_cycle
-from nctakt.trace.events import number_text
+from nctakt.trace.events import value_text
 
 _HEAD = Text("Realtime cycle {name}, {position}", "Echtzeit-Zyklus {name}, {position}")
 _SIZE = Text(
@@ -58,7 +58,7 @@ class Listing:
     def _frozen(self, cycle: ListedCycle) -> str:
         return ", ".join(
             self._text(
-                _FROZEN_VALUE, name=value.name, value=number_text(value.value), line=value.span.line
+                _FROZEN_VALUE, name=value.name, value=value_text(value.value), line=value.span.line
             )
             for value in cycle.frozen
         )

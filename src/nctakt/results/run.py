@@ -74,7 +74,7 @@ class FrozenValue:
     """
 
     name: str
-    value: float
+    value: float | str
     span: Span
 
 

@@ -16,7 +16,7 @@ from nctakt.base.diagnostics import Diagnostic, Language, Severity, Span, Text
 from nctakt.lists.format.times import time_stamp
 from nctakt.results.run import CycleResult, OutputCount, ReactionResult, Run
 from nctakt.results.starving import schedule_lines
-from nctakt.trace.events import number_text
+from nctakt.trace.events import value_text
 
 _STATES = {
     "ended": Text("ended", "beendet"),
@@ -153,11 +153,11 @@ def _cycles(run: Run, language: Language) -> Table:
 
 def frozen_lines(run: Run, language: Language) -> list[str]:
     """Return a line for each cycle with asynchronous variables: their values (RC-302)."""
-    value_text, further = _FROZEN_VALUE.get(language), _FURTHER.get(language)
+    shown, further = _FROZEN_VALUE.get(language), _FURTHER.get(language)
     lines: list[str] = []
     for cycle in run.cycles:
         values = [
-            value_text.format(name=value.name, value=number_text(value.value), line=value.span.line)
+            shown.format(name=value.name, value=value_text(value.value), line=value.span.line)
             for value in cycle.frozen
         ]
         if len(values) > MAX_FROZEN:

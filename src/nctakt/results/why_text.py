@@ -26,7 +26,7 @@ from nctakt.results.reasons import (
     why_cycle_never,
 )
 from nctakt.results.why_words import Words
-from nctakt.trace.events import number_text
+from nctakt.trace.events import value_text
 
 #: Maximum length of a source line, in characters.
 _WIDTH = 90
@@ -225,7 +225,7 @@ def _cut(text: str) -> str:
 
 def _frozen(branch: BranchHistory, words: Words) -> list[str]:
     """Return the values in the condition that are the same in each tick (RC-302)."""
-    values = {value.name: number_text(value.value) for value in branch.frozen}
+    values = {value.name: value_text(value.value) for value in branch.frozen}
     return [words.get(_FROZEN, name=name, value=value) for name, value in values.items()]
 
 

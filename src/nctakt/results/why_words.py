@@ -11,6 +11,7 @@ from collections.abc import Sequence
 from nctakt.base.diagnostics import Language, Span, Text
 from nctakt.lists.format.times import Time
 from nctakt.results.histories import (
+    WITHOUT_VALUES,
     BranchHistory,
     Change,
     ConditionHistory,
@@ -138,8 +139,8 @@ class Words:
         return self.get(_LINE, line=span.line)
 
     def values(self, condition: ConditionHistory, left: float, right: float) -> str:
-        """Return the compared values: ``200.25 > 200``; empty for a combination of conditions."""
-        if condition.operator in ("&&", "||"):
+        """Return the compared values: ``200.25 > 200``; empty where none are recorded."""
+        if condition.operator in WITHOUT_VALUES:
             return ""
         if not condition.operator:
             return self.get(_TRUE_FROM_HALF, value=number_text(left))

@@ -19,7 +19,13 @@ _ROW_SIZE = 8 * rows.EVENT_WIDTH
 
 #: Kinds of events of which a run may have many in each tick.
 _FREQUENT = frozenset(
-    (rows.EVENT_FIRED, rows.EVENT_WRITTEN, rows.EVENT_TECHNOLOGY_RT, rows.EVENT_TECHNOLOGY)
+    (
+        rows.EVENT_FIRED,
+        rows.EVENT_WRITTEN,
+        rows.EVENT_WRITTEN_TEXT,
+        rows.EVENT_TECHNOLOGY_RT,
+        rows.EVENT_TECHNOLOGY,
+    )
 )
 
 #: The columns that repeated events of these kinds have in common.

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import struct
 from collections.abc import Callable
+from math import isnan
 from typing import Protocol
 
 from nctakt.base.dataclass import dataclass
@@ -16,6 +17,7 @@ from nctakt.base.diagnostics import Severity, Span
 from nctakt.kernel import codes, rows
 from nctakt.messages.catalogue import messages_of
 from nctakt.nc.check.user_errors import KEYWORDS
+from nctakt.nc.vocabulary.strings import decode
 
 _ROW = struct.Struct(f"={rows.EVENT_WIDTH}d")
 
@@ -128,6 +130,11 @@ def number_text(value: float) -> str:
     return repr(value + 0.0).removesuffix(".0")
 
 
+def value_text(value: float | str) -> str:
+    """Return a number as ``number_text``, a text between quotes."""
+    return f'"{value}"' if isinstance(value, str) else number_text(value)
+
+
 class EventDecoder:
     """Turns event rows into events; ``cycle_time_us`` is the length of a tick."""
 
@@ -143,6 +150,7 @@ class EventDecoder:
             rows.EVENT_ABORTED: self._plain("aborted"),
             rows.EVENT_ENDED: self._ended,
             rows.EVENT_WRITTEN: self._written,
+            rows.EVENT_WRITTEN_TEXT: self._written_text,
             rows.EVENT_TECHNOLOGY: self._technology,
             rows.EVENT_MESSAGE: self._message,
             rows.EVENT_ERROR: self._error,
@@ -223,6 +231,14 @@ class EventDecoder:
     def _written(self, _serial: int, cell: float, value: float, _c: float) -> tuple[str, str]:
         return "written", f"{self._names.variable(int(cell))} {number_text(value)}"
 
+    def _written_text(
+        self, _serial: int, cell_of_part: float, left: float, right: float
+    ) -> tuple[str, str]:
+        parts, cell = divmod(int(cell_of_part), rows.TEXT_PART)
+        text = "".join(_characters(int(half)) for half in (left, right))
+        before, behind = "…" if parts > 1 else "", "…" if parts % 2 else ""
+        return "written", f'{self._names.variable(cell)} "{before}{text}{behind}"'
+
     def _technology_rt(self, number: float, sequence: float, time_us: int) -> tuple[str, str]:
         letter, value = _function(number)
         return letter, f"{value} {int(sequence)} {time_us}"
@@ -258,7 +274,8 @@ class EventDecoder:
         return "axis", f"{self._names.axis(int(axis))} {_MOTION_CHANGED[int(what)]}"
 
     def _frozen(self, _serial: int, number: float, value: float, _c: float) -> tuple[str, str]:
-        return "frozen", f"{self._names.variable_text(int(number))} {number_text(value)}"
+        name = self._names.variable_text(int(number))
+        return "frozen", f"{name} {number_text(value)}" if not isnan(value) else name
 
     def _spindle(
         self, _serial: int, spindle: float, function: float, rpm: float
@@ -348,6 +365,11 @@ def _function(code: float) -> tuple[str, int]:
     """Return the letter and number of a technology function; H functions are coded -number - 1."""
     number = int(code)
     return ("H", -number - 1) if number < 0 else ("M", number)
+
+
+def _characters(number: int) -> str:
+    """Return the characters of a part of a text, packed as a number to the base 256."""
+    return decode(number.to_bytes(rows.TEXT_HALF, "big").lstrip(b"\0"))
 
 
 def _line_text(span: Span | None) -> str:

@@ -7,7 +7,7 @@ Synchronous variables become loads and stores; asynchronous ones are read once a
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Span
@@ -16,6 +16,7 @@ from nctakt.decoder.blocks.technology_output import process_ticks
 from nctakt.decoder.blocks.user_errors import parts
 from nctakt.decoder.cycles.axis_actions import ActionBuilder
 from nctakt.decoder.cycles.memory_budget import memory_bytes
+from nctakt.decoder.cycles.texts import TextBuilder
 from nctakt.decoder.values.expressions import ExpressionBuilder
 from nctakt.decoder.values.fusing import Operand, constant, load
 from nctakt.decoder.values.variables import Values
@@ -32,7 +33,7 @@ from nctakt.nc.check.cost import command_steps, condition_steps, max_steps
 from nctakt.nc.parse.printer import format_expression
 from nctakt.nc.vocabulary.spindle_commands import split
 from nctakt.nc.vocabulary.system_variables import is_decoder_data
-from nctakt.nc.vocabulary.variable_table import Location
+from nctakt.nc.vocabulary.variable_table import Aggregate, Location
 
 SCOPES = {"BLOCK": codes.BLOCK_SCOPE, "PROG": codes.PROG_SCOPE, "GLOBAL": codes.GLOBAL_SCOPE}
 
@@ -54,7 +55,7 @@ class FrozenValue:
     """An asynchronous variable that became a constant: text, value, span."""
 
     name: str
-    value: float
+    value: float | str
     span: Span
 
 
@@ -71,7 +72,8 @@ class CycleBranch:
 class CycleDefinition:
     """A built cycle, for results, listings and diagnosis data.
 
-    ``axes``: those that its single-axis commands name.
+    ``axes``: those that its single-axis commands name. ``steps``: elementary instructions of each
+    access to a text or structure.
     """
 
     serial: int
@@ -83,6 +85,7 @@ class CycleDefinition:
     reactions: list[CycleBranch] = field(default_factory=list)
     frozen: tuple[FrozenValue, ...] = ()
     axes: tuple[str, ...] = ()
+    steps: Mapping[Span, int] = field(default_factory=dict)
 
 
 def _kind_of(location: Location) -> type[instructions.Assignment]:
@@ -109,7 +112,10 @@ class CycleBuilder:
         self._values = values
         self._source_id = values.environment.source_id
         self._names = values.environment.names
-        self._builder = ExpressionBuilder(self._leaf, macro=values.no_macro)
+        self._texts = TextBuilder(values, self._index, self._keep_text)
+        self._builder = ExpressionBuilder(
+            self._leaf, compare_texts=self._texts.compare, macro=values.no_macro
+        )
         self._actions = ActionBuilder(values, self._builder)
         self._conditions = 0
         self._statements = 0
@@ -122,7 +128,7 @@ class CycleBuilder:
     ) -> CycleDefinition:
         """Return the cycle of a definition."""
         body = self._sequence(statement.body)
-        events = self._statements + _OWN_EVENTS
+        events = self._statements + self._texts.events + _OWN_EVENTS
         slots = self._values.environment.parameters.realtime_cycles.buffers
         size = memory_bytes(statement, slots)
         probes = 1 + _PROBES_OF_A_CONDITION * self._conditions
@@ -138,6 +144,7 @@ class CycleBuilder:
             sorted(self._reactions, key=lambda reaction: reaction.span),
             self._distinct_frozen(),
             tuple(self._actions.axes),
+            self._texts.steps,
         )
 
     def _distinct_frozen(self) -> tuple[FrozenValue, ...]:
@@ -279,9 +286,12 @@ class CycleBuilder:
 
     def _assignment(self, statement: tree.Assignment) -> Statement:
         assert isinstance(statement.target, tree.Variable)
+        source, cost = self._source_id(statement.span), self._cost(statement)
+        copied = self._texts.assignment(statement, source, cost)
+        if copied is not None:
+            return copied
         location = self._values.locate(statement.target)
         value = self._builder.build(statement.value)
-        source, cost = self._source_id(statement.span), self._cost(statement)
         if statement.operator != "=":
             target = self._builder.build(statement.target)
             if (
@@ -338,8 +348,12 @@ class CycleBuilder:
         self._frozen.append(FrozenValue(format_expression(node), value, node.span))
         return constant(value)
 
+    def _keep_text(self, variable: tree.Variable, text: str) -> None:
+        """Keep an asynchronous text, which is a constant from now on."""
+        self._frozen.append(FrozenValue(format_expression(variable), text, variable.span))
+
     def _index(
-        self, variable: tree.Variable, location: Location
+        self, variable: tree.Variable, location: Location | Aggregate
     ) -> tuple[int, expressions.Expression | None]:
         """Cell and computed part of an array access; constant indices are in the cell."""
         cell = location.cell

@@ -224,7 +224,10 @@ class SetTurn(Command):
 
 @dataclass(frozen=True, slots=True)
 class Freeze(Command):
-    """The cycle ``serial``, defined just before, has this variable as a constant (RC-302)."""
+    """The cycle ``serial``, defined just before, has this variable as a constant (RC-302).
+
+    A text is part of ``name``, and ``value`` is not a number.
+    """
 
     serial: int
     name: str

@@ -248,6 +248,23 @@ class Evaluator:
         self._fetched.clear()
         return value
 
+    def text_now(self, variable: tree.Variable) -> str | None:
+        """Return the current text of a variable, ``None`` for a number."""
+        for each in variables_in(variable):
+            self._fetched[id(each)] = self._read_now(each)
+        value = self._fetched[id(variable)]
+        self._fetched.clear()
+        return value if isinstance(value, str) else None
+
+    def cell_now(self, variable: tree.Variable, location: Location | Aggregate) -> int:
+        """Return the cell of a variable for the current values of its indices."""
+        for index in indices_of(variable):
+            for each in variables_in(index):
+                self._fetched[id(each)] = self._read_now(each)
+        cell = self.cell(variable, location)
+        self._fetched.clear()
+        return cell
+
     def _compute(self, expression: tree.Expression) -> float:
         return self._computed(expression, self._plans.of(expression))
 

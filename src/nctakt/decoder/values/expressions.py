@@ -151,6 +151,10 @@ class ExpressionBuilder:
             built = self.build(expression)
             return conditions.IsTrue(built.node)
         operator = expression.operator
+        if operator in ("==", "!="):
+            compared = self._compare_texts(expression)
+            if compared is not None:
+                return conditions.IsTextTrue(compared.node)
         left_operand, right_operand = self.build(expression.left), self.build(expression.right)
         general, fused, mirrored = _COMPARISONS[operator]
         if left_operand.cell is not None and right_operand.constant is not None:

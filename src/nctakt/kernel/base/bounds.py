@@ -33,6 +33,6 @@ def check_size(number: int, what: str) -> None:
     check_range(number, 0, MAX_SIZE, what)
 
 
-def check_cells(first_cell: int, count: int, memory: bytearray) -> None:
+def check_cells(first_cell: int, count: int, memory: bytearray | memoryview) -> None:
     """Raise ``ValueError`` unless ``count`` cells from ``first_cell`` on lie in ``memory``."""
     check_range(first_cell, 0, len(memory) // 8 - count, "first cell")

@@ -45,6 +45,9 @@ cdef class IsTruePart(IsTrue):
     @cython.locals(value=double, truth=int)
     cdef int decide(self, Context context) noexcept nogil
 
+cdef class IsTextTrue(IsTrue):
+    pass
+
 cdef class Combination(Condition):
     cdef readonly Condition first
     cdef readonly Condition second

@@ -128,6 +128,10 @@ class IsTruePart(IsTrue):
         return truth
 
 
+class IsTextTrue(IsTrue):
+    """A comparison of texts: its two sides are not recorded."""
+
+
 class Combination(Condition):
     """Base of a combination of two conditions, both of which are evaluated (RC-501)."""
 

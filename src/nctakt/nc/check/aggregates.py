@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Assignments of structures and whole arrays, checked before the run (RC-208, RC-310).
 
-In: assignments with an aggregate on the right side. Out: diagnostics. In the program an aggregate
-may be assigned to one of the same type; realtime cycles copy none (21984). Where a single value is
+In: assignments with an aggregate on the right side. Out: diagnostics. An aggregate may be assigned
+to one of the same type, in a realtime cycle to a synchronous one (RC-301). Where a single value is
 needed, the message suggests the member that was probably meant.
 """
 
@@ -12,8 +12,9 @@ from dataclasses import replace
 from typing import Protocol
 
 from nctakt.base.diagnostics import Message
-from nctakt.messages.checked_cycles import AGGREGATE_COPY_IN_CYCLE
+from nctakt.messages.checked_cycles import ASYNCHRONOUS_WRITE_IN_CYCLE
 from nctakt.messages.checked_values import (
+    ASYNCHRONOUS_INDEX,
     STRUCTURE_USED_AS_VALUE,
     VARIABLE_READ_ONLY,
     VARIABLE_WRITE_ONLY,
@@ -23,7 +24,13 @@ from nctakt.nc.check.findings import Findings
 from nctakt.nc.tree import Assignment, Expression, Parameter, Variable
 from nctakt.nc.vocabulary.cells import leaf_cells, same_type
 from nctakt.nc.vocabulary.realtime_variables import Access
-from nctakt.nc.vocabulary.resolution import indices_of, path_text, resolve, resolve_aggregate
+from nctakt.nc.vocabulary.resolution import (
+    indices_of,
+    path_text,
+    resolve,
+    resolve_aggregate,
+    variables_in,
+)
 from nctakt.nc.vocabulary.variable_table import (
     RIGHTS,
     Aggregate,
@@ -84,9 +91,6 @@ class AggregateChecker:
             return
         assert isinstance(target, Variable)
         name, member = path_text(target), _first_member(source)
-        if self._in_cycle:
-            self._findings.report(AGGREGATE_COPY_IN_CYCLE, target.span, name=name, member=member)
-            return
         for index in (*indices_of(target), *indices_of(value)):
             self._values.value(index)
         if not same_type(source.node, destination.node):
@@ -102,6 +106,27 @@ class AggregateChecker:
         if all(fits):
             self._may(target, destination, Access.WRITE, VARIABLE_READ_ONLY)
             self._may(value, source, Access.READ, VARIABLE_WRITE_ONLY)
+            if self._in_cycle:
+                self._synchronous(target, destination, value, source)
+
+    def _synchronous(
+        self, target: Variable, destination: Aggregate, value: Variable, source: Aggregate
+    ) -> None:
+        """Report an asynchronous member that a cycle would write, or find by a live index."""
+        members = leaf_cells(replace(destination.node, array_elements=0), destination.name, 0)
+        late = [name for name, leaf, _ in members if not leaf.synchronous]
+        if late and not target.synchronous:
+            self._findings.report(ASYNCHRONOUS_WRITE_IN_CYCLE, target.span, name=late[0])
+        is_live = value.synchronous or all(
+            leaf.synchronous for _, leaf, _ in leaf_cells(source.node, "", 0)
+        )
+        indices = [each for index in indices_of(value) for each in variables_in(index)]
+        if not is_live and any(self._is_live(each) for each in indices):
+            self._findings.report(ASYNCHRONOUS_INDEX, value.span, name=source.name)
+
+    def _is_live(self, variable: Variable) -> bool:
+        location = resolve(variable, self._names)
+        return isinstance(location, Location) and (location.synchronous or variable.synchronous)
 
     def _may(self, variable: Variable, whole: Aggregate, access: Access, message: Message) -> None:
         """Report the first member that may not be written or read."""

@@ -2,7 +2,8 @@
 """The maximum cost of a realtime cycle in one tick, known before it runs (RC-501).
 
 In: nodes of a cycle's body. Out: elementary instructions: one for each operator, function, access
-to a variable, assignment, condition and action; constants are free. The realtime part adds up the
+to a variable, assignment, condition and action; constants are free. A string counts as an
+access for each eight bytes, a structure as its members one by one. The realtime part adds up the
 same counts; at most one branch of an ``$IF`` is taken.
 """
 
@@ -28,9 +29,10 @@ from nctakt.nc.tree import (
     Variable,
     VariableBlock,
 )
-from nctakt.nc.vocabulary.resolution import indices_of, resolve
+from nctakt.nc.vocabulary.cells import CELL_BYTES, cells_of
+from nctakt.nc.vocabulary.resolution import indices_of, resolve, resolve_aggregate
 from nctakt.nc.vocabulary.spindle_commands import SpindleCommand, split
-from nctakt.nc.vocabulary.variable_table import Location, NameTable
+from nctakt.nc.vocabulary.variable_table import Aggregate, Location, NameTable
 
 
 def max_steps(statements: Sequence[Statement], names: NameTable) -> int:
@@ -84,8 +86,8 @@ def word_steps(word: BlockWord, names: NameTable) -> int:
 
 
 def _assignment(statement: Assignment, names: NameTable) -> int:
-    access = expression_steps(statement.target, names)
-    value = expression_steps(statement.value, names)
+    access = _access_steps(statement.target, names)
+    value = _access_steps(statement.value, names)
     # A compound assignment also reads its target and computes.
     return access + value if statement.operator == "=" else 2 * access + value + 1
 
@@ -121,10 +123,27 @@ def expression_steps(expression: Expression, names: NameTable) -> int:
         case Parameter():
             return 1
         case Variable() if is_live(expression, names):
-            return 1 + sum(expression_steps(index, names) for index in indices_of(expression))
+            indices = sum(expression_steps(index, names) for index in indices_of(expression))
+            return max(1, _cells(expression, names)) + indices
         case Variable():
             return 1
     return 0
+
+
+def _cells(variable: Variable, names: NameTable) -> int:
+    """Return the number of cells of a string; 0 for what is none."""
+    location = resolve(variable, names)
+    return -(-location.size_bytes // CELL_BYTES) if isinstance(location, Location) else 0
+
+
+def _access_steps(expression: Expression, names: NameTable) -> int:
+    """Return the cost of a side of an assignment, which may be a structure or array."""
+    if isinstance(expression, Variable):
+        whole = resolve_aggregate(expression, names)
+        if isinstance(whole, Aggregate):
+            indices = sum(expression_steps(index, names) for index in indices_of(expression))
+            return cells_of(whole.node) + indices
+    return expression_steps(expression, names)
 
 
 def is_live(variable: Variable, names: NameTable) -> bool:

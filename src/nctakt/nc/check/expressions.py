@@ -17,6 +17,7 @@ from nctakt.base.text import close_names
 from nctakt.messages.checked_cycles import (
     ASYNCHRONOUS_WRITE_IN_CYCLE,
     TEXT_IN_REALTIME_CYCLE,
+    TEXT_OF_ANOTHER_LENGTH,
     VALUE_LIST_IN_CYCLE,
 )
 from nctakt.messages.checked_values import (
@@ -173,16 +174,16 @@ class ValueChecker:
             self.value(expression)
 
     def is_text(self, expression: Expression) -> bool:
-        """Return whether the value of an expression is a text; never in a realtime cycle
-        (21981).
-        """
-        return not self._in_cycle and is_text(expression, self._names)
+        """Return whether the value of an expression is a text."""
+        return is_text(expression, self._names)
 
     def text(self, expression: Expression) -> None:
         """Check an expression whose value must be a text."""
         if isinstance(expression, StringLiteral):
             return
-        if isinstance(expression, Call) and self.is_text(expression):
+        if self._in_cycle and isinstance(expression, Binary) and self.is_text(expression):
+            self._no_number(expression, self._findings.written(expression.span))
+        elif isinstance(expression, Call) and self.is_text(expression):
             self._call(expression)
         elif may_be_text(expression):
             self.value(expression)
@@ -203,7 +204,7 @@ class ValueChecker:
                 self.text(left)
                 self.text(right)
                 return
-            if expression.operator != "+":
+            if expression.operator != "+" and not self._in_cycle:
                 self._findings.report(
                     OPERATOR_WITH_TEXT, expression.span, operator=expression.operator
                 )
@@ -212,8 +213,8 @@ class ValueChecker:
         self.value(right)
 
     def _no_number(self, expression: Expression, name: str) -> None:
-        """Report a text where a number is needed; in a realtime cycle texts are not allowed at
-        all.
+        """Report a text where a number is needed; a realtime cycle only compares and assigns
+        texts.
         """
         self._findings.report(
             TEXT_IN_REALTIME_CYCLE if self._in_cycle else TEXT_INSTEAD_OF_NUMBER,
@@ -362,6 +363,9 @@ class ValueChecker:
 
     def _assigned_text(self, statement: Assignment, target: Variable) -> None:
         """Check a text that is assigned or appended to a variable."""
+        if self._in_cycle and statement.operator != "=":
+            self._no_number(target, path_text(target))
+            return
         self.write(target, compound=statement.operator != "=", text=True)
         if statement.operator not in ("=", "+="):
             self._findings.report(
@@ -375,6 +379,25 @@ class ValueChecker:
             wrong = strings.misfit(location.name, location.type, size, text)
             if wrong is not None:
                 self._findings.report(wrong[0], statement.value.span, **wrong[1])
+        if self._in_cycle and isinstance(statement.value, Variable):
+            self._same_length(location, statement.value)
+
+    def _same_length(self, target: Location | NotFound, value: Variable) -> None:
+        """Report a live string of another length than the variable that it is assigned to."""
+        source = resolve(value, self._names)
+        if not isinstance(target, Location) or not isinstance(source, Location):
+            return
+        if source.is_numeric or not (source.synchronous or value.synchronous):
+            return
+        if source.size_bytes != target.size_bytes:
+            self._findings.report(
+                TEXT_OF_ANOTHER_LENGTH,
+                value.span,
+                name=target.name,
+                size=target.size_bytes,
+                value=source.name,
+                other=source.size_bytes,
+            )
 
     def _list_of_values(self, target: Variable | Parameter, value: ArrayLiteral) -> None:
         if self._in_cycle:

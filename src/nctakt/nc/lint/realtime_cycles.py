@@ -51,6 +51,7 @@ from nctakt.nc.tree import (
     Binary,
     Block,
     BracketCommand,
+    Call,
     Expression,
     If,
     Keyword,
@@ -59,6 +60,7 @@ from nctakt.nc.tree import (
     RealtimeCycle,
     Statement,
     Timer,
+    Unary,
     UserError,
     Variable,
     VariableBlock,
@@ -75,11 +77,19 @@ from nctakt.nc.vocabulary.axis_commands import (
 from nctakt.nc.vocabulary.extensions import (
     BUFFERED_MOTION,
     COMPOUND_ASSIGNMENT,
+    COPY_IN_CYCLE,
     SCOPE_LEFT_OUT,
+    TEXT_IN_CYCLE,
     Extension,
 )
-from nctakt.nc.vocabulary.resolution import indices_of, path_text, resolve
-from nctakt.nc.vocabulary.variable_table import Location, NameTable
+from nctakt.nc.vocabulary.resolution import (
+    indices_of,
+    is_text,
+    path_text,
+    resolve,
+    resolve_aggregate,
+)
+from nctakt.nc.vocabulary.variable_table import Aggregate, Location, NameTable
 
 _MIRRORED = {"<": ">", "<=": ">=", ">": "<", ">=": "<="}
 _DECLARED = ("E", "CH")
@@ -229,6 +239,11 @@ class CycleLinter:
         target = statement.target
         if statement.operator not in ("=", "+="):
             self._extension(COMPOUND_ASSIGNMENT, statement.span)
+        if is_text(target, self._names) or self._has_text(statement.value):
+            self._extension(TEXT_IN_CYCLE, statement.span)
+        if isinstance(statement.value, Variable):
+            if isinstance(resolve_aggregate(statement.value, self._names), Aggregate):
+                self._extension(COPY_IN_CYCLE, statement.span)
         check_constant(statement, self._names, self._findings)
         if isinstance(target, Variable):
             for index in indices_of(target):
@@ -239,6 +254,18 @@ class CycleLinter:
                     OVERRIDE_FOR_ONE_TICK, target.span, name=name, word=around.single
                 )
         self._frozen(statement.value)
+
+    def _has_text(self, expression: Expression) -> bool:
+        """Return whether texts are compared in an expression."""
+        match expression:
+            case Binary():
+                sides = (expression.left, expression.right)
+                return any(is_text(side, self._names) or self._has_text(side) for side in sides)
+            case Unary():
+                return self._has_text(expression.operand)
+            case Call():
+                return any(self._has_text(argument) for argument in expression.arguments)
+        return False
 
     def _block(self, block: Block, around: _Surrounding) -> None:
         """Check the values of commands; the first function of a block stands for all."""
@@ -290,6 +317,8 @@ class CycleLinter:
     # --- conditions ------------------------------------------------------------------------------
 
     def _condition(self, condition: Expression, frequency: str) -> None:
+        if self._has_text(condition):
+            self._extension(TEXT_IN_CYCLE, condition.span)
         operands = list(operands_of(condition, self._names))
         frozen = [operand for operand in operands if self._is_frozen(operand)]
         if len(frozen) < len(operands) or (frozen and frequency == "ONCE"):

@@ -37,6 +37,29 @@ SCOPE_LEFT_OUT = Extension(
         "in den Handbüchern steht SCOPE immer, und nirgends, was ohne es gilt",
     ),
 )
+TEXT_IN_CYCLE = Extension(
+    Text(
+        "comparison and assignment of texts in a realtime cycle",
+        "Vergleich und Zuweisung von Texten im Echtzeit-Zyklus",
+    ),
+    Text(
+        "the controller knows no texts there (21981)",
+        "die Steuerung kennt dort keine Texte (21981)",
+    ),
+)
+COPY_IN_CYCLE = Extension(
+    Text(
+        "copy of a structure or array in a realtime cycle",
+        "Kopie einer Struktur oder eines Feldes im Echtzeit-Zyklus",
+    ),
+    Text("the controller refuses it (21984)", "die Steuerung lehnt sie ab (21984)"),
+)
 
 #: All of them, as the document lists them.
-EXTENSIONS = (SCOPE_LEFT_OUT, COMPOUND_ASSIGNMENT, BUFFERED_MOTION)
+EXTENSIONS = (
+    SCOPE_LEFT_OUT,
+    COMPOUND_ASSIGNMENT,
+    BUFFERED_MOTION,
+    TEXT_IN_CYCLE,
+    COPY_IN_CYCLE,
+)

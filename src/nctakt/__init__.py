@@ -19,6 +19,7 @@
 Programs and what comes of them
     ``Controller``         one machine: runs programs, or goes tick by tick
     ``NcText``             a program given as text
+    ``Session``            a run that goes on, stops and goes back as one asks
     ``Stimulus``           a variable that gets a value at a time of a run
     ``Run``                the result of a run
     ``Diagnostic``         a finding: number, place, text, remedy
@@ -63,6 +64,7 @@ if TYPE_CHECKING:
     from nctakt.run.program_loader import NcText
     from nctakt.run.stimuli import Stimulus
     from nctakt.schedule.open_schedule import open_schedule, simulate_schedule
+    from nctakt.session.session import Session
 
 __all__ = [
     "Controller",
@@ -72,6 +74,7 @@ __all__ = [
     "NcText",
     "Plc",
     "Run",
+    "Session",
     "Stimulus",
     "after",
     "at",
@@ -91,6 +94,7 @@ _MODULES = {
     "NcText": "nctakt.run.program_loader",
     "Plc": "nctakt.plc.script",
     "Run": "nctakt.results.run",
+    "Session": "nctakt.session.session",
     "Stimulus": "nctakt.run.stimuli",
     "after": "nctakt.plc.policies",
     "at": "nctakt.plc.script",

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from nctakt import Controller, Failure, NcText
-from nctakt.session import Session, Setup
+from nctakt.session import Session
 from nctakt.session.stops import StopAt, read_stop
 
 PROGRAM = """\
@@ -32,13 +32,13 @@ M30
 PULSES = [("20 ms", "V.E.VALUE", 1), ("30 ms", "V.E.VALUE", 0), ("45 ms", "V.E.VALUE", 1)]
 
 
-def setup(**options: object) -> Setup:
-    return Setup({1: [NcText("p.nc", PROGRAM)]}, at=PULSES, **options)  # type: ignore[arg-type]
+def opened(**options: object) -> Session:
+    return Session(NcText("p.nc", PROGRAM), at=PULSES, **options)  # type: ignore[arg-type]
 
 
 @pytest.fixture(scope="module")
 def shared() -> Iterator[Session]:
-    with Session(setup()) as session:
+    with opened() as session:
         yield session
 
 
@@ -156,7 +156,7 @@ def test_a_moment_that_was_not_reached_is_refused(session: Session) -> None:
 
 
 def test_an_input_in_the_past_begins_a_branch_and_the_old_one_stays() -> None:
-    with Session(setup()) as session:
+    with opened() as session:
         session.run()
         assert session.evaluate("V.E.COUNT") == 2
         session.go_to(40)
@@ -237,7 +237,7 @@ class Cell(Plc):
 def test_a_scripted_plc_goes_back_with_its_controller(tmp_path: Path) -> None:
     file = tmp_path / "cell.py"
     file.write_text(PLC, "utf-8")
-    with Session(Setup({1: [NcText("p.nc", "G04 X0.2\nM30")]}, plc=file)) as session:
+    with Session(NcText("p.nc", "G04 X0.2\nM30"), plc=file) as session:
         session.run("100 ms")
         assert session.evaluate("V.E.COUNT") == 99
         session.back(50)
@@ -247,7 +247,7 @@ def test_a_scripted_plc_goes_back_with_its_controller(tmp_path: Path) -> None:
 
 
 def test_a_function_is_acknowledged_by_hand() -> None:
-    with Session(Setup({1: [NcText("p.nc", "M111\nM30")]}, acknowledges=False)) as session:
+    with Session(NcText("p.nc", "M111\nM30"), acknowledges=False) as session:
         assert session.run("50 ms").run_state is None
         ((channel, entry),) = session.waiting()
         assert (channel, entry.name) == (1, "M111")
@@ -262,7 +262,7 @@ def test_a_function_is_acknowledged_by_hand() -> None:
 
 
 def test_on_the_wall_clock_the_ticks_follow_the_time() -> None:
-    with Session(setup()) as session:
+    with opened() as session:
         begin = time.monotonic()
         session.play(1.0)
         while session.tick < 200:
@@ -300,7 +300,7 @@ def test_a_speed_outside_the_limits_is_refused(session: Session, speed: float) -
 
 
 def test_a_program_with_errors_is_a_session_that_is_over() -> None:
-    with Session(Setup({1: [NcText("p.nc", "G01 X1 F1 Q1\nM30")]})) as session:
+    with Session(NcText("p.nc", "G01 X1 F1 Q1\nM30")) as session:
         assert session.is_over
         assert session.description.is_over
         assert session.description.diagnostics[0].id == 20797
@@ -308,13 +308,13 @@ def test_a_program_with_errors_is_a_session_that_is_over() -> None:
 
 def test_a_setup_that_cannot_be_is_told_at_once(tmp_path: Path) -> None:
     with pytest.raises(Failure, match="900500"):
-        Session(Setup({1: [tmp_path / "nofile.nc"]}))
+        Session(tmp_path / "nofile.nc")
     with pytest.raises(Failure, match="NO"):
-        Session(Setup({1: [NcText("p.nc", "M30")]}, set={"V.E.NO": 1}))
+        Session(NcText("p.nc", "M30"), set={"V.E.NO": 1})
 
 
 def test_a_closed_session_says_so() -> None:
-    session = Session(setup())
+    session = opened()
     session.close()
     session.close()
     with pytest.raises(Failure, match="901155"):

@@ -11,9 +11,8 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Callable, Iterable, Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
-from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
 from nctakt.kernel.plc.technology_slots import SLOT_COUNT
@@ -35,8 +34,7 @@ API, STIMULI, PLC = "api", "stimuli", "plc"
 NEVER = 1 << 62
 
 
-@dataclass(frozen=True, slots=True)
-class Input:
+class Input(NamedTuple):
     """An input that ``tick`` latches; ``values`` are the arguments of the method for its kind."""
 
     tick: int

@@ -12,6 +12,7 @@ import hashlib
 import json
 import zlib
 from collections.abc import Callable, Mapping, Sequence
+from math import isfinite
 from pathlib import Path
 from typing import Any
 
@@ -79,6 +80,10 @@ def checksum(events: Sequence[Event]) -> int:
     return zlib.crc32(join_events(events).encode("utf-8"))
 
 
+def _json(value: object) -> str:
+    return json.dumps(value, ensure_ascii=False, separators=(",", ":"))
+
+
 class TapeWriter:
     """Writes a tape line by line: ``note`` takes inputs, as a sink it takes events."""
 
@@ -86,7 +91,9 @@ class TapeWriter:
         self, write: Callable[[str], Any], words: Mapping[str, Any], text: str | None, has_plc: bool
     ) -> None:
         self._write = write
-        self._inputs: list[Input] = []
+        self._tick = -1
+        self._inputs: list[str] = []
+        self._heads: dict[tuple[str, str], str] = {}
         self._line(
             {
                 "tape": VERSION,
@@ -98,18 +105,30 @@ class TapeWriter:
         )
 
     def _line(self, value: Mapping[str, Any]) -> None:
-        self._write(json.dumps(value, ensure_ascii=False, separators=(",", ":")) + "\n")
+        self._write(_json(value) + "\n")
 
     def note(self, arrived: Input) -> None:
         """Take an input; those of a tick come together."""
-        if self._inputs and self._inputs[0].tick != arrived.tick:
+        if arrived.tick != self._tick:
             self._write_inputs()
-        self._inputs.append(arrived)
+            self._tick = arrived.tick
+        self._inputs.append(self._text_of(arrived))
+
+    def _text_of(self, arrived: Input) -> str:
+        """Return an input as JSON; a number for a variable, of which there are many, fast."""
+        source, values = arrived.source, arrived.values
+        if arrived.kind != WRITE or type(values[1]) is not float or not isfinite(values[1]):
+            return _json([source, arrived.kind, *values])
+        name = values[0]
+        assert isinstance(name, str)
+        head = self._heads.get((source, name))
+        if head is None:
+            head = self._heads[source, name] = _json([source, WRITE, name])[:-1]
+        return f"{head},{values[1]!r}]"
 
     def _write_inputs(self) -> None:
         if self._inputs:
-            inputs = [[one.source, one.kind, *one.values] for one in self._inputs]
-            self._line({"tick": self._inputs[0].tick, "inputs": inputs})
+            self._write(f'{{"tick":{self._tick},"inputs":[{",".join(self._inputs)}]}}\n')
             self._inputs.clear()
 
     def open(self, header: TraceHeader) -> None:
@@ -118,7 +137,7 @@ class TapeWriter:
     def events(self, events: Sequence[Event]) -> None:
         """Write the checksum of each tick with events."""
         for tick, together in by_tick(list(events)):
-            if self._inputs and self._inputs[0].tick <= tick:
+            if self._tick <= tick:
                 self._write_inputs()
             self._line({"tick": tick, "events": checksum(together)})
 

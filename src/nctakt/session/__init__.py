@@ -9,14 +9,12 @@ from nctakt.base.lazy_names import import_when_used
 
 if TYPE_CHECKING:
     from nctakt.session.session import Session
-    from nctakt.session.setup import Setup
     from nctakt.session.stops import StopAt
 
-__all__ = ["Session", "Setup", "StopAt"]
+__all__ = ["Session", "StopAt"]
 
 _MODULES = {
     "Session": "nctakt.session.session",
-    "Setup": "nctakt.session.setup",
     "StopAt": "nctakt.session.stops",
 }
 

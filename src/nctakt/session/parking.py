@@ -20,7 +20,7 @@ MAX_PARKED = 32
 SPARSE_US = 250_000.0
 
 #: Work from the nearest parked controller to a moment that somebody has gone back to.
-DENSE_US = 10_000.0
+DENSE_US = 2_000.0
 
 #: How much wider each window is than the one behind it.
 GROWTH = 2.0

@@ -13,6 +13,7 @@ import threading
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import Future
+from pathlib import Path
 from types import TracebackType
 from typing import Any, ParamSpec, Self, TypeVar
 
@@ -23,6 +24,8 @@ from nctakt.messages.session import PLC_DIFFERS, SESSION_IS_CLOSED
 from nctakt.results.run import Run
 from nctakt.run.inputs import API, Input
 from nctakt.run.plc_view import TechnologyEntry
+from nctakt.run.program_loader import NcText
+from nctakt.run.stimuli import StimulusLike
 from nctakt.session.clock import SLICE_S, FastClock, WallClock
 from nctakt.session.engine import CycleState, Slice
 from nctakt.session.listening import Frame, Listener, Notice, NoticeKind
@@ -43,22 +46,56 @@ _T = TypeVar("_T")
 class Session:
     """A run that one lives through: on any clock, with stops, forward and back.
 
-    Each command may come from any thread; it returns when it has been done. ``pace``: ``slice``
-    runs the ticks of 10 ms together on the wall clock, ``tick`` each at its own time. Raises
-    ``Failure`` with the mistakes of the setup; programs with errors are a session that is over.
+    Each command may come from any thread; it returns when it has been done. ``programs``,
+    ``channels``, ``set``, ``at``, ``until``, ``after``, ``wait_for_start`` and ``skip`` are those
+    of ``Controller.run``; ``machine`` is a folder, ``plc`` a Python file. Without a PLC, functions
+    acknowledge themselves unless ``acknowledges`` is false. ``folders``: the only ones whose files
+    may be read. ``pace``: on the wall clock ``slice`` runs the ticks of 10 ms together, ``tick``
+    each at its own time.
 
-    >>> with Session(Setup({1: [NcText("move.nc", "G01 X100 F6000 M30")]})) as session:
+    Raises ``Failure`` for what cannot be read, and for wrong names and values; programs with errors
+    are a session that is over.
+
+    >>> with Session(NcText("move.nc", "G01 X100 F6000 M30")) as session:
     ...     session.run(until="V.RTA.ACS.ACT_POS.X >= 50").tick
     ...     session.back(10).tick
     ...     session.evaluate("V.RTA.ACS.ACT_POS.X < 50")
-    514
-    504
+    513
+    503
     1.0
     """
 
-    def __init__(self, setup: Setup, *, pace: str = "slice") -> None:
+    def __init__(
+        self,
+        *programs: str | Path | NcText,
+        channels: Mapping[int, Sequence[str | Path | NcText]] | None = None,
+        machine: str | Path | None = None,
+        plc: str | Path | None = None,
+        set: Mapping[str, float | str] | None = None,
+        at: Sequence[StimulusLike] = (),
+        until: TimeLike | None = None,
+        after: TimeLike = 0,
+        wait_for_start: bool = False,
+        skip: Sequence[int] = (),
+        acknowledges: bool = True,
+        folders: Sequence[str | Path] = (),
+        pace: str = "slice",
+    ) -> None:
         if pace not in ("slice", "tick"):
             raise ValueError(pace)
+        setup = Setup(
+            {1: programs, **(channels or {})},
+            machine,
+            plc,
+            set or {},
+            at,
+            until,
+            after,
+            wait_for_start,
+            skip,
+            acknowledges,
+            folders,
+        )
         self._story = Story(setup)
         self.description: Description = self._story.description
         self._slice_s = SLICE_S if pace == "slice" else self.description.cycle_time_us / 1e6

@@ -145,7 +145,7 @@ class Timeline:
 
         Raises ``Failure`` for a wrong name or value, and nothing has happened.
         """
-        arriving = [replace(one, tick=self.tick) for one in inputs]
+        arriving = [one._replace(tick=self.tick) for one in inputs]
         self.live.post(arriving)
         branch = self.branch
         begins = self.tick < branch.latest

@@ -10,6 +10,7 @@ be woken any number of times.
 
 from __future__ import annotations
 
+import gc
 import os
 import signal
 import sys
@@ -82,6 +83,7 @@ class Worker:
 
     def _copy(self, name: str) -> tuple[str, Any] | None:
         """Copy this process; the copy connects as ``name``. Return ``None`` in the copy."""
+        gc.freeze()  # a search for garbage would touch, and so copy, all of the shared memory
         child = os.fork()
         if child:
             return DONE, child

@@ -234,7 +234,7 @@ V.E.COUNT = 1 / 0 ; error 21241
     V.E.FLAG = 1
   $ENDIF
 #RT CYCLE END
-V.E.COUNT = 99999999999 ; error 50892 "99999999999"
+V.E.COUNT = 99999999999 ; error 20847 "99999999999"
 V.E.FLAG = -1 ; warning 901051 "-1 counts as 1"
 ; --- positions that an axis never reaches
 #RT CYCLE [ID=1 SCOPE=PROG]

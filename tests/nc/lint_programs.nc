@@ -237,3 +237,33 @@ $IF P1 == 1
 $ENDIF
 G02 X6
 M30
+; --- constants and conditions of programs: types, positions, percentages
+#VAR
+V.P.LAMP : BOOLEAN = 0
+V.P.DEEP : SGN16 = 2.6 ; warning 901050 "V.P.DEEP is of type SGN16: 2.6 is rounded to 3"
+V.L.SMALL : UNS08 = 300 ; error 20847 "V.L.SMALL cannot hold 300"
+V.P.LIST[3] : UNS08 = [1, 2, 3]
+V.P.PART : REAL64 = 2.6
+#ENDVAR
+V.P.LAMP = 7 ; warning 901051 "V.P.LAMP is of type BOOLEAN: 7 counts as 1"
+V.P.LAMP = 1
+V.P.DEEP = 70000 ; error 20847 "V.P.DEEP cannot hold 70000: its type ranges from -32768 to 32767"
+V.P.DEEP += 0.4 ; warning 901050 "0.4 is rounded to 0"
+V.P.LIST[1] = -1 ; error 20847 "V.P.LIST[] cannot hold -1"
+V.P.PART = 2.6
+#OVERRIDE [FEED_FACT=0.5 RAPID_FACT=50] ; warning 901158 "FEED_FACT=0.5 is an override of 0.5 %"
+#OVERRIDE [FEED_FACT=-1] ; error 21826 "FEED_FACT -1"
+#OVERRIDE [RAPID_FACT=201] ; error 21419 "RAPID_FACT 201"
+#OVERRIDE [FEED_FACT=P1]
+X[OVERRIDE FEED_FACT=1] ; warning 901158 "FEED_FACT=1 is"
+X[OVERRIDE FEED_FACT=120]
+$IF V.RTA.ACS.ACT_POS.X > 99999 ; warning 901052 "this comparison is never true"
+  $IF V.E.COUNT < 0 ; warning 900239 "V.E.COUNT is of type UNS32: this comparison is never true"
+  $ELSEIF 99999 > V.RTA.ACS.CMD_POS.Y ; warning 901052 "always true"
+  $ENDIF
+$ENDIF
+$WHILE V.RTA.ACS.ACT_POS.A > 400 ; warning 901052 "between 0 and 360: this comparison is never true"
+$ENDWHILE
+$REPEAT
+$UNTIL V.RTA.ACS.ACT_POS.X > 500
+M30

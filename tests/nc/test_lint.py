@@ -21,8 +21,9 @@ from nctakt.lists.declared.tools import NO_TOOL
 from nctakt.messages import Collector
 from nctakt.messages import lints as lint_messages
 from nctakt.messages.axis_motions import INDP_TARGET_OUTSIDE_LIMITS
+from nctakt.messages.decoder import VALUE_OUTSIDE_TYPE_RANGE
 from nctakt.messages.extensions import EXTENSION_USED
-from nctakt.messages.feed import FEED_NOT_POSITIVE
+from nctakt.messages.feed import FEED_NOT_POSITIVE, INVALID_PROGRAM_OVERRIDE
 from nctakt.messages.realtime import CYCLE_ID_IN_USE, CYCLE_VALUE_OUT_OF_RANGE
 from nctakt.nc.lint.linter import never_deleted
 from nctakt.nc.lint.realtime_cycles import StepLimits
@@ -33,7 +34,8 @@ DEMO = Path(machines.__path__[0]) / "demo"
 LINTS = [message.id for message in vars(lint_messages).values() if isinstance(message, Message)]
 #: Errors of a run that lint foresees.
 LINTS += [CYCLE_ID_IN_USE.id, CYCLE_VALUE_OUT_OF_RANGE.id, INDP_TARGET_OUTSIDE_LIMITS.id]
-LINTS += [FEED_NOT_POSITIVE.id]
+LINTS += [FEED_NOT_POSITIVE.id, VALUE_OUTSIDE_TYPE_RANGE.id]
+LINTS += INVALID_PROGRAM_OVERRIDE.leading
 LIMITS = StepLimits(201, 200)
 FILES = FileAccess()
 

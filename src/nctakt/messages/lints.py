@@ -298,3 +298,14 @@ POSITION_NEVER_REACHED = warning(
     high=("highest position of the axis", "größte Position der Achse"),
     result=("never true or always true", "nie wahr oder immer wahr"),
 )
+OVERRIDE_IS_PERCENT = warning(
+    901158,
+    en="{word}={value} is an override of {value} %",
+    de="{word}={value} ist ein Override von {value} %",
+    remedy_en="An override is in percent: write {meant} for that share of the programmed speed.",
+    remedy_de="Ein Override ist in Prozent: {meant} schreiben für diesen Anteil der programmierten "
+    "Geschwindigkeit.",
+    word=("FEED_FACT or RAPID_FACT", "FEED_FACT oder RAPID_FACT"),
+    value=("the constant", "die Konstante"),
+    meant=("the constant as a share, in percent", "die Konstante als Anteil, in Prozent"),
+)

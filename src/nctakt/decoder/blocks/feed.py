@@ -25,6 +25,7 @@ from nctakt.messages.feed import (
     INVALID_PROGRAM_OVERRIDE,
 )
 from nctakt.nc import tree
+from nctakt.nc.check.path_commands import OVERRIDE_FACTORS, OVERRIDE_MAX_PCT, OVERRIDE_MIN_PCT
 from nctakt.nc.vocabulary.functions import (
     FEED_PER_REVOLUTION,
     FEED_SHARE,
@@ -34,10 +35,6 @@ from nctakt.nc.vocabulary.functions import (
 
 #: Maximum F of G194, %.
 MAX_SHARE_PCT = 100.0
-
-#: Bounds of programmed overrides, %, and their keywords: of feed blocks, of rapid ones.
-MIN_PCT, MAX_PCT = 0.1, 200.0
-FACTORS = ("FEED_FACT", "RAPID_FACT")
 
 
 class FeedRate:
@@ -88,16 +85,16 @@ class FeedRate:
             if not isinstance(item, tree.Keyword) or item.value is None:
                 continue
             pct = yield from self._values.evaluate(item.value, number)
-            if not MIN_PCT <= pct <= MAX_PCT:
+            if not OVERRIDE_MIN_PCT <= pct <= OVERRIDE_MAX_PCT:
                 self._values.fail(
                     INVALID_PROGRAM_OVERRIDE,
                     item.value.span,
                     word=item.name,
                     value=pct,
-                    low=MIN_PCT,
-                    high=MAX_PCT,
+                    low=OVERRIDE_MIN_PCT,
+                    high=OVERRIDE_MAX_PCT,
                 )
-            if item.name == FACTORS[0]:
+            if item.name == OVERRIDE_FACTORS[0]:
                 feed = pct / 100.0
             else:
                 rapid = pct / 100.0

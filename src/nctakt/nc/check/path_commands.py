@@ -31,6 +31,10 @@ from nctakt.nc.tree import (
 )
 from nctakt.nc.vocabulary.command_forms import forms_of
 
+#: Bounds of programmed overrides, %, and their keywords: of feed blocks, of rapid ones.
+OVERRIDE_MIN_PCT, OVERRIDE_MAX_PCT = 0.1, 200.0
+OVERRIDE_FACTORS = ("FEED_FACT", "RAPID_FACT")
+
 
 @dataclass(frozen=True, slots=True)
 class Form:
@@ -54,12 +58,12 @@ FORMS = {
     "CONTOUR MODE OFF": Form(needs_bracket=False),
     "SLOPE": Form(names={"TYPE": ("STEP", "TRAPEZ")}),
     "SLOPE DEFAULT": Form(needs_bracket=False),
-    "OVERRIDE": Form(numbers=("FEED_FACT", "RAPID_FACT")),
+    "OVERRIDE": Form(numbers=OVERRIDE_FACTORS),
 }
 
 
 #: ``X[OVERRIDE FEED_FACT=50]``.
-_AXIS_OVERRIDE = Form(("OVERRIDE",), ("FEED_FACT", "RAPID_FACT"))
+_AXIS_OVERRIDE = Form(("OVERRIDE",), OVERRIDE_FACTORS)
 
 
 #: ``X[FIXED_STOP ON POS_LAG_LIMIT=0.5]``; torque and window change nothing in the simulation.

@@ -3,8 +3,8 @@
 
 In: an assignment of a program or realtime cycle. Out: a warning (901050) where its constant value
 is rounded: ``V.RTG.OVERRIDE.VEL.CYCLE = 0.5`` stops the path, ``V.E.COUNT += 0.4`` adds nothing;
-one (901051) where a BOOLEAN gets another number than 0 and 1; the error of a run (50892) where the
-value is out of the range of the type.
+one (901051) where a BOOLEAN gets another number than 0 and 1; the error of a run (50892 in a cycle,
+20847 in a program) where the value is out of the range of the type.
 """
 
 from __future__ import annotations
@@ -13,6 +13,7 @@ from math import isfinite
 
 from nctakt.base.diagnostics import NOTHING, Text
 from nctakt.lists.declared.variables import SCALARS
+from nctakt.messages.decoder import VALUE_OUTSIDE_TYPE_RANGE
 from nctakt.messages.lints import CONSTANT_NOT_BOOLEAN, CONSTANT_ROUNDED
 from nctakt.messages.realtime import CYCLE_VALUE_OUT_OF_RANGE
 from nctakt.nc.check.findings import Findings
@@ -26,39 +27,60 @@ _PERCENT = Text(
 )
 
 
-def check_constant(statement: Assignment, names: NameTable, findings: Findings) -> None:
+def check_constant(
+    statement: Assignment, names: NameTable, findings: Findings, *, in_cycle: bool
+) -> None:
     """Report a constant with a fraction, or out of the range, for a variable of whole numbers."""
     target = statement.target
     if statement.operator not in ("=", "+=", "-=") or not isinstance(target, Variable):
         return
-    value = constant(statement.value)
-    if value is None:
-        return
     location = resolve(target, names)
     if not isinstance(location, Location) or not location.is_numeric:
         return
-    scalar = SCALARS[location.type]
-    if not scalar.is_integer:
+    is_added = statement.operator != "="
+    check_value(
+        target, location.type, statement.value, findings, is_added=is_added, in_cycle=in_cycle
+    )
+
+
+def check_value(
+    target: Variable,
+    type_: str,
+    expression: Expression,
+    findings: Findings,
+    *,
+    is_added: bool = False,
+    in_cycle: bool = False,
+) -> None:
+    """Report a constant value of a variable of this type as above; ``is_added``: a change of it."""
+    value = constant(expression)
+    scalar = SCALARS[type_]
+    if value is None or not scalar.is_integer:
         return
-    name, span = path_text(target), statement.value.span
-    if location.type == "BOOLEAN":
+    name, span = path_text(target), expression.span
+    if type_ == "BOOLEAN":
         if value not in (0, 1):
             findings.report(
                 CONSTANT_NOT_BOOLEAN, span, name=name, value=value, stored=int(abs(value) >= 0.5)
             )
         return
     rounded = round(value)
-    if statement.operator == "=" and not scalar.low <= rounded <= scalar.high:
+    if not is_added and not scalar.low <= rounded <= scalar.high:
         low, high = int(scalar.low), int(scalar.high)
-        findings.report(
-            CYCLE_VALUE_OUT_OF_RANGE, span, variable=name, value=rounded, low=low, high=high
-        )
+        if in_cycle:
+            findings.report(
+                CYCLE_VALUE_OUT_OF_RANGE, span, variable=name, value=rounded, low=low, high=high
+            )
+        else:
+            findings.report(
+                VALUE_OUTSIDE_TYPE_RANGE, span, name=name, value=rounded, low=low, high=high
+            )
     elif rounded != value:
         findings.report(
             CONSTANT_ROUNDED,
             span,
             name=name,
-            type=location.type,
+            type=type_,
             value=value,
             rounded=rounded,
             percent=_PERCENT if is_override(target) else NOTHING,

@@ -18,6 +18,7 @@ from math import isfinite
 from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Span, number_text
 from nctakt.lists.declared.tools import Tool
+from nctakt.lists.declared.variables import SCALARS
 from nctakt.lists.machine.channel_configuration import ToolSelection
 from nctakt.messages import Collector
 from nctakt.messages.lints import (
@@ -30,8 +31,11 @@ from nctakt.messages.tools import TOOL_NOT_IN_LIST, TOOL_NOT_VALID, UNKNOWN_TOOL
 from nctakt.nc.check.calls import may_call
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.check.motion_words import check_feed, has_radius, lacks_centre, leaves_arc
+from nctakt.nc.check.path_commands import command_name, keywords
 from nctakt.nc.lint.channel_flush import FlushChecker
-from nctakt.nc.lint.constants import check_constant
+from nctakt.nc.lint.conditions import check_condition
+from nctakt.nc.lint.constants import check_constant, check_value
+from nctakt.nc.lint.overrides import check_overrides
 from nctakt.nc.lint.realtime_cycles import CycleLinter, KnownValue, StepLimits
 from nctakt.nc.lint.uses import element_name, integer_value, operand_key
 from nctakt.nc.parse.open_structures import is_false
@@ -39,10 +43,12 @@ from nctakt.nc.source import Source
 from nctakt.nc.tree import (
     Assignment,
     Block,
+    BracketCommand,
     CycleControl,
     Do,
     Expression,
     For,
+    HashCommand,
     If,
     Keyword,
     Name,
@@ -56,6 +62,7 @@ from nctakt.nc.tree import (
     SubprogramCall,
     Switch,
     Variable,
+    VariableDeclarations,
     While,
     Word,
 )
@@ -65,6 +72,7 @@ from nctakt.nc.vocabulary.functions import (
     INCH,
     MILLIMETRES,
 )
+from nctakt.nc.vocabulary.resolution import path_text
 from nctakt.nc.vocabulary.variable_table import NameTable
 
 
@@ -169,6 +177,7 @@ class Linter:
         self._channel = FlushChecker(names, self._findings)
         self._state = _State()
         self._writers: dict[str, _Writer] = {}
+        self._types: dict[str, str] = {}
         self._defined: list[GlobalCycle] = []
         self._deleted: list[int] = []
         self._deletes_any = False
@@ -176,6 +185,7 @@ class Linter:
     def section(self) -> None:
         """Begin a main program or subprogram; nothing is certain, except that no radius is set."""
         self._state = _State(lacks_radius=True)
+        self._types = {}
 
     @property
     def global_cycles(self) -> GlobalCycles:
@@ -207,6 +217,11 @@ class Linter:
                 self._switch(statement)
             case For() | While() | Do() | Repeat() | RealtimeLoop():
                 self._loop(statement)
+            case VariableDeclarations():
+                self._declarations(statement)
+            case HashCommand():
+                if command_name(statement) == "OVERRIDE":
+                    check_overrides(keywords(statement), self._findings)
             case SubprogramCall():
                 self._state.values.clear()
                 self._state.lacks_radius = False
@@ -223,6 +238,7 @@ class Linter:
         bodies = [(statement.condition, statement.body)]
         bodies += [(branch.condition, branch.body) for branch in statement.elseifs]
         for condition, body in bodies:
+            self._condition(condition)
             if not is_false(condition):
                 states.append(self._state_after(before, body))
         states.append(self._state_after(before, statement.else_body or ()))
@@ -246,6 +262,8 @@ class Linter:
         """
         if isinstance(loop, While) and is_false(loop.condition):
             return
+        if isinstance(loop, While | Do | Repeat):
+            self._condition(loop.condition)
         self._state.values.clear()
         self._state.is_arc = False
         self._state.is_inch = False
@@ -257,15 +275,34 @@ class Linter:
         if isinstance(loop, For | While | RealtimeLoop):
             self._state.join(before)
 
+    def _condition(self, condition: Expression) -> None:
+        check_condition(condition, self._names, self._findings, is_inch=self._state.is_inch)
+
     # --- values ----------------------------------------------------------------------------------
+
+    def _declarations(self, block: VariableDeclarations) -> None:
+        """Note the types of a program's own variables; check constants that they begin with."""
+        for declaration in block.declarations:
+            type_ = declaration.type_name
+            if type_ not in SCALARS or type_ in ("STRING", "VSTRING"):
+                continue
+            name = path_text(declaration.variable)
+            # A name that is declared again with another type is not followed.
+            self._types[name] = type_ if self._types.get(name, type_) == type_ else ""
+            if declaration.initial is not None:
+                check_value(declaration.variable, type_, declaration.initial, self._findings)
 
     def _assignment(self, statement: Assignment) -> None:
         """Forget the values of the target and its parts; note a constant that is assigned."""
         target = statement.target
-        check_constant(statement, self._names, self._findings)
+        check_constant(statement, self._names, self._findings, in_cycle=False)
         if isinstance(target, Parameter) and target.call:
             return
         key = operand_key(target)
+        if isinstance(target, Variable) and (type_ := self._types.get(path_text(target))):
+            is_added = statement.operator != "="
+            if statement.operator in ("=", "+=", "-="):
+                check_value(target, type_, statement.value, self._findings, is_added=is_added)
         root = key.split("[]")[0]
         values = {
             name: value
@@ -357,6 +394,8 @@ class Linter:
                     self._state.is_inch = word.value.value == INCH
             elif isinstance(word, Word) and word.name in ("D", "T") and self._tools:
                 self._tool(word, block)
+            elif isinstance(word, BracketCommand):
+                check_overrides(word.items, self._findings)
 
     def _tool(self, word: Word, block: Block) -> None:
         """Check that D names a valid tool, or none (D0), and that T names a tool of the list.

@@ -13,13 +13,11 @@ from dataclasses import replace
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Span, Text, number_text
-from nctakt.lists.declared.variables import SCALARS
 from nctakt.messages.extensions import EXTENSION_USED
 from nctakt.messages.lints import (
     ASYNCHRONOUS_CONDITION,
     ASYNCHRONOUS_VALUE,
     AXIS_COMMANDED_EACH_TICK,
-    COMPARISON_OUTSIDE_TYPE_RANGE,
     CONDITION_NEVER_CHANGES,
     CONSTANT_CONDITION,
     CYCLE_MAY_EXCEED_DURATION,
@@ -34,10 +32,10 @@ from nctakt.messages.lints import (
 )
 from nctakt.nc.check.cost import is_live, max_steps
 from nctakt.nc.check.findings import Findings
-from nctakt.nc.lint.constants import check_constant, constant
-from nctakt.nc.lint.reach import ALWAYS_TRUE, NEVER_TRUE, check_comparison, check_target
+from nctakt.nc.lint.conditions import check_bounds
+from nctakt.nc.lint.constants import check_constant
+from nctakt.nc.lint.reach import check_target
 from nctakt.nc.lint.uses import (
-    always,
     comparisons_in,
     element_name,
     is_override,
@@ -55,7 +53,6 @@ from nctakt.nc.tree import (
     Expression,
     If,
     Keyword,
-    Number,
     Parameter,
     RealtimeCycle,
     Statement,
@@ -91,7 +88,6 @@ from nctakt.nc.vocabulary.resolution import (
 )
 from nctakt.nc.vocabulary.variable_table import Aggregate, Location, NameTable
 
-_MIRRORED = {"<": ">", "<=": ">=", ">": "<", ">=": "<="}
 _DECLARED = ("E", "CH")
 _THEN = Text(
     "the value that it has when the cycle is defined",
@@ -244,7 +240,7 @@ class CycleLinter:
         if isinstance(statement.value, Variable):
             if isinstance(resolve_aggregate(statement.value, self._names), Aggregate):
                 self._extension(COPY_IN_CYCLE, statement.span)
-        check_constant(statement, self._names, self._findings)
+        check_constant(statement, self._names, self._findings, in_cycle=True)
         if isinstance(target, Variable):
             for index in indices_of(target):
                 self._frozen(index)
@@ -344,25 +340,11 @@ class CycleLinter:
         )
 
     def _compare(self, comparison: Binary) -> None:
-        left, right, operator = comparison.left, comparison.right, comparison.operator
+        left, right = comparison.left, comparison.right
         for operand in (left, right):
             self._unit(operand)
-        if constant(left) is not None:
-            left, right, operator = right, left, _MIRRORED.get(operator, operator)
-        value = constant(right)
-        if isinstance(left, Variable) and value is not None:
-            if isinstance(right, Number):
-                self._range(comparison, left, operator, value)
-            check_comparison(
-                comparison,
-                left,
-                operator,
-                value,
-                self._names,
-                self._findings,
-                is_inch=self._is_inch,
-            )
-        if operator == "==":
+        check_bounds(comparison, self._names, self._findings, is_inch=self._is_inch, in_cycle=True)
+        if comparison.operator == "==":
             self._exact(left, right)
 
     def _unit(self, operand: Expression) -> None:
@@ -376,27 +358,6 @@ class CycleLinter:
         if axis is not None and axis.is_linear:
             name = path_text(operand)
             self._findings.report(POSITION_COMPARED_IN_INCH, operand.span, name=name)
-
-    def _range(self, comparison: Binary, variable: Variable, operator: str, value: float) -> None:
-        """Report a whole number that a value of the type never, or always, compares true with."""
-        location = resolve(variable, self._names)
-        if not isinstance(location, Location) or not is_live(variable, self._names):
-            return
-        scalar = SCALARS[location.type]
-        if not scalar.is_integer:
-            return
-        truth = always(operator, value, scalar.low, scalar.high)
-        if truth is None:
-            return
-        self._findings.report(
-            COMPARISON_OUTSIDE_TYPE_RANGE,
-            comparison.span,
-            name=location.name,
-            type=location.type,
-            result=ALWAYS_TRUE if truth else NEVER_TRUE,
-            low=int(scalar.low),
-            high=int(scalar.high),
-        )
 
     def _exact(self, left: Expression, right: Expression) -> None:
         """Report an exact comparison of a moving position with anything but the target position."""

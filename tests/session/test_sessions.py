@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import threading
 import time
 from collections.abc import Iterator
 from pathlib import Path
@@ -12,6 +13,8 @@ import pytest
 from nctakt import Controller, Failure, NcText
 from nctakt.session import Session
 from nctakt.session.stops import StopAt, read_stop
+from nctakt.session.worker import can_fork
+from nctakt.session.workshop import Workshop
 
 PROGRAM = """\
 #RT CYCLE [ID=1 SCOPE=PROG]
@@ -319,3 +322,47 @@ def test_a_closed_session_says_so() -> None:
     session.close()
     with pytest.raises(Failure, match="901155"):
         session.step()
+
+
+def test_a_run_of_another_thread_can_be_paused() -> None:
+    endless = NcText("p.nc", "$WHILE 1\nG01 X10 F1000\nG01 X0\n$ENDWHILE\nM30")
+    with Session(endless, until="24 h") as session:
+        thread = threading.Thread(target=session.run)
+        thread.start()
+        while session.tick < 1000:
+            time.sleep(0.01)
+        session.pause()
+        thread.join()
+        assert not session.is_over
+
+
+def test_the_slices_of_a_run_are_told_as_one(session: Session) -> None:
+    done = session.run()
+    expected = Controller().run(NcText("p.nc", PROGRAM), at=PULSES, blocks=True)
+    assert (done.first_tick, done.tick) == (0, expected.ticks)
+    assert list(done.events) == list(expected.events)
+    assert [message.text for message in done.messages] == ["there"]
+
+
+def test_a_session_goes_back_without_copies_too(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Where there is no fork, the past is run again from the start."""
+    monkeypatch.setattr(Workshop, "can_copy", False)
+    with opened() as session:
+        session.run()
+        assert session.back(10).tick == 1066
+        back = session.last_change("V.E.VALUE")
+        assert back is not None
+        assert back.tick == 46
+        assert session.evaluate("V.E.COUNT") == 2
+
+
+@pytest.mark.skipif(not can_fork(), reason="controllers are not parked on this system")
+def test_a_controller_that_is_gone_is_told_and_left_behind() -> None:
+    with opened() as session:
+        session.run("100 ms")
+        session.back(50)
+        session._story._timeline.live._connection.close()
+        with pytest.raises(Failure, match="901153"):
+            session.step()
+        assert session.go_to(20).tick == 20
+        assert session.run().run_state == "ended"

@@ -11,6 +11,7 @@ from __future__ import annotations
 import math
 from collections import deque
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from nctakt.base.dataclass import dataclass
@@ -69,6 +70,21 @@ class Slice:
     blocks: Mapping[int, Span]
     decoded: int
     differs: int | None = None
+
+
+def joined(first: Slice, second: Slice) -> Slice:
+    """Return two slices, one behind the other, as one."""
+    events = [*first.events, *second.events]
+    surplus = max(0, len(events) - MAX_EVENTS)
+    return replace(
+        second,
+        first_tick=first.first_tick,
+        events=tuple(events[surplus:]),
+        left_out=first.left_out + second.left_out + surplus,
+        messages=(*first.messages, *second.messages),
+        diagnostics=(*first.diagnostics, *second.diagnostics),
+        inputs=(*first.inputs, *second.inputs),
+    )
 
 
 @dataclass(frozen=True, slots=True)

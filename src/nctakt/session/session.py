@@ -27,7 +27,7 @@ from nctakt.run.plc_view import TechnologyEntry
 from nctakt.run.program_loader import NcText
 from nctakt.run.stimuli import StimulusLike
 from nctakt.session.clock import SLICE_S, FastClock, WallClock
-from nctakt.session.engine import CycleState, Slice
+from nctakt.session.engine import CycleState, Slice, joined
 from nctakt.session.listening import Frame, Listener, Notice, NoticeKind
 from nctakt.session.setup import Description, Setup
 from nctakt.session.stops import StopAt
@@ -104,7 +104,7 @@ class Session:
         self._pending: dict[int, list[Slice]] = {}
         self._has_differed = False
         self._commands: queue.Queue[Callable[[], None] | None] = queue.Queue(MAX_COMMANDS)
-        self._is_closed = False
+        self._is_closed = self._is_interrupted = False
         self._thread = threading.Thread(target=self._live, name="nctakt session", daemon=True)
         self._thread.start()
 
@@ -156,7 +156,13 @@ class Session:
         if self._is_closed:
             raise Failure(diagnostic(SESSION_IS_CLOSED))
         self._commands.put(command)
-        return answer.result()
+        try:
+            return answer.result()
+        except KeyboardInterrupt:
+            self._is_interrupted = True
+            answer.exception()  # the run stops between two slices
+            self._is_interrupted = False
+            raise
 
     # --- where it stands ------------------------------------------------------------------------
 
@@ -200,10 +206,24 @@ class Session:
         return self._ask(self._run, end, named)
 
     def _run(self, end: TimeLike | None, until: Sequence[str | StopAt]) -> Slice:
-        self._clock = None
         tick = None if end is None else self._story.ticks_of(end)
-        stops = [*self._story.stops, *self._story.read_stops(until)]
-        return self._ran(self._story.run(tick, stops=stops))
+        return self._run_to(tick, [*self._story.stops, *self._story.read_stops(until)])
+
+    def _run_to(self, end: int | None, stops: Sequence[StopAt]) -> Slice:
+        """Run in slices, so that ``pause`` and ``close`` can end it."""
+        self._clock = None
+        clock = FastClock(self._story.tick)
+        whole: Slice | None = None
+        while True:
+            begin_s = time.monotonic()
+            due = clock.next_tick(begin_s)
+            done = self._story.run(due if end is None else min(due, end), stops=stops)
+            clock.note(done.tick - done.first_tick, time.monotonic() - begin_s)
+            whole = done if whole is None else joined(whole, done)
+            is_there = done.tick == end or bool(done.hits) or done.run_state is not None
+            self._publish(done, at_once=is_there)
+            if is_there or self._is_interrupted:
+                return whole
 
     def step(self, ticks: int = 1) -> Slice:
         """Run this number of ticks, past any stop."""
@@ -218,8 +238,7 @@ class Session:
         return self._ask(self._until, NEXT_REACTION)
 
     def _until(self, stop: StopAt) -> Slice:
-        self._clock = None
-        return self._ran(self._story.run(stops=[stop]))
+        return self._run_to(None, [stop])
 
     def _pausing(self, method: Callable[..., Slice], *words: Any) -> Slice:
         self._clock = None
@@ -282,8 +301,12 @@ class Session:
             self._clock = WallClock(speed, tick, cycle_us, time.monotonic(), self._slice_s)
 
     def pause(self) -> Slice:
-        """Stop between two ticks; return what the latest ones have done."""
-        return self._ask(self._pause)
+        """Stop between two ticks, also a ``run`` of another thread; return the latest slice."""
+        self._is_interrupted = True
+        try:
+            return self._ask(self._pause)
+        finally:
+            self._is_interrupted = False
 
     def _pause(self) -> Slice:
         self._clock = None
@@ -453,7 +476,7 @@ class Session:
         """End the session and all its processes."""
         if self._is_closed:
             return
-        self._is_closed = True
+        self._is_closed = self._is_interrupted = True
         self._commands.put(None)
         self._thread.join()
         self._tell("closed")

@@ -9,6 +9,7 @@ An input in the past begins another branch; the old one stays.
 from __future__ import annotations
 
 import bisect
+import contextlib
 from collections.abc import Sequence
 from dataclasses import replace
 
@@ -176,7 +177,8 @@ class Timeline:
             return self.live.run(tick)
         is_forward = target is self.branch and tick > self.tick
         if self._workshop.can_copy and self.tick == self.branch.latest:
-            self._park()  # so that the way back to the front is short
+            with contextlib.suppress(Failure):  # one that is gone is left behind
+                self._park()  # so that the way back to the front is short
         nearest = self._nearest(target, tick)
         if not is_forward or (nearest is not None and nearest.tick > self.tick):
             self._wake(target, nearest)

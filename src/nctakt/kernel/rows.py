@@ -225,7 +225,7 @@ def _arguments(count: int) -> range:
     NEXT_SPEED,  # ``SPEED`` of the next segment, 0: none
     NEXT_IGNORES_OVERRIDE,  # ``IGNORES_OVERRIDE`` of the next segment
     REMAINING_LENGTH,  # in the path: of its block behind it, with a limit of the jerk
-    REMAINING_SPEED,  # in the path: highest speed from which its block ends with a stand
+    REMAINING_SPEED,  # in the path: highest speed from which its block ends at a standstill
     # zones beside corners, where part of the acceleration is kept in reserve
     ENTRY_LENGTH,
     EXIT_LENGTH,
@@ -290,7 +290,7 @@ FEED_MOTION, RAPID_MOTION = range(2)
 
 #: Values of ``GOAL_KIND``: how the override changes the goal's speed.
 (
-    LIMIT_GOAL,  # not at all: a corner, an axis or a stand limits it
+    LIMIT_GOAL,  # not at all: a corner, an axis or a standstill limits it
     FEED_GOAL,  # it is a feed
     EXEMPT_FEED_GOAL,  # it is a feed that the operator's override has no effect on
 ) = range(3)

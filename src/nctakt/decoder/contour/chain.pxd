@@ -23,7 +23,9 @@ cdef class Chain:
     cdef void count_motion(self) noexcept
     cdef void separate(self) noexcept
     cdef void import_from(self, Py_ssize_t count, Py_ssize_t barrier) noexcept
-    cdef void put_line(self, int shape, double x, double y, double x_2, double y_2, int is_contour) noexcept
+    cdef void put_line(
+        self, int shape, double x, double y, double x_2, double y_2, int is_contour
+    ) noexcept
     @cython.locals(row=Py_ssize_t, is_gap=bint)
     cdef void put(self, int is_contour) noexcept
     @cython.locals(first=Py_ssize_t, i=Py_ssize_t)
@@ -51,7 +53,10 @@ cdef class Chain:
     @cython.locals(behind=Py_ssize_t, piece=Py_ssize_t)
     cdef void forget_loop(self, Py_ssize_t first) noexcept
     cdef Py_ssize_t end_of_loop(self, Py_ssize_t piece) noexcept
-    @cython.locals(table=double[::1], end=Py_ssize_t, first=Py_ssize_t, before=Py_ssize_t, behind=Py_ssize_t, x=double, y=double, begin=Py_ssize_t, at=Py_ssize_t, piece=Py_ssize_t)
+    @cython.locals(
+        table=double[::1], end=Py_ssize_t, first=Py_ssize_t, before=Py_ssize_t, behind=Py_ssize_t,
+        x=double, y=double, begin=Py_ssize_t, at=Py_ssize_t, piece=Py_ssize_t
+    )
     cdef int restore_loop(self, Py_ssize_t crossed_piece, Py_ssize_t last) noexcept
     @cython.locals(i=Py_ssize_t)
     cdef void copy(self, Py_ssize_t source, Py_ssize_t target) noexcept
@@ -59,7 +64,10 @@ cdef class Chain:
     cpdef int take(self, long long number) noexcept
     @cython.locals(at=Py_ssize_t)
     cdef void hide(self, double x, double y, double radius) noexcept
-    @cython.locals(row=Py_ssize_t, number=double, piece=Py_ssize_t, at=Py_ssize_t, motion=double, x=double, y=double, off=double)
+    @cython.locals(
+        row=Py_ssize_t, number=double, piece=Py_ssize_t, at=Py_ssize_t, motion=double, x=double,
+        y=double, off=double
+    )
     cdef void find_hidden(self) noexcept
     cdef Py_ssize_t taken_row(self) noexcept
     cpdef bint has_next(self, long long number) noexcept

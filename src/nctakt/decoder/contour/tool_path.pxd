@@ -23,12 +23,21 @@ cdef class ToolPath(Chain):
 
     cpdef void set_corners(self, bint by_arc, bint is_direct) noexcept
     @cython.locals(at=Py_ssize_t)
-    cpdef void line(self, double x, double y, double x_2, double y_2, double begin_d, double end_d, bint is_contour) noexcept
+    cpdef void line(
+        self, double x, double y, double x_2, double y_2, double begin_d, double end_d,
+        bint is_contour
+    ) noexcept
     @cython.locals(at=Py_ssize_t, motions=double[::1])
-    cpdef bint arc(self, double x, double y, double x_2, double y_2, double distance, double centre_x, double centre_y, double angle) noexcept
+    cpdef bint arc(
+        self, double x, double y, double x_2, double y_2, double distance, double centre_x,
+        double centre_y, double angle
+    ) noexcept
     @cython.locals(at=Py_ssize_t)
     cpdef void begin(self, double x, double y, bint is_perpendicular) noexcept
-    @cython.locals(number=cython.longlong, first=Py_ssize_t, distance=double, meets=int, x=double, y=double, piece=Py_ssize_t, row=Py_ssize_t)
+    @cython.locals(
+        number=cython.longlong, first=Py_ssize_t, distance=double, meets=int, x=double, y=double,
+        piece=Py_ssize_t, row=Py_ssize_t
+    )
     cpdef long long enclose(self) noexcept
     @cython.locals(at=Py_ssize_t, meets=int, i=Py_ssize_t)
     cpdef bint add(self) noexcept
@@ -38,9 +47,15 @@ cdef class ToolPath(Chain):
     cpdef bint close(self, bint is_perpendicular) noexcept
     cpdef bint last_motion_fits(self) noexcept
     cdef void open(self, Py_ssize_t at) noexcept
-    @cython.locals(corners=Corners, at=Py_ssize_t, is_contour=int, row=Py_ssize_t, fits=int, k=int, i=Py_ssize_t)
+    @cython.locals(
+        corners=Corners, at=Py_ssize_t, is_contour=int, row=Py_ssize_t, fits=int, k=int,
+        i=Py_ssize_t
+    )
     cdef int put_motion(self, int meets, Py_ssize_t other) noexcept
-    @cython.locals(corners=Corners, row=Py_ssize_t, i=Py_ssize_t, x=double, y=double, next_x=double, next_y=double, motions=double[::1], radius=double)
+    @cython.locals(
+        corners=Corners, row=Py_ssize_t, i=Py_ssize_t, x=double, y=double, next_x=double,
+        next_y=double, motions=double[::1], radius=double
+    )
     cdef void part(self, Py_ssize_t at, Py_ssize_t other, int is_contour) noexcept
     @cython.locals(motions=double[::1], off=double)
     cdef void note_ends(self, Py_ssize_t at, int is_contour) noexcept

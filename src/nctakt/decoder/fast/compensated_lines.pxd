@@ -36,7 +36,10 @@ cdef class CompensatedLines:
     cdef bint next_stops
 
     @cython.locals(x=double, y=double, x_2=double, y_2=double)
-    cdef int try_join(self, double[::1] start, double[::1] target, double[::1] lows, double[::1] highs, bint is_contour) noexcept
+    cdef int try_join(
+        self, double[::1] start, double[::1] target, double[::1] lows, double[::1] highs,
+        bint is_contour
+    ) noexcept
     @cython.locals(before=cython.longlong, shape=int)
     cdef int emit(self, CommandQueue queue, Py_ssize_t timed) noexcept
     @cython.locals(i=Py_ssize_t)
@@ -44,4 +47,7 @@ cdef class CompensatedLines:
     @cython.locals(row=Py_ssize_t, i=Py_ssize_t, is_continued=bint, stops=bint, deviation=double)
     cdef void emit_piece(self, CommandQueue queue, int shape, long long before) noexcept
     @cython.locals(i=Py_ssize_t)
-    cdef void set_next(self, long long source, long long number, double[::1] target, int motion, double feed_v, int stops) noexcept
+    cdef void set_next(
+        self, long long source, long long number, double[::1] target, int motion, double feed_v,
+        int stops
+    ) noexcept

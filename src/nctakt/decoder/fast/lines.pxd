@@ -32,10 +32,16 @@ cdef class PlainLines:
     cdef readonly long long source
 
     @cython.locals(end=Py_ssize_t, what=int, is_rapid=bint, motion=int, feed_v=double, stops=bint)
-    cpdef Py_ssize_t fill(self, CommandQueue queue, Py_ssize_t timed, list lines, Py_ssize_t index, long long number) except -1
+    cpdef Py_ssize_t fill(
+        self, CommandQueue queue, Py_ssize_t timed, list lines, Py_ssize_t index, long long number
+    ) except -1
     cpdef bint resume(self, CommandQueue queue, Py_ssize_t timed)
-    @cython.locals(scanner=PlainScanner, what=int, motion=int, feed_v=double, moves=int, i=Py_ssize_t)
+    @cython.locals(
+        scanner=PlainScanner, what=int, motion=int, feed_v=double, moves=int, i=Py_ssize_t
+    )
     cpdef int decode(self, str line, long long number) except -1
     cdef int try_join(self, int motion)
-    @cython.locals(scanner=PlainScanner, moves=int, i=Py_ssize_t, position=double, begin=double, target=double)
+    @cython.locals(
+        scanner=PlainScanner, moves=int, i=Py_ssize_t, position=double, begin=double, target=double
+    )
     cdef int set_target(self)

@@ -21,24 +21,38 @@ cdef class ArcLimits:
     cdef double outer_a
     cdef double outer_v
 
-    @cython.locals(first=Py_ssize_t, second=Py_ssize_t, angle=double, x=double, y=double, radius=double, turn=double, part=double, curvature=double, share=double, cosine=double, sine=double, j=Py_ssize_t, even=double, keep=double, k=Py_ssize_t, cap=double, outer_v=double)
+    @cython.locals(
+        first=Py_ssize_t, second=Py_ssize_t, angle=double, x=double, y=double, radius=double,
+        turn=double, part=double, curvature=double, share=double, cosine=double, sine=double,
+        j=Py_ssize_t, even=double, keep=double, k=Py_ssize_t, cap=double, outer_v=double
+    )
     cdef void open(self, double[::1] segments, Py_ssize_t row) noexcept nogil
     @cython.locals(behind=Py_ssize_t, even=double)
     cdef double border(self, Py_ssize_t j) noexcept nogil
     @cython.locals(start=Py_ssize_t, target=Py_ssize_t, i=Py_ssize_t, distance=double, part=double)
-    cdef void open_outer(self, double[::1] segments, Py_ssize_t row, Py_ssize_t first, Py_ssize_t second) noexcept nogil
+    cdef void open_outer(
+        self, double[::1] segments, Py_ssize_t row, Py_ssize_t first, Py_ssize_t second
+    ) noexcept nogil
     @cython.locals(behind=Py_ssize_t, used=double)
     cdef double used_share(self, double[::1] segments, Py_ssize_t row, Py_ssize_t k) noexcept nogil
     @cython.locals(cap=double, part=double, speed=double)
-    cdef double cap_at(self, Py_ssize_t j, Py_ssize_t first, Py_ssize_t second, double keep) noexcept nogil
+    cdef double cap_at(
+        self, Py_ssize_t j, Py_ssize_t first, Py_ssize_t second, double keep
+    ) noexcept nogil
     @cython.locals(first=double, second=double, cap=double)
     cdef double centre_cap(self, Py_ssize_t k, Py_ssize_t j) noexcept nogil
     @cython.locals(max_a=double)
-    cdef double rate(self, Py_ssize_t k, double speed2, double growth, double direction) noexcept nogil
+    cdef double rate(
+        self, Py_ssize_t k, double speed2, double growth, double direction
+    ) noexcept nogil
     @cython.locals(part=double, curvature=double, max_a=double)
-    cdef double border_rate(self, Py_ssize_t j, double keep, double speed2, double growth, double direction) noexcept nogil
+    cdef double border_rate(
+        self, Py_ssize_t j, double keep, double speed2, double growth, double direction
+    ) noexcept nogil
     @cython.locals(left_a=double, later=double)
-    cdef double axis_rate(self, double part, double curvature, double limit_a, double speed2, double growth) noexcept nogil
+    cdef double axis_rate(
+        self, double part, double curvature, double limit_a, double speed2, double growth
+    ) noexcept nogil
     @cython.locals(k=Py_ssize_t)
     cdef double entry_v2(self, double speed2) noexcept nogil
     @cython.locals(behind=Py_ssize_t, width=double)

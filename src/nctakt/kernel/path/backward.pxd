@@ -52,10 +52,15 @@ cdef class BackwardMotion(History):
     @cython.locals(speed=double)
     cdef double stage_speed(self, Py_ssize_t row, int stage, int ignores_feed) noexcept nogil
     @cython.locals(first=Py_ssize_t, second=Py_ssize_t)
-    cdef double corner_speed(self, long long number, long long other, int ignores_feed) noexcept nogil
+    cdef double corner_speed(
+        self, long long number, long long other, int ignores_feed
+    ) noexcept nogil
     @cython.locals(row=Py_ssize_t, end_v=double, limit_v=double)
     cdef double front_speed(self, int ignores_feed) noexcept nogil
-    @cython.locals(number=cython.longlong, stage=int, row=Py_ssize_t, max_v2=double, gained2=double, speed=double, other=cython.longlong, limit_a=double, d=double)
+    @cython.locals(
+        number=cython.longlong, stage=int, row=Py_ssize_t, max_v2=double, gained2=double,
+        speed=double, other=cython.longlong, limit_a=double, d=double
+    )
     cdef double border_speed(self, int ignores_feed) noexcept nogil
     @cython.locals(end_v=double, feed_v=double, speed2=double, min_v2=double)
     cdef double end_speed(self, double rest_d, double limit_a) noexcept nogil

@@ -25,9 +25,14 @@ cdef class Corner:
     cdef bint is_rounded
     cdef bint last_is_rounded
 
-    cdef void enter(self, double[::1] segments, Py_ssize_t row, double centripetal_share) noexcept nogil
+    cdef void enter(
+        self, double[::1] segments, Py_ssize_t row, double centripetal_share
+    ) noexcept nogil
     cdef void leave(self, double[::1] segments, Py_ssize_t row, double length) noexcept nogil
     @cython.locals(i=Py_ssize_t)
     cdef void set_steps(self) noexcept nogil
-    @cython.locals(step=double, max_a=double, speed=double, more=double, root=double, slower=double, density=double)
+    @cython.locals(
+        step=double, max_a=double, speed=double, more=double, root=double, slower=double,
+        density=double
+    )
     cdef double corner_speed(self, Py_ssize_t i, double shortest, double turn) noexcept nogil

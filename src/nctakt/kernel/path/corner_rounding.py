@@ -114,7 +114,7 @@ class CornerRounding:
     def saves_time(
         self, segments: memoryview[float], before: int, row: int, half: float, speed: float
     ) -> int:
-        """Return whether rounding and ramps take less time than a stand at the corner.
+        """Return whether rounding and ramps take less time than a standstill at the corner.
 
         What a ramp takes more than the same way with its higher speed is compared. That speed is
         one from which the path can stop on half of each line.

@@ -16,11 +16,15 @@ cdef class Goal:
 
     @cython.locals(goal_a=double)
     cdef void load(self, double[::1] segments, Py_ssize_t row) noexcept nogil
-    cdef void load_end(self, double[::1] segments, Py_ssize_t row, double carried_a, double carried_j) noexcept nogil
+    cdef void load_end(
+        self, double[::1] segments, Py_ssize_t row, double carried_a, double carried_j
+    ) noexcept nogil
     cdef void move(self, double speed_v, int kind) noexcept nogil
     @cython.locals(is_new=int)
     cdef int store(self, double[::1] segments, Py_ssize_t row) noexcept nogil
-    @cython.locals(change=double, ramp_t=double, ramp_v=double, time=double, distance=double, from_v=double)
+    @cython.locals(
+        change=double, ramp_t=double, ramp_v=double, time=double, distance=double, from_v=double
+    )
     cdef double braking_distance(self, double speed) noexcept nogil
     @cython.locals(ramp_t=double, time=double, distance=double, change=double)
     cdef double slowing_distance(self, double speed) noexcept nogil

@@ -32,7 +32,9 @@ cdef class History:
     cdef double passing_speed(self, long long number, long long other) noexcept nogil
     @cython.locals(count=Py_ssize_t, number=cython.longlong, other=cython.longlong)
     cdef void survey(self, int is_new) noexcept nogil
-    @cython.locals(last=Py_ssize_t, row=Py_ssize_t, before=Py_ssize_t, first=Py_ssize_t, corner_v=double)
+    @cython.locals(
+        last=Py_ssize_t, row=Py_ssize_t, before=Py_ssize_t, first=Py_ssize_t, corner_v=double
+    )
     cdef void find_goal(self, Py_ssize_t count) noexcept nogil
     @cython.locals(own_a=double, own_j=double, speed=double, max_speed=double, fades_d=double)
     cdef void take_over(self, Py_ssize_t before, Py_ssize_t row) noexcept nogil

@@ -72,7 +72,7 @@ class History:
     # --- stretches with a limit of the jerk -----------------------------------------------------
 
     def passing_speed(self, number: int, other: int) -> float:
-        """Highest speed from a segment into its neighbour; 0: a stand between them."""
+        """Highest speed from a segment into its neighbour; 0: a standstill between them."""
         if other < self.path.oldest or other == self.front_number:
             return 0.0
         first = self.path.row_of(number if self.path.direction > 0 else other)

@@ -108,7 +108,7 @@ class JerkLookAhead:
     def spread(
         self, segments: memoryview[float], number: int, oldest: int, is_promised: int
     ) -> int:
-        """Settle the goals of the segments before ``number``, which ends with a stand.
+        """Settle the goals of the segments before ``number``, which ends at a standstill.
 
         ``oldest`` is the first command of the queue that is not current. 0 where the current
         segment has been promised (``is_promised``) more than can be kept: some segment behind it

@@ -151,7 +151,7 @@ class Path(PathAxes):
     def set_remaining(self, remaining: float) -> None:
         """Set what is left of the block behind the newest segment.
 
-        With a limit of the jerk its length, else the highest speed that ends in a stand at its end.
+        With a limit of the jerk its length, else the highest speed that reaches 0 at its end.
         """
         if self.history_rows[self.front + rows.JERK] > 0.0:
             self.history_rows[self.front + rows.REMAINING_LENGTH] = remaining
@@ -159,7 +159,7 @@ class Path(PathAxes):
             self.history_rows[self.front + rows.REMAINING_SPEED] = remaining
 
     def remaining_speed(self) -> float:
-        """Highest speed at the segment's end from which its block can end with a stand."""
+        """Highest speed at the segment's end from which its block can end at a standstill."""
         return self.history_rows[self.row + rows.REMAINING_SPEED]
 
     def block_serial(self) -> int:
@@ -228,7 +228,7 @@ class Path(PathAxes):
             self.limit_v = -1.0
 
     def ends_moving(self) -> int:
-        """Return whether the current segment does not end with a stand."""
+        """Return whether the current segment does not end at a standstill."""
         goal = (
             self.history_rows[self.row + rows.GOAL_LENGTH]
             + self.history_rows[self.row + rows.GOAL_SPEED]
@@ -320,9 +320,9 @@ class Path(PathAxes):
         return self.unoverridden_factor if ignores_override else self.common_factor
 
     def block_end_speed(self, rest_d: float, limit_a: float) -> float:
-        """Highest speed at the segment's end; in single block a stand, if it is possible.
+        """Highest speed at the segment's end; in single block a standstill, if it is possible.
 
-        Where the block goes on with the next segment it is a speed from which its end is a stand.
+        Where the next segment continues the block it is a speed that reaches 0 at the block's end.
         What was prepared counts with an override of 100 %. With less the next segment begins with
         its own lower speed, as far as braking at the limit comes; with more the prepared speed
         grows, as far as the axes allow.

@@ -27,19 +27,43 @@ cdef class SegmentLimits:
 
     @cython.locals(share=double)
     cdef double measure(self, double[::1] segments, Py_ssize_t row) noexcept nogil
-    @cython.locals(is_rapid=bint, start=Py_ssize_t, target=Py_ssize_t, limit_a=double, limit_j=double, i=Py_ssize_t, distance=double, part=double, slope_a=double, slope_j=double)
+    @cython.locals(
+        is_rapid=bint, start=Py_ssize_t, target=Py_ssize_t, limit_a=double, limit_j=double,
+        i=Py_ssize_t, distance=double, part=double, slope_a=double, slope_j=double
+    )
     cdef void limit_jerk(self, double[::1] segments, Py_ssize_t row) noexcept nogil
-    @cython.locals(first=Py_ssize_t, second=Py_ssize_t, x=double, y=double, radius=double, turn=double, distance=double, part=double, first_a=double, second_a=double, plane_a=double, plane_j=double, max_v=double, outer_a=double, outer_j=double, best_t=double, speed=double, centre_a=double, turned_j=double, free_a=double, ramp_a=double, crossing_j=double, jerk=double, time=double, _=int)
-    cdef void limit_jerk_on_arc(self, double[::1] segments, Py_ssize_t row, double[::1] shares, double[::1] turns) noexcept nogil
+    @cython.locals(
+        first=Py_ssize_t, second=Py_ssize_t, x=double, y=double, radius=double, turn=double,
+        distance=double, part=double, first_a=double, second_a=double, plane_a=double,
+        plane_j=double, max_v=double, outer_a=double, outer_j=double, best_t=double, speed=double,
+        centre_a=double, turned_j=double, free_a=double, ramp_a=double, crossing_j=double,
+        jerk=double, time=double, _=int
+    )
+    cdef void limit_jerk_on_arc(
+        self, double[::1] segments, Py_ssize_t row, double[::1] shares, double[::1] turns
+    ) noexcept nogil
     @cython.locals(ramp=double, half=double, peak=double)
-    cdef double rest_to_rest_time(self, double distance, double speed, double limit_a, double limit_j) noexcept nogil
+    cdef double rest_to_rest_time(
+        self, double distance, double speed, double limit_a, double limit_j
+    ) noexcept nogil
     cdef void stand_at_end(self, double[::1] segments, Py_ssize_t row) noexcept nogil
-    @cython.locals(start=Py_ssize_t, target=Py_ssize_t, linear2=double, rotary2=double, i=Py_ssize_t, distance=double)
+    @cython.locals(
+        start=Py_ssize_t, target=Py_ssize_t, linear2=double, rotary2=double, i=Py_ssize_t,
+        distance=double
+    )
     cdef double straight_length(self, double[::1] segments, Py_ssize_t row) noexcept nogil
-    @cython.locals(is_rapid=bint, start=Py_ssize_t, target=Py_ssize_t, highest=double, limit_a=double, rapid=double, i=Py_ssize_t, distance=double, part=double)
+    @cython.locals(
+        is_rapid=bint, start=Py_ssize_t, target=Py_ssize_t, highest=double, limit_a=double,
+        rapid=double, i=Py_ssize_t, distance=double, part=double
+    )
     cdef void bound(self, double[::1] segments, Py_ssize_t row) noexcept nogil
     cdef int in_plane(self, double[::1] segments, Py_ssize_t row, Py_ssize_t index) noexcept nogil
-    @cython.locals(start=Py_ssize_t, target=Py_ssize_t, first=Py_ssize_t, second=Py_ssize_t, x=double, y=double, radius=double, angle=double, distance=double, length2=double, i=Py_ssize_t, rise=double, length=double, part=double, plane_a=double, highest=double, commanded_v=double, share=double, centripetal=double, speed=double, limit_a=double, by_speed=bint)
+    @cython.locals(
+        start=Py_ssize_t, target=Py_ssize_t, first=Py_ssize_t, second=Py_ssize_t, x=double,
+        y=double, radius=double, angle=double, distance=double, length2=double, i=Py_ssize_t,
+        rise=double, length=double, part=double, plane_a=double, highest=double, commanded_v=double,
+        share=double, centripetal=double, speed=double, limit_a=double, by_speed=bint
+    )
     cdef double measure_arc(self, double[::1] segments, Py_ssize_t row) noexcept nogil
     @cython.locals(slower=double)
     cdef int is_even(self, double[::1] segments, Py_ssize_t row, double commanded_v) noexcept nogil

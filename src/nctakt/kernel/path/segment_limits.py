@@ -180,7 +180,7 @@ class SegmentLimits:
         return distance / peak + peak / limit_a + ramp
 
     def stand_at_end(self, segments: memoryview[float], row: int) -> None:
-        """Let a segment end with a stand."""
+        """Let a segment end at a standstill."""
         segments[row + rows.GOAL_LENGTH] = 0.0
         segments[row + rows.GOAL_SPEED] = 0.0
         segments[row + rows.GOAL_ACCELERATION] = 1e300

@@ -18,10 +18,17 @@ cdef class TrapezoidProfile:
     cdef readonly double end_v
     cdef readonly bint is_endless
 
-    @cython.locals(brake_d=double, peak2=double, last_t=double, start2=double, end_v2=double, highest_v=double)
-    cdef void plan(self, double length_d, double start_v, double end_v, double limit_v, double limit_a) noexcept nogil
+    @cython.locals(
+        brake_d=double, peak2=double, last_t=double, start2=double, end_v2=double, highest_v=double
+    )
+    cdef void plan(
+        self, double length_d, double start_v, double end_v, double limit_v, double limit_a
+    ) noexcept nogil
     @cython.locals(last_t=double)
-    cdef void plan_ramps(self, double length_d, double start_v, double first_d, double cruise_v, double last_d, double end_v) noexcept nogil
+    cdef void plan_ramps(
+        self, double length_d, double start_v, double first_d, double cruise_v, double last_d,
+        double end_v
+    ) noexcept nogil
     cdef void pass_at_once(self) noexcept nogil
     @cython.locals(middle_v=double)
     cdef void brake_only(self) noexcept nogil

@@ -25,32 +25,48 @@ cdef class CommandQueue:
     @cython.locals(row=Py_ssize_t, i=Py_ssize_t, kind=int)
     cpdef put(self, list command)
     @cython.locals(row=Py_ssize_t, first=Py_ssize_t, i=Py_ssize_t)
-    cpdef put_segment(self, double source, double number, start, target, int motion, double feed_v, int exact_stop, double deviation, int limits_jerk, arc, pace=*)
+    cpdef put_segment(
+        self, double source, double number, start, target, int motion, double feed_v,
+        int exact_stop, double deviation, int limits_jerk, arc, pace=*
+    )
     @cython.locals(length=double, oldest=Py_ssize_t, before=Py_ssize_t, back=Py_ssize_t)
     cdef void prepare(self, Py_ssize_t row) noexcept nogil
     @cython.locals(promised_v=double, promised_max_v=double)
     cdef void connect(self, Py_ssize_t back, Py_ssize_t oldest) noexcept nogil
-    @cython.locals(number=Py_ssize_t, rounding=Py_ssize_t, row=Py_ssize_t, i=Py_ssize_t, before=Py_ssize_t)
+    @cython.locals(
+        number=Py_ssize_t, rounding=Py_ssize_t, row=Py_ssize_t, i=Py_ssize_t, before=Py_ssize_t
+    )
     cdef Py_ssize_t insert_rounding(self, Py_ssize_t oldest) noexcept nogil
     @cython.locals(row=Py_ssize_t, target=Py_ssize_t, i=Py_ssize_t)
     cdef void copy_row(self, Py_ssize_t number, Py_ssize_t to) noexcept nogil
     @cython.locals(i=Py_ssize_t)
-    cdef void begin_segment(self, Py_ssize_t row, double source, double number, int motion, int exact_stop, int limits_jerk) noexcept nogil
+    cdef void begin_segment(
+        self, Py_ssize_t row, double source, double number, int motion, int exact_stop,
+        int limits_jerk
+    ) noexcept nogil
     @cython.locals(first=Py_ssize_t, i=Py_ssize_t)
     cdef void put_ends(self, Py_ssize_t row, double[::1] start, double[::1] target) noexcept nogil
     @cython.locals(exact_stop=bint)
     cdef void end_segment(self, Py_ssize_t row) noexcept nogil
     @cython.locals(row=Py_ssize_t)
-    cdef void put_line(self, double source, double number, double[::1] start, double[::1] target, int motion, double feed_v, int exact_stop, double deviation, int limits_jerk) noexcept nogil
+    cdef void put_line(
+        self, double source, double number, double[::1] start, double[::1] target, int motion,
+        double feed_v, int exact_stop, double deviation, int limits_jerk
+    ) noexcept nogil
     @cython.locals(row=Py_ssize_t, i=Py_ssize_t)
-    cdef void put_arc(self, double source, double number, double[::1] start, double[::1] target, double[::1] arc, int motion, double feed_v, int exact_stop, double deviation, int limits_jerk) noexcept nogil
+    cdef void put_arc(
+        self, double source, double number, double[::1] start, double[::1] target, double[::1] arc,
+        int motion, double feed_v, int exact_stop, double deviation, int limits_jerk
+    ) noexcept nogil
     @cython.locals(row=Py_ssize_t)
     cpdef void continue_block(self) noexcept
     @cython.locals(before=Py_ssize_t, limits_jerk=bint)
     cdef int has_same_slope(self, Py_ssize_t number, Py_ssize_t row) noexcept nogil
     cdef Py_ssize_t next_row(self) except -1
     cdef int is_transparent(self, int kind) noexcept nogil
-    @cython.locals(count=Py_ssize_t, length=double, needed=double, position=Py_ssize_t, row=Py_ssize_t)
+    @cython.locals(
+        count=Py_ssize_t, length=double, needed=double, position=Py_ssize_t, row=Py_ssize_t
+    )
     cdef int needs_pass(self) noexcept nogil
     @cython.locals(fastest_v=double, speed=double, acceleration=double, length=double)
     cdef double braking_distance_in(self, Py_ssize_t row) noexcept nogil

@@ -319,7 +319,7 @@ class CommandQueue:
 
         At least one segment behind the next one has to be there, and the way to brake on.
         """
-        if not self.loop_body.is_complete or self.loop_body.ends_with_stand:
+        if not self.loop_body.is_complete or self.loop_body.ends_at_standstill:
             return 0
         count = 0
         length = 0.0

@@ -8,6 +8,6 @@ cdef class LoopBody:
     cdef readonly Py_ssize_t count
     cdef readonly bint is_open
     cdef readonly bint is_complete
-    cdef readonly bint ends_with_stand
+    cdef readonly bint ends_at_standstill
 
     cdef void give_up(self) noexcept nogil

@@ -13,7 +13,7 @@ from nctakt.kernel import rows
 class LoopBody:
     """Rows of ``width`` numbers; ``is_open`` while they come, ``is_complete`` from the end on.
 
-    ``ends_with_stand``: the last block ends with a stand, so that nothing is to be looked ahead
+    ``ends_at_standstill``: the last block ends at a standstill, so that nothing is to be looked ahead
     for.
     """
 
@@ -23,7 +23,7 @@ class LoopBody:
         self.count = 0
         self.is_open = False
         self.is_complete = False
-        self.ends_with_stand = False
+        self.ends_at_standstill = False
 
     def begin(self) -> None:
         """Begin a loop: the rows that follow are its body."""
@@ -31,11 +31,11 @@ class LoopBody:
         self.is_open = True
         self.is_complete = False
 
-    def end(self, axis_count: int, ends_with_stand: bool) -> None:
+    def end(self, axis_count: int, ends_at_standstill: bool) -> None:
         """Complete the body; a pass begins exactly where the one before has ended."""
         self.is_open = False
         self.is_complete = True
-        self.ends_with_stand = ends_with_stand
+        self.ends_at_standstill = ends_at_standstill
         begins = [self.width * k for k in range(self.count)]
         segments = [begin for begin in begins if self.rows[begin + rows.KIND] == rows.SEGMENT]
         first = segments[0] + rows.START

@@ -32,9 +32,15 @@ cdef class ShapeScanner(LineScanner):
     cpdef Py_ssize_t read(self, list lines, Py_ssize_t index) except -1
     @cython.locals(i=Py_ssize_t, shape=Shape, own=list, runs=list)
     cdef Shape statement(self, list lines, Py_ssize_t start, Py_ssize_t first_mark, int depth)
-    @cython.locals(start=Py_ssize_t, before=Py_ssize_t, first_mark=Py_ssize_t, shape=Shape, run=list)
+    @cython.locals(
+        start=Py_ssize_t, before=Py_ssize_t, first_mark=Py_ssize_t, shape=Shape, run=list
+    )
     cdef int inside(self, list lines, list own, list runs, int depth) except -1
-    @cython.locals(end=Py_ssize_t, start=Py_ssize_t, marks=Py_ssize_t, i=Py_ssize_t, stop=Py_ssize_t, is_empty=bint, is_head=bint, before=Py_UCS4, last=Py_UCS4, c=Py_UCS4, depth=int, element_depth=int, behind_element=bint)
+    @cython.locals(
+        end=Py_ssize_t, start=Py_ssize_t, marks=Py_ssize_t, i=Py_ssize_t, stop=Py_ssize_t,
+        is_empty=bint, is_head=bint, before=Py_UCS4, last=Py_UCS4, c=Py_UCS4, depth=int,
+        element_depth=int, behind_element=bint
+    )
     cdef int line(self, str line)
     cdef void append(self, Py_UCS4 c)
     cdef int is_sign(self, Py_UCS4 c)

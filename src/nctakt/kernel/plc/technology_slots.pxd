@@ -31,7 +31,9 @@ cdef class Section:
     @cython.locals(i=Py_ssize_t)
     cdef void acknowledge_done(self, long long tick) noexcept nogil
     @cython.locals(i=Py_ssize_t, number=cython.longlong)
-    cdef void record_answers(self, Record record, int state, int kind, int is_realtime) noexcept nogil
+    cdef void record_answers(
+        self, Record record, int state, int kind, int is_realtime
+    ) noexcept nogil
     @cython.locals(i=Py_ssize_t)
     cdef void clear(self) noexcept nogil
 

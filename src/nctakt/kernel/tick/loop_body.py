@@ -13,8 +13,7 @@ from nctakt.kernel import rows
 class LoopBody:
     """Rows of ``width`` numbers; ``is_open`` while they come, ``is_complete`` from the end on.
 
-    ``ends_at_standstill``: the last block ends at a standstill, so that nothing is to be looked ahead
-    for.
+    ``ends_at_standstill``: the last block ends at a standstill and needs no look-ahead.
     """
 
     def __init__(self, width: int) -> None:

@@ -7,10 +7,12 @@ import threading
 import time
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 from nctakt import Controller, Failure, NcText
+from nctakt.run.inputs import Input
 from nctakt.session import Session
 from nctakt.session.stops import StopAt, read_stop
 from nctakt.session.worker import can_fork
@@ -259,6 +261,23 @@ def test_a_function_is_acknowledged_by_hand() -> None:
         assert session.tick == 51
         session.back(20)
         assert session.waiting() == [(channel, entry)]
+
+
+@pytest.mark.parametrize(
+    "values",
+    [
+        ("write", ("V.E.NO", 1)),
+        ("write", ()),
+        ("ack", (5, False, 0, 0, "M1")),
+        ("ack", (0, False, 999, 0, "M1")),
+        ("ack_spindle", (0, 99, 0, "S")),
+        ("jump", ()),
+    ],
+)
+def test_a_forged_input_is_refused_at_the_door(session: Session, values: tuple[str, Any]) -> None:
+    with pytest.raises(Failure):
+        session._story._timeline.post([Input(0, "page", *values)])
+    assert session.step().state == "running"
 
 
 # --- clock and listeners --------------------------------------------------------------------------

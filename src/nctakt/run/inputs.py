@@ -79,6 +79,11 @@ class Inputs:
                 0 <= channel < len(self._channels) and 0 <= slot < SLOT_COUNT
             ):
                 pass
+            case "ack_spindle", (int() as channel, int() as index, int(), str()) if (
+                0 <= channel < len(self._channels)
+                and 0 <= index < self._channels[channel].context.spindles.count
+            ):
+                pass
             case _:
                 raise Failure(self._impossible(planned))
 

@@ -26,7 +26,7 @@ from nctakt.plc.loading import load_plc
 from nctakt.results.run import ProgramMessage, Run, RunState
 from nctakt.run.assembly import AssembledMachine
 from nctakt.run.inputs import PLC, Input
-from nctakt.run.plc_view import PlcView, TechnologyEntry
+from nctakt.run.plc_view import PlcView, SpindleEntry, TechnologyEntry
 from nctakt.run.program_run import ProgramRun, RunOptions
 from nctakt.run.stimuli import as_inputs, read_stimulus
 from nctakt.run.tick_loop import TickLoop
@@ -345,13 +345,17 @@ class Engine:
                 )
         return found
 
-    def waiting(self) -> list[tuple[int, TechnologyEntry]]:
-        """Return the functions that wait for their acknowledgement, each with its channel."""
-        return [
-            (number, entry)
-            for number in range(1, len(self._machine.channels) + 1)
-            for entry in PlcView(self._machine, number - 1).functions()
-        ]
+    def waiting(self) -> list[tuple[int, TechnologyEntry | SpindleEntry]]:
+        """Return what waits for its acknowledgement, each with its channel.
+
+        The functions of a channel come first, then the jobs of spindles that the PLC turns.
+        """
+        found: list[tuple[int, TechnologyEntry | SpindleEntry]] = []
+        for number in range(1, len(self._machine.channels) + 1):
+            view = PlcView(self._machine, number - 1)
+            found += ((number, entry) for entry in view.functions())
+            found += ((number, job) for job in view.spindle_jobs())
+        return found
 
     def look(self, end: int, signals: Sequence[str], every: int) -> bytes:
         """Run up to tick ``end``; return the signals behind each ``every``-th tick.

@@ -23,7 +23,7 @@ from nctakt.messages import diagnostic
 from nctakt.messages.session import PLC_DIFFERS, SESSION_IS_CLOSED
 from nctakt.results.run import Run
 from nctakt.run.inputs import API, Input
-from nctakt.run.plc_view import TechnologyEntry
+from nctakt.run.plc_view import SpindleEntry, TechnologyEntry
 from nctakt.run.program_loader import NcText
 from nctakt.run.stimuli import StimulusLike
 from nctakt.session.clock import SLICE_S, FastClock, WallClock
@@ -343,8 +343,10 @@ class Session:
         """
         self._ask(self._input, self._story.write, values, source)
 
-    def acknowledge(self, channel: int, entry: TechnologyEntry, source: str = API) -> None:
-        """Acknowledge a function of ``waiting``; otherwise as ``write``."""
+    def acknowledge(
+        self, channel: int, entry: TechnologyEntry | SpindleEntry, source: str = API
+    ) -> None:
+        """Acknowledge an entry of ``waiting``; otherwise as ``write``."""
         self._ask(self._input, self._story.acknowledge, channel, entry, source)
 
     def _input(self, method: Callable[..., bool], *words: Any) -> None:
@@ -365,8 +367,8 @@ class Session:
         """Return the living realtime cycles at this tick, with the truth of their conditions."""
         return self._ask(self._story.cycles)
 
-    def waiting(self) -> list[tuple[int, TechnologyEntry]]:
-        """Return the functions that wait for their acknowledgement, each with its channel."""
+    def waiting(self) -> list[tuple[int, TechnologyEntry | SpindleEntry]]:
+        """Return functions and spindle jobs that wait for the PLC, each with its channel."""
         return self._ask(self._story.waiting)
 
     def look(

@@ -14,8 +14,8 @@ from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
 from nctakt.lists.format.times import TimeLike, read_time
 from nctakt.results.run import Run
-from nctakt.run.inputs import ACKNOWLEDGE, WRITE, Input
-from nctakt.run.plc_view import TechnologyEntry
+from nctakt.run.inputs import ACKNOWLEDGE, ACKNOWLEDGE_SPINDLE, WRITE, Input
+from nctakt.run.plc_view import SpindleEntry, TechnologyEntry
 from nctakt.session.engine import CycleState, Slice
 from nctakt.session.setup import Description, Setup
 from nctakt.session.stops import StopAt, read_stop
@@ -145,10 +145,15 @@ class Story:
             [Input(self.tick, source, WRITE, (name, value)) for name, value in values.items()]
         )
 
-    def acknowledge(self, channel: int, entry: TechnologyEntry, source: str) -> bool:
-        """Acknowledge a function of ``waiting``; returns as ``write``."""
-        values = (channel - 1, entry.is_realtime, entry.slot, entry.serial, entry.name)
-        return self._timeline.post([Input(self.tick, source, ACKNOWLEDGE, values)])
+    def acknowledge(self, channel: int, entry: TechnologyEntry | SpindleEntry, source: str) -> bool:
+        """Acknowledge an entry of ``waiting``; returns as ``write``."""
+        values: tuple[float | str | bool, ...]
+        if isinstance(entry, SpindleEntry):
+            kind, values = ACKNOWLEDGE_SPINDLE, (channel - 1, entry.index, entry.serial, entry.name)
+        else:
+            slot = (entry.is_realtime, entry.slot, entry.serial, entry.name)
+            kind, values = ACKNOWLEDGE, (channel - 1, *slot)
+        return self._timeline.post([Input(self.tick, source, kind, values)])
 
     # --- looking --------------------------------------------------------------------------------
 
@@ -164,9 +169,10 @@ class Story:
         """Return the living realtime cycles at this tick."""
         return self._timeline.live.cycles()
 
-    def waiting(self) -> list[tuple[int, TechnologyEntry]]:
-        """Return the functions that wait for their acknowledgement, each with its channel."""
-        return cast("list[tuple[int, TechnologyEntry]]", self._timeline.live.ask("waiting"))
+    def waiting(self) -> list[tuple[int, TechnologyEntry | SpindleEntry]]:
+        """Return what waits for its acknowledgement, each with its channel."""
+        waiting = self._timeline.live.ask("waiting")
+        return cast("list[tuple[int, TechnologyEntry | SpindleEntry]]", waiting)
 
     def look(
         self, first: int, end: int, signals: Sequence[str], rows: int = MAX_ROWS

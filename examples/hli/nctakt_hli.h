@@ -6,13 +6,13 @@
 #include <stdint.h>
 
 #define HLI_MAGIC "NCTAKT"
-#define HLI_VERSION 4
+#define HLI_VERSION 5
 #define HLI_UNITS 20
 
 /* the begin of the image: what there is, where it stands, and the clock */
 typedef struct hli_header {
     char magic[8]; /* NCTAKT and two zero bytes */
-    uint32_t version; /* 4; another one is another layout */
+    uint32_t version; /* 5; another one is another layout */
     uint32_t ready; /* 1 while the CNC is there; written last, taken away first */
     uint32_t size; /* the whole image (bytes) */
     uint32_t cycle_time_us; /* the length of a tick (µs) */
@@ -79,6 +79,8 @@ typedef struct hli_unit {
     uint32_t sequence; /* its number among those of its tick and section, from 1 */
     uint32_t axis; /* logical of the axis or spindle that it is for, 0: channel */
     int32_t value; /* its value in the program, as in M110=130; 0 for none */
+    uint32_t identifier; /* 1: the program's, 2 POS_RT: of a realtime cycle */
+    uint32_t synchronisation; /* bits of its type, 1 MOS, 2 MVS_SVS … (P-CHAN-00041, P-CHAN-00027); POS_RT: always MOS */
     uint64_t time_us; /* the begin of the tick that has commanded it (µs) */
     uint64_t duration_us; /* the time that the channel list gives it (µs) */
 } hli_unit;
@@ -88,9 +90,11 @@ _Static_assert(offsetof(hli_unit, number) == 8, "number");
 _Static_assert(offsetof(hli_unit, sequence) == 12, "sequence");
 _Static_assert(offsetof(hli_unit, axis) == 16, "axis");
 _Static_assert(offsetof(hli_unit, value) == 20, "value");
-_Static_assert(offsetof(hli_unit, time_us) == 24, "time_us");
-_Static_assert(offsetof(hli_unit, duration_us) == 32, "duration_us");
-_Static_assert(sizeof(hli_unit) == 40, "hli_unit");
+_Static_assert(offsetof(hli_unit, identifier) == 24, "identifier");
+_Static_assert(offsetof(hli_unit, synchronisation) == 28, "synchronisation");
+_Static_assert(offsetof(hli_unit, time_us) == 32, "time_us");
+_Static_assert(offsetof(hli_unit, duration_us) == 40, "duration_us");
+_Static_assert(sizeof(hli_unit) == 48, "hli_unit");
 
 /* the state of a channel */
 typedef struct hli_channel {
@@ -124,8 +128,8 @@ _Static_assert(offsetof(hli_channel, distance_to_go) == 40, "distance_to_go");
 _Static_assert(offsetof(hli_channel, block) == 48, "block");
 _Static_assert(offsetof(hli_channel, active_cycles) == 52, "active_cycles");
 _Static_assert(offsetof(hli_channel, program) == 56, "program");
-_Static_assert(offsetof(hli_channel, realtime) == 856, "realtime");
-_Static_assert(sizeof(hli_channel) == 1656, "hli_channel");
+_Static_assert(offsetof(hli_channel, realtime) == 1016, "realtime");
+_Static_assert(sizeof(hli_channel) == 1976, "hli_channel");
 
 /* the state of an axis */
 typedef struct hli_axis {

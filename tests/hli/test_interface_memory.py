@@ -27,6 +27,7 @@ from nctakt.hli.layout import (
     SPINDLE_COMMAND,
     STRUCTURES,
     UNIT,
+    VERSION,
     Structure,
 )
 from nctakt.hli.places import ImageLayout, entries, entry, image_layout, size_of, unit_offset
@@ -145,7 +146,7 @@ def test_the_header_says_what_there_is() -> None:
     """Magic, version, sizes, places; ``ready`` is taken away when the image is closed."""
     memory = Memory(Controller())
     assert bytes(memory.image.memory[:8]) == MAGIC
-    assert (memory.header["version"], memory.header["ready"]) == (4, 1)
+    assert (memory.header["version"], memory.header["ready"]) == (VERSION, 1)
     assert memory.header["size"] == memory.layout.size == len(memory.image.memory)
     assert memory.header["cycle_time_us"] == 1000
     assert memory.header["ve_offset"] == memory.layout.ve_offset
@@ -215,6 +216,32 @@ def test_functions_stand_in_units_until_they_are_acknowledged() -> None:
     memory.controller.step(1)
     assert (first["serial"], second["serial"]) == (1, 0)
     assert [one.number for one in memory.controller.hli.functions()] == [101]
+
+
+def test_a_unit_names_who_has_commanded_it_and_how_it_is_synchronised() -> None:
+    """Manual 4.3: POS_RT and always MOS in a cycle, whatever the list says; else by the list."""
+    program = "#RT CYCLE\n$IF ONCE TRUE\nM111\nH102\n$ENDIF\n#RT CYCLE END\nM118 M111\nM30"
+    memory = running(program)
+    memory.command["plc_present"] = 1
+    memory.controller.step(3)
+    names = ("letter", "number", "identifier", "synchronisation")
+    realtime = [memory.unit("realtime", slot) for slot in (0, 1)]
+    assert [tuple(one[name] for name in names) for one in realtime] == [
+        (1, 111, 2, 0x1),
+        (2, 102, 2, 0x1),
+    ]
+    of_program = [memory.unit("program", slot) for slot in (0, 1)]
+    found = {tuple(one[name] for name in names) for one in of_program}
+    assert found == {(1, 118, 1, 0x20001), (1, 111, 1, 0x2)}
+    seen = {
+        (one.name, one.identifier, one.synchronisation) for one in memory.controller.hli.functions()
+    }
+    assert seen == {
+        ("M118", "", "MOS"),
+        ("M111", "", "MVS_SVS"),
+        ("M111", "POS_RT", "MOS"),
+        ("H102", "POS_RT", "MOS"),
+    }
 
 
 def test_what_waits_before_there_is_an_image_stands_in_it() -> None:

@@ -139,10 +139,9 @@ def jobs_of(rig: Rig, job: int, size: int, answer: int, answer_size: int) -> Spi
 def units_of(rig: Rig, first: int, acknowledged: int) -> SectionUnits:
     """Units of a section in an image of 64 KiB."""
     image = memoryview(bytearray(1 << 16))
-    axes = bytearray(8)
-    return SectionUnits(
-        rig.channel.hli.program, image, image, first, acknowledged, 1000, axes, axes, Units()
-    )
+    table = bytearray(8)
+    section, tables = rig.channel.hli.program, [table] * 4
+    return SectionUnits(section, image, image, first, acknowledged, 1000, 1, *tables, Units())
 
 
 @pytest.mark.parametrize("name", CONSTRUCTORS)

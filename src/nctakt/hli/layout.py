@@ -22,7 +22,7 @@ PREFIX = "HLI."
 MAGIC = b"NCTAKT\0\0"
 
 #: Version of the layout, changed whenever a value changes its offset or meaning.
-VERSION = 4
+VERSION = 5
 
 #: Size of each type, of names as a whole, in bytes.
 TYPE_BYTES = {
@@ -135,6 +135,13 @@ UNIT = Structure(
         Entry("sequence", "UNS32", "", "its number among those of its tick and section, from 1"),
         Entry("axis", "UNS32", "", "`logical` of the axis or spindle that it is for, 0: channel"),
         Entry("value", "SGN32", "", "its value in the program, as in M110=130; 0 for none"),
+        Entry("identifier", "UNS32", "", "1: the program's, 2 POS_RT: of a realtime cycle"),
+        Entry(
+            "synchronisation",
+            "UNS32",
+            "",
+            "bits of its type, 1 MOS, 2 MVS_SVS … (P-CHAN-00041, P-CHAN-00027); POS_RT: always MOS",
+        ),
         Entry("time_us", "UNS64", "µs", "the begin of the tick that has commanded it"),
         Entry("duration_us", "UNS64", "µs", "the time that the channel list gives it"),
     ),

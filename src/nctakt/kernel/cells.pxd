@@ -68,8 +68,13 @@ cdef enum:
     UNIT_SEQUENCE = 3
     UNIT_AXIS = 4
     UNIT_VALUE = 5
-    UNIT_TIMES = 6
-    UNIT_WIDTH = 10
+    UNIT_IDENTIFIER = 6
+    UNIT_SYNCHRONISATION = 7
+    UNIT_TIMES = 8
+    UNIT_WIDTH = 12
+    IDENTIFIER_PROGRAM = 1
+    POS_RT = 2
+    MOS = 1
     LETTER_M = 1
     LETTER_H = 2
     SPINDLE_JOB = 0

@@ -94,9 +94,17 @@ SPINDLE_SPEED, SPINDLE_POSITION, SPINDLE_CELLS = range(3)
     UNIT_SEQUENCE,
     UNIT_AXIS,
     UNIT_VALUE,
+    UNIT_IDENTIFIER,
+    UNIT_SYNCHRONISATION,
     UNIT_TIMES,  # the words below begin
-) = range(7)
-UNIT_WIDTH = 10
+) = range(9)
+UNIT_WIDTH = 12
+
+#: The identifier of a unit: who has commanded it.
+IDENTIFIER_PROGRAM, POS_RT = range(1, 3)
+
+#: The synchronisation type of what a realtime cycle commands: output, and no wait.
+MOS = 1
 
 #: The letters of a unit.
 LETTER_M, LETTER_H = range(1, 3)

@@ -26,6 +26,9 @@ _BY_PLC = Text("the PLC", "die SPS")
 #: What a PLC in Python calls to see the values of a structure.
 _VIEWS = {AXIS.name: "axis", CHANNEL.name: "channel", SPINDLE.name: ""}
 
+#: What the manuals call a value of the interface, and its name here.
+_OTHER_NAMES = {"pos_rt": "hli_unit.identifier"}
+
 
 def _structure(structure: Structure) -> Article:
     names = [entry.name for entry in structure.entries]
@@ -74,6 +77,7 @@ def _find(word: str) -> tuple[Article, ...]:
     outside = PREFIX.lower()
     if name.startswith(outside):
         name = name.removeprefix(outside)
+    name = _OTHER_NAMES.get(name, name)
     return tuple(
         article for article in _all() if name in (article.name, article.name.rpartition(".")[2])
     )

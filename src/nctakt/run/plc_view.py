@@ -69,6 +69,8 @@ class TechnologyEntry:
 
     ``letter`` is M or H, ``sequence`` its number among those of the same tick and section,
     ``time_us`` its time stamp. ``is_realtime``: a realtime cycle has commanded it (POS_RT).
+    ``synchronisation`` is its type: MOS for those of cycles, else that of the channel list
+    (P-CHAN-00041, P-CHAN-00027).
     ``process_time_us`` is its time in the channel list (P-CHAN-00040, P-CHAN-00026), ``axis`` its
     axis or spindle (P-CHAN-00039, P-CHAN-00025), empty for the channel. ``value`` is its value in
     the program, as in ``M110=130``, 0 without one. ``serial`` distinguishes it from earlier entries
@@ -85,6 +87,12 @@ class TechnologyEntry:
     slot: int
     value: int = 0
     serial: int = 0
+    synchronisation: str = "MOS"
+
+    @property
+    def identifier(self) -> str:
+        """``POS_RT`` for a function of a realtime cycle, else empty."""
+        return "POS_RT" if self.is_realtime else ""
 
     @property
     def name(self) -> str:
@@ -304,6 +312,7 @@ class PlcView:
                 slot,
                 section.value_of(slot),
                 serial,
+                "MOS" if is_realtime else parameter.synchronisation,
             )
 
     def acknowledge(self, entry: TechnologyEntry) -> None:

@@ -35,6 +35,7 @@ from nctakt.hli.layout import (
 )
 from nctakt.hli.places import ImageLayout, entries, entry, image_layout, size_of, unit_offset
 from nctakt.hli.variables_memory import Section, sections
+from nctakt.kernel.cells import IDENTIFIER_PROGRAM, POS_RT
 from nctakt.kernel.kernel import Kernel
 from nctakt.kernel.plc.image_slots import SectionUnits, SpindleUnits, Units
 from nctakt.kernel.plc.interface_image import KINDS
@@ -334,7 +335,11 @@ def _units(
             units,
         )
         own = machine.channels[index]
-        for section, name in ((hli.realtime, "realtime"), (hli.program, "program")):
+        m_functions, h_functions = own.parameters.m_functions, own.parameters.h_functions
+        for section, name, identifier in (
+            (hli.realtime, "realtime", POS_RT),
+            (hli.program, "program", IDENTIFIER_PROGRAM),
+        ):
             units = SectionUnits(
                 section,
                 memory,
@@ -342,8 +347,11 @@ def _units(
                 layout.channel(index) + unit_offset(CHANNEL, name),
                 layout.command(index) + entry(COMMAND, f"ack_{name}").offset,
                 cycle_time_us,
-                _axes_of(own.parameters.m_functions, own),
-                _axes_of(own.parameters.h_functions, own),
+                identifier,
+                _axes_of(m_functions, own),
+                _axes_of(h_functions, own),
+                _types_of(m_functions),
+                _types_of(h_functions),
                 units,
             )
     return units
@@ -359,6 +367,14 @@ def _axes_of(
     for function in functions.values():
         logical = numbers.get(function.axis_name, 0)
         struct.pack_into("=q", table, 8 * function.number, logical)
+    return table
+
+
+def _types_of(functions: Mapping[int, TechnologyFunction]) -> bytearray:
+    """Return the bits of each function's synchronisation type and modifiers by its number."""
+    table = bytearray(8 * MAX_FUNCTIONS)
+    for function in functions.values():
+        struct.pack_into("=q", table, 8 * function.number, function.synchronisation_bits)
     return table
 
 

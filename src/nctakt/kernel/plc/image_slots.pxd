@@ -19,6 +19,9 @@ cdef class SectionUnits(Units):
     cdef long long cycle_time_us
     cdef long long[::1] m_axes
     cdef long long[::1] h_axes
+    cdef int identifier
+    cdef long long[::1] m_types
+    cdef long long[::1] h_types
     cdef Units others
     cdef long long version
 
@@ -28,7 +31,7 @@ cdef class SectionUnits(Units):
     cdef void publish(self) noexcept nogil
     @cython.locals(
         first=Py_ssize_t, word=Py_ssize_t, function=cython.longlong, number=Py_ssize_t,
-        ticks=cython.longlong
+        ticks=cython.longlong, synchronisation=cython.longlong
     )
     cdef void put(self, Py_ssize_t slot) noexcept nogil
 

@@ -32,8 +32,10 @@ class SectionUnits(Units):
     """The units of one section, and those behind it.
 
     ``first``: the first byte of the units in the image, ``acknowledged``: of the PLC's serials;
-    ``published`` are the bytes of the image that the tick knows. ``m_axes``, ``h_axes``: int64 for
-    each number, the logical axis that the M or H function is for.
+    ``published`` are the bytes of the image that the tick knows. ``identifier``: ``cells.POS_RT``
+    for what realtime cycles command. ``m_axes``, ``h_axes``: int64 for each number, the logical
+    axis that the M or H function is for; ``m_types``, ``h_types``: the bits of its synchronisation
+    type, which counts for the program's functions.
     """
 
     def __init__(
@@ -44,8 +46,11 @@ class SectionUnits(Units):
         first: int,
         acknowledged: int,
         cycle_time_us: int,
+        identifier: int,
         m_axes: bytearray,
         h_axes: bytearray,
+        m_types: bytearray,
+        h_types: bytearray,
         others: Units,
     ) -> None:
         units = 4 * cells.UNIT_WIDTH * section.slot_count
@@ -54,6 +59,9 @@ class SectionUnits(Units):
         self.section = section
         self.m_axes = memoryview(m_axes).cast("q")
         self.h_axes = memoryview(h_axes).cast("q")
+        self.identifier = identifier
+        self.m_types = memoryview(m_types).cast("q")
+        self.h_types = memoryview(h_types).cast("q")
         self.halves = image.cast("i")
         self.words = image.cast("q")
         self.published = published.cast("i")
@@ -86,15 +94,22 @@ class SectionUnits(Units):
             return
         function = self.section.function[slot]
         word = (first + cells.UNIT_TIMES) >> 1
+        synchronisation = cells.MOS
         if function >= 0:
             self.halves[first + cells.UNIT_LETTER] = cells.LETTER_M
             self.halves[first + cells.UNIT_NUMBER] = function
             self.halves[first + cells.UNIT_AXIS] = self.m_axes[function]
+            if self.identifier != cells.POS_RT:
+                synchronisation = self.m_types[function]
         else:
             number = -function - 1
             self.halves[first + cells.UNIT_LETTER] = cells.LETTER_H
             self.halves[first + cells.UNIT_NUMBER] = number
             self.halves[first + cells.UNIT_AXIS] = self.h_axes[number]
+            if self.identifier != cells.POS_RT:
+                synchronisation = self.h_types[number]
+        self.halves[first + cells.UNIT_IDENTIFIER] = self.identifier
+        self.halves[first + cells.UNIT_SYNCHRONISATION] = synchronisation
         self.halves[first + cells.UNIT_SEQUENCE] = self.section.sequence[slot]
         self.halves[first + cells.UNIT_VALUE] = self.section.value[slot]
         self.words[word + cells.IMAGE_TIME] = self.section.tick[slot] * self.cycle_time_us

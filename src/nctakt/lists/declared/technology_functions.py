@@ -72,6 +72,15 @@ class TechnologyFunction:
     process_time_us: float
     axis_name: str
 
+    @property
+    def synchronisation_bits(self) -> int:
+        """The bits of its type and modifiers; 0 for what is not known or not valid."""
+        known = {**SYNCHRONISATIONS, **MODIFIERS}
+        bits = 0
+        for name in (self.synchronisation, *self.modifiers):
+            bits |= known.get(name) or 0
+        return bits
+
 
 def _synchronisation(id_: str, path: str, default: str, en: str, de: str) -> Parameter:
     return Parameter(

@@ -534,6 +534,19 @@ def test_files_stay_short() -> None:
     assert {name: count for name, count in long.items() if name not in LONG_FILES} == {}
 
 
+def test_lines_of_types_and_scripts_stay_short() -> None:
+    """At most 100 columns where no linter measures: C types, C, scripts."""
+    files = [*PACKAGE.rglob("*.pxd"), *PACKAGE.glob("linux/*.[ch]"), *(ROOT / "scripts").iterdir()]
+    long = [
+        f"{path.relative_to(ROOT)}:{number}"
+        for path in files
+        if path.is_file()
+        for number, line in enumerate(path.read_text("utf-8").splitlines(), 1)
+        if len(line) > 100
+    ]
+    assert long == []
+
+
 def test_numbers_of_the_queue_have_names() -> None:
     """The bounds of queue, record, interface, slots and ring are named where they stand."""
     bounds = {

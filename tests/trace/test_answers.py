@@ -29,7 +29,8 @@ class Slow(Plc):
 
 def texts(program: str, **options: object) -> list[str]:
     """The events that tell of acknowledgements."""
-    run = Controller().run(NcText("part.nc", program), blocks=True, **options)  # type: ignore[arg-type]
+    part = NcText("part.nc", program)
+    run = Controller().run(part, blocks=True, **options)  # type: ignore[arg-type]
     return [
         f"{event.tick} {event.kind} {event.text}"
         for event in run.events

@@ -28,12 +28,25 @@ cdef class CompareTexts(Expression):
     @cython.locals(left=Py_ssize_t, right=Py_ssize_t, i=Py_ssize_t, byte=int)
     cdef double value(self, Context context) noexcept nogil
 
-@cython.locals(length=Py_ssize_t, is_new=bint, i=Py_ssize_t, byte=int, first=Py_ssize_t, first_read=Py_ssize_t)
-cdef void assign(Counted statement, Context context, unsigned char[::1] target, Py_ssize_t to, unsigned char[::1] source, Py_ssize_t from_, Py_ssize_t size) noexcept nogil
-@cython.locals(number=Py_ssize_t, done=Py_ssize_t, half=Py_ssize_t, parts=Py_ssize_t, left=double, right=double, name=double)
-cdef void report(Counted statement, Context context, unsigned char[::1] characters, Py_ssize_t cell, Py_ssize_t length) noexcept nogil
+@cython.locals(
+    length=Py_ssize_t, is_new=bint, i=Py_ssize_t, byte=int, first=Py_ssize_t, first_read=Py_ssize_t
+)
+cdef void assign(
+    Counted statement, Context context, unsigned char[::1] target, Py_ssize_t to,
+    unsigned char[::1] source, Py_ssize_t from_, Py_ssize_t size
+) noexcept nogil
+@cython.locals(
+    number=Py_ssize_t, done=Py_ssize_t, half=Py_ssize_t, parts=Py_ssize_t, left=double,
+    right=double, name=double
+)
+cdef void report(
+    Counted statement, Context context, unsigned char[::1] characters, Py_ssize_t cell,
+    Py_ssize_t length
+) noexcept nogil
 @cython.locals(number=double, i=Py_ssize_t)
-cdef double packed(unsigned char[::1] characters, Py_ssize_t first, Py_ssize_t start, Py_ssize_t end) noexcept nogil
+cdef double packed(
+    unsigned char[::1] characters, Py_ssize_t first, Py_ssize_t start, Py_ssize_t end
+) noexcept nogil
 
 cdef class AssignText(Counted):
     cdef Text target
@@ -51,6 +64,11 @@ cdef class Copy(Counted):
     cdef long long[::1] leaf_cell
     cdef long long[::1] leaf_size
     cdef unsigned char[::1] leaf_is_live
-    @cython.locals(to=Py_ssize_t, from_=Py_ssize_t, i=Py_ssize_t, cell=Py_ssize_t, size=Py_ssize_t, is_live=bint)
+    @cython.locals(
+        to=Py_ssize_t, from_=Py_ssize_t, i=Py_ssize_t, cell=Py_ssize_t, size=Py_ssize_t,
+        is_live=bint
+    )
     cdef int run(self, Context context) noexcept nogil
-    cdef void copy_text(self, Context context, Py_ssize_t to, Py_ssize_t from_, Py_ssize_t size) noexcept nogil
+    cdef void copy_text(
+        self, Context context, Py_ssize_t to, Py_ssize_t from_, Py_ssize_t size
+    ) noexcept nogil

@@ -73,4 +73,4 @@ def table() -> Iterator[str]:
     yield "|---|---|---|"
     for rule, tests in sorted(proofs().items()):
         named = ", ".join(f"`{test}`" for test in tests[:MAX_NAMED])
-        yield f"| RC-{rule:03} | {RULES[rule]} | {named} |"
+        yield f"| RC-{rule:03} | {RULES[rule].en} | {named} |"

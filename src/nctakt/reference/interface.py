@@ -17,7 +17,8 @@ from nctakt.hli.layout import (
     Entry,
     Structure,
 )
-from nctakt.reference.article import Article, Fact, Topic, fact, same
+from nctakt.reference.article import Article, Fact, Topic, fact
+from nctakt.reference.interface_german import GERMAN
 
 _STRUCTURE = Text("structure of the interface to the PLC", "Struktur der Schnittstelle zur SPS")
 _VALUE = Text("value of the interface to the PLC", "Wert der Schnittstelle zur SPS")
@@ -36,14 +37,17 @@ def _structure(structure: Structure) -> Article:
         fact("Written by", "Geschrieben von", _BY_PLC if structure.is_command else _BY_CNC),
         fact("Values", "Werte", ", ".join([*names, *structure.units])),
     ]
-    return Article(structure.name, _STRUCTURE, same(structure.meaning), tuple(facts))
+    return Article(
+        structure.name, _STRUCTURE, Text(structure.meaning, GERMAN[structure.name]), tuple(facts)
+    )
 
 
 def _value(structure: Structure, entry: Entry) -> Article:
+    name = f"{structure.name}.{entry.name}"
     return Article(
-        f"{structure.name}.{entry.name}",
+        name,
         _VALUE,
-        same(entry.meaning),
+        Text(entry.meaning, GERMAN[name]),
         tuple(_facts(structure, entry)),
     )
 

@@ -1,60 +1,114 @@
 # SPDX-License-Identifier: MIT
-"""``nctakt run --plot``: the signals for the picture, and the picture.
+"""``nctakt run --plot``, ``--vcd``, ``--perfetto``: what a run records for them, and the files.
 
 In: the options of the command, the controller before its run. Out: the signals and sinks of the
-run, then the file.
+run, then the files.
 """
 
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
+
+import click
 
 from nctakt.cli.request import Options, Request
 
 if TYPE_CHECKING:
+    from nctakt.files.output import OutputFile
+    from nctakt.results.run import Run
     from nctakt.run.controller import Controller
     from nctakt.trace.sinks import Sink
 
 
-class Plot:
-    """The picture of a run; raises ``Failure`` if it cannot be drawn (900635, 900634)."""
+_OPTIONS = (
+    click.option("--plot", metavar="FILE", help="Draw the run: .html (interactive), .svg or .png."),
+    click.option("--vcd", metavar="FILE", help="Write signals and cycles for GTKWave (.vcd)."),
+    click.option("--perfetto", metavar="FILE", help="Write the same for Perfetto (.json)."),
+)
 
-    def __init__(self, options: Options, controller: Controller) -> None:
-        # numpy and matplotlib are loaded only for a picture
-        from nctakt.plots import motion, picture  # noqa: PLC0415
-        from nctakt.trace.recorded import MemorySink  # noqa: PLC0415 - the mode is chosen before
 
-        assert options.plot is not None
-        picture.check_picture(options.plot)
+def with_drawing_options(command: Callable[..., Any]) -> Callable[..., Any]:
+    """Add the options of the files that show a run to a command."""
+    for option in reversed(_OPTIONS):
+        command = option(command)
+    return command
+
+
+class Drawings:
+    """The files that show a run; raises ``Failure`` if one of them cannot be drawn.
+
+    ``open_file`` returns the file of an option. Without a file they change nothing.
+    """
+
+    def __init__(
+        self,
+        options: Options,
+        controller: Controller,
+        open_file: Callable[[str, str | None], OutputFile | None],
+    ) -> None:
+        names = {"plot": options.plot, "vcd": options.vcd, "perfetto": options.perfetto}
+        paths = {kind: path for kind, path in names.items() if path is not None}
         self._options = options
-        self._controller = controller
-        self._axes = controller.channel_axes
-        self._defaults = controller.default_signals
-        self._signals = motion.signals([axis.name for axis in self._axes])
-        self._sink = MemorySink()
+        self._default_signals = controller.default_signals
+        self._signals: Sequence[str] = ()
+        self._chosen: Sequence[str] | None = None
+        self._files: dict[str, OutputFile] = {}
+        if not paths:
+            return
+        # numpy and matplotlib are loaded only for a picture
+        from nctakt.plots import motion  # noqa: PLC0415
+        from nctakt.plots.drawer import check_file  # noqa: PLC0415
+
+        for kind, path in paths.items():
+            check_file(kind, path)
+        for kind, path in paths.items():
+            file = open_file(f"--{kind}", path)
+            assert file is not None
+            self._files[kind] = file
+        self._signals = motion.signals([axis.name for axis in controller.channel_axes])
+
+    @property
+    def are_wanted(self) -> bool:
+        """Whether there is any file."""
+        return bool(self._files)
+
+    @property
+    def draws_conditions(self) -> bool:
+        """Whether they show what conditions read: nobody has chosen the signals."""
+        return self.are_wanted and self._chosen is None
 
     def request(self, request: Request) -> Request:
-        """Return the request with the picture's signals after the requested ones."""
-        signals = self._defaults if request.signals is None else request.signals
+        """Return the request with the signals of pictures behind the requested ones."""
+        self._chosen = request.signals
+        if not self._files:
+            return request
+        signals = self._default_signals if request.signals is None else request.signals
         further = (name for name in self._signals if name not in signals)
         return dataclasses.replace(request, signals=(*signals, *further))
 
     def sinks(self, sinks: Sequence[Sink], request: Request) -> list[Sink]:
-        """Return the sinks of the run; the given ones only get the requested signals."""
-        from nctakt.trace.columns import FirstColumns  # noqa: PLC0415 - as above
+        """Return sinks that get only the requested signals, and events as without pictures."""
+        from nctakt.trace.columns import BLOCK_EVENTS, FirstColumns  # noqa: PLC0415 - the mode is chosen before
 
-        signals = self._defaults if request.signals is None else request.signals
-        return [*(FirstColumns(sink, len(signals)) for sink in sinks), self._sink]
+        if not self._files:
+            return list(sinks)
+        signals = self._default_signals if request.signals is None else request.signals
+        hides = () if self._options.blocks else BLOCK_EVENTS
+        return [FirstColumns(sink, len(signals), hides) for sink in sinks]
 
-    def draw(self, path: Path) -> None:
-        """Write the file; raises ``OSError``."""
-        from nctakt.plots import motion, picture  # noqa: PLC0415 - as above
-
-        title = ", ".join(Path(program).name for program in self._options.programs)
-        curves = motion.motion_of(
-            self._sink.trace, self._axes, limits_jerk=self._controller.has_limited_jerk
-        )
-        picture.write_picture(curves, path, title, self._options.language)
+    def draw(self, run: Run) -> None:
+        """Write the files; raises ``Failure``."""
+        if not self._files:
+            return
+        assert run.drawer is not None
+        drawer, language, chosen = run.drawer(), self._options.language, self._chosen
+        writers: dict[str, Callable[[Path], None]] = {
+            "plot": lambda path: drawer.plot(run, path, chosen, language),
+            "vcd": lambda path: drawer.write_vcd(run, path),
+            "perfetto": lambda path: drawer.write_perfetto(run, path, language),
+        }
+        for kind, file in self._files.items():
+            file.fill(writers[kind])

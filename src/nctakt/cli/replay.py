@@ -18,6 +18,7 @@ from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_USAGE
 from nctakt.cli.file_options import CONFINE_OPTION, file_access
 from nctakt.cli.language import language_option
+from nctakt.cli.plotting import with_drawing_options
 from nctakt.cli.run import run_with
 from nctakt.cli.running import FORMAT_OPTION
 from nctakt.cli.terminal import print_diagnostics
@@ -41,8 +42,8 @@ error of nctakt's own.
 )
 @FORMAT_OPTION
 @click.option("--trace", metavar="FILE", help="Record each tick in a .csv or .jsonl file.")
-@click.option("--signals", metavar="NAME,...", help="The signals to record.")
-@click.option("--plot", metavar="FILE", help="Draw the motion: .png, .svg or .html.")
+@click.option("--signals", metavar="NAME,...", help="The signals to record and to draw.")
+@with_drawing_options
 @click.option("--diagnosis", metavar="FILE", help="Write the realtime cycles' diagnosis data.")
 @click.option("--messages", metavar="FILE", help="Write the programs' messages to a file as well.")
 @click.option("--error-log", metavar="FILE", help="Write the user errors (#ERROR) to a file.")

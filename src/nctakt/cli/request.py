@@ -66,6 +66,8 @@ class Options:
     skip: str = ""
     trace: str | None = None
     plot: str | None = None
+    vcd: str | None = None
+    perfetto: str | None = None
     blocks: bool = False
     signals: str | None = None
     project_signals: tuple[str, ...] | None = None
@@ -150,15 +152,17 @@ def read_request(options: Options, access: FileAccess) -> Request:
     if options.record is not None and options.hli is not None:
         reader.diagnostics.append(diagnostic(RECORD_WITH_PARTNER))
     signals = None if options.signals is None else split_names(options.signals)
-    for option, is_given in (
-        ("--signals", signals is not None),
-        ("--blocks", options.blocks and options.tape is None),
+    is_drawn = (options.plot, options.vcd, options.perfetto) != (None, None, None)
+    is_traced = options.trace is not None
+    for option, is_lost in (
+        ("--signals", signals is not None and not is_traced and not is_drawn),
+        ("--blocks", options.blocks and options.tape is None and not is_traced),
     ):
-        if is_given and options.trace is None:
+        if is_lost:
             reader.diagnostics.append(diagnostic(RECORDING_WITHOUT_TRACE, option=option))
     if reader.diagnostics:
         raise Failure(*reader.diagnostics)
-    if signals is None and options.trace is not None:
+    if signals is None and (is_traced or is_drawn):
         signals = options.project_signals
     programs: dict[int, list[Path | NcText]] = {
         1: [_program(item, options) for item in options.programs]

@@ -18,7 +18,7 @@ import click
 from nctakt.base.diagnostics import Severity
 from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN
 from nctakt.cli.file_options import WATCH_OPTION
-from nctakt.cli.plotting import Plot
+from nctakt.cli.plotting import Drawings, with_drawing_options
 from nctakt.cli.request import Options, Request, read_request
 from nctakt.cli.running import (
     FORMAT_OPTION,
@@ -70,8 +70,8 @@ _EPILOG = f"""{RUN_CODES}
 @run_options("diagnostics, summary and diagnosis data", "No summary and no notes.")
 @FORMAT_OPTION
 @click.option("--trace", metavar="FILE", help="Record each tick in a .csv or .jsonl file.")
-@click.option("--signals", metavar="NAME,...", help="The signals to record.")
-@click.option("--plot", metavar="FILE", help="Draw the motion: .png, .svg or .html.")
+@click.option("--signals", metavar="NAME,...", help="The signals to record and to draw.")
+@with_drawing_options
 @click.option("--blocks", is_flag=True, help="Record when each block is decoded and run.")
 @click.option("--diagnosis", metavar="FILE", help="Write the realtime cycles' diagnosis data.")
 @click.option("--messages", metavar="FILE", help="Write the programs' messages to a file as well.")
@@ -98,8 +98,7 @@ def run_with(options: Options, access: FileAccess) -> int:
             """Return a file to write, ``None`` without the option."""
             return None if path is None else files.enter_context(OutputFile(path, option, access))
 
-        plot = None if options.plot is None else Plot(options, controller)
-        picture = open_file("--plot", options.plot)
+        drawings = Drawings(options, controller, open_file)
         sinks = _open_trace(open_file("--trace", options.trace))
         messages = open_file("--messages", options.messages)
         report = open_file("--diagnosis", options.diagnosis)
@@ -109,21 +108,18 @@ def run_with(options: Options, access: FileAccess) -> int:
         diagnosis = [] if report is None else _diagnosis(controller)
         listeners = [*sinks, *diagnosis]
         request = _with_partner(options, request, controller, files)
-        if plot is not None:
-            listeners = plot.sinks(listeners, request)
-            request = plot.request(request)
         tape = _Taping(options, request, open_file("--record", options.record))
+        listeners = drawings.sinks([*listeners, *tape.sinks], request)
+        request = drawings.request(request)
         begin_s = time.perf_counter()
-        run = _run_controller(
-            options, request, controller, [*listeners, *tape.sinks], messages, tape
-        )
+        run = _run_controller(options, request, controller, listeners, messages, tape, drawings)
         tape.finish(run, controller, access)
         wall_s = time.perf_counter() - begin_s
         diagnostics = () if run is None else run.diagnostics
         if report is not None:
             report.write(_diagnosis_text(controller, diagnosis, options, diagnostics))
-        if plot is not None and picture is not None and run is not None:
-            picture.fill(plot.draw)
+        if run is not None:
+            drawings.draw(run)
     if run is None:
         return EXIT_NC_ERROR
     return max(_tell(options, run, wall_s), tape.tell(run))
@@ -238,6 +234,7 @@ def _run_controller(
     sinks: list[Sink],
     messages: OutputFile | None,
     tape: _Taping,
+    drawings: Drawings,
 ) -> Run | None:
     """Return the result of the run; its messages are shown and saved as they come."""
 
@@ -256,6 +253,8 @@ def _run_controller(
         sinks=sinks,
         on_message=show_message,
         record=None if tape.writer is None else tape.writer.note,
+        is_drawn=drawings.are_wanted,
+        condition_signals=drawings.draws_conditions,
     )
 
 

@@ -203,8 +203,13 @@ def run_programs(
     on_message: Callable[[ProgramMessage], None] | None = None,
     on_cycle: Callable[[str, CycleDefinition], None] | None = None,
     record: Callable[[Input], None] | None = None,
+    is_drawn: bool = False,
+    condition_signals: bool = False,
 ) -> Run | None:
-    """Return the result; ``None`` if the user's PLC failed, which has been reported."""
+    """Return the result; ``None`` if the user's PLC failed, which has been reported.
+
+    ``is_drawn``: it records all that pictures show.
+    """
     from nctakt.plc.error import PlcError  # noqa: PLC0415 - the mode is chosen before
 
     bar = ProgressBar()
@@ -233,12 +238,13 @@ def run_programs(
                 skip=request.skip_levels,
                 signals=request.signals,
                 sinks=sinks,
-                memory_trace=False,
-                why=why,
+                memory_trace=is_drawn,
+                why=why or is_drawn,
                 on_message=show_message,
                 on_progress=show_progress,
                 on_cycle=on_cycle,
-                blocks=options.blocks,
+                blocks=options.blocks or is_drawn,
+                condition_signals=condition_signals,
                 record=record,
                 replay=options.tape,
             )

@@ -8,7 +8,7 @@ process and thread; slices of one track must not overlap unless one holds the ot
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -36,22 +36,30 @@ def _metadata(kind: str, pid: int, tid: int, arguments: dict[str, Any]) -> Trace
 
 
 def lasting(
-    name: str, track: tuple[int, int], times: tuple[float, float], **arguments: Any
+    name: str,
+    track: tuple[int, int],
+    times: tuple[float, float],
+    arguments: Mapping[str, object] | None = None,
 ) -> TraceEvent:
     """Return a slice from the first to the second time."""
     begin, end = times
     event = {"ph": "X", "name": name, "pid": track[0], "tid": track[1]}
     event |= {"ts": begin, "dur": round(end - begin, 3)}
-    return {**event, "args": arguments} if arguments else event
+    return {**event, "args": dict(arguments)} if arguments else event
 
 
 def moment(
-    name: str, track: tuple[int, int], time: float, *, is_global: bool = False, **arguments: Any
+    name: str,
+    track: tuple[int, int],
+    time: float,
+    arguments: Mapping[str, object] | None = None,
+    *,
+    is_global: bool = False,
 ) -> TraceEvent:
     """Return a moment; a global one is shown over all tracks."""
     event = {"ph": "i", "name": name, "pid": track[0], "tid": track[1], "ts": time}
     event["s"] = "g" if is_global else "t"
-    return {**event, "args": arguments} if arguments else event
+    return {**event, "args": dict(arguments)} if arguments else event
 
 
 def counted(name: str, pid: int, time: float, value: float, unit: str = "") -> TraceEvent:

@@ -24,8 +24,9 @@ RECORDING_WITHOUT_TRACE = error(
     900817,
     en="{option} selects what is recorded, but there is no trace",
     de="{option} wählt aus, was aufgezeichnet wird, aber es gibt keine Aufzeichnung",
-    remedy_en="Name a file for the trace: --trace out.csv",
-    remedy_de="Eine Datei für die Aufzeichnung angeben: --trace out.csv",
+    remedy_en="Name a file for the trace: --trace out.csv; --signals chooses for --plot, too.",
+    remedy_de="Eine Datei für die Aufzeichnung angeben: --trace out.csv; --signals wählt auch für "
+    "--plot aus.",
     option=("the option", "die Option"),
 )
 WAITING_AT_RUN_LIMIT = note(

@@ -1,10 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""The curves of a run -> a picture file: PNG, SVG, or a page with the SVG in it (matplotlib).
+"""A scene -> a picture file: PNG or SVG (matplotlib), or an interactive page (``page.py``).
 
-In: ``Motion``, a file name. Out: the file; the same run gives the same bytes. Above the path in the
-plane and in space, below it the motion over time: a lane for each reaction, M and H function and
-error; position, speed, acceleration, jerk with the limits of the axes as dashed lines, override and
-distance to go. No window is opened and no state of matplotlib is changed.
+In: ``Scene``, a file name. Out: the file; the same run gives the same bytes. No window is opened
+and no state of matplotlib is changed.
 """
 
 from __future__ import annotations
@@ -13,118 +11,78 @@ import importlib.util
 import io
 import re
 import warnings
-from collections.abc import Iterator, Sequence
-from html import escape
 from pathlib import Path
 from typing import Any
+
+import numpy
 
 from nctakt.base.diagnostics import Language, Text
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
 from nctakt.messages.schedule_results import LIBRARY_MISSING, UNKNOWN_PICTURE_FORMAT
-from nctakt.plots.motion import ACCELERATION, JERK, SPEED, AxisMotion, Curve, Lane, Motion, thinned
+from nctakt.plots.lanes import Lane, joined
+from nctakt.plots.motion import thinned
+from nctakt.plots.page import write_page
+from nctakt.plots.scene import Panel, Scene
+from nctakt.plots.sheet_path import draw_numbers, draw_plane, draw_space
+from nctakt.plots.style import FIRED, GRID, INK, LANE_COLOURS
+from nctakt.plots.tool_path import MAX_MARKS
 
 ENDINGS = (".png", ".svg", ".html")
 
 _DPI = 110
 _WIDTH_IN = 12.0
-_PATH_HEIGHT_IN = 4.4
-_PANEL_HEIGHT_IN = 1.7
+_PATH_HEIGHT_IN = 4.6
+_PANEL_HEIGHT_IN = 1.55
+_LANE_HEIGHT_IN = 0.19
 #: Maximum number of points of a curve: more cannot be seen.
-_MAX_POINTS = 4000
+MAX_POINTS = 4000
 #: Maximum number of lines through all panels: more would hide the curves.
 _MAX_LINES = 60
-_LANE_HEIGHT_IN = 0.17
-#: Maximum number of lanes; further ones are counted.
-_MAX_LANES = 24
+#: Maximum number of lanes, and of bars in one; further lanes are counted, close bars joined.
+_MAX_LANES = 48
+_MAX_BARS = 600
+#: Maximum number of characters of a reaction's line.
+_MAX_TEXT = 44
+#: Smallest part of the width in which the name of a block is written, for each character.
+_CHARACTER = 0.0075
 
-_COLOURS = (
-    "#1f77b4",
-    "#d95f02",
-    "#2ca02c",
-    "#9467bd",
-    "#8c564b",
-    "#e377c2",
-    "#17becf",
-    "#7f7f7f",
-    "#bcbd22",
-    "#000000",
-)
-_LANE_COLOURS = {
-    "fired": "#d62728",
-    "M": "#9467bd",
-    "H": "#9467bd",
-    "output": "#1f77b4",
-    "error": "#d62728",
-    "starved": "#ff7f0e",
-    "overflow": "#d62728",
-    "end": "#7f7f7f",
-}
-
-_POSITION = Text("position", "Position")
-_DERIVED = {
-    SPEED: (Text("speed", "Geschwindigkeit"), "/s"),
-    ACCELERATION: (Text("acceleration", "Beschleunigung"), "/s²"),
-    JERK: (Text("jerk", "Ruck"), "/s³"),
-}
 _TIME = Text("time in s", "Zeit in s")
-_PLANE = Text("path in the plane", "Bahn in der Ebene")
-_SPACE = Text("path in space", "Bahn im Raum")
-_PATH_SPEED = Text("path", "Bahn")
-_OVERRIDE = Text("override in %", "Override in %")
-_REST = Text("distance to go", "Restweg")
-_AT_REST = Text("at rest: {names}", "in Ruhe: {names}")
-_HAPPENED = Text("events", "Ereignisse")
-_MORE = Text("{count} more", "{count} weitere")
-_NOTHING = Text("no axis moved", "keine Achse hat sich bewegt")
-
-#: Label, curves as (name, colour, curve), limits as (value, colour).
-_Panel = tuple[str, list[tuple[str, str, Curve]], list[tuple[float, str]]]
-
-_PAGE = """\
-<!doctype html>
-<html lang="{language}">
-<head><meta charset="utf-8"><title>{title}</title>
-<style>body {{ margin: 1em; font-family: sans-serif; }} svg {{ max-width: 100%; height: auto; }}
-</style></head>
-<body>
-{picture}</body>
-</html>
-"""
+_MORE = Text("{count} more lanes", "{count} weitere Zeilen")
+_MORE_MARKS = Text(
+    "{count} further firings without a mark on the path",
+    "{count} weitere Auslösungen ohne Marke auf der Bahn",
+)
 
 
 def check_picture(path: str) -> None:
     """Raise ``Failure`` for another suffix (900635) and without matplotlib (900634)."""
-    if Path(path).suffix.lower() not in ENDINGS:
+    suffix = Path(path).suffix.lower()
+    if suffix not in ENDINGS:
         raise Failure(diagnostic(UNKNOWN_PICTURE_FORMAT, file=path))
-    if importlib.util.find_spec("matplotlib") is None:
+    if suffix != ".html" and importlib.util.find_spec("matplotlib") is None:
         raise Failure(diagnostic(LIBRARY_MISSING, library="matplotlib", what="--plot"))
 
 
-def write_picture(motion: Motion, path: Path, title: str, language: Language) -> None:
-    """Draw a run; raises ``OSError``. Unprintable characters of ``title`` become dots."""
-    title = "".join(character if character.isprintable() else "·" for character in title)
-    ending = path.suffix.lower()
-    data = _Drawing(motion, title, language).render("png" if ending == ".png" else "svg")
-    if ending == ".html":
-        picture = data.decode("utf-8")
-        picture = picture[picture.index("<svg") :]
-        page = _PAGE.format(language=language, title=escape(title), picture=picture)
-        data = page.encode("utf-8")
-    path.write_bytes(data)
+def write_picture(scene: Scene, path: Path, language: Language) -> None:
+    """Draw a run; raises ``OSError``."""
+    suffix = path.suffix.lower()
+    if suffix == ".html":
+        write_page(scene, path, language)
+    else:
+        path.write_bytes(_Sheet(scene, language).render(suffix[1:]))
 
 
-class _Drawing:
-    """One sheet; the axes of the machine keep their colours in all panels."""
+class _Sheet:
+    """One sheet of matplotlib: path, lanes and panels below each other."""
 
-    def __init__(self, motion: Motion, title: str, language: Language) -> None:
-        self._motion = motion
+    def __init__(self, scene: Scene, language: Language) -> None:
+        self._scene = scene
         self._language = language
-        self._moving = [axis for axis in motion.axes if axis.moves]
-        self._colours = {
-            axis.name: _COLOURS[index % len(_COLOURS)] for index, axis in enumerate(motion.axes)
-        }
-        self._title = title
+        self._lanes = scene.lanes[:_MAX_LANES]
+
+    def _text(self, text: Text) -> str:
+        return text.get(self._language)
 
     def render(self, format_: str) -> bytes:
         """Return the picture's file as bytes."""
@@ -132,152 +90,186 @@ class _Drawing:
         from matplotlib.backends.backend_agg import FigureCanvasAgg  # noqa: PLC0415
         from matplotlib.figure import Figure  # noqa: PLC0415
 
-        panels = list(self._panels())
-        spatial = [axis for axis in self._moving if axis.unit == "mm"]
-        path_rows = 1 if len(spatial) > 1 else 0
-        lanes = self._motion.lanes[:_MAX_LANES]
-        heights = [_PATH_HEIGHT_IN] * path_rows
-        heights.append(0.25 + _LANE_HEIGHT_IN * max(len(lanes), 2))
-        heights += [_PANEL_HEIGHT_IN] * len(panels)
+        scene = self._scene
+        heights = [_PATH_HEIGHT_IN] if scene.path is not None else []
+        heights.append(0.2 + _LANE_HEIGHT_IN * max(len(self._lanes), 2))
+        heights += [_PANEL_HEIGHT_IN] * len(scene.panels)
         # names of files, axes and cells are not formulas, and may have signs that the font lacks
         settings: dict[Any, Any] = {"svg.hashsalt": "nctakt", "svg.fonttype": "path"}
         settings["text.parse_math"] = False
         with matplotlib.rc_context(settings), warnings.catch_warnings():
             warnings.filterwarnings("ignore", message="Glyph .* missing")
-            sheet = Figure(figsize=(_WIDTH_IN, sum(heights) + 1.2), dpi=_DPI, layout="constrained")
+            sheet = Figure(figsize=(_WIDTH_IN, sum(heights) + 1.1), dpi=_DPI, layout="constrained")
             FigureCanvasAgg(sheet)
-            sheet.suptitle(self._title, fontsize=11)
+            sheet.suptitle(scene.title, fontsize=12, fontweight="bold", color=INK)
             grid = sheet.add_gridspec(len(heights), 2, height_ratios=heights)
-            if path_rows:
-                self._draw_path(sheet, grid, spatial)
-            shared = sheet.add_subplot(grid[path_rows, :])
-            self._draw_lanes(shared, lanes)
-            for index, panel in enumerate(panels):
-                axes = sheet.add_subplot(grid[path_rows + 1 + index, :], sharex=shared)
-                self._draw_panel(axes, *panel)
-                if index < len(panels) - 1:
-                    axes.tick_params(labelbottom=False)
-                else:
-                    axes.set_xlabel(self._text(_TIME))
+            row = 0
+            if scene.path is not None:
+                self._draw_path(sheet, grid)
+                row = 1
+            shared = sheet.add_subplot(grid[row, :])
+            self._draw_lanes(shared)
+            panels = [
+                sheet.add_subplot(grid[index, :], sharex=shared)
+                for index in range(row + 1, len(heights))
+            ]
+            for index, (axes, panel) in enumerate(zip(panels, scene.panels, strict=True)):
+                self._draw_panel(axes, panel)
+                axes.tick_params(labelbottom=axes is panels[-1])
+                if index == 0 and scene.path is None:
+                    self._draw_numbers(axes, panel)
+            sheet.align_ylabels(panels)
+            shared.set_xlim(self._range())
+            sheet.get_axes()[-1].set_xlabel(self._text(_TIME), fontsize=8)
+            if not scene.panels:
+                shared.tick_params(labelbottom=True)
             buffer = io.BytesIO()
             metadata = {"Software": None} if format_ == "png" else {"Date": None, "Creator": None}
             sheet.savefig(buffer, format=format_, metadata=metadata)
         return buffer.getvalue() if format_ == "png" else _with_steady_names(buffer.getvalue())
 
-    def _text(self, text: Text) -> str:
-        return text.get(self._language)
+    def _range(self) -> tuple[float, float]:
+        margin = 0.01 * (self._scene.end_s - self._scene.begin_s) or 0.001
+        return self._scene.begin_s - margin, self._scene.end_s + margin
 
-    # --- the path --------------------------------------------------------------------------------
-
-    def _draw_path(self, sheet: Any, grid: Any, spatial: Sequence[AxisMotion]) -> None:
-        """Draw the first two moving linear axes as a plane, the first three in space."""
-        in_space = len(spatial) > 2
-        plane = sheet.add_subplot(grid[0, 0] if in_space else grid[0, :])
-        first, second = spatial[:2]
-        line = _points(first, second)
-        plane.plot(*line, color="#1f77b4", linewidth=1.0)
-        plane.plot([line[0][0]], [line[1][0]], "o", color="#2ca02c", markersize=5)
-        plane.plot([line[0][-1]], [line[1][-1]], "s", color="#d62728", markersize=5)
-        plane.set_aspect("equal", adjustable="datalim")
-        plane.set_xlabel(f"{first.name} / mm")
-        plane.set_ylabel(f"{second.name} / mm")
-        plane.set_title(self._text(_PLANE), fontsize=9)
-        plane.grid(linewidth=0.3)
-        if not in_space:
-            return
-        space = sheet.add_subplot(grid[0, 1], projection="3d")
-        space.plot(*_points(*spatial[:3]), color="#1f77b4", linewidth=0.8)
-        labels = (space.set_xlabel, space.set_ylabel, space.set_zlabel)
-        for axis, label in zip(spatial, labels, strict=False):
-            label(f"{axis.name} / mm")
-        space.set_title(self._text(_SPACE), fontsize=9)
-        space.tick_params(labelsize=7)
+    def _draw_path(self, sheet: Any, grid: Any) -> None:
+        path = self._scene.path
+        assert path is not None
+        in_space = len(path.axes) > 2
+        draw_plane(sheet.add_subplot(grid[0, 0] if in_space else grid[0, :]), path, self._language)
+        if in_space:
+            draw_space(sheet.add_subplot(grid[0, 1], projection="3d"), path, self._language)
 
     # --- over time -------------------------------------------------------------------------------
 
-    def _panels(
-        self,
-    ) -> Iterator[tuple[str, list[tuple[str, str, Curve]], list[tuple[float, str]]]]:
-        """Yield label, curves (name, colour, curve) and limits (value, colour) of each panel."""
-        for unit in dict.fromkeys(axis.unit for axis in self._moving):
-            axes = [axis for axis in self._moving if axis.unit == unit]
-            curves = [(axis.name, self._colours[axis.name], axis.position) for axis in axes]
-            yield f"{self._text(_POSITION)}\n{unit}", curves, []
-            for order, (name, per) in _DERIVED.items():
-                curves = [
-                    (axis.name, self._colours[axis.name], axis.derivatives[order - 1])
-                    for axis in axes
-                ]
-                if order == SPEED and unit == self._moving[0].unit:
-                    curves.append((self._text(_PATH_SPEED), "#555555", self._motion.path_speed))
-                limits = {
-                    axis.limits[order - 1]: self._colours[axis.name] for axis in reversed(axes)
-                }
-                lines = [(limit, limits[limit]) for limit in sorted(limits) if limit > 0.0]
-                yield f"{self._text(name)}\n{unit}{per}", curves, lines
-        yield self._text(_OVERRIDE), [("", "#333333", self._motion.override)], []
-        unit = self._moving[0].unit if self._moving else "mm"
-        yield f"{self._text(_REST)}\n{unit}", [("", "#333333", self._motion.distance_to_go)], []
-
-    def _draw_panel(
-        self,
-        axes: Any,
-        label: str,
-        curves: Sequence[tuple[str, str, Curve]],
-        limits: Sequence[tuple[float, str]],
-    ) -> None:
+    def _draw_panel(self, axes: Any, panel: Panel) -> None:
         self._draw_moments(axes)
-        for value, colour in limits:
+        for value, colour in panel.limits:
             for sign in (1.0, -1.0):
                 axes.axhline(sign * value, color=colour, linewidth=0.7, linestyle=(0, (5, 4)))
-        for name, colour, curve in curves:
-            few = thinned(curve, _MAX_POINTS)
-            style = ":" if colour == "#555555" else "-"
-            axes.plot(few.time_s, few.values, style, color=colour, linewidth=0.9, label=name)
-        axes.set_ylabel(label, fontsize=8)
-        axes.tick_params(labelsize=7)
-        axes.grid(linewidth=0.3)
-        if any(name for name, _, _ in curves):
-            resting = [axis.name for axis in self._motion.axes if not axis.moves]
-            title = self._text(_AT_REST).format(names=", ".join(resting)) if resting else None
+        for line in panel.lines:
+            few = thinned(line.curve, MAX_POINTS)
+            axes.plot(
+                few.time_s,
+                few.values,
+                ":" if line.is_dotted else "-",
+                color=line.colour,
+                linewidth=1.0,
+                label=line.name,
+                drawstyle="steps-post" if line.is_step else "default",
+            )
+        title = panel.title if len(panel.title) <= 24 else f"{panel.title[:23]}…"
+        axes.set_ylabel(f"{title}\n{panel.unit}".strip(), fontsize=8, color=INK)
+        _plain_look(axes)
+        if len(panel.lines) > 1 or panel.lines[0].name != panel.title:
             axes.legend(
                 loc="upper left",
-                bbox_to_anchor=(1.0, 1.0),
+                bbox_to_anchor=(1.0, 1.02),
                 fontsize=7,
-                title=title if label.startswith(self._text(_POSITION)) else None,
-                title_fontsize=6,
-                ncols=1 + len(curves) // 8,
+                frameon=False,
+                ncols=1 + len(panel.lines) // 9,
             )
 
-    def _draw_lanes(self, axes: Any, lanes: Sequence[Lane]) -> None:
-        """Draw a row for each lane, the first one on top: marks, and bars for longer spans."""
+    def _draw_numbers(self, axes: Any, panel: Panel) -> None:
+        """Mark the firings of reactions on the first curve, where there is no path to mark."""
+        curve = panel.lines[0].curve
+        places: dict[float, list[int]] = {}
+        for lane in self._lanes:
+            for bar in lane.bars[:MAX_MARKS] if lane.number else ():
+                places.setdefault(bar.begin_s, []).append(lane.number)
+        for time_s, numbers in places.items():
+            value = float(numpy.interp(time_s, curve.time_s, curve.values))
+            draw_numbers(axes, (time_s, value), numbers)
+
+    def _draw_lanes(self, axes: Any) -> None:
+        """Draw a row for each lane, the first one on top: bars, and marks for moments."""
         self._draw_moments(axes)
-        for row, lane in enumerate(lanes):
-            colour = _LANE_COLOURS[lane.kind]
-            for begin, end in lane.spans:
-                if end > begin:
-                    axes.plot([begin, end], [row, row], color=colour, linewidth=4.0, alpha=0.5)
-            begun = [begin for begin, _ in lane.spans]
-            axes.plot(begun, [row] * len(begun), "|", color=colour, markersize=8)
-        axes.set_yticks(range(len(lanes)), [lane.label for lane in lanes])
-        axes.set_ylim(max(len(lanes), 2) - 0.4, -0.6)
-        axes.set_ylabel(self._text(_HAPPENED), fontsize=8)
-        axes.tick_params(labelsize=7, labelbottom=False)
-        axes.grid(axis="x", linewidth=0.3)
-        hidden = len(self._motion.lanes) - len(lanes)
-        notes = [self._text(_MORE).format(count=hidden)] if hidden else []
-        if not self._moving:
-            notes.append(self._text(_NOTHING))
+        scene = self._scene
+        duration_s = max(scene.end_s - scene.begin_s, 1e-9)
+        shortest_s = 0.0015 * duration_s
+        for row, lane in enumerate(self._lanes):
+            colour = LANE_COLOURS[lane.kind]
+            behind, _ = joined(lane.behind, _MAX_BARS, duration_s)
+            spans = [(bar.begin_s, max(bar.end_s - bar.begin_s, shortest_s)) for bar in behind]
+            axes.broken_barh(spans, (row - 0.38, 0.76), facecolors=colour, alpha=0.22)
+            bars, _ = joined(lane.bars, _MAX_BARS, duration_s)
+            is_block = lane.kind in ("block", "cycle", "wait")
+            height = 0.62 if is_block else 0.4
+            moments = [bar.begin_s for bar in bars if bar.end_s - bar.begin_s < shortest_s]
+            lasting = [bar for bar in bars if bar.end_s - bar.begin_s >= shortest_s]
+            axes.broken_barh(
+                [(bar.begin_s, bar.end_s - bar.begin_s) for bar in lasting],
+                (row - height / 2, height),
+                facecolors=colour,
+                alpha=0.45 if is_block else 0.95,
+                edgecolors="white",
+                linewidth=0.5,
+            )
+            axes.plot(moments, [row] * len(moments), "|", color=colour, markersize=9, mew=1.6)
+            for bar in lasting if is_block else ():
+                if bar.end_s - bar.begin_s > _CHARACTER * (len(bar.name) + 1) * duration_s:
+                    middle = (bar.begin_s + bar.end_s) / 2
+                    axes.text(
+                        middle, row, bar.name, fontsize=6, ha="center", va="center", color=INK
+                    )
+            self._draw_line_text(axes, row, lane)
+        axes.set_yticks(range(len(self._lanes)), [_label(lane) for lane in self._lanes])
+        axes.set_ylim(max(len(self._lanes), 2) - 0.4, -0.6)
+        _plain_look(axes)
+        axes.grid(False, axis="y")
+        axes.tick_params(labelbottom=False)
+        notes = list(scene.notes)
+        if len(scene.lanes) > len(self._lanes):
+            count = len(scene.lanes) - len(self._lanes)
+            notes.append(self._text(_MORE).format(count=count))
+        if scene.path is not None and scene.path.left_out:
+            notes.append(self._text(_MORE_MARKS).format(count=scene.path.left_out))
         if notes:
-            axes.set_title(", ".join(notes), fontsize=8)
+            axes.set_title(" · ".join(notes), fontsize=7, loc="right", color="#6b7280")
+
+    def _draw_line_text(self, axes: Any, row: int, lane: Lane) -> None:
+        """Write the line of a reaction behind its lane."""
+        if lane.text:
+            text = lane.text if len(lane.text) <= _MAX_TEXT else f"{lane.text[: _MAX_TEXT - 1]}…"
+            axes.annotate(
+                text,
+                (1.005, row),
+                xycoords=("axes fraction", "data"),
+                fontsize=6,
+                va="center",
+                color="#4b5563",
+                family="monospace",
+                annotation_clip=False,
+            )
 
     def _draw_moments(self, axes: Any) -> None:
-        """Draw a line through all panels at the begin of each span of a lane."""
-        begun = [(span[0], lane.kind) for lane in self._motion.lanes for span in lane.spans]
+        """Draw a line through all panels at the begin of each reaction and report."""
+        begun = [
+            (bar.begin_s, lane.kind)
+            for lane in self._scene.lanes
+            if lane.kind in FIRED
+            for bar in lane.bars
+        ]
         if len(begun) > _MAX_LINES:
             return
         for time_s, kind in begun:
-            axes.axvline(time_s, color=_LANE_COLOURS[kind], linewidth=0.5, alpha=0.5)
+            axes.axvline(time_s, color=LANE_COLOURS[kind], linewidth=0.6, alpha=0.45)
+
+
+def _label(lane: Lane) -> str:
+    label = lane.label if len(lane.label) <= 22 else f"{lane.label[:21]}…"
+    return f"({lane.number})  {label}" if lane.number else label
+
+
+def _plain_look(axes: Any) -> None:
+    axes.tick_params(labelsize=7, color=GRID, labelcolor=INK)
+    axes.yaxis.get_offset_text().set_fontsize(7)
+    axes.grid(linewidth=0.4, color=GRID)
+    axes.set_axisbelow(True)
+    for side in ("top", "right"):
+        axes.spines[side].set_visible(False)
+    for side in ("left", "bottom"):
+        axes.spines[side].set_color("#9ca3af")
 
 
 def _with_steady_names(svg: bytes) -> bytes:
@@ -290,9 +282,3 @@ def _with_steady_names(svg: bytes) -> bytes:
         lambda match: match[1] + names.get(match[2], match[2]),
         svg,
     )
-
-
-def _points(*axes: AxisMotion) -> list[Any]:
-    """Return the positions of the axes at the same times, thinned by leaving points out."""
-    step = max(1, len(axes[0].position.values) // (5 * _MAX_POINTS))
-    return [axis.position.values[::step] for axis in axes]

@@ -7,7 +7,7 @@ with a table ``tool.nctakt``, in that folder or above. Paths in it are relative 
     machine = "lists"                 # a machine's folder, or a built-in machine
     plc = "cell_plc.py"               # the PLC of the runs
     language = "de"
-    signals = ["X.ACS.ACT_POS"]       # what --trace records
+    signals = ["X.ACS.ACT_POS"]       # what --trace records and --plot draws
     paths = ["programs", "lists"]     # what `nctakt check` checks if nothing is named
 """
 

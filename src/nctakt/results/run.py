@@ -6,12 +6,17 @@ Plain records, the same for the same inputs: they hold no wall-clock time.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import TYPE_CHECKING, Literal
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Literal, Protocol
 
-from nctakt.base.dataclass import dataclass
-from nctakt.base.diagnostics import Diagnostic, Severity, Span
+from nctakt.base.dataclass import dataclass, field
+from nctakt.base.diagnostics import Diagnostic, Language, Severity, Span
+from nctakt.base.failure import Failure
+from nctakt.files.output import OutputFile
 from nctakt.lists.format.times import Time
+from nctakt.messages import diagnostic
+from nctakt.messages.pictures import RUN_NOT_RECORDED
 from nctakt.results.notebook import html_table
 from nctakt.results.user_errors import UserErrorReport, user_errors
 from nctakt.trace.events import Event
@@ -160,6 +165,25 @@ class TechnologyOutput:
         return self.name
 
 
+class RunDrawer(Protocol):
+    """What draws runs of a machine; writes raise ``OSError``, checks ``Failure``."""
+
+    def check_file(self, kind: str, file: str) -> None:
+        """Raise ``Failure`` for a file that cannot be a ``plot``, ``vcd`` or ``perfetto``."""
+
+    def check_run(self, run: Run, signals: Sequence[str] | None = None) -> None:
+        """Raise ``Failure`` for a run without a trace, and for signals that it lacks."""
+
+    def plot(self, run: Run, path: Path, signals: Sequence[str] | None, language: Language) -> None:
+        """Draw a picture."""
+
+    def write_vcd(self, run: Run, path: Path) -> None:
+        """Write a VCD file."""
+
+    def write_perfetto(self, run: Run, path: Path, language: Language) -> None:
+        """Write a file for Perfetto."""
+
+
 @dataclass(frozen=True, slots=True, repr=False)
 class Run:
     """The result of ``Controller.run``.
@@ -169,6 +193,7 @@ class Run:
     trace in memory (``None`` and empty without one); messages and counts are always there. ``why``
     has the history of each condition, ``coverage`` the counts, if the run recorded them.
     ``schedule``: the scheduling list of the run; ``starved``, ``overflows``: its effects.
+    ``drawer`` makes what draws the run (``plot``).
 
     >>> run = Controller().run(NcText("part.nc", "M100 G01 X100 F6000 M30"))
     >>> run.state, run.ticks
@@ -194,6 +219,7 @@ class Run:
     starved: tuple[Starvation, ...] = ()
     overflows: tuple[OverflowCount, ...] = ()
     coverage: Coverage | None = None
+    drawer: Callable[[], RunDrawer] | None = field(default=None, compare=False)
 
     @property
     def virtual_time_us(self) -> int:
@@ -240,6 +266,48 @@ class Run:
             ("errors", len(self.errors)),
             ("warnings", len(self._of(Severity.WARNING))),
         ]
+
+    # --- pictures -------------------------------------------------------------------------------
+
+    def plot(
+        self, file: str | Path, *, signals: Sequence[str] | None = None, language: Language = "en"
+    ) -> None:
+        """Draw the run: ``.html`` (interactive), ``.svg`` or ``.png``.
+
+        It shows what the run has recorded: path and motion of the axes, or ``signals`` instead of
+        the motion; reactions as long as they lasted and conditions with ``why``, blocks and
+        acknowledgements with ``blocks``, what conditions read with ``condition_signals``
+        (``Controller.run``). Raises ``Failure`` without a trace in memory (901091), for a signal
+        that it lacks (901092), another suffix (900635), a missing library (900634), and for a file
+        that cannot be written (900507).
+        """
+        drawer = self._drawer("plot", file, signals)
+        with OutputFile(file) as output:
+            output.fill(lambda path: drawer.plot(self, path, signals, language))
+
+    def write_vcd(self, file: str | Path) -> None:
+        """Write signals, blocks, cycles and functions as VCD, for GTKWave; raises as ``plot``."""
+        drawer = self._drawer("vcd", file)
+        with OutputFile(file) as output:
+            output.fill(lambda path: drawer.write_vcd(self, path))
+
+    def write_perfetto(self, file: str | Path, *, language: Language = "en") -> None:
+        """Write the same as ``.json`` for Perfetto (ui.perfetto.dev); raises as ``plot``."""
+        drawer = self._drawer("perfetto", file)
+        with OutputFile(file) as output:
+            output.fill(lambda path: drawer.write_perfetto(self, path, language))
+
+    def _drawer(
+        self, kind: str, file: str | Path, signals: Sequence[str] | None = None
+    ) -> RunDrawer:
+        if self.drawer is None:
+            raise Failure(diagnostic(RUN_NOT_RECORDED))
+        drawer = self.drawer()
+        drawer.check_file(kind, str(file))
+        drawer.check_run(self, signals)
+        return drawer
+
+    # --- shown ----------------------------------------------------------------------------------
 
     def _repr_html_(self) -> str:
         """Return a small table for notebooks: state, time, counts, messages, errors."""

@@ -68,7 +68,7 @@ def _bodies(branch: BranchHistory, why: WhyReport) -> Iterator[Slice]:
         yield Slice(
             series.first_tick * why.cycle_time_us,
             (series.last_tick + 1) * why.cycle_time_us,
-            f"{branch.span.file}:{branch.span.line}",
+            branch.text,
             branch.span,
             _values(branch, series.first_tick),
         )
@@ -112,4 +112,7 @@ def _values(branch: BranchHistory, tick: int) -> str:
         return ""
     if condition.operator in ("&&", "||"):
         return ""
-    return f"{number_text(change.left)} {condition.operator} {number_text(change.right)}"
+    left, right = (f"{value:.10g}" for value in (change.left, change.right))
+    if left == right:  # they may differ in the digits behind
+        left, right = number_text(change.left), number_text(change.right)
+    return f"{left} {condition.operator} {right}"

@@ -17,10 +17,10 @@ from nctakt.base.diagnostics import Diagnostic
 from nctakt.decoder.cycles.builder import CycleDefinition
 from nctakt.lists.format.times import TimeLike, read_time
 from nctakt.nc.outline import ProgramText
-from nctakt.results.run import ProgramMessage, Run, RunState
+from nctakt.results.run import ProgramMessage, Run, RunDrawer, RunState
 from nctakt.results.run_statistics import RunStatistics
 from nctakt.run import program_loader
-from nctakt.run.assembly import do_nothing
+from nctakt.run.assembly import AssembledMachine, do_nothing
 from nctakt.run.channel_run import ChannelRun, worst_state
 from nctakt.run.condition_signals import with_condition_signals
 from nctakt.run.plc_view import AnyPlc, PlcView, WatchedPlc
@@ -278,4 +278,14 @@ class ProgramRun:
             overflows=statistics.schedule.overflows(),
             why=report,
             coverage=coverage,
+            drawer=functools.partial(_drawer, machine),
         )
+
+
+def _drawer(machine: AssembledMachine) -> RunDrawer:
+    """Return what draws runs of a machine."""
+    from nctakt.plots.drawer import Drawer  # noqa: PLC0415 - few runs are drawn
+
+    axes = [machine.configuration.axes[index] for index in machine.members]
+    limits_jerk = machine.channels[0].queue.look_ahead.limits.has_jerk_limit
+    return Drawer(axes, machine.files.line_at, limits_jerk=limits_jerk)

@@ -112,11 +112,11 @@ def _slices(run: Simulation) -> Iterator[TraceEvent]:
     for segment in record.segments:
         track = (segment.cpu, segment.task + 1)
         times = (_time(segment.begin), _time(segment.end))
-        yield lasting(tasks[segment.task].name, track, times, job=segment.job)
+        yield lasting(tasks[segment.task].name, track, times, {"job": segment.job})
     for call in calls_of(run.model, record):
         times = (_time(call.begin), _time(record.end if call.end is None else call.end))
         name = tasks[call.task].calls[call.call].function
-        yield lasting(name, (0, call.task + 1), times, job=call.job, call=call.call)
+        yield lasting(name, (0, call.task + 1), times, {"job": call.job, "call": call.call})
     for part in parts_of(run.model, record):
         times = (_time(part.begin), _time(part.end))
         yield lasting(PARTS[part.part], (0, part.task + 1), times)

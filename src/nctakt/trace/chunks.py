@@ -111,6 +111,15 @@ def of_kinds(events: Sequence[Event], kinds: Collection[int]) -> Sequence[Event]
     return events.of_kinds(kinds) if isinstance(events, EventChunk) else events
 
 
+def without_kinds(events: Sequence[Event], kinds: Collection[int]) -> Sequence[Event]:
+    """Return the events of a chunk that are of none of these kinds of rows; others as they are."""
+    if not isinstance(events, EventChunk):
+        return events
+    own = events.column(rows.EVENT_KIND)
+    kept = [i for i, kind in enumerate(own) if kind not in kinds]
+    return events if len(kept) == len(own) else events.select(kept)
+
+
 def repetitions(events: Sequence[Event]) -> list[tuple[Event, int, int]]:
     """Return the repetitions of a chunk; of other sequences each event, once."""
     if isinstance(events, EventChunk):

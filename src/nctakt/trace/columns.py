@@ -1,24 +1,36 @@
 # SPDX-License-Identifier: MIT
 """A sink that hands on the first columns: two listeners of a run may record different signals.
 
-In: a trace with all signals. Out: the first of them, for the sink behind it.
+In: a trace with all signals. Out: the first of them, for the sink behind it, without events of
+kinds that it does not expect.
 """
 
 from __future__ import annotations
 
 from array import array
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 
+from nctakt.kernel import rows
+from nctakt.trace.chunks import without_kinds
 from nctakt.trace.events import Event
 from nctakt.trace.sinks import Sink, TraceHeader
 
+#: The kinds of events that ``Controller.run(blocks=True)`` adds.
+BLOCK_EVENTS = (
+    rows.EVENT_BLOCK,
+    rows.EVENT_WAIT,
+    rows.EVENT_ACKNOWLEDGED,
+    rows.EVENT_DROPPED,
+)
+
 
 class FirstColumns:
-    """Hands the first ``count`` signals and all events on to ``sink``."""
+    """Hands the first ``count`` signals and all events but those of ``hides`` on to ``sink``."""
 
-    def __init__(self, sink: Sink, count: int) -> None:
+    def __init__(self, sink: Sink, count: int, hides: Collection[int] = ()) -> None:
         self._sink = sink
         self._count = count
+        self._hides = hides
 
     def open(self, header: TraceHeader) -> None:
         """Open the sink with a header of its signals only."""
@@ -26,8 +38,10 @@ class FirstColumns:
         self._sink.open(TraceHeader(header.cycle_time_us, signals))
 
     def events(self, events: Sequence[Event]) -> None:
-        """Hand the events on."""
-        self._sink.events(events)
+        """Hand the events on, if any are left."""
+        shown = without_kinds(events, self._hides) if self._hides else events
+        if len(shown):
+            self._sink.events(shown)
 
     def rows(self, first_tick: int, rows: memoryview[float], width: int) -> None:
         """Hand the first ``count`` values of each row on."""

@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: MIT
+"""A run -> a file for Perfetto: tracks of slices by process, counters of signals.
+
+In: the timeline of a run, its trace. Out: the file. Processes are the program, its realtime
+cycles, the M and H functions, axes and spindles, the signals. Writing raises ``OSError``.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from itertools import count
+from pathlib import Path
+
+import numpy
+
+from nctakt.base.diagnostics import Language, Text
+from nctakt.files.perfetto import (
+    TraceEvent,
+    counted,
+    lasting,
+    moment,
+    process_name,
+    thread_name,
+    write_perfetto_file,
+)
+from nctakt.plots.motion import Curve, thinned
+from nctakt.plots.words import (
+    CYCLES,
+    FUNCTIONS,
+    MOTIONS,
+    PROGRAM,
+    SIGNALS,
+    kind_name,
+    slice_name,
+)
+from nctakt.results.timeline import Slice, Timeline, Track, TrackKind, rows_of
+from nctakt.trace.recorded import Trace
+
+#: Maximum number of changes of a counter; of more the lowest and highest of each piece are kept.
+MAX_CHANGES = 100_000
+
+#: The processes: name, kinds of their tracks.
+_PROCESSES: tuple[tuple[Text, tuple[TrackKind, ...]], ...] = (
+    (
+        PROGRAM,
+        ("block", "wait", "message", "error", "starved", "overflow", "paused", "end"),
+    ),
+    (CYCLES, ("cycle", "condition", "reaction")),
+    (FUNCTIONS, ("function",)),
+    (MOTIONS, ("axis", "spindle")),
+)
+
+
+def write_run_perfetto(
+    timeline: Timeline, trace: Trace, path: Path, language: Language = "en"
+) -> None:
+    """Write the file."""
+    write_perfetto_file(path, _events(timeline, trace, language))
+
+
+def _events(timeline: Timeline, trace: Trace, language: Language) -> Iterator[TraceEvent]:
+    for pid, (name, kinds) in enumerate(_PROCESSES, 1):
+        tracks = timeline.of(*kinds)
+        if tracks:
+            yield from process_name(pid, name.get(language), pid)
+        if name is CYCLES:
+            tracks.sort(key=_cycle_order)
+        numbers = count(1)
+        for track in tracks:
+            yield from _track(track, pid, numbers, language)
+    pid = len(_PROCESSES) + 1
+    if trace.signals and trace.ticks:
+        yield from process_name(pid, SIGNALS.get(language), pid)
+        for signal in trace.signals:
+            yield from _counter(trace, signal.name, signal.unit, pid)
+
+
+def _cycle_order(track: Track) -> tuple[str, int, int]:
+    """Return the key that puts the branches of a cycle behind it, in the order of their lines."""
+    if track.kind == "cycle" or track.span is None:
+        return track.label, 0, 0
+    return track.group, track.span.line, track.kind == "reaction"
+
+
+def _track(
+    track: Track, pid: int, numbers: Iterator[int], language: Language
+) -> Iterator[TraceEvent]:
+    """Yield a track; slices that overlap get further ones of its name."""
+    name = f"{kind_name(track.kind, language)} {track.label}".strip()
+    if track.kind in ("condition", "reaction"):
+        name = f"{name}  {track.text}"
+    if track.kind in ("axis", "spindle", "function"):
+        name = track.label
+    for row in rows_of(track):
+        tid = next(numbers)
+        yield from thread_name(pid, tid, name, tid)
+        for item in row:
+            yield _slice(item, (pid, tid), language)
+
+
+def _slice(item: Slice, track: tuple[int, int], language: Language) -> TraceEvent:
+    details: dict[str, object] = {}
+    if item.text:
+        details["text"] = item.text
+    if item.span is not None:
+        details["place"] = f"{item.span.file}:{item.span.line}"
+    if item.is_open:
+        details["open"] = True
+    name = slice_name(item.name, language)
+    if item.is_moment:
+        return moment(name, track, item.begin_us, details)
+    return lasting(name, track, (item.begin_us, item.end_us), details)
+
+
+def _counter(trace: Trace, name: str, unit: str, pid: int) -> Iterator[TraceEvent]:
+    """Yield the values that differ from those of the tick before, at the end of their tick."""
+    values = trace[name]
+    indexes = numpy.flatnonzero(numpy.diff(values, prepend=numpy.nan) != 0.0)
+    times = (trace.first_tick + 1 + indexes) * trace.cycle_time_us
+    few = thinned(Curve(times.astype(numpy.float64), values[indexes]), MAX_CHANGES)
+    for time, value in zip(few.time_s.tolist(), few.values.tolist(), strict=True):
+        if math.isfinite(value):
+            yield counted(name, pid, int(time), value, unit)

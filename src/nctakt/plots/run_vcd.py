@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: MIT
+"""A run -> a VCD file: signals, the current block, cycles, conditions, reactions, functions.
+
+In: the timeline of a run, its trace. Out: the file; its unit is 1 µs. Names are English in every
+language, since scripts read them. Writing raises ``OSError``.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy
+
+from nctakt.files.vcd import VcdVariable, apart, levels, merged, write_vcd_file
+from nctakt.results.timeline import Timeline, Track, TrackKind
+from nctakt.trace.recorded import Trace
+
+#: Between two slices that touch, a wire is low for so long, in µs; so long a moment is high.
+GAP_US = 1
+
+#: The scopes of axes and spindles.
+_SCOPES: dict[TrackKind, str] = {"axis": "axes", "spindle": "spindles"}
+
+
+def write_run_vcd(timeline: Timeline, trace: Trace, path: Path) -> None:
+    """Write the file."""
+    variables = [*_tracks(timeline), *_signals(trace)]
+    write_vcd_file(path, variables, timescale="1 us", begin=timeline.begin_us)
+
+
+def _tracks(timeline: Timeline) -> Iterator[VcdVariable]:
+    for track in timeline.tracks:
+        times = [(item.begin_us, item.end_us) for item in track.slices]
+        cycle = ("cycles", _plain(f"cycle_{track.group or track.label}"))
+        if track.kind == "cycle":
+            yield VcdVariable(cycle, "state", "text", _texts(track))
+        elif track.kind in ("condition", "reaction"):
+            name = f"{track.kind}_line_{track.span.line if track.span else 0}"
+            yield VcdVariable(cycle, name, "wire", levels(apart(merged(times), GAP_US)))
+        elif track.kind == "function":
+            lasting = [(begin, max(end, begin + GAP_US)) for begin, end in times]
+            wires = levels(_separated(lasting))
+            yield VcdVariable(("functions",), _plain(track.label), "wire", wires)
+        elif track.kind in ("axis", "spindle"):
+            yield VcdVariable((_SCOPES[track.kind],), _plain(track.label), "text", _texts(track))
+        else:
+            scopes = ("program", *filter(None, (_plain(track.label),)))
+            yield VcdVariable(scopes, track.kind, "text", _texts(track))
+
+
+def _separated(times: list[tuple[int, int]]) -> list[tuple[int, int]]:
+    """Return times that overlap as one; those that only touch stay apart."""
+    joined: list[tuple[int, int]] = []
+    for begin, end in sorted(times):
+        if joined and begin < joined[-1][1]:
+            joined[-1] = (joined[-1][0], max(end, joined[-1][1]))
+        else:
+            joined.append((begin, end))
+    return apart(joined, GAP_US)
+
+
+def _texts(track: Track) -> Iterator[tuple[int, str]]:
+    """Yield the name of the slice that goes on, an empty one between slices."""
+    end_us = -1
+    for item in track.slices:
+        if item.begin_us < end_us and item.is_moment:
+            continue  # a second one at the same moment
+        if end_us >= 0 and item.begin_us > end_us:
+            yield end_us, ""
+        name = item.name
+        if track.kind == "block" and item.text:
+            name = item.text
+        yield item.begin_us, name
+        end_us = item.begin_us + GAP_US if item.is_moment else item.end_us
+    if end_us >= 0:
+        yield end_us, ""
+
+
+def _signals(trace: Trace) -> Iterator[VcdVariable]:
+    for signal in trace.signals:
+        *scope, name = signal.name.split(".")
+        yield VcdVariable(
+            ("signals", *map(_plain, scope)),
+            _plain(name),
+            "integer" if signal.integral else "real",
+            _changes(trace, signal.name, is_integral=signal.integral),
+        )
+
+
+def _changes(trace: Trace, name: str, *, is_integral: bool) -> Iterator[tuple[int, int | float]]:
+    """Yield the values that differ from those of the tick before, at the end of their tick."""
+    values = trace[name]
+    if not len(values):
+        return
+    indexes = numpy.flatnonzero(numpy.diff(values, prepend=numpy.nan) != 0.0)
+    first = trace.first_tick + 1
+    for index in indexes.tolist():
+        value = float(values[index])
+        if math.isfinite(value):
+            yield (first + index) * trace.cycle_time_us, int(value) if is_integral else value
+
+
+def _plain(name: str) -> str:
+    """Return a name of letters, digits and brackets: dots and colons divide names in viewers."""
+    return re.sub(r"[^\w()\-+]", "_", name.replace("[", "(").replace("]", ")").replace("#", "n"))

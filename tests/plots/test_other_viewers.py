@@ -1,0 +1,147 @@
+# SPDX-License-Identifier: MIT
+"""VCD and Perfetto: what the files hold, and that other programs read them."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import subprocess
+from collections import defaultdict
+from pathlib import Path
+from typing import Any
+
+import pytest
+from runs_to_draw import PART, drawn
+
+from nctakt import Plc, after
+from nctakt.results.run import Run
+
+pytestmark = pytest.mark.slow
+
+
+class Slow(Plc):
+    """A PLC that takes its time."""
+
+    acknowledge = after("20 ms")
+
+
+def changes(path: Path) -> dict[str, list[tuple[int, Any]]]:
+    """The changes of each variable of a VCD file by its full name, times in µs."""
+    reader = pytest.importorskip("vcd.reader", reason="pyvcd is not installed")
+    names: dict[str, str] = {}
+    scopes: list[str] = []
+    found: dict[str, list[tuple[int, Any]]] = {}
+    now = 0
+    with path.open("rb") as file:
+        for token in reader.tokenize(file):
+            kind = token.kind.name
+            if kind == "SCOPE":
+                scopes.append(token.data.ident)
+            elif kind == "UPSCOPE":
+                scopes.pop()
+            elif kind == "VAR":
+                names[token.data.id_code] = ".".join((*scopes, token.data.reference))
+                found[names[token.data.id_code]] = []
+            elif kind == "CHANGE_TIME":
+                now = token.data
+            elif kind.startswith("CHANGE_"):
+                found[names[token.data.id_code]].append((now, token.data.value))
+    return found
+
+
+def test_a_vcd_file_has_signals_blocks_cycles_and_functions(tmp_path: Path) -> None:
+    """Times in µs, scopes by the dots of the names; the same run gives the same bytes."""
+    for name in ("one", "two"):
+        drawn(plc=Slow()).write_vcd(tmp_path / f"{name}.vcd")
+    assert (tmp_path / "one.vcd").read_bytes() == (tmp_path / "two.vcd").read_bytes()
+    found = changes(tmp_path / "one.vcd")
+    assert found["functions.M100"] == [(0, "0"), (50_000, "1"), (71_000, "0")]
+    assert found["cycles.cycle_17.reaction_line_2"] == [(0, "0"), (50_000, "1"), (51_000, "0")]
+    held = found["cycles.cycle_17.condition_line_5"]
+    assert held[1:] == found["cycles.cycle_17.reaction_line_5"][1:]
+    assert found["program.block"][0][1] == r"N10\x20G00\x20X20\x20Y5"
+    position = found["signals.X.ACS.ACT_POS"]
+    assert position[1] == (1000, pytest.approx(0.002))
+    assert len({time % 1000 for time, _ in position}) == 1
+
+
+def test_gtkwave_reads_the_vcd_file(tmp_path: Path) -> None:
+    """Its converter takes all variables and changes over."""
+    converter = shutil.which("vcd2fst")
+    if converter is None:
+        pytest.skip("GTKWave's vcd2fst is not installed")
+    back = shutil.which("fst2vcd")
+    assert back is not None
+    drawn(plc=Slow()).write_vcd(tmp_path / "part.vcd")
+    names = [str(tmp_path / name) for name in ("part.vcd", "part.fst")]
+    done = subprocess.run([converter, *names], check=False, capture_output=True, text=True)
+    assert (done.returncode, done.stderr) == (0, "")
+    with (tmp_path / "again.vcd").open("wb") as file:
+        subprocess.run([back, names[1]], check=True, stdout=file)
+    before, after_it = changes(tmp_path / "part.vcd"), changes(tmp_path / "again.vcd")
+    assert before.keys() == after_it.keys()
+    for name in ("functions.M100", "signals.X.ACS.ACT_POS"):
+        assert before[name][1:] == after_it[name][-len(before[name]) + 1 :]
+
+
+def events(run: Run, path: Path) -> list[dict[str, Any]]:
+    """The events of a file for Perfetto."""
+    run.write_perfetto(path)
+    loaded: dict[str, Any] = json.loads(path.read_text("utf-8"))
+    listed: list[dict[str, Any]] = loaded["traceEvents"]
+    return listed
+
+
+def test_a_file_for_perfetto_has_slices_and_counters(tmp_path: Path) -> None:
+    """Processes for the program, cycles, functions, signals; times in µs."""
+    found = events(drawn(plc=Slow()), tmp_path / "part.json")
+    assert (tmp_path / "part.json").read_bytes() == _written_again(tmp_path)
+    processes = [one["args"]["name"] for one in found if one["name"] == "process_name"]
+    assert processes == ["program", "realtime cycles", "M and H functions", "signals"]
+    slices = {one["name"]: one for one in found if one["ph"] == "X"}
+    assert (slices["M100"]["ts"], slices["M100"]["dur"]) == (50_000, 21_000)
+    assert slices["N10"]["args"] == {"text": "N10 G00 X20 Y5", "place": "part.nc:9"}
+    reaction = slices["$IF ONCE V.RTA.ACS.ACT_POS.X > 5"]
+    assert (reaction["ts"], reaction["dur"]) == (50_000, 1000)
+    counters = [one for one in found if one["ph"] == "C" and one["name"] == "X.ACS.ACT_POS"]
+    assert counters[1]["ts"] == 2000
+    assert list(counters[1]["args"]) == ["mm"]
+
+
+def _written_again(folder: Path) -> bytes:
+    drawn(plc=Slow()).write_perfetto(folder / "again.json")
+    return (folder / "again.json").read_bytes()
+
+
+def test_slices_of_a_track_are_apart(tmp_path: Path) -> None:
+    """Functions that overlap have tracks of their own; each track has a name."""
+    text = PART.replace("$IF ONCE V.RTA.ACS.ACT_POS.X > 5", "$IF V.RTA.ACS.ACT_POS.X > 19")
+    found = events(drawn(text, plc=Slow()), tmp_path / "part.json")
+    named = {(one["pid"], one["tid"]) for one in found if one["name"] == "thread_name"}
+    ends: dict[tuple[int, int], float] = defaultdict(float)
+    for one in found:
+        if one["ph"] == "X":
+            track = one["pid"], one["tid"]
+            assert track in named
+            assert one["ts"] >= ends[track]
+            ends[track] = one["ts"] + one["dur"]
+    functions = [one["tid"] for one in found if one["name"] == "M100" and one["ph"] == "X"]
+    assert len(set(functions)) > 1
+
+
+def test_perfettos_trace_processor_reads_the_file(tmp_path: Path) -> None:
+    """Slices with their lengths, and the counters (Python package ``perfetto``)."""
+    processor = os.environ.get("TRACE_PROCESSOR") or shutil.which("trace_processor_shell")
+    if processor is None:
+        pytest.skip("Perfetto's trace_processor_shell is not installed")
+    module = pytest.importorskip(
+        "perfetto.trace_processor", reason="the Python package perfetto is not installed"
+    )
+    drawn(plc=Slow()).write_perfetto(tmp_path / "part.json")
+    configuration = module.TraceProcessorConfig(bin_path=processor)
+    with module.TraceProcessor(trace=str(tmp_path / "part.json"), config=configuration) as trace:
+        rows = trace.query("select name, ts, dur from slice where name = 'M100'")
+        assert [(row.ts, row.dur) for row in rows] == [(50_000_000, 21_000_000)]
+        rows = trace.query("select count(*) as n from counter")
+        assert next(iter(rows)).n > 100

@@ -75,7 +75,7 @@ def test_reactions_have_numbers_on_the_path() -> None:
     assert path is not None
     assert path.axes == ("X", "Y", "Z")
     assert [mark.number for mark in path.marks] == [1, 2]
-    assert path.marks[0].place[0] == pytest.approx(5.0, abs=0.3)
+    assert path.marks[0].point[0] == pytest.approx(5.0, abs=0.3)
 
 
 def test_feed_and_rapid_motion_are_told_apart() -> None:

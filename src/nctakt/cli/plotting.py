@@ -52,7 +52,7 @@ class Drawings:
         names = {"plot": options.plot, "vcd": options.vcd, "perfetto": options.perfetto}
         paths = {kind: path for kind, path in names.items() if path is not None}
         self._options = options
-        self._default_signals = controller.default_signals
+        self._default_signals: Sequence[str] = ()
         self._signals: Sequence[str] = ()
         self._chosen: Sequence[str] | None = None
         self._files: dict[str, OutputFile] = {}
@@ -68,6 +68,7 @@ class Drawings:
             file = open_file(f"--{kind}", path)
             assert file is not None
             self._files[kind] = file
+        self._default_signals = controller.default_signals
         self._signals = motion.signals([axis.name for axis in controller.channel_axes])
 
     @property

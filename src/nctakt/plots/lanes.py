@@ -105,13 +105,13 @@ def _bars(slices: Sequence[Slice], language: Language) -> tuple[Bar, ...]:
             item.begin_us / 1e6,
             item.end_us / 1e6,
             slice_name(item.name, language),
-            "\n".join(filter(None, (item.text, _place(item)))),
+            "\n".join(filter(None, (item.text, _position(item)))),
         )
         for item in slices
     )
 
 
-def _place(item: Slice) -> str:
+def _position(item: Slice) -> str:
     return "" if item.span is None else f"{item.span.file}:{item.span.line}"
 
 

@@ -207,7 +207,7 @@ class _Packer:
             "begin": path.begin_s,
             "every": self._scene.tick_s * stride,
             "positions": _packed(path.positions[::stride].ravel()),
-            "marks": [[mark.number, mark.time_s, *mark.place] for mark in path.marks],
+            "marks": [[mark.number, mark.time_s, *mark.point] for mark in path.marks],
         }
 
 

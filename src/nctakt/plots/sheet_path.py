@@ -32,19 +32,19 @@ def draw_plane(axes: Any, path: ToolPath, language: Language) -> None:
     first, second = path.points[:, 0], path.points[:, 1]
     _draw_stretches(axes, path, 2, language)
     for index, text, colour, sign in ((0, _START, START, "o"), (-1, _END, END, "s")):
-        place = (first[index], second[index])
-        axes.plot(*place, sign, color=colour, markersize=6, zorder=4)
+        point = (first[index], second[index])
+        axes.plot(*point, sign, color=colour, markersize=6, zorder=4)
         axes.annotate(
             text.get(language),
-            place,
+            point,
             xytext=(7, 7 if index == 0 else -11),
             textcoords="offset points",
             fontsize=7,
             color=colour,
             zorder=6,
         )
-    for place, numbers in _clusters(path):
-        draw_numbers(axes, place, numbers)
+    for point, numbers in _clusters(path):
+        draw_numbers(axes, point, numbers)
     axes.set_aspect("equal", adjustable="datalim")
     axes.margins(0.08)
     axes.set_xlabel(f"{path.axes[0]} / mm", fontsize=8)
@@ -56,11 +56,11 @@ def draw_plane(axes: Any, path: ToolPath, language: Language) -> None:
     axes.legend(fontsize=7, frameon=False, loc="best")
 
 
-def draw_numbers(axes: Any, place: tuple[float, float], numbers: Sequence[int]) -> None:
+def draw_numbers(axes: Any, point: tuple[float, float], numbers: Sequence[int]) -> None:
     """Draw the sign with the numbers of reactions that fired at a place."""
     axes.annotate(
         ", ".join(map(str, numbers)),
-        place,
+        point,
         fontsize=6.5,
         ha="center",
         va="center",
@@ -82,7 +82,7 @@ def draw_space(axes: Any, path: ToolPath, language: Language) -> None:
     axes.plot(*path.points[0].tolist(), "o", color=START, markersize=5)
     axes.plot(*path.points[-1].tolist(), "s", color=END, markersize=5)
     for mark in path.marks:
-        axes.plot(*mark.place, "o", color=LANE_COLOURS["reaction"], markersize=3.5)
+        axes.plot(*mark.point, "o", color=LANE_COLOURS["reaction"], markersize=3.5)
     for name, label in zip(
         path.axes, (axes.set_xlabel, axes.set_ylabel, axes.set_zlabel), strict=True
     ):
@@ -120,7 +120,7 @@ def _clusters(path: ToolPath) -> list[tuple[tuple[float, float], list[int]]]:
     size = float(numpy.ptp(path.points[:, :2], axis=0).max()) or 1.0
     clusters: dict[tuple[int, int], tuple[tuple[float, float], list[int]]] = {}
     for mark in path.marks:
-        x, y = mark.place[:2]
+        x, y = mark.point[:2]
         cell = (round(x / size / _NEAR), round(y / size / _NEAR))
         _, numbers = clusters.setdefault(cell, ((x, y), []))
         if mark.number not in numbers:

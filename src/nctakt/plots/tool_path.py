@@ -34,11 +34,11 @@ _STRAIGHT = 1e-5
 
 @dataclass(frozen=True, slots=True)
 class Mark:
-    """A firing of the reaction with this number: its time and its place on the path."""
+    """A firing of the reaction with this number: its time and its point on the path."""
 
     number: int
     time_s: float
-    place: tuple[float, ...]
+    point: tuple[float, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,8 +82,8 @@ def tool_path(motions: Sequence[AxisMotion], rapid: Values, lanes: Sequence[Lane
         if lane.number:
             left_out += max(0, len(lane.bars) - MAX_MARKS)
             for bar in lane.bars[:MAX_MARKS]:
-                place = [numpy.interp(bar.begin_s, time_s, column) for column in points.T]
-                marks.append(Mark(lane.number, bar.begin_s, tuple(map(float, place))))
+                point = [numpy.interp(bar.begin_s, time_s, column) for column in points.T]
+                marks.append(Mark(lane.number, bar.begin_s, tuple(map(float, point))))
     names = tuple(motion.name for motion in shown)
     begin_s = float(time_s[0])
     return ToolPath(names, begin_s, points, points[kept], flags[kept], tuple(marks), left_out)

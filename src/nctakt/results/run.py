@@ -193,7 +193,7 @@ class Run:
     trace in memory (``None`` and empty without one); messages and counts are always there. ``why``
     has the history of each condition, ``coverage`` the counts, if the run recorded them.
     ``schedule``: the scheduling list of the run; ``starved``, ``overflows``: its effects.
-    ``drawer`` makes what draws the run (``plot``).
+    ``drawer`` makes what draws the run (``plot``), ``None`` without a trace in memory.
 
     >>> run = Controller().run(NcText("part.nc", "M100 G01 X100 F6000 M30"))
     >>> run.state, run.ticks

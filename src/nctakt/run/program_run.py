@@ -278,7 +278,7 @@ class ProgramRun:
             overflows=statistics.schedule.overflows(),
             why=report,
             coverage=coverage,
-            drawer=functools.partial(_drawer, machine),
+            drawer=None if self._memory is None else functools.partial(_drawer, machine),
         )
 
 

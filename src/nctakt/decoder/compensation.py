@@ -495,5 +495,5 @@ class Compensation:
                 feed=feed,
                 exact_stop=segment.exact_stop and is_last,
                 arc=row,
-                goes_on=not is_last,
+                continues_block=not is_last,
             )

@@ -219,7 +219,7 @@ class QueueFeeder:
                 command.arc,
                 None if command.modifiers is None else command.modifiers.row,
             )
-            if command.goes_on:
+            if command.continues_block:
                 self._channel.queue.continue_block()
             self._decoder.pass_time(command)
             return

@@ -20,7 +20,7 @@ _DEVIATION = Segment.__dict__["deviation"]
 _LIMITS_JERK = Segment.__dict__["limits_jerk"]
 _ARC = Segment.__dict__["arc"]
 _MODIFIERS = Segment.__dict__["modifiers"]
-_GOES_ON = Segment.__dict__["goes_on"]
+_CONTINUES_BLOCK = Segment.__dict__["continues_block"]
 
 
 def segment(
@@ -49,5 +49,5 @@ def segment(
     raw_nodes.set_field(_LIMITS_JERK, node, limits_jerk)
     raw_nodes.set_field(_ARC, node, arc)
     raw_nodes.set_field(_MODIFIERS, node, modifiers)
-    raw_nodes.set_field(_GOES_ON, node, False)
+    raw_nodes.set_field(_CONTINUES_BLOCK, node, False)
     return node

@@ -50,7 +50,7 @@ class Segment(Command):
     ``motion``: ``rows.FEED_MOTION`` with ``feed`` mm/s, or ``rows.RAPID_MOTION``. ``deviation``:
     how far the path may pass the target, 0 not at all. ``limits_jerk``: its slope is an S-curve.
     ``arc``: first and second axis of its plane, centre, angle; ``None`` for a line. ``modifiers``:
-    ``None`` where the feed is all. ``goes_on``: the block goes on with the next segment.
+    ``None`` where the feed is all. ``continues_block``: the next segment continues the block.
     """
 
     start: tuple[float, ...]
@@ -62,7 +62,7 @@ class Segment(Command):
     limits_jerk: bool = False
     arc: tuple[float, ...] | None = None
     modifiers: FeedModifiers | None = None
-    goes_on: bool = False
+    continues_block: bool = False
 
     @property
     def is_feed(self) -> bool:

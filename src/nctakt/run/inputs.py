@@ -15,7 +15,6 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
-from nctakt.kernel.plc.technology_slots import SLOT_COUNT
 from nctakt.messages import diagnostic
 from nctakt.messages.tape import INPUT_NOT_POSSIBLE
 
@@ -72,6 +71,9 @@ class Inputs:
 
     def check(self, planned: Input) -> None:
         """Raise ``Failure`` for a name or a value that this machine does not take (901077)."""
+        # The kernel is there when there are inputs to check; words for a run come before it.
+        from nctakt.kernel.plc.technology_slots import SLOT_COUNT  # noqa: PLC0415
+
         match planned.kind, planned.values:
             case "write", (str() as name, value):
                 self._access.check(name, value)

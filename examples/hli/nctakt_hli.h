@@ -71,11 +71,11 @@ _Static_assert(offsetof(hli_link, turn) == 0, "turn");
 _Static_assert(offsetof(hli_link, process) == 8, "process");
 _Static_assert(sizeof(hli_link) == 16, "hli_link");
 
-/* a slot for one M or H function */
+/* a slot for one M, H or T function */
 typedef struct hli_unit {
     uint32_t serial; /* 0: free; else the running number of the function */
-    uint32_t letter; /* 1 M, 2 H */
-    uint32_t number; /* of the function: 100 for M100 */
+    uint32_t letter; /* 1 M, 2 H, 3 T */
+    uint32_t number; /* of the function: 100 for M100, the tool of T */
     uint32_t sequence; /* its number among those of its tick and section, from 1 */
     uint32_t axis; /* logical of the axis or spindle that it is for, 0: channel */
     int32_t value; /* its value in the program, as in M110=130; 0 for none */

@@ -15,6 +15,8 @@ import pytest
 import nctakt
 from nctakt.checking.check import check_files
 from nctakt.lists.machine.machine import load_machine
+from nctakt.plc.policies import after, only
+from nctakt.plc.script import Plc
 from nctakt.results.run import ProgramMessage, Run
 from nctakt.run.assembly import AssembledMachine
 from nctakt.run.controller import Controller, NcText
@@ -128,6 +130,56 @@ def test_t_that_selects_offsets_needs_a_tool_of_the_list(tmp_path: Path) -> None
         numbers = [(one.id, one.span and one.span.line) for one in found if one.id != 900201]
         assert numbers == expected
         assert [one.id for one in run("T[3 + 4]\n", machine)[0].errors] == [expected[0][0]]
+
+
+def outputs(program: str, machine: Path) -> list[tuple[str, int]]:
+    """The functions of a program with their ticks."""
+    run = Controller(machine).run(NcText("p.nc", program))
+    assert not run.errors, run.errors
+    return [(one.name, one.tick) for one in run.technology]
+
+
+@pytest.mark.parametrize(
+    ("type_", "ticks"),
+    [
+        ("MOS", [("T2", 0), ("M7", 32)]),
+        ("MVS_SVS", [("T2", 0), ("M7", 33)]),
+        ("MVS_SNS", [("T2", 0), ("M7", 32)]),
+        ("MNS_SNS", [("T2", 32), ("M7", 33)]),
+        ("NO_SYNCH", [("M7", 32)]),
+    ],
+)
+def test_t_goes_to_the_plc(tmp_path: Path, type_: str, ticks: list[tuple[str, int]]) -> None:
+    """P-CHAN-00086: X1 takes 32 ticks; the PLC acknowledges T in its tick, known in the next."""
+    machine = machine_with(tmp_path / "m", sda_mds1=f"tool.synch {type_}")
+    assert outputs("G00 X1 T2\nM7\nM30\n", machine) == ticks
+
+
+def test_t_has_few_synchronisation_types(tmp_path: Path) -> None:
+    """20965: MVS_SVS takes the place of any other one."""
+    machine = machine_with(tmp_path / "m", sda_mds1="tool.synch MET_SVS")
+    controller = Controller(machine)
+    assert [one.id for one in controller.diagnostics] == [20965]
+    assert outputs("T2\nM30\n", machine) == [("T2", 0)]
+
+
+def test_a_plc_sees_the_tool(tmp_path: Path) -> None:
+    """The program waits until the PLC has acknowledged T2, five ticks later."""
+    machine = machine_with(tmp_path / "m", sda_mds1="tool.synch MVS_SVS")
+
+    class Changer(Plc):
+        acknowledge = only("T2", "M7", then=after("5 ms"))
+
+    found = Controller(machine).run(NcText("p.nc", "T2\nM7\nM30\n"), plc=Changer())
+    assert [(one.name, one.tick) for one in found.technology] == [("T2", 0), ("M7", 6)]
+
+
+def test_the_largest_number_of_a_tool(tmp_path: Path) -> None:
+    """20166: the code of a function has no room for more."""
+    machine = machine_with(tmp_path / "m", sda_mds1="tool.synch MOS")
+    (machine / "werkz_d1.lis").write_text("End\n")
+    assert outputs("T999999999\nM30\n", machine) == [("T999999999", 0)]
+    assert [one.id for one in run("T1000000000\n", machine)[0].errors] == [20166]
 
 
 def test_without_a_tool_list_each_t_is_accepted(tmp_path: Path) -> None:

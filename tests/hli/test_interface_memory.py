@@ -336,6 +336,22 @@ def test_a_function_for_an_axis_names_it(tmp_path: Path) -> None:
     assert [one.axis for one in memory.controller.hli.functions()] == ["Z", "S2", ""]
 
 
+def test_the_tool_of_t_stands_in_a_unit(tmp_path: Path) -> None:
+    """P-CHAN-00086: letter 3, the channel's; its serial in the PLC's place frees the program."""
+    folder = tmp_path / "machine"
+    shutil.copytree(DEMO, folder)
+    file = folder / "sda_mds1.lis"
+    file.write_text("tool.synch MVS_SVS\n" + file.read_text("utf-8"), "utf-8")
+    memory = Memory(Controller(folder))
+    memory.controller.start(NcText("p.nc", "T2\nG04 X1\nM30"))
+    memory.command["plc_present"] = 1
+    memory.controller.step(1)
+    unit = memory.unit("program", 0)
+    assert (unit["letter"], unit["number"], unit["axis"]) == (3, 2, 0)
+    assert [one.name for one in memory.controller.hli.functions()] == ["T2"]
+    assert {"T1", "T2", "T3"} <= set(memory.controller.hli.known_functions())
+
+
 # --- what the PLC writes ------------------------------------------------------------------------
 
 

@@ -141,7 +141,7 @@ def units_of(rig: Rig, first: int, acknowledged: int) -> SectionUnits:
     image = memoryview(bytearray(1 << 16))
     table = bytearray(8)
     section, tables = rig.channel.hli.program, [table] * 4
-    return SectionUnits(section, image, image, first, acknowledged, 1000, 1, *tables, Units())
+    return SectionUnits(section, image, image, first, acknowledged, 1000, 1, *tables, 0, Units())
 
 
 @pytest.mark.parametrize("name", CONSTRUCTORS)

@@ -223,16 +223,16 @@ def test_all_that_is_wrong_is_told_at_once(sessions: Sessions) -> None:
 def test_an_error_that_nobody_expects_fails(sessions: Sessions) -> None:
     """With its place and its remedy; the other expectations are looked at all the same."""
     shown = failure(sessions, "; expect: ended\nG01 X10 F0\nM30\n")
-    assert "error 20008" in shown
+    assert "error 20176" in shown
     assert "unexpected error" in shown
     assert "+ error after 0" in shown
 
 
 def test_an_expected_error_in_another_line(sessions: Sessions) -> None:
     """The line counts where the expectation stands behind a block."""
-    shown = failure(sessions, "M100 ; expect: error 20008\nG01 X10 F0\nM30\n")
-    assert "- 20008 (line 1)" in shown
-    assert "+ line 2: 20008" in shown
+    shown = failure(sessions, "M100 ; expect: error 20176\nG01 X10 F0\nM30\n")
+    assert "- 20176 (line 1)" in shown
+    assert "+ line 2: 20176" in shown
 
 
 def test_comments_that_are_not_understood_are_all_told(sessions: Sessions) -> None:
@@ -320,7 +320,7 @@ def test_the_fixtures_answer_in_the_words_of_the_shop_floor(sessions: Sessions) 
     assert "2 failed, 2 passed" in shown
     assert "<M102: never; but M101 at 0.05 s, tick 50 (line 4)" in shown
     assert "<error after 0" in shown
-    assert "error 20008" in shown
+    assert "error 20176" in shown
 
 
 # --- coverage -----------------------------------------------------------------------------------

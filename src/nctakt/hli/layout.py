@@ -127,11 +127,11 @@ HEADER = Structure(
 
 UNIT = Structure(
     "hli_unit",
-    "a slot for one M or H function",
+    "a slot for one M, H or T function",
     (
         Entry("serial", "UNS32", "", "0: free; else the running number of the function"),
-        Entry("letter", "UNS32", "", "1 M, 2 H"),
-        Entry("number", "UNS32", "", "of the function: 100 for M100"),
+        Entry("letter", "UNS32", "", "1 M, 2 H, 3 T"),
+        Entry("number", "UNS32", "", "of the function: 100 for M100, the tool of T"),
         Entry("sequence", "UNS32", "", "its number among those of its tick and section, from 1"),
         Entry("axis", "UNS32", "", "`logical` of the axis or spindle that it is for, 0: channel"),
         Entry("value", "SGN32", "", "its value in the program, as in M110=130; 0 for none"),

@@ -77,6 +77,7 @@ cdef enum:
     MOS = 1
     LETTER_M = 1
     LETTER_H = 2
+    LETTER_T = 3
     SPINDLE_JOB = 0
     SPINDLE_JOB_FUNCTION = 1
     SPINDLE_JOB_DIRECTION = 2

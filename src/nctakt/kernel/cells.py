@@ -107,7 +107,7 @@ IDENTIFIER_PROGRAM, POS_RT = range(1, 3)
 MOS = 1
 
 #: The letters of a unit.
-LETTER_M, LETTER_H = range(1, 3)
+LETTER_M, LETTER_H, LETTER_T = range(1, 4)
 
 #: The job of a spindle in int32, from ``job`` of ``SPINDLE`` in ``hli/layout.py`` on.
 (

@@ -69,6 +69,7 @@ cdef enum:
     MOVES_STILL = 1
     MOVES_ENDLESSLY = 2
     IS_HELD = 3
+    FIRST_T = 1000000000
     PLC_OWNER = 1000000
     ABSOLUTE = 1
     RELATIVE = 2

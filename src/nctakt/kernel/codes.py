@@ -105,6 +105,9 @@ NEGATIVE, PRESENT, POSITIVE, SHORTEST = range(-1, 3)
 #: The state of an axis for a position request (RC-409); in the last two it never stands.
 STANDS, MOVES_STILL, MOVES_ENDLESSLY, IS_HELD = range(4)
 
+#: The code of T0; those of M functions are below it, those of H functions below 0.
+FIRST_T = 1_000_000_000
+
 #: The owner of the PLC's first request; the others follow.
 PLC_OWNER = 1_000_000
 

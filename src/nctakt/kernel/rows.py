@@ -24,7 +24,7 @@ from __future__ import annotations
     DWELL,  # the path stands
     DEFINE_CYCLE,  # a realtime cycle is defined, and started
     CONTROL_CYCLE,  # START, HOLD, CONTINUE, ABORT ACTION, DELETE
-    TECHNOLOGY,  # an M or H function goes to the PLC
+    TECHNOLOGY,  # an M, H or T function goes to the PLC
     AWAIT_ACKNOWLEDGE,  # waits until the PLC has acknowledged the function
     WRITE_VARIABLE,  # a number goes into a cell
     WRITE_TEXT,  # part of a character string goes into its cells
@@ -94,7 +94,7 @@ def _arguments(count: int) -> range:
     CONTROL_IDENTITY,  # the cycle's programmed ID
 ) = _arguments(2)
 (
-    TECHNOLOGY_FUNCTION,  # number of the M function, -1 - number of the H function
+    TECHNOLOGY_FUNCTION,  # its code (``hli/function_codes.py``)
     TECHNOLOGY_TICKS,  # how long the function takes
     TECHNOLOGY_HAS_VALUE,
     TECHNOLOGY_VALUE,

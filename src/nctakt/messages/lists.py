@@ -426,3 +426,13 @@ PATH_GIVEN_TWICE = warning(
     value=("its value", "sein Wert"),
     other=("the folder before", "das Verzeichnis davor"),
 )
+SYNCHRONISATION_NOT_OF_FUNCTION = warning(
+    20965,
+    en="{key}: this function cannot have the type {value}; {default} is used",
+    de="{key}: diese Funktion kann die Art {value} nicht haben; {default} wird verwendet",
+    remedy_en="Use MOS, MVS_SVS, MVS_SNS, MNS_SNS or MNE_SNS.",
+    remedy_de="MOS, MVS_SVS, MVS_SNS, MNS_SNS oder MNE_SNS verwenden.",
+    key=("the entry", "der Eintrag"),
+    value=("the synchronisation type", "die Synchronisationsart"),
+    default=("the synchronisation type that is used", "die Synchronisationsart, die gilt"),
+)

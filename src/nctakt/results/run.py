@@ -120,7 +120,7 @@ class CycleResult:
 class OutputCount:
     """The number of outputs of a function; ``is_realtime``: by a realtime cycle.
 
-    ``letter``: ``M`` or ``H``.
+    ``letter``: ``M``, ``H`` or ``T``.
     """
 
     letter: str
@@ -137,7 +137,7 @@ class OutputCount:
 
 @dataclass(frozen=True, slots=True, repr=False)
 class TechnologyOutput:
-    """The output of an M or H function; ``letter``: ``M`` or ``H``.
+    """The output of an M, H or T function; ``letter``: ``M``, ``H`` or ``T``.
 
     ``sequence``: its number within the tick in the realtime section (RC-403), 0 for a function of
     the main program. ``cycle``: the realtime cycle that put it out, empty for the main program.

@@ -8,6 +8,7 @@ from dataclasses import replace
 
 from nctakt.base.diagnostics import Diagnostic, Text
 from nctakt.base.source_ids import statement_span
+from nctakt.hli.function_codes import function_name
 from nctakt.kernel import codes
 from nctakt.kernel.cycles.expressions import OPERATIONS
 from nctakt.lists.declared.variables import SCALARS
@@ -157,8 +158,7 @@ def realtime_diagnostic(event: Event, machine: AssembledMachine) -> Diagnostic:
         case CYCLE_INDEX_OUT_OF_RANGE.id:
             values = {"variable": _array(event, machine), "index": number_text(a), "count": int(b)}
         case PLC_INTERFACE_FULL.id | TOO_MANY_FUNCTIONS_IN_TICK.id:
-            function = f"H{-int(a) - 1}" if a < 0 else f"M{int(a)}"
-            values = {"function": function, "slots": int(b)}
+            values = {"function": function_name(a), "slots": int(b)}
         case CYCLES_EXCEED_STEP_LIMIT.id | CYCLES_EXCEED_DURATION.id:
             values = {"cycle": cycle, "steps": int(a), "limit": int(b)}
         case UNKNOWN_CYCLE_ID.id | CYCLE_ID_IN_USE.id:

@@ -14,6 +14,7 @@ from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import NOTHING, Diagnostic
 from nctakt.base.failure import Failure
 from nctakt.base.text import nearest
+from nctakt.hli.function_codes import function_of
 from nctakt.hli.layout import AXIS, CHANNEL, LAMPS
 from nctakt.kernel import codes
 from nctakt.kernel.plc.technology_slots import Hli
@@ -67,7 +68,7 @@ CHANNEL_NAMES = tuple(
 class TechnologyEntry:
     """A function that waits for its acknowledgement.
 
-    ``letter`` is M or H, ``sequence`` its number among those of the same tick and section,
+    ``letter`` is M, H or T, ``sequence`` its number among those of the same tick and section,
     ``time_us`` its time stamp. ``is_realtime``: a realtime cycle has commanded it (POS_RT).
     ``synchronisation`` is its type: MOS for those of cycles, else that of the channel list
     (P-CHAN-00041, P-CHAN-00027).
@@ -278,15 +279,22 @@ class PlcView:
         return self._machine.single_axes.fault_of(self._axis(name))
 
     def known_functions(self) -> list[str]:
-        """Return the M and H functions of the channel, and its spindles that the PLC turns."""
+        """Return the M, H and T functions of the channel, and its spindles that the PLC turns."""
         parameters = self._machine.assembled[self._index].parameters
         return [
             *(f"M{number}" for number in parameters.m_functions),
             *(f"H{number}" for number in parameters.h_functions),
+            *(f"T{number}" for number in self._tools()),
             *(spindle.name for spindle in parameters.spindles if spindle.plc_controlled),
         ]
 
-    # --- M and H functions ----------------------------------------------------------------------
+    def _tools(self) -> Iterable[int]:
+        """Return the tools of the list where T goes to the PLC (P-CHAN-00086)."""
+        assembled = self._machine.assembled[self._index]
+        has_output = assembled.parameters.tool_selection.output is not None
+        return assembled.configuration.tools if has_output else ()
+
+    # --- M, H and T functions -------------------------------------------------------------------
 
     def functions(self) -> list[TechnologyEntry]:
         """Return the waiting functions, those of the main program first, in their order."""
@@ -297,10 +305,9 @@ class PlcView:
         cycle_time_us = self._machine.configuration.cycle_time_us
         parameters = self._machine.assembled[self._index].parameters
         for slot, function, sequence, tick, serial in section.entries():
-            letter, number = ("H", -function - 1) if function < 0 else ("M", function)
+            letter, number = function_of(function)
             stamp_us = tick * cycle_time_us
-            table = parameters.m_functions if letter == "M" else parameters.h_functions
-            parameter = table[number]
+            parameter = parameters.function(letter, number)
             yield TechnologyEntry(
                 letter,
                 number,

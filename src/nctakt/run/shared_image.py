@@ -336,6 +336,7 @@ def _units(
         )
         own = machine.channels[index]
         m_functions, h_functions = own.parameters.m_functions, own.parameters.h_functions
+        tool = own.parameters.tool_selection.output
         for section, name, identifier in (
             (hli.realtime, "realtime", POS_RT),
             (hli.program, "program", IDENTIFIER_PROGRAM),
@@ -352,6 +353,7 @@ def _units(
                 _axes_of(h_functions, own),
                 _types_of(m_functions),
                 _types_of(h_functions),
+                0 if tool is None else tool.synchronisation_bits,
                 units,
             )
     return units

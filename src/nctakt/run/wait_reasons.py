@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 from nctakt.base.diagnostics import Diagnostic, Text
 from nctakt.base.source_ids import statement_span
+from nctakt.hli.function_codes import function_name
 from nctakt.messages import diagnostic
 from nctakt.messages.command_line import WAITING_AT_RUN_LIMIT
 from nctakt.run.assembly import AssembledMachine
@@ -95,4 +96,4 @@ def _name(machine: AssembledMachine, word: str, detail: int) -> str:
         return machine.registry.spindle(detail)
     if word == "axis":
         return machine.registry.axis(detail)
-    return f"H{-detail - 1}" if detail < 0 else f"M{detail}"
+    return function_name(detail)

@@ -15,6 +15,7 @@ from nctakt.base.failure import Failure
 from nctakt.base.source_ids import LAST_COLUMN, LAST_LINE, pack
 from nctakt.decoder.cycles.builder import CycleDefinition
 from nctakt.decoder.cycles.watching import read_condition
+from nctakt.hli.function_codes import code_of
 from nctakt.kernel import codes, rows
 from nctakt.kernel.cycles.expressions import Constant, Expression
 from nctakt.kernel.tick.stops import BecomesTrue, Changes, Happens, Runs, Stop, Turns
@@ -44,7 +45,7 @@ _EVENTS: dict[Kind, tuple[int, ...]] = {
 
 _LINE = re.compile(r"(?:(?P<file>\S.*?):)?(?P<line>\d+)")
 _WORDS: dict[str, Kind] = {"line": "block", "fires": "fires", "runs": "runs", "turns": "turns"}
-_FUNCTION = re.compile(r"(?P<letter>[MH])(?P<number>\d+)", re.IGNORECASE)
+_FUNCTION = re.compile(r"(?P<letter>[MHT])(?P<number>\d+)", re.IGNORECASE)
 
 
 @dataclass(frozen=True, slots=True)
@@ -158,8 +159,7 @@ class StopBuilder:
             match = _FUNCTION.fullmatch(stop.text)
             if match is None:
                 raise Failure(diagnostic(NOT_A_STOP, text=stop.text))
-            number = int(match["number"])
-            low = high = float(number if match["letter"].upper() == "M" else -number - 1)
+            low = high = float(code_of(match["letter"].upper(), int(match["number"])))
         for first, last in self._sources(stop):
             yield Happens(kinds, first, last, low, high, guard, stop.count)
 

@@ -53,7 +53,7 @@ _WHEN = re.compile(
     re.IGNORECASE,
 )
 _FIRED = re.compile(r"fired(?:\s+(?P<cycle>#?\d+))?(?:\s+line\s+(?P<line>\d+))?", re.IGNORECASE)
-_FUNCTION = re.compile(r"[MH]\d+", re.IGNORECASE)
+_FUNCTION = re.compile(r"[MHT]\d+", re.IGNORECASE)
 _MESSAGE = re.compile(r'message\s+"(?P<text>.*)"', re.IGNORECASE)
 _ERROR = re.compile(r"(?P<severity>error|warning)\s+(?P<number>\d+)", re.IGNORECASE)
 _VALUE = re.compile(

@@ -14,6 +14,7 @@ from typing import Protocol
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Severity, Span
+from nctakt.hli.function_codes import function_of
 from nctakt.kernel import codes, rows
 from nctakt.messages.catalogue import messages_of
 from nctakt.nc.check.user_errors import KEYWORDS
@@ -240,13 +241,13 @@ class EventDecoder:
         return "written", f'{self._names.variable(cell)} "{before}{text}{behind}"'
 
     def _technology_rt(self, number: float, sequence: float, time_us: int) -> tuple[str, str]:
-        letter, value = _function(number)
+        letter, value = function_of(number)
         return letter, f"{value} {int(sequence)} {time_us}"
 
     def _technology(
         self, has_value: int, function: float, value: float, _c: float
     ) -> tuple[str, str]:
-        letter, number = _function(function)
+        letter, number = function_of(function)
         return "output", f"{letter} {number}" + (f" = {int(value)}" if has_value else "")
 
     def _message(self, number: int, _a: float, _b: float, _c: float) -> tuple[str, str]:
@@ -338,7 +339,7 @@ class EventDecoder:
 
     def _answered(self, word: str) -> Maker:
         def make(_serial: int, function: float, sequence: float, tick: float) -> tuple[str, str]:
-            letter, number = _function(function)
+            letter, number = function_of(function)
             return word, f"{letter} {number} {int(sequence)} {int(tick) * self._cycle_time_us}"
 
         return make
@@ -359,12 +360,6 @@ _WITHOUT_CYCLE = (
     rows.EVENT_RETRACED,
     rows.EVENT_LOOP,
 )
-
-
-def _function(code: float) -> tuple[str, int]:
-    """Return the letter and number of a technology function; H functions are coded -number - 1."""
-    number = int(code)
-    return ("H", -number - 1) if number < 0 else ("M", number)
 
 
 def _characters(number: int) -> str:

@@ -15,7 +15,12 @@ from nctakt.decoder.blocks.feed import FeedRate
 from nctakt.decoder.blocks.fixed_stops import fixed_stop, is_fixed_stop
 from nctakt.decoder.blocks.path_motion import CENTRE_WORDS, PathMotion, PathWords
 from nctakt.decoder.blocks.spindles import SpindleWords, names_of
-from nctakt.decoder.blocks.technology_output import BlockFunction, TechnologyOutputs, block_function
+from nctakt.decoder.blocks.technology_output import (
+    BlockFunction,
+    TechnologyOutputs,
+    block_function,
+    tool_function,
+)
 from nctakt.decoder.state.arcs import PLANES, SAME_POINT_MM
 from nctakt.decoder.state.commands import (
     Answer,
@@ -221,10 +226,14 @@ class BlockDecoder:
     def _tool(
         self, word: tree.Word, value: float, number: int, content: _BlockContent
     ) -> Generator[Command, Answer]:
-        """Process T or D; T may select offsets where the block has no D (P-CHAN-00014)."""
+        """Process T or D; T may go to the PLC, and select offsets where the block has no D."""
         selection = self._environment.parameters.tool_selection
         if word.name == "T":
-            self._values.tool.name(word, value)
+            tool = self._values.tool.name(word, value)
+            if selection.output is not None:
+                content.functions.append(
+                    tool_function(self._values, word.span, tool, selection.output, number)
+                )
             if not selection.by_t or content.has_offset_word:
                 return
         if selection.flushes:

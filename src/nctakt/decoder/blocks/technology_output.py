@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""M and H functions of the main program: when they are output, and when they are awaited.
+"""M, H and T functions of the main program: when they are output, and when they are awaited.
 
-The synchronisation type of the channel list decides (P-CHAN-00041, P-CHAN-00027). All functions of
-a block for the same moment are output before any is awaited. Two types are awaited after their
-block: MVS_SLM before the next motion with feed, MVS_SLP at ``#EXPL SYN``.
+The synchronisation type of the channel list decides (P-CHAN-00041, P-CHAN-00027, P-CHAN-00086). All
+functions of a block for the same moment are output before any is awaited. Two types are awaited
+after their block: MVS_SLM before the next motion with feed, MVS_SLP at ``#EXPL SYN``.
 """
 
 from __future__ import annotations
@@ -11,8 +11,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from nctakt.base.dataclass import dataclass
+from nctakt.base.diagnostics import Span
 from nctakt.decoder.state.commands import AwaitAcknowledge, Command, TechnologyOutput
 from nctakt.decoder.values.variables import Values
+from nctakt.hli.function_codes import code_of
 from nctakt.kernel.base import arithmetic
 from nctakt.lists.declared.technology_functions import TechnologyFunction
 from nctakt.messages.checked_blocks import WORD_VALUE_OUT_OF_RANGE
@@ -52,9 +54,19 @@ def block_function(
     environment = values.environment
     plc_value = None if extra is None else _plc_value(values, word, function.number, extra)
     source = environment.source_id(word.span)
-    code = function.number if word.name == "M" else -function.number - 1
+    code = code_of(word.name, function.number)
     ticks = process_ticks(function, environment.cycle_time_us)
     output = TechnologyOutput(source, block, code, ticks, plc_value)
+    return BlockFunction(function.synchronisation, output, AwaitAcknowledge(source, block, code))
+
+
+def tool_function(
+    values: Values, span: Span, number: int, function: TechnologyFunction, block: int
+) -> BlockFunction:
+    """Return T as a function of its block (P-CHAN-00086)."""
+    source = values.environment.source_id(span)
+    code = code_of("T", number)
+    output = TechnologyOutput(source, block, code, 0)
     return BlockFunction(function.synchronisation, output, AwaitAcknowledge(source, block, code))
 
 

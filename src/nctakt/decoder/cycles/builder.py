@@ -20,6 +20,7 @@ from nctakt.decoder.cycles.texts import TextBuilder
 from nctakt.decoder.values.expressions import ExpressionBuilder
 from nctakt.decoder.values.fusing import Operand, constant, load
 from nctakt.decoder.values.variables import Values
+from nctakt.hli.function_codes import code_of
 from nctakt.kernel import codes
 from nctakt.kernel.cycles import branches, expressions, fused, instructions, user_errors
 from nctakt.kernel.cycles.branches import Branch, Reaction
@@ -195,12 +196,9 @@ class CycleBuilder:
             assert isinstance(word, tree.Word)
             assert isinstance(word.value, tree.Number)
             number = int(word.value.value)
-            is_m = word.name == "M"
-            table = (
-                environment.parameters.m_functions if is_m else environment.parameters.h_functions
-            )
-            ticks = process_ticks(table[number], environment.cycle_time_us)
-            function = number if is_m else -number - 1
+            parameter = environment.parameters.function(word.name, number)
+            ticks = process_ticks(parameter, environment.cycle_time_us)
+            function = code_of(word.name, number)
             built.append(
                 instructions.IssueTechnology(function, ticks, self._source_id(word.span), 1)
             )

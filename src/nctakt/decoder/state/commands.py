@@ -112,7 +112,7 @@ class CycleControl(Command):
 
 @dataclass(frozen=True, slots=True)
 class TechnologyOutput(Command):
-    """An M function, or as -number - 1 an H function, for the PLC; ``ticks``: how long it takes.
+    """A function for the PLC, by its code; ``ticks``: how long it takes.
 
     ``value``: what the program gives it (M110 = 130), ``None`` for nothing.
     """

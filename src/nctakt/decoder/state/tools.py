@@ -35,6 +35,9 @@ from nctakt.nc.vocabulary.system_variables import SystemVariable
 #: Sum of the indices of the first three axes; minus those of a plane: the axis normal to it.
 _MAIN_AXES = 0 + 1 + 2
 
+#: The largest number behind T or D; the code of a T function has no room for more.
+MAX_TOOL_NUMBER = 999_999_999
+
 
 class Fail(Protocol):
     """Raises ``DecodeError``."""
@@ -50,12 +53,13 @@ class ActiveTool:
         self._state = state
         self._fail = fail
 
-    def name(self, word: Word, value: float) -> None:
-        """Process T, the number of the tool for the PLC; the tool list has it, if there is one."""
+    def name(self, word: Word, value: float) -> int:
+        """Process T, and return its number for the PLC; the tool list has it, if there is one."""
         number = self._number(word, value)
         if number and self._environment.tools and number not in self._environment.tools:
             self._fail(TOOL_NOT_IN_LIST, word.span, tool=number)
         self._state.tool.number = number
+        return number
 
     def select(self, word: Word, value: float) -> None:
         """Select the data of a valid tool of the list, or none with the number 0."""
@@ -71,7 +75,7 @@ class ActiveTool:
 
     def _number(self, word: Word, value: float) -> int:
         number = int(arithmetic.round_half_even(value))
-        if number != value or number < 0:
+        if number != value or not 0 <= number <= MAX_TOOL_NUMBER:
             self._fail(INVALID_TOOL_NUMBER, word.span, word=word.name, value=value)
         return number
 

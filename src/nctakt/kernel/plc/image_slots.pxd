@@ -22,6 +22,7 @@ cdef class SectionUnits(Units):
     cdef int identifier
     cdef long long[::1] m_types
     cdef long long[::1] h_types
+    cdef long long tool_type
     cdef Units others
     cdef long long version
 

@@ -35,7 +35,8 @@ class SectionUnits(Units):
     ``published`` are the bytes of the image that the tick knows. ``identifier``: ``cells.POS_RT``
     for what realtime cycles command. ``m_axes``, ``h_axes``: int64 for each number, the logical
     axis that the M or H function is for; ``m_types``, ``h_types``: the bits of its synchronisation
-    type, which counts for the program's functions.
+    type, which counts for the program's functions; ``tool_type``: that of T, which is for the
+    channel.
     """
 
     def __init__(
@@ -51,6 +52,7 @@ class SectionUnits(Units):
         h_axes: bytearray,
         m_types: bytearray,
         h_types: bytearray,
+        tool_type: int,
         others: Units,
     ) -> None:
         units = 4 * cells.UNIT_WIDTH * section.slot_count
@@ -62,6 +64,7 @@ class SectionUnits(Units):
         self.identifier = identifier
         self.m_types = memoryview(m_types).cast("q")
         self.h_types = memoryview(h_types).cast("q")
+        self.tool_type = tool_type
         self.halves = image.cast("i")
         self.words = image.cast("q")
         self.published = published.cast("i")
@@ -95,7 +98,12 @@ class SectionUnits(Units):
         function = self.section.function[slot]
         word = (first + cells.UNIT_TIMES) >> 1
         synchronisation = cells.MOS
-        if function >= 0:
+        if function >= codes.FIRST_T:
+            self.halves[first + cells.UNIT_LETTER] = cells.LETTER_T
+            self.halves[first + cells.UNIT_NUMBER] = function - codes.FIRST_T
+            self.halves[first + cells.UNIT_AXIS] = 0
+            synchronisation = self.tool_type
+        elif function >= 0:
             self.halves[first + cells.UNIT_LETTER] = cells.LETTER_M
             self.halves[first + cells.UNIT_NUMBER] = function
             self.halves[first + cells.UNIT_AXIS] = self.m_axes[function]

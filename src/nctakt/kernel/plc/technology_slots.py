@@ -24,8 +24,8 @@ class Section:
     """Slots for technology functions.
 
     Each function has a running number (``serial``) and a value for the PLC, 0 unless it is given
-    one (``give_value``); ``version`` changes with the slots. A function is named by its number; an
-    H function by its negative number - 1, so that one number holds both and M0 differs from H0.
+    one (``give_value``); ``version`` changes with the slots. A function is named by its code
+    (``hli/function_codes.py``).
     """
 
     def __init__(self, slot_count: int) -> None:

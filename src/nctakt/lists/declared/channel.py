@@ -8,7 +8,7 @@ What they yield is in ``channel_configuration.py``; the tables of M and H functi
 from __future__ import annotations
 
 from nctakt.base.diagnostics import Text
-from nctakt.lists.declared.technology_functions import SPINDLE_FUNCTIONS, TECHNOLOGY
+from nctakt.lists.declared.technology_functions import SPINDLE_FUNCTIONS, TECHNOLOGY, TOOL
 from nctakt.lists.format.parameter import MAX_UNS16, MAX_UNS32, Alias, Parameter, Value, ValueType
 from nctakt.lists.format.reader import ListDialect
 from nctakt.lists.format.schema import Schema
@@ -452,6 +452,14 @@ CHANNEL = Schema(
     "channel",
     Text("Channel list", "Kanalliste"),
     ListDialect(),
-    _AXES + _SPINDLES + SPINDLE_FUNCTIONS + TECHNOLOGY + _PROGRAMS + _TOOLS + _DEFAULTS + _REALTIME,
+    _AXES
+    + _SPINDLES
+    + SPINDLE_FUNCTIONS
+    + TECHNOLOGY
+    + TOOL
+    + _PROGRAMS
+    + _TOOLS
+    + _DEFAULTS
+    + _REALTIME,
     ParameterTable("channel.tsv"),
 )

@@ -19,6 +19,7 @@ from nctakt.messages.lists import (
     INVALID_SYNCHRONISATION_TYPE,
     LEAD_TIME_TOO_SHORT,
     PROCESS_TIME_WITHOUT_WAITING,
+    SYNCHRONISATION_NOT_OF_FUNCTION,
     UNKNOWN_FUNCTION_AXIS,
 )
 
@@ -60,7 +61,7 @@ SPINDLE_FUNCTION_KEYS = ("s", "m3", "m4", "m5", "m19")
 
 @dataclass(frozen=True, slots=True)
 class TechnologyFunction:
-    """One M or H function, or a spindle's M3, M4, M5, M19 or S word.
+    """One M or H function, T, or a spindle's M3, M4, M5, M19 or S word.
 
     ``synchronisation`` is its type without modifiers. ``axis_name``: the axis or spindle in whose
     section of the interface it is output, empty for the channel's. ``process_time_us``: µs.
@@ -147,6 +148,19 @@ TECHNOLOGY = (
     ),
 )
 
+#: The synchronisation types of T.
+TOOL_SYNCHRONISATIONS = ("MOS", "MVS_SVS", "MVS_SNS", "MNS_SNS", "MNE_SNS")
+
+TOOL = (
+    _synchronisation(
+        "P-CHAN-00086",
+        "tool.synch",
+        "NO_SYNCH",
+        "Synchronisation type of T; NO_SYNCH: T is not output",
+        "Synchronisationsart von T; NO_SYNCH: T wird nicht ausgegeben",
+    ),
+)
+
 _SPINDLE_IDS = {
     "s": ("P-CHAN-00081", "P-CHAN-00080"),
     "m3": ("P-CHAN-00045", "P-CHAN-00044"),
@@ -211,6 +225,24 @@ def technology_functions(
             _axis_of(values, letter, number, axes, collector),
         )
     return functions
+
+
+def tool_output(values: Values, collector: Collector) -> TechnologyFunction | None:
+    """Return how T goes to the PLC, ``None``: not at all (P-CHAN-00086)."""
+    synchronisation, modifiers = split(values.names("tool.synch"), "NO_SYNCH")
+    if synchronisation == "NO_SYNCH":
+        return None
+    if synchronisation not in TOOL_SYNCHRONISATIONS:
+        values.report(
+            collector,
+            SYNCHRONISATION_NOT_OF_FUNCTION,
+            ("tool.synch",),
+            key="tool.synch",
+            value=synchronisation,
+            default=_REPLACEMENT[0],
+        )
+        synchronisation = _REPLACEMENT[0]
+    return TechnologyFunction(0, synchronisation, modifiers, 0.0, "")
 
 
 def process_time_us(

@@ -17,6 +17,7 @@ from nctakt.lists.declared.technology_functions import (
     process_time_us,
     split,
     technology_functions,
+    tool_output,
 )
 from nctakt.lists.format.controller_numbers import bound_number
 from nctakt.lists.format.parameter import with_indices
@@ -163,14 +164,15 @@ class CentreTolerance:
 
 @dataclass(frozen=True, slots=True)
 class ToolSelection:
-    """Further effects of T and D: P-CHAN-00014 and P-CHAN-00271.
+    """Further effects of T and D: P-CHAN-00014, P-CHAN-00271, P-CHAN-00086.
 
     ``by_t``: T also selects the offsets of its number. ``flushes``: the channel is flushed before a
-    D word.
+    D word. ``output``: how T goes to the PLC, ``None``: not at all.
     """
 
     by_t: bool
     flushes: bool
+    output: TechnologyFunction | None
 
 
 @dataclass(frozen=True, slots=True)
@@ -201,6 +203,13 @@ class ChannelParameters:
     context_sda: int
     context_com: int
 
+    def function(self, letter: str, number: int) -> TechnologyFunction:
+        """Return a function that is defined; T is the same one for all tools."""
+        if letter == "T":
+            assert self.tool_selection.output is not None
+            return self.tool_selection.output
+        return (self.m_functions if letter == "M" else self.h_functions)[number]
+
 
 def channel_parameters(values: Values, collector: Collector) -> ChannelParameters:
     """Return the values of a channel list (over those of the defaults list)."""
@@ -224,7 +233,11 @@ def channel_parameters(values: Values, collector: Collector) -> ChannelParameter
         CentreTolerance(
             values.real("mittelpkt_diff") / 10_000, values.integer("mittelpkt_faktor") / 1000
         ),
-        ToolSelection(values.flag("einrechnen_mit_t"), values.text("flush.d_cmd") == "FAW_D"),
+        ToolSelection(
+            values.flag("einrechnen_mit_t"),
+            values.text("flush.d_cmd") == "FAW_D",
+            tool_output(values, collector),
+        ),
         values.integer("schedule.context.geo"),
         values.integer("schedule.context.sda"),
         values.integer("schedule.context.com"),

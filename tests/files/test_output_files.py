@@ -122,6 +122,7 @@ def test_two_outputs_do_not_mix(
     assert main([*RUN, *first, *second]) == 2
     err = capsys.readouterr().err
     assert "900914" in err
+    assert ("partial" in err) == ("partial" in second[1])
     assert first[0] in err
     assert second[0] in err
     assert contents(folder) == before

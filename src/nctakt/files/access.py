@@ -163,10 +163,17 @@ class FileAccess:
 
     # --- writing ---------------------------------------------------------------------------------
 
-    def claim(self, state: os.stat_result | None, path: str | Path, option: str) -> None:
+    def claim(
+        self,
+        state: os.stat_result | None,
+        path: str | Path,
+        option: str,
+        output: str | Path | None = None,
+    ) -> None:
         """Let ``option`` write a file whose state is ``state``, ``None`` for a new file.
 
-        Raises ``Failure`` if it is read (900913) or written (900914) by this command.
+        Raises ``Failure`` if it is read (900913) or written (900914) by this command. ``output`` is
+        the name of what is written where ``path`` is that of the unfinished file.
         """
         self.check_unread(state, path, option)
         if state is None or not _can_be_lost(state):
@@ -175,7 +182,9 @@ class FileAccess:
         other = self._written.get(identity)
         if other is not None:
             raise Failure(
-                diagnostic(OUTPUTS_ARE_ONE_FILE, option=option, other=other, file=str(path))
+                diagnostic(
+                    OUTPUTS_ARE_ONE_FILE, option=option, other=other, file=str(output or path)
+                )
             )
         self._written[identity] = option
 

@@ -68,7 +68,7 @@ class OutputFile:
             raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
         partial = partial_path(self._target)
         before = _state_of(partial)
-        access.claim(before, partial, option)
+        access.claim(before, partial, option, self.name)
         flags = os.O_WRONLY | os.O_CREAT | os.O_APPEND
         flags |= getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_BINARY", 0)
         file = os.fdopen(os.open(partial, flags, 0o666), "wb", buffering=0)

@@ -160,6 +160,19 @@ def test_pictures_speak_german(tmp_path: Path) -> None:
         assert word in text
 
 
+def test_channels_have_lanes_and_signals_of_their_own(tmp_path: Path) -> None:
+    """Names begin with the channel; the path is that of the first one."""
+    folder = Path(__file__).parent.parent / "runs" / "two_channels"
+    words = ["run", str(folder / "one.nc"), "--channel", "2", str(folder / "two.nc"), "--quiet"]
+    files = ["--plot", str(tmp_path / "a.html"), "--vcd", str(tmp_path / "a.vcd")]
+    assert main([*words, "--machine", str(folder / "machine"), *files]) == 0
+    lanes = page_data(tmp_path / "a.html")["lanes"]
+    assert isinstance(lanes, list)
+    labels = [lane["label"] for lane in lanes]
+    assert labels[:2] == ["block CH1", "block CH2"]
+    assert not any("CYCLES.ACTIVE" in label for label in labels)
+
+
 def test_a_run_without_motion_has_a_picture(tmp_path: Path) -> None:
     """It says that no axis moved."""
     run = drawn("M100\nM30\n")

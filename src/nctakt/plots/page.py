@@ -47,7 +47,7 @@ WORDS = {
     "feed": Text("feed", "Vorschub"),
     "rapid": Text("rapid", "Eilgang"),
     "condition": Text("condition true", "Bedingung wahr"),
-    "from": Text("from", "von"),
+    "from": Text("from", "ab"),
     "for": Text("for", "für"),
     "at": Text("at", "bei"),
     "help": Text(

@@ -9,6 +9,7 @@ left out.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 
 from nctakt.base.dataclass import dataclass
@@ -47,6 +48,13 @@ COLOURS = (
     "#3b4cc0",
 )
 NEUTRAL = "#6b7280"
+
+#: Signals of the first channel that a picture shows in another way.
+_SHOWN = (PATH_SPEED, DISTANCE_TO_GO, OVERRIDE, RAPID, "BLOCK", "CYCLES.ACTIVE")
+_CHANNEL = re.compile(r"CH\d+")
+
+#: Maximum number of names in a note.
+MAX_NAMES = 6
 
 #: Maximum number of panels of single signals.
 MAX_PANELS = 12
@@ -122,9 +130,8 @@ def scene_of(
     builder = _Panels(trace, motions, language)
     if chosen is None:
         panels = [*builder.motion(), *builder.path()]
-        shown = {PATH_SPEED, DISTANCE_TO_GO, OVERRIDE, RAPID, "BLOCK", "CYCLES.ACTIVE"}
-        shown |= {f"{axis.name}.ACS.{name}" for axis in axes for name in ("ACT_POS", "CUR_POS")}
-        names = [name for name in trace if name not in shown]
+        positions = {position_signal(motion.name) for motion in motions}
+        names = [name for name in trace if name not in positions and not _is_shown(name)]
         notes = builder.rest_notes()
     else:
         panels, names, notes = [], list(dict.fromkeys(chosen)), []
@@ -132,7 +139,8 @@ def scene_of(
     if len(further) > MAX_PANELS:
         notes.append(_MORE_PANELS.get(language).format(count=len(further) - MAX_PANELS))
     if constant:
-        notes.append(_CONSTANT.get(language).format(names=", ".join(constant)))
+        listed = [*constant[:MAX_NAMES], *(["…"] if len(constant) > MAX_NAMES else [])]
+        notes.append(_CONSTANT.get(language).format(names=", ".join(listed)))
     lanes = [*lanes_of(timeline, language), *switches]
     spatial = [motion for motion in moving if motion.unit == "mm"]
     rapid = curve_of(trace, RAPID).values
@@ -146,6 +154,17 @@ def scene_of(
         (*panels, *further[:MAX_PANELS]),
         tuple(notes),
     )
+
+
+def _is_shown(name: str) -> bool:
+    """Return whether a signal that nobody chose is in the picture already, or tells little.
+
+    Of further channels positions, speed and override are drawn as they were recorded.
+    """
+    channel, _, rest = name.partition(".")
+    if not _CHANNEL.fullmatch(channel):
+        return name in _SHOWN or name.endswith(".ACS.CUR_POS")
+    return channel == "CH1" or rest in ("BLOCK", "CYCLES.ACTIVE") or rest.endswith(".ACS.CUR_POS")
 
 
 class _Panels:

@@ -105,8 +105,9 @@ class _Builder:
         if kind == "block":
             self._has_blocks = True
             number = event.text.split()[0]
-            name = f"N{number}" if number != "0" else _line(event.span)
-            self._begin("block", prefix, event, name, self._text(event.span))
+            text = self._text(event.span)
+            name = f"N{number}" if number != "0" else text or _line(event.span)
+            self._begin("block", prefix, event, name, text)
         elif kind == "waits":
             self._begin("wait", prefix, event, event.text)
         elif kind in _STATES:

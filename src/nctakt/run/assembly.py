@@ -7,6 +7,7 @@ In: ``Machine``. Out: ``AssembledMachine``, which the controller runs.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Span
@@ -30,6 +31,7 @@ from nctakt.kernel.plc.panel import Panel
 from nctakt.kernel.plc.technology_slots import Hli
 from nctakt.kernel.tick.channel import Channel
 from nctakt.lists.declared.variables import SCALARS
+from nctakt.lists.machine.axis_configuration import AxisConfiguration
 from nctakt.lists.machine.channel_configuration import ChannelParameters
 from nctakt.lists.machine.machine import ChannelConfiguration, Machine
 from nctakt.messages import diagnostic
@@ -338,6 +340,15 @@ class AssembledMachine:
                     (value.cell, value.name) for value in channel.panel.values()
                 )
         return self._cell_names[cell]
+
+    @property
+    def channel_axes(self) -> tuple[AxisConfiguration, ...]:
+        """The axes of the first channel with the names that its list gives them."""
+        configuration = self.configuration
+        return tuple(
+            replace(configuration.axes[axis.index], name=axis.name)
+            for axis in configuration.channels[0].axes
+        )
 
     # --- signals --------------------------------------------------------------------------------
 

@@ -123,7 +123,7 @@ class Controller:
     @property
     def channel_axes(self) -> tuple[AxisConfiguration, ...]:
         """The axes of the first channel, in the order of its list."""
-        return tuple(self.machine.axes[index] for index in self._machine.members)
+        return self._machine.channel_axes
 
     @property
     def has_limited_jerk(self) -> bool:

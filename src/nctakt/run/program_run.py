@@ -286,6 +286,5 @@ def _drawer(machine: AssembledMachine) -> RunDrawer:
     """Return what draws runs of a machine."""
     from nctakt.plots.drawer import Drawer  # noqa: PLC0415 - few runs are drawn
 
-    axes = [machine.configuration.axes[index] for index in machine.members]
     limits_jerk = machine.channels[0].queue.look_ahead.limits.has_jerk_limit
-    return Drawer(axes, machine.files.line_at, limits_jerk=limits_jerk)
+    return Drawer(machine.channel_axes, machine.files.line_at, limits_jerk=limits_jerk)

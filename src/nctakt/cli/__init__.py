@@ -36,6 +36,7 @@ _OBJECTS_BETWEEN_SEARCHES = 50_000
 _COMMANDS = {
     "run": "nctakt.cli.run",
     "replay": "nctakt.cli.replay",
+    "live": "nctakt.cli.live",
     "check": "nctakt.cli.check",
     "explain": "nctakt.cli.explain",
     "list": "nctakt.cli.listing",

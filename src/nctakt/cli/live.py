@@ -1,0 +1,156 @@
+# SPDX-License-Identifier: MIT
+"""``nctakt live``: a session on a page in the browser.
+
+In: programs, machine, PLC, address. Out: the address of the page (standard output), diagnostics
+(standard error). It ends at Ctrl-C.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from nctakt.cli import EXIT_RAN
+from nctakt.cli.file_options import CONFINE_OPTION
+from nctakt.cli.language import language_option
+from nctakt.cli.request import Options, read_request
+from nctakt.cli.running import choose_mode
+from nctakt.cli.settings import carry_out
+from nctakt.cli.terminal import print_diagnostics
+from nctakt.files.access import FileAccess
+from nctakt.lists.machine.files import machine_folder
+
+if TYPE_CHECKING:
+    from nctakt.session.session import Session
+
+_EPILOG = """\b
+The page is for this computer alone, unless --host names another address; then
+its own address holds a token, which is printed once.
+Exit codes: 0 ended by Ctrl-C, 2 wrong usage or unusable input, 3 an error of
+nctakt's own.
+
+\b
+  nctakt live part.nc --open
+  nctakt live part.nc --machine lists --plc cell.py --lang de
+  nctakt live part.nc --host 0.0.0.0 --port 9000
+"""
+
+
+@click.command("live", epilog=_EPILOG, short_help="Show a run on a page in the browser.")
+@click.argument("programs", metavar="PROGRAM...", nargs=-1)
+@click.option(
+    "--machine",
+    metavar="DIR",
+    help="Folder with the machine's lists, demo or demo5 [default: the project's, else the one "
+    "around the program, else demo].",
+)
+@click.option("--plc", metavar="FILE.py", help="A class of yours that plays the PLC.")
+@click.option(
+    "--set",
+    "assignments",
+    metavar="NAME=VALUE",
+    multiple=True,
+    help="Set a variable before the first tick.",
+)
+@click.option(
+    "--at",
+    "stimuli",
+    metavar="TIME NAME=VALUE",
+    nargs=2,
+    multiple=True,
+    help="Set a variable at a time of the run.",
+)
+@click.option(
+    "--wait-for-start", is_flag=True, help="START on the page begins each program (HLI.START)."
+)
+@click.option(
+    "--acknowledge", is_flag=True, help="M and H functions wait for you to acknowledge them."
+)
+@click.option("--host", default="127.0.0.1", metavar="ADDRESS", help="Address of the page.")
+@click.option(
+    "--port",
+    type=click.IntRange(0, 65535),
+    default=8765,
+    metavar="N",
+    help="Port of the page, 0: a free one [default: 8765].",
+)
+@click.option("--open", "opens_browser", is_flag=True, help="Open the page in the browser.")
+@CONFINE_OPTION
+@language_option("Language of the page and of diagnostics [default: en].", None)
+@click.option("--quiet", is_flag=True, help="No notes and no warnings.")
+@click.option(
+    "--compiled/--plain",
+    default=None,
+    help="The realtime part compiled or as plain Python [default: compiled if it is built].",
+)
+def command(host: str, port: int, opens_browser: bool, acknowledge: bool, **words: Any) -> int:
+    """Show a run on a page in the browser: play, pause, step, go back, edit, set variables."""
+
+    def show(options: Options, access: FileAccess) -> int:
+        return _show(options, access, (host, port), opens_browser, acknowledge)
+
+    given = {**words, "others": (), "ticks": None, "until": None, "after": "0"}
+    return carry_out(given, show)
+
+
+def _show(
+    options: Options,
+    access: FileAccess,
+    address: tuple[str, int],
+    opens_browser: bool,
+    acknowledge: bool,
+) -> int:
+    """Open the session and serve the page; raises ``Failure`` for what cannot be used."""
+    from nctakt.live.server import check_library, serve, usable_port  # noqa: PLC0415 - seldom
+
+    check_library()
+    choose_mode(options)
+    from nctakt.live.document import Document  # noqa: PLC0415 - the mode is chosen before
+    from nctakt.live.shared import SharedSession  # noqa: PLC0415 - as above
+    from nctakt.live.texts import Texts  # noqa: PLC0415
+    from nctakt.session.session import Session  # noqa: PLC0415
+
+    request = read_request(options, access)
+    if options.machine_note is not None and not options.quiet:
+        print_diagnostics([options.machine_note], options.language)
+    host, port = address[0], usable_port(*address)
+    file = options.programs[0]
+    folders = options.confined or _folders_of(options)
+    document = Document(file, options.machine, folders)
+
+    def open_session(acknowledges: bool) -> Session:
+        return Session(
+            *request.programs,
+            machine=options.machine,
+            plc=options.plc,
+            set=request.assignments,
+            at=request.stimuli,
+            wait_for_start=options.wait_for_start,
+            acknowledges=acknowledges,
+            folders=folders,
+        )
+
+    shared = SharedSession(open_session, file, acknowledges=not acknowledge)
+    try:
+        serve(
+            shared,
+            document,
+            Texts(options.language),
+            (host, port),
+            opens_browser=opens_browser,
+            tell=click.echo,
+        )
+    finally:
+        shared.close()
+    return EXIT_RAN
+
+
+def _folders_of(options: Options) -> tuple[str, ...]:
+    """Return the folders whose files the page may read: of the programs and of the machine."""
+    folders = {str(Path(program).parent): None for program in options.programs}
+    if options.machine is not None:
+        machine = Path(machine_folder(options.machine))
+        folders[str(machine if machine.is_dir() else machine.parent)] = None
+    return tuple(folders)

@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: MIT
+"""The program that the page shows: read, checked while it is written, saved.
+
+In: the file named at the start, and no other; texts of the editor. Out: lines, findings. A file
+that has changed on disk meanwhile is never written over.
+"""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from collections.abc import Sequence
+from pathlib import Path
+
+from nctakt.base.diagnostics import Diagnostic, Severity
+from nctakt.base.failure import Failure
+from nctakt.base.text import decode_text, encode_text, split_lines
+from nctakt.checking.check import check_files
+from nctakt.files.access import FileAccess
+from nctakt.lists.machine.machine import load_machine
+from nctakt.messages import diagnostic
+from nctakt.messages.files import FILE_NOT_WRITABLE
+from nctakt.messages.live import PROGRAM_CHANGED_ON_DISK
+from nctakt.run.assembly import AssembledMachine
+from nctakt.run.program_loader import NcText
+
+
+class Document:
+    """A program in a file and its machine; raises ``Failure`` where it cannot be read.
+
+    ``text``: as it was read or saved last. ``types``: name -> type of the machine's variables.
+    """
+
+    def __init__(self, file: str, machine: str | None, folders: Sequence[str | Path]) -> None:
+        self.file = file
+        self._access = FileAccess(folders)
+        self._machine = AssembledMachine(load_machine(machine, access=self._access), self._access)
+        names = self._machine.assembled[0].names
+        self.types = [(name, kind) for name, _, kind in names.values()]
+        self._content = b""
+        self.text = ""
+        self.read()
+
+    def read(self) -> None:
+        """Read the file."""
+        self._content = FileAccess().read_bytes(Path(self.file))
+        self.text = "\n".join(split_lines(decode_text(self._content).text))
+
+    def check(self, text: str) -> list[Diagnostic]:
+        """Return what the check finds in a text of the editor; notes are left out."""
+        result = check_files([NcText(self.file, text)], self._machine)
+        return [
+            found.diagnostic
+            for found in result.findings
+            if found.diagnostic.severity > Severity.NOTE
+        ]
+
+    def save(self, text: str) -> None:
+        """Write the editor's text; raises ``Failure`` if the file has changed or cannot be written.
+
+        The ends of lines and the encoding stay as they are.
+        """
+        path = Path(self.file)
+        if FileAccess().read_bytes(path) != self._content:
+            raise Failure(diagnostic(PROGRAM_CHANGED_ON_DISK, file=self.file))
+        end = "\r\n" if b"\r\n" in self._content else "\n"
+        lines = text.rstrip("\n").split("\n")
+        content = encode_text("".join(line + end for line in lines), self._content)
+        try:
+            _replace(path, content)
+        except OSError as error:
+            reason = error.strerror or str(error)
+            raise Failure(diagnostic(FILE_NOT_WRITABLE, file=self.file, reason=reason)) from error
+        self._content = content
+        self.text = "\n".join(lines)
+
+
+def _replace(path: Path, content: bytes) -> None:
+    """Write a file in one step: whoever reads it sees the old content or the new."""
+    target = path.resolve()
+    number, name = tempfile.mkstemp(prefix=f".{target.name}.", dir=target.parent)
+    try:
+        with os.fdopen(number, "wb") as file:
+            file.write(content)
+        Path(name).chmod(target.stat().st_mode & 0o7777)
+        Path(name).replace(target)
+    except BaseException:
+        Path(name).unlink(missing_ok=True)
+        raise

@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: MIT
+"""The server of the live page: its address, its guard, its end.
+
+In: a shared session and a document. Out: a page at an address until Ctrl-C. NiceGUI is imported
+here and nowhere else outside of the page.
+"""
+
+from __future__ import annotations
+
+import secrets
+import socket
+from collections.abc import Callable
+
+from nctakt.base.failure import Failure
+from nctakt.live.document import Document
+from nctakt.live.guard import LOCAL, WORD, Guard
+from nctakt.live.shared import SharedSession
+from nctakt.live.texts import Texts
+from nctakt.messages import diagnostic
+from nctakt.messages.live import ADDRESS_NOT_USABLE, LIVE_LIBRARY_MISSING
+
+
+def check_library() -> None:
+    """Raise ``Failure`` (901160) where NiceGUI is not installed."""
+    try:
+        import nicegui  # noqa: F401, PLC0415 - only the page needs it
+    except ImportError as error:
+        raise Failure(diagnostic(LIVE_LIBRARY_MISSING)) from error
+
+
+def usable_port(host: str, port: int) -> int:
+    """Return the port, for 0 a free one; raises ``Failure`` (901161) if it is taken."""
+    try:
+        family = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM)[0][0]
+        with socket.socket(family, socket.SOCK_STREAM) as probe:
+            probe.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+            probe.bind((host, port))
+            return int(probe.getsockname()[1])
+    except (OSError, OverflowError) as error:
+        reason = getattr(error, "strerror", None) or str(error)
+        found = diagnostic(ADDRESS_NOT_USABLE, host=host, port=port, reason=reason)
+        raise Failure(found) from error
+
+
+def serve(
+    shared: SharedSession,
+    document: Document,
+    texts: Texts,
+    address: tuple[str, int],
+    *,
+    opens_browser: bool,
+    tell: Callable[[str], None],
+) -> None:
+    """Serve the page until Ctrl-C; ``tell`` gets its address once."""
+    from nicegui import app, ui  # noqa: PLC0415 - only the page needs it
+
+    from nctakt.live.page import Page  # noqa: PLC0415 - as above
+
+    host, port = address
+    token = None if host in LOCAL else secrets.token_urlsafe(24)
+    word = "" if token is None else f"?{WORD}={token}"
+
+    @ui.page("/", title="nctakt live")
+    def show() -> None:
+        Page(shared, document, texts)
+
+    app.add_middleware(Guard, token=token)
+    shown = f"[{host}]" if ":" in host else host
+    app.on_startup(lambda: tell(f"http://{shown}:{port}/{word}"))
+    ui.run(
+        host=host,
+        port=port,
+        title="nctakt live",
+        language="de" if texts.language == "de" else "en-US",
+        reload=False,
+        show=f"/{word}" if opens_browser else False,
+        show_welcome_message=False,
+        uvicorn_logging_level="critical",
+    )

@@ -1,0 +1,34 @@
+# SPDX-License-Identifier: MIT
+"""Messages about the live page: its library, its address, its program."""
+
+from __future__ import annotations
+
+from nctakt.messages.catalogue import error
+
+LIVE_LIBRARY_MISSING = error(
+    901160,
+    en="nctakt live needs the library NiceGUI, which is not installed",
+    de="nctakt live braucht die Bibliothek NiceGUI, sie ist nicht installiert",
+    remedy_en='Install it: .venv/bin/pip install ".[live]"',
+    remedy_de='Installieren: .venv/bin/pip install ".[live]"',
+)
+ADDRESS_NOT_USABLE = error(
+    901161,
+    en="the page cannot listen at {host}, port {port}: {reason}",
+    de="die Seite kann nicht an {host}, Port {port} lauschen: {reason}",
+    remedy_en="End the program that uses the port, or name another one: --port 0 takes a free one.",
+    remedy_de="Das Programm am Port beenden oder einen anderen nennen: --port 0 nimmt einen "
+    "freien.",
+    host=("the address", "die Adresse"),
+    port=("the port", "der Port"),
+    reason=("the system's reason", "der Grund des Systems"),
+)
+PROGRAM_CHANGED_ON_DISK = error(
+    901162,
+    en="{file} has changed on disk since the page read it, so it was not saved",
+    de="{file} wurde auf der Platte geändert, seit die Seite es gelesen hat; nicht gespeichert",
+    remedy_en="Copy your changes, then reload the page: it shows the file as it is now.",
+    remedy_de="Eigene Änderungen kopieren, dann die Seite neu laden: sie zeigt die Datei von "
+    "jetzt.",
+    file=("the program", "das Programm"),
+)

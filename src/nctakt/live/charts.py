@@ -182,7 +182,7 @@ def path_options(
             drawn.append([across[index - 1], up[index - 1]])
             other.append([None, None])
         drawn.append([x, y])
-    reactions = [_place(curves, mark.tick, across, up) for mark in marks if mark.kind == "fired"]
+    reactions = [_point_at(curves, mark.tick, across, up) for mark in marks if mark.kind == "fired"]
     limits = _limits([*across, tool[0]], [*up, tool[1]])
     axis = {
         "type": "value",
@@ -237,7 +237,9 @@ def path_options(
     }
 
 
-def _place(curves: Curves, tick: int, across: Sequence[float], up: Sequence[float]) -> list[float]:
+def _point_at(
+    curves: Curves, tick: int, across: Sequence[float], up: Sequence[float]
+) -> list[float]:
     """Return where the tool is at the last known tick up to this one."""
     index = sum(1 for at in curves.ticks if at <= tick) - 1
     return [across[max(0, index)], up[max(0, index)]] if curves.ticks else [0.0, 0.0]

@@ -17,8 +17,7 @@ from nctakt.live import view
 from nctakt.live.document import Document
 from nctakt.live.shared import PAGE, SharedSession
 from nctakt.live.texts import Texts
-from nctakt.live.view import Snapshot, VariableRow
-from nctakt.run.plc_view import TechnologyEntry
+from nctakt.live.view import Entry, Snapshot, VariableRow
 from nctakt.session.session import Session
 
 #: Lets the session carry out a command; whether it did.
@@ -117,8 +116,8 @@ class Panel:
     def _search(self, event: Any) -> None:
         self._show_variables(event.value or "")
 
-    def _show_variables(self, wanted: str) -> None:
-        rows = [row for row in self._rows if wanted.upper() in row.name.upper()]
+    def _show_variables(self, text: str) -> None:
+        rows = [row for row in self._rows if text.upper() in row.name.upper()]
         self._fields.clear()
         self._busy.clear()
         self._variables.clear()
@@ -221,5 +220,5 @@ class Panel:
     async def _set_override(self, event: Any) -> None:
         await self._set("HLI.OVERRIDE", float(event.args))
 
-    async def _acknowledge(self, channel: int, entry: TechnologyEntry) -> None:
+    async def _acknowledge(self, channel: int, entry: Entry) -> None:
         await self._do(lambda session: session.acknowledge(channel, entry, PAGE))

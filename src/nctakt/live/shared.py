@@ -201,8 +201,8 @@ class SharedSession:
         """Take the curves from the past, in detail, unless they are there already."""
         names = tuple(self._drawn())
         end = session.branches[session.branch]
-        wanted = (self._serial, session.branch, end, names)
-        if wanted == self._looked_at or not names:
+        key = (self._serial, session.branch, end, names)
+        if key == self._looked_at or not names:
             return
         first = max(0, end - SCOPE_TICKS)
         every, cells = session.look(first, end, names, SCOPE_ROWS)
@@ -213,7 +213,7 @@ class SharedSession:
             for row in range(len(flat) // width)
         ]
         self.curves = Curves(names, ticks, [flat[index::width] for index in range(width)])
-        self._looked_at = wanted
+        self._looked_at = key
 
     def _append(self, tick: int, values: dict[str, float | bool | str]) -> None:
         """Add a point to the curves while the session plays."""

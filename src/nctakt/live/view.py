@@ -15,7 +15,7 @@ from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Language, Span
 from nctakt.live.texts import Texts
 from nctakt.results.run import ProgramMessage, RunState
-from nctakt.run.plc_view import TechnologyEntry
+from nctakt.run.plc_view import SpindleEntry, TechnologyEntry
 from nctakt.session.engine import BranchState, CycleState
 from nctakt.trace.events import Event
 
@@ -35,6 +35,9 @@ PANEL = (
     "HLI.ARMED",
     "HLI.ERROR",
 )
+
+#: A function or a job of a spindle that waits for the PLC.
+Entry = TechnologyEntry | SpindleEntry
 
 #: Marks in a chart at most: the latest.
 MAX_MARKS = 60
@@ -62,7 +65,7 @@ class Snapshot:
     values: Mapping[str, float | bool | str]
     blocks: Mapping[int, Span]
     cycles: Sequence[CycleState]
-    waiting: Sequence[tuple[int, TechnologyEntry]]
+    waiting: Sequence[tuple[int, Entry]]
     operands: Mapping[str, float]
 
 
@@ -230,8 +233,10 @@ def event_row(event: Event) -> LogRow:
     return LogRow(event.kind, line, f"{event.tick}  {event.kind}  {event.text}")
 
 
-def function_text(entry: TechnologyEntry) -> str:
-    """Return a waiting function as a person names it, such as ``M100``."""
+def function_text(entry: Entry) -> str:
+    """Return a waiting function as a person names it, such as ``M100`` or ``S M3 500``."""
+    if isinstance(entry, SpindleEntry):
+        return f"{entry.spindle} M{entry.function} {plain_number(entry.speed)}"
     axis = f" {entry.axis}" if entry.axis else ""
     return f"{entry.letter}{entry.number}{axis}"
 

@@ -28,7 +28,7 @@ class Branch:
     A condition may also be the tree of an expression.
     """
 
-    condition: tuple[str, str, int] | Tree | None
+    condition: tuple[str, str, int] | Tree | TextCondition | None
     body: list[Statement]
     frequency: str = ""
     line: int = 0
@@ -73,7 +73,22 @@ class Compute:
     tree: Tree
 
 
-Statement = If | Assign | Function | Divide | Compute
+@dataclass(eq=False, slots=True)
+class AssignText:
+    """``V.E.TEXT = "text"``; ``TextCondition`` compares it."""
+
+    text: str
+
+
+@dataclass(eq=False, slots=True)
+class TextCondition:
+    """``V.E.TEXT operator "text"``: ``==`` or ``!=``."""
+
+    operator: str
+    text: str
+
+
+Statement = If | Assign | AssignText | Function | Divide | Compute
 
 
 class FaultError(Exception):
@@ -117,6 +132,7 @@ class Reference:
         self._stimuli = stimuli
         self._cycles: list[Cycle] = []
         self._values: dict[str, int] = {}
+        self._text = ""
         self._list = [0.0] * slow_expressions.NUMBERS
         self._read = 0
         self._left = 0
@@ -303,6 +319,10 @@ class Reference:
                     if self._values.get(target, 0) != value:
                         self._values[target] = value
                         self._tell("written", f"V.E.{target} {value}")
+                case AssignText(text):
+                    if self._text != text:
+                        self._text = text
+                        self._tell("written", f'V.E.TEXT "{text}"')
                 case Divide(source):
                     divisor = self._values.get(source, 0) - 2
                     if divisor == 0:
@@ -332,7 +352,9 @@ class Reference:
             self._list[element] = value
             self._tell("written", f"V.E.LIST[{element}] {repr(value).removesuffix('.0')}")
 
-    def _is_true(self, condition: tuple[str, str, int] | Tree) -> bool:
+    def _is_true(self, condition: tuple[str, str, int] | Tree | TextCondition) -> bool:
+        if isinstance(condition, TextCondition):
+            return (self._text == condition.text) == (condition.operator == "==")
         if condition[0] not in ("binary", "unary", "call", "list", "number"):
             variable, operator, number = condition
             value = self._values.get(variable, 0)

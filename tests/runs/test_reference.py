@@ -3,7 +3,7 @@
 
 What both must agree on: every event in its order, with each value that a realtime cycle writes, and
 the position of X after each tick. Each seed makes a run of one to three programs; those with an
-odd number may have faults in it.
+odd number may have faults in it, and every third has texts in its cycles.
 """
 
 from __future__ import annotations
@@ -12,7 +12,19 @@ import random
 
 import pytest
 from random_seeds import seeds_in_parts
-from reference import Assign, Branch, Command, Compute, Divide, Function, If, Reference, Statement
+from reference import (
+    Assign,
+    AssignText,
+    Branch,
+    Command,
+    Compute,
+    Divide,
+    Function,
+    If,
+    Reference,
+    Statement,
+    TextCondition,
+)
 from slow_expressions import FUNCTIONS, NUMBERS, PRECEDENCE, Tree, element, text_of
 
 from nctakt.lists.machine.machine import load_machine
@@ -27,6 +39,7 @@ SAFE_OPERATORS = [one for one in sorted(PRECEDENCE) if one not in (*RISKY, "*")]
 SAFE_FUNCTIONS = ("ABS", "INT", "FRACT", "ROUND", "CEIL", "FLOOR", "ATAN")
 COUNTERS = ("COUNT", "COUNT_POS", "COUNT_NEG", "COUNT_NULL")
 INPUTS = ("TRIGGER", "CONDITION")
+TEXTS = ("", "a", "ab", "twelve chars", "Größe")
 
 
 class Writer:
@@ -35,6 +48,7 @@ class Writer:
     def __init__(self, seed: int) -> None:
         self.random = random.Random(seed)
         self.faults = False
+        self.has_texts = seed % 3 == 2
         self.lines: list[str] = []
         self.moved = 0
         self.has_read = False
@@ -144,6 +158,10 @@ class Writer:
         return [self._statement(depth) for _ in range(size)]
 
     def _statement(self, depth: int) -> Statement:
+        if self.has_texts and self.random.random() < 0.2:
+            text = self.random.choice(TEXTS)
+            self._write(f'V.E.TEXT = "{text}"')
+            return AssignText(text)
         if self.faults and self.random.random() < 0.2:
             source = self.random.choice(INPUTS)
             self._write(f"V.E.VALUE1 = 6 / [V.E.{source} - 2]")
@@ -211,6 +229,12 @@ class Writer:
         return If(branches)
 
     def _branch(self, words: str, frequency: str, depth: int) -> Branch:
+        if self.has_texts and self.random.random() < 0.3:
+            texts = TextCondition(self.random.choice(("==", "!=")), self.random.choice(TEXTS))
+            self._write(f'{words} V.E.TEXT {texts.operator} "{texts.text}"')
+            line = len(self.lines)
+            body = self._body(self.random.randint(0, 2), depth + 1)
+            return Branch(texts, body, frequency, line)
         if self.random.random() < 0.3:
             tree = self._tree(3)
             self._write(f"{words} {text_of(tree)}")

@@ -227,6 +227,8 @@ class Reference:
     def _leave_block(self) -> None:
         """RC-105: the tick behind the last increment."""
         for cycle in self._attached:
+            if cycle.state == "gone":  # by a fault of its own
+                continue
             self._tell("ended", f"{cycle.identifier} scope")
             cycle.state = "over" if cycle.lasting else "gone"
         self._attached = []
@@ -350,7 +352,7 @@ class Reference:
         value = slow_expressions.result_of(tree, self._list)
         if self._list[element] != value:
             self._list[element] = value
-            self._tell("written", f"V.E.LIST[{element}] {repr(value).removesuffix('.0')}")
+            self._tell("written", f"V.E.LIST[{element}] {repr(value + 0.0).removesuffix('.0')}")
 
     def _is_true(self, condition: tuple[str, str, int] | Tree | TextCondition) -> bool:
         if isinstance(condition, TextCondition):

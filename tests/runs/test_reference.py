@@ -260,9 +260,9 @@ def test_both_interpreters_agree(seeds: range) -> None:
         agree(seed)
 
 
-@pytest.mark.parametrize("seed", [2005779])
+@pytest.mark.parametrize("seed", [2005779, 3002167, 3006111])
 def test_both_interpreters_agree_where_they_once_did_not(seed: int) -> None:
-    """2005779: a fault while the block of another cycle brakes by itself (RC-105, RC-505)."""
+    """Faults while a block brakes by itself (RC-105, RC-505), and a negative zero."""
     agree(seed)
 
 

@@ -63,3 +63,27 @@ def test_the_path_stands_at_a_right_angle() -> None:
         since_t = (tick + 1) / 1000.0 - first_t
         assert run.trace["X.ACS.ACT_POS"][tick] == pytest.approx(1.0)
         assert run.trace["Y.ACS.ACT_POS"][tick] == pytest.approx(2000.0 * since_t * since_t)
+
+
+@pytest.mark.parametrize(
+    ("operator", "ticks"),
+    [
+        ("<", [0, 1]),
+        ("<=", [0, 1, 2]),
+        (">", [3, 4]),
+        (">=", [2, 3, 4]),
+        ("==", [2]),
+        ("!=", [0, 1, 3, 4]),
+    ],
+)
+@pytest.mark.parametrize("right", ["V.E.VALUE", "2", "V.E.VALUE * 1"])
+def test_two_sides_are_compared(operator: str, ticks: list[int], right: str) -> None:
+    """RC-202, RC-304: V.E.COUNT is 0 … 4 in the first five ticks, the other side 2."""
+    run = perform(
+        f"#RT CYCLE [ID=1]\n$IF V.E.COUNT {operator} {right}\nV.E.VALUE1 += 1\n$ENDIF\n"
+        "V.E.COUNT += 1\n#RT CYCLE END\n#TIME 0.005\nM30",
+        set={"V.E.VALUE": 2},
+    )
+    assert numbers(run) == []
+    written = [line.split() for line in told(run, "written")]
+    assert [int(words[0]) for words in written if words[2] == "V.E.VALUE1"] == ticks

@@ -125,7 +125,7 @@ def test_the_plugin_loads_nothing_before_a_test_asks_for_it(tmp_path: Path) -> N
         "import sys\n\ndef test_it():\n"
         "    found = sorted(one for one in sys.modules if one.startswith('nctakt'))\n"
         "    assert found == ['nctakt', 'nctakt.base', 'nctakt.base.lazy_names',\n"
-        "                     'nctakt.testing', 'nctakt.testing.plugin']\n"
+        "                     'nctakt.base.version', 'nctakt.testing', 'nctakt.testing.plugin']\n"
         "    assert 'numpy' not in sys.modules\n"
     )
     done = run_pytest(project(tmp_path, test_light_py=text))

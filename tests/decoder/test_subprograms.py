@@ -115,6 +115,7 @@ def test_structures_and_calls_inside_each_other_are_bounded() -> None:
     assert [error.id for error in run.errors] == [20211]
 
 
+@pytest.mark.slow
 def test_a_loop_of_jumps_that_never_moves_is_told() -> None:
     """Blocks in a row that take no time are bounded, jumps or not."""
     run = Controller().run(NcText("loop.nc", "N10: P1 += 1\n$GOTO N10\nM30\n"))

@@ -320,6 +320,7 @@ programs = st.builds(
 )
 
 
+@pytest.mark.slow
 @given(values)
 @settings(max_examples=150, deadline=None)
 def test_an_expression_is_read_as_it_is_printed(expression: Expression) -> None:

@@ -112,6 +112,7 @@ def test_a_last_line_without_an_end() -> None:
 CORRECTIONS = {2022, 900019, 900023, 900030, 900031, 900035, 900036, 900044, 1000153}
 
 
+@pytest.mark.slow
 @given(
     st.sampled_from([EXAMPLE_1, EXAMPLE_2, BEFORE, "", "End\n"]),
     st.lists(st.tuples(st.sampled_from(KEYS), st.sampled_from(VALUES)), max_size=6),

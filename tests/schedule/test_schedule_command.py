@@ -298,6 +298,7 @@ def test_pictures_and_traces(folder: Path) -> None:
     assert texts[0][4].startswith("time_us,event,thread,cpu,job,value\n0,NC,,,,0\n")
 
 
+@pytest.mark.slow
 def test_png(folder: Path) -> None:
     """A picture as PNG."""
     pytest.importorskip("matplotlib")

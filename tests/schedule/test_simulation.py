@@ -30,6 +30,7 @@ from nctakt.schedule.simulate import hyperperiod, simulate
 US = 1000
 
 
+@pytest.mark.slow
 @given(models())
 @settings(max_examples=300, deadline=None)
 def test_simulation_is_that_of_a_scheduler_that_looks_at_each_nanosecond(model: Model) -> None:

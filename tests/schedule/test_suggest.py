@@ -137,6 +137,7 @@ def search(configuration: RtconfConfiguration, load: str, slacks: Slacks, cpus: 
     return suggest(configuration, model_of, slacks, VARIABLES, range(1, cpus + 1))
 
 
+@pytest.mark.slow
 @given(
     st.integers(100, 900),
     st.integers(100, 900),

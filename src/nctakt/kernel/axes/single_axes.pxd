@@ -2,10 +2,12 @@
 # C types of single_axes.py.
 cimport cython
 from nctakt.kernel cimport cells, codes, rows
+from nctakt.kernel.base cimport bounds
 from nctakt.kernel.axes.axis_motions cimport AxisMotions
 
 @cython.final
 cdef class SingleAxes(AxisMotions):
+    cdef int check_command(self, axis, value, speed_v, mode, direction, owner) except -1
     cdef void order(self, long long source, long long serial) noexcept nogil
     @cython.locals(message=int)
     cdef int move_to(

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from nctakt.kernel import cells, codes, rows
 from nctakt.kernel.axes.axis_motions import AxisMotions
-from nctakt.kernel.base.bounds import check_finite, check_index, check_range
+from nctakt.kernel.base import bounds
 
 #: The highest number that an owner can have.
 MAX_OWNER = (1 << 62) - 1
@@ -215,7 +215,7 @@ class SingleAxes(AxisMotions):
 
     def assign_to_channel(self, axis: int) -> None:
         """Let a channel have this axis: it gets the axis' errors, and resets it."""
-        check_index(axis, self.count, "axis")
+        bounds.check_index(axis, self.count, "axis")
         self.in_channel[axis] = 1
 
     def reset(self, axis: int) -> None:
@@ -290,12 +290,12 @@ class SingleAxes(AxisMotions):
         self, axis: int, value: float, speed_v: float, mode: int, direction: int, owner: int
     ) -> None:
         """Raise ``ValueError`` for a number that no command of an axis has."""
-        check_index(axis, self.count, "axis")
-        check_finite(value, "position or distance")
-        check_finite(speed_v, "speed")
-        check_range(mode, codes.ABORTING, codes.BUFFERED, "buffer mode")
-        check_range(direction, codes.NEGATIVE, codes.SHORTEST, "direction")
-        check_range(owner, 0, MAX_OWNER, "owner")
+        bounds.check_index(axis, self.count, "axis")
+        bounds.check_finite(value, "position or distance")
+        bounds.check_finite(speed_v, "speed")
+        bounds.check_range(mode, codes.ABORTING, codes.BUFFERED, "buffer mode")
+        bounds.check_range(direction, codes.NEGATIVE, codes.SHORTEST, "direction")
+        bounds.check_range(owner, 0, MAX_OWNER, "owner")
 
     def absolute(
         self, axis: int, target: float, speed_v: float, mode: int, direction: int, owner: int
@@ -321,7 +321,7 @@ class SingleAxes(AxisMotions):
 
     def command_owner(self, what: str, owner: int) -> None:
         """``hold``, ``resume``, ``abort``, ``end`` or ``leave`` what an owner moves."""
-        check_range(owner, 0, MAX_OWNER, "owner")
+        bounds.check_range(owner, 0, MAX_OWNER, "owner")
         if what == "hold":
             self.hold(owner)
         elif what == "resume":
@@ -333,43 +333,43 @@ class SingleAxes(AxisMotions):
 
     def clear(self, axis: int) -> None:
         """Reset one axis and let it take commands at once."""
-        check_index(axis, self.count, "axis")
+        bounds.check_index(axis, self.count, "axis")
         self.reset(axis)
         self.reopen(axis)
 
     def state_of(self, axis: int) -> tuple[int, float, float]:
         """PLCopen state, speed per s and acceleration per s² of an axis."""
-        check_index(axis, self.count, "axis")
+        bounds.check_index(axis, self.count, "axis")
         return self.state(axis), self.speed[axis], self.acceleration[axis]
 
     def present_owner(self, axis: int) -> int:
         """Owner of the present motion, 0 without one."""
-        check_index(axis, self.count, "axis")
+        bounds.check_index(axis, self.count, "axis")
         return self.owner[axis]
 
     def arrived_owner(self, axis: int) -> int:
         """Owner of the motion that came to its target last."""
-        check_index(axis, self.count, "axis")
+        bounds.check_index(axis, self.count, "axis")
         return self.arrived[axis]
 
     def fault_of(self, axis: int) -> int:
         """Message of the error that the axis is in, 0 without one."""
-        check_index(axis, self.count, "axis")
+        bounds.check_index(axis, self.count, "axis")
         return abs(self.fault[axis])
 
     def at_speed(self, axis: int) -> bool:
         """Return whether an endless motion has reached its speed."""
-        check_index(axis, self.count, "axis")
+        bounds.check_index(axis, self.count, "axis")
         return bool(self.is_at_speed(axis))
 
     def opened(self, owner: int) -> int:
         """Number of open motions of an owner; raise ``ValueError`` for no owner."""
-        check_range(owner, 0, MAX_OWNER, "owner")
+        bounds.check_range(owner, 0, MAX_OWNER, "owner")
         return self.open_count(owner)
 
     def moves(self, axis: int) -> bool:
         """Return whether the axis has a motion of its own, a held one included."""
-        check_index(axis, self.count, "axis")
+        bounds.check_index(axis, self.count, "axis")
         return not self.is_free(axis)
 
     def ending_count(self) -> int:

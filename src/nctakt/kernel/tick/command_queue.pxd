@@ -2,6 +2,7 @@
 # C types of command_queue.py.
 cimport cython
 from nctakt.kernel cimport rows
+from nctakt.kernel.base cimport bounds
 from nctakt.kernel.path cimport geometry
 from nctakt.kernel.path.lookahead cimport LookAhead
 from nctakt.kernel.tick.loop_body cimport LoopBody

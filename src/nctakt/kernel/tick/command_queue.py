@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from nctakt.kernel import rows
-from nctakt.kernel.base.bounds import check_range
+from nctakt.kernel.base import bounds
 from nctakt.kernel.path import geometry
 from nctakt.kernel.path.lookahead import LookAhead
 from nctakt.kernel.path.path import Path
@@ -42,7 +42,7 @@ class CommandQueue:
 
     def put(self, command: list[float]) -> None:
         """Append a command; the row may be shorter than the queue's width."""
-        check_range(len(command), 1, self.width, "length of a command")
+        bounds.check_range(len(command), 1, self.width, "length of a command")
         row = self.next_row()
         for i, number in enumerate(command):
             self.rows[row + i] = number
@@ -279,7 +279,7 @@ class CommandQueue:
 
     def command(self, number: int) -> list[float]:
         """Command with this running number; raise ``ValueError`` if it is not queued."""
-        check_range(number, self.head, self.tail - 1, "command")
+        bounds.check_range(number, self.head, self.tail - 1, "command")
         row = number % self.capacity * self.width
         return [self.rows[row + i] for i in range(self.width)]
 

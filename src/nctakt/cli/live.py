@@ -7,6 +7,7 @@ In: programs, machine, PLC, address. Out: the address of the page (standard outp
 
 from __future__ import annotations
 
+import contextlib
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -134,14 +135,15 @@ def _show(
 
     shared = SharedSession(open_session, file, acknowledges=not acknowledge)
     try:
-        serve(
-            shared,
-            document,
-            Texts(options.language),
-            (host, port),
-            opens_browser=opens_browser,
-            tell=click.echo,
-        )
+        with contextlib.suppress(KeyboardInterrupt):  # the way to end it
+            serve(
+                shared,
+                document,
+                Texts(options.language),
+                (host, port),
+                opens_browser=opens_browser,
+                tell=click.echo,
+            )
     finally:
         shared.close()
     return EXIT_RAN

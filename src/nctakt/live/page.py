@@ -93,7 +93,7 @@ class Page:
     def _build_bar(self) -> None:
         texts = self._texts
         ui.label("nctakt live").classes("text-weight-bold").style("white-space: nowrap")
-        self._state = ui.label().classes("nc-state").mark("state")
+        self._state = ui.label().classes("nc-state").props("data-testid=state")
         for name, icon in (
             ("home", "first_page"),
             ("back_reaction", "bolt"),

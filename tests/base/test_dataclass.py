@@ -168,6 +168,7 @@ def test_methods_are_written_when_they_are_first_called() -> None:
     assert is_written("__hash__") and is_written("__eq__")
 
 
+@pytest.mark.slow
 def test_no_module_uses_those_of_the_standard_library() -> None:
     """They would take their time in each start of the command."""
     found = {

@@ -150,6 +150,7 @@ def test_mistakes_of_all_channels_are_told_at_once() -> None:
     assert len(run.errors) == 2
 
 
+@pytest.mark.slow
 def test_a_run_that_is_cut_into_ticks_is_the_same_run() -> None:
     """Both channels ask for the decoder at their own times, wherever a run is cut."""
     texts = [

@@ -62,6 +62,7 @@ def test_a_loop_computes_what_single_blocks_compute(expression: str) -> None:
     assert found == messages(unrolled(expression))
 
 
+@pytest.mark.slow
 def test_few_plans_are_as_good_as_many(monkeypatch: pytest.MonkeyPatch) -> None:
     """What was forgotten is planned anew."""
     expected = [messages(in_loop(one)) for one in EXPRESSIONS]

@@ -36,6 +36,7 @@ def same(left: float, right: float) -> bool:
 # --- rounding -----------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 @often
 @given(around)
 @example(0.49999999999999994)

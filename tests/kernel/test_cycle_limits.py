@@ -130,6 +130,7 @@ def test_a_hundred_thousand_statements_exceed_the_usual_share(tmp_path: Path) ->
     assert 25_000 <= float(controller.read("V.E.COUNT")) <= 25_034
 
 
+@pytest.mark.slow
 def test_many_branches_and_deep_nesting_run(tmp_path: Path) -> None:
     """1,000 $ELSEIF in a row; what is taken is the one that holds."""
     controller = controller_with(tmp_path, *LARGE)

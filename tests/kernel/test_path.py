@@ -37,6 +37,7 @@ def duration(length: float, speed: float = RAPID) -> float:
     return peak / ACCELERATION + length / peak
 
 
+@pytest.mark.slow
 @often
 @given(st.floats(0.001, 200.0), st.sampled_from(["G00", "G01 F6000", "G01 F600", "G01 F30000"]))
 def test_a_move_takes_its_duration_rounded_up(length: float, motion: str) -> None:
@@ -59,6 +60,7 @@ def test_a_move_takes_its_duration_rounded_up(length: float, motion: str) -> Non
 cuts = st.lists(st.floats(0.0005, 0.9995), min_size=1, max_size=12, unique=True)
 
 
+@pytest.mark.slow
 @often
 @given(st.floats(0.5, 120.0), cuts, st.floats(5.0, 500.0))
 def test_segments_without_stop_lose_no_time(

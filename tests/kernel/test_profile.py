@@ -146,6 +146,7 @@ changes = st.lists(
 )
 
 
+@pytest.mark.slow
 @often
 @given(lengths, changes, accelerations, st.one_of(st.just(0.0), limits))
 def test_a_new_limit_at_any_time_changes_nothing_but_what_follows(

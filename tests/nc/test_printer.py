@@ -343,6 +343,7 @@ def test_a_program_is_read_as_it_is_printed(program: Program) -> None:
     assert shape(again) == shape(program)
 
 
+@pytest.mark.slow
 @given(st.lists(st.text(st.characters(codec="utf-8"), max_size=60), max_size=8))
 @settings(max_examples=300, deadline=None)
 def test_any_text_gives_diagnostics_inside_the_text(lines: list[str]) -> None:
@@ -359,6 +360,7 @@ FRAGMENTS = st.sampled_from(
 )
 
 
+@pytest.mark.slow
 @given(st.lists(st.lists(FRAGMENTS, max_size=8).map("".join), max_size=12))
 @settings(max_examples=300, deadline=None)
 def test_any_mixture_of_the_language_gives_diagnostics_inside_the_text(lines: list[str]) -> None:

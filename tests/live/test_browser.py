@@ -8,6 +8,7 @@ import shutil
 import signal
 import subprocess
 import sys
+import urllib.request
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -83,6 +84,8 @@ def test_a_person_at_the_page(tmp_path: Path) -> None:
                 else None
             ),
         )
+        with urllib.request.urlopen(address) as answer:  # who only looks takes no pen
+            assert answer.status == 200
         page.goto(address)
         clock, state = page.get_by_test_id("clock"), page.get_by_test_id("state")
         count = page.get_by_test_id("variable-V.E.COUNT")

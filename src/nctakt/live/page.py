@@ -66,13 +66,12 @@ class Page:
         self._typed = 0
         self._findings: list[Diagnostic] = []
         self._lists: dict[str, tuple[LogRow, ...]] = {}
-        if shared.pen is None:
-            shared.pen = self._client
         ui.add_css(CSS)
         ui.add_body_html(SCRIPT.replace("KEYS", json.dumps(list(KEYS))))
         self._dark = ui.dark_mode(None)
         self._build()
         ui.on("nctakt_key", self._key)
+        context.client.on_connect(self._arrive)
         context.client.on_disconnect(self._leave)
         ui.timer(_LOOK_S, self._follow)
         self._check_later()
@@ -433,6 +432,11 @@ class Page:
     def _take_pen(self) -> None:
         self._shared.pen = self._client
         self._show_pen()
+
+    def _arrive(self) -> None:
+        """Take the pen if nobody has it; who only fetches the page never gets so far."""
+        if self._shared.pen is None:
+            self._shared.pen = self._client
 
     def _leave(self) -> None:
         if self._shared.pen == self._client:

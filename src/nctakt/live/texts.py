@@ -6,6 +6,10 @@ from __future__ import annotations
 from nctakt.base.diagnostics import Language
 
 _WORDS: dict[str, tuple[str, str]] = {
+    "tick_number": ("Tick", "Takt"),
+    "branch": ("Branch", "Zweig"),
+    "edited": ("not saved", "nicht gespeichert"),
+    "next_tick": ("Acts from the next tick on.", "Wirkt ab dem nächsten Takt."),
     "home": ("Back to the first tick (Home)", "Zurück zum ersten Takt (Pos1)"),
     "back_reaction": ("Back to the last reaction (Shift+R)", "Zurück zur letzten Reaktion (⇧R)"),
     "back_block": ("Back by a block (Shift+B)", "Einen Satz zurück (⇧B)"),

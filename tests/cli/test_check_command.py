@@ -21,6 +21,8 @@ import nctakt
 from nctakt import machines
 from nctakt.cli import main
 
+pytestmark = pytest.mark.slow
+
 DEMO = Path(machines.__path__[0]) / "demo"
 GOOD = "G00 X10\nM30\n"
 BAD = "G00 X10 Q5\nG33 X1\nM30\n"

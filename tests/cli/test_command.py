@@ -16,6 +16,8 @@ import nctakt
 from nctakt.cli import main
 from nctakt.trace.reading import read_trace
 
+pytestmark = pytest.mark.slow
+
 PART = """\
 #RT CYCLE [ID = 17 SCOPE = PROG]
   $IF ONCE V.RTA.ACS.ACT_POS.X > 200

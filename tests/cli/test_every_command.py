@@ -15,6 +15,8 @@ import pytest
 
 from nctakt.cli import group, main
 
+pytestmark = pytest.mark.slow
+
 Captured = pytest.CaptureFixture[str]
 
 

@@ -12,6 +12,8 @@ from nctakt.reference.article import Topic
 from nctakt.reference.layout import WIDTH
 from nctakt.reference.topics import TOPICS
 
+pytestmark = pytest.mark.slow
+
 Captured = pytest.CaptureFixture[str]
 
 

@@ -14,6 +14,8 @@ from nctakt.lists.machine.axis_configuration import AxisConfiguration
 from nctakt.lists.machine.machine import Machine, load_machine
 from nctakt.machines.commented import DEMO
 
+pytestmark = pytest.mark.slow
+
 
 def without_files(machine: Machine) -> tuple[object, ...]:
     """What a machine is, whatever its files are called and whichever lines they have."""

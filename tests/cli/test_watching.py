@@ -17,6 +17,8 @@ import nctakt
 from nctakt.cli import main
 from nctakt.files.access import FileAccess
 
+pytestmark = pytest.mark.slow
+
 SOURCES = Path(nctakt.__file__).parent.parent
 
 

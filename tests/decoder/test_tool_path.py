@@ -22,6 +22,8 @@ from nctakt.decoder.contour.rows import ARC, GAP, NOTHING, REACH
 from nctakt.decoder.contour.tool_path import ToolPath
 from nctakt.decoder.state.arcs import arc_of_radius
 
+pytestmark = pytest.mark.slow
+
 #: How far from a contour the tool may be off: rounding, and corners that are none (0.01°).
 TOLERANCE_MM = 2e-6
 

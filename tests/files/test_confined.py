@@ -14,6 +14,8 @@ from nctakt.files.access import FileAccess
 from nctakt.machines.commented import commented_lists
 from nctakt.run.controller import Controller
 
+pytestmark = pytest.mark.slow
+
 SECRET = "the secret line"
 
 

@@ -18,6 +18,8 @@ from nctakt.files.access import FileAccess
 from nctakt.files.output import OutputFile, write_file
 from nctakt.machines.commented import commented_lists
 
+pytestmark = pytest.mark.slow
+
 PART = '#MSG SAVE ["hello"]\n#ERROR [ID=1 RC=0]\nL SUB.NC\nM30\n'
 SUB = "M100\nM17\n"
 PLC = "class P:\n    def cycle(self, hli):\n        hli.acknowledge_all()\n"

@@ -15,6 +15,8 @@ from nctakt.live.texts import Texts
 from nctakt.live.view import Curves, Snapshot, TimeMark
 from nctakt.session.engine import BranchState, CycleState
 
+pytestmark = pytest.mark.slow
+
 LINES = [
     "#RT CYCLE [ID=1 SCOPE=PROG]",
     "$IF V.E.VALUE > 0.5 ; V.E.COUNT",

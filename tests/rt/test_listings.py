@@ -19,6 +19,8 @@ from nctakt.nc.check.cost import max_steps
 from nctakt.results.instruction_tree import ListedCycle, list_cycle
 from nctakt.run.controller import Controller, NcText
 
+pytestmark = pytest.mark.slow
+
 FOLDER = Path(__file__).parent
 PROGRAMS = sorted(FOLDER.glob("*.nc"))
 

@@ -21,6 +21,8 @@ from nctakt.results.run import Run
 from nctakt.results.why import WhyReport
 from nctakt.run.controller import Controller
 
+pytestmark = pytest.mark.slow
+
 #: Ticks of a run that are looked at, at most.
 _TICKS = 400
 

@@ -18,6 +18,8 @@ from nctakt.schedule.model import Execution, Model, Rules
 from nctakt.schedule.self_check import contradictions
 from nctakt.schedule.simulate import hyperperiod, simulate
 
+pytestmark = pytest.mark.slow
+
 US = 1000
 
 

@@ -20,6 +20,8 @@ from nctakt.run.plc_view import PlcView
 from nctakt.run.stimuli import Stimulus
 from nctakt.schedule.open_schedule import RunSchedule, open_schedule
 
+pytestmark = pytest.mark.slow
+
 EXAMPLES = Path(__file__).parents[2] / "examples"
 LIST = """\
 interrupt_source 3

@@ -27,6 +27,8 @@ from nctakt.schedule.model import (
 from nctakt.schedule.results import EventKind
 from nctakt.schedule.simulate import hyperperiod, simulate
 
+pytestmark = pytest.mark.slow
+
 US = 1000
 
 

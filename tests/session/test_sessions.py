@@ -18,6 +18,8 @@ from nctakt.session.stops import StopAt, read_stop
 from nctakt.session.worker import can_fork
 from nctakt.session.workshop import Workshop
 
+pytestmark = pytest.mark.slow
+
 PROGRAM = """\
 #RT CYCLE [ID=1 SCOPE=PROG]
   $IF EDGE V.E.VALUE > 0.5

@@ -18,6 +18,8 @@ from nctakt.base.failure import Failure
 from nctakt.results.coverage_files import from_json
 from nctakt.testing.expectations import read_script
 
+pytestmark = pytest.mark.slow
+
 ROOT = Path(__file__).parent.parent.parent
 SOURCES = Path(nctakt.__file__).parent.parent
 

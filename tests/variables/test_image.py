@@ -22,6 +22,8 @@ from nctakt.hli.variables_memory import describe, sections
 from nctakt.run.controller import Controller, NcText
 from nctakt.run.shared_image import SharedImage
 
+pytestmark = pytest.mark.slow
+
 SHARED_FOLDER = Path("/dev/shm")
 needs_shared_folder = pytest.mark.skipif(
     not SHARED_FOLDER.is_dir(), reason="shared memory is seen as files on Linux only"

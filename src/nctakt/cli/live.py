@@ -26,6 +26,9 @@ from nctakt.lists.machine.files import machine_folder
 if TYPE_CHECKING:
     from nctakt.session.session import Session
 
+#: The machine time after which a run on the page ends.
+_LONGEST = "24 h"
+
 _EPILOG = """\b
 The page is for this computer alone, unless --host names another address; then
 its own address holds a token, which is printed once.
@@ -128,6 +131,7 @@ def _show(
             plc=options.plc,
             set=request.assignments,
             at=request.stimuli,
+            until=_LONGEST,
             wait_for_start=options.wait_for_start,
             acknowledges=acknowledges,
             folders=folders,

@@ -51,10 +51,9 @@ def served(*words: str) -> Iterator[str]:
             yield process.stdout.readline().strip()
         finally:
             process.send_signal(signal.SIGINT)
-            try:
+            with contextlib.suppress(subprocess.TimeoutExpired):
                 process.wait(60)
-            finally:
-                process.kill()
+            process.kill()
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="driving a browser needs Chromium on Linux")

@@ -285,15 +285,14 @@ def test_a_forged_input_is_refused_at_the_door(session: Session, values: tuple[s
 # --- clock and listeners --------------------------------------------------------------------------
 
 
-def test_on_the_wall_clock_the_ticks_follow_the_time() -> None:
+def test_on_the_wall_clock_no_tick_comes_before_its_time() -> None:
     with opened() as session:
         begin = time.monotonic()
         session.play(1.0)
         while session.tick < 200:
             time.sleep(0.01)
-        session.pause()
-        assert time.monotonic() - begin >= 0.19
-        assert session.tick < 1076
+        tick = session.pause().tick
+        assert tick <= 1000 * (time.monotonic() - begin) + 1
 
 
 def test_a_listener_gets_the_latest_frame_and_all_notices(session: Session) -> None:

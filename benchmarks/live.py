@@ -26,7 +26,7 @@ from nctakt.session.session import Session
 from nctakt.session.setup import Setup
 from nctakt.session.story import Story
 
-TICKS = 3_000_000
+TICKS = 10_000_000
 REPEATS = 5
 SIGNALS = 12
 
@@ -47,7 +47,7 @@ def oscillating(blocks: int, feed: int = 6000) -> NcText:
 
 def measure_speed() -> None:
     """Print the speed of sessions beside that of runs."""
-    program = oscillating(4000)
+    program = oscillating(12_000)
     runs, sessions = [], []
     for _ in range(REPEATS):
         controller = Controller()

@@ -66,7 +66,7 @@ class FastClock:
 
     def __init__(self, first_tick: int) -> None:
         self._tick = first_tick
-        self._ticks = 1000
+        self._ticks = 10_000
 
     def wait_s(self, now_s: float) -> float:
         """Return 0: a slice is always due."""

@@ -17,7 +17,7 @@ from nctakt.base.dataclass import dataclass
 MAX_PARKED = 32
 
 #: Work between two parked controllers while a session goes forward, in microseconds.
-SPARSE_US = 250_000.0
+SPARSE_US = 500_000.0
 
 #: Work from the nearest parked controller to a moment that somebody has gone back to.
 DENSE_US = 2_000.0
@@ -33,8 +33,8 @@ WINDOW_COUNT = 3
 class Cost:
     """The work of running a stretch again, in microseconds: per tick and per block."""
 
-    tick_us: float = 0.3
-    block_us: float = 8.0
+    tick_us: float = 0.15
+    block_us: float = 5.0
 
     def of(self, ticks: int, blocks: int) -> float:
         """Return the work of so many ticks and blocks, in microseconds."""

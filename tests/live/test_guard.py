@@ -25,6 +25,8 @@ LOCAL = {"host": "127.0.0.1:8765"}
         ({**LOCAL, "origin": "http://127.0.0.1:80"}, False),
         ({**LOCAL, "origin": "https://elsewhere.example"}, False),
         ({**LOCAL, "origin": "null"}, False),
+        ({**LOCAL, "origin": "http://["}, False),
+        ({**LOCAL, "origin": "http://127.0.0.1:8765@elsewhere.example"}, False),
     ],
 )
 def test_on_this_machine(headers: dict[str, str], admitted: bool) -> None:

@@ -356,6 +356,11 @@ def test_a_run_of_another_thread_can_be_paused() -> None:
         assert not session.is_over
 
 
+def test_a_time_that_has_passed_runs_nothing(session: Session) -> None:
+    session.step(50)
+    assert session.run("20 ms").tick == 50
+
+
 def test_the_slices_of_a_run_are_told_as_one(session: Session) -> None:
     done = session.run()
     expected = Controller().run(NcText("p.nc", PROGRAM), at=PULSES, blocks=True)

@@ -78,7 +78,7 @@ class Drawings:
 
     @property
     def draws_conditions(self) -> bool:
-        """Whether they show what conditions read: nobody has chosen the signals."""
+        """Whether the pictures show what conditions read, since no signals were chosen."""
         return self.are_wanted and self._chosen is None
 
     def request(self, request: Request) -> Request:

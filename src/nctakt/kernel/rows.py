@@ -353,10 +353,10 @@ FEED_MOTION, RAPID_MOTION = range(2)
     EVENT_WRITTEN_TEXT,  # cell and part of a text, its characters as below
 ) = range(1, 40)
 
-#: A text that was written is told in parts. To the cell of each comes so much twice for each part
-#: before it, and once where another part follows;
+#: A text that a cycle writes is recorded in parts. The column of the cell is the cell plus this
+#: number, twice for each earlier part and once more if another part follows.
 TEXT_PART = 1073741824
-#: each of the two columns behind it has so many characters, as a number to the base 256.
+#: Characters in each of the two columns after it, packed as a number to the base 256.
 TEXT_HALF = 6
 
 ENDED_BY_SCOPE, ENDED_BY_DELETE, ENDED_BY_RESET, ENDED_BY_ERROR = range(4)

@@ -8,7 +8,7 @@ from typing import Any
 
 from nctakt.live.view import MAX_MARKS, Curves, TimeMark
 
-#: Colours of curves that are told apart in light and dark, also by the colour-blind.
+#: Colours of curves: distinct on light and dark pages, and for the colour-blind.
 COLOURS = ("#3b82f6", "#e8833a", "#22a06b", "#c2549d", "#b08900", "#7c6ff0", "#0ea5b7", "#d64545")
 
 _GREY = "#8a8f98"

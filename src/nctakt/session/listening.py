@@ -25,7 +25,7 @@ MAX_NOTICES = 1000
 #: Events that wait in a listener's frame at most; how many were left out is told.
 MAX_FRAME_EVENTS = 1000
 
-NoticeKind = Literal["stopped", "ended", "branch", "travelled", "refused", "late", "closed"]
+NoticeKind = Literal["stopped", "ended", "branch", "travelled", "refused", "closed"]
 
 
 @dataclass(frozen=True, slots=True)

@@ -20,24 +20,22 @@ from typing import Any, ParamSpec, Self, TypeVar
 from nctakt.base.failure import Failure
 from nctakt.lists.format.times import TimeLike
 from nctakt.messages import diagnostic
-from nctakt.messages.session import PLC_DIFFERS, SESSION_IS_CLOSED
+from nctakt.messages.session import SESSION_IS_CLOSED
 from nctakt.results.run import Run
 from nctakt.run.inputs import API, Input
 from nctakt.run.plc_view import SpindleEntry, TechnologyEntry
 from nctakt.run.program_loader import NcText
 from nctakt.run.stimuli import StimulusLike
+from nctakt.session.audience import Audience
 from nctakt.session.clock import SLICE_S, FastClock, WallClock
 from nctakt.session.engine import CycleState, Slice, joined
-from nctakt.session.listening import Frame, Listener, Notice, NoticeKind
+from nctakt.session.listening import Listener
 from nctakt.session.setup import Description, Setup
 from nctakt.session.stops import StopAt
 from nctakt.session.story import MAX_ROWS, NEXT_BLOCK, NEXT_REACTION, Story
 
 #: Commands that wait for the thread at most; whoever brings one more waits.
 MAX_COMMANDS = 1000
-
-#: Slices whose events wait for a listener's next frame at most.
-MAX_PENDING = 64
 
 _P = ParamSpec("_P")
 _T = TypeVar("_T")
@@ -100,9 +98,7 @@ class Session:
         self.description: Description = self._story.description
         self._slice_s = SLICE_S if pace == "slice" else self.description.cycle_time_us / 1e6
         self._clock: WallClock | FastClock | None = None
-        self._listeners: list[Listener] = []
-        self._pending: dict[int, list[Slice]] = {}
-        self._has_differed = False
+        self._audience = Audience(self._story)
         self._commands: queue.Queue[Callable[[], None] | None] = queue.Queue(MAX_COMMANDS)
         self._is_closed = self._is_interrupted = False
         self._thread = threading.Thread(target=self._live, name="nctakt session", daemon=True)
@@ -133,7 +129,7 @@ class Session:
             done = self._story.run(end)
         except (Failure, RuntimeError) as error:
             self._clock = None
-            self._tell("refused", str(error))
+            self._audience.tell("refused", str(error))
             return
         clock.note(done.tick - first, time.monotonic() - begin_s)
         is_at_end = bool(done.hits) or done.run_state is not None
@@ -201,7 +197,10 @@ class Session:
     def run(
         self, end: TimeLike | None = None, *, until: str | StopAt | Sequence[str | StopAt] = ()
     ) -> Slice:
-        """Run to a time, a stop of the session or of ``until``, or the end of the run."""
+        """Run to a time, a stop of the session or of ``until``, or the end of the run.
+
+        A time that has passed already runs nothing.
+        """
         named = [until] if isinstance(until, str | StopAt) else until
         return self._ask(self._run, end, named)
 
@@ -220,7 +219,8 @@ class Session:
             done = self._story.run(due if end is None else min(due, end), stops=stops)
             clock.note(done.tick - done.first_tick, time.monotonic() - begin_s)
             whole = done if whole is None else joined(whole, done)
-            is_there = done.tick == end or bool(done.hits) or done.run_state is not None
+            is_past_end = end is not None and done.tick >= end
+            is_there = is_past_end or bool(done.hits) or done.run_state is not None
             self._publish(done, at_once=is_there)
             if is_there or self._is_interrupted:
                 return whole
@@ -351,7 +351,7 @@ class Session:
 
     def _input(self, method: Callable[..., bool], *words: Any) -> None:
         if method(*words):
-            self._tell("branch", str(self._story.branch.number))
+            self._audience.tell("branch", str(self._story.branch.number))
 
     # --- looking --------------------------------------------------------------------------------
 
@@ -395,82 +395,24 @@ class Session:
     def listen(self, *signals: str, rate_hz: float = 20.0) -> Iterator[Listener]:
         """Listen to signals, at most so often a second; raises ``Failure`` for an unknown one."""
         listener = Listener(signals, rate_hz)
-        self._ask(self._add_listener, listener)
+        self._ask(self._audience.add, listener, self.speed)
         try:
             yield listener
         finally:
             with contextlib.suppress(Failure):
-                self._ask(self._remove_listener, listener)
-
-    def _add_listener(self, listener: Listener) -> None:
-        self._story.read(listener.signals)
-        self._listeners.append(listener)
-        self._pending[id(listener)] = [self._story.latest]
-        self._give([listener])
-
-    def _remove_listener(self, listener: Listener) -> None:
-        if listener in self._listeners:
-            self._listeners.remove(listener)
-            del self._pending[id(listener)]
+                self._ask(self._audience.remove, listener)
 
     def _ran(self, done: Slice) -> Slice:
         self._publish(done, at_once=True)
         return done
 
     def _travelled(self, done: Slice) -> Slice:
-        self._tell("travelled", str(self._story.branch.number))
+        self._audience.tell("travelled", str(self._story.branch.number))
         self._publish(done, at_once=True)
         return done
 
     def _publish(self, done: Slice, *, at_once: bool) -> None:
-        """Hand out what a slice has done: to all at once, or to those whose time has come."""
-        if done.differs is not None and not self._has_differed:
-            self._has_differed = True
-            self._tell("refused", str(diagnostic(PLC_DIFFERS, tick=done.differs)))
-        for listener in self._listeners:
-            self._pending[id(listener)].append(done)
-        due = [
-            one
-            for one in self._listeners
-            if at_once or one.is_due() or len(self._pending[id(one)]) >= MAX_PENDING
-        ]
-        if due:
-            self._give(due)
-        if done.hits:
-            self._tell("stopped", ", ".join(map(str, done.hits)))
-        if done.run_state is not None:
-            self._tell("ended", done.run_state)
-
-    def _give(self, listeners: Sequence[Listener]) -> None:
-        """Give these listeners their frames; the signals of all are read at once."""
-        names = list(dict.fromkeys(name for one in listeners for name in one.signals))
-        values = dict(zip(names, self._story.read(names) if names else (), strict=True))
-        for listener in listeners:
-            parts, self._pending[id(listener)] = self._pending[id(listener)], []
-            latest = self._story.latest
-            listener.give(
-                Frame(
-                    latest.tick,
-                    self._story.branch.number,
-                    latest.state,
-                    latest.run_state,
-                    self.speed,
-                    {name: values[name] for name in listener.signals},
-                    latest.blocks,
-                    tuple(event for part in parts for event in part.events),
-                    sum(part.left_out for part in parts),
-                    tuple(message for part in parts for message in part.messages),
-                    tuple(found for part in parts for found in part.diagnostics),
-                    0,
-                )
-            )
-
-    def _tell(self, kind: NoticeKind, text: str = "") -> None:
-        notice = Notice(kind, self._story.tick, text)
-        for listener in list(self._listeners):
-            listener.tell(notice)
-            if listener.is_dropped:
-                self._remove_listener(listener)
+        self._audience.publish(done, self.speed, at_once=at_once)
 
     # --- the end --------------------------------------------------------------------------------
 
@@ -481,7 +423,11 @@ class Session:
         self._is_closed = self._is_interrupted = True
         self._commands.put(None)
         self._thread.join()
-        self._tell("closed")
+        while not self._commands.empty():  # of those who asked while it was closing
+            command = self._commands.get()
+            if command is not None:
+                command()
+        self._audience.tell("closed")
         self._story.close()
 
     def __enter__(self) -> Self:

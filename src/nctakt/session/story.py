@@ -71,11 +71,6 @@ class Story:
         """What the last command that ran ticks has done."""
         return self._latest
 
-    @property
-    def parked_ticks(self) -> Sequence[int]:
-        """The ticks from which the past is run again."""
-        return self._timeline.parked_ticks
-
     def ticks_of(self, time: TimeLike) -> int:
         """Return the tick that begins at or after a time of the session."""
         return read_time(time).ticks(self.description.cycle_time_us)

@@ -33,7 +33,7 @@ class Branch:
     """One story of the inputs.
 
     It shares the inputs of its ``parent`` before ``first_tick``. ``inputs`` are its own, by tick
-    and order; ``latest``: the furthest tick that it has reached; ``is_over``: the run ends there.
+    and order; ``latest``: the furthest tick that it has reached.
     """
 
     number: int
@@ -41,7 +41,6 @@ class Branch:
     first_tick: int
     inputs: list[Input] = field(default_factory=list)
     latest: int = 0
-    is_over: bool = False
 
     def all_inputs(self, before: int | None = None) -> list[Input]:
         """Return its inputs from the start on, up to but without tick ``before``."""
@@ -109,8 +108,6 @@ class Timeline:
             news = [one for one in done.inputs if one.tick > branch.latest and one.source == PLC]
             self._plc[branch.number] += news
             branch.latest = done.tick
-        if done.run_state is not None:
-            branch.is_over = True
         if self._workshop.can_copy and self._is_far_from_parked():
             self._park()
         return done
@@ -236,17 +233,17 @@ class Timeline:
 
     # --- looking --------------------------------------------------------------------------------
 
-    def trial(self, tick: int, branch: int | None = None) -> RemoteEngine:
-        """Return a controller before a tick that never joins the session; close it after use.
+    def trial(self, tick: int) -> RemoteEngine:
+        """Return a controller before a tick of this branch that never joins the session.
 
-        Raises ``Failure`` (901154).
+        Close it after use. Raises ``Failure`` (901154).
         """
-        target = self.branch if branch is None else self._branch(branch)
+        target = self.branch
         if not 0 <= tick <= target.latest:
             raise Failure(diagnostic(TICK_NOT_REACHED, tick=tick, latest=target.latest))
-        nearest = self._nearest(target, tick)
-        if self._workshop.can_copy and target is self.branch and self.tick == tick:
+        if self._workshop.can_copy and self.tick == tick:
             return self.live.copy()
+        nearest = self._nearest(target, tick)
         if nearest is None:
             engine, _ = self._workshop.open(self._setup)
         else:
@@ -291,8 +288,3 @@ class Timeline:
         self._parked.clear()
         self.live.close()
         self._workshop.close()
-
-    @property
-    def parked_ticks(self) -> list[int]:
-        """The ticks at which controllers are parked."""
-        return [one.tick for one in self._parked]

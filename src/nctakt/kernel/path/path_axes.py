@@ -74,7 +74,7 @@ class PathAxes:
                 self.claim_axis(i)
 
     def claim_free(self, column: int) -> None:
-        """Claim the axes that stand at ``column`` for a segment walked again (MO-7)."""
+        """Claim the axes whose position is the one at ``column``, for backward motion (MO-7)."""
         self.moved_count = 0
         for i in range(self.count):
             axis = self.members[i]

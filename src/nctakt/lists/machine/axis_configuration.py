@@ -235,7 +235,7 @@ def _feed_forward(values: Values) -> float:
 
 
 def _software_limits(values: Values, collector: Collector) -> tuple[float, float]:
-    """Return the software limits of an axis that begins to stand at 0.
+    """Return the software limits of an axis, which stands at 0 at start-up.
 
     The tolerance (P-AXIS-00179) widens them for that place, not for commands. Reported: limits that
     are swapped, an axis beyond them, a sum of limit and tolerance beyond 32 bits.

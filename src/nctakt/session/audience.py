@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: MIT
+"""Those who listen to a session: each gets frames at its own rate, and all notices.
+
+In: what the slices of a story have done. Out: frames and notices to the listeners.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from nctakt.messages import diagnostic
+from nctakt.messages.session import PLC_DIFFERS
+from nctakt.session.engine import Slice
+from nctakt.session.listening import MAX_FRAME_EVENTS, Frame, Listener, Notice, NoticeKind
+from nctakt.session.story import Story
+
+#: Slices whose events wait for a listener's next frame at most.
+MAX_PENDING = 64
+
+
+class Audience:
+    """The listeners of a story."""
+
+    def __init__(self, story: Story) -> None:
+        self._story = story
+        self._listeners: list[Listener] = []
+        self._pending: dict[int, list[Slice]] = {}
+        self._has_differed = False
+
+    def add(self, listener: Listener, speed: float | None) -> None:
+        """Let somebody listen from now on; raises ``Failure`` for an unknown signal."""
+        self._story.read(listener.signals)
+        self._listeners.append(listener)
+        self._pending[id(listener)] = [self._story.latest]
+        self._give([listener], speed)
+
+    def remove(self, listener: Listener) -> None:
+        """Take a listener away; nothing happens to one that is gone already."""
+        if listener in self._listeners:
+            self._listeners.remove(listener)
+            del self._pending[id(listener)]
+
+    def publish(self, done: Slice, speed: float | None, *, at_once: bool) -> None:
+        """Hand out what a slice has done: to all at once, or to those whose time has come."""
+        if done.differs is not None and not self._has_differed:
+            self._has_differed = True
+            self.tell("refused", str(diagnostic(PLC_DIFFERS, tick=done.differs)))
+        for listener in self._listeners:
+            self._pending[id(listener)].append(done)
+        due = [
+            one
+            for one in self._listeners
+            if at_once or one.is_due() or len(self._pending[id(one)]) >= MAX_PENDING
+        ]
+        if due:
+            self._give(due, speed)
+        if done.hits:
+            self.tell("stopped", ", ".join(map(str, done.hits)))
+        if done.run_state is not None:
+            self.tell("ended", done.run_state)
+
+    def _give(self, listeners: Sequence[Listener], speed: float | None) -> None:
+        """Give these listeners their frames; the signals of all are read at once."""
+        names = list(dict.fromkeys(name for one in listeners for name in one.signals))
+        values = dict(zip(names, self._story.read(names) if names else (), strict=True))
+        latest = self._story.latest
+        for listener in listeners:
+            parts, self._pending[id(listener)] = self._pending[id(listener)], []
+            events = [event for part in parts for event in part.events]
+            surplus = max(0, len(events) - MAX_FRAME_EVENTS)
+            listener.give(
+                Frame(
+                    latest.tick,
+                    self._story.branch.number,
+                    latest.state,
+                    latest.run_state,
+                    speed,
+                    {name: values[name] for name in listener.signals},
+                    latest.blocks,
+                    tuple(events[surplus:]),
+                    surplus + sum(part.left_out for part in parts),
+                    tuple(message for part in parts for message in part.messages),
+                    tuple(found for part in parts for found in part.diagnostics),
+                    0,
+                )
+            )
+
+    def tell(self, kind: NoticeKind, text: str = "") -> None:
+        """Give all listeners a notice; who has left too many unread listens no more."""
+        notice = Notice(kind, self._story.tick, text)
+        for listener in list(self._listeners):
+            listener.tell(notice)
+            if listener.is_dropped:
+                self.remove(listener)

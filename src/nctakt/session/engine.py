@@ -167,6 +167,7 @@ class Engine:
         self._diagnostics = list(configuration.diagnostics)
         self._machine = machine = AssembledMachine(configuration, access)
         machine.report = self._diagnostics.append
+        self._signals = machine.signals()
         self._loop = TickLoop(machine, self._diagnostics.append, None)
         self._happened = _Happened()
         self._inputs: list[Input] = []
@@ -203,7 +204,7 @@ class Engine:
         self.description = Description(
             configuration.cycle_time_us,
             len(machine.channels),
-            {name: unit for name, (_, unit, _) in machine.signals().items()},
+            {name: unit for name, (_, unit, _) in self._signals.items()},
             {text.source.file: tuple(text.source.lines) for text in self._run.texts},
             tuple(self._diagnostics),
             as_inputs(stimuli, 0, configuration.cycle_time_us),
@@ -295,8 +296,7 @@ class Engine:
 
     def read(self, names: Sequence[str]) -> list[float | bool | str]:
         """Return signals and variables by name; raises ``Failure`` for an unknown one."""
-        signals = self._machine.signals()
-        cells = self._machine.cells
+        signals, cells = self._signals, self._machine.cells
         return [
             cells[signals[name][0]] if name in signals else self._machine.read(name)
             for name in names
@@ -364,7 +364,7 @@ class Engine:
         """
         if end - self.tick > MAX_LOOKED_AT * every:
             raise ValueError(f"{end - self.tick} ticks")
-        known = self._machine.signals()
+        known = self._signals
         unknown = [name for name in signals if name not in known]
         if unknown:
             raise Failure(*(self._machine.unknown_signal(name) for name in unknown))

@@ -14,7 +14,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from nctakt.base.dataclass import dataclass
+from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Diagnostic, Span
 from nctakt.base.failure import Failure
 from nctakt.decoder.cycles.builder import CycleDefinition
@@ -52,9 +52,9 @@ class Slice:
 
     ``run_state`` has a value once the run is over. ``hits``: the stops that held in the last tick,
     by their index; they have ended the slice. ``blocks``: number of the channel -> place of its
-    current block. ``inputs``: all that came from outside, in its order. ``decoded``: blocks that
-    have been passed so far. ``differs``: the first tick in which the PLC did otherwise than the
-    tape says.
+    current block; ``decoding``: place of what its decoder has given last. ``inputs``: all that came
+    from outside, in its order. ``decoded``: blocks that have been passed so far. ``differs``: the
+    first tick in which the PLC did otherwise than the tape says.
     """
 
     first_tick: int
@@ -70,6 +70,7 @@ class Slice:
     blocks: Mapping[int, Span]
     decoded: int
     differs: int | None = None
+    decoding: Mapping[int, Span] = field(default_factory=dict)
 
 
 def joined(first: Slice, second: Slice) -> Slice:
@@ -113,6 +114,15 @@ class CycleState:
     span: Span
     runs: int
     branches: tuple[BranchState, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Glance:
+    """Values of signals, the living cycles and what waits for the PLC, all at one tick."""
+
+    values: tuple[float | bool | str, ...]
+    cycles: tuple[CycleState, ...]
+    waiting: tuple[tuple[int, TechnologyEntry | SpindleEntry], ...]
 
 
 class _Happened:
@@ -197,6 +207,7 @@ class Engine:
                 on_cycle=self._add_cycle,
                 blocks=True,
                 record=self._note,
+                why=setup.why,
             ),
         )
         self._loop.connect(plc, has_plc=plc is not None or not setup.acknowledges)
@@ -290,7 +301,17 @@ class Engine:
             dict(self._happened.blocks),
             self._happened.block_count,
             self._differs,
+            self._decoding(),
         )
+
+    def _decoding(self) -> dict[int, Span]:
+        """Return where the decoders of the channels are in their programs."""
+        files = self._machine.files
+        places = {
+            number: files.span(channel.queue.last_source())
+            for number, channel in enumerate(self._machine.channels, 1)
+        }
+        return {number: span for number, span in places.items() if span is not None}
 
     # --- looking --------------------------------------------------------------------------------
 
@@ -344,6 +365,14 @@ class Engine:
                     )
                 )
         return found
+
+    def glance(self, names: Sequence[str]) -> Glance:
+        """Return values, cycles and what waits, all of this tick; raises as ``read``."""
+        return Glance(tuple(self.read(names)), tuple(self.cycles()), tuple(self.waiting()))
+
+    def happened(self) -> tuple[list[Event], int]:
+        """Return the latest events that no slice has, and how many there were before them."""
+        return self._happened.take()
 
     def waiting(self) -> list[tuple[int, TechnologyEntry | SpindleEntry]]:
         """Return what waits for its acknowledgement, each with its channel.

@@ -22,17 +22,19 @@ from nctakt.lists.format.times import TimeLike
 from nctakt.messages import diagnostic
 from nctakt.messages.session import SESSION_IS_CLOSED
 from nctakt.results.run import Run
+from nctakt.results.why import WhyReport
 from nctakt.run.inputs import API, Input
 from nctakt.run.plc_view import SpindleEntry, TechnologyEntry
 from nctakt.run.program_loader import NcText
 from nctakt.run.stimuli import StimulusLike
 from nctakt.session.audience import Audience
 from nctakt.session.clock import SLICE_S, FastClock, WallClock
-from nctakt.session.engine import CycleState, Slice, joined
+from nctakt.session.engine import CycleState, Glance, Slice, joined
 from nctakt.session.listening import Listener
 from nctakt.session.setup import Description, Setup
 from nctakt.session.stops import StopAt
 from nctakt.session.story import MAX_ROWS, NEXT_BLOCK, NEXT_REACTION, Story
+from nctakt.trace.events import Event
 
 #: Commands that wait for the thread at most; whoever brings one more waits.
 MAX_COMMANDS = 1000
@@ -349,6 +351,15 @@ class Session:
         """Acknowledge an entry of ``waiting``; otherwise as ``write``."""
         self._ask(self._input, self._story.acknowledge, channel, entry, source)
 
+    def acknowledge_after(self, ticks: int | None) -> None:
+        """Acknowledge functions and spindle jobs this number of ticks after they came up.
+
+        The answers are inputs on the tape. ``None``: not any more. Raises ``ValueError`` below 1.
+        """
+        if ticks is not None and ticks < 1:
+            raise ValueError(ticks)
+        self._ask(setattr, self._story, "delay", ticks)
+
     def _input(self, method: Callable[..., bool], *words: Any) -> None:
         if method(*words):
             self._audience.tell("branch", str(self._story.branch.number))
@@ -370,6 +381,28 @@ class Session:
     def waiting(self) -> list[tuple[int, TechnologyEntry | SpindleEntry]]:
         """Return functions and spindle jobs that wait for the PLC, each with its channel."""
         return self._ask(self._story.waiting)
+
+    def glance(self, *names: str) -> Glance:
+        """Return values, living cycles and what waits for the PLC, all of the same tick."""
+        return self._ask(self._story.glance, names)
+
+    def events(self, first: int, end: int) -> tuple[list[Event], int]:
+        """Return the events of the ticks from ``first`` up to, but without, ``end``.
+
+        At most the latest 1,000; how many there were before them comes with them. The session stays
+        where it is.
+        """
+        return self._ask(self._story.events, first, end)
+
+    def why(self) -> WhyReport:
+        """Return why reactions have fired up to here, or have not; the session goes on meanwhile.
+
+        The past is run again for it. Raises ``Failure`` where the session has no ticks yet.
+        """
+        past = self._ask(self._story.past)
+        report = past.explained().why
+        assert report is not None
+        return report
 
     def look(
         self, first: int, end: int, signals: Sequence[str], rows: int = MAX_ROWS

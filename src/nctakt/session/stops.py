@@ -29,7 +29,7 @@ MAX_STOPS = 1000
 
 Kind = Literal[
     "block", "fires", "runs", "turns", "false", "condition", "changes", "function", "message",
-    "error",
+    "error", "handed",
 ]  # fmt: skip
 
 #: A limit that no value of an event passes.
@@ -41,6 +41,7 @@ _EVENTS: dict[Kind, tuple[int, ...]] = {
     "function": (rows.EVENT_TECHNOLOGY, rows.EVENT_TECHNOLOGY_RT),
     "message": (rows.EVENT_MESSAGE,),
     "error": (rows.EVENT_ERROR, rows.EVENT_USER_ERROR),
+    "handed": (rows.EVENT_TECHNOLOGY, rows.EVENT_TECHNOLOGY_RT, rows.EVENT_SPINDLE),
 }
 
 _LINE = re.compile(r"(?:(?P<file>\S.*?):)?(?P<line>\d+)")
@@ -55,7 +56,8 @@ class StopAt:
     ``kind``: a ``block`` of a line becomes current; a branch in a line ``fires``, that is begins a
     series of runs, or ``runs``, in any tick; its condition ``turns`` true, or turns ``false``; a
     ``condition`` becomes true; the value of an expression ``changes``; a ``function`` goes out; a
-    ``message``; an ``error``. ``text``: the expression or function. ``file``: empty for any file.
+    ``message``; an ``error``; anything is ``handed`` to the PLC, a function or a spindle's job.
+    ``text``: the expression or function. ``file``: empty for any file.
     ``only_if``: an expression that must be true as well. ``count``: how often it must hold.
     ``channel``: the one whose variables the expressions name, from 1.
     """

@@ -8,6 +8,7 @@ In: commands such as step, run, back, post. Out: slices, values. A session stand
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import cast
 
 from nctakt.base.diagnostics import Diagnostic
@@ -16,10 +17,12 @@ from nctakt.lists.format.times import TimeLike, read_time
 from nctakt.results.run import Run
 from nctakt.run.inputs import ACKNOWLEDGE, ACKNOWLEDGE_SPINDLE, WRITE, Input
 from nctakt.run.plc_view import SpindleEntry, TechnologyEntry
-from nctakt.session.engine import CycleState, Slice
+from nctakt.session.engine import CycleState, Glance, Slice, joined
+from nctakt.session.past import Past
 from nctakt.session.setup import Description, Setup
 from nctakt.session.stops import StopAt, read_stop
 from nctakt.session.timeline import Branch, Timeline
+from nctakt.trace.events import Event
 
 #: Rows that a look at a stretch of the session returns at most.
 MAX_ROWS = 20_000
@@ -28,6 +31,12 @@ MAX_ROWS = 20_000
 NEXT_BLOCK = StopAt("block")
 NEXT_REACTION = StopAt("fires")
 
+#: Where an automatic acknowledgement waits for its tick.
+HANDED = StopAt("handed")
+
+#: Where automatic acknowledgements come from, on the tape.
+AUTOMATIC = "automatic"
+
 #: A tick that no session reaches.
 _NEVER = 1 << 60
 
@@ -35,13 +44,15 @@ _NEVER = 1 << 60
 class Story:
     """One session's commands; raises ``Failure`` with the mistakes of the setup.
 
-    ``stops``: those at which it stops, in the order in which they were added.
+    ``stops``: those at which it stops, in the order in which they were added. ``delay``: ticks
+    after which functions and jobs of spindles are acknowledged as by a person; ``None``: not.
     """
 
     def __init__(self, setup: Setup) -> None:
         self._timeline = Timeline(setup)
         self.description: Description = self._timeline.description
         self.stops: tuple[StopAt, ...] = ()
+        self.delay: int | None = None
         self._latest = self._timeline.run(0)
 
     # --- where it stands ------------------------------------------------------------------------
@@ -83,8 +94,39 @@ class Story:
         ``stops`` are watched instead of those of the session.
         """
         watched = self.stops if stops is None else tuple(stops)
-        self._latest = self._timeline.run(_NEVER if end is None else end, watched)
+        last = _NEVER if end is None else end
+        if self.delay is None:
+            self._latest = self._timeline.run(last, watched)
+        else:
+            self._latest = self._run_acknowledging(last, watched, self.delay)
         return self._latest
+
+    def _run_acknowledging(self, end: int, stops: Sequence[StopAt], delay: int) -> Slice:
+        """Run, and plan an acknowledgement for all that comes up; the tape holds it then."""
+        whole: Slice | None = None
+        watched = (*stops, HANDED)
+        while True:
+            self._plan_acknowledgements(delay)
+            done = self._timeline.run(end, watched)
+            hits = [hit for hit in done.hits if hit < len(stops)]
+            is_on_way = bool(done.hits) and not hits and done.run_state is None and done.tick < end
+            done = replace(done, hits=tuple(hits))
+            whole = done if whole is None else joined(whole, done)
+            if not is_on_way:
+                return whole
+
+    def _plan_acknowledgements(self, delay: int) -> None:
+        """Let what waits be acknowledged by its time, unless the tape does that already."""
+        branch = self._timeline.branch
+        if self.tick < branch.latest:
+            return
+        planned = {(one.kind, one.values) for one in branch.all_inputs() if one.tick >= self.tick}
+        cycle_us = self.description.cycle_time_us
+        for channel, entry in self.waiting():
+            due = max(self.tick, entry.time_us // cycle_us + delay)
+            answer = _acknowledgement(due, channel, entry, AUTOMATIC)
+            if (answer.kind, answer.values) not in planned:
+                self._timeline.post([answer])
 
     def step(self, ticks: int = 1) -> Slice:
         """Run this number of ticks, past any stop."""
@@ -142,13 +184,7 @@ class Story:
 
     def acknowledge(self, channel: int, entry: TechnologyEntry | SpindleEntry, source: str) -> bool:
         """Acknowledge an entry of ``waiting``; returns as ``write``."""
-        values: tuple[float | str | bool, ...]
-        if isinstance(entry, SpindleEntry):
-            kind, values = ACKNOWLEDGE_SPINDLE, (channel - 1, entry.index, entry.serial, entry.name)
-        else:
-            slot = (entry.is_realtime, entry.slot, entry.serial, entry.name)
-            kind, values = ACKNOWLEDGE, (channel - 1, *slot)
-        return self._timeline.post([Input(self.tick, source, kind, values)])
+        return self._timeline.post([_acknowledgement(self.tick, channel, entry, source)])
 
     # --- looking --------------------------------------------------------------------------------
 
@@ -188,6 +224,28 @@ class Story:
             engine.close()
         return every, memoryview(data).cast("d")
 
+    def events(self, first: int, end: int) -> tuple[list[Event], int]:
+        """Return the events of ticks from ``first`` up to ``end``: the latest, and how many before.
+
+        The session stays where it is.
+        """
+        end = min(end, self.branch.latest)
+        engine = self._timeline.trial(min(max(0, first), end))
+        try:
+            engine.ask("happened")  # those of the way to the first tick
+            engine.search(end, ())
+            return cast("tuple[list[Event], int]", engine.ask("happened"))
+        finally:
+            engine.close()
+
+    def glance(self, names: Sequence[str]) -> Glance:
+        """Return values, cycles and what waits, all of this tick."""
+        return cast("Glance", self._timeline.live.ask("glance", list(names)))
+
+    def past(self) -> Past:
+        """Return what it takes to run the session up to here again."""
+        return Past(self._timeline.setup, tuple(self.tape()), self.tick)
+
     # --- the end --------------------------------------------------------------------------------
 
     def result(self) -> Run:
@@ -205,3 +263,16 @@ class Story:
     def close(self) -> None:
         """End the session."""
         self._timeline.close()
+
+
+def _acknowledgement(
+    tick: int, channel: int, entry: TechnologyEntry | SpindleEntry, source: str
+) -> Input:
+    """Return the input that acknowledges an entry of ``waiting`` in a tick."""
+    values: tuple[float | str | bool, ...]
+    if isinstance(entry, SpindleEntry):
+        kind, values = ACKNOWLEDGE_SPINDLE, (channel - 1, entry.index, entry.serial, entry.name)
+    else:
+        slot = (entry.is_realtime, entry.slot, entry.serial, entry.name)
+        kind, values = ACKNOWLEDGE, (channel - 1, *slot)
+    return Input(tick, source, kind, values)

@@ -139,11 +139,11 @@ class Timeline:
     # --- inputs ---------------------------------------------------------------------------------
 
     def post(self, inputs: Sequence[Input]) -> bool:
-        """Let inputs reach the next tick; return whether that has begun another branch.
+        """Let inputs reach the next tick, or a later one; return whether a branch has begun.
 
         Raises ``Failure`` for a wrong name or value, and nothing has happened.
         """
-        arriving = [one._replace(tick=self.tick) for one in inputs]
+        arriving = [one._replace(tick=max(one.tick, self.tick)) for one in inputs]
         self.live.post(arriving)
         branch = self.branch
         begins = self.tick < branch.latest
@@ -274,6 +274,11 @@ class Timeline:
                 return found[-1]
             end, width = begin, 2 * width
         return None
+
+    @property
+    def setup(self) -> Setup:
+        """What the session was opened with."""
+        return self._setup
 
     def tape(self) -> list[Input]:
         """Return the inputs of this branch, the PLC's too, in the order of their ticks."""

@@ -57,6 +57,14 @@ class CommandQueue:
         if self.loop_body.is_open:
             self.loop_body.append(self.rows, row)
 
+    def last_source(self) -> int:
+        """Return where in the program's text the newest command with a place comes from, else 0."""
+        for number in range(self.tail - 1, max(-1, self.tail - 1 - self.capacity), -1):
+            source = int(self.rows[number % self.capacity * self.width + rows.SOURCE])
+            if source:
+                return source
+        return 0
+
     def begin_loop(self, command: list[float]) -> None:
         """Append the begin of a realtime loop; what comes up to its end is its body."""
         self.put(command)

@@ -46,7 +46,7 @@ def test_functions_are_acknowledged_after_a_delay(session: Session) -> None:
 
 def test_the_delay_can_begin_while_a_function_waits(session: Session) -> None:
     """Its time has passed, so it is acknowledged at once; none begins before a tick."""
-    session.run("1 s")
+    session.run("0.15 s")
     assert [entry.name for _, entry in session.glance().waiting] == ["M100"]
     session.acknowledge_after(7)
     session.step(2)
@@ -79,6 +79,6 @@ def test_events_of_the_past(session: Session) -> None:
 
 def test_why(session: Session) -> None:
     """The report of ``nctakt why``, of the session's own past."""
-    session.run("0.5 s")
+    session.run("0.15 s")
     text = session.why().select(line=2).render_at(session.tick - 1)
     assert "true since tick" in text

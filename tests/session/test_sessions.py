@@ -391,3 +391,25 @@ def test_a_controller_that_is_gone_is_told_and_left_behind() -> None:
             session.step()
         assert session.go_to(20).tick == 20
         assert session.run().run_state == "ended"
+
+
+def test_without_listeners_to_events_the_slice_that_ends_play_still_has_them() -> None:
+    with Session(NcText("move.nc", "M100\nG01 X10 F6000\nM30"), until="1 s") as session:
+        with session.listen("X.ACS.ACT_POS", events=False) as listener:
+            session.play()
+            while session.is_playing:
+                frame = listener.take(1.0)
+                assert frame is None or not frame.events
+        kinds = [event.kind for event in session.latest.events]
+    assert "output" in kinds
+    assert kinds[-1] == "end"
+
+
+def test_pause_brings_the_events_that_were_left_for_later() -> None:
+    program = "M100\n" + "G01 X100 F6000\nG01 X0\n" * 400 + "M30"
+    with Session(NcText("move.nc", program)) as session:
+        session.play(1000.0)
+        while session.tick < 2000:
+            time.sleep(0.01)
+        blocks = [event for event in session.pause().events if event.kind == "block"]
+    assert blocks

@@ -42,6 +42,8 @@ else:
                 methods |= {name: _Method(cls, name, _comparison) for name in _SIGNS}
             if frozen:
                 methods |= _FROZEN
+                methods["__getstate__"] = _Method(cls, "__getstate__", _get_state)
+                methods["__setstate__"] = _Method(cls, "__setstate__", _set_state)
             for name, method in methods.items():
                 if name not in written.__dict__:
                     setattr(cls, name, method)
@@ -153,18 +155,21 @@ def _delete(_self: object, name: str) -> NoReturn:
     raise dataclasses.FrozenInstanceError(f"cannot delete field {name!r}")
 
 
-def _state(self: Any) -> list[Any]:
-    return [getattr(self, member.name) for member in dataclasses.fields(self)]
+def _get_state(cls: _Class, name: str) -> _Function:
+    names = "".join(f"self.{member.name}, " for member in dataclasses.fields(cls))
+    return _written(cls, name, ["self"], [f"return ({names})"], {})
 
 
-def _set_state(self: Any, state: list[Any]) -> None:
-    for member, value in zip(dataclasses.fields(self), state, strict=True):
-        object.__setattr__(self, member.name, value)
+def _set_state(cls: _Class, name: str) -> _Function:
+    """Return ``__setstate__``, which goes past ``__setattr__`` to the slots."""
+    names = [member.name for member in dataclasses.fields(cls)]
+    scope = {f"_set_{name}": getattr(cls, name).__set__ for name in names}
+    lines = [f"{', '.join(names)}, = state"] if names else []
+    lines += [f"_set_{name}(self, {name})" for name in names]
+    return _written(cls, name, ["self", "state"], lines or ["pass"], scope)
 
 
 _FROZEN = {
     "__setattr__": _set,
     "__delattr__": _delete,
-    "__getstate__": _state,
-    "__setstate__": _set_state,
 }

@@ -34,6 +34,11 @@ class Audience:
         self._pending[id(listener)] = [self._story.latest]
         self._give([listener], speed)
 
+    @property
+    def wants_events(self) -> bool:
+        """Whether anybody listens to events."""
+        return any(one.wants_events for one in self._listeners)
+
     def remove(self, listener: Listener) -> None:
         """Take a listener away; nothing happens to one that is gone already."""
         if listener in self._listeners:
@@ -66,7 +71,8 @@ class Audience:
         latest = self._story.latest
         for listener in listeners:
             parts, self._pending[id(listener)] = self._pending[id(listener)], []
-            events = [event for part in parts for event in part.events]
+            heard = parts if listener.wants_events else ()
+            events = [event for part in heard for event in part.events]
             surplus = max(0, len(events) - MAX_FRAME_EVENTS)
             listener.give(
                 Frame(
@@ -78,7 +84,7 @@ class Audience:
                     {name: values[name] for name in listener.signals},
                     latest.blocks,
                     tuple(events[surplus:]),
-                    surplus + sum(part.left_out for part in parts),
+                    surplus + sum(part.left_out for part in heard),
                     tuple(message for part in parts for message in part.messages),
                     tuple(found for part in parts for found in part.diagnostics),
                     0,

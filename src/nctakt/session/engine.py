@@ -32,7 +32,7 @@ from nctakt.run.stimuli import as_inputs, read_stimulus
 from nctakt.run.tick_loop import TickLoop
 from nctakt.session.setup import Description, Setup
 from nctakt.session.stops import StopAt, StopBuilder
-from nctakt.trace.chunks import of_kinds
+from nctakt.trace.chunks import latest_of_channels, of_kinds
 from nctakt.trace.events import Event
 from nctakt.trace.recorded import EventList
 from nctakt.trace.sinks import TraceHeader
@@ -142,10 +142,9 @@ class _Happened:
         """Keep events, and forget the oldest of too many."""
         begun = of_kinds(events, _BLOCKS)
         self.block_count += len(begun)
-        if len(begun):
-            for event in begun[-8:]:
-                if event.span is not None:
-                    self.blocks[max(event.channel, 1)] = event.span
+        for event in latest_of_channels(begun):
+            if event.span is not None:
+                self.blocks[max(event.channel, 1)] = event.span
         self._chunks.append(events)
         self._count += len(events)
         while self._count - len(self._chunks[0]) >= MAX_EVENTS:
@@ -257,14 +256,18 @@ class Engine:
         self._machine.inputs.add(inputs)
         self._expected.clear()
 
-    def run(self, end: int, stops: Sequence[StopAt] = ()) -> Slice:
-        """Run up to tick ``end``, to the first tick in which a stop holds, or to the run's end."""
+    def run(self, end: int, stops: Sequence[StopAt] = (), events: bool = True) -> Slice:
+        """Run up to tick ``end``, to the first tick in which a stop holds, or to the run's end.
+
+        Without ``events`` the slice has none; the next one that has any brings them along.
+        """
         if stops != self._stops:
             self._stop_builder.watch(stops)
             self._stops = stops
         first = self.tick
         is_stopped = self._run.advance(end)
-        return self._slice(first, self._stop_builder.hits(self.tick - 1) if is_stopped else [])
+        hits = self._stop_builder.hits(self.tick - 1) if is_stopped else []
+        return self._slice(first, hits, events=events or is_stopped or self._run.state is not None)
 
     def search(self, end: int, stops: Sequence[StopAt]) -> list[int]:
         """Run up to tick ``end``; return the ticks behind which a stop has held."""
@@ -280,8 +283,8 @@ class Engine:
         """Raise ``Failure`` with the mistakes of stops."""
         self._stop_builder.check(stops)
 
-    def _slice(self, first: int, hits: Sequence[int]) -> Slice:
-        events, left_out = self._happened.take()
+    def _slice(self, first: int, hits: Sequence[int], *, events: bool) -> Slice:
+        happened, left_out = self._happened.take() if events else ([], 0)
         inputs, self._inputs = self._inputs, []
         messages = self._loop.recording.messages[self._told_messages :]
         diagnostics = self._diagnostics[self._told_diagnostics :]
@@ -293,7 +296,7 @@ class Engine:
             self._loop.state,
             self._run.state,
             tuple(hits),
-            tuple(events),
+            tuple(happened),
             left_out,
             tuple(messages),
             tuple(diagnostics),

@@ -66,8 +66,11 @@ class Listener:
     ``is_dropped``: it has left too many notices unread, and is told no more.
     """
 
-    def __init__(self, signals: Sequence[str], rate_hz: float) -> None:
+    def __init__(
+        self, signals: Sequence[str], rate_hz: float, *, wants_events: bool = True
+    ) -> None:
         self.signals = tuple(signals)
+        self.wants_events = wants_events
         self._distance_s = 1.0 / rate_hz
         self._due = 0.0
         self._changed = threading.Condition()

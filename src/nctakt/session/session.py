@@ -128,7 +128,7 @@ class Session:
         end = clock.next_tick(begin_s)
         first = self._story.tick
         try:
-            done = self._story.run(end)
+            done = self._story.run(end, events=self._audience.wants_events)
         except (Failure, RuntimeError) as error:
             self._clock = None
             self._audience.tell("refused", str(error))
@@ -218,14 +218,20 @@ class Session:
         while True:
             begin_s = time.monotonic()
             due = clock.next_tick(begin_s)
-            done = self._story.run(due if end is None else min(due, end), stops=stops)
+            is_last = end is not None and due >= end
+            events = is_last or self._audience.wants_events
+            done = self._story.run(
+                due if end is None else min(due, end), stops=stops, events=events
+            )
             clock.note(done.tick - done.first_tick, time.monotonic() - begin_s)
             whole = done if whole is None else joined(whole, done)
             is_past_end = end is not None and done.tick >= end
             is_there = is_past_end or bool(done.hits) or done.run_state is not None
             self._publish(done, at_once=is_there)
-            if is_there or self._is_interrupted:
+            if is_there:
                 return whole
+            if self._is_interrupted:
+                return joined(whole, self._story.step(0))
 
     def step(self, ticks: int = 1) -> Slice:
         """Run this number of ticks, past any stop."""
@@ -311,8 +317,9 @@ class Session:
             self._is_interrupted = False
 
     def _pause(self) -> Slice:
+        was_playing = self._clock is not None
         self._clock = None
-        return self._story.latest
+        return self._story.with_events() if was_playing else self._story.latest
 
     @property
     def speed(self) -> float | None:
@@ -425,9 +432,14 @@ class Session:
     # --- listening ------------------------------------------------------------------------------
 
     @contextlib.contextmanager
-    def listen(self, *signals: str, rate_hz: float = 20.0) -> Iterator[Listener]:
-        """Listen to signals, at most so often a second; raises ``Failure`` for an unknown one."""
-        listener = Listener(signals, rate_hz)
+    def listen(
+        self, *signals: str, rate_hz: float = 20.0, events: bool = True
+    ) -> Iterator[Listener]:
+        """Listen to signals, at most so often a second, and to events unless told not to.
+
+        Raises ``Failure`` for an unknown signal.
+        """
+        listener = Listener(signals, rate_hz, wants_events=events)
         self._ask(self._audience.add, listener, self.speed)
         try:
             yield listener

@@ -88,17 +88,29 @@ class Story:
 
     # --- forward --------------------------------------------------------------------------------
 
-    def run(self, end: int | None = None, *, stops: Sequence[StopAt] | None = None) -> Slice:
+    def run(
+        self,
+        end: int | None = None,
+        *,
+        stops: Sequence[StopAt] | None = None,
+        events: bool = True,
+    ) -> Slice:
         """Run up to tick ``end``, to a stop, or to the end of the run.
 
-        ``stops`` are watched instead of those of the session.
+        ``stops`` are watched instead of those of the session. Without ``events`` those of the slice
+        come with the next one that ends at a stop or has any.
         """
         watched = self.stops if stops is None else tuple(stops)
         last = _NEVER if end is None else end
         if self.delay is None:
-            self._latest = self._timeline.run(last, watched)
+            self._latest = self._timeline.run(last, watched, events=events)
         else:
             self._latest = self._run_acknowledging(last, watched, self.delay)
+        return self._latest
+
+    def with_events(self) -> Slice:
+        """Return the latest slice with the events that were left for later."""
+        self._latest = joined(self._latest, self._timeline.run(self.tick))
         return self._latest
 
     def _run_acknowledging(self, end: int, stops: Sequence[StopAt], delay: int) -> Slice:

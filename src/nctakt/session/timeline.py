@@ -99,9 +99,9 @@ class Timeline:
 
     # --- forward --------------------------------------------------------------------------------
 
-    def run(self, end: int, stops: Sequence[StopAt] = ()) -> Slice:
-        """Run the live controller up to a tick or a stop."""
-        done = self.live.run(end, stops)
+    def run(self, end: int, stops: Sequence[StopAt] = (), *, events: bool = True) -> Slice:
+        """Run the live controller as ``Engine.run``."""
+        done = self.live.run(end, stops, events=events)
         self._blocks = done.decoded
         branch = self.branch
         if done.tick > branch.latest:

@@ -60,9 +60,9 @@ class RemoteEngine:
         self.ask("copy", name)
         return RemoteEngine(self._workshop.accept(name), self._workshop, self.tick)
 
-    def run(self, end: int, stops: Sequence[StopAt] = ()) -> Slice:
+    def run(self, end: int, stops: Sequence[StopAt] = (), *, events: bool = True) -> Slice:
         """Run as ``Engine.run``."""
-        done = cast("Slice", self.ask("run", end, stops))
+        done = cast("Slice", self.ask("run", end, stops, events))
         self.tick = done.tick
         return done
 

@@ -106,6 +106,15 @@ class EventChunk(Sequence[Event]):
         return self._events
 
 
+def latest_of_channels(events: Sequence[Event]) -> Sequence[Event]:
+    """Return the last event of each channel, without decoding the others."""
+    if not isinstance(events, EventChunk):
+        return list({event.channel: event for event in events}.values())
+    channels = events.column(rows.EVENT_CHANNEL)
+    last = {channel: index for index, channel in enumerate(channels)}
+    return events.select(list(last.values()))
+
+
 def of_kinds(events: Sequence[Event], kinds: Collection[int]) -> Sequence[Event]:
     """Return the events of a chunk that are of these kinds of rows; others as they are."""
     return events.of_kinds(kinds) if isinstance(events, EventChunk) else events

@@ -154,7 +154,12 @@ CASES: list[tuple[type[Command], dict[str, object], int, dict[int, float]]] = [
             rows.POSITIONS_AXES + 1: 12,
         },
     ),
-    (commands.BlockMark, {}, rows.BLOCK_MARK, {rows.MARK_TICK: REFERENCE}),
+    (
+        commands.BlockMark,
+        {"calls": 11, "depth": 12},
+        rows.BLOCK_MARK,
+        {rows.MARK_TICK: REFERENCE, rows.MARK_CALLS: 11, rows.MARK_DEPTH: 12},
+    ),
     (
         commands.WaitMark,
         {"reason": 11, "cell": 12},

@@ -3,7 +3,9 @@
 
 from __future__ import annotations
 
+import math
 import random
+from array import array
 
 import pytest
 
@@ -103,10 +105,22 @@ def test_events_stop_by_kind_place_and_value() -> None:
     controller, run = begun()
     first = pack(0, 10, 1)
     kinds = 1 << rows.EVENT_TECHNOLOGY
-    stop = Happens(kinds, first, first | LAST_COLUMN, 100.0, 100.0, ALWAYS, 1)
+    lowest = array("d", [-math.inf] * rows.EVENT_WIDTH)
+    highest = array("d", [math.inf] * rows.EVENT_WIDTH)
+    lowest[rows.EVENT_SOURCE], highest[rows.EVENT_SOURCE] = first, first | LAST_COLUMN
+    lowest[rows.EVENT_A] = highest[rows.EVENT_A] = 100.0
+    stop = Happens(kinds, lowest, highest, ALWAYS, 1)
     ticks = stopping_ticks(stop, controller, run)
     (function,) = Controller().run(NcText("p.nc", PROGRAM), at=PULSES).technology
     assert [1000 * tick for tick in ticks] == [function.time_us]
+
+
+def test_bounds_have_a_value_for_each_column_of_an_event() -> None:
+    """The tick reads them by their number and checks none."""
+    short, whole = array("d", [0.0]), array("d", [0.0] * rows.EVENT_WIDTH)
+    for bounds in ((short, whole), (whole, short)):
+        with pytest.raises(ValueError, match="1"):
+            Happens(1, *bounds, ALWAYS, 1)
 
 
 def test_a_branch_stops_in_each_tick_in_which_its_body_runs() -> None:

@@ -278,7 +278,7 @@ class ProgramDecoder:
                 value = yield from self._values.evaluate(statement.head.number, 0)
             number = int(arithmetic.round_half_even(value))
         if self._environment.marks_blocks:
-            yield BlockMark(self._environment.source_id(statement.span), number)
+            yield self._mark(statement, number)
         match statement:
             case tree.Block():
                 return (yield from self._block(statement, number))
@@ -313,6 +313,15 @@ class ProgramDecoder:
             case _:
                 yield from self._command(statement, number)
         return ""
+
+    def _mark(self, statement: tree.Statement, number: int) -> BlockMark:
+        """Return the mark of a block, with the calls that are open."""
+        calls = self._call_stack
+        calls.top.current = statement.span
+        if calls.path_number is None:
+            calls.path_number = self._environment.path_id(calls.path)
+        source = self._environment.source_id(statement.span)
+        return BlockMark(source, number, calls.path_number, len(calls.frames))
 
     def _block(self, block: tree.Block, number: int, kinds: int = codes.ALL_OFFSETS) -> Decoding:
         """Run the words of a block, then its call, then its end of program.

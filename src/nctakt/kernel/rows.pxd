@@ -80,6 +80,8 @@ cdef enum:
     JOB_DIRECTION = 7
     JOB_TICKS = 8
     MARK_TICK = 3
+    MARK_CALLS = 4
+    MARK_DEPTH = 5
     WAIT_REASON = 3
     WAIT_CELL = 4
     TIMER_NUMBER = 3

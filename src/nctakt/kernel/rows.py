@@ -144,7 +144,11 @@ def _arguments(count: int) -> range:
     JOB_DIRECTION,  # 1, -1; 0: the shorter way
     JOB_TICKS,  # how long the default PLC takes
 ) = _arguments(6)
-(MARK_TICK,) = _arguments(1)  # BLOCK_MARK: tick in which the block was decoded
+(
+    MARK_TICK,  # BLOCK_MARK: tick in which the block was decoded
+    MARK_CALLS,  # number of the open calls (``run/event_registry.py``)
+    MARK_DEPTH,  # how many programs are open, from 1
+) = _arguments(3)
 (
     WAIT_REASON,  # ``decoder/state/commands.py``
     WAIT_CELL,  # the variable, 0 for none
@@ -337,7 +341,7 @@ FEED_MOTION, RAPID_MOTION = range(2)
     EVENT_SPINDLE_REACHED,  # spindle
     EVENT_SPINDLE_POSITION,  # spindle, degrees
     EVENT_FROZEN,  # number of the variable's text, value; the source is the access
-    EVENT_BLOCK,  # subject: number of the block; tick in which it was decoded
+    EVENT_BLOCK,  # subject: number of the block; tick in which it was decoded, open calls, depth
     EVENT_WAIT,  # subject: reason; cell; the source is what waits
     EVENT_LOOP,  # subject: ``LOOP_BEGUN`` …; the source is the loop
     EVENT_PROBED,  # length that is left of the block behind the joint

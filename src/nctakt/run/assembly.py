@@ -300,6 +300,7 @@ class AssembledMachine:
             self.files.number,
             self.files.line_at,
             self.registry.add_user_text,
+            self.registry.add_path,
             max_speeds(self.configuration, channel),
             notice,
             subprogram,

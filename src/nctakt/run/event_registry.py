@@ -8,6 +8,7 @@ from collections.abc import Callable, Sequence
 from nctakt.base.diagnostics import Span
 from nctakt.base.source_ids import SourceFiles, begins_at
 from nctakt.decoder.cycles.builder import CycleDefinition
+from nctakt.decoder.state.call_stack import OpenCall
 from nctakt.decoder.state.commands import UserMessage
 from nctakt.decoder.state.uncertain_axes import LivingCycle
 from nctakt.kernel import codes
@@ -39,6 +40,8 @@ class EventRegistry:
         self._threads: Sequence[str] = ()
         self._variable_texts: list[str] = []
         self._user_texts: list[str] = []
+        self._paths: list[tuple[OpenCall, ...]] = [()]
+        self._path_numbers: dict[tuple[OpenCall, ...], int] = {}
         self._spindles = spindles
         self._variable_numbers: dict[str, int] = {}
         self._latest: dict[str, CycleDefinition] = {}
@@ -76,6 +79,10 @@ class EventRegistry:
     def user_text(self, number: int) -> str:
         """Return a user's text that belongs to an error."""
         return self._user_texts[number]
+
+    def path(self, number: int) -> tuple[OpenCall, ...]:
+        """Return the programs that were open at a block, the main program first."""
+        return self._paths[number]
 
     def program(self, number: int) -> str:
         """Return the file name of a program."""
@@ -165,6 +172,13 @@ class EventRegistry:
         """Register a text that belongs to a user error and return its number."""
         self._user_texts.append(text)
         return len(self._user_texts) - 1
+
+    def add_path(self, path: tuple[OpenCall, ...]) -> int:
+        """Register open programs and return their number, the same each time."""
+        if path not in self._path_numbers:
+            self._path_numbers[path] = len(self._paths)
+            self._paths.append(path)
+        return self._path_numbers[path]
 
     def add_program(self, name: str) -> int:
         """Register a program and return its number."""

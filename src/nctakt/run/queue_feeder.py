@@ -34,7 +34,7 @@ class QueueFeeder:
 
     Blocks of ``skip_levels`` are left out; ``marks_blocks``: events tell when each block was
     decoded and when it is executed, and why the channel is flushed. ``fatal_error``: the decoder's
-    error that has stopped the program.
+    error that has stopped the program. ``state``: the modal state of the decoder.
     """
 
     def __init__(
@@ -67,6 +67,7 @@ class QueueFeeder:
             takes_runs=budget is None,
         )
         self._decoded: Generator[Command, Answer] = self._decoder.decode(program.text)
+        self.state = state
         self.fatal_error: Diagnostic | None = None
         self._waiting: Command | None = None
         self._unloaded: commands.LoadCycle | None = None

@@ -108,6 +108,11 @@ class VariableAccess:
             raise Failure(diagnostic(UNKNOWN_CHANNEL, channel=number, count=len(self._names)))
         return number - 1
 
+    def cell_of(self, name: str) -> tuple[int, bool]:
+        """Return the cell of a variable, and whether it is a text; raises ``Failure``."""
+        location, cell = self._find(name)
+        return cell, not location.is_numeric
+
     def read(self, name: str) -> float | bool | str:
         """Return the value of a variable; a written value is returned before it is latched."""
         shown = self._find_panel(name)

@@ -18,6 +18,7 @@ from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Diagnostic, Span
 from nctakt.base.failure import Failure
 from nctakt.decoder.cycles.builder import CycleDefinition
+from nctakt.decoder.state.call_stack import OpenCall
 from nctakt.files.access import FileAccess
 from nctakt.kernel import codes, rows
 from nctakt.kernel.cycles.context import context_of
@@ -30,6 +31,7 @@ from nctakt.run.plc_view import PlcView, SpindleEntry, TechnologyEntry
 from nctakt.run.program_run import ProgramRun, RunOptions
 from nctakt.run.stimuli import as_inputs, read_stimulus
 from nctakt.run.tick_loop import TickLoop
+from nctakt.session.decoders import DecoderState, decoder_state
 from nctakt.session.setup import Description, Setup
 from nctakt.session.stops import StopAt, StopBuilder
 from nctakt.trace.chunks import latest_of_channels, of_kinds
@@ -52,9 +54,10 @@ class Slice:
 
     ``run_state`` has a value once the run is over. ``hits``: the stops that held in the last tick,
     by their index; they have ended the slice. ``blocks``: number of the channel -> place of its
-    current block; ``decoding``: place of what its decoder has given last. ``inputs``: all that came
-    from outside, in its order. ``decoded``: blocks that have been passed so far. ``differs``: the
-    first tick in which the PLC did otherwise than the tape says.
+    current block, ``calls``: the programs that are open there, the main program first;
+    ``decoding``: place of what its decoder has given last. ``inputs``: all that came from outside,
+    in its order. ``decoded``: blocks that have been passed so far. ``differs``: the first tick in
+    which the PLC did otherwise than the tape says.
     """
 
     first_tick: int
@@ -71,6 +74,7 @@ class Slice:
     decoded: int
     differs: int | None = None
     decoding: Mapping[int, Span] = field(default_factory=dict)
+    calls: Mapping[int, tuple[OpenCall, ...]] = field(default_factory=dict)
 
 
 def joined(first: Slice, second: Slice) -> Slice:
@@ -133,6 +137,7 @@ class _Happened:
         self._count = 0
         self.left_out = 0
         self.blocks: dict[int, Span] = {}
+        self.calls: dict[int, int] = {}
         self.block_count = 0
 
     def open(self, header: TraceHeader) -> None:
@@ -142,9 +147,10 @@ class _Happened:
         """Keep events, and forget the oldest of too many."""
         begun = of_kinds(events, _BLOCKS)
         self.block_count += len(begun)
-        for event in latest_of_channels(begun):
+        for event, calls in latest_of_channels(begun, rows.EVENT_B):
             if event.span is not None:
                 self.blocks[max(event.channel, 1)] = event.span
+                self.calls[max(event.channel, 1)] = int(calls)
         self._chunks.append(events)
         self._count += len(events)
         while self._count - len(self._chunks[0]) >= MAX_EVENTS:
@@ -305,6 +311,10 @@ class Engine:
             self._happened.block_count,
             self._differs,
             self._decoding(),
+            {
+                channel: self._machine.registry.path(number)
+                for channel, number in self._happened.calls.items()
+            },
         )
 
     def _decoding(self) -> dict[int, Span]:
@@ -376,6 +386,14 @@ class Engine:
     def happened(self) -> tuple[list[Event], int]:
         """Return the latest events that no slice has, and how many there were before them."""
         return self._happened.take()
+
+    def decoders(self) -> list[DecoderState]:
+        """Return the decoders that have a program open."""
+        return [
+            decoder_state(number, channel.feeder.state)
+            for number, channel in enumerate(self._loop.channels, start=1)
+            if channel.feeder is not None
+        ]
 
     def waiting(self) -> list[tuple[int, TechnologyEntry | SpindleEntry]]:
         """Return what waits for its acknowledgement, each with its channel.

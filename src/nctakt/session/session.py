@@ -29,6 +29,7 @@ from nctakt.run.program_loader import NcText
 from nctakt.run.stimuli import StimulusLike
 from nctakt.session.audience import Audience
 from nctakt.session.clock import SLICE_S, FastClock, WallClock
+from nctakt.session.decoders import DecoderState
 from nctakt.session.engine import CycleState, Glance, Slice, joined
 from nctakt.session.listening import Listener
 from nctakt.session.setup import Description, Setup
@@ -420,6 +421,10 @@ class Session:
         distance comes with them. The session stays where it is.
         """
         return self._ask(self._story.look, first, end, signals, rows)
+
+    def decoders(self) -> list[DecoderState]:
+        """Return the decoders with a program open: their programs, variables, parameters."""
+        return self._ask(self._story.decoders)
 
     def result(self) -> Run:
         """Return the result of the run up to here; the session goes on."""

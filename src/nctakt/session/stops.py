@@ -6,7 +6,9 @@ In: a ``StopAt``, or its text. Out: the kernel's stop for it, in a machine with 
 
 from __future__ import annotations
 
+import math
 import re
+from array import array
 from collections.abc import Iterable, Sequence
 from typing import Any, Literal, NoReturn
 
@@ -18,7 +20,16 @@ from nctakt.decoder.cycles.watching import read_condition
 from nctakt.hli.function_codes import code_of
 from nctakt.kernel import codes, rows
 from nctakt.kernel.cycles.expressions import Constant, Expression
-from nctakt.kernel.tick.stops import BecomesTrue, Changes, Happens, Runs, Stop, Turns
+from nctakt.kernel.tick.stops import (
+    BecomesTrue,
+    BlockUpToDepth,
+    Changes,
+    Happens,
+    Runs,
+    RunsThrough,
+    Stop,
+    Turns,
+)
 from nctakt.messages import diagnostic
 from nctakt.messages.folders import UNKNOWN_CHANNEL
 from nctakt.messages.session import NOT_A_STOP, TOO_MANY_STOPS
@@ -28,24 +39,37 @@ from nctakt.run.assembly import AssembledMachine
 MAX_STOPS = 1000
 
 Kind = Literal[
-    "block", "fires", "runs", "turns", "false", "condition", "changes", "function", "message",
-    "error", "handed",
+    "block", "fires", "runs", "turns", "false", "cycle", "condition", "changes", "written",
+    "function", "message", "error", "notice", "handed",
 ]  # fmt: skip
-
-#: A limit that no value of an event passes.
-_ANY = 1e300
 
 _EVENTS: dict[Kind, tuple[int, ...]] = {
     "block": (rows.EVENT_BLOCK,),
     "fires": (rows.EVENT_FIRED,),
+    "written": (rows.EVENT_WRITTEN, rows.EVENT_WRITTEN_TEXT),
     "function": (rows.EVENT_TECHNOLOGY, rows.EVENT_TECHNOLOGY_RT),
     "message": (rows.EVENT_MESSAGE,),
     "error": (rows.EVENT_ERROR, rows.EVENT_USER_ERROR),
     "handed": (rows.EVENT_TECHNOLOGY, rows.EVENT_TECHNOLOGY_RT, rows.EVENT_SPINDLE),
+    "notice": (rows.EVENT_NOTICE,),
 }
 
+#: The kinds that watch the nodes of realtime cycles.
+_OF_CYCLES: tuple[Kind, ...] = ("runs", "turns", "false", "cycle")
+
 _LINE = re.compile(r"(?:(?P<file>\S.*?):)?(?P<line>\d+)")
-_WORDS: dict[str, Kind] = {"line": "block", "fires": "fires", "runs": "runs", "turns": "turns"}
+_WORDS: dict[str, Kind] = {
+    "line": "block", "fires": "fires", "runs": "runs", "turns": "turns", "cycle": "cycle",
+}  # fmt: skip
+_NAMED: dict[str, Kind] = {"changes": "changes", "written": "written"}
+_ALONE: dict[str, Kind] = {"message": "message", "error": "error", "notice": "notice"}
+
+#: A serial number that no cycle reaches.
+_ANY_SERIAL = 1 << 53
+
+#: How many kinds of parts a written text has: the only one, the first, the last, one between.
+_TEXT_PARTS = 4
+
 _FUNCTION = re.compile(r"(?P<letter>[MHT])(?P<number>\d+)", re.IGNORECASE)
 
 
@@ -54,12 +78,14 @@ class StopAt:
     """Where a session stops.
 
     ``kind``: a ``block`` of a line becomes current; a branch in a line ``fires``, that is begins a
-    series of runs, or ``runs``, in any tick; its condition ``turns`` true, or turns ``false``; a
-    ``condition`` becomes true; the value of an expression ``changes``; a ``function`` goes out; a
-    ``message``; an ``error``; anything is ``handed`` to the PLC, a function or a spindle's job.
-    ``text``: the expression or function. ``file``: empty for any file.
-    ``only_if``: an expression that must be true as well. ``count``: how often it must hold.
-    ``channel``: the one whose variables the expressions name, from 1.
+    series of runs, or ``runs``, in any tick; its condition ``turns`` true, or turns ``false``; the
+    realtime ``cycle`` that begins in a line runs; a ``condition`` becomes true; the value of an
+    expression ``changes``; a cycle has ``written`` another value into a variable; a ``function``
+    goes out; a ``message``; an ``error``; a ``notice`` about a cycle; anything is ``handed`` to the PLC,
+    a function or a spindle's job. ``text``: the expression, variable or function. ``file``: empty for any file. ``only_if``: an expression that must be true
+    as well. ``count``: how often it must hold. ``channel``: the one whose variables the expressions
+    name, from 1; with ``is_of_channel`` a block or event holds in no other. ``max_depth``: at most
+    so many programs are open in the last block of the tick, 0: any number.
     """
 
     kind: Kind
@@ -69,14 +95,17 @@ class StopAt:
     only_if: str = ""
     count: int = 1
     channel: int = 1
+    is_of_channel: bool = False
+    max_depth: int = 0
 
 
 def read_stop(text: str) -> StopAt:
     """Return the stop of a text.
 
-    ``line 12`` or ``line part.nc:12``, ``fires 6``, ``runs 6``, ``turns 6``, ``changes V.E.X``,
-    ``M100``, ``message``, ``error``; anything else is a condition. ``… if CONDITION`` and
-    ``… 3 times`` may follow. Raises ``Failure`` (901150).
+    ``line 12`` or ``line part.nc:12``, ``fires 6``, ``runs 6``, ``turns 6``, ``cycle 5``,
+    ``changes V.E.X``, ``written V.E.X``, ``M100``, ``message``, ``error``, ``notice``; anything
+    else is a condition. ``… if CONDITION`` and ``… 3 times`` may follow. Raises ``Failure``
+    (901150).
     """
     text, count = _divided(text.strip(), re.compile(r"(.*\S)\s+(\d+)\s+times", re.IGNORECASE))
     text, only_if = _divided(text, re.compile(r"(.*\S)\s+if\s+(\S.*)", re.IGNORECASE))
@@ -90,20 +119,35 @@ def read_stop(text: str) -> StopAt:
             raise Failure(diagnostic(NOT_A_STOP, text=text))
         file = line["file"] or ""
         return StopAt(_WORDS[word.lower()], file=file, line=int(line["line"]), **options)
-    if word.lower() == "changes" and rest:
-        return StopAt("changes", rest.strip(), **options)
+    if word.lower() in _NAMED and rest:
+        return StopAt(_NAMED[word.lower()], rest.strip(), **options)
     if _FUNCTION.fullmatch(text):
         return StopAt("function", text.upper(), **options)
-    if text.lower() == "message":
-        return StopAt("message", **options)
-    if text.lower() == "error":
-        return StopAt("error", **options)
+    if text.lower() in _ALONE:
+        return StopAt(_ALONE[text.lower()], **options)
     return StopAt("condition", text, **options)
 
 
 def _divided(text: str, pattern: re.Pattern[str]) -> tuple[str, str]:
     match = pattern.fullmatch(text)
     return (text, "") if match is None else (match[1], match[2])
+
+
+class _Bounds:
+    """The lowest and the highest value of each column of an event; without limits at first."""
+
+    def __init__(self) -> None:
+        self._lowest = array("d", [-math.inf] * rows.EVENT_WIDTH)
+        self._highest = array("d", [math.inf] * rows.EVENT_WIDTH)
+
+    def limit(self, column: int, low: float, high: float) -> None:
+        """Limit a column."""
+        self._lowest[column] = low
+        self._highest[column] = high
+
+    def stop(self, kinds: int, guard: Expression, count: int) -> Happens:
+        """Return the kernel's stop for events of these kinds within the bounds of now."""
+        return Happens(kinds, self._lowest[:], self._highest[:], guard, count)
 
 
 class StopBuilder:
@@ -150,25 +194,47 @@ class StopBuilder:
                 return (BecomesTrue(self._condition(stop, stop.text), 1, guard, stop.count),)
             case "changes":
                 return (Changes(self._condition(stop, stop.text), guard, stop.count),)
-            case "runs" | "turns" | "false":
-                return self._in_cycles(stop, self._definitions)
+        if stop.kind in _OF_CYCLES:
+            return self._in_cycles(stop, self._definitions)
         return tuple(self._events(stop, guard))
 
     def _events(self, stop: StopAt, guard: Expression) -> Iterable[Stop]:
         kinds = sum(1 << kind for kind in _EVENTS[stop.kind])
-        low, high = -_ANY, _ANY
+        bounds = _Bounds()
+        channel = stop.channel if stop.is_of_channel and len(self._machine.assembled) > 1 else 0
+        if stop.max_depth:
+            yield BlockUpToDepth(channel, stop.max_depth, guard, stop.count)
+            return
+        if channel:
+            bounds.limit(rows.EVENT_CHANNEL, channel, channel)
         if stop.kind == "function":
             match = _FUNCTION.fullmatch(stop.text)
             if match is None:
                 raise Failure(diagnostic(NOT_A_STOP, text=stop.text))
-            low = high = float(code_of(match["letter"].upper(), int(match["number"])))
+            code = code_of(match["letter"].upper(), int(match["number"]))
+            bounds.limit(rows.EVENT_A, code, code)
+        if stop.kind == "written":
+            bounds.limit(rows.EVENT_SUBJECT, 1, _ANY_SERIAL)
+            yield from self._writes(stop, bounds, guard)
+            return
         for first, last in self._sources(stop):
-            yield Happens(kinds, first, last, low, high, guard, stop.count)
+            bounds.limit(rows.EVENT_SOURCE, first, last)
+            yield bounds.stop(kinds, guard, stop.count)
 
-    def _sources(self, stop: StopAt) -> Iterable[tuple[int, int]]:
+    def _writes(self, stop: StopAt, bounds: _Bounds, guard: Expression) -> Iterable[Stop]:
+        """Yield the stops for what cycles write into a variable, of a text for each part."""
+        prefix = f"CH{stop.channel}." if stop.channel > 1 else ""
+        cell, is_text = self._machine.access.cell_of(f"{prefix}{stop.text}")
+        kind = rows.EVENT_WRITTEN_TEXT if is_text else rows.EVENT_WRITTEN
+        for part in range(_TEXT_PARTS if is_text else 1):
+            number = part * rows.TEXT_PART + cell
+            bounds.limit(rows.EVENT_A, number, number)
+            yield bounds.stop(1 << kind, guard, stop.count)
+
+    def _sources(self, stop: StopAt) -> Iterable[tuple[float, float]]:
         """Yield the source ids of the line of a stop, in each file that it may mean."""
         if not stop.line:
-            yield 0, 1 << 53
+            yield -math.inf, math.inf
             return
         line = min(stop.line, LAST_LINE)
         for index, name in enumerate(self._machine.files.names):
@@ -178,11 +244,16 @@ class StopBuilder:
 
     def _in_cycles(self, stop: StopAt, definitions: Iterable[CycleDefinition]) -> list[Stop]:
         """Return the stops in the nodes of realtime cycles."""
-        if stop.kind not in ("runs", "turns", "false"):
+        if stop.kind not in _OF_CYCLES:
             return []
         guard = self._guard(stop)
         found: list[Stop] = []
         for definition in definitions:
+            begin = definition.span
+            if stop.kind == "cycle":
+                if begin.line == stop.line and names_file(stop.file, begin.file):
+                    found.append(RunsThrough(definition.cycle, guard, stop.count))
+                continue
             for branch in definition.reactions:
                 if branch.span.line != stop.line or not names_file(stop.file, branch.span.file):
                     continue

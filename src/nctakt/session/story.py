@@ -17,6 +17,7 @@ from nctakt.lists.format.times import TimeLike, read_time
 from nctakt.results.run import Run
 from nctakt.run.inputs import ACKNOWLEDGE, ACKNOWLEDGE_SPINDLE, WRITE, Input
 from nctakt.run.plc_view import SpindleEntry, TechnologyEntry
+from nctakt.session.decoders import DecoderState
 from nctakt.session.engine import CycleState, Glance, Slice, joined
 from nctakt.session.past import Past
 from nctakt.session.setup import Description, Setup
@@ -259,6 +260,10 @@ class Story:
         return Past(self._timeline.setup, tuple(self.tape()), self.tick)
 
     # --- the end --------------------------------------------------------------------------------
+
+    def decoders(self) -> list[DecoderState]:
+        """Return the decoders that have a program open at this tick."""
+        return cast("list[DecoderState]", self._timeline.live.ask("decoders"))
 
     def result(self) -> Run:
         """Return the result of the run so far; the session stays where it is."""

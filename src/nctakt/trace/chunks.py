@@ -106,13 +106,17 @@ class EventChunk(Sequence[Event]):
         return self._events
 
 
-def latest_of_channels(events: Sequence[Event]) -> Sequence[Event]:
-    """Return the last event of each channel, without decoding the others."""
+def latest_of_channels(events: Sequence[Event], column: int) -> list[tuple[Event, float]]:
+    """Return the last event of each channel with one of its columns (``rows.EVENT_B`` …).
+
+    The others are not decoded. Events that do not come as rows have no columns: none of them.
+    """
     if not isinstance(events, EventChunk):
-        return list({event.channel: event for event in events}.values())
+        return []
     channels = events.column(rows.EVENT_CHANNEL)
     last = {channel: index for index, channel in enumerate(channels)}
-    return events.select(list(last.values()))
+    latest = events.select(list(last.values()))
+    return list(zip(latest, latest.column(column), strict=True))
 
 
 def of_kinds(events: Sequence[Event], kinds: Collection[int]) -> Sequence[Event]:

@@ -35,40 +35,66 @@ class ModalCall:
     line: int = 0
 
 
+@dataclass(frozen=True, slots=True)
+class OpenCall:
+    """A program that is open: its name, and where it is; ``None`` for the innermost one."""
+
+    name: str
+    span: Span | None
+
+
 @dataclass(slots=True)
 class CallFrame:
     """A program being decoded; ``arguments``: @P1, @P2, … of its cycle, ``None`` without a cycle.
 
-    A subprogram called by a cycle uses the arguments of the cycle.
+    A subprogram called by a cycle uses the arguments of the cycle. ``current``: the span of its
+    latest statement.
     """
 
     text: ProgramText
     section: Section
     arguments: dict[int, float | str] | None = None
     modal: ModalCall | None = None
+    current: Span | None = None
+
+    @property
+    def name(self) -> str:
+        """The name of a section, else of the file without its folders."""
+        return self.section.name or self.text.source.file.replace("\\", "/").rsplit("/", 1)[-1]
 
 
 @dataclass(slots=True)
 class CallStack:
     """The frames from the main program on; ``scopes``: their variables.
 
-    ``modal_count``: the number of frames with a modal call.
+    ``modal_count``: the number of frames with a modal call. ``path_number``: a number for ``path``,
+    ``None`` until somebody has given it one.
     """
 
     frames: list[CallFrame] = field(default_factory=list)
     modal_count: int = 0
     scopes: Scopes = field(default_factory=lambda: Scopes({}))
+    path_number: int | None = None
 
     def enter(self, frame: CallFrame) -> None:
         """Enter a program with its own variables, V.CYC included if it is a cycle."""
         self.scopes.enter(is_cycle=frame.arguments is not None or not self.frames)
         self.frames.append(frame)
+        self.path_number = None
 
     def leave(self) -> None:
         """Leave the innermost program."""
         self.set_modal(None)
         frame = self.frames.pop()
         self.scopes.leave(is_cycle=frame.arguments is not None)
+        self.path_number = None
+
+    @property
+    def path(self) -> tuple[OpenCall, ...]:
+        """The open programs from the main program on, each with its call of the next one."""
+        inner = self.frames[-1]
+        outer = (OpenCall(frame.name, frame.current) for frame in self.frames[:-1])
+        return (*outer, OpenCall(inner.name, None))
 
     def set_modal(self, call: ModalCall | None) -> None:
         """Set or clear the modal call of the innermost program."""

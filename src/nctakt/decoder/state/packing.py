@@ -103,7 +103,7 @@ def pack(command: Command, reference: int = 0) -> list[float]:
         case PositionRequest():
             return [rows.POSITIONS, *head, True, len(command.axes), *command.axes]
         case BlockMark():
-            return [rows.BLOCK_MARK, *head, reference]
+            return [rows.BLOCK_MARK, *head, reference, command.calls, command.depth]
         case WaitMark():
             return [rows.WAIT_MARK, *head, command.reason, command.cell]
         case ProgramTimer():

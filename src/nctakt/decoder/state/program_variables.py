@@ -152,7 +152,8 @@ class Scopes:
         if is_cycle:
             self._cycles.pop()
 
-    def _scopes_of(self, family: str) -> Sequence[Variables]:
+    def scopes_of(self, family: str) -> Sequence[Variables]:
+        """Return the scopes of a family in which a name is looked for, the innermost first."""
         match family:
             case "P":
                 return (self._program,)
@@ -164,7 +165,7 @@ class Scopes:
 
     def find(self, family: str, path: str) -> ProgramVariable | None:
         """Return a variable by its path without indices, ``None`` if there is none."""
-        for scope in self._scopes_of(family):
+        for scope in self.scopes_of(family):
             if path in scope:
                 return scope[path]
         return None
@@ -173,7 +174,7 @@ class Scopes:
         """Return a variable as ``find``; raises ``VariableError`` 20932 if there is none."""
         variable = self.find(family, path)
         if variable is None:
-            names = [name for scope in self._scopes_of(family) for name in scope]
+            names = [name for scope in self.scopes_of(family) for name in scope]
             near = nearest(path, names)
             shown = f"V.{family}.{near}" if near else "–"
             raise VariableError(VARIABLE_NOT_PRESENT, name=f"V.{family}.{path}", nearest=shown)
@@ -192,12 +193,12 @@ class Scopes:
     def declare(self, family: str, path: str, variable: ProgramVariable) -> None:
         """Declare a variable in the innermost scope, replacing one of the same name."""
         self.changes += 1
-        self._scopes_of(family)[0][path] = variable
+        self.scopes_of(family)[0][path] = variable
 
     def delete(self, family: str, path: str) -> None:
         """Delete a variable, or the whole family for an empty path; unknown ones are ignored."""
         self.changes += 1
-        for scope in self._scopes_of(family):
+        for scope in self.scopes_of(family):
             if not path:
                 scope.clear()
             elif scope.pop(path, None) is not None:

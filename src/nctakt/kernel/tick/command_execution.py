@@ -219,7 +219,9 @@ class CommandExecutor:
         elif kind == rows.BLOCK_MARK:
             number = int(self.queue.rows[row + rows.BLOCK_NUMBER])
             decoded_tick = self.queue.rows[row + rows.MARK_TICK]
-            self.record.event(rows.EVENT_BLOCK, source, number, decoded_tick)
+            calls = self.queue.rows[row + rows.MARK_CALLS]
+            depth = self.queue.rows[row + rows.MARK_DEPTH]
+            self.record.event(rows.EVENT_BLOCK, source, number, decoded_tick, calls, depth)
         else:
             reason = int(self.queue.rows[row + rows.WAIT_REASON])
             cell = self.queue.rows[row + rows.WAIT_CELL]

@@ -6,6 +6,7 @@ from nctakt.kernel.base.record cimport Record
 from nctakt.kernel.cycles.branches cimport Reaction
 from nctakt.kernel.cycles.conditions cimport Condition
 from nctakt.kernel.cycles.context cimport Context
+from nctakt.kernel.cycles.cycles cimport RealtimeCycle
 from nctakt.kernel.cycles.expressions cimport Expression
 
 cdef class Stop:
@@ -36,15 +37,25 @@ cdef class Changes(Stop):
 
 cdef class Happens(Stop):
     cdef long long kinds
-    cdef double first_source
-    cdef double last_source
-    cdef double low
-    cdef double high
+    cdef double[::1] lowest
+    cdef double[::1] highest
     @cython.locals(number=Py_ssize_t, row=Py_ssize_t, kind=int)
+    cdef int holds(self, Context context, Record record) noexcept nogil
+    @cython.locals(column=Py_ssize_t, value=double)
+    cdef int has_within(self, Py_ssize_t row, Record record) noexcept nogil
+
+cdef class BlockUpToDepth(Stop):
+    cdef int channel
+    cdef int max_depth
+    @cython.locals(number=Py_ssize_t, row=Py_ssize_t, kind=int, channel=int)
     cdef int holds(self, Context context, Record record) noexcept nogil
 
 cdef class Runs(Stop):
     cdef Reaction reaction
+    cdef int holds(self, Context context, Record record) noexcept nogil
+
+cdef class RunsThrough(Stop):
+    cdef RealtimeCycle cycle
     cdef int holds(self, Context context, Record record) noexcept nogil
 
 cdef class Turns(Stop):

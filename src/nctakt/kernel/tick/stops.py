@@ -8,11 +8,14 @@ the instructions that the cycles may run.
 
 from __future__ import annotations
 
+from collections.abc import MutableSequence
+
 from nctakt.kernel import codes, rows
 from nctakt.kernel.base.record import Record
 from nctakt.kernel.cycles.branches import Reaction
 from nctakt.kernel.cycles.conditions import Condition
 from nctakt.kernel.cycles.context import Context, context_of
+from nctakt.kernel.cycles.cycles import RealtimeCycle
 from nctakt.kernel.cycles.expressions import Expression
 
 
@@ -84,28 +87,26 @@ class Changes(Stop):
 
 
 class Happens(Stop):
-    """An event of one of the ``kinds`` happens, a set of bits.
+    """An event of one of the ``kinds`` happens, a set of bits, with its columns within bounds.
 
-    Its place in the programs is from ``first_source`` up to ``last_source``, and ``EVENT_A`` from
-    ``low`` up to ``high``.
+    ``lowest`` and ``highest`` have a value for each column of an event; raises ``ValueError`` for
+    another number of them.
     """
 
     def __init__(
         self,
         kinds: int,
-        first_source: int,
-        last_source: int,
-        low: float,
-        high: float,
+        lowest: MutableSequence[float],
+        highest: MutableSequence[float],
         guard: Expression,
         hits_needed: int,
     ) -> None:
         super().__init__(guard, hits_needed)
+        if len(lowest) != rows.EVENT_WIDTH or len(highest) != rows.EVENT_WIDTH:
+            raise ValueError((len(lowest), len(highest)))
         self.kinds = kinds
-        self.first_source = first_source
-        self.last_source = last_source
-        self.low = low
-        self.high = high
+        self.lowest = lowest
+        self.highest = highest
 
     def holds(self, context: Context, record: Record) -> int:
         number = record.event_count
@@ -115,12 +116,43 @@ class Happens(Stop):
             if record.events[row + rows.EVENT_TICK] != context.tick:
                 return 0
             kind = int(record.events[row + rows.EVENT_KIND])
-            if (
-                self.kinds >> kind & 1
-                and self.first_source <= record.events[row + rows.EVENT_SOURCE] <= self.last_source
-                and self.low <= record.events[row + rows.EVENT_A] <= self.high
-            ):
+            if self.kinds >> kind & 1 and self.has_within(row, record):
                 return 1
+        return 0
+
+    def has_within(self, row: int, record: Record) -> int:
+        """Return whether the columns of an event lie within the bounds, or are no numbers."""
+        column = 0
+        while column < rows.EVENT_WIDTH:
+            value = record.events[row + column]
+            if value < self.lowest[column] or value > self.highest[column]:
+                return 0
+            column += 1
+        return 1
+
+
+class BlockUpToDepth(Stop):
+    """Blocks become current, and in the last of them at most ``max_depth`` programs are open.
+
+    ``channel``: its number in events, 0: any.
+    """
+
+    def __init__(self, channel: int, max_depth: int, guard: Expression, hits_needed: int) -> None:
+        super().__init__(guard, hits_needed)
+        self.channel = channel
+        self.max_depth = max_depth
+
+    def holds(self, context: Context, record: Record) -> int:
+        number = record.event_count
+        while number > 0:
+            number -= 1
+            row = number * rows.EVENT_WIDTH
+            if record.events[row + rows.EVENT_TICK] != context.tick:
+                return 0
+            kind = int(record.events[row + rows.EVENT_KIND])
+            channel = int(record.events[row + rows.EVENT_CHANNEL])
+            if kind == rows.EVENT_BLOCK and self.channel in (0, channel):
+                return 1 if record.events[row + rows.EVENT_C] <= self.max_depth else 0
         return 0
 
 
@@ -133,6 +165,17 @@ class Runs(Stop):
 
     def holds(self, context: Context, record: Record) -> int:
         return 1 if self.reaction.next_tick == context.tick + 1 else 0
+
+
+class RunsThrough(Stop):
+    """A realtime cycle runs."""
+
+    def __init__(self, cycle: RealtimeCycle, guard: Expression, hits_needed: int) -> None:
+        super().__init__(guard, hits_needed)
+        self.cycle = cycle
+
+    def holds(self, context: Context, record: Record) -> int:
+        return 1 if self.cycle.next_tick == context.tick + 1 else 0
 
 
 class Turns(Stop):

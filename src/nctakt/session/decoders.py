@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: MIT
+"""The decoder of a channel at a tick: its open programs, their variables, the parameters.
+
+In: the decoder's modal state. Out: a ``DecoderState`` that can travel between processes. The
+decoder works ahead of the path: what it shows is later in the program than the current block.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from nctakt.base.dataclass import dataclass
+from nctakt.base.diagnostics import Span
+from nctakt.decoder.state.modal_state import ModalState
+from nctakt.decoder.state.program_variables import ProgramVariable, Scopes, Variables
+
+#: Elements of an array that are shown.
+MAX_ELEMENTS = 1000
+
+
+@dataclass(frozen=True, slots=True)
+class DecoderVariable:
+    """A variable of a program: the first of its ``count`` elements, one without dimensions."""
+
+    name: str
+    type: str
+    dimensions: tuple[int, ...]
+    count: int
+    values: tuple[float | str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class DecoderFrame:
+    """A program that is open: its latest block, its V.L, its arguments @P1, @P2, … of a cycle."""
+
+    name: str
+    span: Span | None
+    variables: tuple[DecoderVariable, ...]
+    arguments: Mapping[int, float | str]
+
+
+@dataclass(frozen=True, slots=True)
+class DecoderState:
+    """The decoder of a channel; ``frames`` from the main program on.
+
+    ``program``: V.P, ``kept``: V.S, ``cycle``: V.CYC of the innermost cycle, ``parameters``: P1 …
+    """
+
+    channel: int
+    frames: tuple[DecoderFrame, ...]
+    program: tuple[DecoderVariable, ...]
+    kept: tuple[DecoderVariable, ...]
+    cycle: tuple[DecoderVariable, ...]
+    parameters: Mapping[int, float]
+
+
+def decoder_state(channel: int, state: ModalState) -> DecoderState:
+    """Return what there is to see of a decoder."""
+    stack = state.call_stack
+    scopes = stack.scopes
+    local = scopes.scopes_of("L")[::-1]
+    frames = tuple(
+        DecoderFrame(frame.name, frame.current, _shown("L", variables), dict(frame.arguments or {}))
+        for frame, variables in zip(stack.frames, local, strict=True)
+    )
+    return DecoderState(
+        channel,
+        frames,
+        _innermost("P", scopes),
+        _innermost("S", scopes),
+        _innermost("CYC", scopes),
+        dict(sorted(state.parameters.items())),
+    )
+
+
+def _innermost(family: str, scopes: Scopes) -> tuple[DecoderVariable, ...]:
+    """Return the variables of the innermost scope of a family."""
+    own = scopes.scopes_of(family)
+    return _shown(family, own[0]) if own else ()
+
+
+def _shown(family: str, variables: Variables) -> tuple[DecoderVariable, ...]:
+    return tuple(_one(f"V.{family}.{path}", variable) for path, variable in variables.items())
+
+
+def _one(name: str, variable: ProgramVariable) -> DecoderVariable:
+    count = len(variable.values)
+    values = tuple(variable.values[:MAX_ELEMENTS])
+    return DecoderVariable(name, variable.type, variable.dimensions, count, values)

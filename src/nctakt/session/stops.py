@@ -81,11 +81,12 @@ class StopAt:
     series of runs, or ``runs``, in any tick; its condition ``turns`` true, or turns ``false``; the
     realtime ``cycle`` that begins in a line runs; a ``condition`` becomes true; the value of an
     expression ``changes``; a cycle has ``written`` another value into a variable; a ``function``
-    goes out; a ``message``; an ``error``; a ``notice`` about a cycle; anything is ``handed`` to the PLC,
-    a function or a spindle's job. ``text``: the expression, variable or function. ``file``: empty for any file. ``only_if``: an expression that must be true
-    as well. ``count``: how often it must hold. ``channel``: the one whose variables the expressions
-    name, from 1; with ``is_of_channel`` a block or event holds in no other. ``max_depth``: at most
-    so many programs are open in the last block of the tick, 0: any number.
+    goes out; a ``message``; an ``error``; a ``notice`` about a cycle; anything is ``handed`` to the
+    PLC, a function or a spindle's job. ``text``: the expression, variable or function. ``file``:
+    empty for any file. ``only_if``: an expression that must be true as well. ``count``: how often
+    it must hold. ``channel``: the one whose variables the expressions name, from 1; with
+    ``is_of_channel`` a block or event holds in no other. ``max_depth``: at most so many programs
+    are open in the last block of the tick, 0: any number.
     """
 
     kind: Kind

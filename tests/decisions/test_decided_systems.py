@@ -177,7 +177,7 @@ def test_single_axes_are_in_no_system() -> None:
         ("#CS ADD [MCS] [1]", 900929),
         ("#CS ADD [LONGNAMES] [1]", 900929),
         ("#CS ADD [A] [1]\n#CS ADD [a] [2]", 21599),
-        ("".join(f"#CS ADD [N{n}] [1]\n" for n in range(6)), 21599),
+        ("".join(f"#CS ADD [N{n}] [1]\n" for n in range(6)), 21600),
         ("#CS SELECT [A]", 21601),
         ("#CS ADD [A] [1]\n#CS SELECT [B]", 21601),
         ("#CS ADD [A] [1]\n#CS ON [2]\n#CS SELECT [A]", 20821),

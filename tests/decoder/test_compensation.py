@@ -237,8 +237,8 @@ def test_at_the_end_of_the_program_the_contour_ends(monkeypatch: pytest.MonkeyPa
         ("F100\nG01 G41 X1\n", 2, 900869),
         ("D3\nG41\n", 2, 900869),
         ("D1 F100\nG41\nG02 X10 Y10 I10\nX20\n", 3, 90008),
-        ("D1 F100 G01\nG41 X10\nX20\nG40\nG02 X30 Y10 I10\n", 5, 90008),
-        ("D1 F100 G01\nG41 X10\nX20\nG42 G02 X30 Y10 J10\n", 4, 90008),
+        ("D1 F100 G01\nG41 X10\nX20\nG40\nG02 X30 Y10 I10\n", 5, 90013),
+        ("D1 F100 G01\nG41 X10\nX20\nG42 G02 X30 Y10 J10\n", 4, 90016),
         ("D1 F100 G01\nG41 X10\nX20\nG03 X20 Y8 J4\n", 4, 90017),
         ("D1 F100 G01\nG41 X10\nX20\nG03 X20 Y10 J5\n", 4, 90017),
         ("D1 F100 G01\nG41 X10\nX20\nG18 X30\n", 4, 20133),
@@ -339,7 +339,7 @@ def test_a_compensated_contour_is_walked_back_on_its_curve(
 
 @pytest.mark.parametrize(
     ("block", "number"),
-    [("G03 X50 Y8 J4", 90017), ("G03 X50 Y10 J5", 90017), ("G40 G02 X60 Y10 I10", 90008)],
+    [("G03 X50 Y8 J4", 90017), ("G03 X50 Y10 J5", 90017), ("G40 G02 X60 Y10 I10", 90013)],
 )
 def test_before_a_block_that_cannot_be_compensated_all_is_run(block: str, number: int) -> None:
     """The program ends with the error where the contour before it ends, as with any other."""
@@ -360,7 +360,7 @@ def test_before_a_block_that_cannot_be_compensated_all_is_run(block: str, number
         ("M100\nX[1/0]", 20396, 6, (45, 20)),
         ("G03 X50 Y28 J4", 90017, 5, (45, 20)),
         ("M100\nG03 X50 Y28 J4", 90017, 6, (45, 20)),
-        ("G40 G02 X60 Y20 I5", 90008, 5, (45, 20)),
+        ("G40 G02 X60 Y20 I5", 90013, 5, (45, 20)),
         # where the block before it meets the one that does not fit the next one shows
         ("X48\nY0", 90019, 5, (45, 15)),
     ],

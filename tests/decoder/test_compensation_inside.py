@@ -95,7 +95,7 @@ def test_at_an_outer_corner_it_is_as_g138(monkeypatch: pytest.MonkeyPatch) -> No
         ("G41 X0 Y0\nX40\nG238\nY40\nM30\n", 21318, 6),
         ("G238\nG41 X0 Y0\nX40\nG139\nM30\n", 21318, 7),
         ("G238\nG41 X0 Y0\nX40\nG42 Y40\nM30\n", 90115, 7),
-        ("G238\nG41 X0 Y0\nX40\nV.G.WZ_AKT.R = 4\nY40\nM30\n", 90115, 8),
+        ("G238\nG41 X0 Y0\nX40\nV.G.WZ_AKT.R = 4\nY40\nM30\n", 90127, 8),
         # the tool does not fit: 8 mm high
         ("G238\nG41 X0 Y0\nX40\nY8\nX0\nY0\nG40 X20\nM30\n", 90019, 7),
         # the first line is shorter than what the corner cuts off it

@@ -59,7 +59,7 @@ def test_a_computed_number_counts_as_if_it_were_written() -> None:
         ("M[P1 - 83]", 20376),
         ("M100=[P1 * 1000000000]", 21494),
         ("M[P1 / 0]", 20396),
-        ("G[P1 - 100] G[P1 - 99] X1", 900210),
+        ("G[P1 - 100] G[P1 - 99] X1", 20108),
     ],
 )
 def test_a_computed_number_that_is_none_ends_the_program(block: str, error: int) -> None:

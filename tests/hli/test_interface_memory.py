@@ -391,13 +391,13 @@ def test_what_the_plc_writes_into_the_cncs_places_is_not_taken() -> None:
 
 
 def test_an_override_that_is_no_number_is_told() -> None:
-    """900346 with the name of the value; the override stays."""
+    """21821 with the name of the value; the override stays."""
     controller = Controller()
     memory = Memory(controller)
     memory.command["override"] = float("nan")
     controller.step(2)
     assert [(one.id, dict(one.values)["variable"]) for one in controller.diagnostics] == [
-        (900346, "HLI.OVERRIDE")
+        (21821, "HLI.OVERRIDE")
     ]
     assert memory.command["override"] == 100.0
 

@@ -29,8 +29,10 @@ G17 G02 X1 Y1 I1 J0
 G18 G3 X1 Z1 R5
 G19 G161 G60 X3
 G61 G162 X1
-G261 G360
-G260 G359
+G261
+G360
+G260
+G359
 ; --- accepted: told once per program
 G17 G164 X1 ; note 900201 "G164"
 G17 G164 X2
@@ -43,8 +45,8 @@ G33 Z1 ; error 900200 "G33 (thread cutting)"
 G08 X1 ; error 900200 "G08"
 G09 X1 ; error 900200 "G09"
 G41 G42 X1 ; error 20114 "G42"
-G25 G26 ; error 900210 "G26"
-G138 G139 ; error 900210 "G139"
+G25 G26 ; error 20113 "G26"
+G138 G139 ; error 20126 "G139"
 G107 G108 ; error 900210 "G108"
 G236 ; error 900200 "G236"
 G80 ; error 20131 "G80"
@@ -67,7 +69,7 @@ S2[] ; error 50954 "S2[]"
 S1000 S ; error 21035 "S"
 M3
 M3 M4 ; error 20155 "M3, M4"
-M5 M19 ; error 20155 "M5, M19"
+M5 M19 ; error 21151 "M5, M19"
 M3=4 S100 ; error 21035 "M3=4"
 M3 S=V.E.NONE ; error 20196 "V.E.NONE"
 M19
@@ -87,7 +89,7 @@ H116
 M200
 H200
 G04 S10
-G04 S10 X1 ; error 20685 "G04"
+G04 S10 X1 ; error 21785 "G04"
 M30
 ; --- nobody knows it
 Q5 ; error 20797 "Q5"
@@ -100,8 +102,8 @@ O100 ; error 20797 "O100"
 Q[INDP G90 POS=10] ; error 20797 "Q"
 S7[M05] ; error 20797 "S7"
 G7 ; error 20131 "G7"
-G54.1 ; error 20131 "G54.1"
-G-1 ; error 20131 "G-1"
+G54.1 ; error 20107 "G54.1"
+G-1 ; error 20107 "G-1"
 M1.5 ; error 20154 "M1.5"
 M99 ; error 20157 "M99"
 M46 T5 ; error 20157 "M46"; note 900201 "T (tool"
@@ -111,13 +113,19 @@ G ; error 900208 "G"
 M ; error 900208 "M"
 G01 X1 F ; error 900208 "F"
 ; --- together in one block
-G00 G01 X1 ; error 900210 "G01 and G00"
-G01 G02 X1 ; error 900210 "G02 and G01"
-G260 G261 X1 ; error 900210 "G261 and G260"
-G90 G91 X1 ; error 900210 "G91 and G90"
-G70 G71 ; error 900210 "G71 and G70"
+G00 G01 X1 ; error 20108 "G01 and G00"
+G01 G02 X1 ; error 20108 "G02 and G01"
+G260 G261 X1 ; error 20117 "G261 and G260"
+G90 G91 X1 ; error 20120 "G91 and G90"
+G70 G71 ; error 20118 "G71 and G70"
+G90 X1 G90 ; error 20120 "G90 is given twice"
+G60 G261 X1 ; error 20117 "G261 and G60"
+G261 G360 ; error 20117 "G360 and G261"
+G1.5 ; error 20107 "G1.5"
+G70000 ; error 20107 "G70000"
+G777 ; error 20131 "G777"
 G17 G18 ; error 20111 "G18 and G17"
-G90 G90 X1
+G90 G90 X1 ; error 20120 "G90"
 X1 Y2 X3 ; error 20203 "X"
 F1 F2 X1 ; error 20175 "F"
 G00 5 X1 ; error 900212 "G00"
@@ -125,14 +133,14 @@ M100 M100 M101
 G60 ; error 20003 "G60"
 G60 F100 ; error 20003 "G60"
 ; --- G04 alone
-G04 ; error 20685 "alone"
+G04 ; error 21786 "without"
 G04 X1 Y1 ; error 20685 "alone"
 G04 X1 M100 ; error 20685 "alone"
 G04 X ; error 20685 "alone"
-G04 1 X1 ; error 20685 "alone"
+G04 1 X1 ; error 21785 "more than one"
 G04 F5 ; error 20685 "alone"
 G00 G04 X1 ; error 20685 "alone"
-G04 S1 X1 ; error 20685 "alone"
+G04 S1 X1 ; error 21785 "more than one"
 G04 X[V.E.UNKNOWN] ; error 20196 "V.E.UNKNOWN"
 ; --- behind the end nothing is checked, but subprograms are
 %L SUB
@@ -268,9 +276,9 @@ TV.E.NONE ; error 20196 "V.E.NONE"
 ; --- feeds and overrides (MO-4, MO-5)
 G93 F2 G01 X5
 G95 F0.1 X6 G166
-G94 G95 ; error 900210 "G95 and G94"
+G94 G95 ; error 20121 "G95 and G94"
 G194 F50
-G194 G94 ; error 900210 "G94"
+G194 G94 ; error 20121 "G94"
 G167 ; note 900201 "G167"
 #OVERRIDE [FEED_FACT=50 RAPID_FACT=P1]
 N10 #OVERRIDE [FEED_FACT=100]

@@ -85,11 +85,11 @@ $ENDIF
 $IF P1 > $GOTO N20 ; error 900101 "$"
 $WHILE ; error 900101 "the end of the block"
 $ENDWHILE
-$FOR P1 = 1 ; error 20880 "','"
+$FOR P1 = 1 ; error 20229 "','"
 $ENDFOR
 $FOR 3 = 1, 2, 3 ; error 900114 "3"
 $ENDFOR
-$FOR P1 1, 2, 3 ; error 20194 "'='"
+$FOR P1 1, 2, 3 ; error 20228 "'='"
 $ENDFOR
 $SWITCH ; error 900101 "the end of the block"
 $CASE ; error 900101 "the end of the block"

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 import secrets
 import signal
@@ -185,7 +186,10 @@ def test_what_is_neither_0_nor_1_is_true() -> None:
 
 @pytest.mark.parametrize("wrong", [float("nan"), float("inf"), float("-inf")])
 def test_numbers_that_are_not_finite_are_refused(wrong: float) -> None:
-    """RC-307: the variable keeps its value, the image gets it back; told once for a variable."""
+    """RC-307: the variable keeps its value, the image gets it back; told once for a variable.
+
+    The controller has a number for infinite values and one for NaN.
+    """
     controller, plc = attached()
     controller.write("V.E.SYNC", 5.0)
     controller.step(1)
@@ -194,7 +198,8 @@ def test_numbers_that_are_not_finite_are_refused(wrong: float) -> None:
         plc.real("LIST", wrong)
         controller.step(1)
         assert controller.read("V.E.SYNC") == plc.real("SYNC") == 5.0
-    assert [one.id for one in controller.diagnostics] == [900346, 900346]
+    number = 21821 if math.isnan(wrong) else 21820
+    assert [one.id for one in controller.diagnostics] == [number, number]
     texts = [one.text("en") for one in controller.diagnostics]
     assert "V.E.SYNC" in texts[0]
     assert "V.E.LIST[0]" in texts[1]
@@ -455,5 +460,5 @@ def test_each_channel_has_a_section_of_its_own(tmp_path: Path) -> None:
         struct.pack_into("=d", image.external, second, float("nan"))
         controller.step(1)
         assert struct.unpack_from("=d", image.external, second) == (8.0,)
-        assert controller.diagnostics[-1].id == 900346
+        assert controller.diagnostics[-1].id == 21821
         assert "V.E.SYNC" in controller.diagnostics[-1].text("en")

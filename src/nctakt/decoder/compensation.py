@@ -42,7 +42,8 @@ from nctakt.messages.tools import (
     CONTOUR_NOT_CLOSED,
     LINE_REVERSED_BY_RADIUS,
     RADIUS_CHANGE_IN_ARC,
-    SIDE_OR_RADIUS_CHANGE_WITH_G238,
+    RADIUS_CHANGE_WITH_G238,
+    SIDE_CHANGE_WITH_G238,
     TOO_MANY_COMMANDS_IN_CONTOUR,
     TOOL_CUTS_CONTOUR,
     TOOL_CUTS_INNER_CORNER,
@@ -62,7 +63,6 @@ MAX_BETWEEN = 1000
 #: Maximum number of motions in a contour with G238, all of which are held.
 MAX_CLOSED = 200
 
-#: The start of a comment.
 _COMMENT = re.compile(r"[;(].*")
 
 #: A piece of the tool path: start, end, kind, centre, angle (``ToolPath.taken``).
@@ -140,7 +140,9 @@ class Compensation:
                 return
         if self._is_closed_one and distance != self._distance:
             if distance != 0.0:
-                self._values.fail(SIDE_OR_RADIUS_CHANGE_WITH_G238, self._path.span)
+                keeps_side = distance * self._distance > 0.0
+                message = RADIUS_CHANGE_WITH_G238 if keeps_side else SIDE_CHANGE_WITH_G238
+                self._values.fail(message, self._path.span)
             yield from self._finish()
         self._pass_time(segment)
         self._enter(segment, (x, y, x_2, y_2), distance)
@@ -198,7 +200,8 @@ class Compensation:
         if d * before > 0.0 and d != before:
             self._values.fail(RADIUS_CHANGE_IN_ARC, self._path.span)
         if d != before and compensation.mode != APPROACH_PERPENDICULAR:
-            self._values.fail(COMPENSATION_NEEDS_LINE, self._path.span)
+            change = compensation.change_from(before)
+            self._values.fail(COMPENSATION_NEEDS_LINE, self._path.span, change=change)
         if not tool.arc(*ends, d, *segment.arc[2:]) and not tool.masks:
             self._values.fail(TOOL_TOO_LARGE_FOR_ARC, self._path.span, radius=abs(d))
 
@@ -320,11 +323,8 @@ class Compensation:
             while self._motions and self._motions[-1].number >= crossed:
                 self._motions.pop()
             tool.give_up()
-            self._values.fail(
-                TOOL_WOULD_CUT_INNER_CORNER if begins_there else TOOL_WOULD_CUT_CONTOUR,
-                span,
-                line=line,
-            )
+            error = TOOL_WOULD_CUT_INNER_CORNER if begins_there else TOOL_WOULD_CUT_CONTOUR
+            self._values.fail(error, span, line=line)
         text = self._environment.line_text(span)
         warning = TOOL_CUTS_INNER_CORNER if begins_there else TOOL_CUTS_CONTOUR
         self._environment.warn(diagnostic(warning, span, text, line=line))

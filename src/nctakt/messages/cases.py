@@ -85,23 +85,63 @@ def in_case(only: int, applies: Callable[[Values], bool]) -> Cases:
     return Cases((only,), lambda values: only if applies(values) else 0)
 
 
-#: The G functions of a group, and the number of two of them in a block.
-_GROUPS = (
-    (frozenset(("G17", "G18", "G19")), 20111),
-    (frozenset(("G40", "G41", "G42")), 20114),
-    (frozenset(("G53", "G54", "G55", "G56", "G57", "G58", "G59")), 20116),
-    (frozenset(("M02", "M30", "M17", "M29")), 20158),
-)
+#: The number of two functions of a group in a block, and the functions of the group.
+_GROUPS = {
+    number: frozenset(words.split())
+    for number, words in {
+        20108: "G00 G01 G02 G03 G33 G63 G303 G331 G332",
+        20110: "G10 G11",
+        20111: "G17 G18 G19",
+        20112: "G20 G21 G22 G23 G351",
+        20113: "G25 G26",
+        20114: "G40 G41 G42",
+        20116: "G53 G54 G55 G56 G57 G58 G59 G159",
+        20117: "G60 G61 G260 G261 G359 G360",
+        20118: "G70 G71",
+        20120: "G90 G91",
+        20121: "G93 G94 G95 G194",
+        20122: "G96 G97 G196",
+        20126: "G138 G139 G236 G237 G238 G239",
+        20127: "G161 G162",
+        20128: "G164 G165",
+        20158: "M02 M30 M17 M29",
+    }.items()
+}
 
 
 def by_group() -> Cases:
     """Choose the number by the group that the functions ``word`` and ``other`` belong to."""
+    return Cases(
+        tuple(_GROUPS), lambda values: _group_number(str(values["word"]), str(values["other"]))
+    )
 
-    def number_of(values: Values) -> int:
-        words = {str(values["word"]), str(values["other"])}
-        return next((one for group, one in _GROUPS if words <= group), 0)
 
-    return Cases(tuple(one for _, one in _GROUPS), number_of)
+def by_word_or_group(numbers: Mapping[str, int]) -> Cases:
+    """Choose the number of ``word`` by its letters, that of a G function by its group."""
+    by_letters = by_word("word", numbers)
+    return Cases(
+        (*by_letters.numbers, *_GROUPS),
+        lambda values: by_letters.number_of(values) or _group_number(str(values["word"])),
+    )
+
+
+def _group_number(*functions: str) -> int:
+    """Return the number of the group that has all these functions, 0 if none has."""
+    return next((one for one, group in _GROUPS.items() if group.issuperset(functions)), 0)
+
+
+#: The highest number of a G, M or H function that its format holds, UNS16.
+_HIGHEST_FUNCTION = 65_535
+
+
+def unknown_functions(values: Values) -> int:
+    """Return the number of a function outside its format, or of a G function that is unknown."""
+    word = str(values["word"])
+    if word[0] != "G":
+        return {"M": 20154, "H": 20161}.get(word[0], 0)
+    written = word[1:]
+    is_possible = written.isdecimal() and int(written) <= _HIGHEST_FUNCTION
+    return 20131 if is_possible else 20107
 
 
 def feed_factor(values: Values) -> int:

@@ -3,7 +3,14 @@
 
 from __future__ import annotations
 
-from nctakt.messages.cases import by_beginning, by_group, by_word
+from nctakt.base.diagnostics import Cases
+from nctakt.messages.cases import (
+    by_beginning,
+    by_group,
+    by_word,
+    by_word_or_group,
+    unknown_functions,
+)
 from nctakt.messages.catalogue import error, note
 
 NOT_SIMULATED = error(
@@ -51,9 +58,9 @@ UNKNOWN_WORD = error(
     nearest=("the most similar known name, or –", "der ähnlichste bekannte Name, oder –"),
 )
 INVALID_FUNCTION_NUMBER = error(
-    900204,
-    known_as=(20107,),
-    cases=by_word("word", {"G": 20131, "M": 20154, "H": 20161}),
+    20107,
+    known_as=(900204,),
+    cases=Cases((20131, 20154, 20161), unknown_functions),
     en="{word} is not a valid function",
     de="{word} ist keine gültige Funktion",
     remedy_en="Give the number of a G, M or H function as a whole number.",
@@ -119,8 +126,7 @@ WORD_VALUE_MISSING = error(
 DUPLICATE_WORD = error(
     20203,
     known_as=(900209, 21785),
-    cases=by_word(
-        "word",
+    cases=by_word_or_group(
         {
             "F": 20175,
             "I": 20205,
@@ -132,7 +138,7 @@ DUPLICATE_WORD = error(
             "N": 20841,
             "M": 20765,
             "H": 20766,
-        },
+        }
     ),
     en="{word} is given twice in this block",
     de="{word} ist in diesem Satz doppelt angegeben",
@@ -142,31 +148,7 @@ DUPLICATE_WORD = error(
 )
 EXCLUSIVE_WORDS = error(
     900210,
-    known_as=(
-        20108,
-        20109,
-        20110,
-        20112,
-        20113,
-        20115,
-        20117,
-        20118,
-        20119,
-        20120,
-        20121,
-        20122,
-        20123,
-        20124,
-        20125,
-        20126,
-        20127,
-        20128,
-        20129,
-        20130,
-        20792,
-        20810,
-        20846,
-    ),
+    known_as=(20109, 20115, 20119, 20123, 20124, 20125, 20129, 20130, 20792, 20810, 20846),
     cases=by_group(),
     en="{word} and {other} must not be in the same block",
     de="{word} und {other} dürfen nicht im selben Satz stehen",
@@ -177,11 +159,25 @@ EXCLUSIVE_WORDS = error(
 )
 G04_NOT_ALONE = error(
     20685,
-    known_as=(900211, 21785, 21786),
+    known_as=(900211,),
     en="G04 must be alone in its block, with one time in seconds",
     de="G04 muss allein im Satz stehen, mit einer Zeit in Sekunden",
     remedy_en="Write G04 X0.5 or G04 0.5.",
     remedy_de="G04 X0.5 oder G04 0.5 schreiben.",
+)
+G04_WITHOUT_TIME = error(
+    21786,
+    en="G04 without a time",
+    de="G04 ohne Zeit",
+    remedy_en="Give the time in seconds: G04 X0.5 or G04 0.5",
+    remedy_de="Die Zeit in Sekunden angeben: G04 X0.5 oder G04 0.5",
+)
+G04_WITH_TWO_TIMES = error(
+    21785,
+    en="G04 with more than one time",
+    de="G04 mit mehr als einer Zeit",
+    remedy_en="Keep one of them: G04 X0.5 or G04 0.5",
+    remedy_de="Nur eine davon behalten: G04 X0.5 oder G04 0.5",
 )
 EXTRA_PARAMETERS = error(
     900212,

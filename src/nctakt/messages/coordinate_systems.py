@@ -100,14 +100,25 @@ INVALID_COORDINATE_SYSTEM_NAME = error(
     reaction=2,
     clearing=3,
 )
-COORDINATE_SYSTEM_NOT_ADDED = error(
+COORDINATE_SYSTEM_NAME_TAKEN = error(
     21599,
-    known_as=(900930, 21600),
-    en="#CS ADD [{name}]: the name is taken, or the stack is full",
-    de="#CS ADD [{name}]: der Name ist vergeben, oder der Stapel ist voll",
-    remedy_en="Up to {maximum} systems with different names can be stacked. Present: {known}",
-    remedy_de="Bis zu {maximum} Systeme mit verschiedenen Namen können gestapelt sein. Vorhanden: "
-    "{known}",
+    known_as=(900930,),
+    en="#CS ADD [{name}]: a coordinate system of this name is on the stack already",
+    de="#CS ADD [{name}]: ein Koordinatensystem dieses Namens liegt schon auf dem Stapel",
+    remedy_en="Choose another name. Present: {known}",
+    remedy_de="Einen anderen Namen wählen. Vorhanden: {known}",
+    name=("the name as written", "der Name, wie geschrieben"),
+    known=("the coordinate systems on the stack", "die Koordinatensysteme auf dem Stapel"),
+    reaction=2,
+    clearing=3,
+)
+COORDINATE_SYSTEM_STACK_FULL = error(
+    21600,
+    en="#CS ADD [{name}]: the stack of coordinate systems is full",
+    de="#CS ADD [{name}]: der Stapel der Koordinatensysteme ist voll",
+    remedy_en="Up to {maximum} systems can be stacked; remove one with #CS DEL. Present: {known}",
+    remedy_de="Bis zu {maximum} Systeme können gestapelt sein; mit #CS DEL eines entfernen. "
+    "Vorhanden: {known}",
     name=("the name as written", "der Name, wie geschrieben"),
     maximum=("upper limit", "obere Grenze"),
     known=("the coordinate systems on the stack", "die Koordinatensysteme auf dem Stapel"),

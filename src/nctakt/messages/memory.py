@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from nctakt.messages.cases import in_case
 from nctakt.messages.catalogue import error, warning
 
 TEXT_INSTEAD_OF_NUMBER = error(
@@ -89,12 +90,14 @@ AGGREGATE_TYPE_MISMATCH = error(
     clearing=3,
 )
 PLC_VALUE_NOT_FINITE = warning(
-    900346,
-    known_as=(21820, 21821, 50893),
-    en="the PLC did not write a finite number to {variable}, which keeps its value",
-    de="die SPS hat in {variable} keine endliche Zahl geschrieben; der Wert bleibt erhalten",
+    21820,
+    known_as=(900346, 50893),
+    cases=in_case(21821, lambda values: values["value"] == "NaN"),
+    en="the PLC wrote {value} to {variable}, which keeps its value",
+    de="die SPS hat {value} in {variable} geschrieben; der Wert bleibt erhalten",
     remedy_en="Write a finite number; this is reported once for each variable.",
     remedy_de="Eine endliche Zahl schreiben; dies wird je Variable einmal gemeldet.",
+    value=("an infinite number, or NaN", "eine unendliche Zahl oder NaN"),
     variable=("the variable", "die Variable"),
     reaction=1,
     clearing=1,

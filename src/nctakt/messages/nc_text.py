@@ -152,8 +152,8 @@ COMMENT_NOT_CLOSED = error(
 )
 SYMBOL_EXPECTED = error(
     900113,
-    known_as=(20147, 20228, 20229),
-    cases=by_beginning("symbol", {"=": 20194, "[": 20743, "]": 20716, ",": 20880}),
+    known_as=(20147, 20194, 20880),
+    cases=by_beginning("symbol", {"=": 20228, "[": 20743, "]": 20716, ",": 20229}),
     en="'{symbol}' is missing before {found}",
     de="vor {found} fehlt '{symbol}'",
     remedy_en="Write '{symbol}'.",

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from nctakt.messages.cases import in_case
 from nctakt.messages.catalogue import error, warning
 
 SPINDLE_BUSY = error(
@@ -132,7 +133,8 @@ SPINDLE_JOB_HELD = error(
 )
 EXCLUSIVE_SPINDLE_WORDS = error(
     20155,
-    known_as=(900901, 21151),
+    known_as=(900901,),
+    cases=in_case(21151, lambda values: "M19" in str(values["words"]).split(", ")),
     en="{words} must not be in the same block",
     de="{words} dürfen nicht im selben Satz stehen",
     remedy_en="Program only one of M3, M4 and M5 per block; M5 alone, M19 alone or with M3 or M4.",

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from nctakt.messages.cases import by_word
+from nctakt.messages.cases import by_beginning, by_word
 from nctakt.messages.catalogue import error, warning
 
 UNKNOWN_TOOL = error(
@@ -70,15 +70,21 @@ NO_RADIUS_TO_COMPENSATE = error(
 )
 COMPENSATION_NEEDS_LINE = error(
     90008,
-    known_as=(900870, 90013, 90016),
-    en="the motion to or from a compensated contour must be a straight line",
-    de="die Bewegung zu einer korrigierten Kontur hin oder von ihr weg muss eine Gerade sein",
+    known_as=(900870,),
+    cases=by_beginning("change", {"G40": 90013, "G41/G42": 90016}),
+    en="{change}: the motion to or from a compensated contour must be a straight line",
+    de="{change}: die Bewegung zu einer korrigierten Kontur hin oder von ihr weg muss eine Gerade "
+    "sein",
     remedy_en="Put a motion with G00 or G01 between the arc and the contour.",
     remedy_de="Zwischen Kreisbogen und Kontur eine Bewegung mit G00 oder G01 setzen.",
     cause_en="The first motion in the plane after G41 or G42 leads to the contour, the first one "
     "after G40 away from it; the one that changes from G41 to G42 does both.",
     cause_de="Die erste Bewegung in der Ebene nach G41 oder G42 führt an die Kontur, die erste "
     "nach G40 von ihr weg; die mit dem Wechsel von G41 auf G42 tut beides.",
+    change=(
+        "G41 or G42; G40; G41/G42 for a change of side",
+        "G41 oder G42; G40; G41/G42 beim Wechsel der Seite",
+    ),
 )
 TOOL_TOO_LARGE_FOR_ARC = error(
     90017,
@@ -269,11 +275,18 @@ G238_DURING_COMPENSATION = error(
     "verlässt.",
     word=("the word as written", "das Wort, wie geschrieben"),
 )
-SIDE_OR_RADIUS_CHANGE_WITH_G238 = error(
+SIDE_CHANGE_WITH_G238 = error(
     90115,
-    known_as=(900958, 90127),
-    en="with G238 the tool must keep its side and its radius until G40",
-    de="mit G238 muss das Werkzeug Seite und Radius bis G40 behalten",
-    remedy_en="Change between G41 and G42, or change the radius, only after G40.",
-    remedy_de="Erst nach G40 zwischen G41 und G42 wechseln oder den Radius ändern.",
+    known_as=(900958,),
+    en="with G238 the tool must stay on its side of the contour until G40",
+    de="mit G238 muss das Werkzeug bis G40 auf seiner Seite der Kontur bleiben",
+    remedy_en="Change between G41 and G42 only after G40.",
+    remedy_de="Erst nach G40 zwischen G41 und G42 wechseln.",
+)
+RADIUS_CHANGE_WITH_G238 = error(
+    90127,
+    en="with G238 the tool must keep its radius until G40",
+    de="mit G238 muss das Werkzeug bis G40 seinen Radius behalten",
+    remedy_en="Change the radius only after G40.",
+    remedy_de="Den Radius erst nach G40 ändern.",
 )

@@ -180,7 +180,8 @@ def realtime_diagnostic(event: Event, machine: AssembledMachine) -> Diagnostic:
         case UNKNOWN_CYCLE_TIMER.id:
             values = {"timer": int(a)}
         case PLC_VALUE_NOT_FINITE.id:
-            values = {"variable": machine.registry.variable(machine.kernel.image.next_refused())}
+            variable = machine.registry.variable(machine.kernel.image.next_refused())
+            values = {"variable": variable, "value": _INFINITE if number == message.id else "NaN"}
         case SPINDLE_BUSY.id:
             values = {"spindle": machine.registry.spindle(int(a))}
         case CYCLE_ACTIONS_FULL.id:
@@ -223,6 +224,9 @@ def realtime_diagnostic(event: Event, machine: AssembledMachine) -> Diagnostic:
     line = "" if event.span is None else machine.files.line_at(event.span)
     found = diagnostic(message, statement_span(event.span, line), line, **values)
     return replace(found, number=number)
+
+
+_INFINITE = Text("an infinite number", "eine unendliche Zahl")
 
 
 def _used_slots(count: int) -> Text:

@@ -17,8 +17,9 @@ from nctakt.decoder.values.variables import Values
 from nctakt.kernel.base import arithmetic
 from nctakt.messages.coordinate_systems import (
     COORDINATE_SYSTEM_DURING_COMPENSATION,
-    COORDINATE_SYSTEM_NOT_ADDED,
+    COORDINATE_SYSTEM_NAME_TAKEN,
     COORDINATE_SYSTEM_NOT_STORED,
+    COORDINATE_SYSTEM_STACK_FULL,
     CS_SELECT_DURING_CS_ON,
     LINEAR_AXES_MISSING,
     NO_COORDINATE_SYSTEM_ACTIVE,
@@ -85,14 +86,12 @@ class CsCommands:
 
     def _add(self, command: CsCommand, span: Span, number: int) -> Generator[Command, Answer]:
         """Push a system onto the stack (``#CS ADD``) without activating it."""
-        if command.name in self._stack or len(self._stack) >= MAX_STORED:
-            names = ", ".join(self._stack)
+        name, names = command.name, ", ".join(self._stack)
+        if name in self._stack:
+            self._values.fail(COORDINATE_SYSTEM_NAME_TAKEN, span, name=name, known=names)
+        if len(self._stack) >= MAX_STORED:
             self._values.fail(
-                COORDINATE_SYSTEM_NOT_ADDED,
-                span,
-                name=command.name,
-                maximum=MAX_STORED,
-                known=names,
+                COORDINATE_SYSTEM_STACK_FULL, span, name=name, maximum=MAX_STORED, known=names
             )
         assert command.components is not None
         self._stack[command.name] = yield from self._evaluated(command.components, number)

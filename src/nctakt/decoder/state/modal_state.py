@@ -66,6 +66,14 @@ class CompensationState:
     has_left_path: bool = False
     end: tuple[float, float] = (0.0, 0.0)
 
+    def change_from(self, before: float) -> str:
+        """Return the functions that changed the distance from the contour, ``before`` in mm."""
+        if self.side == 0:
+            return "G40"
+        if before != 0.0:
+            return "G41/G42"
+        return "G41" if self.side > 0 else "G42"
+
     @property
     def is_direct(self) -> bool:
         """Whether contours are approached and left without a motion around a corner."""

@@ -57,7 +57,7 @@ cdef class InterfaceImage:
     cdef void take_string(self, Py_ssize_t entry) noexcept nogil
     @cython.locals(i=Py_ssize_t, first=Py_ssize_t, cell=Py_ssize_t, value=double)
     cdef void take_number(self, Py_ssize_t entry) noexcept nogil
-    cdef void refuse(self, Py_ssize_t entry) noexcept nogil
+    cdef void refuse(self, Py_ssize_t entry, double value) noexcept nogil
     cdef double number(self, int kind) noexcept nogil
     @cython.locals(i=Py_ssize_t, first=Py_ssize_t, cell=Py_ssize_t)
     cdef void remember(self, Py_ssize_t entry) noexcept nogil

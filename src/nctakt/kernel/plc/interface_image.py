@@ -6,7 +6,7 @@ A table says which variable stands at which byte (``hli/positions.py``, and for 
 bytes that differ from those that were published last. ``publish`` writes the variables that have
 changed since, the slots of technology functions (``image_slots.py``) and the clock. Numbers have
 the byte order of the processor. A REAL64 that is not finite is refused: the variable keeps its
-value, the image gets it back, and the first time of each variable is reported (900346).
+value, the image gets it back, and the first time of each variable is reported (21820, 21821).
 """
 
 from __future__ import annotations
@@ -210,22 +210,22 @@ class InterfaceImage:
             self.scratch[i] = self.published[first + i] = self.image[first + i]
         value = self.number(int(self.kind[entry]))
         if value - value != 0.0:
-            self.refuse(entry)
+            self.refuse(entry, value)
             return
         self.cells[cell] = value
         self.remember(entry)
         if self.kind[entry] == codes.IMAGE_BOOLEAN and self.scratch[0] > 1:
             self.mark_stale(entry)
 
-    def refuse(self, entry: int) -> None:
-        """Refuse a number that is not finite, and report it once (900346)."""
+    def refuse(self, entry: int, value: float) -> None:
+        """Refuse an infinite number (21820) or NaN (21821), and report it once."""
         self.mark_stale(entry)
         if self.was_refused[entry] == 0:
             self.was_refused[entry] = 1
             self.event_bound -= 1
             self.refused_cells[self.refused_count] = self.cell[entry]
             self.refused_count += 1
-            self.record.event(rows.EVENT_ERROR, 0, 0, 900346)
+            self.record.event(rows.EVENT_ERROR, 0, 0, 21820 if value == value else 21821)
 
     def number(self, kind: int) -> float:
         """Number in the scratch bytes."""

@@ -68,6 +68,7 @@ from nctakt.nc.vocabulary.axis_commands import has_function, is_axis_command
 from nctakt.nc.vocabulary.entries import Entry, Support
 from nctakt.nc.vocabulary.function_rows import Form, GFunction, Group
 from nctakt.nc.vocabulary.functions import (
+    BLOCK_TRANSITIONS,
     EXACT_STOP_ONCE,
     MOTIONS,
     PROGRAM_ENDS,
@@ -273,10 +274,16 @@ class WordChecker:
             self._radius(word)
         elif word.additional is not None or word.arguments:
             self._findings.report(EXTRA_PARAMETERS, word.span, word=entry.name)
-        if entry.group is not None:
-            other = state.groups.setdefault(entry.group, entry.name)
-            if other != entry.name:
-                self._findings.report(EXCLUSIVE_WORDS, word.span, word=entry.name, other=other)
+        group = Group.CONTOURING if number in BLOCK_TRANSITIONS else entry.group
+        if group is None:
+            return
+        if group not in state.groups:
+            state.groups[group] = entry.name
+        elif state.groups[group] == entry.name:
+            self._findings.report(DUPLICATE_WORD, word.span, word=entry.name)
+        else:
+            other = state.groups[group]
+            self._findings.report(EXCLUSIVE_WORDS, word.span, word=entry.name, other=other)
 
     def _technology(self, word: Word, number: int) -> None:
         entry = self._technology_entry(word.name, number)

@@ -3,7 +3,11 @@
 
 from __future__ import annotations
 
-from nctakt.messages.checked_blocks import G04_NOT_ALONE
+from nctakt.messages.checked_blocks import (
+    G04_NOT_ALONE,
+    G04_WITH_TWO_TIMES,
+    G04_WITHOUT_TIME,
+)
 from nctakt.nc.check.expressions import ValueChecker
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.tree import AxisWord, Block, Expression, Number, Word
@@ -31,7 +35,11 @@ def check_dwell(block: Block, dwell: Word, values: ValueChecker, findings: Findi
             times.append(word.value)
         else:
             wrong = True
-    if wrong or len(times) != 1:
+    if wrong:
         findings.report(G04_NOT_ALONE, dwell.span)
+    elif not times:
+        findings.report(G04_WITHOUT_TIME, dwell.span)
+    elif len(times) > 1:
+        findings.report(G04_WITH_TWO_TIMES, dwell.span)
     for time in times:
         values.value(time)

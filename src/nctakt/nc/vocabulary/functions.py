@@ -401,6 +401,14 @@ AXIS_WEIGHTS = frozenset(
     row.number for row in G_FUNCTIONS.values() if row.form is Form.AXIS_WEIGHTS
 )
 
+#: Functions of the transition to the next block: one of them in a block (20117).
+BLOCK_TRANSITIONS = (
+    EXACT_STOP_ONCE,
+    CONTOURING_ONCE,
+    *members(Group.CONTOURING),
+    *members(Group.EXACT_STOP),
+)
+
 #: All motions, and those that may appear in a plain line.
 MOTIONS = members(Group.MOTION)
 PLAIN_MOTIONS = tuple(number for number in MOTIONS if G_FUNCTIONS[number].plain)

@@ -22,15 +22,15 @@ G0 X1
 #RT CYCLE [ID=1 SCOPE=PROG] ; error 22005 "#RT CYCLE"
 M100
 ; --- begin without END, then a second definition
-#RT CYCLE [ID=1 SCOPE=PROG]
+#RT CYCLE [ID=1 SCOPE=PROG] ; error 22005 "#RT CYCLE"
 M100
-#RT CYCLE [ID=2 SCOPE=PROG] ; error 22005 "#RT CYCLE"
+#RT CYCLE [ID=2 SCOPE=PROG]
 M101
 #RT CYCLE END
 M30
 ; --- a definition inside a definition, not inside $IF
-#RT CYCLE [ID=1 SCOPE=PROG]
-#RT CYCLE [ID=2 SCOPE=PROG] ; error 22005 "#RT CYCLE"
+#RT CYCLE [ID=1 SCOPE=PROG] ; error 22005 "#RT CYCLE"
+#RT CYCLE [ID=2 SCOPE=PROG]
 M101
 #RT CYCLE END
 #RT CYCLE END

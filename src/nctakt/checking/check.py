@@ -18,6 +18,7 @@ from nctakt.base.failure import Failure
 from nctakt.base.text import BYTE_ORDER_MARKS, decode_text, split_lines
 from nctakt.checking.inputs import Finding, gather
 from nctakt.checking.program import check_program
+from nctakt.checking.suppression import Suppressions, apply, read_suppressions
 from nctakt.checking.targets import Target, Targets
 from nctakt.files.access import BEGIN_BYTES
 from nctakt.lists.all_parameters import SCHEMAS
@@ -138,6 +139,7 @@ class _Checker:
         self._known: dict[tuple[Path, Target], None] = {}
         self._names: dict[Path, Path] = {}
         self._global_cycles: list[GlobalCycles] = []
+        self._suppressions: dict[str, Suppressions] = {}
         #: Files that others call; programs that end as subprograms do, by the name of their file.
         self._called: dict[Path, None] = {}
         self._subprogram_ends: dict[str, Diagnostic] = {}
@@ -176,9 +178,27 @@ class _Checker:
         machines = tuple(startup.parent.as_posix() for startup, _ in gathered.machines)
         folders = self._targets.folders
         around = tuple(path.as_posix() for path in self._around if path.parent in folders)
-        found = _ordered(self._found, self._channels)
+        found = self._unsuppressed(_ordered(self._found, self._channels))
         settings = tuple(item for item in self._settings if item.path in self._targets.assigned)
         return CheckResult(files, found, machines, self._targets.uses_default, around, settings)
+
+    def _unsuppressed(self, found: tuple[Finding, ...]) -> tuple[Finding, ...]:
+        """Return the findings that no comment of their program suppresses, in the same order."""
+        marked = {
+            file: comments
+            for file, comments in self._suppressions.items()
+            if comments.items or comments.diagnostics
+        }
+        if not marked:
+            return found
+        self._found = [item for item in found if item.file not in marked]
+        for file, comments in marked.items():
+            of_file = [item for item in found if item.file == file]
+            channels = {id(item.diagnostic): item.channels for item in of_file}
+            left = apply(comments, [item.diagnostic for item in of_file])
+            for message in left:
+                self._found.append(Finding(file, message, channels.get(id(message), ())))
+        return tuple(sorted(self._found, key=_key))
 
     def _keep(
         self, file: str, diagnostics: Sequence[Diagnostic], channels: tuple[int, ...] = ()
@@ -351,6 +371,8 @@ class _Checker:
                 self._program(program.path.as_posix(), lines, target, program.role)
 
     def _program(self, name: str, lines: Sequence[str], target: Target, role: Role) -> None:
+        if name not in self._suppressions:
+            self._suppressions[name] = read_suppressions(Source(name, lines))
         self._files[name] = PROGRAM
         self._channels.setdefault(name, set()).add(target.channel)
         collector = Collector()

@@ -85,3 +85,36 @@ CHECKED_FOR_MACHINE_OF_FILE = note(
         "die Hochlaufliste in ihrem Ordner oder darüber",
     ),
 )
+SUPPRESSION_UNUSED = warning(
+    901182,
+    en="this comment suppresses nothing: line {line} has no finding {number}",
+    de="dieser Kommentar unterdrückt nichts: Zeile {line} hat keinen Befund {number}",
+    remedy_en="Remove the number, or write the comment in the line of the finding.",
+    remedy_de="Die Nummer entfernen oder den Kommentar in die Zeile des Befunds schreiben.",
+    number=("the number in the comment", "die Nummer im Kommentar"),
+    line=("the line that the comment is about", "die Zeile, um die es dem Kommentar geht"),
+)
+SUPPRESSION_WITHOUT_REASON = warning(
+    901183,
+    en="this comment suppresses {number} without a reason",
+    de="dieser Kommentar unterdrückt {number} ohne Begründung",
+    remedy_en="Write the reason behind the number: ; nctakt: ignore {number} the PLC waits",
+    remedy_de="Den Grund hinter die Nummer schreiben: ; nctakt: ignore {number} die SPS wartet",
+    number=("the number in the comment", "die Nummer im Kommentar"),
+)
+SUPPRESSED_ERROR = warning(
+    901184,
+    en="{number} is an error here; comments suppress only warnings and notes",
+    de="{number} ist hier ein Fehler; Kommentare unterdrücken nur Warnungen und Hinweise",
+    remedy_en="Correct the program: with an error it cannot run.",
+    remedy_de="Das Programm berichtigen: mit einem Fehler kann es nicht laufen.",
+    number=("the number in the comment", "die Nummer im Kommentar"),
+)
+INVALID_SUPPRESSION = warning(
+    901185,
+    en="'{text}' says neither what to ignore nor anything else that a comment can ask for",
+    de="'{text}' nennt weder, was zu übergehen ist, noch sonst etwas, das ein Kommentar kann",
+    remedy_en="Write ; nctakt: ignore NUMBER REASON with the number of a message, as in 900243.",
+    remedy_de="; nctakt: ignore NUMMER GRUND mit der Nummer einer Meldung schreiben, wie 900243.",
+    text=("the text of the comment", "der Text des Kommentars"),
+)

@@ -261,6 +261,7 @@ COMMENT_END_NOT_ALONE = error(
 )
 UNKNOWN_CYCLE_KEYWORD = error(
     21985,
+    known_as=(901181,),
     en="#RT CYCLE has no keyword {keyword}",
     de="#RT CYCLE hat kein Schlüsselwort {keyword}",
     remedy_en="Possible: DEF, END, START, HOLD, CONTINUE, ABORT ACTION, DELETE; ID, SCOPE, "

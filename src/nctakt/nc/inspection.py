@@ -15,7 +15,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Protocol
 
-from nctakt.base.diagnostics import Diagnostic, Message, Span
+from nctakt.base.diagnostics import Diagnostic, Message, Severity, Span
 from nctakt.base.text import close_names
 from nctakt.lists.machine.channel_configuration import ChannelParameters
 from nctakt.messages import Collector
@@ -96,7 +96,7 @@ def inspect(
         sequel.skip_known(statements)
     program = sequel.finish()
     unsorted.diagnostics.sort(key=_position)
-    collector.diagnostics += _without_redundant(unsorted.diagnostics)
+    collector.diagnostics += _named(_without_redundant(unsorted.diagnostics))
     return program
 
 
@@ -122,6 +122,15 @@ def _without_redundant(diagnostics: list[Diagnostic]) -> list[Diagnostic]:
         or diagnostic.span is None
         or diagnostic.span.line not in explained_lines
     ]
+
+
+def _named(diagnostics: list[Diagnostic]) -> list[Diagnostic]:
+    """Return the diagnostics, with slips of newcomers in place of general errors."""
+    if not any(item.message.severity is Severity.ERROR for item in diagnostics):
+        return diagnostics
+    from nctakt.nc.slips.naming import name_slips  # noqa: PLC0415 - only after a mistake
+
+    return name_slips(diagnostics)
 
 
 class _ProgramInspector:

@@ -100,7 +100,10 @@ def missing(
         searched = name
     else:
         searched = ", ".join(f"{folder.as_posix()}/" for folder in folders)
-    return diagnostic(PROGRAM_NOT_FOUND, span, line, name=name, folders=searched)
+    not_found = diagnostic(PROGRAM_NOT_FOUND, span, line, name=name, folders=searched)
+    from nctakt.nc.slips.naming import slip_of  # noqa: PLC0415 - only after a mistake
+
+    return slip_of(not_found) or not_found
 
 
 class LoadedProgram:

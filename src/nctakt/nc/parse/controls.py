@@ -12,7 +12,6 @@ from collections.abc import Callable
 from typing import NamedTuple, cast
 
 from nctakt.base.diagnostics import Span
-from nctakt.base.text import close_names
 from nctakt.messages.backward import RT_WHILE_NESTED
 from nctakt.messages.nc_text import (
     BRANCH_AFTER_ELSE,
@@ -21,7 +20,6 @@ from nctakt.messages.nc_text import (
     NAME_EXPECTED,
     STRUCTURE_NOT_OPENED,
     UNEXPECTED_TEXT,
-    UNKNOWN_CONTROL_WORD,
     UNKNOWN_CYCLE_KEYWORD,
 )
 from nctakt.nc.parse.block_head import parse_label
@@ -35,6 +33,7 @@ from nctakt.nc.parse.expressions import (
     quoted,
     require,
     shown,
+    unreadable,
 )
 from nctakt.nc.parse.hash_commands import (
     CYCLE_ACTIONS,
@@ -46,6 +45,7 @@ from nctakt.nc.parse.hash_commands import (
     simple_command,
 )
 from nctakt.nc.parse.lexer import BlockError, BlockText
+from nctakt.nc.parse.misspelt_structures import control_word, structure_command
 from nctakt.nc.parse.open_structures import (
     CycleFrame,
     DoFrame,
@@ -72,11 +72,13 @@ from nctakt.nc.tree import (
     Keyword,
     Statement,
 )
+from nctakt.nc.vocabulary import support_level
 
 _DOLLAR_WORD = re.compile(r"\s*\$([^\W\d]*)")
 _PREPROCESSOR = re.compile(r"\s*#\s*(IF|ELSEIF|ELSE|ENDIF)(?!\w)", re.IGNORECASE)
 _FREQUENCY = re.compile(r"\s*(ONCE|EDGE|ALWAYS)(?!\w)", re.IGNORECASE)
 _DOLLAR = re.compile(r"\s*\$")
+_ENDS_IN_LINE = re.compile(r"[^\s$][^$]*\$ENDIF\s*$", re.IGNORECASE)
 
 
 class CurrentLine(NamedTuple):
@@ -103,18 +105,9 @@ def control_line(text: BlockText, head: Head, structures: StructureStack) -> Non
     match = text.match(_DOLLAR_WORD)
     assert match is not None
     word = "$" + match[1].upper()
-    handler = CONTROL_WORDS.get(word)
-    if handler is None:
-        suggestion = close_names(word, CONTROL_WORDS, 0.0)[0]
-        start = match.start(1) - 1
-        raise BlockError(
-            UNKNOWN_CONTROL_WORD,
-            start,
-            match.end(),
-            word=shown("$" + match[1]),
-            suggestion=suggestion,
-        )
-    handler(CurrentLine(text, head, structures, match.start(1) - 1, word))
+    start = match.start(1) - 1
+    word = control_word(text, start, word, CONTROL_WORDS, structures)
+    CONTROL_WORDS[word](CurrentLine(text, head, structures, start, word))
 
 
 def hash_line(text: BlockText, head: Head, structures: StructureStack) -> None:
@@ -129,9 +122,13 @@ def hash_line(text: BlockText, head: Head, structures: StructureStack) -> None:
     if offsets is not None:
         structures.add_block(offsets, text)
         return
-    words = parse_words(text)
+    written = words = parse_words(text)
     name = tuple(word.name for word in words)
     handler = _HASH_LINES.get(name[:2]) or _HASH_LINES.get(name)
+    if handler is None and support_level.hash_command(name) is None:
+        words = structure_command(text, words, _HASH_LINES, structures)
+        name = tuple(word.name for word in words)
+        handler = _HASH_LINES.get(name[:2]) or _HASH_LINES.get(name)
     try:
         arguments = parse_arguments(text, name)
     except BlockError as error:
@@ -144,6 +141,8 @@ def hash_line(text: BlockText, head: Head, structures: StructureStack) -> None:
     command = RawCommand(start, text.pos, words, arguments)
     if handler is not None:
         handler(CurrentLine(text, head, structures, start, "#" + " ".join(name[:2])), command)
+        if words is not written and isinstance(structures.top, CycleFrame):
+            structures.top.reported = True
     else:
         structures.add_block(simple_command(text, head, command), text)
 
@@ -178,7 +177,9 @@ def _frequency(current: CurrentLine) -> Frequency | None:
 def _stray(current: CurrentLine, begin: str) -> None:
     span = current.span()
     line = current.text.source_line(span)
-    current.structures.report(STRUCTURE_NOT_OPENED, span, line, word=current.word, begin=begin)
+    if current.text.text_of(span).replace(" ", "").upper() == current.word.replace(" ", ""):
+        # A misspelt one has been reported.
+        current.structures.report(STRUCTURE_NOT_OPENED, span, line, word=current.word, begin=begin)
     current.text.pos = len(current.text.text)
 
 
@@ -202,6 +203,8 @@ def _if(current: CurrentLine) -> None:
     if failed and "$" in text.text[begin:]:
         # A jump in the same line, most likely: it needs no $ENDIF.
         return
+    if not failed and _ENDS_IN_LINE.search(text.text, text.pos) is not None:
+        raise unreadable(text)
     if text.looking_at(_DOLLAR) is not None:
         body = _one_line_body(text)
         current.structures.add_block(

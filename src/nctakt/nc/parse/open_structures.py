@@ -12,6 +12,9 @@ from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Span
 from nctakt.nc.parse.expressions import Item
 from nctakt.nc.tree import (
+    Assignment,
+    AxisWord,
+    Block,
     Case,
     Constant,
     Declaration,
@@ -20,6 +23,7 @@ from nctakt.nc.tree import (
     Expression,
     For,
     Frequency,
+    HashCommand,
     Head,
     If,
     Number,
@@ -29,10 +33,20 @@ from nctakt.nc.tree import (
     Repeat,
     Statement,
     Switch,
+    Timer,
+    Unreadable,
+    UserError,
     Variable,
+    VariableBlock,
     VariableDeclarations,
     While,
+    Word,
 )
+from nctakt.nc.vocabulary.functions import ENDS
+
+#: Words of blocks and commands that tell the program from the body of a realtime cycle.
+_PATH_WORDS = ("G", "F", "T", "D", "S")
+_CYCLE_COMMANDS = ("TIMER", "ERROR")
 
 
 @dataclass(slots=True)
@@ -250,6 +264,18 @@ class CycleFrame(Frame):
         #: Whether mismatched ends have been reported.
         self.reported = False
 
+    def take_foreign(self) -> list[Statement]:
+        """Remove and return what follows the cycle if its end was forgotten.
+
+        That begins with the first statement that no realtime cycle can have.
+        """
+        count = next(
+            (index for index, one in enumerate(self.body) if _is_foreign(one)), len(self.body)
+        )
+        foreign = self.body[count:]
+        del self.body[count:]
+        return foreign
+
     def finish(self) -> RealtimeCycle:
         return RealtimeCycle(
             self.opening.span,
@@ -259,6 +285,28 @@ class CycleFrame(Frame):
             tuple(self.body),
             self.end_span,
         )
+
+
+def _is_foreign(statement: Statement) -> bool:
+    """Return whether a statement shows that a realtime cycle has ended before it."""
+    match statement:
+        case Block():
+            return any(
+                isinstance(word, AxisWord)
+                or (isinstance(word, Word) and (word.name in _PATH_WORDS or _is_end(word)))
+                for word in statement.words
+            )
+        case Assignment():
+            return isinstance(statement.target, Parameter)
+        case HashCommand():
+            return not (statement.words and statement.words[0].name in _CYCLE_COMMANDS)
+        case If() | VariableBlock() | Timer() | UserError() | Unreadable():
+            return False
+    return True
+
+
+def _is_end(word: Word) -> bool:
+    return word.name == "M" and isinstance(word.value, Number) and word.value.value in ENDS
 
 
 class VariablesFrame(Frame):

@@ -146,7 +146,9 @@ class StructureStack:
         """Report that the innermost structure lacks its end, and close it."""
         frame = self._stack[-1]
         opening = frame.opening
+        outside: list[Statement] = []
         if isinstance(frame, CycleFrame):
+            outside = frame.take_foreign()
             if not frame.reported:
                 self.report(
                     CYCLE_BEGIN_END_MISMATCH, opening.span, opening.line, found=opening.begin
@@ -163,6 +165,8 @@ class StructureStack:
                 end=opening.end,
             )
         self.close(frame)
+        for statement in outside:
+            self.add(statement)
 
     def close_all(self) -> None:
         """Close all structures at the end of a program, reporting each."""
@@ -181,18 +185,21 @@ class StructureStack:
         self._forgiven_ends += 1
 
     def close_cycle_before(self, span: Span, line: str) -> None:
-        """Report an open cycle when a definition begins (22005)."""
+        """Report an open cycle when a definition begins (22005): its own begin, if it ends there.
+
+        Inside an open ``$IF`` of the cycle it is the definition that is wrong.
+        """
         index = self._index(_is_cycle)
         if index is None:
             return
         cycle = self._stack[index]
         assert isinstance(cycle, CycleFrame)
-        self.report(CYCLE_BEGIN_END_MISMATCH, span, line, found="#RT CYCLE")
-        cycle.reported = True
         if cycle is self.top:
             # Most likely its end was forgotten; if not, the surplus end is tolerated.
-            self.expect_stray_cycle_end()
-            self.close(cycle)
+            self.give_up()
+            return
+        self.report(CYCLE_BEGIN_END_MISMATCH, span, line, found="#RT CYCLE")
+        cycle.reported = True
 
 
 def _is_cycle(frame: Frame) -> bool:

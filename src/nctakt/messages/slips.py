@@ -1,0 +1,199 @@
+# SPDX-License-Identifier: MIT
+"""Messages about slips: what the writer meant is known, and so is how this language says it.
+
+Each stands in place of a general message of the parser or checker and has its number where that
+differs from the one here (``nc/slips``). ``found`` is the text as written, ``replacement`` the text
+for it.
+"""
+
+from __future__ import annotations
+
+from nctakt.messages.catalogue import error
+
+_FOUND = ("the text as written", "der Text, wie geschrieben")
+_REPLACEMENT = ("the text that belongs there", "der Text, der dort hingehört")
+
+EQUALS_IN_CONDITION = error(
+    20797,
+    known_as=(901163,),
+    en="'{found}' assigns a value and compares nothing",
+    de="'{found}' weist einen Wert zu und vergleicht nicht",
+    remedy_en="Write {replacement} to compare.",
+    remedy_de="Zum Vergleichen {replacement} schreiben.",
+    found=_FOUND,
+    replacement=_REPLACEMENT,
+)
+COMPARISON_AS_ASSIGNMENT = error(
+    20797,
+    known_as=(901164,),
+    en="'{found}' compares and assigns nothing",
+    de="'{found}' vergleicht und weist nichts zu",
+    remedy_en="Write {replacement} to assign.",
+    remedy_de="Zum Zuweisen {replacement} schreiben.",
+    found=_FOUND,
+    replacement=_REPLACEMENT,
+)
+OPERATOR_OF_OTHER_LANGUAGE = error(
+    20797,
+    known_as=(901165,),
+    en="'{found}' is not an operator of this language",
+    de="'{found}' ist kein Operator dieser Sprache",
+    remedy_en="Write {replacement}",
+    remedy_de="{replacement} schreiben.",
+    found=_FOUND,
+    replacement=_REPLACEMENT,
+)
+MISSPELT_FREQUENCY = error(
+    20392,
+    known_as=(901166,),
+    en="'{found}' does not say how often $IF is true",
+    de="'{found}' sagt nicht, wie oft $IF zutrifft",
+    remedy_en="Write {replacement}; possible are ONCE, EDGE and ALWAYS.",
+    remedy_de="{replacement} schreiben; möglich sind ONCE, EDGE und ALWAYS.",
+    found=_FOUND,
+    replacement=_REPLACEMENT,
+)
+SURPLUS_WORD = error(
+    20797,
+    known_as=(901167,),
+    en="a condition ends with its line, without {found}",
+    de="eine Bedingung endet mit ihrer Zeile, ohne {found}",
+    remedy_en="Remove {found}; the body begins in the next line.",
+    remedy_de="{found} entfernen; der Rumpf beginnt in der nächsten Zeile.",
+    found=_FOUND,
+)
+BODY_BEHIND_CONDITION = error(
+    20797,
+    known_as=(901168,),
+    en="{found} stands in the line of the condition",
+    de="{found} steht in der Zeile der Bedingung",
+    remedy_en="Begin a new line before {replacement}; only $GOTO, $BREAK and $CONTINUE may stand "
+    "here.",
+    remedy_de="Vor {replacement} eine neue Zeile beginnen; hier dürfen nur $GOTO, $BREAK, "
+    "$CONTINUE stehen.",
+    found=_FOUND,
+    replacement=_REPLACEMENT,
+)
+DECIMAL_COMMA = error(
+    20797,
+    known_as=(901169,),
+    en="{found} is not a number: decimals follow a point",
+    de="{found} ist keine Zahl: Nachkommastellen folgen einem Punkt",
+    remedy_en="Write {replacement}",
+    remedy_de="{replacement} schreiben.",
+    found=_FOUND,
+    replacement=_REPLACEMENT,
+)
+LETTER_IN_NUMBER = error(
+    20797,
+    known_as=(901170,),
+    en="{found} has a letter in place of a digit",
+    de="{found} hat einen Buchstaben an Stelle einer Ziffer",
+    remedy_en="Write {replacement}",
+    remedy_de="{replacement} schreiben.",
+    found=_FOUND,
+    replacement=_REPLACEMENT,
+)
+COMMENT_OF_OTHER_LANGUAGE = error(
+    20797,
+    known_as=(901171,),
+    en="{found} does not begin a comment",
+    de="{found} beginnt keinen Kommentar",
+    remedy_en="Write ; before a comment: {replacement}",
+    remedy_de="Vor einen Kommentar gehört ; : {replacement}",
+    found=_FOUND,
+    replacement=_REPLACEMENT,
+)
+STEP_OPERATOR = error(
+    20797,
+    known_as=(901172,),
+    en="there is no operator as in {found}",
+    de="einen Operator wie in {found} gibt es nicht",
+    remedy_en="Write {replacement}",
+    remedy_de="{replacement} schreiben.",
+    found=_FOUND,
+    replacement=_REPLACEMENT,
+)
+ROUND_BRACKETS = error(
+    20797,
+    known_as=(901173,),
+    en="{found} is a comment: round brackets hold no expression",
+    de="{found} ist ein Kommentar: runde Klammern enthalten keinen Ausdruck",
+    remedy_en="Write {replacement}",
+    remedy_de="{replacement} schreiben.",
+    found=_FOUND,
+    replacement=_REPLACEMENT,
+)
+FUNCTION_WITHOUT_BRACKETS = error(
+    20797,
+    known_as=(901174,),
+    en="a function needs brackets around its argument: {found}",
+    de="eine Funktion braucht Klammern um ihr Argument: {found}",
+    remedy_en="Write {replacement}",
+    remedy_de="{replacement} schreiben.",
+    found=_FOUND,
+    replacement=_REPLACEMENT,
+)
+ARGUMENTS_WITHOUT_BRACKETS = error(
+    20797,
+    known_as=(901175,),
+    en="{found} needs square brackets around it",
+    de="{found} gehört in eckige Klammern",
+    remedy_en="Write {replacement}",
+    remedy_de="{replacement} schreiben.",
+    found=_FOUND,
+    replacement=_REPLACEMENT,
+)
+WORD_INSIDE_BRACKETS = error(
+    21985,
+    known_as=(901176,),
+    en="the word in '{found}' belongs in front of the bracket",
+    de="das Wort in '{found}' gehört vor die Klammer",
+    remedy_en="Write '{replacement}'",
+    remedy_de="'{replacement}' schreiben.",
+    found=_FOUND,
+    replacement=_REPLACEMENT,
+)
+WORD_FOR_CYCLE_COMMAND = error(
+    21985,
+    known_as=(901177,),
+    en="#RT CYCLE has no command {found}",
+    de="#RT CYCLE hat keinen Befehl {found}",
+    remedy_en="Write {replacement}; the commands are START, HOLD, CONTINUE, ABORT ACTION, DELETE.",
+    remedy_de="{replacement} schreiben; die Befehle sind START, HOLD, CONTINUE, ABORT ACTION, "
+    "DELETE.",
+    found=_FOUND,
+    replacement=_REPLACEMENT,
+)
+SIGN_MISSING_BEFORE_WORD = error(
+    20797,
+    known_as=(901178,),
+    en="{found} needs the sign of its kind in front of it",
+    de="vor {found} fehlt das Zeichen für die Art des Worts",
+    remedy_en="Write {replacement}",
+    remedy_de="{replacement} schreiben.",
+    found=_FOUND,
+    replacement=_REPLACEMENT,
+)
+SEPARATOR_IN_FOR = error(
+    20880,
+    known_as=(901179,),
+    en="{found} does not divide the values of $FOR",
+    de="{found} trennt die Werte von $FOR nicht",
+    remedy_en="Write '{replacement}', as in $FOR P1 = 1, 10, 1",
+    remedy_de="'{replacement}' schreiben, wie in $FOR P1 = 1, 10, 1",
+    found=_FOUND,
+    replacement=_REPLACEMENT,
+)
+WORD_OF_OTHER_CONTROL = error(
+    20797,
+    known_as=(901180,),
+    en="{found} is a word of {control}, for {meaning}",
+    de="{found} ist ein Wort von {control}, für {meaning}",
+    remedy_en="{instead}",
+    remedy_de="{instead}",
+    found=_FOUND,
+    control=("the control that knows it", "die Steuerung, die es kennt"),
+    meaning=("what it means there", "was es dort bedeutet"),
+    instead=("what this language has for it", "was diese Sprache dafür hat"),
+)

@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: MIT
+"""Misspelt words that open, divide or close a structure: reported, and taken for what was meant.
+
+In: the word of a ``$`` line or ``#`` command that nobody knows, the known ones. Out: the known one;
+without it each later line of the structure would be wrong as well.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+
+from nctakt.base.text import close_names
+from nctakt.messages.checked_blocks import UNKNOWN_COMMAND
+from nctakt.messages.nc_text import UNKNOWN_CONTROL_WORD
+from nctakt.nc.parse.expressions import shown
+from nctakt.nc.parse.lexer import BlockError, BlockText
+from nctakt.nc.parse.structure_stack import StructureStack
+from nctakt.nc.tree import Name
+
+#: A second word, as in ``$ELSE IF``; not that of a jump, which has its own ``$``.
+_SECOND_PART = re.compile(r"\s+(IF|FOR|WHILE|DO|SWITCH)(?!\w)", re.IGNORECASE)
+_DIVIDED = ("$ELSE", "$END")
+#: How similar a word or command must be to open or close what the similar one does.
+_SIMILARITY = 0.75
+_OTHER_SPELLINGS = ("$ELIF",)
+
+
+def control_word(
+    text: BlockText, start: int, word: str, known: Iterable[str], structures: StructureStack
+) -> str:
+    """Return the known control word, begun at ``start``, that ``word`` is or is meant for.
+
+    Raises ``BlockError`` for any other word.
+    """
+    names = tuple(known)
+    second = text.looking_at(_SECOND_PART) if word in _DIVIDED else None
+    if second is None and word in names:
+        return word
+    if second is not None:
+        text.pos = second.end()
+        word += second[1].upper()
+    suggestion = close_names(word, names, 0.0)[0]
+    written = shown(text.text[start : text.pos])
+    error = BlockError(UNKNOWN_CONTROL_WORD, start, text.pos, word=written, suggestion=suggestion)
+    if not close_names(word, (suggestion,), _SIMILARITY) and word not in _OTHER_SPELLINGS:
+        raise error
+    structures.block_error(text, error)
+    return suggestion
+
+
+def structure_command(
+    text: BlockText,
+    words: Sequence[Name],
+    known: Iterable[tuple[str, ...]],
+    structures: StructureStack,
+) -> tuple[Name, ...]:
+    """Return the words of a command, in place of misspelt ones those of a structure."""
+    for meant in known:
+        written = words[: len(meant)]
+        if close_names(" ".join(word.name for word in written), (" ".join(meant),), _SIMILARITY):
+            start = text.text.index("#")
+            span = replace(text.span(start, start + 1), end_column=written[-1].span.end_column)
+            nearest = "#" + " ".join(meant)
+            error = BlockError(
+                UNKNOWN_COMMAND, 0, 0, span, word=shown(text.text_of(span)), nearest=nearest
+            )
+            structures.block_error(text, error)
+            named = zip(written, meant, strict=False)
+            return (*(replace(word, name=name) for word, name in named), *words[len(meant) :])
+    return tuple(words)

@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: MIT
+"""Slips of those who are new to the language, and habits from other controls."""

@@ -126,7 +126,9 @@ def test_each_published_parameter_is_declared_and_explained(kind: str) -> None:
             assert parameter.id == id_ or id_ in {alias.id for alias in parameter.aliases}
             assert parameter.text.en and parameter.text.de, id_
             assert parameter.text.en != parameter.text.de, id_
-            facts = article(declared.schema, parameter).facts
+            shown = article(declared.schema, parameter)
+            assert shown.name.count(parameter.id) == 1
+            facts = shown.facts
             assert all(fact.value.en and fact.value.de for fact in facts), id_
 
 

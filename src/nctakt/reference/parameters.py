@@ -54,7 +54,7 @@ CONCERNS: dict[str, Text] = {
 
 def article(schema: Schema, parameter: Parameter) -> Article:
     """Return the article of one parameter of a kind of list."""
-    name = f"{parameter.id} {parameter.path}".strip()
+    name = " ".join(dict.fromkeys(word for word in (parameter.id, parameter.path) if word))
     return Article(name, kind_of(schema), parameter.text, tuple(_facts(parameter)))
 
 

@@ -182,24 +182,32 @@ _INFINITE = float("inf")
 def range_text(parameter: Parameter) -> str:
     """Return the range of a parameter as text, empty without one.
 
-    ``1 … P-AXIS-00008``, ``0 | 512 … ∞``; for a text ``≤`` and its maximum length.
+    ``1 … P-AXIS-00008``, ``0 | 512 … ∞``, ``> 0 … 1``; for a text ``≤`` and its maximum length.
     """
     if parameter.type is ValueType.STRING:
         return "" if parameter.high is None else f"≤ {parameter.high}"
     if not parameter.type.is_number:
         return ""
     low, high = parameter.bounds
-    ends = (_end(low, parameter.at_least, ">"), _end(high, parameter.at_most, "<"))
+    excluded = set(parameter.excluded)
+    if parameter.type is not ValueType.REAL64 and low in excluded:
+        excluded.remove(low)
+        low += 1
+    ends = (
+        _end(low, parameter.at_least, ">", low in excluded),
+        _end(high, parameter.at_most, "<", high in excluded),
+    )
+    excluded -= {low, high}
     alternatives = [_number_text(number) for number in parameter.also]
     if low != high and ends != ("−∞", "∞"):
         alternatives.append(" … ".join(ends))
-    excluded = [f"≠ {_number_text(number)}" for number in parameter.excluded]
-    return " | ".join((*alternatives, *excluded))
+    without = [f"≠ {_number_text(number)}" for number in parameter.excluded if number in excluded]
+    return " | ".join((*alternatives, *without))
 
 
-def _end(bound: float, limit: Limit | None, sign: str) -> str:
+def _end(bound: float, limit: Limit | None, sign: str, is_excluded: bool) -> str:
     if limit is None:
-        return _number_text(bound)
+        return f"{sign + ' ' if is_excluded else ''}{_number_text(bound)}"
     factor = "" if limit.factor == 1 else f"{limit.factor:g} · "
     return f"{sign + ' ' if limit.is_exclusive else ''}{factor}{limit.id}"
 
@@ -207,7 +215,7 @@ def _end(bound: float, limit: Limit | None, sign: str) -> str:
 def _number_text(number: float) -> str:
     if number in (_INFINITE, -_INFINITE):
         return "∞" if number > 0 else "−∞"
-    return str(number)
+    return str(int(number) if number == int(number) else number)
 
 
 @cache

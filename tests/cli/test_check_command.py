@@ -694,6 +694,13 @@ def test_entries_without_effect_that_would_change_a_run(check: Check) -> None:
     assert ": 2 (feed_to_weakest_axis, messtyp)" in checked.lines[0]
     assert check("mine", "--strict").code == 1
     effects = check("mine", "--effects")
-    assert effects.ids == [900970, 900970, 900971]
-    assert "messtyp (P-CHAN-00057) is 2, not 1" in effects.out
+    line = lists.read_text("utf-8").splitlines().index("messtyp 2") + 1
+    assert effects.lines[0] == "warning 900970: 2 entries without effect here would change a run"
+    assert effects.lines[1].strip() == "mine/sda_mds1.lis"
+    assert f"  {line:6}  P-CHAN-00057   messtyp is 2, not 1" in effects.lines
     assert "Which of the measuring types is preset" in effects.out
+    assert "note 900971: 1 entry without effect here may change a run" in effects.lines
+    assert effects.out.count("remedy: Expect other positions") == 2
+    german = check("mine", "--effects", "--lang", "de")
+    assert "P-CHAN-00057   messtyp ist 2, nicht 1" in german.out
+    assert "Hinweis 900971: 1 Eintrag ohne Wirkung hier kann einen Lauf ändern" in german.lines

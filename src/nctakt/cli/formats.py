@@ -19,6 +19,7 @@ from nctakt.base.diagnostics import Diagnostic, Language, Severity, Span, Text
 from nctakt.base.version import __version__
 from nctakt.checking.check import CheckResult
 from nctakt.checking.inputs import Finding
+from nctakt.cli.effects_list import effect_lines, is_listed
 from nctakt.cli.selection import RULE_PREFIX
 
 COLOURS = {Severity.ERROR: "red", Severity.WARNING: "yellow", Severity.NOTE: None}
@@ -72,12 +73,16 @@ def relative(file: str, root: Path) -> Path:
 
 
 def as_text(result: CheckResult, language: Language) -> str:
-    """Return each finding with its line and remedy, in colours."""
+    """Return the findings in colours, each with its line and remedy; ``--effects`` as a table."""
     lines: list[str] = []
+    listed = [one.diagnostic for one in result.findings if is_listed(one.diagnostic)]
     for finding in result.findings:
+        if is_listed(finding.diagnostic):
+            continue
         headline, *rest = finding.diagnostic.render(language).split("\n")
         lines += [click.style(headline, fg=COLOURS[finding.diagnostic.severity]), *rest]
         lines += [f"  {line}" for line in _channels(finding, language)]
+    lines += effect_lines(listed, language, COLOURS)
     return "".join(f"{line}\n" for line in lines)
 
 

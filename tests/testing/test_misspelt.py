@@ -5,11 +5,15 @@ from pathlib import Path
 
 import pytest
 
+from nctakt.base.comment_keywords import has_expectation, keyword_near
 from nctakt.base.failure import Failure
-from nctakt.run.controller import Controller
+from nctakt.checking.check import check_files
+from nctakt.lists.machine.machine import load_machine
+from nctakt.run.assembly import AssembledMachine
+from nctakt.run.controller import Controller, NcText
 from nctakt.testing.expectations import read_script
-from nctakt.testing.keywords import has_expectation, keyword_near
 from nctakt.testing.queries import run_program
+from nctakt.testing.verdict import differences
 
 PROGRAM = (
     "#RT CYCLE [SCOPE=PROG]\n$IF V.RTA.ACS.ACT_POS.X > 1\nM100\n$ENDIF\n#RT CYCLE END\nG00 X5\nM30"
@@ -55,3 +59,52 @@ def test_a_line_without_a_branch_is_an_error() -> None:
     assert diagnostic.id == 900663
     assert diagnostic.remedy() == "Lines with branches: 2."
     assert not run_program(Controller(), PROGRAM.replace("> 1", "> 100"), Path()).fired(line=2)
+
+
+def found_by_check(text: str) -> list[tuple[int, int, str]]:
+    """Number, line and severity of each finding of ``nctakt check`` in a text."""
+    result = check_files([NcText("part.nc", text)], AssembledMachine(load_machine(None)))
+    found = [one.diagnostic for one in result.findings]
+    return [(one.id, one.span.line, one.severity.name) for one in found if one.span is not None]
+
+
+def test_check_finds_what_no_test_would_look_at() -> None:
+    """Misspelt keywords, invalid expectations and inputs, impossible times: each in its line."""
+    text = (
+        "; expct: ended\nG00 X5 ; expect: fird\nG00 X6 ; given: nothing\nM30 ; expect: X = 1 at 5w"
+    )
+    assert found_by_check(text) == [
+        (900662, 1, "ERROR"),
+        (900660, 2, "ERROR"),
+        (900661, 3, "ERROR"),
+        (900660, 4, "ERROR"),
+    ]
+
+
+def test_check_knows_the_lines_with_branches() -> None:
+    """900663 for a named line and for the comment's own; a called file may have the line."""
+    lines = PROGRAM.splitlines()
+    lines[1] = lines[1].replace("$IF", "$IF ONCE")
+    fired = [*lines[:2], "M100 ; expect: fired line 2; expect: fired line 99", *lines[3:]]
+    assert found_by_check("\n".join(fired)) == [(900663, 3, "ERROR")]
+    own = [*lines[:2], "M100 ; expect: fired", *lines[3:]]
+    assert found_by_check("\n".join(own)) == [(900663, 3, "ERROR")]
+    calls = [*fired[:-1], 'L "other.nc"', "M30"]
+    assert 900663 not in [number for number, _, _ in found_by_check("\n".join(calls))]
+    met = PROGRAM.replace("$IF", "$IF ONCE").replace("> 1", "> 1 ; expect: fired")
+    assert found_by_check(met) == []
+
+
+def test_a_run_warns_of_a_misspelt_keyword() -> None:
+    """The controller ignores comments, so the program runs."""
+    run = Controller().run(NcText("part.nc", "G00 X5 ; expct: ended\nM30"))
+    assert run.state == "ended"
+    assert [(one.id, one.severity.name) for one in run.diagnostics] == [(900662, "WARNING")]
+
+
+def test_a_test_names_the_expectation_of_a_line_without_branch() -> None:
+    """900663 stands below the file and line of its comment."""
+    script = read_script(Path("part.nc"), "M30 ; expect: fired line 99")
+    run = run_program(Controller(), PROGRAM, Path())
+    (wrong,) = differences(run, script.expectations, "part.nc")
+    assert wrong.startswith("part.nc:1: expect: fired line 99\nerror 900663: ")

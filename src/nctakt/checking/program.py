@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """One program -> its diagnostics, statement by statement.
 
-In: its text. Out: diagnostics of parser, checker and lint in the order of the text, the files that
-it calls, and its GLOBAL realtime cycles. Only one statement is in memory at a time, so that a
-program of any length can be checked.
+In: its text. Out: diagnostics of parser, checker, lint and of the expectations in its comments, in
+the order of the text, the files that it calls, and its GLOBAL realtime cycles. Only one statement
+is in memory at a time, so that a program of any length can be checked.
 """
 
 from __future__ import annotations
@@ -22,6 +22,7 @@ from nctakt.lists.machine.channel_configuration import ChannelParameters
 from nctakt.messages import Collector, diagnostic
 from nctakt.messages.program_structure import PROGRAM_ENDS_AS_SUBPROGRAM
 from nctakt.nc.check.blocks import Role
+from nctakt.nc.check.branches import branch_outlines
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.inspection import inspect
 from nctakt.nc.lint.linter import GlobalCycles, Linter
@@ -30,6 +31,7 @@ from nctakt.nc.source import Source
 from nctakt.nc.tree import Statement, StringLiteral
 from nctakt.nc.vocabulary.variable_table import NameTable
 from nctakt.run.program_loader import find_program, missing, search_folders
+from nctakt.testing.expectations import impossible_firings, parse_script
 
 
 @dataclass(frozen=True, slots=True)
@@ -109,6 +111,11 @@ def check_program(
             program_diagnostics.diagnostics.append(missing(name, folders, access, span, line))
         else:
             called[path] = None
+    of_comments = program_diagnostics.diagnostics
+    script = parse_script(source, of_comments)
+    if not calls:  # a line may be one of a called file
+        branches = [branch for cycle in program.cycles for branch in branch_outlines(cycle)]
+        of_comments += impossible_firings(script, source, {one.span.line for one in branches})
     program_diagnostics.diagnostics.sort(key=_position)
     collector.diagnostics += program_diagnostics.diagnostics
     end, note = path_checker.subprogram_end, None

@@ -143,8 +143,8 @@ MISSPELT_KEYWORD = error(
 )
 NO_BRANCH_IN_LINE = error(
     900663,
-    en="no realtime cycle of this run has a branch in line {line}",
-    de="kein Echtzeit-Zyklus dieses Laufs hat einen Zweig in Zeile {line}",
+    en="no realtime cycle has a branch in line {line}",
+    de="kein Echtzeit-Zyklus hat einen Zweig in Zeile {line}",
     remedy_en="Lines with branches: {known}.",
     remedy_de="Zeilen mit Zweigen: {known}.",
     line=("the line", "die Zeile"),

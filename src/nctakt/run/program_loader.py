@@ -26,6 +26,7 @@ from nctakt.messages.files import FILE_OUTSIDE
 from nctakt.messages.inputs import NAMES_OF_DEMO_MACHINE, TEXT_INSTEAD_OF_FILE
 from nctakt.messages.program_structure import PROGRAM_NOT_FOUND
 from nctakt.nc.check.blocks import Role
+from nctakt.nc.check.comments import misspelt_keywords
 from nctakt.nc.inspection import inspect
 from nctakt.nc.outline import ProgramText
 from nctakt.nc.source import Source
@@ -215,6 +216,12 @@ def load(
     loaded = LoadedProgram(machine, channel)
     main = loaded.add(Source(name_of(program), lines), collector, "main")
     loaded.add_called(main, collector)
+    if isinstance(lines, list):  # a test is no text of megabytes
+        for number, line in enumerate(lines, 1):
+            if ";" in line:
+                collector.diagnostics += misspelt_keywords(
+                    main.source.file, number, line, is_lenient=True
+                )
     loaded.add_implicit(collector)
     diagnostics += collector.diagnostics
     errors = [message for message in collector.diagnostics if message.severity.name == "ERROR"]

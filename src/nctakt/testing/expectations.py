@@ -24,19 +24,23 @@ Behind a value ``at TIME`` or ``at end``.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
+from dataclasses import replace
+from itertools import chain
 from pathlib import Path
 from typing import Literal
 
 from nctakt.base.dataclass import dataclass, field
-from nctakt.base.diagnostics import Diagnostic, Span
+from nctakt.base.diagnostics import NOTHING, Diagnostic, Span
 from nctakt.base.failure import Failure
+from nctakt.base.text import split_lines
 from nctakt.lists.format import times
 from nctakt.lists.format.times import Time, TimeLike, read_time
 from nctakt.messages import diagnostic
-from nctakt.messages.inputs import INVALID_EXPECTATION, INVALID_GIVEN_INPUT, MISSPELT_KEYWORD
+from nctakt.messages.inputs import INVALID_EXPECTATION, INVALID_GIVEN_INPUT, NO_BRANCH_IN_LINE
+from nctakt.nc.check.comments import misspelt_keywords
+from nctakt.nc.source import Source
 from nctakt.run.stimuli import Stimulus, parse_assignment
-from nctakt.testing.keywords import heads, keyword_near
 
 #: Tolerance of an expected value unless the expectation has one.
 TOLERANCE = 1e-6
@@ -107,41 +111,66 @@ def read_script(path: Path, text: str) -> Script:
     Raises ``Failure`` with all invalid comments: 900660 for an expectation, 900661 for an input,
     900662 for a misspelt keyword, 900510 … 900512 for times and values.
     """
-    script = Script()
     diagnostics: list[Diagnostic] = []
-    for number, line in enumerate(text.splitlines(), 1):
-        diagnostics.extend(_misspelt_keywords(path, number, line))
-        match = _COMMENT.search(line)
-        if match is None:
-            continue
-        about = number if line[: match.start()].strip() else None
-        kind = match["kind"].lower()
-        for part in _parts(match["text"]):
-            later = _LATER.fullmatch(part)
-            kind, words = (later["kind"].lower(), later["text"]) if later else (kind, part)
-            try:
-                if kind == "given":
-                    _give(script, words.strip())
-                else:
-                    script.expectations.append(_expectation(words.strip(), number, about))
-            except _NotUnderstoodError:
-                span = Span(str(path), number, match.start() + 1, len(line) + 1)
-                message = INVALID_GIVEN_INPUT if kind == "given" else INVALID_EXPECTATION
-                diagnostics.append(diagnostic(message, span, line, text=words.strip()))
-            except Failure as failure:
-                diagnostics.extend(failure.diagnostics)
+    script = parse_script(Source(str(path), split_lines(text)), diagnostics)
     if diagnostics:
         raise Failure(*diagnostics)
     return script
 
 
-def _misspelt_keywords(path: Path, number: int, line: str) -> Iterator[Diagnostic]:
-    """Yield a diagnostic for each word that is nearly ``expect`` or ``given``."""
-    for match in heads(line):
-        word, keyword = match["word"], keyword_near(match["word"])
-        if word.lower() != keyword:
-            span = Span(str(path), number, match.start("word") + 1, match.end("word") + 1)
-            yield diagnostic(MISSPELT_KEYWORD, span, line, word=word, keyword=keyword)
+def parse_script(source: Source, diagnostics: list[Diagnostic]) -> Script:
+    """Return the inputs and expectations of a program; invalid comments go to ``diagnostics``."""
+    script = Script()
+    for number, line in enumerate(chain.from_iterable(source.groups()), 1):
+        if ";" in line:
+            _comments(script, source.file, number, line, diagnostics)
+    return script
+
+
+def _comments(
+    script: Script, file: str, number: int, line: str, diagnostics: list[Diagnostic]
+) -> None:
+    """Add the inputs and expectations in a line to the script."""
+    diagnostics += misspelt_keywords(file, number, line)
+    match = _COMMENT.search(line)
+    if match is None:
+        return
+    span = Span(file, number, match.start() + 1, len(line) + 1)
+    about = number if line[: match.start()].strip() else None
+    kind = match["kind"].lower()
+    for part in _parts(match["text"]):
+        later = _LATER.fullmatch(part)
+        kind, words = (later["kind"].lower(), later["text"]) if later else (kind, part)
+        try:
+            if kind == "given":
+                _give(script, words.strip())
+            else:
+                script.expectations.append(_expectation(words.strip(), number, about))
+        except _NotUnderstoodError:
+            message = INVALID_GIVEN_INPUT if kind == "given" else INVALID_EXPECTATION
+            diagnostics.append(diagnostic(message, span, line, text=words.strip()))
+        except Failure as failure:
+            # Times and values are read wherever a user writes one: here they have a place.
+            diagnostics += [
+                replace(found, span=span, source_line=line) for found in failure.diagnostics
+            ]
+
+
+def impossible_firings(
+    script: Script, source: Source, branch_lines: Collection[int]
+) -> Iterator[Diagnostic]:
+    """Yield 900663 for each expected firing in a line that is none of ``branch_lines``."""
+    known = ", ".join(map(str, sorted(branch_lines))) or NOTHING
+    for expectation in script.expectations:
+        about = expectation.about
+        if expectation.kind != "fired" or about is None or about in branch_lines:
+            continue
+        span = Span(source.file, expectation.line, 1, 2)
+        line = source.line_of(span)
+        match = _COMMENT.search(line)
+        assert match is not None
+        span = Span(source.file, expectation.line, match.start() + 1, len(line) + 1)
+        yield diagnostic(NO_BRANCH_IN_LINE, span, line, line=about, known=known)
 
 
 class _NotUnderstoodError(Exception):

@@ -61,7 +61,7 @@ def pytest_collect_file(file_path: Path, parent: pytest.Collector) -> pytest.Col
     patterns = parent.config.getini("nctakt_files")
     if not any(file_path.match(pattern) for pattern in patterns):
         return None
-    from nctakt.testing.keywords import has_expectation  # noqa: PLC0415 - see above
+    from nctakt.base.comment_keywords import has_expectation  # noqa: PLC0415 - see above
 
     if not has_expectation(file_path.read_bytes().decode("latin-1")):
         return None

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from nctakt.base.diagnostics import Diagnostic, Severity
+from nctakt.base.failure import Failure
 from nctakt.lists.format.times import Time
 from nctakt.messages import diagnostic
 from nctakt.messages.command_line import RUN_NOT_ENDED
@@ -25,11 +26,15 @@ def differences(
     One more where the run came to its limit (901016) and none was given (``is_limited``).
     """
     for expectation in expectations:
-        wrong = _wrong(run, expectation)
+        head = f"{file}:{expectation.line}: expect: {expectation.text}"
+        try:
+            wrong = _wrong(run, expectation)
+        except Failure as failure:
+            yield "\n".join((head, *(found.render() for found in failure.diagnostics)))
+            continue
         if wrong:
             expected = f"- {_in_words_of_events(run, expectation)}"
             lines = (expected, *(f"+ {line}" for line in wrong))
-            head = f"{file}:{expectation.line}: expect: {expectation.text}"
             yield "\n".join((head, *(f"    {line}" for line in lines)))
     numbers = [(error.number, error.about) for error in expectations if error.kind == "error"]
     if run.run.state == "limit" and not is_limited:

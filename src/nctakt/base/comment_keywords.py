@@ -2,8 +2,8 @@
 """The keywords in comments that turn an NC program into a test, and their misspellings.
 
 A misspelt keyword (``; expct: M100``) is a mistake, not a comment: else the test would pass without
-a check. The module imports nothing of nctakt, so that the plugin can search files without loading
-it.
+a check. The module imports next to nothing, so that the pytest plugin can search files without
+loading nctakt.
 """
 
 from __future__ import annotations

@@ -26,7 +26,7 @@ def test_an_axis_that_finds_no_stop_is_an_error_unless_it_may() -> None:
     run = perform(f"G01 X10 F6000 {ON}]\nG00 X20\nM30")
     assert run.state == "error"
     assert numbers(run) == [50886]
-    run = perform(f"G01 X10 F6000 {ON} ERR_NOT_DETECTED=0]\nG00 X20\nM30")
+    run = perform(f"G01 X10 F6000 {ON} ERR_NOT_DETECTED=0]\nG00 X20 X[FIXED_STOP OFF]\nM30")
     assert run.state == "ended"
     assert told(run, "fixed_stop") == []
 
@@ -95,3 +95,40 @@ def test_what_cannot_be_monitored(block: str, number: int) -> None:
     run = perform(f"G01 F6000 {block}\nM30")
     assert run.state == "error"
     assert numbers(run) == [number]
+
+
+@pytest.mark.parametrize(
+    ("blocks", "number", "line"),
+    [
+        ("G01 Y5 F6000\nX40\nM30", 21967, 3),
+        ("X[FIXED_STOP OFF] Y5\nX40\nM30", None, 0),
+        ("X40 X[FIXED_STOP OFF]\nX30\nM30", None, 0),
+        ("X40 X[FIXED_STOP ON]\nM30", 21969, 2),
+        ("#CHANNEL INIT [ACTPOS]\nM30", 21964, 2),
+        ("#CHANNEL INIT [CMDPOS]\nM30", None, 0),
+        ("X40 X[FIXED_STOP OFF]\n#CHANNEL INIT [ACTPOS]\nM30", None, 0),
+    ],
+)
+def test_an_axis_at_its_stop_is_left_with_off(blocks: str, number: int | None, line: int) -> None:
+    """It cannot be moved, monitored or asked for its actual position before."""
+    run = perform(f"G01 X100 F6000 {ON}]\n{blocks}", machine(X=50.0))
+    assert [(one.id, one.span and one.span.line) for one in run.errors] == (
+        [] if number is None else [(number, line)]
+    )
+
+
+def test_many_plain_lines_do_not_move_an_axis_at_its_stop() -> None:
+    """The short way for plain lines is closed while an axis is monitored."""
+    lines = "".join(f"Y{n}\n" for n in range(1200))
+    run = perform(f"G01 X100 F6000 {ON}]\n{lines}X40\nM30", machine(X=50.0))
+    assert numbers(run) == [21967]
+
+
+def test_a_stop_needs_the_history_of_the_path() -> None:
+    """P-STUP-00033 = 0: 50881."""
+    demo = load_machine(None)
+    channels = tuple(
+        replace(one, startup=replace(one.startup, backward_memory_bytes=0)) for one in demo.channels
+    )
+    run = perform(f"G01 X100 F6000 {ON}]\nM30", Controller(replace(demo, channels=channels)))
+    assert numbers(run) == [50881]

@@ -77,7 +77,7 @@ BUFFERED_MOTION_WAITING = error(
 )
 MOTION_ENDED_BY_LIMIT = error(
     1702,
-    known_as=(900434, 900436),
+    known_as=(900434, 900436, 60158, 60159),
     cases=Cases((1702, 1703), lambda values: 0),
     en="a software limit of axis {axis} ends its motion",
     de="ein Software-Endschalter der Achse {axis} beendet ihre Bewegung",

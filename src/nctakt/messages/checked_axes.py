@@ -36,6 +36,7 @@ INDP_KEYWORD_NOT_ALLOWED = error(
 )
 INDEPENDENT_MOTION_NOT_PERMITTED = error(
     50966,
+    known_as=(21936,),
     en="{axis} must not be moved independently (P-AXIS-00457)",
     de="{axis} darf nicht unabhängig bewegt werden (P-AXIS-00457)",
     remedy_en="Write kenngr.enable_single_axis 1 in the list of that axis.",
@@ -50,6 +51,7 @@ INDEPENDENT_MOTION_NOT_PERMITTED = error(
 )
 INDEPENDENT_MOTION_REFUSED = error(
     50967,
+    known_as=(1700, 60212, 21374, 21375),
     en="{axis}[INDP …]: {reason}",
     de="{axis}[INDP …]: {reason}",
     remedy_en="Write {axis}[INDP G90 G01 FEED=500 POS=100], {axis}[INDP FEED=500] or {axis}[INDP "

@@ -128,6 +128,7 @@ VALUE_LIST_IN_CYCLE = error(
 )
 COMMAND_NOT_ALLOWED_IN_CYCLE = error(
     22002,
+    known_as=(21950, 21952, 21957),
     en="{command} is not possible in a realtime cycle",
     de="{command} ist in einem Echtzeit-Zyklus nicht möglich",
     remedy_en="Possible are $IF, assignments, M and H functions, spindle and axis commands, #TIMER "

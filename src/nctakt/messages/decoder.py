@@ -38,7 +38,7 @@ ARGUMENT_OUT_OF_RANGE = error(
 )
 OPERATION_WITHOUT_RESULT = error(
     20396,
-    known_as=(900300, 20574, 21959),
+    known_as=(900300, 20574, 21959, 21272),
     cases=by_beginning("operation", {"&": 20978, "|": 20978, "^": 20978}),
     en="the operation {operation} has no result for these operands",
     de="die Operation {operation} hat für diese Operanden kein Ergebnis",

@@ -42,3 +42,47 @@ FIXED_STOP_NOT_FOUND = error(
     reaction=6,
     clearing=6,
 )
+FIXED_STOP_WITHOUT_HISTORY = error(
+    50881,
+    en="{axis}[FIXED_STOP ON] needs the history of the path, and this channel has none",
+    de="{axis}[FIXED_STOP ON] braucht den Verlauf der Bahn, und dieser Kanal hat keinen",
+    remedy_en="Give the channel memory for it: fb_storage_size (P-STUP-00033).",
+    remedy_de="Dem Kanal Speicher dafür geben: fb_storage_size (P-STUP-00033).",
+    axis=("the axis", "die Achse"),
+    reaction=2,
+    clearing=3,
+)
+FIXED_STOP_ACTIVE = error(
+    21969,
+    known_as=(50885,),
+    en="{axis} is already monitored for a fixed stop",
+    de="{axis} wird schon auf einen Festanschlag überwacht",
+    remedy_en="End it first, with a motion away from the stop: {axis}0 {axis}[FIXED_STOP OFF].",
+    remedy_de="Sie zuerst beenden, mit einer Bewegung vom Anschlag weg: "
+    "{axis}0 {axis}[FIXED_STOP OFF].",
+    axis=("the axis", "die Achse"),
+    reaction=2,
+    clearing=3,
+)
+AXIS_AT_FIXED_STOP = error(
+    21967,
+    known_as=(50889,),
+    en="{axis} is at a fixed stop, or was on its way to it, and cannot be moved",
+    de="{axis} steht am Festanschlag oder war auf dem Weg dorthin und kann nicht verfahren werden",
+    remedy_en="End the monitoring in the block that moves away: {axis}0 {axis}[FIXED_STOP OFF].",
+    remedy_de="Die Überwachung im Satz beenden, der wegfährt: {axis}0 {axis}[FIXED_STOP OFF].",
+    axis=("the axis", "die Achse"),
+    reaction=2,
+    clearing=3,
+)
+POSITION_AT_FIXED_STOP = error(
+    21964,
+    known_as=(50884,),
+    en="#CHANNEL INIT [ACTPOS] asks for the position of {axis}, which is at a fixed stop",
+    de="#CHANNEL INIT [ACTPOS] fordert die Position von {axis} an, die am Festanschlag steht",
+    remedy_en="Leave the stop first: {axis}0 {axis}[FIXED_STOP OFF].",
+    remedy_de="Zuerst vom Anschlag wegfahren: {axis}0 {axis}[FIXED_STOP OFF].",
+    axis=("the axis", "die Achse"),
+    reaction=2,
+    clearing=3,
+)

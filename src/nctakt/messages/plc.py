@@ -119,7 +119,7 @@ UNKNOWN_PLC_AXIS = error(
 )
 INVALID_AXIS_COMMAND = error(
     900657,
-    known_as=(44003, 44004, 44033),
+    known_as=(44003, 44004, 44033, 50520, 50521),
     en="axis {name} cannot be moved with value {value} at speed {speed}",
     de="Achse {name} kann mit Wert {value} und Geschwindigkeit {speed} nicht fahren",
     remedy_en="Give a finite position or distance, and a speed above 0.",
@@ -130,7 +130,7 @@ INVALID_AXIS_COMMAND = error(
 )
 TOO_MANY_AXIS_COMMANDS = error(
     900658,
-    known_as=(44000,),
+    known_as=(44000, 50645, 50646, 60305, 1705, 1708),
     en="too many axis commands in one tick: the one for {name} is ignored",
     de="zu viele Achsaufträge in einem Takt: der für {name} wird ignoriert",
     remedy_en="Call function blocks with a rising edge of execute in different ticks.",

@@ -25,6 +25,7 @@ CYCLES_EXCEED_STEP_LIMIT = error(
 )
 CYCLE_MEMORY_FULL = error(
     50855,
+    known_as=(21958,),
     en="not enough memory for another realtime cycle: {needed} bytes needed, {free} free",
     de="nicht genug Speicher für einen weiteren Echtzeit-Zyklus: {needed} Byte nötig, {free} frei",
     remedy_en="Delete cycles that are done, or increase configuration.rt_cycles.memory "
@@ -82,6 +83,7 @@ TOO_MANY_CYCLES = error(
 )
 CYCLE_OPERATION_WITHOUT_RESULT = error(
     50879,
+    known_as=(21959,),
     en="'{operation}' in realtime cycle {cycle} has no valid result",
     de="'{operation}' im Echtzeit-Zyklus {cycle} hat kein gültiges Ergebnis",
     remedy_en="Check the operands with $IF first; '=' stands for a result that is too large.",

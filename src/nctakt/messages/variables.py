@@ -138,7 +138,7 @@ VARIABLES_OVERLAP = warning(
 )
 VARIABLE_OFFSET_TOO_LARGE = warning(
     21988,
-    known_as=(900088,),
+    known_as=(900088, 21518, 21519),
     en="{key}: byte {value} is out of range; the variable is left out",
     de="{key}: Byte {value} liegt außerhalb des Bereichs; die Variable entfällt",
     remedy_en="Give an offset up to {limit}, or leave it to the controller with -1.",

@@ -12,7 +12,12 @@ from collections.abc import Container, Generator, Iterator, Mapping, Sequence
 from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Span
 from nctakt.decoder.blocks.feed import FeedRate
-from nctakt.decoder.blocks.fixed_stops import fixed_stop, is_fixed_stop
+from nctakt.decoder.blocks.fixed_stops import (
+    begin_or_end,
+    check_free,
+    fixed_stop,
+    is_fixed_stop,
+)
 from nctakt.decoder.blocks.path_motion import CENTRE_WORDS, PathMotion, PathWords
 from nctakt.decoder.blocks.spindles import SpindleWords, names_of
 from nctakt.decoder.blocks.technology_output import (
@@ -45,7 +50,6 @@ from nctakt.kernel.base import arithmetic
 from nctakt.lists.declared.offsets import MAX_GROUPS
 from nctakt.messages.backward import EDGE_BANDING_NOT_SIMULATED
 from nctakt.messages.decoder import INVALID_DWELL_TIME
-from nctakt.messages.fixed_stops import FIXED_STOP_WITHOUT_MOTION
 from nctakt.messages.offsets import UNKNOWN_ZERO_OFFSET
 from nctakt.nc import tree
 from nctakt.nc.vocabulary.function_rows import Group
@@ -137,6 +141,8 @@ class BlockDecoder:
         """
         self.has_motion = False
         content = yield from self._sort(block, number)
+        if self._state.monitored:
+            check_free(self._values, [word for word, _ in content.axes], content.stops)
         content.path.offset_kinds = kinds
         if content.zero_group is not None or content.is_reference:
             yield from self._offsets(content, self._environment.source_id(block.span), number)
@@ -392,16 +398,11 @@ class BlockDecoder:
     ) -> Generator[Command, Answer]:
         """Yield a motion to or from a fixed stop; its end is known to the axes only (MO-12)."""
         moved = self._programmed(content)
-        monitored = False
         for word, stop in content.stops:
-            if stop.is_on and word.name not in moved:
-                self._values.fail(FIXED_STOP_WITHOUT_MOTION, word.span, axis=word.name)
-            if stop.is_on:
-                self._values.check_flush_allowed(f"{word.name}[FIXED_STOP]", word.span)
-            monitored = monitored or stop.is_on
+            begin_or_end(self._values, word, stop, moved)
             yield stop
         yield from self._motion(content, span, number)
-        if monitored:
+        if any(stop.is_on for _, stop in content.stops):
             source = self._environment.source_id(span)
             yield FixedStopEnd(source, number)
             answer = yield PositionRequest(source, number)

@@ -3,12 +3,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Generator
+from collections.abc import Collection, Generator
 
 from nctakt.decoder.state.commands import Answer, Command, FixedStop
 from nctakt.decoder.values.variables import Values
 from nctakt.kernel.base import arithmetic
-from nctakt.messages.fixed_stops import INVALID_FIXED_STOP_RANGE
+from nctakt.messages.fixed_stops import (
+    AXIS_AT_FIXED_STOP,
+    FIXED_STOP_ACTIVE,
+    FIXED_STOP_WITHOUT_HISTORY,
+    FIXED_STOP_WITHOUT_MOTION,
+    INVALID_FIXED_STOP_RANGE,
+)
 from nctakt.nc import tree
 
 #: The first keyword of the command.
@@ -48,3 +54,37 @@ def fixed_stop(
         end / 100.0,
         arithmetic.is_true(numbers.get("ERR_NOT_DETECTED", 1.0)),
     )
+
+
+def begin_or_end(
+    values: Values, word: tree.BracketCommand, stop: FixedStop, moved: Collection[str]
+) -> None:
+    """Note that monitoring of an axis begins or ends; ``moved``: the axes of the block.
+
+    Raises ``DecodeError`` where monitoring cannot begin: without a motion of the axis (21966),
+    without a history of the path (50881), while it is active (21969).
+    """
+    axis, monitored = word.name, values.state.monitored
+    if not stop.is_on:
+        monitored.discard(axis)
+        return
+    if axis not in moved:
+        values.fail(FIXED_STOP_WITHOUT_MOTION, word.span, axis=axis)
+    if values.environment.history_size == 0:
+        values.fail(FIXED_STOP_WITHOUT_HISTORY, word.span, axis=axis)
+    if axis in monitored:
+        values.fail(FIXED_STOP_ACTIVE, word.span, axis=axis)
+    values.check_flush_allowed(f"{axis}[{WORD}]", word.span)
+    monitored.add(axis)
+
+
+def check_free(
+    values: Values,
+    words: Collection[tree.AxisWord],
+    stops: Collection[tuple[tree.BracketCommand, FixedStop]],
+) -> None:
+    """Check that the block moves no axis at a fixed stop; raises ``DecodeError`` 21967."""
+    commanded = {command.name for command, _ in stops}
+    for word in words:
+        if word.name in values.state.monitored and word.name not in commanded:
+            values.fail(AXIS_AT_FIXED_STOP, word.span, axis=word.name)

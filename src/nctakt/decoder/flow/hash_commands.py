@@ -20,6 +20,7 @@ from nctakt.decoder.state.commands import (
 )
 from nctakt.decoder.values.variables import Values
 from nctakt.messages.decoder import UNKNOWN_TIMER
+from nctakt.messages.fixed_stops import POSITION_AT_FIXED_STOP
 from nctakt.nc import tree
 from nctakt.nc.vocabulary.system_variables import TIMERS
 
@@ -51,10 +52,23 @@ class HashCommands:
             yield ClearHistory(self._environment.source_id(command.span), number)
         elif words == ("CHANNEL", "INIT"):
             source = self._environment.source_id(command.span)
+            self._check_free(command)
             self._values.check_flush_allowed("#CHANNEL INIT", command.span)
             answer = yield PositionRequest(source, number)
             assert isinstance(answer, tuple)
             self._values.state.positions = list(answer)
+
+    def _check_free(self, command: tree.HashCommand) -> None:
+        """Check that ``[ACTPOS]`` does not ask for an axis at a fixed stop (21964)."""
+        items = [
+            item for one in command.arguments if isinstance(one, tree.Bracket) for item in one.items
+        ]
+        asks_actual = any(
+            isinstance(item, tree.Keyword) and item.name == "ACTPOS" for item in items
+        )
+        monitored = self._values.state.monitored
+        if asks_actual and monitored:
+            self._values.fail(POSITION_AT_FIXED_STOP, command.span, axis=min(monitored))
 
     def _file(self, command: tree.HashCommand, number: int) -> Generator[Command, Answer]:
         (bracket,) = command.arguments

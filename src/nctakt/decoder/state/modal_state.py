@@ -146,7 +146,7 @@ class ModalState:
 
     ``parameters``: P1, P2, … ``measures``: edge banding is on (G108). ``message_file``: the file of
     saved messages (#FILENAME). ``not_plain``: the active G functions that plain lines do not know,
-    by group.
+    by group. ``monitored``: the axes at a fixed stop or on their way to it.
     """
 
     motion: int
@@ -162,6 +162,7 @@ class ModalState:
     feed: FeedState = field(default_factory=FeedState)
     call_stack: CallStack = field(default_factory=CallStack)
     not_plain: dict[Group, int] = field(default_factory=dict)
+    monitored: set[str] = field(default_factory=set)
 
     @property
     def rapid(self) -> bool:
@@ -177,7 +178,7 @@ class ModalState:
         """
         feed = self.feed
         has_override = feed.path_override != (1.0, 1.0) or bool(feed.axis_overrides)
-        return not self.not_plain and not has_override
+        return not self.not_plain and not has_override and not self.monitored
 
     def note(self, function: int) -> None:
         """Note a G function that becomes active, for ``allows_plain_lines``."""

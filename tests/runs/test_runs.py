@@ -25,7 +25,7 @@ import nctakt
 from nctakt.plc import load_plc
 from nctakt.results.run import Run
 from nctakt.run.controller import Controller
-from nctakt.run.inputs import Input
+from nctakt.run.inputs import InputListener
 from nctakt.run.tape import Tape
 from nctakt.schedule.open_schedule import RunSchedule, open_schedule
 from nctakt.trace.sinks import Sink
@@ -62,7 +62,7 @@ def perform(
     programs: str = "*.nc",
     *,
     replay: Tape | None = None,
-    record: Callable[[Input], None] | None = None,
+    record: InputListener | None = None,
     sinks: Sequence[Sink] = (),
 ) -> Run:
     """Run the programs of a folder and record the signals ``names``; with ``replay`` no PLC."""

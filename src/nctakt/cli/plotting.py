@@ -92,13 +92,13 @@ class Drawings:
 
     def sinks(self, sinks: Sequence[Sink], request: Request) -> list[Sink]:
         """Return sinks that get only the requested signals, and events as without pictures."""
-        from nctakt.trace.columns import BLOCK_EVENTS, FirstColumns  # noqa: PLC0415 - the mode is chosen before
+        from nctakt.trace.columns import BLOCK_EVENTS, first_columns  # noqa: PLC0415 - the mode is chosen before
 
         if not self._files:
             return list(sinks)
         signals = self._default_signals if request.signals is None else request.signals
         hides = () if self._options.blocks else BLOCK_EVENTS
-        return [FirstColumns(sink, len(signals), hides) for sink in sinks]
+        return [first_columns(sink, len(signals), hides) for sink in sinks]
 
     def draw(self, run: Run) -> None:
         """Write the files; raises ``Failure``."""

@@ -35,7 +35,7 @@ if TYPE_CHECKING:
     from nctakt.decoder.cycles.builder import CycleDefinition
     from nctakt.results.run import ProgramMessage, Run
     from nctakt.run.controller import Controller
-    from nctakt.run.inputs import Input
+    from nctakt.run.inputs import InputListener
     from nctakt.schedule.open_schedule import RunSchedule
     from nctakt.trace.sinks import Sink
 
@@ -202,7 +202,7 @@ def run_programs(
     why: bool = False,
     on_message: Callable[[ProgramMessage], None] | None = None,
     on_cycle: Callable[[str, CycleDefinition], None] | None = None,
-    record: Callable[[Input], None] | None = None,
+    record: InputListener | None = None,
     is_drawn: bool = False,
     condition_signals: bool = False,
 ) -> Run | None:

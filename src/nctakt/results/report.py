@@ -162,8 +162,5 @@ class DiagnosisSink:
         """Keep these events."""
         self.report.add(events)
 
-    def rows(self, first_tick: int, rows: memoryview[float], width: int) -> None:
-        """Do nothing: diagnosis data come from events."""
-
     def close(self) -> None:
         """Do nothing: the report stays."""

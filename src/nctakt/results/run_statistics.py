@@ -96,9 +96,6 @@ class RunStatistics:
     def open(self, header: TraceHeader) -> None:
         """Do nothing: the counts need no header."""
 
-    def rows(self, first_tick: int, rows: memoryview[float], width: int) -> None:
-        """Do nothing: the counts come from events."""
-
     def close(self) -> None:
         """Do nothing: the counts stay."""
 

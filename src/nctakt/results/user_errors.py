@@ -88,8 +88,5 @@ class UserErrorLog:
             position = "" if error.span is None else f" {error.span}"
             self._write(f"{error.time_us} {error.label(self._texts)} [{values_text}]{position}\n")
 
-    def rows(self, first_tick: int, rows: memoryview[float], width: int) -> None:
-        """Do nothing: errors are events."""
-
     def close(self) -> None:
         """Do nothing: the caller closes the file."""

@@ -37,7 +37,7 @@ from nctakt.trace.recorded import EventList
 from nctakt.trace.sinks import Sink
 
 if TYPE_CHECKING:
-    from nctakt.run.inputs import Input
+    from nctakt.run.inputs import InputListener
     from nctakt.run.tape import Tape
     from nctakt.schedule.open_schedule import RunSchedule
 
@@ -288,7 +288,7 @@ class Controller:
         on_cycle: Callable[[str, CycleDefinition], None] | None = None,
         blocks: bool = False,
         condition_signals: bool = False,
-        record: Callable[[Input], None] | None = None,
+        record: InputListener | None = None,
         replay: Tape | None = None,
     ) -> Run:
         """Run programs one after another and return the result.

@@ -3,15 +3,15 @@
 
 In: values of variables and of the operator's panel, acknowledgements of functions and spindle jobs,
 motions of single axes that a PLC requests; now, or planned for a tick (stimuli, a tape). Out: what
-the next tick latches (RC-002), in the order of arrival. A listener learns of each input: it is all
-that a run needs to be repeated.
+the next tick latches (RC-002), in the order of arrival. A listener learns of all of them, some
+ticks later: they are all that a run needs to be repeated.
 """
 
 from __future__ import annotations
 
 from collections import deque
 from collections.abc import Callable, Iterable, Sequence
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
@@ -33,6 +33,14 @@ API, STIMULI, PLC = "api", "stimuli", "plc"
 NEVER = 1 << 62
 
 
+#: Cells that wait for the listener: a tick that has more begins nothing new with them.
+_MAX_NOTED = 5000
+
+
+#: Cells of an input.
+INPUT_WIDTH = 5
+
+
 class Input(NamedTuple):
     """An input that ``tick`` latches; ``values`` are the arguments of the method for its kind."""
 
@@ -42,8 +50,26 @@ class Input(NamedTuple):
     values: tuple[float | str | bool, ...]
 
 
+#: Inputs in the order of their arrival, in five cells each: tick, source, kind; name and value of
+#: what is written, else the values and nothing. A PLC writes in each tick, and lists of objects
+#: would be searched for garbage again and again.
+Cells = list[Any]
+
+#: Takes inputs.
+InputListener = Callable[[Cells], None]
+
+
+def unpack(cells: Cells) -> list[Input]:
+    """Return the inputs of cells."""
+    found = []
+    for at in range(0, len(cells), INPUT_WIDTH):
+        tick, source, kind, values, value = cells[at : at + INPUT_WIDTH]
+        found.append(Input(tick, source, kind, (values, value) if kind == WRITE else values))
+    return found
+
+
 class Inputs:
-    """The inputs of one machine; ``listener`` is called with each of them."""
+    """The inputs of one machine."""
 
     def __init__(
         self,
@@ -57,7 +83,21 @@ class Inputs:
         self._access = access
         self._report_stale = report_stale
         self._planned: deque[Input] = deque()
-        self.listener: Callable[[Input], None] | None = None
+        self._listener: InputListener | None = None
+        self._noted: Cells = []
+
+    # --- the listener ---------------------------------------------------------------------------
+
+    def listen(self, listener: InputListener | None) -> None:
+        """Let this listener, or nobody, learn of the inputs from now on."""
+        self.hand_over()
+        self._listener = listener
+
+    def hand_over(self) -> None:
+        """Hand the inputs since the last time to the listener."""
+        if self._noted and self._listener is not None:
+            noted, self._noted = self._noted, []
+            self._listener(noted)
 
     # --- planned inputs -------------------------------------------------------------------------
 
@@ -95,6 +135,8 @@ class Inputs:
 
     def apply_due(self) -> int:
         """Apply the planned inputs of the coming tick; return the tick of the next planned one."""
+        if len(self._noted) >= _MAX_NOTED:
+            self.hand_over()
         planned = self._planned
         while planned and planned[0].tick <= self._kernel.tick:
             self._apply(planned.popleft())
@@ -130,7 +172,9 @@ class Inputs:
     def write(self, name: str, value: float | bool | str, source: str = API) -> None:
         """Write a variable or an operator's value; raises ``Failure`` for a wrong one."""
         self._access.write(name, value)
-        self._tell(source, WRITE, name, value if isinstance(value, str) else float(value))
+        if self._listener is not None:
+            number = value if isinstance(value, str) else float(value)
+            self._noted += (self._kernel.tick, source, WRITE, name, number)
 
     def acknowledge(
         self, channel: int, is_realtime: bool, slot: int, serial: int, name: str
@@ -164,5 +208,5 @@ class Inputs:
         return owner
 
     def _tell(self, source: str, kind: str, *values: float | str | bool) -> None:
-        if self.listener is not None:
-            self.listener(Input(self._kernel.tick, source, kind, values))
+        if self._listener is not None:
+            self._noted += (self._kernel.tick, source, kind, values, None)

@@ -32,7 +32,7 @@ from nctakt.trace.recorded import MemorySink
 from nctakt.trace.sinks import Sink
 
 if TYPE_CHECKING:
-    from nctakt.run.inputs import Input
+    from nctakt.run.inputs import InputListener
     from nctakt.run.tape import Tape
 
 #: Virtual time after which a run ends if neither ``until`` nor ``ticks`` limits it.
@@ -71,7 +71,7 @@ class RunOptions:
     on_cycle: Callable[[str, CycleDefinition], None] | None = None
     blocks: bool = False
     condition_signals: bool = False
-    record: Callable[[Input], None] | None = None
+    record: InputListener | None = None
     replay: Tape | None = None
 
 
@@ -97,7 +97,7 @@ class ProgramRun:
         for name, value in options.set.items():
             machine.write(name, value)
         machine.access.apply_writes()
-        machine.inputs.listener = options.record
+        machine.inputs.listen(options.record)
         for stimulus in self._stimuli:
             machine.access.check(stimulus.name, stimulus.value)
         if isinstance(options.plc, WatchedPlc):
@@ -163,8 +163,7 @@ class ProgramRun:
         self._loop.recording.open(
             [*options.sinks, *memory, self._statistics],
             signals,
-            bool(options.sinks) or options.memory_trace,
-            options.record_writes,
+            options.record_writes and (bool(options.sinks) or options.memory_trace),
             options.why,
             options.blocks,
         )
@@ -183,6 +182,7 @@ class ProgramRun:
         if self._parts is None:
             self.load()
         assert self._parts is not None
+        is_stopped = False
         while self.state is None and (end is None or self._loop.tick < end):
             bound = next(self._parts, None)
             if bound is None:
@@ -190,8 +190,9 @@ class ProgramRun:
             is_stopped = self._loop.advance(bound if end is None else min(bound, end))
             self._machine.poll()
             if is_stopped:
-                return True
-        return False
+                break
+        self._machine.inputs.hand_over()
+        return is_stopped
 
     def _run_programs(self, programs: Mapping[int, Sequence[LoadedProgram]]) -> Iterator[int]:
         """Yield up to which tick the loop may go next; set the state at the end."""
@@ -241,7 +242,8 @@ class ProgramRun:
         self._loop.recording.close()
         for channel in self._loop.channels:
             channel.close()
-        self._machine.registry.on_cycle = self._machine.inputs.listener = None
+        self._machine.registry.on_cycle = None
+        self._machine.inputs.listen(None)
         self._machine.poll = do_nothing
 
     def result(self) -> Run:

@@ -20,7 +20,7 @@ from nctakt.run.assembly import AssembledMachine
 from nctakt.run.error_events import realtime_diagnostic
 from nctakt.trace.chunks import EventChunk
 from nctakt.trace.events import Event, EventDecoder
-from nctakt.trace.sinks import Signal, Sink, TraceHeader
+from nctakt.trace.sinks import RowSink, Signal, Sink, TraceHeader
 
 if TYPE_CHECKING:
     from nctakt.results.coverage import Coverage
@@ -59,6 +59,7 @@ class Recording:
         self._is_reported = is_reported
         self._events = EventDecoder(machine.configuration.cycle_time_us, machine.registry)
         self._sinks: Sequence[Sink] = ()
+        self._row_sinks: Sequence[RowSink] = ()
         self._probes: ProbeLog | None = None
         self._noticed: set[tuple[str, Span | None]] = set()
         self.messages: list[ProgramMessage] = []
@@ -82,19 +83,19 @@ class Recording:
         self,
         sinks: Sequence[Sink],
         signals: Sequence[str],
-        records: bool,
         record_writes: bool,
         why: bool,
         answers: bool,
     ) -> None:
         """Begin to record these signals, which ``checked`` has returned, for these sinks.
 
-        Without ``records`` there are no rows and no writes of cycles. ``why`` gathers the histories
-        of conditions, ``answers`` records each acknowledgement of a function.
+        Without a ``RowSink`` there are no rows. ``record_writes`` records the writes of cycles,
+        ``answers`` each acknowledgement of a function; ``why`` gathers the histories of conditions.
         """
-        header = self._select(signals, records, record_writes)
+        self._listen(sinks)
+        header = self._select(signals if self._row_sinks else ())
+        self._machine.record.records_writes = record_writes
         self._machine.record.records_answers = answers
-        self._sinks = sinks
         for sink in sinks:
             sink.open(header)
         self._probes = self._probe_log() if why else None
@@ -106,16 +107,20 @@ class Recording:
         """End the recording of a run."""
         for sink in self._sinks:
             sink.close()
-        self._sinks = ()
+        self._listen(())
         self._machine.record.records_answers = False
 
     def add(self, sink: Sink) -> None:
-        """Let a further listener have the events from now on; it is not opened."""
-        self._sinks = (*self._sinks, sink)
+        """Let a further listener have what is recorded from now on; it is not opened."""
+        self._listen((*self._sinks, sink))
 
     def remove(self, sink: Sink) -> None:
         """Take a listener away that ``add`` has brought."""
-        self._sinks = tuple(one for one in self._sinks if one is not sink)
+        self._listen([one for one in self._sinks if one is not sink])
+
+    def _listen(self, sinks: Sequence[Sink]) -> None:
+        self._sinks = sinks
+        self._row_sinks = [sink for sink in sinks if isinstance(sink, RowSink)]
 
     def drain(self) -> None:
         """Empty the kernel's record into the listeners."""
@@ -129,11 +134,11 @@ class Recording:
         signals = memoryview(record.take_rows()).cast("d")
         if len(events):
             self._watch(events.of_kinds(_WATCHED))
-        for sink in self._sinks:
-            if len(events):
+            for sink in self._sinks:
                 sink.events(events)
-            if rows_count:
-                sink.rows(first_tick, signals, record.signal_count)
+        if rows_count:
+            for row_sink in self._row_sinks:
+                row_sink.rows(first_tick, signals, record.signal_count)
 
     def why(
         self, first_tick: int, texts: Sequence[ProgramText]
@@ -198,11 +203,10 @@ class Recording:
             self._noticed.add(notice)
             self._report(realtime_diagnostic(event, self._machine))
 
-    def _select(self, names: Sequence[str], records: bool, record_writes: bool) -> TraceHeader:
+    def _select(self, names: Sequence[str]) -> TraceHeader:
         """Choose the signals of the trace."""
         machine = self._machine
         signals = machine.signals()
-        machine.record.select([signals[name][0] for name in names] if records else [])
-        machine.record.records_writes = records and record_writes
-        header = tuple(Signal(name, *signals[name][1:]) for name in names) if records else ()
+        machine.record.select([signals[name][0] for name in names])
+        header = tuple(Signal(name, *signals[name][1:]) for name in names)
         return TraceHeader(machine.configuration.cycle_time_us, header)

@@ -2,8 +2,9 @@
 """A tape: all inputs of a run from outside, in a file, and read back.
 
 In: the words of the run, its inputs, its events. Out: JSON lines. The first line says how the run
-was started; then each tick with inputs has a line, and each tick with events one with a checksum of
-them; the last line says how the run ended, and has the digests of the files that it was made of.
+was started; then come the inputs (``tape_lines.py``), and between them each tick with events has a
+line with a checksum of them; the last line says how the run ended, and has the digests of the files
+that it was made of.
 """
 
 from __future__ import annotations
@@ -12,7 +13,6 @@ import hashlib
 import json
 import zlib
 from collections.abc import Callable, Mapping, Sequence
-from math import isfinite
 from pathlib import Path
 from typing import Any
 
@@ -24,7 +24,8 @@ from nctakt.base.version import __version__
 from nctakt.files.access import FileAccess
 from nctakt.messages import diagnostic
 from nctakt.messages.tape import INVALID_TAPE, TAPE_CUT_OFF, TAPE_OF_OTHER_VERSION
-from nctakt.run.inputs import ACKNOWLEDGE, ACKNOWLEDGE_SPINDLE, AXIS, WRITE, Input
+from nctakt.run.inputs import Input
+from nctakt.run.tape_lines import InputLines, inputs_of, to_json
 from nctakt.trace.events import Event
 from nctakt.trace.sinks import TraceHeader
 from nctakt.trace.texts import by_tick, join_events
@@ -37,14 +38,6 @@ _BEGIN = '{"tape":'
 
 #: Head, end, and what stands behind the last line end: nothing.
 _MIN_LINES = 3
-
-#: The types of the values of each kind of input.
-_SHAPES: Mapping[str, tuple[tuple[type, ...], ...]] = {
-    WRITE: ((str,), (float, int, str)),
-    ACKNOWLEDGE: ((int,), (bool,), (int,), (int,), (str,)),
-    ACKNOWLEDGE_SPINDLE: ((int,), (int,), (int,), (str,)),
-    AXIS: ((int,), (int,), (float, int), (float, int), (int,), (int,)),
-}
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,10 +73,6 @@ def checksum(events: Sequence[Event]) -> int:
     return zlib.crc32(join_events(events).encode("utf-8"))
 
 
-def _json(value: object) -> str:
-    return json.dumps(value, ensure_ascii=False, separators=(",", ":"))
-
-
 class TapeWriter:
     """Writes a tape line by line: ``note`` takes inputs, as a sink it takes events."""
 
@@ -91,9 +80,8 @@ class TapeWriter:
         self, write: Callable[[str], Any], words: Mapping[str, Any], text: str | None, has_plc: bool
     ) -> None:
         self._write = write
-        self._tick = -1
-        self._inputs: list[str] = []
-        self._heads: dict[tuple[str, str], str] = {}
+        self._inputs = InputLines(write)
+        self.note = self._inputs.note
         self._line(
             {
                 "tape": VERSION,
@@ -105,31 +93,7 @@ class TapeWriter:
         )
 
     def _line(self, value: Mapping[str, Any]) -> None:
-        self._write(_json(value) + "\n")
-
-    def note(self, arrived: Input) -> None:
-        """Take an input; those of a tick come together."""
-        if arrived.tick != self._tick:
-            self._write_inputs()
-            self._tick = arrived.tick
-        self._inputs.append(self._text_of(arrived))
-
-    def _text_of(self, arrived: Input) -> str:
-        """Return an input as JSON; a number for a variable, of which there are many, fast."""
-        source, values = arrived.source, arrived.values
-        if arrived.kind != WRITE or type(values[1]) is not float or not isfinite(values[1]):
-            return _json([source, arrived.kind, *values])
-        name = values[0]
-        assert isinstance(name, str)
-        head = self._heads.get((source, name))
-        if head is None:
-            head = self._heads[source, name] = _json([source, WRITE, name])[:-1]
-        return f"{head},{values[1]!r}]"
-
-    def _write_inputs(self) -> None:
-        if self._inputs:
-            self._write(f'{{"tick":{self._tick},"inputs":[{",".join(self._inputs)}]}}\n')
-            self._inputs.clear()
+        self._write(to_json(value) + "\n")
 
     def open(self, header: TraceHeader) -> None:
         """Do nothing: the first line has been written."""
@@ -137,16 +101,11 @@ class TapeWriter:
     def events(self, events: Sequence[Event]) -> None:
         """Write the checksum of each tick with events."""
         for tick, together in by_tick(list(events)):
-            if self._tick <= tick:
-                self._write_inputs()
             self._line({"tick": tick, "events": checksum(together)})
-
-    def rows(self, first_tick: int, rows: memoryview[float], width: int) -> None:
-        """Ignore the values: they follow from the inputs."""
 
     def close(self) -> None:
         """Write the inputs that are left; ``finish`` writes the last line."""
-        self._write_inputs()
+        self._inputs.flush()
 
     def finish(self, state: str, ticks: int, files: Mapping[str, Path]) -> None:
         """Write the last line; ``files``: programs and lists by their names on the tape."""
@@ -169,9 +128,6 @@ class TapeComparison:
         for tick, together in by_tick(list(events)):
             if self._expected.pop(tick, None) != checksum(together):
                 self._differ(tick, join_events(together))
-
-    def rows(self, first_tick: int, rows: memoryview[float], width: int) -> None:
-        """Ignore the values."""
 
     def close(self) -> None:
         """Note the first tick whose events are missing."""
@@ -236,21 +192,16 @@ class _Reader:
         entry = self._object(number)
         if "end" in entry:
             return
-        tick = entry.get("tick")
-        if not isinstance(tick, int) or isinstance(tick, bool) or tick < 0:
-            raise self._invalid(number, "no tick")
-        if "events" in entry and isinstance(entry["events"], int):
-            checksums[tick] = entry["events"]
+        tick, events = entry.get("tick"), entry.get("events")
+        if isinstance(events, int) and type(tick) is int and tick >= 0:
+            checksums[tick] = events
             return
-        arrived = entry.get("inputs")
-        if not isinstance(arrived, list):
-            raise self._invalid(number, "neither inputs nor events")
-        if inputs and inputs[-1].tick > tick:
+        found = inputs_of(entry)
+        if isinstance(found, str):
+            raise self._invalid(number, found)
+        if inputs and found and inputs[-1].tick > found[0].tick:
             raise self._invalid(number, "ticks that go back")
-        for one in arrived:
-            if not _is_input(one):
-                raise self._invalid(number, f"no input: {one}")
-            inputs.append(Input(tick, one[0], one[1], tuple(one[2:])))
+        inputs += found
 
     def tape(
         self, head: Mapping[str, Any], inputs: Sequence[Input], checksums: Mapping[int, int]
@@ -290,16 +241,3 @@ class _Reader:
 
     def _span(self, number: int) -> Span:
         return Span(self._name, number, 1, 2)
-
-
-def _is_input(value: Any) -> bool:
-    """Return whether a list of JSON is source, kind and the values of that kind."""
-    if not isinstance(value, list) or len(value) < 2 or not isinstance(value[0], str):
-        return False
-    shape = _SHAPES.get(value[1]) if isinstance(value[1], str) else None
-    if shape is None or len(value) != 2 + len(shape):
-        return False
-    return all(
-        isinstance(one, types) and (bool in types or not isinstance(one, bool))
-        for one, types in zip(value[2:], shape, strict=True)
-    )

@@ -26,7 +26,7 @@ from nctakt.lists.machine.machine import load_machine
 from nctakt.plc.loading import load_plc
 from nctakt.results.run import ProgramMessage, Run, RunState
 from nctakt.run.assembly import AssembledMachine
-from nctakt.run.inputs import PLC, Input
+from nctakt.run.inputs import PLC, Cells, Input, unpack
 from nctakt.run.plc_view import PlcView, SpindleEntry, TechnologyEntry
 from nctakt.run.program_run import ProgramRun, RunOptions
 from nctakt.run.stimuli import as_inputs, read_stimulus
@@ -158,9 +158,6 @@ class _Happened:
             self._count -= forgotten
             self.left_out += forgotten
 
-    def rows(self, first_tick: int, rows: memoryview[float], width: int) -> None:
-        """Ignore the values."""
-
     def close(self) -> None:
         """Do nothing."""
 
@@ -231,12 +228,14 @@ class Engine:
         self._cycles[definition.serial] = name, definition
         self._stop_builder.add_cycle(definition)
 
-    def _note(self, arrived: Input) -> None:
-        self._inputs.append(arrived)
-        if arrived.source != PLC or self._differs is not None:
-            return
-        if self._expected and self._expected.popleft() != arrived:
-            self._differs = arrived.tick
+    def _note(self, cells: Cells) -> None:
+        inputs = unpack(cells)
+        self._inputs += inputs
+        for arrived in inputs:
+            if arrived.source != PLC or self._differs is not None or not self._expected:
+                continue
+            if self._expected.popleft() != arrived:
+                self._differs = arrived.tick
 
     # --- going on -------------------------------------------------------------------------------
 

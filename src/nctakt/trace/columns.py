@@ -13,7 +13,7 @@ from collections.abc import Collection, Sequence
 from nctakt.kernel import rows
 from nctakt.trace.chunks import without_kinds
 from nctakt.trace.events import Event
-from nctakt.trace.sinks import Sink, TraceHeader
+from nctakt.trace.sinks import RowSink, Sink, TraceHeader
 
 #: The kinds of events that ``Controller.run(blocks=True)`` adds.
 BLOCK_EVENTS = (
@@ -24,8 +24,8 @@ BLOCK_EVENTS = (
 )
 
 
-class FirstColumns:
-    """Hands the first ``count`` signals and all events but those of ``hides`` on to ``sink``."""
+class OtherEvents:
+    """Hands all events but those of ``hides`` on to ``sink``; its header has ``count`` signals."""
 
     def __init__(self, sink: Sink, count: int, hides: Collection[int] = ()) -> None:
         self._sink = sink
@@ -43,13 +43,28 @@ class FirstColumns:
         if len(shown):
             self._sink.events(shown)
 
+    def close(self) -> None:
+        """Close the sink."""
+        self._sink.close()
+
+
+class FirstColumns(OtherEvents):
+    """Hands the first ``count`` signals on as well."""
+
+    def __init__(self, sink: RowSink, count: int, hides: Collection[int] = ()) -> None:
+        super().__init__(sink, count, hides)
+        self._rows = sink.rows
+
     def rows(self, first_tick: int, rows: memoryview[float], width: int) -> None:
         """Hand the first ``count`` values of each row on."""
         kept = array("d")
         for begin in range(0, len(rows), width):
             kept.frombytes(rows[begin : begin + self._count].tobytes())
-        self._sink.rows(first_tick, memoryview(kept), self._count)
+        self._rows(first_tick, memoryview(kept), self._count)
 
-    def close(self) -> None:
-        """Close the sink."""
-        self._sink.close()
+
+def first_columns(sink: Sink, count: int, hides: Collection[int] = ()) -> Sink:
+    """Return a sink that hands the first ``count`` signals and the other events to ``sink``."""
+    if isinstance(sink, RowSink):
+        return FirstColumns(sink, count, hides)
+    return OtherEvents(sink, count, hides)

@@ -156,9 +156,6 @@ class EventList:
         """Keep the events; an ``EventChunk`` is not decoded."""
         self._chunks.append(events)
 
-    def rows(self, first_tick: int, rows: memoryview[float], width: int) -> None:
-        """Ignore the rows."""
-
     def close(self) -> None:
         """Do nothing: the events stay."""
 

@@ -11,7 +11,7 @@ from __future__ import annotations
 import abc
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Protocol, TextIO, cast
+from typing import Protocol, TextIO, cast, runtime_checkable
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.failure import Failure
@@ -54,23 +54,30 @@ class TraceHeader:
 
 
 class Sink(Protocol):
-    """Receives a trace in pieces: ``open``, then ``events`` and ``rows`` in turn, then ``close``.
+    """Receives the events of a run in pieces: ``open``, then ``events``, then ``close``.
 
-    The events of a tick come before its row, both in ascending order of ticks, and all events of a
-    tick have come when its row comes.
+    Events come in ascending order of ticks.
     """
 
     def open(self, header: TraceHeader) -> None:
         """Open the sink; called once, before anything else."""
 
     def events(self, events: Sequence[Event]) -> None:
-        """Receive the events of the ticks whose rows come next."""
-
-    def rows(self, first_tick: int, rows: memoryview[float], width: int) -> None:
-        """Receive rows of consecutive ticks from ``first_tick`` on, ``width`` float64 each."""
+        """Receive the events of some consecutive ticks."""
 
     def close(self) -> None:
         """Close the sink; called once, after everything else."""
+
+
+@runtime_checkable
+class RowSink(Sink, Protocol):
+    """Receives signals as well: ``events`` and ``rows`` in turn.
+
+    All events of a tick have come when its row comes. A run without one records no signals.
+    """
+
+    def rows(self, first_tick: int, rows: memoryview[float], width: int) -> None:
+        """Receive rows of consecutive ticks from ``first_tick`` on, ``width`` float64 each."""
 
 
 def check_suffix(path: Path) -> None:

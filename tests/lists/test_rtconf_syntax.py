@@ -39,7 +39,7 @@ LINES: list[tuple[str, dict[str, object], list[int]]] = [
     ("cycle_time -1", NOTHING, [BELOW]),
     ("cycle_time +2000", {"cycle_time": 2000}, []),
     ("cycle_time 0x7D0", NOTHING, [NO_NUMBER]),
-    ("cycle_time 2000.0", NOTHING, [NO_NUMBER]),
+    ("cycle_time 2000.0", NOTHING, [2006]),
     ('cycle_time "2000"', {"cycle_time": 2000}, [QUOTED]),
     ("cycle_time\t2000\ttab comment", {"cycle_time": 2000}, []),
     ("Cycle_Time 2000", NOTHING, [NEAREST]),

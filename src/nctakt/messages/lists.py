@@ -137,11 +137,21 @@ VALUE_MISSING = warning(
 )
 NOT_A_NUMBER = warning(
     2022,
-    known_as=(900014, 2006),
+    known_as=(900014,),
     en="{key}: '{value}' is not a number; default {default} is used",
     de="{key}: '{value}' ist keine Zahl; es gilt der Standardwert {default}",
     remedy_en="Write a number, and a blank before any comment.",
     remedy_de="Eine Zahl schreiben, und vor einem Kommentar ein Leerzeichen.",
+    key=("the entry's name", "der Name des Eintrags"),
+    value=("the value as it stands in the list", "der Wert, wie er in der Liste steht"),
+    default=("the value that is used", "der Wert, der gilt"),
+)
+NOT_A_WHOLE_NUMBER = warning(
+    2006,
+    en="{key}: '{value}' is not a whole number; default {default} is used",
+    de="{key}: '{value}' ist keine ganze Zahl; es gilt der Standardwert {default}",
+    remedy_en="Write a whole number in the unit of the entry; explain shows it.",
+    remedy_de="Eine ganze Zahl in der Einheit des Eintrags schreiben; explain zeigt sie.",
     key=("the entry's name", "der Name des Eintrags"),
     value=("the value as it stands in the list", "der Wert, wie er in der Liste steht"),
     default=("the value that is used", "der Wert, der gilt"),
@@ -323,12 +333,13 @@ WITHOUT_EFFECT_MAY_CHANGE_RUN = note(
 BEYOND_OTHER_PARAMETER = warning(
     900027,
     cases=Cases((1023, 1024), lambda values: 0),
-    en="{key}: {value} exceeds the limit {other} ({id}); {limit} is used",
-    de="{key}: {value} überschreitet die Grenze {other} ({id}); es gilt {limit}",
+    en="{key}: {value} is {side} the limit {other} ({id}); {limit} is used",
+    de="{key}: {value} liegt {side} der Grenze {other} ({id}); es gilt {limit}",
     remedy_en="Change one of the two values.",
     remedy_de="Einen der beiden Werte ändern.",
     key=("the entry's name", "der Name des Eintrags"),
     value=("the value as it stands in the list", "der Wert, wie er in der Liste steht"),
+    side=("above or below", "über oder unter"),
     other=("the entry that sets the bound", "der Eintrag, der die Grenze setzt"),
     id=("the ID of that parameter", "die ID jenes Parameters"),
     limit=("the nearest value that is allowed", "der nächste erlaubte Wert"),

@@ -23,6 +23,7 @@ from nctakt.messages import Collector
 from nctakt.messages.lists import (
     NOT_A_BOOLEAN,
     NOT_A_NUMBER,
+    NOT_A_WHOLE_NUMBER,
     PARAMETER_OUT_OF_RANGE,
     PARAMETER_TEXT_TOO_LONG,
     QUOTED_NUMBER,
@@ -152,7 +153,8 @@ def _number(parameter: Parameter, word: Word, dialect: ListDialect, report: _Rep
     else:
         number = parse_integer(word.text, hexadecimal=dialect.hexadecimal)
     if number is None:
-        return report.defect(NOT_A_NUMBER, word, value=word.text)
+        is_real = parse_real(word.text, hexadecimal=dialect.hexadecimal) is not None
+        return report.defect(NOT_A_WHOLE_NUMBER if is_real else NOT_A_NUMBER, word, value=word.text)
     report.quoted_number(word)
     if not parameter.allows(number):
         return report.defect(

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 
-from nctakt.base.diagnostics import Span
+from nctakt.base.diagnostics import Span, Text
 from nctakt.lists.format.controller_numbers import bound_number
 from nctakt.lists.format.parameter import Limit, Parameter, ValueType, shown, with_indices
 from nctakt.lists.format.references import effective_value, key_of
@@ -18,6 +18,9 @@ from nctakt.lists.format.schema import Schema
 from nctakt.lists.format.values import EntryValue, Key
 from nctakt.messages import Collector
 from nctakt.messages.lists import BEYOND_OTHER_PARAMETER
+
+
+_ABOVE, _BELOW = Text("above", "über"), Text("below", "unter")
 
 
 def keep_limits(
@@ -65,6 +68,7 @@ def _within(
             *position,
             key=with_indices(*key),
             value=shown(value),
+            side=_ABOVE if is_upper else _BELOW,
             limit=shown(bound),
             other=with_indices(*limiting),
             id=limit.id,

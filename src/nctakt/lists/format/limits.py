@@ -19,7 +19,6 @@ from nctakt.lists.format.values import EntryValue, Key
 from nctakt.messages import Collector
 from nctakt.messages.lists import BEYOND_OTHER_PARAMETER
 
-
 _ABOVE, _BELOW = Text("above", "über"), Text("below", "unter")
 
 

@@ -160,8 +160,8 @@ def _stretch(tick: int, heads: Any, values: Any) -> list[Input] | str:
             return f"no input: {head}"
     found = []
     for index, value in enumerate(values):
-        ticks, place = divmod(index, len(heads))
-        source, kind, name = heads[place]
+        ticks, number = divmod(index, len(heads))
+        source, kind, name = heads[number]
         found.append(Input(tick + ticks, source, kind, (name, value)))
     return found
 

@@ -38,11 +38,6 @@ PXD = sorted(
     if path.relative_to(PACKAGE).with_suffix("").as_posix() not in NUMBERS
 )
 
-#: Longer than a file should be, with the reason.
-LONG_FILES = {
-    "nc/tree.py": "one small class for each node of the tree",
-}
-
 #: The only remainders outside ``arithmetic``: places in rings, of numbers that are never negative.
 RING_SIZES = ("self.capacity", "self.queue.capacity", "self.ring_size")
 
@@ -525,13 +520,13 @@ def test_every_module_says_what_it_is_for() -> None:
 
 
 def test_files_stay_short() -> None:
-    """No file but the named ones has 500 lines."""
+    """No file has 500 lines."""
     long = {
         path.relative_to(PACKAGE).as_posix(): count
         for path in SOURCES
         if (count := len(path.read_text("utf-8").splitlines())) >= 500
     }
-    assert {name: count for name, count in long.items() if name not in LONG_FILES} == {}
+    assert long == {}
 
 
 def test_lines_of_types_and_scripts_stay_short() -> None:

@@ -1,0 +1,143 @@
+# SPDX-License-Identifier: MIT
+"""The tree of an NC program: frozen nodes, each with its span in the text.
+
+Made by the parser; read by printer, checker and decoder. Nodes hold the program as written, not its
+meaning: the checker decides which letters are axes of the machine, which words exist and what is
+allowed where. Names of words, keywords, functions and variable families are in upper case, names of
+user variables and texts as written. A span covers the first line of a node only.
+
+Layout: ``Expression`` (values), ``BlockWord`` (words of a block), ``Statement`` (parts of a
+program, each with a ``Head`` of block number, skip level and label).
+"""
+
+from nctakt.nc.tree.commands import (
+    CycleControl,
+    Flush,
+    HashCommand,
+    OffsetCommand,
+    OffsetCommandName,
+    Time,
+    Timer,
+    UserError,
+    UserMessage,
+)
+from nctakt.nc.tree.program import (
+    Declaration,
+    Program,
+    ProgramStart,
+    Subprogram,
+    Unreadable,
+    VariableDeclarations,
+)
+from nctakt.nc.tree.statements import (
+    NO_HEAD,
+    Assignment,
+    AssignmentOperator,
+    Block,
+    Break,
+    Continue,
+    Goto,
+    Head,
+    MacroDefinition,
+    Statement,
+    SubprogramCall,
+    VariableBlock,
+)
+from nctakt.nc.tree.structures import (
+    Case,
+    Do,
+    ElseIf,
+    For,
+    Frequency,
+    If,
+    RealtimeCycle,
+    RealtimeLoop,
+    Repeat,
+    Switch,
+    While,
+)
+from nctakt.nc.tree.values import (
+    ArrayLiteral,
+    Binary,
+    Bracket,
+    Call,
+    Constant,
+    Expression,
+    Keyword,
+    Name,
+    Node,
+    Number,
+    Parameter,
+    Part,
+    StringLiteral,
+    Unary,
+    Variable,
+)
+from nctakt.nc.tree.words import (
+    AxisWord,
+    BlockWord,
+    BracketCommand,
+    StringWord,
+    Word,
+)
+
+__all__ = [
+    "NO_HEAD",
+    "ArrayLiteral",
+    "Assignment",
+    "AssignmentOperator",
+    "AxisWord",
+    "Binary",
+    "Block",
+    "BlockWord",
+    "Bracket",
+    "BracketCommand",
+    "Break",
+    "Call",
+    "Case",
+    "Constant",
+    "Continue",
+    "CycleControl",
+    "Declaration",
+    "Do",
+    "ElseIf",
+    "Expression",
+    "Flush",
+    "For",
+    "Frequency",
+    "Goto",
+    "HashCommand",
+    "Head",
+    "If",
+    "Keyword",
+    "MacroDefinition",
+    "Name",
+    "Node",
+    "Number",
+    "OffsetCommand",
+    "OffsetCommandName",
+    "Parameter",
+    "Part",
+    "Program",
+    "ProgramStart",
+    "RealtimeCycle",
+    "RealtimeLoop",
+    "Repeat",
+    "Statement",
+    "StringLiteral",
+    "StringWord",
+    "Subprogram",
+    "SubprogramCall",
+    "Switch",
+    "Time",
+    "Timer",
+    "Unary",
+    "Unreadable",
+    "UserError",
+    "UserMessage",
+    "Variable",
+    "VariableBlock",
+    "VariableDeclarations",
+    "While",
+    "Word",
+]

@@ -21,6 +21,7 @@ Programs and what comes of them
     ``NcText``             a program given as text
     ``Session``            a run that goes on, stops and goes back as one asks
     ``Stimulus``           a variable that gets a value at a time of a run
+    ``Study``              many runs of one program: varied, measured, checked
     ``Run``                the result of a run
     ``Diagnostic``         a finding: number, place, text, remedy
     ``Failure``            raised for what cannot be used; carries diagnostics
@@ -65,6 +66,7 @@ if TYPE_CHECKING:
     from nctakt.run.stimuli import Stimulus
     from nctakt.schedule.open_schedule import open_schedule, simulate_schedule
     from nctakt.session.session import Session
+    from nctakt.studies.study import Study
 
 __all__ = [
     "Controller",
@@ -76,6 +78,7 @@ __all__ = [
     "Run",
     "Session",
     "Stimulus",
+    "Study",
     "after",
     "at",
     "load_machine",
@@ -96,6 +99,7 @@ _MODULES = {
     "Run": "nctakt.results.run",
     "Session": "nctakt.session.session",
     "Stimulus": "nctakt.run.stimuli",
+    "Study": "nctakt.studies.study",
     "after": "nctakt.plc.policies",
     "at": "nctakt.plc.script",
     "load_machine": "nctakt.lists.machine.machine",

@@ -43,6 +43,7 @@ _COMMANDS = {
     "new": "nctakt.cli.new",
     "why": "nctakt.cli.why",
     "coverage": "nctakt.cli.coverage",
+    "study": "nctakt.cli.study",
     "schedule": "nctakt.cli.schedule",
 }
 

@@ -173,6 +173,14 @@ def impossible_firings(
         yield diagnostic(NO_BRANCH_IN_LINE, span, line, line=about, known=known)
 
 
+def read_expectation(text: str) -> Expectation:
+    """Return the expectation of a text that stands in no program; raises ``Failure`` (900660)."""
+    try:
+        return _expectation(text.strip(), 0, None)
+    except _NotUnderstoodError as error:
+        raise Failure(diagnostic(INVALID_EXPECTATION, text=text)) from error
+
+
 class _NotUnderstoodError(Exception):
     """A comment is not a valid expectation."""
 

@@ -61,6 +61,11 @@ class EventChunk(Sequence[Event]):
     def __getitem__(self, index: int | slice) -> Event | Sequence[Event]:
         return self._decoded()[index]
 
+    @property
+    def data(self) -> bytes:
+        """The rows as they were recorded."""
+        return self._data
+
     def column(self, number: int) -> list[float]:
         """Return one column of all rows (``rows.EVENT_KIND`` …)."""
         cells = memoryview(self._data).cast("d")

@@ -1,0 +1,143 @@
+# SPDX-License-Identifier: MIT
+"""``nctakt study``: many runs of one program, each measured and checked.
+
+In: a plan (TOML), or a program with ``--each-tick`` and ``--expect``. Out: on standard output how
+many runs met the expectations, the span of each measure, the broken runs with the command that
+makes each of them, the strip of an each-tick study; with ``--out`` a file with a row per run. Exit
+codes: 0 all runs met all expectations, 1 some did not or Ctrl-C, 2 wrong usage.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from nctakt.base.diagnostics import Language
+from nctakt.base.failure import Failure
+from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN, EXIT_USAGE
+from nctakt.cli.language import language_option
+from nctakt.cli.terminal import print_diagnostics
+
+if TYPE_CHECKING:
+    from nctakt.studies.study import Study
+
+#: Ending of the file with the rows while they are made, behind the name of the results.
+ROWS = ".rows"
+
+_EPILOG = """\b
+Exit codes: 0 all runs met all expectations, 1 some did not, or Ctrl-C, 2 wrong
+usage or unusable input, 3 an error of nctakt's own.
+
+\b
+  nctakt study plan.toml --out results.parquet
+  nctakt study plan.toml --out results.parquet --resume
+  nctakt study part.nc --each-tick "V.E.STOP=1 for 20 ms" \\
+      --expect "Z.ACS.ACT_POS < 50 within 100 ms"
+"""
+
+
+@click.command("study", epilog=_EPILOG, short_help="Make many runs of a program and check each.")
+@click.argument("file", metavar="FILE")
+@click.option("--each-tick", metavar="NAME=VALUE", help="Inject a value at each tick of the run.")
+@click.option("--expect", multiple=True, metavar="TEXT", help="Expect this of each run.")
+@click.option("--machine", metavar="FOLDER", help="The machine of a program without a plan.")
+@click.option("--plc", metavar="FILE", help="The PLC of a program without a plan.")
+@click.option("--until", metavar="TIME", help="The limit of each run of a program without a plan.")
+@click.option("--out", metavar="FILE", help="Write a row per run: .parquet, .csv or .jsonl.")
+@click.option("--resume", is_flag=True, help="Make only the runs that --out does not have yet.")
+@click.option(
+    "-j",
+    "--processes",
+    type=click.IntRange(1),
+    metavar="COUNT",
+    help="How many processes make runs [default: one per core].",
+)
+@click.option("--sample", type=click.IntRange(1), metavar="COUNT", help="Take points by chance.")
+@click.option("--only", type=click.IntRange(0), metavar="NUMBER", help="Make one run, from 0.")
+@click.option("--yes", is_flag=True, help="Start even what takes more than an hour.")
+@language_option("Language of diagnostics and results.")
+@click.option("--quiet", is_flag=True, help="No progress.")
+def command(file: str, **words: Any) -> int:
+    """Make the runs of a plan, or inject a value at each tick of a program."""
+    language: Language = words["language"]
+    try:
+        return _study(file, words)
+    except Failure as failure:
+        print_diagnostics(failure.diagnostics, language)
+        return EXIT_USAGE
+
+
+def _study(file: str, words: dict[str, Any]) -> int:
+    """Make the runs; raises ``Failure`` for what cannot be used."""
+    from nctakt.cli.study_progress import StudyProgress  # noqa: PLC0415 - needs the controller
+
+    study = _read(file, words)
+    numbers = (
+        range(len(study)) if words["only"] is None else range(words["only"], words["only"] + 1)
+    )
+    count = min(words["processes"] or os.cpu_count() or 1, max(len(numbers) // 20, 1))
+    progress = StudyProgress(len(numbers), is_shown=not words["quiet"] and sys.stderr.isatty())
+    if not words["yes"]:
+        progress.check_size(study, count)
+    store = None if words["out"] is None else _store(study, words)
+    try:
+        result = study.run(processes=count, numbers=numbers, store=store, on_rows=progress.add)
+    except KeyboardInterrupt:
+        progress.close()
+        return _interrupted(len(numbers), store, words)
+    finally:
+        progress.close()
+    if store is not None:
+        result.save(words["out"])
+        store.remove()
+    from nctakt.cli.study_summary import summary  # noqa: PLC0415 - as above
+
+    for line in summary(study, result, file, words["language"]):
+        click.echo(line)
+    print_diagnostics(progress.crashed(), words["language"])
+    return EXIT_RAN if result else EXIT_NC_ERROR
+
+
+def _interrupted(size: int, store: Any, words: dict[str, Any]) -> int:
+    """Say how many runs are kept."""
+    from nctakt.messages import diagnostic  # noqa: PLC0415 - few studies are interrupted
+    from nctakt.messages.studies import STUDY_INTERRUPTED  # noqa: PLC0415
+
+    if store is None:
+        raise KeyboardInterrupt
+    found = diagnostic(
+        STUDY_INTERRUPTED, count=len(store.done), size=size, folder=store.path.as_posix()
+    )
+    store.close()
+    print_diagnostics([found], words["language"])
+    return EXIT_NC_ERROR
+
+
+def _store(study: Study, words: dict[str, Any]) -> Any:
+    from nctakt.studies.results import RowStore, check_target  # noqa: PLC0415 - as above
+
+    check_target(Path(words["out"]))
+    path = Path(words["out"] + ROWS)
+    return RowStore(path, study.plan, resumes=words["resume"])
+
+
+def _read(file: str, words: dict[str, Any]) -> Study:
+    """Return the study of a plan's file, or of a program with ``--each-tick``."""
+    from nctakt.studies.study import Study  # noqa: PLC0415 - as above
+
+    changes: dict[str, Any] = {}
+    if words["sample"] is not None:
+        changes = {"method": "random", "count": words["sample"]}
+    if Path(file).suffix.casefold() == ".toml":
+        return Study(file, **changes)
+    entries: dict[str, Any] = {"program": file, "expect": list(words["expect"]), **changes}
+    entries |= {key: words[key] for key in ("machine", "plc", "until") if words[key] is not None}
+    if words["each_tick"] is not None:
+        from nctakt.studies.each_tick import injection_table  # noqa: PLC0415 - as above
+
+        entries["vary"] = [injection_table(words["each_tick"])]
+    return Study(**entries)

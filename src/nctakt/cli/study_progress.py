@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: MIT
+"""The progress of a study on a terminal: rate, broken runs so far, remaining time."""
+
+from __future__ import annotations
+
+import time
+
+from nctakt.base.diagnostics import Diagnostic
+from nctakt.base.failure import Failure
+from nctakt.cli.terminal import complain
+from nctakt.messages import diagnostic
+from nctakt.messages.studies import RUN_CRASHED, STUDY_TOO_LARGE
+from nctakt.studies.bench import CRASHED, HELD, Row
+from nctakt.studies.study import Study
+
+#: Estimated time from which on a study has to be confirmed, in seconds.
+LONG_S = 3600.0
+
+#: Wall-clock time between two lines, in seconds.
+_PERIOD_S = 2.0
+
+
+class StudyProgress:
+    """Counts the rows of a study of ``size`` runs as they come."""
+
+    def __init__(self, size: int, *, is_shown: bool) -> None:
+        self._size = size
+        self._is_shown = is_shown
+        self._begin_s = self._shown_s = time.monotonic()
+        self._count = 0
+        self._broken = 0
+        self._crashed: list[int] = []
+
+    def check_size(self, study: Study, cores: int) -> None:
+        """Raise ``Failure`` (901305) for a study that would take more than an hour.
+
+        One run is made and timed where there are many.
+        """
+        if self._size < 10_000:
+            return
+        study.bench.row(0)
+        begin_s = time.perf_counter()
+        study.bench.row(0)
+        estimate_s = (time.perf_counter() - begin_s) * self._size / cores
+        if estimate_s > LONG_S:
+            shown = _length(estimate_s)
+            raise Failure(diagnostic(STUDY_TOO_LARGE, count=self._size, time=shown, cores=cores))
+
+    def add(self, rows: list[Row]) -> None:
+        """Count rows; show a line now and then."""
+        self._count += len(rows)
+        self._broken += sum(row["verdict"] != HELD for row in rows)
+        self._crashed += [int(row["run"] or 0) for row in rows if row["verdict"] == CRASHED]
+        now_s = time.monotonic()
+        if self._is_shown and now_s - self._shown_s >= _PERIOD_S:
+            self._shown_s = now_s
+            rate = self._count / (now_s - self._begin_s)
+            rest = _length((self._size - self._count) / rate)
+            complain(
+                f"{self._count} of {self._size} runs, {rate:.0f} per second, "
+                f"{self._broken} broken, {rest} left"
+            )
+
+    def crashed(self) -> list[Diagnostic]:
+        """Return a warning (901308) for each run whose process ended by itself."""
+        return [diagnostic(RUN_CRASHED, index=index) for index in sorted(self._crashed)]
+
+    def close(self) -> None:
+        """Show no further line."""
+        self._is_shown = False
+
+
+def _length(seconds: float) -> str:
+    """Return a length of time in a unit that suits it."""
+    for unit, name in ((31_557_600, "years"), (86_400, "days"), (3600, "hours"), (60, "minutes")):
+        if seconds >= 2 * unit:
+            return f"{seconds / unit:.0f} {name}"
+    return f"{seconds:.0f} seconds"

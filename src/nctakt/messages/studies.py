@@ -1,0 +1,158 @@
+# SPDX-License-Identifier: MIT
+"""Messages about studies: plans, measures, results."""
+
+from __future__ import annotations
+
+from nctakt.messages.catalogue import error, note, warning
+
+INVALID_PLAN = error(
+    901300,
+    en="the plan is not valid TOML: {reason}",
+    de="der Plan ist kein gültiges TOML: {reason}",
+    remedy_en="docs/studies.md shows a plan.",
+    remedy_de="Einen Plan zeigt docs/studies.md.",
+    reason=("the reason", "der Grund"),
+)
+UNKNOWN_PLAN_ENTRY = error(
+    901301,
+    en="unknown entry {key} in the plan; nearest: {nearest}",
+    de="unbekannter Eintrag {key} im Plan; am nächsten: {nearest}",
+    remedy_en="Possible here: {names}.",
+    remedy_de="Hier möglich: {names}.",
+    key=("the entry", "der Eintrag"),
+    nearest=("the nearest known one", "der nächste bekannte"),
+    names=("the known entries", "die bekannten Einträge"),
+)
+INVALID_PLAN_VALUE = error(
+    901302,
+    en="{key} must be {expected}, not {value}",
+    de="{key} muss {expected} sein, nicht {value}",
+    remedy_en="Change the entry of the plan; docs/studies.md lists all entries.",
+    remedy_de="Den Eintrag des Plans ändern; alle Einträge stehen in docs/studies.md.",
+    key=("the entry", "der Eintrag"),
+    value=("its value", "sein Wert"),
+    expected=("what is expected", "was erwartet wird"),
+)
+PLAN_ENTRY_MISSING = error(
+    901303,
+    en="the plan has no entry {key} in {table}",
+    de="dem Plan fehlt der Eintrag {key} in {table}",
+    remedy_en="Add it; docs/studies.md lists all entries.",
+    remedy_de="Den Eintrag ergänzen; alle Einträge stehen in docs/studies.md.",
+    key=("the entry", "der Eintrag"),
+    table=("the table of the plan", "die Tabelle des Plans"),
+)
+EMPTY_STUDY = error(
+    901304,
+    en="the plan has no runs: {name} has no value",
+    de="der Plan hat keine Läufe: {name} hat keinen Wert",
+    remedy_en="Give values, or from, to (not below from) and step; other methods need count.",
+    remedy_de="values angeben oder from, to (nicht unter from) und step; andere Verfahren "
+    "brauchen count.",
+    name=("the dimension, or count", "die Dimension oder count"),
+)
+STUDY_TOO_LARGE = error(
+    901305,
+    en="the plan has {count} runs, which take about {time} on {cores} cores",
+    de="der Plan hat {count} Läufe; das dauert etwa {time} auf {cores} Kernen",
+    remedy_en='--yes starts it nevertheless; --sample 10000, or method = "sobol" with count, takes '
+    "some of the points.",
+    remedy_de='--yes startet sie trotzdem; --sample 10000 oder method = "sobol" mit count nimmt '
+    "einen Teil der Punkte.",
+    count=("the number of runs", "die Zahl der Läufe"),
+    time=("the estimated time", "die geschätzte Zeit"),
+    cores=("the number of cores", "die Zahl der Kerne"),
+)
+INVALID_MEASURE = error(
+    901306,
+    en="not a measure: {text}: {reason}",
+    de="keine Messgröße: {text}: {reason}",
+    remedy_en="Such as: time of M100 · count of fired 17 · max X · X at end · "
+    "time from M100 to M101 · duration.",
+    remedy_de="Etwa: time of M100 · count of fired 17 · max X · X at end · "
+    "time from M100 to M101 · duration.",
+    text=("the text", "der Text"),
+    reason=("the reason", "der Grund"),
+)
+INVALID_STUDY_EXPECTATION = error(
+    901307,
+    en="not an expectation: {text}: {reason}",
+    de="keine Erwartung: {text}: {reason}",
+    remedy_en="Such as: max X < 300 · X < 50 within 100 ms · M100 once · message "
+    '"done" before 2 s.',
+    remedy_de='Etwa: max X < 300 · X < 50 within 100 ms · M100 once · message "done" before 2 s.',
+    text=("the text", "der Text"),
+    reason=("the reason", "der Grund"),
+)
+RUN_CRASHED = warning(
+    901308,
+    en="the process of run {index} has ended by itself; the other runs go on",
+    de="der Prozess des Laufs {index} hat sich selbst beendet; die anderen Läufe gehen weiter",
+    remedy_en="Look at this run alone: nctakt study … --only {index}",
+    remedy_de="Diesen Lauf allein ansehen: nctakt study … --only {index}",
+    index=("the number of the run", "die Nummer des Laufs"),
+)
+OTHER_PLAN = error(
+    901309,
+    en="the results in {folder} are those of another plan, program or list",
+    de="die Ergebnisse in {folder} gehören zu einem anderen Plan, Programm oder einer anderen "
+    "Liste",
+    remedy_en="Remove the folder, write to another file with --out, or leave --resume out.",
+    remedy_de="Den Ordner entfernen, mit --out in eine andere Datei schreiben oder --resume "
+    "weglassen.",
+    folder=("the folder", "der Ordner"),
+)
+STUDY_INTERRUPTED = note(
+    901310,
+    en="interrupted after {count} of {size} runs; they are kept in {folder}",
+    de="unterbrochen nach {count} von {size} Läufen; sie stehen in {folder}",
+    remedy_en="--resume makes the missing ones.",
+    remedy_de="--resume macht die fehlenden.",
+    count=("the number of finished runs", "die Zahl der fertigen Läufe"),
+    size=("the number of all runs", "die Zahl aller Läufe"),
+    folder=("the folder", "der Ordner"),
+)
+EXTRA_MISSING = error(
+    901311,
+    en="this needs the package {package}, which is not installed",
+    de="dafür fehlt das Paket {package}",
+    remedy_en='Install it: pip install "nctakt[{extra}]"',
+    remedy_de='Es installieren: pip install "nctakt[{extra}]"',
+    package=("the package", "das Paket"),
+    extra=("the extra", "das Extra"),
+)
+UNKNOWN_PARAMETER_OF_STUDY = error(
+    901312,
+    en="{parameter} of {of}: {reason}",
+    de="{parameter} von {of}: {reason}",
+    remedy_en="nctakt explain {parameter} says in which list it stands.",
+    remedy_de="In welcher Liste er steht, sagt nctakt explain {parameter}.",
+    parameter=("the parameter's ID", "die ID des Parameters"),
+    of=("the axis or channel", "die Achse oder der Kanal"),
+    reason=("the reason", "der Grund"),
+)
+UNKNOWN_PROGRAM_VARIABLE = error(
+    901313,
+    en="the program gives {name} no plain number that a study could vary",
+    de="das Programm gibt {name} keine einfache Zahl, die eine Studie variieren könnte",
+    remedy_en="Assign it a number in the program: {name} = 5",
+    remedy_de="Ihr im Programm eine Zahl zuweisen: {name} = 5",
+    name=("the variable", "die Variable"),
+)
+NO_BOUNDARY = warning(
+    901314,
+    en="no switch-over between {low} and {high}: the verdict is the same at both ends",
+    de="kein Umschlag zwischen {low} und {high}: an beiden Enden gilt dasselbe Urteil",
+    remedy_en="Choose from and to so that the expectations hold at one end only.",
+    remedy_de="from und to so wählen, dass die Erwartungen nur an einem Ende erfüllt sind.",
+    low=("the lowest value", "der kleinste Wert"),
+    high=("the highest value", "der größte Wert"),
+)
+NOT_AN_INJECTION = error(
+    901315,
+    en="not an injection: {text}",
+    de="kein Eingriff: {text}",
+    remedy_en='Such as: --each-tick "V.E.STOP=1 for 20 ms"',
+    remedy_de='Etwa: --each-tick "V.E.STOP=1 for 20 ms"',
+    text=("the text", "der Text"),
+)

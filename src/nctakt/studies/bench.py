@@ -1,0 +1,293 @@
+# SPDX-License-Identifier: MIT
+"""The bench of a worker: machine and program, loaded once, on which the runs of a plan are made.
+
+In: a plan. Out: the row of each run: inputs, measures, verdict, digest. A run depends on its inputs
+alone, so that rows are the same whoever makes them, in whatever order.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import re
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from nctakt.base.dataclass import dataclass
+from nctakt.base.diagnostics import Diagnostic
+from nctakt.base.failure import Failure
+from nctakt.files.access import FileAccess
+from nctakt.lists.machine.machine import Machine, load_machine
+from nctakt.messages import diagnostic
+from nctakt.messages.studies import UNKNOWN_PROGRAM_VARIABLE
+from nctakt.plc import load_plc
+from nctakt.project.machine_choice import machine_of
+from nctakt.run.controller import Controller, NcText
+from nctakt.run.plc_view import AnyPlc
+from nctakt.run.program_run import ProgramRun, RunOptions
+from nctakt.studies.changed_lists import changed_machine
+from nctakt.studies.dimension import Value
+from nctakt.studies.faults import FaultyPlc
+from nctakt.studies.inputs import RunInputs, inputs_of
+from nctakt.studies.measure_nodes import reaction_time
+from nctakt.studies.outcome import Outcome
+from nctakt.studies.plan import Plan
+from nctakt.testing.queries import values_before
+from nctakt.trace.chunks import EventChunk
+from nctakt.trace.events import Event
+from nctakt.trace.sinks import TraceHeader
+
+#: A row of the results: name -> number, text or ``None``.
+Row = dict[str, float | int | str | None]
+
+#: The column of the time that the first expectation ``CONDITION within TIME`` took, in seconds.
+REACTION = "reaction_time"
+
+#: Verdicts of a run: all expectations met, one of them not, no run at all.
+HELD, BROKEN, FAILED, CRASHED = "held", "broken", "failed", "crashed"
+
+
+#: The state of a run that was left as soon as its expectations were decided.
+DECIDED = "decided"
+
+
+class Digest:
+    """A sink that condenses a trace to a few digits: the same trace, the same digits."""
+
+    def __init__(self) -> None:
+        self._events = hashlib.blake2b(digest_size=8)
+        self._rows = hashlib.blake2b(digest_size=8)
+
+    def open(self, header: TraceHeader) -> None:
+        """Do nothing."""
+
+    def events(self, events: Sequence[Event]) -> None:
+        """Take events."""
+        assert isinstance(events, EventChunk)
+        self._events.update(events.data)
+
+    def rows(self, first_tick: int, rows: memoryview[float], width: int) -> None:
+        """Take the values of ticks."""
+        self._rows.update(rows)
+
+    def close(self) -> None:
+        """Do nothing."""
+
+    def text(self) -> str:
+        """Return the digits."""
+        self._events.update(self._rows.digest())
+        return self._events.hexdigest()
+
+
+@dataclass(frozen=True, slots=True)
+class FinishedRun:
+    """A run that was made: its outcome, its inputs, its digest."""
+
+    outcome: Outcome
+    inputs: RunInputs
+    digest: str
+
+
+class BegunRun:
+    """A run that has begun and can be ended where it is decided."""
+
+    def __init__(
+        self,
+        controller: Controller,
+        run: ProgramRun,
+        inputs: RunInputs,
+        before: Mapping[str, float],
+        digest: Digest,
+    ) -> None:
+        self.controller = controller
+        self.run = run
+        self._inputs = inputs
+        self._before = before
+        self._digest = digest
+
+    def finish(self, injected_us: int | None = None, end: int | None = None) -> FinishedRun:
+        """Go on up to tick ``end``, by default to the end of the run; return what was made."""
+        try:
+            self.run.advance(end)
+            if self.run.state is None:
+                self.run.interrupt()
+        finally:
+            self.run.close()
+        injected = None if injected_us is None else injected_us / 1e6
+        outcome = Outcome(self.run.result(), self._before, injected)
+        return FinishedRun(outcome, self._inputs, self._digest.text())
+
+
+class Bench:
+    """Machine and program of a plan; ``machine`` instead of that of the plan, if given.
+
+    Raises ``Failure`` for a machine or a program that cannot be read, and for each name of the plan
+    that they do not have.
+    """
+
+    def __init__(self, plan: Plan) -> None:
+        self.plan = plan
+        access = FileAccess()
+        folder = plan.machine or machine_of(plan.program, access).path
+        self.machine = load_machine(folder)
+        self.cycle_time_us = self.machine.cycle_time_us
+        text = plan.text
+        self._text = "\n".join(access.read_lines(plan.program)) if text is None else text
+        self._machines: dict[tuple[tuple[tuple[str, str], float | str], ...], Machine] = {}
+        names = (name for measure in plan.measures for name in measure.node.signals())
+        further = (name for expected in plan.expectations for name in expected.signals)
+        self._names = tuple(dict.fromkeys([*names, *further]))
+        self.signals = self._signals(Controller(self.machine))
+
+    def _signals(self, controller: Controller) -> tuple[str, ...]:
+        """Return the signals that measures read; an axis stands for its command position."""
+        axes = {axis.name for axis in controller.channel_axes}
+        signals = [f"{name}.ACS.ACT_POS" if name in axes else name for name in self._names]
+        for name in signals:
+            controller.signal(name)
+        return tuple(dict.fromkeys(signals))
+
+    def line(self, number: int) -> str:
+        """Return a line of the program, from 1."""
+        lines = self._text.split("\n")
+        return lines[number - 1] if number <= len(lines) else ""
+
+    def check(self) -> None:
+        """Raise ``Failure`` for names and values that machine or program do not have."""
+        found: list[Diagnostic] = []
+        for index, dimension in enumerate(self.plan.dimensions):
+            try:
+                point = [one.between(0.0) for one in self.plan.dimensions]
+                single = Plan(
+                    self.plan.program, None, None, (dimension,), (), (),
+                )  # fmt: skip
+                self._check_inputs(inputs_of(single, [point[index]], self.cycle_time_us))
+            except Failure as failure:
+                found += failure.diagnostics
+        try:
+            self._check_inputs(RunInputs(dict(self.plan.assignments), list(self.plan.stimuli)))
+        except Failure as failure:
+            found += failure.diagnostics
+        if found:
+            raise Failure(*found)
+
+    def _check_inputs(self, inputs: RunInputs) -> None:
+        machine = self._machine_with(inputs.parameters)
+        self._program_with(inputs.program_variables)
+        controller = Controller(machine)
+        for name, value in inputs.assignments.items():
+            controller.write(name, value)
+        for _, name, value in inputs.stimuli:
+            controller.write(name, value)
+
+    # --- one run ---------------------------------------------------------------------------------
+
+    def row(self, index: int) -> Row:
+        """Return the row of a run by its number."""
+        point = self.plan.point(index)
+        return self.row_of(index, point)
+
+    def row_of(self, index: int, point: Sequence[Value]) -> Row:
+        """Return the row of a run with these values."""
+        row: Row = {"run": index}
+        for dimension, value in zip(self.plan.dimensions, point, strict=True):
+            row[dimension.name] = dimension.shown(value)
+        try:
+            finished = self.make(point)
+        except Failure as failure:
+            row |= {measure.name: None for measure in self.plan.measures}
+            texts = "; ".join(one.headline() for one in failure.diagnostics)
+            return row | {"verdict": FAILED, "broken": texts, "seed": self.plan.seed, "digest": ""}
+        return row | self.judge(finished)
+
+    def judge(self, finished: FinishedRun) -> Row:
+        """Return measures, verdict and digest of a run."""
+        plan, outcome = self.plan, finished.outcome
+        row: Row = {measure.name: measure.value(outcome) for measure in plan.measures}
+        broken = [one.text for one in plan.expectations if not one.is_met(outcome)]
+        reactions = [one.reaction for one in plan.expectations if one.reaction is not None]
+        if reactions:
+            row[REACTION] = reaction_time(reactions[0], outcome)
+        return row | {
+            "state": DECIDED if outcome.run.state == "interrupted" else outcome.run.state,
+            "ticks": outcome.run.ticks,
+            "verdict": BROKEN if broken else HELD,
+            "broken": "; ".join(broken),
+            "seed": plan.seed,
+            "digest": finished.digest,
+        }
+
+    def make(self, point: Sequence[Value]) -> FinishedRun:
+        """Make the run with these values, up to where it is decided; raises ``Failure``."""
+        injected_us = self.plan.injection_us(point)
+        begun = self.begin(inputs_of(self.plan, point, self.cycle_time_us))
+        return begun.finish(injected_us, self.decided_after(injected_us))
+
+    def decided_after(self, injected_us: int | None) -> int | None:
+        """Return the tick behind which an injection's run is decided; ``None``: at its end."""
+        window_us = self.plan.window_us(self.cycle_time_us)
+        if injected_us is None or window_us is None:
+            return None
+        return -(-(injected_us + window_us) // self.cycle_time_us) + 1
+
+    def begin(self, inputs: RunInputs, *, blocks: bool = False) -> BegunRun:
+        """Begin a run with these inputs; ``blocks``: with the events of its blocks."""
+        controller = Controller(self._machine_with(inputs.parameters))
+        before = values_before(controller, self.signals, inputs.assignments)
+        digest = Digest()
+        options = RunOptions(
+            {1: (self._program_with(inputs.program_variables),)},
+            set=inputs.assignments,
+            at=inputs.stimuli,
+            until=self.plan.until,
+            after=self.plan.after,
+            plc=self._plc(inputs),
+            signals=self.signals,
+            sinks=(digest,),
+            blocks=blocks,
+        )
+        return BegunRun(controller, controller.begin(options), inputs, before, digest)
+
+    def _machine_with(self, parameters: Mapping[tuple[str, str], float | str]) -> Machine:
+        """Return the machine with these parameters, loaded once."""
+        if not parameters:
+            return self.machine
+        key = tuple(parameters.items())
+        if key not in self._machines:
+            self._machines[key] = changed_machine(self.machine, parameters)
+        return self._machines[key]
+
+    def _program_with(self, values: Mapping[str, float | str]) -> NcText:
+        """Return the program in which the first assignments to these variables have values."""
+        text = self._text
+        for name, value in values.items():
+            pattern = rf"({re.escape(name)}[ \t]*=[ \t]*)[+-]?(?:\d+\.?\d*|\.\d+)"
+            text, count = re.subn(pattern, rf"\g<1>{value!r}", text, count=1, flags=re.IGNORECASE)
+            if count == 0:
+                raise Failure(diagnostic(UNKNOWN_PROGRAM_VARIABLE, name=name))
+        return NcText(str(self.plan.program), text)
+
+    def _plc(self, inputs: RunInputs) -> AnyPlc | None:
+        plc = None if self.plan.plc is None else load_plc(self.plan.plc)
+        return FaultyPlc(plc, inputs.faults) if inputs.faults else plc
+
+
+def columns_of(plan: Plan) -> list[str]:
+    """Return the names of the columns of a row, in their order."""
+    return [
+        "run",
+        *(dimension.name for dimension in plan.dimensions),
+        *(measure.name for measure in plan.measures),
+        *([REACTION] if any(one.reaction for one in plan.expectations) else []),
+        "state", "ticks", "verdict", "broken", "seed", "digest",
+    ]  # fmt: skip
+
+
+def crashed_row(plan: Plan, index: int) -> Row:
+    """Return the row of a run whose process ended by itself."""
+    row: Row = dict.fromkeys(columns_of(plan))
+    point = plan.point(index)
+    values: dict[str, Any] = {
+        dimension.name: dimension.shown(value)
+        for dimension, value in zip(plan.dimensions, point, strict=True)
+    }
+    return row | values | {"run": index, "verdict": CRASHED, "broken": "", "seed": plan.seed}

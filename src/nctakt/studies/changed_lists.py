@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: MIT
+"""A machine with other values of some parameters, as if they stood in its lists.
+
+In: a machine and values by ID and axis or channel. Out: another machine, loaded from the same
+files, in which these entries are replaced or added while they are read. No file is written.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from pathlib import Path
+from typing import NoReturn
+
+from nctakt.base.failure import Failure
+from nctakt.base.text import decode_text, nearest
+from nctakt.files.access import FileAccess
+from nctakt.lists.all_parameters import SCHEMAS
+from nctakt.lists.format.parameter import Parameter
+from nctakt.lists.machine.machine import Machine, load_machine
+from nctakt.messages import diagnostic
+from nctakt.messages.studies import UNKNOWN_PARAMETER_OF_STUDY
+
+_AXIS_NAME = re.compile(r"^\s*kopf\.log_achs_name\s+(\S+)", re.MULTILINE)
+_INDEX = re.compile(r"\[[^]]*\]")
+_END = re.compile(r"^\s*Ende\b", re.MULTILINE | re.IGNORECASE)
+
+
+class _ChangedFiles(FileAccess):
+    """Reads files in some of which entries are replaced: path -> name of the entry -> value."""
+
+    def __init__(self, changes: Mapping[Path, Mapping[str, str]]) -> None:
+        super().__init__()
+        self._changes = changes
+
+    def read_bytes(self, path: Path, *, is_replaced: bool = False) -> bytes:
+        """Return the content of a file with its changes."""
+        data = super().read_bytes(path, is_replaced=is_replaced)
+        changes = self._changes.get(path.resolve())
+        if not changes:
+            return data
+        text = decode_text(data).text
+        for name, value in changes.items():
+            text = _changed(text, name, value)
+        return text.encode("utf-8")
+
+
+def _changed(text: str, name: str, value: str) -> str:
+    """Return the text of a list in which an entry has a value."""
+    entry = re.compile(rf"^[ \t]*{re.escape(name)}[ \t]+\S+", re.MULTILINE)
+    line = f"{name} {value}"
+    if entry.search(text):
+        return entry.sub(line, text)
+    return _END.sub(lambda found: f"{line}\n{found[0]}", text, count=1)
+
+
+def changed_machine(machine: Machine, values: Mapping[tuple[str, str], float | str]) -> Machine:
+    """Return a machine with these values.
+
+    Raises ``Failure`` for an unknown parameter (901312), and with what the lists report about a
+    value that they do not take.
+    """
+    changes: dict[Path, dict[str, str]] = {}
+    for (id_, owner), value in values.items():
+        parameter, kind = _parameter(id_, owner)
+        path = _list_of(machine, kind, id_, owner)
+        name = _INDEX.sub("[0]", parameter.path)
+        changes.setdefault(path.resolve(), {})[name] = _text(value)
+    changed = load_machine(machine.lists[0][1], access=_ChangedFiles(changes))
+    before = [(one.id, one.text()) for one in machine.diagnostics]
+    found = [one for one in changed.diagnostics if (one.id, one.text()) not in before]
+    if found:
+        raise Failure(*found)
+    return changed
+
+
+def _text(value: float | str) -> str:
+    if isinstance(value, str):
+        return value
+    return str(int(value)) if value == int(value) else repr(value)
+
+
+def _parameter(id_: str, owner: str) -> tuple[Parameter, str]:
+    """Return a parameter and the kind of its list."""
+    for schema in SCHEMAS:
+        for parameter in schema.parameters:
+            if parameter.id == id_:
+                return parameter, schema.kind
+    ids = [parameter.id for schema in SCHEMAS for parameter in schema.parameters]
+    near = nearest(id_, ids)
+    _refuse(id_, owner, f"unknown parameter; nearest: {near}" if near else "unknown parameter")
+
+
+def _list_of(machine: Machine, kind: str, id_: str, owner: str) -> Path:
+    """Return the list of an axis by its name, of a channel by its number, or the only one."""
+    paths = [path for own, path in machine.lists if own == kind]
+    if kind == "axis":
+        named = {}
+        for path in paths:
+            match = _AXIS_NAME.search(decode_text(path.read_bytes()).text)
+            if match is not None:
+                named[match[1]] = path
+        if owner in named:
+            return named[owner]
+        _refuse(id_, owner, f"no axis of this name; known: {', '.join(named)}")
+    if kind == "channel" and owner:
+        numbered = {str(channel.number): channel.startup.parameters for channel in machine.channels}
+        found = numbered.get(owner)
+        if found is None:
+            _refuse(id_, owner, f"no channel of this number; known: {', '.join(numbered)}")
+        ends = [path for path in paths if path.as_posix().endswith(found.path.replace("\\", "/"))]
+        if ends:
+            return ends[0]
+    if not paths:
+        _refuse(id_, owner, f"the machine has no list of the kind {kind}")
+    if any(path.suffix.casefold() == ".xml" for path in paths):
+        _refuse(id_, owner, "lists in XML cannot be varied")
+    return paths[-1]
+
+
+def _refuse(id_: str, owner: str, reason: str) -> NoReturn:
+    message = diagnostic(UNKNOWN_PARAMETER_OF_STUDY, parameter=id_, of=owner or "–", reason=reason)
+    raise Failure(message)

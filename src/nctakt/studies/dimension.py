@@ -1,0 +1,112 @@
+# SPDX-License-Identifier: MIT
+"""A dimension of a study: what is varied, and the values that it takes.
+
+In: the entries of a plan. Out: values by their number or by a number between 0 and 1. A value of a
+dimension of times is a whole number of microseconds, each other one a number or a text.
+"""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from nctakt.base.dataclass import dataclass
+from nctakt.lists.format.times import Time
+
+#: What a dimension varies: a variable's value, the time of a stimulus, the seed of a noise, the
+#: file of a series, how a function is acknowledged, when the PLC dies and comes back, a parameter
+#: of the lists, a variable of the program.
+Kind = Literal[
+    "variable", "time_of", "noise", "series", "acknowledge", "plc_dies", "plc_returns",
+    "parameter", "program_variable",
+]  # fmt: skip
+
+#: The kinds whose values are times.
+TIME_KINDS: tuple[Kind, ...] = ("time_of", "plc_dies", "plc_returns")
+
+Value = float | int | str
+
+#: The highest time of a dimension that goes on to the end of the unchanged run, in microseconds.
+END_OF_RUN = 1 << 60
+
+_MASK = (1 << 64) - 1
+
+
+@dataclass(frozen=True, slots=True)
+class Dimension:
+    """What is varied, and its values: ``values``, or from ``low`` to ``high`` in steps.
+
+    ``target``: the variable, the assignment of ``time_of`` (its variable; ``amount`` is the
+    value), the function, the parameter's ID; ``of``: the axis or channel whose parameter it is.
+    ``at``: from which time on; ``duration``: how long, for ``time_of`` until the value goes back to
+    ``rest``, for a ramp or a noise how long it lasts. A ramp begins with ``rest``; a noise keeps
+    within ``amount`` of ``rest``. ``step`` 0: any value between ``low`` and ``high``.
+    ``is_each_tick``: each tick of a run, from ``low`` up to the end of the unchanged run.
+    """
+
+    name: str
+    kind: Kind
+    target: str
+    of: str = ""
+    values: tuple[Value, ...] = ()
+    low: float = 0.0
+    high: float = 0.0
+    step: float = 0.0
+    amount: float | str = 0.0
+    rest: float | str = 0.0
+    at: Time | None = None
+    duration: Time | None = None
+    is_ramp: bool = False
+    is_each_tick: bool = False
+
+    @property
+    def is_time(self) -> bool:
+        """Whether its values are times."""
+        return self.kind in TIME_KINDS
+
+    @property
+    def count(self) -> int:
+        """The number of its values on a grid; 0 if there are none, or if it has no step."""
+        if self.values:
+            return len(self.values)
+        if self.step <= 0 or self.high < self.low:
+            return 0
+        return int((self.high - self.low) / self.step + 1e-9) + 1
+
+    def value(self, index: int) -> Value:
+        """Return a value by its number on the grid, from 0."""
+        if self.values:
+            return self.values[index]
+        return self._whole(self.low + index * self.step)
+
+    def between(self, share: float) -> Value:
+        """Return the value at a share of the way, 0 … 1; on the grid where there is one."""
+        count = self.count
+        if count:
+            return self.value(min(int(share * count), count - 1))
+        return self._whole(self.low + share * (self.high - self.low))
+
+    def _whole(self, value: float) -> Value:
+        """Return a time in whole microseconds; other values without the dust of the addition."""
+        if self.is_time:
+            return round(value)
+        rounded = round(value, 12)
+        return int(rounded) if rounded == int(rounded) and self.step == int(self.step) else rounded
+
+    def shown(self, value: Value) -> Value:
+        """Return a value as results show it: times in seconds."""
+        return int(value) / 1e6 if self.is_time else value
+
+
+def chance(seed: int, *numbers: int) -> float:
+    """Return a number from 0 up to 1 that belongs to a seed and further numbers.
+
+    The same on each machine and in each process: a run's inputs do not depend on which runs were
+    made before it. The steps are those of SplitMix64.
+    """
+    state = seed & _MASK
+    for number in (0, *numbers):
+        state = (state ^ (number & _MASK)) + 0x9E3779B97F4A7C15 & _MASK
+        state = (state ^ state >> 30) * 0xBF58476D1CE4E5B9 & _MASK
+        state = (state ^ state >> 27) * 0x94D049BB133111EB & _MASK
+        state ^= state >> 31
+    return (state >> 11) / (1 << 53)

@@ -1,0 +1,136 @@
+# SPDX-License-Identifier: MIT
+"""The values of a point -> the inputs of its run.
+
+In: a plan and a point. Out: ``RunInputs``: values before the first tick, values at times, faults of
+the PLC, parameters of lists, variables of the program; and the words of ``nctakt run`` for them.
+"""
+
+from __future__ import annotations
+
+import shlex
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+from nctakt.base.dataclass import dataclass, field
+from nctakt.lists.format.times import Time
+from nctakt.plc.inputs import read_inputs
+from nctakt.studies.dimension import Dimension, Value, chance
+from nctakt.studies.faults import PlcFaults
+from nctakt.studies.plan import Plan
+
+Amount = float | str
+
+
+@dataclass(slots=True)
+class RunInputs:
+    """The inputs of one run; ``parameters``: ID and axis or channel -> value."""
+
+    assignments: dict[str, Amount] = field(default_factory=dict)
+    stimuli: list[tuple[Time, str, Amount]] = field(default_factory=list)
+    faults: PlcFaults = field(default_factory=PlcFaults)
+    parameters: dict[tuple[str, str], Amount] = field(default_factory=dict)
+    program_variables: dict[str, Amount] = field(default_factory=dict)
+
+
+def inputs_of(plan: Plan, point: Sequence[Value], cycle_time_us: int) -> RunInputs:
+    """Return the inputs of a point."""
+    inputs = RunInputs(dict(plan.assignments), list(plan.stimuli))
+    for dimension, value in zip(plan.dimensions, point, strict=True):
+        _add(inputs, dimension, value, cycle_time_us)
+    return inputs
+
+
+def _add(inputs: RunInputs, dimension: Dimension, value: Value, cycle_time_us: int) -> None:
+    """Add what a value of a dimension means."""
+    match dimension.kind:
+        case "variable" if dimension.at is None and not dimension.is_ramp:
+            inputs.assignments[dimension.target] = value
+        case "variable" if dimension.is_ramp:
+            inputs.stimuli += _ramp(dimension, value, cycle_time_us)
+        case "variable":
+            assert dimension.at is not None
+            begin_us = dimension.at.us(cycle_time_us)
+            inputs.stimuli += _pulse(dimension, begin_us, value, cycle_time_us)
+        case "time_of":
+            inputs.stimuli += _pulse(dimension, int(value), dimension.amount, cycle_time_us)
+        case "noise":
+            inputs.stimuli += _noise(dimension, int(value), cycle_time_us)
+        case "series":
+            inputs.stimuli += (
+                (one.time, one.name, one.value) for one in read_inputs(Path(str(value)))
+            )
+        case "acknowledge":
+            inputs.faults.answers[dimension.target.upper()] = value
+        case "plc_dies":
+            inputs.faults.dies_us = int(value)
+        case "plc_returns":
+            inputs.faults.returns_us = int(value)
+        case "parameter":
+            inputs.parameters[dimension.target, dimension.of] = value
+        case "program_variable":
+            inputs.program_variables[dimension.target] = value
+
+
+def _pulse(
+    dimension: Dimension, begin_us: int, amount: Amount, cycle_time_us: int
+) -> Iterator[tuple[Time, str, Amount]]:
+    """Yield a value at a time, and the value at rest when its duration is over."""
+    yield Time(begin_us), dimension.target, amount
+    if dimension.duration is not None:
+        end_us = begin_us + dimension.duration.us(cycle_time_us)
+        yield Time(end_us), dimension.target, dimension.rest
+
+
+def _ramp(
+    dimension: Dimension, goal: Value, cycle_time_us: int
+) -> Iterator[tuple[Time, str, Amount]]:
+    """Yield the values of a ramp from ``rest`` to the goal, one for each tick."""
+    begin_us, ticks = _span(dimension, cycle_time_us)
+    rest = float(dimension.rest)
+    for tick in range(ticks + 1):
+        value = rest + (float(goal) - rest) * tick / max(ticks, 1)
+        yield Time(begin_us + tick * cycle_time_us), dimension.target, value
+
+
+def _noise(
+    dimension: Dimension, seed: int, cycle_time_us: int
+) -> Iterator[tuple[Time, str, Amount]]:
+    """Yield the values of a noise, one for each tick, evenly spread around ``rest``."""
+    begin_us, ticks = _span(dimension, cycle_time_us)
+    for tick in range(ticks + 1):
+        share = 2.0 * chance(seed, tick) - 1.0
+        value = float(dimension.rest) + float(dimension.amount) * share
+        yield Time(begin_us + tick * cycle_time_us), dimension.target, value
+
+
+def _span(dimension: Dimension, cycle_time_us: int) -> tuple[int, int]:
+    """Return the begin of a course of values in microseconds, and its length in ticks."""
+    begin_us = 0 if dimension.at is None else dimension.at.us(cycle_time_us)
+    assert dimension.duration is not None
+    return begin_us, dimension.duration.ticks(cycle_time_us)
+
+
+def command_of(plan: Plan, inputs: RunInputs) -> str | None:
+    """Return the command that makes this run; ``None`` if no option says what it needs."""
+    if plan.text is not None or inputs.faults or inputs.parameters or inputs.program_variables:
+        return None
+    words = ["nctakt", "run", str(plan.program)]
+    if plan.machine is not None:
+        words += ["--machine", str(plan.machine)]
+    if plan.plc is not None:
+        words += ["--plc", str(plan.plc)]
+    for name, value in inputs.assignments.items():
+        words += ["--set", f"{name}={_word(value)}"]
+    for time, name, value in inputs.stimuli:
+        words += ["--at", str(time).replace(" ", ""), f"{name}={_word(value)}"]
+    if plan.until is not None:
+        words += ["--until", str(plan.until).replace(" ", "")]
+    if plan.after.count:
+        words += ["--after", str(plan.after).replace(" ", "")]
+    return shlex.join(words)
+
+
+def _word(value: Amount) -> str:
+    if isinstance(value, str):
+        return f'"{value}"'
+    return str(int(value)) if value == int(value) else repr(value)

@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: MIT
+"""One run of a study, as measures look at it: events, signals tick by tick, state, duration."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from nctakt.results.run import Run
+from nctakt.testing.queries import NcRun
+from nctakt.testing.verdict import signal_of
+
+
+class NotMeasuredError(Exception):
+    """A measure has no value in this run: its event did not happen."""
+
+
+class Outcome:
+    """A run, with the values of its signals ``before`` its first tick.
+
+    Times are seconds of the run. ``injected``: the time of the stimulus of an each-tick study.
+    """
+
+    def __init__(
+        self, run: Run, before: Mapping[str, float], injected: float | None = None
+    ) -> None:
+        self.run = run
+        self.queries = NcRun(run, before)
+        self.injected = injected
+        self._before = before
+        self._columns: dict[str, Sequence[float]] = {}
+
+    @property
+    def duration(self) -> float:
+        """The duration in seconds."""
+        return self.run.virtual_time_us / 1e6
+
+    @property
+    def tick_s(self) -> float:
+        """The length of a tick in seconds."""
+        return self.run.cycle_time_us / 1e6
+
+    def values(self, name: str) -> Sequence[float]:
+        """Return the values of a signal at the begin of each tick, and at the end of the run."""
+        signal = signal_of(self.queries, name)
+        if signal not in self._columns:
+            assert self.run.trace is not None
+            self._columns[signal] = [self._before[signal], *self.run.trace[signal].tolist()]
+        return self._columns[signal]
+
+    def value_at(self, name: str, time: float) -> float:
+        """Return a signal at a time, as a realtime cycle reads it then."""
+        values = self.values(name)
+        tick = -(-round(time * 1e6) // self.run.cycle_time_us)
+        return values[max(0, min(tick, len(values) - 1))]

@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: MIT
+"""A plan: the program, what is varied, measured, expected and searched for; immutable.
+
+``Plan.point`` gives the values of each run by its number. Which runs there are does not depend on
+who makes them, or in which order.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import cache
+from pathlib import Path
+from typing import Literal
+
+from nctakt.base.dataclass import dataclass
+from nctakt.base.failure import Failure
+from nctakt.lists.format.times import Time
+from nctakt.messages import diagnostic
+from nctakt.messages.studies import EXTRA_MISSING
+from nctakt.studies.dimension import Dimension, Value, chance
+from nctakt.studies.measures import Expectation, Measure
+
+#: How points are chosen: each with each, by chance, or spread evenly.
+Method = Literal["grid", "list", "random", "latin", "sobol"]
+METHODS: tuple[Method, ...] = ("grid", "list", "random", "latin", "sobol")
+
+
+@dataclass(frozen=True, slots=True)
+class Goal:
+    """What is searched for: ``word`` is minimize, maximize or boundary, ``measure`` of what.
+
+    ``budget``: how many runs the search may take.
+    """
+
+    word: Literal["minimize", "maximize", "boundary"]
+    measure: str
+    budget: int
+
+
+@dataclass(frozen=True, slots=True)
+class Plan:
+    """A checked plan; ``text``: that of the program where it is in no file.
+
+    ``machine`` ``None``: the one on which ``nctakt run`` runs the program. ``assignments`` and
+    ``stimuli`` are those of all runs. ``count``: the number of points of a method without a grid.
+    ``nominal``: the values of the unchanged run, in the order of the dimensions.
+    """
+
+    program: Path
+    machine: Path | None
+    plc: Path | None
+    dimensions: tuple[Dimension, ...]
+    measures: tuple[Measure, ...]
+    expectations: tuple[Expectation, ...]
+    method: Method = "grid"
+    count: int = 0
+    seed: int = 0
+    until: Time | None = None
+    after: Time = Time(0)
+    assignments: tuple[tuple[str, float | str], ...] = ()
+    stimuli: tuple[tuple[Time, str, float | str], ...] = ()
+    goals: tuple[Goal, ...] = ()
+    text: str | None = None
+
+    @property
+    def size(self) -> int:
+        """The number of its runs; 0 for a grid in which a dimension has no value."""
+        if self.method == "grid":
+            size = 1
+            for dimension in self.dimensions:
+                size *= dimension.count
+            return size
+        if self.method == "list":
+            return min((dimension.count for dimension in self.dimensions), default=1)
+        return self.count
+
+    def point(self, index: int) -> tuple[Value, ...]:
+        """Return the values of a run, one for each dimension.
+
+        Raises ``Failure`` (901311) where a method needs a package that is not installed.
+        """
+        if self.method == "grid":
+            values: list[Value] = []
+            for dimension in reversed(self.dimensions):
+                index, number = divmod(index, dimension.count)
+                values.append(dimension.value(number))
+            return tuple(reversed(values))
+        if self.method == "list":
+            return tuple(dimension.value(index) for dimension in self.dimensions)
+        return tuple(
+            dimension.between(share)
+            for dimension, share in zip(self.dimensions, self._shares(index), strict=True)
+        )
+
+    def injection_us(self, point: Sequence[Value]) -> int | None:
+        """Return the time of the injection of an each-tick study in microseconds, else ``None``."""
+        for dimension, value in zip(self.dimensions, point, strict=True):
+            if dimension.is_each_tick:
+                return int(value)
+        return None
+
+    def window_us(self, cycle_time_us: int) -> int | None:
+        """Return how long after an injection a run is decided; ``None``: only at its end.
+
+        That is so where there are measures, and expectations of another form than ``CONDITION
+        within TIME``.
+        """
+        reactions = [expectation.reaction for expectation in self.expectations]
+        limits = [
+            reaction.limit.us(cycle_time_us)
+            for reaction in reactions
+            if reaction is not None and reaction.after is None
+        ]
+        if self.measures or not limits or len(limits) < len(reactions):
+            return None
+        return max(limits)
+
+    def _shares(self, index: int) -> tuple[float, ...]:
+        if self.method == "random":
+            return tuple(chance(self.seed, index, i) for i in range(len(self.dimensions)))
+        return _design(self.method, self.count, len(self.dimensions), self.seed)[index]
+
+
+@cache
+def _design(method: Method, count: int, width: int, seed: int) -> list[tuple[float, ...]]:
+    """Return the points of a design that is made as a whole, in the unit cube."""
+    try:
+        from scipy.stats import qmc  # noqa: PLC0415 - an extra that few plans need
+    except ImportError as error:
+        raise Failure(diagnostic(EXTRA_MISSING, package="scipy", extra="studies")) from error
+    if method == "latin":
+        return [tuple(map(float, row)) for row in qmc.LatinHypercube(width, rng=seed).random(count)]
+    power = max(count - 1, 0).bit_length()
+    sobol = qmc.Sobol(width, rng=seed).random_base2(power)
+    return [tuple(map(float, row)) for row in sobol[:count]]

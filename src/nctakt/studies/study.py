@@ -1,0 +1,185 @@
+# SPDX-License-Identifier: MIT
+"""A study: many runs of one program, made on this machine or on others, and their results."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from nctakt.studies.bench import BROKEN, CRASHED, FAILED, HELD, Bench, Row, columns_of
+from nctakt.studies.each_tick import Nominal, nominal_run, with_span
+from nctakt.studies.inputs import command_of, inputs_of
+from nctakt.studies.measures import MeasuredValue, function_measure
+from nctakt.studies.plan import Plan
+from nctakt.studies.plan_file import read_plan, read_tables
+from nctakt.studies.processes import rows_here, rows_of_processes
+from nctakt.studies.results import RowStore, arrow_table, write_rows
+
+if TYPE_CHECKING:
+    import pandas
+    import polars
+    import pyarrow
+
+#: Makes the rows of runs by their numbers, in any order.
+Executor = Callable[[Plan, Iterable[int]], Iterator[list[Row]]]
+
+
+class StudyResult:
+    """The rows of a study in the order of its runs; true if all runs met all expectations."""
+
+    def __init__(self, plan: Plan, rows: Sequence[Row]) -> None:
+        self.plan = plan
+        self.rows = rows
+
+    def __repr__(self) -> str:
+        counts = ", ".join(f"{count} {verdict}" for verdict, count in self.counts.items() if count)
+        return f"<StudyResult of {len(self.rows)} runs: {counts or 'none'}>"
+
+    def __bool__(self) -> bool:
+        return all(row["verdict"] == HELD for row in self.rows)
+
+    def __len__(self) -> int:
+        return len(self.rows)
+
+    @property
+    def counts(self) -> dict[str, int]:
+        """The number of runs by their verdict: held, broken, failed, crashed."""
+        verdicts = [row["verdict"] for row in self.rows]
+        return {verdict: verdicts.count(verdict) for verdict in (HELD, BROKEN, FAILED, CRASHED)}
+
+    @property
+    def broken(self) -> list[Row]:
+        """The rows of the runs that did not meet all expectations."""
+        return [row for row in self.rows if row["verdict"] != HELD]
+
+    def column(self, name: str) -> list[Any]:
+        """Return the values of an input or a measure, run by run."""
+        return [row[name] for row in self.rows]
+
+    def missing(self, measure: str) -> int:
+        """Return in how many runs a measure has no value."""
+        return sum(row[measure] is None for row in self.rows)
+
+    def to_arrow(self) -> pyarrow.Table:
+        """Return the rows as an Arrow table; raises ``Failure`` (901311) without pyarrow."""
+        return arrow_table(self.rows, columns_of(self.plan))
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """Return the rows as a pandas frame; raises as ``to_arrow``."""
+        return self.to_arrow().to_pandas()
+
+    def to_polars(self) -> polars.DataFrame:
+        """Return the rows as a polars frame; raises as ``to_arrow``."""
+        import polars  # noqa: PLC0415 - an extra
+
+        frame = polars.from_arrow(self.to_arrow())
+        assert isinstance(frame, polars.DataFrame)
+        return frame
+
+    def save(self, path: str | Path) -> None:
+        """Write the rows to a .parquet, .csv or .jsonl file; raises ``Failure``."""
+        write_rows(self.rows, columns_of(self.plan), Path(path))
+
+
+class Study:
+    """Many runs of one program: a plan's file, or its entries as keywords.
+
+    ``program`` is a file or an ``NcText``. Behind a plan's file, ``method``, ``count`` and ``seed``
+    replace those of the file.
+
+    ``functions``: further measures as Python functions, which get the queries of a run as a test
+    does (``run.m_function(100).at``). ``nominal``: the unchanged run of an each-tick study. Raises
+    ``Failure`` with all mistakes of the plan.
+
+    >>> study = Study(
+    ...     program=NcText("move.nc", "G01 X100 F6000 M30"),
+    ...     vary=[{"variable": "HLI.OVERRIDE", "values": [50, 100]}],
+    ...     measure={"time": "duration"},
+    ...     expect=["time < 1.5 s"],
+    ... )
+    >>> [(row["HLI.OVERRIDE"], row["time"], row["verdict"]) for row in study.run().rows]
+    [(50, 2.014, 'broken'), (100, 1.026, 'held')]
+    """
+
+    def __init__(
+        self,
+        file: str | Path | None = None,
+        *,
+        functions: dict[str, Callable[..., MeasuredValue]] | None = None,
+        **entries: Any,
+    ) -> None:
+        if file is None:
+            plan = read_tables(entries, Path())
+        else:
+            plan = replace(read_plan(Path(file)), **entries)
+        if functions:
+            own = tuple(function_measure(name, one) for name, one in functions.items())
+            plan = replace(plan, measures=(*plan.measures, *own))
+        self.plan = plan
+        self._has_functions = bool(functions)
+        self._bench: Bench | None = None
+        self.nominal: Nominal | None = None
+        if any(dimension.is_each_tick for dimension in plan.dimensions):
+            bench = Bench(plan)
+            bench.check()
+            self.nominal = nominal_run(bench)
+            self.plan = with_span(plan, self.nominal)
+
+    def __repr__(self) -> str:
+        return f"<Study of {self.plan.program}: {len(self)} runs>"
+
+    def __len__(self) -> int:
+        return self.plan.size
+
+    @property
+    def bench(self) -> Bench:
+        """The bench of this process; raises ``Failure`` for names that are unknown."""
+        if self._bench is None:
+            bench = Bench(self.plan)
+            bench.check()
+            self._bench = bench
+        return self._bench
+
+    def run(
+        self,
+        *,
+        processes: int = 1,
+        numbers: Iterable[int] | None = None,
+        store: RowStore | None = None,
+        executor: Executor | None = None,
+        on_rows: Callable[[list[Row]], None] | None = None,
+    ) -> StudyResult:
+        """Make the runs, by default all, and return their rows in order.
+
+        ``processes``: how many make them; with ``functions`` it is this one. ``executor`` makes
+        them elsewhere. ``store`` keeps each row as it comes and knows those of earlier times;
+        ``on_rows`` is called with new ones. Raises ``Failure`` for unknown names, before any run.
+        """
+        self.bench  # noqa: B018 - checks the names
+        numbers_due: Iterable[int] = range(len(self)) if numbers is None else numbers
+        done = set() if store is None else store.done
+        missing = [number for number in numbers_due if number not in done] if done else numbers_due
+        if executor is None:
+            executor = rows_here
+            if processes > 1 and not self._has_functions:
+                executor = lambda plan, left: rows_of_processes(plan, left, processes)  # noqa: E731
+        rows: list[Row] = []
+        for finished in executor(self.plan, missing):
+            if store is None:
+                rows += finished
+            else:
+                store.add(finished)
+            if on_rows is not None:
+                on_rows(finished)
+        rows = sorted(rows, key=lambda row: int(row["run"] or 0)) if store is None else store.rows()
+        return StudyResult(self.plan, rows)
+
+    def command(self, number: int) -> str | None:
+        """Return the command that makes a run alone; ``None`` if no option says its inputs."""
+        inputs = inputs_of(self.plan, self.plan.point(number), self.bench.cycle_time_us)
+        return command_of(self.plan, inputs)
+
+
+__all__ = ["Study", "StudyResult"]

@@ -1,0 +1,99 @@
+# SPDX-License-Identifier: MIT
+"""Plans in files: what is wrong in them is told with its line, all at once, before any run."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from nctakt.base.failure import Failure
+from nctakt.studies.plan_file import read_plan
+from nctakt.studies.study import Study
+
+
+def plan(folder: Path, text: str) -> Path:
+    """A plan in a folder with a program."""
+    (folder / "part.nc").write_text("G01 X10 F6000\nM30\n")
+    path = folder / "plan.toml"
+    path.write_text(text)
+    return path
+
+
+def failure_of(path: Path) -> list[tuple[int, int]]:
+    """Number and line of each mistake of a plan."""
+    with pytest.raises(Failure) as raised:
+        Study(path).run()
+    return [(one.id, 0 if one.span is None else one.span.line) for one in raised.value.diagnostics]
+
+
+def test_every_mistake_is_told_with_its_line(tmp_path: Path) -> None:
+    """Unknown words, wrong values, measures and expectations."""
+    path = plan(
+        tmp_path,
+        'program = "part.nc"\nmetod = "grid"\nexpect = ["X nowhere"]\n'
+        '[measure]\na = "time of nothing"\n'
+        '[[vary]]\nvariable = "V.E.VALUE"\nvalues = 5\n'
+        '[[vary]]\nvariabel = "V.E.VALUE"\n',
+    )
+    assert failure_of(path) == [
+        (901301, 2),
+        (901307, 3),
+        (901306, 5),
+        (901302, 8),
+        (901303, 9),
+        (901301, 10),
+    ]
+
+
+def test_what_is_not_toml_is_told_with_its_place(tmp_path: Path) -> None:
+    """The reader of TOML names line and column."""
+    assert failure_of(plan(tmp_path, "program = \n")) == [(901300, 1)]
+
+
+@pytest.mark.parametrize("values", ["values = []", "from = 5\nto = 1\nstep = 1"])
+def test_an_empty_grid_is_told(tmp_path: Path, values: str) -> None:
+    """A dimension without a value leaves no run."""
+    text = f'program = "part.nc"\n[[vary]]\nvariable = "V.E.VALUE"\n{values}\n'
+    assert [number for number, _ in failure_of(plan(tmp_path, text))] == [901304]
+
+
+def test_unknown_names_are_told_before_any_run(tmp_path: Path) -> None:
+    """A variable that the machine does not have, with the nearest one."""
+    text = 'program = "part.nc"\n[[vary]]\nvariable = "V.E.VALU"\nvalues = [1]\n'
+    with pytest.raises(Failure) as raised:
+        Study(plan(tmp_path, text)).run()
+    assert raised.value.diagnostics[0].id == 900541
+    assert "V.E.VALUE" in raised.value.diagnostics[0].remedy()
+
+
+def test_points_of_each_method(tmp_path: Path) -> None:
+    """A grid has each with each, a list one with one, chance as many as are asked for."""
+    head = 'program = "part.nc"\n'
+    tail = (
+        '[[vary]]\nvariable = "V.E.VALUE"\nfrom = 0\nto = 1\nstep = 0.5\n'
+        '[[vary]]\nvariable = "V.E.VALUE1"\nvalues = [7, 8, 9]\n'
+    )
+    grid = read_plan(plan(tmp_path, head + tail))
+    assert [grid.point(i) for i in (0, 1, 3, 8)] == [(0, 7), (0, 8), (0.5, 7), (1, 9)]
+    pairs = read_plan(plan(tmp_path, f'{head}method = "list"\n{tail}'))
+    assert (pairs.size, pairs.point(1)) == (3, (0.5, 8))
+    by_chance = read_plan(
+        plan(tmp_path, f'{head}method = "random"\ncount = 1000\nseed = 3\n{tail}')
+    )
+    points = [by_chance.point(i) for i in range(1000)]
+    assert points == [by_chance.point(i) for i in range(1000)]
+    assert 300 < sum(point == (0, 7) or point[0] == 1 for point in points) < 600
+
+
+@pytest.mark.parametrize("method", ["latin", "sobol"])
+def test_designs_fill_the_space(tmp_path: Path, method: str) -> None:
+    """Latin hypercube and Sobol points lie spread over each dimension."""
+    pytest.importorskip("scipy")
+    text = (
+        f'program = "part.nc"\nmethod = "{method}"\ncount = 64\nseed = 1\n'
+        '[[vary]]\nvariable = "V.E.VALUE"\nfrom = 0\nto = 64\n'
+    )
+    design = read_plan(plan(tmp_path, text))
+    values = sorted(float(design.point(i)[0]) for i in range(64))
+    assert [int(value) for value in values] == list(range(64))

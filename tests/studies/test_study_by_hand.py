@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: MIT
+"""A study whose answer is worked out by hand, found in each way that there is.
+
+X moves at 100 mm/s from its first ramp on; V.E.TRIGGER stops the path. The ramp up and the braking
+take the same way, so that X comes to rest at 100 mm/s times the time of the stop: a stop at 550 ms
+rests at 55.0 mm, one a tick later at 55.1 mm. With ``max X < 55.05`` the first tick at which the
+stop comes too late is that at 551 ms.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from nctakt.run.controller import Controller, NcText
+from nctakt.studies.bench import Digest
+from nctakt.studies.study import Study
+
+PROGRAM = """\
+#RT CYCLE [ID = 1 SCOPE = PROG]
+  $IF V.E.TRIGGER > 0
+    V.RTG.OVERRIDE.VEL.CYCLE = 0
+  $ENDIF
+#RT CYCLE END
+N10 G01 X100 F6000
+M30
+"""
+FIRST_LATE = 0.551
+
+
+@pytest.fixture
+def program(tmp_path: Path) -> Path:
+    """The program in a file of its own."""
+    path = tmp_path / "stop.nc"
+    path.write_text(PROGRAM)
+    return path
+
+
+def study(program: Path, **entries: Any) -> Study:
+    """The study of the time of the stop."""
+    vary = {"time_of": "V.E.TRIGGER = 1", "name": "stop", **entries}
+    return Study(
+        program=str(program),
+        until="1 s",
+        vary=[vary],
+        measure={"rest": "max X"},
+        expect=["max X < 55.05"],
+    )
+
+
+def test_a_grid_finds_the_first_late_tick(program: Path) -> None:
+    """Each tick of a span as a grid of times."""
+    done = study(program, **{"from": "540 ms", "to": "560 ms", "step": "1 tick"}).run()
+    assert len(done) == 21
+    assert done.broken[0]["stop"] == FIRST_LATE
+    assert [row["verdict"] for row in done.rows] == ["held"] * 11 + ["broken"] * 10
+    assert done.rows[10]["rest"] == pytest.approx(55.0)
+
+
+def test_each_tick_finds_it(program: Path) -> None:
+    """The injection at each tick from a time on, up to the end of the unchanged run."""
+    done = study(program, each_tick=True, **{"from": "530 ms", "to": "570 ms"}).run()
+    assert done.broken[0]["stop"] == FIRST_LATE
+
+
+def test_processes_yield_the_same_rows(program: Path) -> None:
+    """One process, and two others that are given blocks of runs (same bytes, same order)."""
+    plan = study(program, **{"from": "500 ms", "to": "560 ms", "step": "1 tick"})
+    assert plan.run().rows == plan.run(processes=2).rows
+
+
+def test_a_row_is_that_of_a_plain_run(program: Path) -> None:
+    """The digest of a run of a study is that of the same run on a new controller."""
+    row = study(program, values=["551 ms"]).run().rows[0]
+    digest = Digest()
+    Controller().run(
+        NcText(str(program), PROGRAM),
+        at=[("551 ms", "V.E.TRIGGER", 1)],
+        until="1 s",
+        signals=("X.ACS.ACT_POS",),
+        sinks=[digest],
+    )
+    assert row["digest"] == digest.text()
+
+
+def test_a_broken_run_has_its_command(program: Path) -> None:
+    """The command of a run says its inputs in the words of ``nctakt run``."""
+    plan = study(program, values=["551 ms"])
+    command = plan.command(0)
+    assert command == f"nctakt run {program} --at 0.551s V.E.TRIGGER=1 --until 1s"

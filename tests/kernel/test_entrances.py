@@ -22,7 +22,9 @@ from nctakt.kernel.plc.image_slots import SectionUnits, SpindleUnits, Units
 from nctakt.kernel.plc.panel import Panel
 from nctakt.kernel.plc.technology_slots import Hli, Section
 from nctakt.kernel.tick.channel import LOW_WATER
+from nctakt.run.controller import Controller
 from nctakt.run.queue_feeder import HIGH_WATER
+from nctakt.run.tick_loop import TICKS_AT_ONCE
 
 #: Further than any table of the machine, before its begin, and beyond integers of 64 bits.
 WRONG = (-1, 10**6, -(10**9), 1 << 62, -(1 << 63), 10**30, float("nan"))
@@ -226,3 +228,21 @@ def test_the_queue_is_refilled_beyond_its_low_water() -> None:
     """Else it would be asked for more at once."""
     assert DEMO is not None
     assert LOW_WATER < HIGH_WATER
+
+
+def test_steps_are_whole_numbers_of_ticks() -> None:
+    """Half a tick would never be over; time does not go back."""
+    controller = Controller()
+    for ticks in (1.5, float("nan"), "3", None):
+        with pytest.raises(TypeError):
+            controller.step(ticks)  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match="time does not go back"):
+        controller.step(-1)
+    assert controller.tick == 0
+
+
+def test_a_long_way_of_idle_ticks_can_be_interrupted() -> None:
+    """Nothing is recorded and nothing waits; still Python gets its turn, and with it Ctrl-C."""
+    controller = Controller()
+    assert not controller._loop.advance(1 << 60)
+    assert 0 < controller.tick <= TICKS_AT_ONCE

@@ -8,6 +8,7 @@ independent of each other; any number of them can live in one process.
 
 from __future__ import annotations
 
+import operator
 from collections.abc import Callable, Collection, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -212,7 +213,12 @@ class Controller:
 
     @alone
     def step(self, ticks: int = 1) -> Step:
-        """Run this number of ticks, whatever the state; return what they have done."""
+        """Run this number of ticks, whatever the state; return what they have done.
+
+        Raises ``TypeError`` for a number that is not whole, ``ValueError`` for one below 0.
+        """
+        if operator.index(ticks) < 0:
+            raise ValueError(f"{ticks} ticks: time does not go back")
         first_tick, first_diagnostic = self.tick, len(self.diagnostics)
         recording = self._loop.recording
         first_message = len(recording.messages)

@@ -22,6 +22,9 @@ from nctakt.run.recording import Recording
 if TYPE_CHECKING:
     from nctakt.run.scheduled_run import ScheduledRun
 
+#: Ticks of the compiled part without a pause, in which Python acts on Ctrl-C.
+TICKS_AT_ONCE = 100_000
+
 
 class TickLoop:
     """The ticks of one machine.
@@ -63,11 +66,11 @@ class TickLoop:
             channel.channel.hli.acknowledges_itself = not has_plc
 
     def advance(self, end: int) -> bool:
-        """Run up to tick ``end``, or until the decoder, an input or the PLC is due.
+        """Run up to tick ``end``, or until the decoder, an input, the PLC or a pause is due.
 
         Returns whether one of the kernel's stops has ended it.
         """
-        due = min(end, self.machine.inputs.apply_due())
+        due = min(end, self.machine.inputs.apply_due(), self.tick + TICKS_AT_ONCE)
         if self.plc is not None:
             due = min(due, self.tick + 1)
         plc_calls = 1

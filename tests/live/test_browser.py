@@ -1,27 +1,20 @@
 # SPDX-License-Identifier: MIT
 """The live page in a browser: Chromium, driven by Playwright, from the first tick to the end."""
 
-import contextlib
-import os
 import re
-import shutil
-import signal
-import subprocess
-import sys
-import urllib.request
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
 
+from tests.live.driving import BROWSER, chromium, opened, served
+
 pytest.importorskip("nicegui", reason="the live page needs NiceGUI")
 playwright = pytest.importorskip("playwright.sync_api", reason="driving a browser needs Playwright")
-CHROMIUM = shutil.which("chromium")
+expect = playwright.expect
 
-pytestmark = [
-    pytest.mark.slow,
-    pytest.mark.skipif(CHROMIUM is None, reason="driving a browser needs Chromium"),
-]
+pytestmark = BROWSER
 
 PROGRAM = """#RT CYCLE [ID=1 SCOPE=PROG]
   $IF EDGE V.E.VALUE > 0.5
@@ -34,58 +27,32 @@ G01 X0
 M30
 """
 
-#: How long a page may take for anything, in ms: the machine may be busy with other things.
-PATIENCE_MS = 60_000
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Any]:
+    with chromium() as browser:
+        yield browser
 
 
-@contextlib.contextmanager
-def served(*words: str) -> Iterator[str]:
-    """``nctakt live`` in a process of its own; its address."""
-    environment = {name: value for name, value in os.environ.items() if "PYTEST" not in name}
-    command = [sys.executable, "-m", "nctakt", "live", *words, "--port", "0"]
-    with subprocess.Popen(
-        command, stdout=subprocess.PIPE, encoding="utf-8", env=environment
-    ) as process:
-        try:
-            assert process.stdout is not None
-            yield process.stdout.readline().strip()
-        finally:
-            process.send_signal(signal.SIGINT)
-            with contextlib.suppress(subprocess.TimeoutExpired):
-                process.wait(60)
-            process.kill()
+def written(folder: Path, text: str = PROGRAM, name: str = "part.nc") -> Path:
+    """A program in a file."""
+    path = folder / name
+    path.write_text(text, "utf-8")
+    return path
 
 
-@pytest.mark.skipif(sys.platform != "linux", reason="driving a browser needs Chromium on Linux")
-def test_a_person_at_the_page(tmp_path: Path) -> None:
+def test_a_person_at_the_page(browser: Any, tmp_path: Path) -> None:
     """Step, set a variable, see the reaction, travel, run, acknowledge, pause, make a mistake."""
-    path = tmp_path / "part.nc"
-    path.write_text(PROGRAM, "utf-8")
-    with (
-        served(str(path), "--acknowledge") as address,
-        playwright.sync_playwright() as driver,
-        contextlib.closing(
-            driver.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox"])
-        ) as browser,
-    ):
-        expect = playwright.expect
-        expect.set_options(timeout=PATIENCE_MS)
-        page = browser.new_page(viewport={"width": 1280, "height": 800})
-        page.set_default_timeout(PATIENCE_MS)
+    path = written(tmp_path)
+    with served(str(path), "--acknowledge") as address:
+        page = opened(browser, address)
         foreign: list[str] = []
+        own = (address, "data:", "blob:", address.replace("http", "ws"))
         page.on(
             "request",
-            lambda request: (
-                foreign.append(request.url)
-                if not request.url.startswith(
-                    (address, "data:", "blob:", address.replace("http", "ws"))
-                )
-                else None
-            ),
+            lambda request: None if request.url.startswith(own) else foreign.append(request.url),
         )
-        with urllib.request.urlopen(address) as answer:  # who only looks takes no pen
-            assert answer.status == 200
-        page.goto(address)
+        page.reload()
         clock, state = page.get_by_test_id("clock"), page.get_by_test_id("state")
         count = page.get_by_test_id("variable-V.E.COUNT")
         expect(clock).to_contain_text("Tick 0 ")
@@ -100,6 +67,8 @@ def test_a_person_at_the_page(tmp_path: Path) -> None:
         expect(count).to_have_value("1")
         expect(page.locator(".cm-line.nc-true")).to_have_count(1)
         expect(page.locator(".nc-inline")).to_contain_text("true · 1×")
+        page.locator(".nc-inline").click()
+        expect(page.get_by_test_id("why")).to_contain_text("body ran: V.E.COUNT += 1")
 
         page.get_by_test_id("home").click()
         expect(clock).to_contain_text("Tick 0 ")
@@ -118,6 +87,145 @@ def test_a_person_at_the_page(tmp_path: Path) -> None:
         page.locator(".cm-content").click()
         page.keyboard.press("Control+Home")
         page.keyboard.type("G999 ")
+        page.get_by_test_id("tab-findings").click()
         expect(page.get_by_test_id("findings")).to_contain_text("20797")
         assert path.read_text("utf-8") == PROGRAM
         assert foreign == []
+        page.close()
+
+
+def test_slide_and_travel(browser: Any, tmp_path: Path) -> None:
+    """A slider makes a reaction fire while the run plays; it is in the scope; a click travels."""
+    path = written(tmp_path, PROGRAM.replace("M7", "G04 X600"))
+    with served(str(path), "--lang", "de") as address:
+        page = opened(browser, address)
+        page.get_by_test_id("toggle").click()
+        expect(page.get_by_test_id("state")).to_have_text("läuft")
+        slider = page.get_by_test_id("slider-V.E.VALUE").bounding_box()
+        page.mouse.click(slider["x"] + slider["width"] * 0.6, slider["y"] + slider["height"] / 2)
+        expect(page.get_by_test_id("variable-V.E.COUNT")).to_have_value("1")
+        page.wait_for_function("nctaktRun.run.marks.some(([, kind]) => kind === 'fired')")
+        page.get_by_test_id("toggle").click()
+        expect(page.get_by_test_id("state")).to_have_text("angehalten")
+        page.wait_for_function("nctaktRun.run.ticks.at(-1) === nctaktRun.run.latest - 1")
+        latest = page.evaluate("nctaktRun.run.latest")
+
+        scope = page.get_by_test_id("scope").bounding_box()
+        middle = scope["y"] + scope["height"] / 2
+        page.mouse.click(scope["x"] + scope["width"] * 0.5, middle)
+        page.wait_for_function("nctaktRun.run.tick < nctaktRun.run.latest")
+        tick = page.evaluate("nctaktRun.run.tick")
+        assert 0.2 * latest < tick < 0.8 * latest
+        expect(page.get_by_test_id("clock")).to_contain_text(f"Takt {tick} ")
+        page.mouse.wheel(0, -400)
+        page.wait_for_function("nctaktRun.run.detail !== null")
+        assert page.evaluate("nctaktRun.run.to - nctaktRun.run.from") < latest
+        page.keyboard.press("End")
+        expect(page.get_by_test_id("clock")).to_contain_text(f"Takt {latest} ")
+        page.close()
+
+
+def test_stops_and_automatic_acknowledgement(browser: Any, tmp_path: Path) -> None:
+    """A click on a line number stops there; functions are acknowledged after a delay in ticks."""
+    path = written(tmp_path)
+    with served(str(path), "--acknowledge") as address:
+        page = opened(browser, address)
+        page.locator(".cm-lineNumbers .cm-gutterElement").get_by_text("8", exact=True).click()
+        expect(page.locator(".nc-stop")).to_have_count(1)
+        page.get_by_test_id("acknowledging").click()
+        page.get_by_role("option", name="automatic").click()
+        expect(page.get_by_test_id("delay")).to_be_visible()
+        page.get_by_test_id("speed").click()
+        page.get_by_role("option", name="max").click()
+        page.get_by_test_id("toggle").click()
+        expect(page.get_by_text(re.compile("Stopped: line .*:8"))).to_be_visible()
+        page.wait_for_function("nctaktRun.run.marks.some(([, , label]) => label === 'M7')")
+        handed, stood = page.evaluate(
+            "[nctaktRun.run.marks.find(([, , label]) => label === 'M7')[0], nctaktRun.run.tick]"
+        )
+        assert stood - handed in range(100, 104)
+        page.get_by_test_id("tab-stops").click()
+        page.get_by_test_id("new-stop").fill("V.E.")
+        page.get_by_test_id("new-stop").press("Enter")
+        expect(page.locator(".q-notification").get_by_text(re.compile(r"^\d+: "))).to_be_visible()
+        page.close()
+
+
+def test_two_browsers_and_one_pen(browser: Any, tmp_path: Path) -> None:
+    """The second one watches until it takes the pen; when it is closed, the first one commands."""
+    path = written(tmp_path)
+    with served(str(path)) as address:
+        first, second = opened(browser, address), opened(browser, address)
+        second.get_by_test_id("tick").click()
+        expect(second.get_by_text("Another browser has the pen.")).to_be_visible()
+        expect(second.get_by_test_id("clock")).to_contain_text("Tick 0 ")
+        second.get_by_test_id("pen").click()
+        second.get_by_test_id("tick").click()
+        for page in (first, second):
+            expect(page.get_by_test_id("clock")).to_contain_text("Tick 1 ")
+        second.close()
+        expect(first.get_by_test_id("clock")).to_contain_text("Tick 1 ")
+        for _ in range(200):
+            first.get_by_test_id("tick").click()
+            if "Tick 1 " not in first.get_by_test_id("clock").inner_text():
+                break
+            first.wait_for_timeout(100)
+        expect(first.get_by_test_id("clock")).to_contain_text("Tick 2 ")
+        first.close()
+
+
+def test_keys_do_all(browser: Any, tmp_path: Path) -> None:
+    """Ticks, blocks, the panel, the lists and the help by keys alone."""
+    path = written(tmp_path)
+    with served(str(path)) as address:
+        page = opened(browser, address)
+        clock = page.get_by_test_id("clock")
+        page.keyboard.press(".")
+        expect(clock).to_contain_text("Tick 1 ")
+        page.keyboard.press(",")
+        expect(clock).to_contain_text("Tick 0 ")
+        page.keyboard.press("PageDown")
+        expect(page.get_by_text("HLI.OVERRIDE = 95")).to_be_visible()
+        page.keyboard.press("b")
+        expect(clock).not_to_contain_text("Tick 0 ")
+        expect(page.get_by_test_id("percent")).to_have_text("95 %")
+        page.keyboard.press("h")
+        page.keyboard.press(".")
+        expect(page.get_by_test_id("hold")).to_have_attribute("aria-checked", "true")
+        page.keyboard.press("3")
+        expect(page.get_by_test_id("events")).to_contain_text("cycle started 1")
+        page.keyboard.press("?")
+        expect(page.get_by_text("Back to the last reaction")).to_be_visible()
+        page.close()
+
+
+def test_a_program_that_changes_on_disk(browser: Any, tmp_path: Path) -> None:
+    """It is told, the run goes on with the old text, and the new one can be loaded."""
+    path = written(tmp_path)
+    with served(str(path)) as address:
+        page = opened(browser, address)
+        path.write_text(PROGRAM.replace("X20", "X30"), "utf-8")
+        expect(page.get_by_test_id("load")).to_be_visible()
+        page.get_by_test_id("tick").click()
+        expect(page.get_by_test_id("clock")).to_contain_text("Tick 1 ")
+        page.get_by_test_id("load").click()
+        expect(page.locator(".cm-content")).to_contain_text("X30")
+        expect(page.get_by_test_id("clock")).to_contain_text("Tick 0 ")
+        page.close()
+
+
+@pytest.mark.parametrize(("width", "height"), [(1280, 800), (820, 1180)])
+def test_nothing_is_cut_off(browser: Any, tmp_path: Path, width: int, height: int) -> None:
+    """On a laptop and on a tablet: no scroll bar of the page, every part has room."""
+    path = written(tmp_path)
+    with served(str(path), "--lang", "de") as address:
+        page = opened(browser, address, width, height)
+        assert page.evaluate("document.documentElement.scrollWidth") <= width
+        for name in ("editor", "scope", "path", "waiting", "override", "findings", "help"):
+            box = page.get_by_test_id(name).bounding_box()
+            assert box["x"] >= 0, name
+            assert box["x"] + box["width"] <= width, name
+            assert box["y"] + box["height"] <= height, name
+        for name in ("editor", "scope", "path"):
+            assert page.get_by_test_id(name).bounding_box()["height"] > 140, name
+        page.close()

@@ -8,11 +8,11 @@ import pytest
 from nctakt import NcText, Session
 from nctakt.base.diagnostics import Span
 from nctakt.base.failure import Failure
-from nctakt.live import charts, view
-from nctakt.live.document import Document
+from nctakt.live import view
+from nctakt.live.document import Checker, Document
 from nctakt.live.shared import SharedSession
 from nctakt.live.texts import Texts
-from nctakt.live.view import Curves, Snapshot, TimeMark
+from nctakt.live.view import Snapshot
 from nctakt.session.engine import BranchState, CycleState
 
 pytestmark = pytest.mark.slow
@@ -37,7 +37,7 @@ def snapshot(*branches: BranchState, **operands: float) -> Snapshot:
     cycle = CycleState("1", "running", "PROG", Span(FILE, 1, 1, 4), 3, branches)
     named = {name.replace("_", "."): value for name, value in operands.items()}
     blocks = {1: Span(FILE, 4, 1, 4)}
-    return Snapshot(1, 1, 5, 5, 1, False, None, {}, blocks, [cycle], [], named)
+    return Snapshot(1, 1, 5, 5, 1, False, None, {}, blocks, {}, [cycle], [], named)
 
 
 @pytest.mark.parametrize(
@@ -62,7 +62,7 @@ def test_marks_of_the_program() -> None:
         ("line", "nc-true"),
         ("widget", "nc-inline"),
     ]
-    assert found[2]["text"] == "true · 3×   V.E.VALUE = 0.75"
+    assert found[2]["text"] == "true · 3×   VALUE = 0.75"
     assert found[2]["position"] == len("\n".join(LINES[:2]))
 
 
@@ -80,13 +80,6 @@ def test_first_signals() -> None:
     assert view.first_signals(units, LINES) == ["X.ACS.ACT_POS", "PATH.SPEED", "V.E.VALUE"]
 
 
-def test_marks_in_time_of_an_old_branch_go() -> None:
-    """From the tick on at which a new branch begins; nothing is shown twice."""
-    old = [TimeMark(3, "M", "M5"), TimeMark(8, "fired", "1:2")]
-    new = [TimeMark(3, "M", "M5"), TimeMark(7, "H", "H2")]
-    assert view.merged_marks(old, new, 6) == [TimeMark(3, "M", "M5"), TimeMark(7, "H", "H2")]
-
-
 def test_fields_by_types() -> None:
     """A switch for a truth value; variables that the program names come first; texts have none."""
     types = [("V.E.FLAG", "BOOLEAN"), ("V.E.TEXT", "STRING"), ("V.E.VALUE", "REAL64")]
@@ -98,41 +91,11 @@ def test_fields_by_types() -> None:
     ]
 
 
-def test_lanes_of_the_scope() -> None:
-    """One for each unit, at most four; curves, cursor and marks at their times in s."""
-    names = ("A", "B", "C", "D", "E", "F")
-    units = dict(zip(names, ("mm", "mm", "mm/s", "%", "", "ms"), strict=True))
-    assert [lane[1] for lane in charts.lanes_of(names, units)] == [
-        ["A", "B"],
-        ["C"],
-        ["D"],
-        ["E", "F"],
-    ]
-    curves = Curves(names, [0, 1], [[1.0, 2.0]] * 6)
-    options = charts.scope_options(curves, units, [TimeMark(1, "M", "M5")], 2, 1000)
-    assert len(options["grid"]) == 4
-    assert options["series"][0]["data"] == [[0.0, 1.0], [0.001, 2.0]]
-    lines = options["series"][0]["markLine"]["data"]
-    assert [line["xAxis"] for line in lines] == [0.001, 0.002]
-
-
-def test_the_path_tells_rapid_from_feed() -> None:
-    """The curves meet where one kind of motion becomes the other."""
-    curves = Curves(
-        ("X", "Y", "PATH.RAPID"), [0, 1, 2], [[0.0, 1.0, 2.0], [0.0, 0.0, 5.0], [1.0, 1.0, 0.0]]
-    )
-    marks = [TimeMark(1, "fired", "1:2")]
-    series = charts.path_options(curves, ("X", "Y"), marks, (2.0, 5.0), ("feed", "rapid"))["series"]
-    assert series[0]["data"] == [[1.0, 0.0], [2.0, 5.0]]
-    assert series[1]["data"] == [[0.0, 0.0], [1.0, 0.0], [None, None]]
-    assert series[2]["data"] == [[1.0, 0.0]]
-
-
 def test_a_shared_session_follows_commands() -> None:
     """What a command has done is in the next look; a run anew begins at tick 0."""
     text = "\n".join([*LINES[:2], "V.E.COUNT += 1", "$ENDIF", *LINES[2:], "M30"])
 
-    def opener(acknowledges: bool) -> Session:
+    def opener(program: str | None, acknowledges: bool) -> Session:
         return Session(NcText(FILE, text), acknowledges=acknowledges)
 
     shared = SharedSession(opener, FILE, acknowledges=True)
@@ -145,7 +108,7 @@ def test_a_shared_session_follows_commands() -> None:
         assert shown.tick == 4
         assert shown.values["V.E.COUNT"] == 1
         assert shown.operands == {"V.E.VALUE": 1.0}
-        assert shared.curves.ticks == [0, 1, 2, 3]
+        assert [row[0] for row in shared.track.rows.entries()] == [0, 1, 2, 3]
         shared.reopen()
         assert shared.snapshot.tick == 0
         assert shared.snapshot.serial == 2
@@ -157,7 +120,7 @@ def test_a_program_is_saved_as_it_was(tmp_path: Path) -> None:
     """Ends of lines and encoding stay; a file that has changed meanwhile stays (901162)."""
     path = tmp_path / "part.nc"
     path.write_bytes("G01 X1 (größer)\r\nM30\r\n".encode("cp1252"))
-    document = Document(str(path), None, [tmp_path])
+    document = Document(str(path), Checker(None, [tmp_path]))
     assert document.text == "G01 X1 (größer)\nM30"
     document.save("G01 X2 (größer)\nM30")
     assert path.read_bytes() == "G01 X2 (größer)\r\nM30\r\n".encode("cp1252")

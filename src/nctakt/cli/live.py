@@ -45,6 +45,14 @@ nctakt's own.
 @click.command("live", epilog=_EPILOG, short_help="Show a run on a page in the browser.")
 @click.argument("programs", metavar="PROGRAM...", nargs=-1)
 @click.option(
+    "--channel",
+    "others",
+    metavar="N PROGRAM",
+    nargs=2,
+    multiple=True,
+    help="Run a program in channel N at the same time; may be repeated.",
+)
+@click.option(
     "--machine",
     metavar="DIR",
     help="Folder with the machine's lists, demo or demo5 [default: the project's, else the one "
@@ -95,7 +103,7 @@ def command(host: str, port: int, opens_browser: bool, acknowledge: bool, **word
     def show(options: Options, access: FileAccess) -> int:
         return _show(options, access, (host, port), opens_browser, acknowledge)
 
-    given = {**words, "others": (), "ticks": None, "until": None, "after": "0"}
+    given = {**words, "ticks": None, "until": None, "after": "0"}
     return carry_out(given, show)
 
 
@@ -111,22 +119,35 @@ def _show(
 
     check_library()
     choose_mode(options)
-    from nctakt.live.document import Document  # noqa: PLC0415 - the mode is chosen before
+    from nctakt.live.document import Checker, Document  # noqa: PLC0415 - the mode is chosen before
     from nctakt.live.shared import SharedSession  # noqa: PLC0415 - as above
     from nctakt.live.texts import Texts  # noqa: PLC0415
+    from nctakt.run.program_loader import NcText  # noqa: PLC0415
     from nctakt.session.session import Session  # noqa: PLC0415
 
     request = read_request(options, access)
     if options.machine_note is not None and not options.quiet:
         print_diagnostics([options.machine_note], options.language)
     host, port = address[0], usable_port(*address)
-    file = options.programs[0]
     folders = options.confined or _folders_of(options)
-    document = Document(file, options.machine, folders)
+    checker = Checker(options.machine, folders)
+    documents = {
+        number: [Document(str(program), checker) for program in programs]
+        for number, programs in {1: request.programs, **request.channels}.items()
+        if programs
+    }
 
-    def open_session(acknowledges: bool) -> Session:
+    def open_session(program: str | None, acknowledges: bool) -> Session:
+        texts = {
+            number: [
+                NcText(document.file, document.text)
+                for document in own
+                if number > 1 or program in (None, document.file)
+            ]
+            for number, own in documents.items()
+        }
         return Session(
-            *request.programs,
+            channels=texts,
             machine=options.machine,
             plc=options.plc,
             set=request.assignments,
@@ -137,14 +158,17 @@ def _show(
             folders=folders,
         )
 
-    shared = SharedSession(open_session, file, acknowledges=not acknowledge)
+    channel = next(iter(documents))
+    file = documents[channel][0].file
+    shared = SharedSession(open_session, file, acknowledges=not acknowledge, channel=channel)
     try:
         with contextlib.suppress(KeyboardInterrupt):  # the way to end it
             serve(
                 shared,
-                document,
+                documents,
                 Texts(options.language),
                 (host, port),
+                has_plc=options.plc is not None,
                 opens_browser=opens_browser,
                 tell=click.echo,
             )
@@ -155,7 +179,8 @@ def _show(
 
 def _folders_of(options: Options) -> tuple[str, ...]:
     """Return the folders whose files the page may read: of the programs and of the machine."""
-    folders = {str(Path(program).parent): None for program in options.programs}
+    programs = (*options.programs, *(program for _, program in options.others))
+    folders = {str(Path(program).parent): None for program in programs}
     if options.machine is not None:
         machine = Path(machine_folder(options.machine))
         folders[str(machine if machine.is_dir() else machine.parent)] = None

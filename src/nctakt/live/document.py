@@ -25,18 +25,37 @@ from nctakt.run.assembly import AssembledMachine
 from nctakt.run.program_loader import NcText
 
 
-class Document:
-    """A program in a file and its machine; raises ``Failure`` where it cannot be read.
+class Checker:
+    """The machine that programs are checked with; raises ``Failure`` where it cannot be read.
 
-    ``text``: as it was read or saved last. ``types``: name -> type of the machine's variables.
+    ``types``: name -> type of the machine's variables.
     """
 
-    def __init__(self, file: str, machine: str | None, folders: Sequence[str | Path]) -> None:
-        self.file = file
-        self._access = FileAccess(folders)
-        self._machine = AssembledMachine(load_machine(machine, access=self._access), self._access)
+    def __init__(self, machine: str | None, folders: Sequence[str | Path]) -> None:
+        access = FileAccess(folders)
+        self._machine = AssembledMachine(load_machine(machine, access=access), access)
         names = self._machine.assembled[0].names
         self.types = [(name, kind) for name, _, kind in names.values()]
+
+    def check(self, file: str, text: str) -> list[Diagnostic]:
+        """Return what the check finds in a text; notes are left out."""
+        result = check_files([NcText(file, text)], self._machine)
+        return [
+            found.diagnostic
+            for found in result.findings
+            if found.diagnostic.severity > Severity.NOTE
+        ]
+
+
+class Document:
+    """A program in a file; raises ``Failure`` where it cannot be read.
+
+    ``text``: as it was read or saved last.
+    """
+
+    def __init__(self, file: str, checker: Checker) -> None:
+        self.file = file
+        self.checker = checker
         self._content = b""
         self.text = ""
         self.read()
@@ -46,14 +65,17 @@ class Document:
         self._content = FileAccess().read_bytes(Path(self.file))
         self.text = "\n".join(split_lines(decode_text(self._content).text))
 
+    @property
+    def is_replaced(self) -> bool:
+        """Whether the file on disk is another than the one that was read, or is gone."""
+        try:
+            return Path(self.file).read_bytes() != self._content
+        except OSError:
+            return True
+
     def check(self, text: str) -> list[Diagnostic]:
         """Return what the check finds in a text of the editor; notes are left out."""
-        result = check_files([NcText(self.file, text)], self._machine)
-        return [
-            found.diagnostic
-            for found in result.findings
-            if found.diagnostic.severity > Severity.NOTE
-        ]
+        return self.checker.check(self.file, text)
 
     def save(self, text: str) -> None:
         """Write the editor's text; raises ``Failure`` if the file has changed or cannot be written.

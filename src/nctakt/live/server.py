@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The server of the live page: its address, its guard, its end.
 
-In: a shared session and a document. Out: a page at an address until Ctrl-C. NiceGUI is imported
+In: a shared session and its documents. Out: a page at an address until Ctrl-C. NiceGUI is imported
 here and nowhere else outside of the page.
 """
 
@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import secrets
 import socket
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 
 from nctakt.base.failure import Failure
 from nctakt.live.document import Document
@@ -44,10 +44,11 @@ def usable_port(host: str, port: int) -> int:
 
 def serve(
     shared: SharedSession,
-    document: Document,
+    documents: Mapping[int, list[Document]],
     texts: Texts,
     address: tuple[str, int],
     *,
+    has_plc: bool,
     opens_browser: bool,
     tell: Callable[[str], None],
 ) -> None:
@@ -62,7 +63,7 @@ def serve(
 
     @ui.page("/", title="nctakt live")
     def show() -> None:
-        Page(shared, document, texts)
+        Page(shared, documents, texts, has_plc=has_plc)
 
     app.add_middleware(Guard, token=token)
     shown = f"[{host}]" if ":" in host else host

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""One session that several browsers share: commands in, snapshots out.
+"""One session that several browsers share: commands in, snapshots and increments out.
 
 In: commands of whoever has the pen, from any thread. Out: the latest snapshot, curves, marks and
 lists, made by a thread of its own that listens to the session. Browsers look at them at their own
@@ -10,103 +10,212 @@ from __future__ import annotations
 
 import contextlib
 import threading
+import time
 from collections import deque
 from collections.abc import Callable, Sequence
+from typing import Any
 
-from nctakt.base.diagnostics import Diagnostic
+from nctakt.base.diagnostics import Diagnostic, Language
 from nctakt.base.failure import Failure
 from nctakt.live import view
-from nctakt.live.view import Curves, LogRow, Snapshot, TimeMark
+from nctakt.live.explaining import Explainer, Moment, why_text
+from nctakt.live.track import Shown, Track, blocks_of, marks_of
+from nctakt.live.view import LogRow, Snapshot
+from nctakt.results.run import ProgramMessage
+from nctakt.session.engine import Slice
 from nctakt.session.listening import Frame, Listener
 from nctakt.session.session import Session
+from nctakt.session.stops import StopAt
+from nctakt.trace.events import Event
 
 #: Where the page's inputs come from, on the tape.
 PAGE = "page"
 
 #: Frames a second that a session gives, and how long the thread waits for one.
-RATE_HZ = 10.0
+RATE_HZ = 20.0
 _WAIT_S = 0.2
 
-#: Rows of the scope, and how many ticks of the past it shows.
-SCOPE_ROWS = 500
-SCOPE_TICKS = 200_000
+#: Rows of the curves that are taken from the past, and how many of its ticks are shown.
+SCOPE_ROWS, SCOPE_TICKS = 1000, 200_000
 
 #: Rows of the lists of messages and events.
 MAX_LOG = 200
 
-#: Opens the session; the argument: whether functions acknowledge themselves.
-Opener = Callable[[bool], Session]
+#: Diagnostics of a run that are kept.
+MAX_DIAGNOSTICS = 500
+
+#: Opens the session of all programs, or of one; whether functions acknowledge themselves.
+Opener = Callable[[str | None, bool], Session]
 
 
 class SharedSession:
     """A session and what browsers show of it; raises ``Failure`` if it cannot be opened.
 
-    ``acknowledges``: functions acknowledge themselves. ``pen``: who may command.
+    ``file`` and ``channel``: those that are shown. ``delay``: ticks to an automatic
+    acknowledgement, 0: the CNC acknowledges at once, ``None``: a person does. ``pen``: who may
+    command. ``stops``: those of persons, as text. ``busy``: commands under way.
     """
 
-    def __init__(self, opener: Opener, file: str, *, acknowledges: bool) -> None:
+    def __init__(self, opener: Opener, file: str, *, acknowledges: bool, channel: int = 1) -> None:
         self._opener = opener
-        self._file = file
-        self.acknowledges = acknowledges
+        self.file = file
+        self.delay: int | None = 0 if acknowledges else None
+        self.program: str | None = None
+        self.channel = channel
         self.pen: str | None = None
+        self.stops: list[str] = []
+        self.busy = 0
+        self._passing: StopAt | None = None
         self._lock = threading.Lock()
         self._wake = threading.Event()
         self._is_closed = False
-        self._serial = 0
-        self._number = 0
-        self.messages: deque[LogRow] = deque(maxlen=MAX_LOG)
-        self.events: deque[LogRow] = deque(maxlen=MAX_LOG)
+        self._serial = self._number = 0
+        self.messages: deque[ProgramMessage | LogRow] = deque(maxlen=MAX_LOG)
+        self.events: deque[Event] = deque(maxlen=MAX_LOG)
+        self.left_out = 0
         self.diagnostics: list[Diagnostic] = []
-        self._start(opener(acknowledges))
+        self.track = Track()
+        self.explainer = Explainer(self._wake.set)
+        self._start(self._opened())
         self._thread = threading.Thread(target=self._watch, name="nctakt live", daemon=True)
         self._thread.start()
+
+    def _opened(self) -> Session:
+        session = self._opener(self.program, self.delay == 0)
+        session.acknowledge_after(self.delay or None)
+        with contextlib.suppress(Failure):  # a stop of a line or a cycle that is gone
+            session.set_stops(*self.stops)
+        return session
 
     def _start(self, session: Session) -> None:
         self.session = session
         self._serial += 1
         description = session.description
-        self.lines: Sequence[str] = list(description.texts.get(self._file, ()))
+        self.texts = description.texts
         self.units = description.signals
         self.cycle_time_us = description.cycle_time_us
-        self.axes = view.axes_of(self.units)
-        self.scope = view.first_signals(self.units, self.lines)
-        self.marks: list[TimeMark] = []
+        self.channel_count = description.channel_count
+        self.lines: Sequence[str] = list(self.texts.get(self.file, ()))
+        self._set_axes()
+        self.track.clear()
         self.messages.clear()
         self.events.clear()
+        self.left_out = 0
         self.diagnostics = list(description.diagnostics)
-        self.curves = Curves((), (), ())
+        self.stopped_at: tuple[int, str] = (0, "")
         self._looked_at: tuple[object, ...] = ()
         self._branch = 1
+        self._passing = None
         self.snapshot = self._look(None)
+
+    def _set_axes(self) -> None:
+        self.axes = view.axes_of(self.units, self.prefix)
+        self.scope = view.first_signals(self.units, self.lines, self.prefix)
+        self._show()
+
+    @property
+    def prefix(self) -> str:
+        """What stands before the names of the shown channel's signals."""
+        return "" if self.channel == 1 else f"CH{self.channel}."
+
+    @property
+    def moment(self) -> Moment:
+        """Where the session stands, as it was seen last."""
+        return self._serial, self.snapshot.branch, self.snapshot.tick
 
     # --- commands -------------------------------------------------------------------------------
 
     def do(self, command: Callable[[Session], object]) -> object:
         """Carry out a command on the session and return its answer; raises ``Failure``."""
-        answer = command(self.session)
-        self._wake.set()
-        return answer
+        self.busy += 1
+        try:
+            return command(self.session)
+        finally:
+            self.busy -= 1
+            self._wake.set()
 
-    def reopen(self, *, acknowledges: bool | None = None) -> None:
-        """Run the programs again from the start; raises ``Failure``, and keeps the old session."""
-        wished = self.acknowledges if acknowledges is None else acknowledges
-        session = self._opener(wished)
+    def go_to_next(self, stop: StopAt) -> None:
+        """Run to the next such moment, or to a stop; the page shows the way, and may pause it."""
+        self.session.pause()
+        self._passing = stop
+        self.session.set_stops(*self.stops, stop)
+        self.session.play()
+        self._wake.set()
+
+    def set_stops(self, stops: Sequence[str]) -> None:
+        """Let the session stop at these; raises ``Failure``, and keeps the old ones."""
+        self.session.set_stops(*stops)
+        self.stops = list(stops)
+        self._wake.set()
+
+    def acknowledge_after(self, delay: int | None) -> None:
+        """Let functions be acknowledged after so many ticks, by the CNC (0), or by a person."""
+        present = float(delay != 0)
+        names = ["HLI.PLC_PRESENT"] if self.channel_count == 1 else []
+        names = names or [f"CH{n}.HLI.PLC_PRESENT" for n in range(1, self.channel_count + 1)]
+        if (self.delay == 0) != (delay == 0):
+            self.session.write(dict.fromkeys(names, present), PAGE)
+        self.session.acknowledge_after(delay or None)
+        self.delay = delay
+        self._wake.set()
+
+    def reopen(self, program: str | None = None) -> None:
+        """Run the programs again from the start, or one; raises ``Failure``, keeps the old run."""
+        before = self.program
+        self.program = program
+        try:
+            session = self._opened()
+        except Failure:
+            self.program = before
+            raise
         with self._lock:
-            old, self.acknowledges = self.session, wished
+            old = self.session
             self._start(session)
         old.close()
         self._wake.set()
 
     def choose(self, signals: Sequence[str]) -> None:
         """Show these signals in the scope; unknown ones are left out."""
-        self.scope = [name for name in signals if name in self.units]
+        with self._lock:
+            self.scope = [name for name in signals if name in self.units]
+            self._show()
         self._wake.set()
+
+    def look_at(self, channel: int, file: str) -> None:
+        """Show this channel and this program."""
+        with self._lock:
+            self.channel, self.file = channel, file
+            self.lines = list(self.texts.get(file, ()))
+            self.track.clear()
+            self._set_axes()
+            self._looked_at = ()
+        self._wake.set()
+
+    def why(self, line: int, language: Language) -> str:
+        """Return why the condition in a line of the program is as it is; raises ``Failure``."""
+        moment = self.moment
+        return why_text(self.explainer.report(moment, self.session), line, moment[2], language)
+
+    def stretch(self, first: int, end: int) -> dict[str, Any]:
+        """Return the curves of a stretch of the past in detail; raises ``Failure``."""
+        shown = self.track.shown
+        every, ticks, columns = self._past(self.session, first, end)
+        blank = [None] * len(ticks)
+        return {
+            "names": shown.names,
+            "first": first,
+            "end": max(end, ticks[-1] if ticks else 0),
+            "every": every,
+            "ticks": ticks,
+            "columns": [blank] * len(shown.conditions) + columns,
+        }
 
     def close(self) -> None:
         """End the session."""
         self._is_closed = True
         self._wake.set()
         self._thread.join()
+        self.explainer.close()
         self.session.close()
 
     # --- the thread -----------------------------------------------------------------------------
@@ -114,9 +223,14 @@ class SharedSession:
     def _watch(self) -> None:
         while not self._is_closed:
             session = self.session
-            with contextlib.suppress(Failure), session.listen(rate_hz=RATE_HZ) as listener:
-                while not self._is_closed and session is self.session:
-                    self._take(session, listener)
+            try:
+                with session.listen(rate_hz=RATE_HZ) as listener:
+                    while not self._is_closed and session is self.session:
+                        self._take(session, listener)
+            except (Failure, RuntimeError) as error:
+                if session is self.session:
+                    self.messages.append(LogRow("error", 0, str(error)))
+                    self._wake.wait(2.0)
 
     def _take(self, session: Session, listener: Listener) -> None:
         """Take a frame, or what a command has changed; and the notices."""
@@ -127,106 +241,151 @@ class SharedSession:
         with self._lock:
             if session is not self.session:
                 return
-            self.messages += [
-                LogRow("warning", 0, notice.text) for notice in notices if notice.kind == "refused"
-            ]
+            for notice in notices:
+                if notice.kind == "refused":
+                    self.messages.append(LogRow("warning", 0, notice.text))
+                elif notice.kind == "stopped":
+                    self.stopped_at = (notice.tick, self._names_of_stops(session))
             if frame is not None:
                 self._note(frame)
+            if self._passing is not None and not session.is_playing:
+                self._passing = None
+                with contextlib.suppress(Failure):
+                    session.set_stops(*self.stops)
             if frame is not None or was_woken or notices:
                 self.snapshot = self._look(frame)
+        if frame is None and not was_woken and not notices and not session.is_playing:
+            time.sleep(0.01)
+
+    def _names_of_stops(self, session: Session) -> str:
+        hits = [hit for hit in session.latest.hits if hit < len(self.stops)]
+        return ", ".join(self.stops[hit] for hit in hits)
 
     def _note(self, frame: Frame) -> None:
         """Note the events and messages of a frame."""
-        from_tick = None
         if frame.branch != self._branch:
-            self._branch, from_tick = frame.branch, frame.tick
-        self.marks = view.merged_marks(self.marks, view.time_marks(frame.events), from_tick)
-        self.messages += map(view.message_row, frame.messages)
-        self.events += map(view.event_row, frame.events)
+            self._branch = frame.branch
+            for part in (self.track.rows, self.track.marks, self.track.blocks):
+                part.cut(frame.tick)
+        self.track.note(frame.events, self.channel, self.file)
+        self.messages += frame.messages
+        self.events += frame.events
+        self.left_out += frame.left_out
         known = set(map(str, self.diagnostics))
-        self.diagnostics += [one for one in frame.diagnostics if str(one) not in known]
+        new = [one for one in frame.diagnostics if str(one) not in known]
+        self.diagnostics = [*self.diagnostics, *new][-MAX_DIAGNOSTICS:]
 
     def _look(self, frame: Frame | None) -> Snapshot:
         """Return what there is to see of the session now."""
         session = self.session
         is_playing = session.is_playing
-        latest = session.latest
         names = self._names()
-        values = dict(zip(names, session.read(*names), strict=True))
-        cycles = session.cycles()
+        glance = session.glance(*names)
+        latest = session.latest
+        values = dict(zip(names, glance.values, strict=True))
         operands: dict[str, float] = {}
-        if not is_playing:
-            for name in view.operands_of(self.lines, cycles):
-                with contextlib.suppress(Failure):
-                    operands[name] = session.evaluate(name)
-            self._look_back(session)
+        if is_playing:
+            self._append(glance.tick - 1, values, view.truths(glance.cycles, self.file))
         else:
-            self._append(latest.tick - 1, values)
+            operands = self._operands(session, view.operands_of(self.lines, glance.cycles))
+            self._look_back(session, latest)
         self._number += 1
-        return Snapshot(
+        snapshot = Snapshot(
             self._number,
             self._serial,
-            latest.tick,
-            session.branches.get(session.branch, latest.tick),
+            glance.tick,
+            session.branches.get(session.branch, glance.tick),
             session.branch,
             is_playing,
             latest.run_state if frame is None else frame.run_state,
             values,
             latest.blocks,
-            cycles,
-            session.waiting(),
+            latest.decoding,
+            glance.cycles,
+            glance.waiting,
             operands,
+            session.lateness[0],
         )
+        if not is_playing:
+            self.explainer.wish((self._serial, snapshot.branch, snapshot.tick), session)
+        return snapshot
+
+    def _operands(self, session: Session, names: Sequence[str]) -> dict[str, float]:
+        """Return the values of what conditions read, as far as there are any now."""
+        found: dict[str, float] = {}
+        for name in names:
+            with contextlib.suppress(Failure):
+                found[name] = session.evaluate(name, self.channel)
+        return found
+
+    # --- curves ---------------------------------------------------------------------------------
 
     def _names(self) -> list[str]:
         """Return the signals that are read at each look."""
-        own = [name for name in view.PANEL if name in self.units]
+        prefix = self.prefix
+        own = [prefix + name for name in view.PANEL if prefix + name in self.units]
         for axis in self.axes:
-            own += [f"{axis}.ACS.ACT_POS", f"{axis}.PCS.DIST_TO_GO"]
-        variables = [name for name in self.units if name.startswith("V.E.")]
-        return list(dict.fromkeys([*own, *self._drawn(), *variables]))
+            own += [f"{prefix}{axis}.ACS.ACT_POS", f"{prefix}{axis}.PCS.DIST_TO_GO"]
+        variables = view.variables_read(self.units)
+        return list(dict.fromkeys([*own, *self.track.shown.signals, *variables]))
 
-    def _drawn(self) -> list[str]:
-        """Return the signals of the scope and of the path."""
-        path = [*self.plane, "PATH.RAPID"]
-        return list(dict.fromkeys([*self.scope, *(name for name in path if name in self.units)]))
+    def _show(self) -> None:
+        """Let the track have the columns of the scope and of the path."""
+        path = [*self.path_signals, f"{self.prefix}PATH.RAPID"]
+        hidden = [name for name in path if name in self.units and name not in self.scope]
+        conditions = tuple(view.conditions_of(self.lines))
+        signals = (*self.scope, *hidden)
+        units = ("",) * len(conditions) + tuple(self.units[name] for name in signals)
+        self.track.show(Shown(conditions, signals, units, len(hidden)))
+        self._looked_at = ()
 
     @property
-    def plane(self) -> tuple[str, ...]:
-        """The signals of the first two axes; empty on a machine with fewer."""
-        axes = self.axes[:2]
-        return tuple(f"{axis}.ACS.ACT_POS" for axis in axes) if len(axes) == 2 else ()
+    def path_signals(self) -> tuple[str, ...]:
+        """The positions of the first three axes; empty on a machine with fewer than two."""
+        axes = self.axes[:3]
+        return tuple(f"{self.prefix}{axis}.ACS.ACT_POS" for axis in axes) if len(axes) > 1 else ()
 
-    def _look_back(self, session: Session) -> None:
-        """Take the curves from the past, in detail, unless they are there already."""
-        names = tuple(self._drawn())
+    def _past(
+        self, session: Session, first: int, end: int
+    ) -> tuple[int, list[int], list[list[float | None]]]:
+        """Return the distance of rows, their ticks and the columns of a stretch of the past."""
+        names = self.track.shown.signals
+        if not names:
+            return 1, [], []
+        every, cells = session.look(first, end, names, SCOPE_ROWS)
+        flat = [view.rounded(cell) for cell in cells.tolist()]
+        width = len(names)
+        last = min(end, session.branches[session.branch]) - 1
+        ticks = [min(first + (row + 1) * every - 1, last) for row in range(len(flat) // width)]
+        return every, ticks, [flat[index::width] for index in range(width)]
+
+    def _look_back(self, session: Session, latest: Slice) -> None:
+        """Take curves, marks and blocks from the past, in detail, unless they are there already."""
         end = session.branches[session.branch]
-        key = (self._serial, session.branch, end, names)
-        if key == self._looked_at or not names:
+        key = (self._serial, session.branch, end, self.track.shown, self.file)
+        if key == self._looked_at or end == 0:
             return
         first = max(0, end - SCOPE_TICKS)
-        every, cells = session.look(first, end, names, SCOPE_ROWS)
-        flat = cells.tolist()
-        width = len(names)
-        ticks = [
-            min(first + (row + 1) * every, end) - 1 if every > 1 else first + row
-            for row in range(len(flat) // width)
-        ]
-        self.curves = Curves(names, ticks, [flat[index::width] for index in range(width)])
+        _, ticks, columns = self._past(session, first, end)
+        blank = (None,) * len(self.track.shown.conditions)
+        rows = zip(*columns, strict=True) if columns else ((),) * len(ticks)
+        self.track.rows.replace((tick, *blank, *row) for tick, row in zip(ticks, rows, strict=True))
+        events, left_out = session.events(first, end)
+        if not left_out:
+            self.track.marks.replace(marks_of(events, self.file))
+            self.track.blocks.replace(blocks_of(events, self.channel, self.file))
         self._looked_at = key
 
-    def _append(self, tick: int, values: dict[str, float | bool | str]) -> None:
-        """Add a point to the curves while the session plays."""
-        names = tuple(self._drawn())
-        old = self.curves
-        if old.names != names:
-            old = Curves(names, (), [() for _ in names])
-        kept = sum(1 for at in old.ticks if at < tick)
-        self.curves = Curves(
-            names,
-            [*old.ticks[:kept], tick][-2 * SCOPE_ROWS :],
-            [
-                [*column[:kept], float(values[name])][-2 * SCOPE_ROWS :]
-                for name, column in zip(names, old.columns, strict=True)
-            ],
-        )
+    def _append(
+        self, tick: int, values: dict[str, float | bool | str], truths: dict[int, bool | None]
+    ) -> None:
+        """Add a row while the session plays, unless it plays in a past that is known."""
+        rows = self.track.rows
+        known = rows.entries()
+        if tick < 0 or (known and tick <= known[-1][0]):
+            return
+        shown = self.track.shown
+        states = [None if (truth := truths.get(line)) is None else int(truth)
+                  for line in shown.conditions]  # fmt: skip
+        cells = [view.rounded(float(values[name])) for name in shown.signals]
+        rows.add([(tick, *states, *cells)])

@@ -7,19 +7,26 @@ elements. Nothing here knows a browser, a thread or a clock.
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Mapping, Sequence
 from typing import Any
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Language, Span
+from nctakt.live.event_words import event_words
 from nctakt.live.texts import Texts
 from nctakt.results.run import ProgramMessage, RunState
 from nctakt.run.plc_view import SpindleEntry, TechnologyEntry
 from nctakt.session.engine import BranchState, CycleState
+from nctakt.session.stops import names_file
 from nctakt.trace.events import Event
 
-_AXIS = re.compile(r"(\w+)\.ACS\.ACT_POS")
+_AXIS = re.compile(r"((?:CH\d+\.)?)(\w+)\.ACS\.ACT_POS")
+_CYCLE_BEGIN = re.compile(r"\s*(?:N\d+\s*)?#RT\s*CYCLE\s*(?:DEF\b|\[|$)", re.IGNORECASE)
+_CYCLE_END = re.compile(r"\s*(?:N\d+\s*)?#RT\s*CYCLE\s*END\b", re.IGNORECASE)
+_CONDITION = re.compile(r"\s*(?:N\d+\s*)?\$(?:IF|ELSEIF)\b", re.IGNORECASE)
+_ELSE = re.compile(r"\s*(?:N\d+\s*)?\$ELSE\b(?!IF)", re.IGNORECASE)
 _OPERAND = re.compile(r"V\.(?:E|RTA|RTG|CH)\.[A-Z_0-9.]+(?:\[\d+\])?[A-Z_0-9.]*", re.IGNORECASE)
 
 #: Signals of the operator's panel and the position display, as far as the machine has them.
@@ -34,16 +41,22 @@ PANEL = (
     "HLI.PAUSED",
     "HLI.ARMED",
     "HLI.ERROR",
+    "HLI.BACKWARD_MOTION",
+    "HLI.RETRACE",
+    "HLI.HISTORY_SIZE",
 )
 
 #: A function or a job of a spindle that waits for the PLC.
 Entry = TechnologyEntry | SpindleEntry
 
-#: Marks in a chart at most: the latest.
-MAX_MARKS = 60
-
 #: Operands beside the lines at most.
 MAX_OPERANDS = 40
+
+#: Conditions that have a lane in the scope at most: the first ones.
+MAX_CONDITIONS = 6
+
+#: V.E variables that the page shows at most, and signals of the scope.
+MAX_VARIABLES, MAX_SIGNALS = 400, 12
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,8 +64,9 @@ class Snapshot:
     """A session at a tick, as the page shows it.
 
     ``number`` counts snapshots, ``serial`` the sessions that have been opened. ``latest``: the tick
-    that the branch has reached. ``operands``: name -> value of what conditions read, while the
-    session stands.
+    that the branch has reached. ``blocks`` and ``decoding``: number of the channel -> place of the
+    current block, and of the decoder. ``operands``: name -> value of what conditions read, while
+    the session stands. ``late``: slices that came late since the clock began.
     """
 
     number: int
@@ -64,9 +78,11 @@ class Snapshot:
     run_state: RunState | None
     values: Mapping[str, float | bool | str]
     blocks: Mapping[int, Span]
+    decoding: Mapping[int, Span]
     cycles: Sequence[CycleState]
     waiting: Sequence[tuple[int, Entry]]
     operands: Mapping[str, float]
+    late: int = 0
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,30 +95,51 @@ class LogRow:
     remedy: str = ""
 
 
-@dataclass(frozen=True, slots=True)
-class TimeMark:
-    """A reaction (``fired``) or a function (``M``, ``H``) in a tick."""
-
-    tick: int
-    kind: str
-    label: str
-
-
-@dataclass(frozen=True, slots=True)
-class Curves:
-    """Signals over time: ``ticks`` and, for each of ``names``, a value at each of them."""
-
-    names: tuple[str, ...]
-    ticks: Sequence[int]
-    columns: Sequence[Sequence[float]]
-
-
 # --- signals ------------------------------------------------------------------------------------
 
 
-def axes_of(signals: Mapping[str, str]) -> list[str]:
-    """Return the names of the first channel's axes, in their order."""
-    return [match[1] for name in signals if (match := _AXIS.fullmatch(name))]
+def axes_of(signals: Mapping[str, str], prefix: str = "") -> list[str]:
+    """Return the names of a channel's axes, in their order; ``prefix``: that of its signals."""
+    matches = (_AXIS.fullmatch(name) for name in signals)
+    return [match[2] for match in matches if match is not None and match[1] == prefix]
+
+
+def choosable(signals: Mapping[str, str]) -> list[str]:
+    """Return the signals that a person may choose; those of channel 1 by their short names."""
+    return [
+        name for name in signals if name.removeprefix("CH1.") == name or name[4:] not in signals
+    ]
+
+
+def variables_read(signals: Mapping[str, str]) -> list[str]:
+    """Return the V.E variables that are read in each look."""
+    return [name for name in signals if name.startswith("V.E.")][:MAX_VARIABLES]
+
+
+def conditions_of(lines: Sequence[str]) -> list[int]:
+    """Return the lines of the first conditions in realtime cycles."""
+    found = []
+    is_inside = False
+    for number_of_line, line in enumerate(lines, 1):
+        if _CYCLE_END.match(line):
+            is_inside = False
+        elif _CYCLE_BEGIN.match(line):
+            is_inside = True
+        elif is_inside and _CONDITION.match(line):
+            found.append(number_of_line)
+            if len(found) == MAX_CONDITIONS:
+                break
+    return found
+
+
+def truths(cycles: Sequence[CycleState], file: str) -> dict[int, bool | None]:
+    """Return the truth of the conditions in a file, by their lines."""
+    return {
+        branch.span.line: branch.truth
+        for cycle in cycles
+        for branch in cycle.branches
+        if branch.span.file == file
+    }
 
 
 def operands_of(lines: Sequence[str], cycles: Sequence[CycleState]) -> list[str]:
@@ -121,26 +158,23 @@ def operands_in(line: str) -> list[str]:
     return list(dict.fromkeys(_OPERAND.findall(code)))
 
 
-def first_signals(signals: Mapping[str, str], lines: Sequence[str]) -> list[str]:
+def first_signals(signals: Mapping[str, str], lines: Sequence[str], prefix: str = "") -> list[str]:
     """Return what the scope shows first: axes of the program, path speed, variables that it names.
 
     At most 12.
     """
     text = "\n".join(lines).upper()
-    axes = [axis for axis in axes_of(signals) if re.search(rf"\b{axis}[-+=.\d\[]", text)]
+    axes = [axis for axis in axes_of(signals, prefix) if re.search(rf"\b{axis}[-+=.\d\[]", text)]
     named = {name.upper() for line in lines for name in operands_in(line)}
     variables = [name for name in signals if name.startswith("V.E.") and name.upper() in named]
-    chosen = [f"{axis}.ACS.ACT_POS" for axis in axes[:3]]
-    chosen += [name for name in ("PATH.SPEED",) if name in signals]
-    return [*chosen, *variables][:12]
+    chosen = [f"{prefix}{axis}.ACS.ACT_POS" for axis in axes[:3]]
+    chosen += [name for name in (f"{prefix}PATH.SPEED",) if name in signals]
+    return [*chosen, *variables][:MAX_SIGNALS]
 
 
-def number(value: float | bool | str, digits: int = 3) -> str:
-    """Return a value as text: numbers with at most these decimals."""
-    if isinstance(value, str):
-        return value
-    text = f"{float(value):.{digits}f}"
-    return text.rstrip("0").rstrip(".") if "." in text and digits > 3 else text
+def rounded(value: float) -> float | None:
+    """Return a number with as many digits as a chart shows; ``None`` for no number."""
+    return float(f"{value:.7g}") if math.isfinite(value) else None
 
 
 def plain_number(value: float) -> str:
@@ -152,16 +186,27 @@ def plain_number(value: float) -> str:
 
 
 def program_marks(
-    lines: Sequence[str], file: str, snapshot: Snapshot, texts: Texts
+    lines: Sequence[str],
+    file: str,
+    snapshot: Snapshot,
+    texts: Texts,
+    stops: Sequence[int] = (),
 ) -> list[dict[str, Any]]:
-    """Return the editor's decorations: the current block, conditions, counts beside the lines."""
+    """Return the editor's decorations: blocks of path and decoder, stops, conditions.
+
+    Beside a condition stand its truth, its runs and its operands. ``stops``: lines with a stop.
+    """
     found: list[dict[str, Any]] = []
     offsets = [0]
     for text in lines:
         offsets.append(offsets[-1] + len(text) + 1)
-    for span in snapshot.blocks.values():
-        if span.file == file and 1 <= span.line <= len(lines):
-            found.append({"kind": "line", "line": span.line, "class": "nc-block"})
+    for places, name in ((snapshot.blocks, "nc-block"), (snapshot.decoding, "nc-decoding")):
+        for span in places.values():
+            if span.file == file and 1 <= span.line <= len(lines):
+                found.append({"kind": "line", "line": span.line, "class": name})
+    for line in stops:
+        if 1 <= line <= len(lines):
+            found.append({"kind": "line", "line": line, "class": "nc-stop"})
     for cycle in snapshot.cycles:
         for branch in cycle.branches:
             line = branch.span.line
@@ -188,11 +233,15 @@ def truth_class(branch: BranchState) -> str:
 
 
 def branch_text(branch: BranchState, line: str, operands: Mapping[str, float], texts: Texts) -> str:
-    """Return what stands beside a condition: truth, runs, operands."""
+    """Return what stands beside a condition: truth, runs, operands by the ends of their names."""
     truth = {None: "unknown", True: "true", False: "false"}[branch.truth]
-    parts = [f"{texts[truth]} · {branch.count}×"]
+    has_condition = branch.truth is not None or not _ELSE.match(line)
+    parts = [f"{texts[truth]} · {branch.count}×" if has_condition else f"{branch.count}×"]
+    names = [name for name in operands_in(line) if name in operands]
+    short = [name.rpartition(".")[2] for name in names]
     parts += [
-        f"{name} = {plain_number(operands[name])}" for name in operands_in(line) if name in operands
+        f"{last if short.count(last) == 1 else name} = {plain_number(operands[name])}"
+        for name, last in zip(names, short, strict=True)
     ]
     return "   ".join(parts)
 
@@ -222,15 +271,17 @@ def finding_rows(found: Sequence[Diagnostic], file: str, language: Language) -> 
     ]
 
 
-def message_row(message: ProgramMessage) -> LogRow:
-    """Return a program's message as a row."""
+def message_row(message: ProgramMessage | LogRow) -> LogRow:
+    """Return a program's message as a row; what is one already stays."""
+    if isinstance(message, LogRow):
+        return message
     return LogRow("message", 0, f"{message.time_us / 1000:g} ms  {message.text}")
 
 
-def event_row(event: Event) -> LogRow:
+def event_row(event: Event, language: Language) -> LogRow:
     """Return an event as a row."""
     line = event.span.line if event.span is not None else 0
-    return LogRow(event.kind, line, f"{event.tick}  {event.kind}  {event.text}")
+    return LogRow(event.kind, line, f"{event.tick}  {event_words(event, language)}")
 
 
 def function_text(entry: Entry) -> str:
@@ -241,28 +292,23 @@ def function_text(entry: Entry) -> str:
     return f"{entry.letter}{entry.number}{axis}"
 
 
-# --- marks in time ------------------------------------------------------------------------------
+# --- stops ------------------------------------------------------------------------------------
 
 
-def time_marks(events: Sequence[Event]) -> list[TimeMark]:
-    """Return the reactions and functions among events."""
+def stop_for(file: str, line: int, text: str) -> str:
+    """Return the stop that a person means by a line: its branch fires, or its block comes up."""
+    word = "fires" if _CONDITION.match(text) else "line"
+    return f"{word} {file}:{line}"
+
+
+def stop_lines(stops: Sequence[str], file: str) -> list[int]:
+    """Return the lines of a file that have a stop."""
     found = []
-    for event in events:
-        if event.kind == "fired":
-            line = event.span.line if event.span is not None else 0
-            found.append(TimeMark(event.tick, "fired", f"{event.cycle}:{line}"))
-        elif event.kind in ("M", "H"):
-            found.append(TimeMark(event.tick, event.kind, event.kind + event.text.split()[0]))
+    for text in stops:
+        match = re.match(r"(?:line|fires|runs|turns) (?:(.*):)?(\d+)\b", text, re.IGNORECASE)
+        if match is not None and (match[1] is None or names_file(match[1], file)):
+            found.append(int(match[2]))
     return found
-
-
-def merged_marks(
-    marks: Sequence[TimeMark], new: Sequence[TimeMark], up_to: int | None
-) -> list[TimeMark]:
-    """Return marks without doubles, by tick; those of ``marks`` from ``up_to`` on are dropped."""
-    kept = [mark for mark in marks if up_to is None or mark.tick < up_to]
-    found = {(mark.tick, mark.kind, mark.label): mark for mark in (*kept, *new)}
-    return sorted(found.values(), key=lambda mark: mark.tick)
 
 
 # --- variables ----------------------------------------------------------------------------------
@@ -270,24 +316,55 @@ def merged_marks(
 
 @dataclass(frozen=True, slots=True)
 class VariableRow:
-    """A V.E variable: its field is a switch, a whole number or a number."""
+    """A V.E variable: its field is a switch, a whole number or a number.
+
+    ``low`` and ``high``: the range of its slider. ``is_named``: the program names it.
+    """
 
     name: str
     field: str
+    low: float
+    high: float
+    is_named: bool
+
+
+#: Ranges of sliders by type; others go to 100.
+_RANGES = {"SGN08": (-128, 127), "UNS08": (0, 255)}
 
 
 def variable_rows(types: Sequence[tuple[str, str]], lines: Sequence[str]) -> list[VariableRow]:
     """Return the V.E variables with their fields: first those that the program names."""
     named = {name.upper() for line in lines for name in operands_in(line)}
     rows = [
-        VariableRow(name, _field(kind))
+        VariableRow(name, _field(kind), *_RANGES.get(kind, (0, 100)), name.upper() in named)
         for name, kind in types
         if name.startswith("V.E.") and kind not in ("STRING", "VSTRING")
     ]
-    return sorted(rows, key=lambda row: row.name.upper() not in named)
+    return sorted(rows[:MAX_VARIABLES], key=lambda row: not row.is_named)
 
 
 def _field(kind: str) -> str:
     if kind == "BOOLEAN":
         return "switch"
     return "number" if kind.startswith("REAL") else "integer"
+
+
+# --- readings -----------------------------------------------------------------------------------
+
+
+def readings(
+    snapshot: Snapshot, axes: Sequence[str], prefix: str, cycle_time_us: int, texts: Texts
+) -> dict[str, str]:
+    """Return the texts of a tick, by the names of their places on the page."""
+    values = snapshot.values
+    found = {
+        "clock": f"{texts['tick_number']} {snapshot.tick} · "
+        f"{snapshot.tick * cycle_time_us / 1000:.3f} ms · {texts['branch']} {snapshot.branch}"
+        + (f" · {snapshot.late} {texts['late']}" if snapshot.late else ""),
+        "path-speed": f"{float(values.get(f'{prefix}PATH.SPEED', 0.0)) * 60:.0f}",
+        "percent": f"{float(values.get(f'{prefix}HLI.OVERRIDE', 100.0)):.0f} %",
+    }
+    for axis in axes:
+        found[f"axis-{axis}"] = f"{float(values[f'{prefix}{axis}.ACS.ACT_POS']):.3f}"
+        found[f"rest-{axis}"] = f"{float(values.get(f'{prefix}{axis}.PCS.DIST_TO_GO', 0.0)):.3f}"
+    return found

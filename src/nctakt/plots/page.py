@@ -112,10 +112,16 @@ def write_page(scene: Scene, path: Path, language: Language) -> None:
         notes=escape(" · ".join(packer.notes)),
         script_needed=escape(WORDS["script"].get(language)),
         style=(folder / "viewer.css").read_text("utf-8"),
-        script="".join((folder / f"viewer_{part}.js").read_text("utf-8") for part in _SCRIPTS),
+        script=_script(folder),
         data=data.replace("<", "\\u003c"),  # no text of a user ends the script
     )
     path.write_bytes(page.encode("utf-8", errors="backslashreplace"))
+
+
+def _script(folder: Path) -> str:
+    """Return the viewer: the helpers of all drawings, without the marks of a module, its parts."""
+    helpers = (folder / "drawing" / "index.js").read_text("utf-8").replace("\nexport ", "\n")
+    return helpers + "".join((folder / f"viewer_{part}.js").read_text("utf-8") for part in _SCRIPTS)
 
 
 class _Packer:

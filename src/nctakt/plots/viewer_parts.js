@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The viewer of a run: its data, helpers, the parts of the page. page.py joins the files in the
-// order parts, time, path, pointer into one function; they share what stands here.
+// The viewer of a run: its data, the parts of the page. page.py joins drawing/index.js and the files
+// in the order parts, time, path, pointer into one function; they share what stands here.
 const run = JSON.parse(document.getElementById("run").textContent);
 const view = document.getElementById("view");
 const words = run.words;
@@ -21,46 +21,7 @@ let from = run.begin - 0.01 * length, to = run.end + 0.01 * length;
 let cursor = null, isHeld = false, drag = null, isDue = false;
 
 // --- small helpers ---------------------------------------------------------------------------
-const make = (tag, parent, properties = {}) => {
-  const element = Object.assign(document.createElement(tag), properties);
-  parent.append(element);
-  return element;
-};
-const colour = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
-const clamp = (value, low, high) => Math.min(Math.max(value, low), high);
 const snapped = (time) => clamp(Math.round(time / run.tick) * run.tick, run.begin, run.end);
-const short = (value) => {
-  if (Number.isInteger(value)) return String(value);
-  return String(Number(value.toPrecision(6)));
-};
-const seconds = (time) => `${Number(time.toFixed(6))} s`;
-const ticks = (low, high, count) => {
-  const rough = (high - low) / Math.max(count, 1);
-  const power = 10 ** Math.floor(Math.log10(rough));
-  const step = [1, 2, 5, 10].map((n) => n * power).find((n) => n >= rough);
-  const result = [];
-  for (let n = Math.ceil(low / step); n * step <= high; n += 1) result.push(n * step);
-  return { result, digits: Math.max(0, -Math.floor(Math.log10(step) + 1e-9)) };
-};
-const cut = (pen, text, width) => {
-  if (pen.measureText(text).width <= width) return text;
-  let end = text.length;
-  while (end > 1 && pen.measureText(`${text.slice(0, end)}…`).width > width) end -= 1;
-  return `${text.slice(0, end)}…`;
-};
-const sized = (canvas, height) => {
-  const scale = window.devicePixelRatio || 1, width = canvas.clientWidth;
-  canvas.style.height = `${height}px`;
-  if (canvas.width !== Math.round(width * scale) || canvas.height !== Math.round(height * scale)) {
-    canvas.width = Math.round(width * scale);
-    canvas.height = Math.round(height * scale);
-  }
-  const pen = canvas.getContext("2d");
-  pen.setTransform(scale, 0, 0, scale, 0, 0);
-  pen.clearRect(0, 0, width, height);
-  pen.font = "11px system-ui, sans-serif";
-  return { pen, width, height };
-};
 const draw = () => {
   if (isDue) return;
   isDue = true;

@@ -122,8 +122,9 @@ class CycleState:
 
 @dataclass(frozen=True, slots=True)
 class Glance:
-    """Values of signals, the living cycles and what waits for the PLC, all at one tick."""
+    """Values of signals, the living cycles and what waits for the PLC, all before one tick."""
 
+    tick: int
     values: tuple[float | bool | str, ...]
     cycles: tuple[CycleState, ...]
     waiting: tuple[tuple[int, TechnologyEntry | SpindleEntry], ...]
@@ -380,7 +381,8 @@ class Engine:
 
     def glance(self, names: Sequence[str]) -> Glance:
         """Return values, cycles and what waits, all of this tick; raises as ``read``."""
-        return Glance(tuple(self.read(names)), tuple(self.cycles()), tuple(self.waiting()))
+        values = tuple(self.read(names))
+        return Glance(self.tick, values, tuple(self.cycles()), tuple(self.waiting()))
 
     def happened(self) -> tuple[list[Event], int]:
         """Return the latest events that no slice has, and how many there were before them."""

@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: MIT
+"""The commands of one browser: whether it may, in a thread, and why they are refused.
+
+In: what a person does. Out: commands to the session, notes on the page. Whatever asks the session
+waits in a thread, never in the server's loop.
+"""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Callable
+
+from nicegui import Client, ui
+
+from nctakt.base.failure import Failure
+from nctakt.live.shared import PAGE, SharedSession
+from nctakt.live.texts import Texts
+from nctakt.live.view import plain_number
+from nctakt.session.session import Session
+
+
+class Commander:
+    """One browser's hand on the session."""
+
+    def __init__(self, shared: SharedSession, texts: Texts, client: Client) -> None:
+        self.shared = shared
+        self.texts = texts
+        self._client = client
+        client.on_connect(self._arrive)
+        client.on_disconnect(self._leave)
+
+    # --- commands -------------------------------------------------------------------------------
+
+    async def do(self, command: Callable[[Session], object]) -> bool:
+        """Let the session carry out a command; return whether it did."""
+        return self.may() and await self.attempt(lambda: self.shared.do(command))
+
+    async def attempt(self, action: Callable[[], object]) -> bool:
+        """Act in a thread; show why it is refused."""
+        try:
+            await asyncio.to_thread(action)
+        except (Failure, RuntimeError, ValueError) as error:
+            with self._client:
+                self.refuse(error)
+            return False
+        return True
+
+    def refuse(self, error: Exception) -> None:
+        """Show why something is refused."""
+        language = self.texts.language
+        reasons = [str(error)]
+        if isinstance(error, Failure):
+            reasons = [
+                f"{one.id}: {one.text(language)} {one.remedy(language)}"
+                for one in error.diagnostics
+            ]
+        for reason in reasons[:3]:
+            ui.notify(reason, type="negative", multi_line=True, timeout=8000, close_button=True)
+
+    async def write(self, name: str, value: float | bool) -> None:
+        """Write a value unless it is there already."""
+        now = self.shared.snapshot.values.get(name)
+        if now is not None and float(now) == float(value):
+            return
+        if await self.do(lambda session: session.write({name: value}, PAGE)):
+            if not self.shared.snapshot.is_playing:
+                note = f"{name} = {plain_number(value)}: {self.texts['next_tick']}"
+                with self._client:
+                    ui.notify(note, timeout=2500)
+
+    async def press(self, key: str) -> None:
+        """Press a key of the operator's panel of the shown channel."""
+        await self.write(f"{self.shared.prefix}HLI.{key}", 1)
+
+    # --- the pen --------------------------------------------------------------------------------
+
+    @property
+    def has_pen(self) -> bool:
+        """Whether this browser commands."""
+        return self.shared.pen == self._client.id
+
+    def may(self) -> bool:
+        """Return whether this browser may command; tell if not."""
+        if self.shared.pen is None:
+            self.shared.pen = self._client.id
+        if not self.has_pen:
+            with self._client:
+                ui.notify(self.texts["no_pen"], type="warning")
+            return False
+        return True
+
+    def take_pen(self) -> None:
+        """Command from now on."""
+        self.shared.pen = self._client.id
+
+    def _arrive(self) -> None:
+        """Take the pen if nobody has it; who only fetches the page never gets so far."""
+        if self.shared.pen is None:
+            self.shared.pen = self._client.id
+
+    def _leave(self) -> None:
+        if self.has_pen:
+            self.shared.pen = None

@@ -1,0 +1,186 @@
+# SPDX-License-Identifier: MIT
+"""Scope and path on the page: elements of NiceGUI around ``scope.js`` and ``path.js``.
+
+In: the track of the shared session, wishes of a person. Out: increments to the browser; travels,
+stretches in detail.
+"""
+
+from __future__ import annotations
+
+import asyncio
+from pathlib import Path
+from typing import Any
+
+from nicegui import ui
+from nicegui.element import Element
+
+from nctakt.base.failure import Failure
+from nctakt.live import view
+from nctakt.live.commander import Commander
+from nctakt.live.track import Seen
+
+_HERE = Path(__file__).parent
+_MODULES = {
+    "nctakt-store": str(_HERE / "store"),
+    "nctakt-drawing": str(_HERE.parent / "plots" / "drawing"),
+}
+
+
+class Scope(Element, component="scope.js", esm=_MODULES):
+    """The scope; it takes the increments for all drawings of the page."""
+
+
+class PathView(Element, component="path.js", esm=_MODULES):
+    """The path of the tool."""
+
+
+class Drawings:
+    """Scope and path of one browser."""
+
+    def __init__(self, commander: Commander) -> None:
+        self._commander = commander
+        self._shared = commander.shared
+        self._texts = commander.texts
+        self._seen: dict[str, Seen] = {}
+        self._sent: dict[str, Any] = {}
+        self._build_scope()
+        self._build_path()
+
+    # --- layout ---------------------------------------------------------------------------------
+
+    def _build_scope(self) -> None:
+        texts = self._texts
+        with ui.element("div").classes("nc-card nc-scope"):
+            with ui.element("div").classes("nc-row"):
+                ui.label(texts["scope"]).classes("nc-title")
+                ui.label(texts["travel"]).classes("nc-soft ellipsis")
+                ui.space()
+                for name, icon in (
+                    ("zoom_out", "zoom_out"),
+                    ("zoom_in", "zoom_in"),
+                    ("scope_fit", "fit_screen"),
+                ):
+                    button = ui.button(icon=icon).props(f"flat dense size=sm data-testid={name}")
+                    button.on("click", js_handler=_ZOOMS[name]).tooltip(texts[name])
+                self._signals = (
+                    ui.select(
+                        view.choosable(self._shared.units),
+                        multiple=True,
+                        value=list(self._shared.scope),
+                        on_change=self._choose,
+                        with_input=True,
+                    )
+                    .props(
+                        f"dense options-dense borderless max-values={view.MAX_SIGNALS} "
+                        f'display-value="{texts["signals"]}" data-testid=signals'
+                    )
+                    .classes("nc-signals")
+                )
+            self._scope = Scope().props("data-testid=scope")
+            self._scope.props["words"] = {"line": texts["line"]}
+            self._scope.on("travel", self._travel)
+            self._scope.on("stretch", self._stretch)
+
+    def _build_path(self) -> None:
+        texts = self._texts
+        signals = list(self._shared.path_signals)
+        with ui.element("div").classes("nc-card nc-path"):
+            with ui.element("div").classes("nc-row"):
+                ui.label(texts["path"]).classes("nc-title")
+                for name in ("feed_line", "rapid_line", "fired_mark"):
+                    ui.label(texts[name]).classes(f"nc-key {name}")
+                ui.space()
+                turn = ui.button(icon="view_in_ar").props("flat dense size=sm data-testid=turn")
+                turn.on("click", self.turn_view).tooltip(texts["turn_view"])
+            self._path = PathView().props("data-testid=path")
+            self._path.props["axes"] = signals
+            self._path.props["rapid"] = f"{self._shared.prefix}PATH.RAPID"
+            self._path.on("travel", self._travel)
+
+    # --- following ------------------------------------------------------------------------------
+
+    def follow(self, texts: dict[str, str]) -> None:
+        """Send what is new; ``texts``: those of the readings that have changed."""
+        shared, snapshot = self._shared, self._shared.snapshot
+        track, shown = shared.track, shared.track.shown
+        news: dict[str, Any] = {"texts": texts} if texts else {}
+        now: dict[str, Any] = {
+            "names": shown.names,
+            "units": list(shown.units),
+            "hidden": shown.hidden,
+            "cycleUs": shared.cycle_time_us,
+            "tick": snapshot.tick,
+            "latest": snapshot.latest,
+            "isPlaying": snapshot.is_playing,
+            "bars": shared.explainer.bars(shared.moment, shared.file),
+        }
+        for name, part in (("rows", track.rows), ("marks", track.marks), ("blocks", track.blocks)):
+            found, self._seen[name] = part.news(self._seen.get(name, (0, 0)))
+            if found is not None:
+                news[name] = found
+        if shown is not track.shown:
+            self._seen.clear()  # it has changed meanwhile: all of it at the next look
+            return
+        news |= {name: value for name, value in now.items() if self._sent.get(name) != value}
+        self._sent = now
+        if news:
+            self._scope.run_method("take", news)
+
+    def show_session(self) -> None:
+        """Show the signals and axes of a session that is new."""
+        self._signals.set_options(view.choosable(self._shared.units))
+        self._signals.set_value(list(self._shared.scope))
+        axes = list(self._shared.path_signals)
+        if self._path.props["axes"] != axes:
+            self._path.props["axes"] = axes
+            self._path.props["rapid"] = f"{self._shared.prefix}PATH.RAPID"
+            self._path.update()
+
+    # --- wishes ---------------------------------------------------------------------------------
+
+    async def _travel(self, event: Any) -> None:
+        if isinstance(event.args, int | float):
+            tick = max(0, min(int(event.args), self._shared.snapshot.latest))
+            await self._commander.do(lambda session: session.go_to(tick))
+
+    async def _stretch(self, event: Any) -> None:
+        """Send a stretch of the past in detail; anybody may look."""
+        words = event.args
+        if not isinstance(words, list) or len(words) != 2 or self._shared.snapshot.is_playing:
+            return
+        first, end = (max(0, min(int(word), self._shared.snapshot.latest)) for word in words)
+        if first < end:
+            try:
+                detail = await asyncio.to_thread(self._shared.stretch, first, end)
+            except Failure:
+                return  # the session has gone on or was closed; the coarse curves stay
+            self._scope.run_method("take", {"detail": detail})
+
+    def _choose(self, event: Any) -> None:
+        chosen = list(event.value)[: view.MAX_SIGNALS]
+        if chosen != self._shared.scope and self._commander.may():
+            self._shared.choose(chosen)
+
+    def zoom(self, factor: float) -> None:
+        """Zoom the scope."""
+        self._scope.run_method("zoomBy", factor)
+
+    def pan(self, share: float) -> None:
+        """Scroll the scope by a share of what it shows."""
+        self._scope.run_method("panBy", share)
+
+    def fit(self) -> None:
+        """Show all in the scope."""
+        self._scope.run_method("fit")
+
+    def turn_view(self) -> None:
+        """Show the path in space or in the plane."""
+        self._path.run_method("turnView")
+
+
+_STEP = "() => { const { run, zoom } = globalThis.nctaktRun; zoom((run.from + run.to) / 2, %s); }"
+_ZOOMS = {
+    "zoom_in": _STEP % "0.6",
+    "zoom_out": _STEP % "1.6",
+    "scope_fit": "() => globalThis.nctaktRun.fit()",
+}

@@ -1,0 +1,90 @@
+# SPDX-License-Identifier: MIT
+"""The keys of the live page: what each does, and how the help names it."""
+
+from __future__ import annotations
+
+from nctakt.base.dataclass import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class Key:
+    """A key of the page: its name as a browser gives it, the command, how a person names it.
+
+    ``label``: in English and German. ``is_everywhere``: also in fields and the editor.
+    """
+
+    key: str
+    command: str
+    label: tuple[str, str]
+    is_everywhere: bool = False
+
+
+def _same(key: str, command: str, label: str, *, is_everywhere: bool = False) -> Key:
+    return Key(key, command, (label, label), is_everywhere)
+
+
+#: Groups of keys with their headings, in the order of the help.
+GROUPS: tuple[tuple[str, tuple[Key, ...]], ...] = (
+    (
+        "keys_run",
+        (
+            Key(" ", "toggle", ("Space", "Leertaste")),
+            _same(".", "tick", "."),
+            _same(",", "back_tick", ","),
+            _same("b", "block", "B"),
+            Key("B", "back_block", ("Shift+B", "⇧B")),
+            _same("r", "reaction", "R"),
+            Key("R", "back_reaction", ("Shift+R", "⇧R")),
+            Key("C", "back_stop", ("Shift+C", "⇧C")),
+            Key("Home", "home", ("Home", "Pos1")),
+            Key("End", "front", ("End", "Ende")),
+            _same("+", "faster", "+"),
+            _same("-", "slower", "−"),
+        ),
+    ),
+    (
+        "keys_panel",
+        (
+            _same("s", "start", "S"),
+            _same("h", "hold", "H"),
+            _same("l", "single", "L"),
+            _same("w", "backward", "W"),
+            Key("Z", "reset", ("Shift+Z", "⇧Z")),
+            Key("PageUp", "override_up", ("Page up", "Bild auf")),
+            Key("PageDown", "override_down", ("Page down", "Bild ab")),
+            _same("a", "acknowledge", "A"),
+        ),
+    ),
+    (
+        "keys_program",
+        (
+            Key("save", "save", ("Ctrl+S", "Strg+S"), is_everywhere=True),
+            _same("F9", "toggle_stop", "F9", is_everywhere=True),
+            _same("F8", "why", "F8", is_everywhere=True),
+            _same("e", "edit", "E"),
+            _same("/", "search_variable", "/"),
+            Key("Escape", "leave", ("Esc", "Esc"), is_everywhere=True),
+        ),
+    ),
+    (
+        "keys_view",
+        (
+            _same("ArrowLeft", "scope_left", "←"),
+            _same("ArrowRight", "scope_right", "→"),
+            _same("ArrowUp", "scope_in", "↑"),
+            _same("ArrowDown", "scope_out", "↓"),
+            _same("0", "scope_fit", "0"),
+            _same("v", "turn_view", "V"),
+            _same("1", "tab_findings", "1"),
+            _same("2", "tab_messages", "2"),
+            _same("3", "tab_events", "3"),
+            _same("4", "tab_why", "4"),
+            _same("5", "tab_stops", "5"),
+            _same("p", "take_pen", "P"),
+            _same("d", "dark", "D"),
+            _same("?", "help", "?"),
+        ),
+    ),
+)
+
+KEYS = {key.key: key for _, keys in GROUPS for key in keys}

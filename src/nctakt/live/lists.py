@@ -1,0 +1,162 @@
+# SPDX-License-Identifier: MIT
+"""The lists below the program: findings, messages, events, why, stops.
+
+In: rows. Out: tabs of NiceGUI; a click on a row shows its line.
+"""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Callable, Sequence
+from typing import Any
+
+from nicegui import ui
+
+from nctakt.base.failure import Failure
+from nctakt.live import view
+from nctakt.live.commander import Commander
+from nctakt.live.program_card import ProgramCard
+from nctakt.live.view import LogRow
+
+NAMES = ("findings", "messages", "events", "why", "stops")
+
+#: Rows of a list that are shown: the newest.
+_MAX_SHOWN = 80
+
+
+class Lists:
+    """The lists of one browser."""
+
+    def __init__(self, commander: Commander, reveal: Callable[[int], None]) -> None:
+        self._commander = commander
+        self._shared = commander.shared
+        self._texts = commander.texts
+        self._reveal = reveal
+        self._shown: dict[str, object] = {}
+        self._list_of: dict[str, Any] = {}
+        with ui.element("div").classes("nc-card nc-lists"):
+            with ui.tabs().props("dense align=left no-caps outside-arrows mobile-arrows") as tabs:
+                for name in NAMES:
+                    ui.tab(name, self._texts[name]).props(f"data-testid=tab-{name}")
+            self._tabs = tabs
+            with ui.tab_panels(tabs, value="findings").classes("nc-scroll bg-transparent"):
+                for name in NAMES:
+                    with ui.tab_panel(name).classes("q-pa-none"):
+                        self._build(name)
+
+    def _build(self, name: str) -> None:
+        if name == "stops":
+            with ui.element("div").classes("nc-row"):
+                self._new = ui.input(placeholder=self._texts["new_stop"])
+                self._new.props("dense outlined data-testid=new-stop").classes("col")
+                self._new.on("keydown.enter", self._add_stop)
+                ui.button(self._texts["add"], on_click=self._add_stop).props(
+                    "dense flat no-caps size=sm data-testid=add-stop"
+                )
+        self._list_of[name] = ui.element("div").props(f"data-testid={name}")
+        if name == "why":
+            with self._list_of[name]:
+                self._why = ui.label(self._texts["ask_why"]).classes("nc-why nc-soft")
+
+    def choose(self, name: str) -> None:
+        """Show one of the lists."""
+        self._tabs.set_value(name)
+
+    # --- rows -----------------------------------------------------------------------------------
+
+    def show(self, program: ProgramCard) -> None:
+        """Show what is new in all lists."""
+        shared, language = self._shared, self._texts.language
+        messages = [view.message_row(one) for one in list(shared.messages)[-_MAX_SHOWN:]]
+        self._show_rows("messages", messages[::-1])
+        events = [view.event_row(one, language) for one in list(shared.events)[-_MAX_SHOWN:]]
+        if shared.left_out:
+            events.insert(0, LogRow("note", 0, self._left_out(shared.left_out)))
+        self._show_rows("events", events[::-1])
+        self.show_findings(program)
+        self._show_stops()
+
+    def _left_out(self, count: int) -> str:
+        return self._texts["left_out"].format(count=count)
+
+    def show_findings(self, program: ProgramCard) -> None:
+        """Show findings of the text, and while it is the one that runs, those of the run."""
+        known = set(map(str, program.findings))
+        of_run = [one for one in self._shared.diagnostics if str(one) not in known]
+        found = program.findings if program.is_edited else [*program.findings, *of_run]
+        rows = view.finding_rows(found, program.document.file, self._texts.language)
+        self._show_rows("findings", rows)
+
+    def _show_rows(self, name: str, rows: Sequence[LogRow]) -> None:
+        shown = tuple(rows[: _MAX_SHOWN + 1])
+        if self._shown.get(name) == shown:
+            return
+        self._shown[name] = shown
+        holder = self._list_of[name]
+        holder.clear()
+        with holder:
+            for row in shown:
+                line = f"{self._texts['line']} {row.line}: " if row.line else ""
+                with (
+                    ui.element("div")
+                    .classes(f"nc-finding {row.kind}")
+                    .on("click", lambda row=row: self._reveal(row.line))
+                ):
+                    ui.label(f"{line}{row.text}")
+                    if row.remedy:
+                        ui.label(row.remedy).classes("nc-soft")
+            if not shown:
+                ui.label(self._texts[f"no_{name}"]).classes("nc-soft")
+
+    # --- why ------------------------------------------------------------------------------------
+
+    async def ask_why(self, line: int) -> None:
+        """Show why the condition in a line is as it is; anybody may ask."""
+        texts, shared = self._texts, self._shared
+        self.choose("why")
+        if not shared.snapshot.tick:
+            self._why.set_text(texts["not_run"])
+            return
+        self._why.set_text(texts["explaining"])
+        try:
+            text = await asyncio.to_thread(shared.why, line, texts.language)
+        except (Failure, RuntimeError) as error:
+            text = "\n".join(
+                f"{one.id}: {one.text(texts.language)}\n{one.remedy(texts.language)}"
+                for one in getattr(error, "diagnostics", ())
+            )
+            text = text or str(error)
+        self._why.classes(remove="nc-soft")
+        self._why.set_text(text)
+
+    # --- stops ----------------------------------------------------------------------------------
+
+    def _show_stops(self) -> None:
+        stops = tuple(self._shared.stops)
+        if self._shown.get("stops") == stops:
+            return
+        self._shown["stops"] = stops
+        holder = self._list_of["stops"]
+        holder.clear()
+        with holder:
+            for stop in stops:
+                with ui.element("div").classes("nc-row nc-finding stop"):
+                    ui.label(stop).classes("col ellipsis")
+                    ui.button(
+                        icon="close", on_click=lambda stop=stop: self._remove_stop(stop)
+                    ).props("dense flat size=xs").tooltip(self._texts["remove"])
+            if not stops:
+                ui.label(self._texts["no_stops"]).classes("nc-soft")
+
+    async def _add_stop(self) -> None:
+        text = (self._new.value or "").strip()
+        if not text or not self._commander.may():
+            return
+        stops = [*self._shared.stops, text]
+        if await self._commander.attempt(lambda: self._shared.set_stops(stops)):
+            self._new.set_value("")
+
+    async def _remove_stop(self, stop: str) -> None:
+        if self._commander.may():
+            stops = [one for one in self._shared.stops if one != stop]
+            await self._commander.attempt(lambda: self._shared.set_stops(stops))

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// Keys of the page, clicks in the editor, and the line of the cursor of scope and path.
+(() => {
+  const keys = KEYS;
+  const editor = () => {
+    try { return getElement(EDITOR).editor; } catch { return null; } // the page is not there yet
+  };
+  const isInField = (target) => target.closest && target.closest(".cm-editor, input, textarea, select, .q-menu");
+
+  document.addEventListener("keydown", (event) => {
+    const inside = isInField(event.target), isCommand = event.ctrlKey || event.metaKey;
+    if (isCommand && event.key.toLowerCase() === "s") {
+      event.preventDefault();
+      emitEvent("nctakt_key", { key: "save" });
+      return;
+    }
+    if (isCommand || event.altKey || !(event.key in keys) || (inside && !keys[event.key])) return;
+    if (document.querySelector(".q-dialog") && event.key !== "Escape") return;
+    if (event.key === "Escape") {
+      if (inside) document.activeElement.blur();
+      return;
+    }
+    event.preventDefault();
+    event.stopPropagation();
+    if (event.key === "e") { if (editor()) editor().focus(); return; }
+    if (!inside && document.activeElement) document.activeElement.blur();
+    emitEvent("nctakt_key", { key: event.key });
+  }, true);
+
+  // A click on a line number sets a stop, one on what stands beside a condition asks why.
+  document.addEventListener("click", (event) => {
+    const number = event.target.closest(".cm-lineNumbers .cm-gutterElement");
+    if (number) { emitEvent("nctakt_line", { what: "stop", line: Number(number.textContent) }); return; }
+    const view = editor();
+    if (event.target.closest(".nc-inline") && view) {
+      const place = view.posAtDOM(event.target.closest(".cm-line"));
+      emitEvent("nctakt_line", { what: "why", line: view.state.doc.lineAt(place).number });
+    }
+  });
+
+  // The line under the pointer in the editor is marked in the scope.
+  document.addEventListener("pointermove", (event) => {
+    const { nctaktRun } = globalThis, view = editor();
+    if (!nctaktRun || !view) return;
+    const row = event.target.closest && event.target.closest(".cm-line");
+    const line = row ? view.state.doc.lineAt(view.posAtDOM(row)).number : 0;
+    if (line !== nctaktRun.run.line) { nctaktRun.run.line = line; nctaktRun.changed(); }
+  });
+
+  // While the session stands, its block is in view, unless the pointer is in the editor.
+  let shownTick = -1;
+  const reveal = (view, { run, blockAt }) => {
+    if (run.isPlaying || run.tick === shownTick || !run.tick) return;
+    shownTick = run.tick;
+    const block = blockAt(run.tick - 1), { scrollDOM } = view;
+    if (!block || !block[1] || block[1] > view.state.doc.lines || scrollDOM.matches(":hover")) return;
+    const { top, height } = view.lineBlockAt(view.state.doc.line(block[1]).from);
+    const low = scrollDOM.scrollTop, room = scrollDOM.clientHeight;
+    if (top < low || top + height > low + room) scrollDOM.scrollTop = Math.max(0, top - room / 2);
+  };
+
+  // The block at the cursor of scope or path is marked in the editor.
+  const mark = document.createElement("div");
+  mark.className = "nc-cursor-line";
+  const follow = () => {
+    const { nctaktRun } = globalThis, view = editor();
+    if (!nctaktRun || !view) { setTimeout(follow, 200); return; }
+    nctaktRun.listen(() => {
+      reveal(view, nctaktRun);
+      const { run } = nctaktRun, block = run.cursor === null ? null : nctaktRun.blockAt(run.cursor);
+      const line = block ? block[1] : 0;
+      if (!line || line > view.state.doc.lines) { mark.remove(); return; }
+      const place = view.lineBlockAt(view.state.doc.line(line).from);
+      mark.style.top = `${place.top + view.documentPadding.top}px`;
+      mark.style.height = `${place.height}px`;
+      if (!mark.parentNode) view.scrollDOM.append(mark);
+    });
+  };
+  follow();
+})();

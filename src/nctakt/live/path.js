@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: MIT
+// The path of the tool in space or in the plane: feed, rapid, reactions, the tool, the cursor.
+import { clamp, colour, sized, ticks } from "nctakt-drawing";
+import { changed, indexAt, listen, run } from "nctakt-store";
+
+const FEED = "#3b82f6", RAPID = "#9aa1ab", FIRED = "#e8833a", TOOL = "#d64545";
+
+export default {
+  template: '<div class="nc-drawing"><canvas></canvas></div>',
+  props: { axes: Array, rapid: String },
+  mounted() {
+    this.canvas = this.$el.firstChild;
+    this.camera = { zoom: 1, x: 0, y: 0, turn: -0.55, tilt: 0.9, isSpace: this.axes.length > 2 };
+    this.stop = listen(() => this.draw());
+    this.observer = new ResizeObserver(changed);
+    this.observer.observe(this.$el);
+    const on = (name, handler, options) => this.canvas.addEventListener(name, handler, options);
+    on("pointerdown", (event) => {
+      this.canvas.setPointerCapture(event.pointerId);
+      this.grip = { x: event.offsetX, y: event.offsetY, start: { ...this.camera }, isMoved: false };
+    });
+    on("pointermove", (event) => (this.grip ? this.drag(event) : this.hover(event)));
+    on("pointerup", (event) => {
+      const { grip } = this;
+      this.grip = null;
+      if (!grip || grip.isMoved) return;
+      this.hover(event);
+      if (run.cursor !== null) this.$emit("travel", run.cursor);
+    });
+    on("pointerleave", () => { if (!this.grip) { run.cursor = null; changed(); } });
+    on("dblclick", () => { Object.assign(this.camera, { zoom: 1, x: 0, y: 0 }); changed(); });
+    on("wheel", (event) => this.wheel(event), { passive: false });
+  },
+  beforeUnmount() { this.stop(); this.observer.disconnect(); },
+  methods: {
+    turnView() { this.camera.isSpace = !this.camera.isSpace; changed(); },
+
+    // --- pointer -----------------------------------------------------------------------------
+    drag(event) {
+      const dx = event.offsetX - this.grip.x, dy = event.offsetY - this.grip.y, { start } = this.grip;
+      if (Math.hypot(dx, dy) > 4) this.grip.isMoved = true;
+      if (this.camera.isSpace && !event.shiftKey) {
+        this.camera.turn = start.turn + dx * 0.008;
+        this.camera.tilt = clamp(start.tilt + dy * 0.008, 0, Math.PI / 2);
+      } else { this.camera.x = start.x + dx; this.camera.y = start.y + dy; }
+      changed();
+    },
+    hover(event) {
+      const place = this.placer();
+      let best = 14, found = null;
+      for (let i = 0; i < run.ticks.length; i += 1) {
+        const [x, y] = place(this.pointAt(i)), away = Math.hypot(x - event.offsetX, y - event.offsetY);
+        if (away < best) { best = away; found = run.ticks[i]; }
+      }
+      run.cursor = found;
+      changed();
+    },
+    wheel(event) {
+      event.preventDefault();
+      const { camera } = this, factor = Math.exp(-clamp(event.deltaY, -200, 200) * 0.002);
+      const dx = event.offsetX - this.$el.clientWidth / 2 - camera.x;
+      const dy = event.offsetY - this.$el.clientHeight / 2 - camera.y;
+      camera.zoom = clamp(camera.zoom * factor, 0.2, 500);
+      camera.x += dx * (1 - factor); camera.y += dy * (1 - factor);
+      changed();
+    },
+
+    // --- places ------------------------------------------------------------------------------
+    columns() { return this.axes.map((name) => run.columns[run.names.indexOf(name)]); },
+    pointAt(index) {
+      return this.places.map((values) => (values && index < values.length ? values[index] : 0));
+    },
+    measure() {
+      this.places = this.columns();
+      this.bounds = [0, 1, 2].map((axis) => {
+        const values = this.places[axis];
+        let low = Infinity, high = -Infinity;
+        for (const value of values || []) { if (value < low) low = value; if (value > high) high = value; }
+        return low <= high ? [low, high] : [0, 0];
+      });
+    },
+    projected(point) {
+      const [dx, dy, dz] = [0, 1, 2].map((axis) => (point[axis] || 0) - (this.bounds[axis][0] + this.bounds[axis][1]) / 2);
+      const { camera } = this;
+      if (!camera.isSpace) return [dx, -dy];
+      const a = Math.cos(camera.turn), b = Math.sin(camera.turn);
+      const across = a * dx - b * dy, deep = b * dx + a * dy;
+      return [across, -(deep * Math.cos(camera.tilt) + dz * Math.sin(camera.tilt))];
+    },
+    placer() {
+      const width = this.$el.clientWidth, height = this.$el.clientHeight, { camera } = this;
+      let wide = 0, high = 0;
+      for (let corner = 0; corner < 8; corner += 1) {
+        const [x, y] = this.projected(this.bounds.map((range, axis) => range[(corner >> axis) & 1]));
+        wide = Math.max(wide, 2 * Math.abs(x));
+        high = Math.max(high, 2 * Math.abs(y));
+      }
+      const fits = Math.min((width - 90) / (wide || 1), (height - 56) / (high || 1));
+      const scale = camera.zoom * Math.min(fits, 40);
+      return (point) => {
+        const [x, y] = this.projected(point);
+        return [width / 2 + camera.x + scale * x, height / 2 + camera.y + scale * y];
+      };
+    },
+
+    // --- drawing -----------------------------------------------------------------------------
+    draw() {
+      if (!this.$el.clientHeight || !this.axes.length) return;
+      const { pen, width, height } = sized(this.canvas, this.$el.clientHeight);
+      this.measure();
+      const place = this.placer();
+      if (this.camera.isSpace) this.drawBox(pen, place);
+      else this.drawGrid(pen, place, width, height);
+      this.drawKind(pen, place, true);
+      this.drawKind(pen, place, false);
+      this.drawFired(pen, place);
+      const here = indexAt(run.ticks, run.tick);
+      if (here >= 0) this.drawTool(pen, place(this.pointAt(here)));
+      const there = run.cursor === null ? -1 : indexAt(run.ticks, run.cursor);
+      if (there >= 0) {
+        const [x, y] = place(this.pointAt(there));
+        pen.strokeStyle = colour("--nc-ink"); pen.lineWidth = 1.6;
+        pen.beginPath(); pen.arc(x, y, 6, 0, 7); pen.stroke();
+      }
+    },
+    nameOf(axis) { return this.axes[axis].replace(/\.ACS\.ACT_POS$/, ""); },
+    drawGrid(pen, place, width, height) {
+      const [x0, y0] = place([0, 0, 0]), [x1] = place([1, 0, 0]), scale = x1 - x0;
+      pen.lineWidth = 1; pen.fillStyle = colour("--nc-soft"); pen.strokeStyle = colour("--nc-grid");
+      const across = ticks(-x0 / scale, (width - x0) / scale, width / 80);
+      for (const value of across.result) {
+        const x = x0 + value * scale;
+        pen.beginPath(); pen.moveTo(x, 0); pen.lineTo(x, height); pen.stroke();
+        pen.textAlign = "center"; pen.textBaseline = "bottom";
+        if (x > 40 && x < width - 24) pen.fillText(value.toFixed(across.digits), x, height - 2);
+      }
+      const up = ticks((y0 - height) / scale, y0 / scale, height / 45);
+      for (const value of up.result) {
+        const y = y0 - value * scale;
+        pen.beginPath(); pen.moveTo(0, y); pen.lineTo(width, y); pen.stroke();
+        pen.textAlign = "left"; pen.textBaseline = "bottom";
+        if (y > 24 && y < height - 16) pen.fillText(value.toFixed(up.digits), 3, y);
+      }
+      pen.fillStyle = colour("--nc-ink");
+      pen.textAlign = "right"; pen.textBaseline = "bottom"; pen.fillText(`${this.nameOf(0)} mm`, width - 4, height - 2);
+      pen.textAlign = "left"; pen.textBaseline = "top"; pen.fillText(`${this.nameOf(1)} mm`, 3, 3);
+    },
+    // The box around the path, with the lengths of its edges at their names.
+    drawBox(pen, place) {
+      const corner = (bits) => this.bounds.map((range, axis) => range[(bits >> axis) & 1]);
+      pen.strokeStyle = colour("--nc-grid"); pen.lineWidth = 1;
+      for (let from = 0; from < 8; from += 1) {
+        for (let axis = 0; axis < 3; axis += 1) {
+          if (from & (1 << axis)) continue;
+          pen.beginPath(); pen.moveTo(...place(corner(from))); pen.lineTo(...place(corner(from | (1 << axis)))); pen.stroke();
+        }
+      }
+      const [ox, oy] = place(corner(0));
+      pen.fillStyle = colour("--nc-soft"); pen.textBaseline = "middle";
+      this.axes.slice(0, 3).forEach((_, axis) => {
+        const [low, high] = this.bounds[axis];
+        if (high - low < 1e-6) return;
+        const [x, y] = place(corner(1 << axis)), length = Math.hypot(x - ox, y - oy) || 1;
+        if (length < 14) return;
+        pen.textAlign = x > ox + 4 ? "left" : x < ox - 4 ? "right" : "center";
+        const text = `${this.nameOf(axis)} ${Number(low.toFixed(1))} … ${Number(high.toFixed(1))}`;
+        const half = pen.textAlign === "center" ? pen.measureText(text).width / 2 : 0;
+        const wide = pen.measureText(text).width, width = this.$el.clientWidth;
+        let left = pen.textAlign === "left" ? x + 6 : pen.textAlign === "right" ? x - 6 - wide : x - half;
+        left = clamp(left, 2, width - wide - 2);
+        pen.textAlign = "left";
+        pen.fillText(text, left, clamp(y + 12 * Math.sign(y - oy || 1), 8, this.$el.clientHeight - 8));
+      });
+    },
+    drawKind(pen, place, isRapid) {
+      const rapid = run.columns[run.names.indexOf(this.rapid)] || [];
+      pen.strokeStyle = isRapid ? RAPID : FEED; pen.lineWidth = 1.7;
+      pen.setLineDash(isRapid ? [5, 4] : []);
+      pen.beginPath();
+      let isOpen = false;
+      for (let i = 1; i < run.ticks.length; i += 1) {
+        if (rapid[i] > 0 !== isRapid) { isOpen = false; continue; }
+        if (!isOpen) pen.moveTo(...place(this.pointAt(i - 1)));
+        pen.lineTo(...place(this.pointAt(i)));
+        isOpen = true;
+      }
+      pen.stroke(); pen.setLineDash([]);
+    },
+    drawFired(pen, place) {
+      for (const [tick, kind, , line] of run.marks) {
+        const index = kind === "fired" ? indexAt(run.ticks, tick) : -1;
+        if (index < 0) continue;
+        const [x, y] = place(this.pointAt(index)), size = line && line === run.line ? 7 : 4.5;
+        pen.fillStyle = FIRED;
+        pen.beginPath();
+        pen.moveTo(x, y - size); pen.lineTo(x + size, y); pen.lineTo(x, y + size); pen.lineTo(x - size, y);
+        pen.fill();
+      }
+    },
+    drawTool(pen, [x, y]) {
+      pen.fillStyle = TOOL;
+      if (!this.camera.isSpace) { pen.beginPath(); pen.arc(x, y, 5.5, 0, 7); pen.fill(); return; }
+      pen.beginPath(); pen.moveTo(x, y); pen.lineTo(x - 5, y - 11); pen.lineTo(x + 5, y - 11); pen.fill();
+      pen.globalAlpha = 0.75; pen.fillRect(x - 5, y - 24, 10, 13); pen.globalAlpha = 1;
+    },
+  },
+};

@@ -1,0 +1,234 @@
+# SPDX-License-Identifier: MIT
+"""The program on the page: the editor with its marks, stops, findings while one types.
+
+In: documents, snapshots. Out: an editor whose lines show what the session does; texts that are
+saved and run again.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from nicegui import run, ui
+
+from nctakt.base.diagnostics import Diagnostic
+from nctakt.live import view
+from nctakt.live.commander import Commander
+from nctakt.live.document import Document
+from nctakt.live.view import Snapshot
+
+#: How long the page waits for more typing, in seconds.
+_TYPING_S = 0.35
+
+#: Where the cursor stands in the editor: its line.
+_LINE_OF_CURSOR = (
+    "const view = getElement(ID).editor; return view.state.doc.lineAt(view.state.selection.main."
+    "head).number"
+)
+
+
+class ProgramCard:
+    """The editor of one browser; ``findings``: of the text as it stands there."""
+
+    def __init__(
+        self,
+        commander: Commander,
+        documents: Mapping[int, list[Document]],
+        ask_why: Callable[[int], Any],
+        on_findings: Callable[[], None],
+    ) -> None:
+        self._commander = commander
+        self._shared = commander.shared
+        self._texts = commander.texts
+        self._documents = documents
+        self._ask_why = ask_why
+        self._on_findings = on_findings
+        self._typed = 0
+        self._marks: list[dict[str, Any]] = []
+        self.findings: list[Diagnostic] = []
+        self.document = self._shown_document()
+        self._build()
+        self._check_later()
+
+    def _shown_document(self) -> Document:
+        own = self._documents[self._shared.channel]
+        return next((one for one in own if one.file == self._shared.file), own[0])
+
+    # --- layout ---------------------------------------------------------------------------------
+
+    def _build(self) -> None:
+        texts = self._texts
+        with ui.element("div").classes("nc-card nc-program"):
+            with ui.element("div").classes("nc-row"):
+                self._choice = (
+                    ui.select(self._choices(), value=self._key(), on_change=self._choose)
+                    .props("dense options-dense borderless data-testid=file")
+                    .classes("nc-file")
+                )
+                self._edited = ui.label().classes("nc-soft")
+                self._load = ui.button(texts["load"], icon="sync_problem", on_click=self._read)
+                self._load.props("dense flat no-caps size=sm color=warning data-testid=load")
+                self._load.set_visibility(False)
+                ui.space()
+                save = ui.button(texts["save_short"], icon="save", on_click=self.save)
+                save.props("dense flat no-caps size=sm data-testid=save").tooltip(texts["save"])
+            self._editor = ui.codemirror(
+                self.document.text,
+                theme="basicLight",
+                line_wrapping=True,
+                on_change=self._check_later,
+            ).props("data-testid=editor")
+            ui.on("nctakt_line", self._click)
+
+    def _choices(self) -> dict[str, str]:
+        many = len(self._documents) > 1
+        word = self._texts["channel"]
+        return {
+            f"{channel} {document.file}": (f"{word} {channel}: " if many else "") + document.file
+            for channel, own in self._documents.items()
+            for document in own
+        }
+
+    def _key(self) -> str:
+        return f"{self._shared.channel} {self.document.file}"
+
+    @property
+    def editor_id(self) -> int:
+        """The number of the editor's element."""
+        return self._editor.id
+
+    # --- what is shown --------------------------------------------------------------------------
+
+    @property
+    def is_edited(self) -> bool:
+        """Whether the editor's text is not the one that was saved."""
+        return (self._editor.value or "") != self.document.text
+
+    def show(self, snapshot: Snapshot) -> None:
+        """Show the blocks, conditions and stops of a tick."""
+        if self._shown_document() is not self.document:
+            self._show_document()
+        self._edited.set_text(f"● {self._texts['edited']}" if self.is_edited else "")
+        if self.is_edited:
+            return
+        shared = self._shared
+        stops = view.stop_lines(shared.stops, self.document.file)
+        marks = view.program_marks(shared.lines, self.document.file, snapshot, self._texts, stops)
+        if marks != self._marks:
+            self._marks = marks
+            self._editor.run_method("setDecorations", marks)
+
+    def _show_document(self) -> None:
+        self.document = self._shown_document()
+        self._marks = []
+        self._choice.set_value(self._key())
+        self._editor.set_value(self.document.text)
+
+    def look_at_disk(self) -> None:
+        """Tell when the file on disk is another than the one that was read."""
+        self._load.set_visibility(self.document.is_replaced)
+        if self.document.is_replaced:
+            self._edited.set_text(self._texts["on_disk"])
+
+    def set_dark(self, is_dark: bool) -> None:
+        """Use dark or light colours."""
+        self._editor.set_theme("vscodeDark" if is_dark else "basicLight")
+
+    def reveal(self, line: int) -> None:
+        """Scroll to a line."""
+        if 1 <= line <= len((self._editor.value or "").split("\n")):
+            self._editor.reveal_line(line)
+
+    # --- lines ----------------------------------------------------------------------------------
+
+    async def line_of_cursor(self) -> int:
+        """Return the line of the cursor in the editor."""
+        code = _LINE_OF_CURSOR.replace("ID", str(self._editor.id))
+        return int(await ui.run_javascript(code, timeout=5.0))
+
+    async def _click(self, event: Any) -> None:
+        """A click on a line number sets a stop, one beside a condition asks why."""
+        words = event.args if isinstance(event.args, dict) else {}
+        line = words.get("line")
+        if not isinstance(line, int):
+            return
+        if words.get("what") == "stop":
+            await self.toggle_stop(line)
+        else:
+            await self._ask_why(line)
+
+    async def toggle_stop(self, line: int) -> None:
+        """Set a stop in a line, or take those in it away."""
+        shared, file = self._shared, self.document.file
+        if not self._commander.may() or not 1 <= line <= len(shared.lines):
+            return
+        kept = [stop for stop in shared.stops if line not in view.stop_lines([stop], file)]
+        if len(kept) == len(shared.stops):
+            kept.append(view.stop_for(file, line, shared.lines[line - 1]))
+        await self._commander.attempt(lambda: shared.set_stops(kept))
+
+    # --- text -----------------------------------------------------------------------------------
+
+    def _check_later(self) -> None:
+        """Check the text once nobody has typed for a moment."""
+        self._typed += 1
+        ui.timer(_TYPING_S, lambda typed=self._typed: self._check(typed), once=True)
+
+    async def _check(self, typed: int) -> None:
+        if typed != self._typed:
+            return
+        text = self._editor.value or ""
+        found = await run.io_bound(self.document.check, text)
+        if typed == self._typed and found is not None:
+            self.findings = found
+            self._on_findings()
+
+    async def save(self) -> None:
+        """Save the text and run the programs again."""
+        if not self._commander.may():
+            return
+        text = self._editor.value or ""
+
+        def save_and_run() -> None:
+            if text != self.document.text:
+                self.document.save(text)
+            self._shared.reopen(self._shared.program)
+
+        if await self._commander.attempt(save_and_run):
+            self._marks = []
+            ui.notify(self._texts["saved"], type="positive", timeout=2000)
+
+    async def _read(self) -> None:
+        """Show the file as it is on disk now, and run it."""
+        if self._commander.may():
+
+            def read_and_run() -> None:
+                self.document.read()
+                self._shared.reopen(self._shared.program)
+
+            if await self._commander.attempt(read_and_run):
+                self._show_document()
+
+    async def _choose(self, event: Any) -> None:
+        """Show another program, of this channel or another one."""
+        channel, _, file = str(event.value).partition(" ")
+        if event.value == f"{self._shared.channel} {self._shared.file}":
+            return
+        if not self._commander.may():
+            self._choice.set_value(self._key())
+            return
+        await self._commander.attempt(lambda: self._shared.look_at(int(channel), file))
+        self._check_later()
+
+    async def choose_program(self, file: str | None) -> None:
+        """Run only one of the programs from the start, or all of them."""
+        if not self._commander.may():
+            return
+
+        def run_it() -> None:
+            self._shared.reopen(file)
+            if file is not None:
+                self._shared.look_at(1, file)
+
+        await self._commander.attempt(run_it)

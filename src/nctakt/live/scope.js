@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: MIT
+// The scope: conditions as lanes, curves by unit, marks of reactions and functions, one cursor.
+import { clamp, colour, cut, short, sized, ticks } from "nctakt-drawing";
+import { blockAt, changed, curves, fit, indexAt, listen, pan, run, seconds, show, take, zoom } from "nctakt-store";
+
+const LEFT = 50, RIGHT = 8, LANE = 15, AXIS = 17, LABEL = 12, LABEL_ROWS = 3, MAX_PANELS = 4;
+const COLOURS = ["#3b82f6", "#e8833a", "#22a06b", "#c2549d", "#b08900", "#7c6ff0", "#0ea5b7", "#d64545",
+  "#84a316", "#a16ae8", "#64748b", "#d97796"];
+const MARKS = { fired: "#e8833a", M: "#8b7cf6", H: "#8b7cf6", output: "#8b7cf6", message: "#0ea5b7", error: "#d64545" };
+
+const isCondition = (name) => name.startsWith("$IF ");
+
+export default {
+  template: '<div class="nc-drawing"><canvas tabindex="0"></canvas></div>',
+  props: { words: Object },
+  mounted() {
+    run.words = { ...run.words, ...this.words };
+    this.canvas = this.$el.firstChild;
+    this.stop = listen(() => this.draw());
+    this.observer = new ResizeObserver(changed);
+    this.observer.observe(this.$el);
+    this.pointers = new Map();
+    const on = (name, handler, options) => this.canvas.addEventListener(name, handler, options);
+    on("pointermove", (event) => this.move(event));
+    on("pointerdown", (event) => this.press(event));
+    on("pointerup", (event) => this.release(event));
+    on("pointercancel", (event) => this.pointers.delete(event.pointerId));
+    on("pointerleave", () => { if (!this.grip) { run.cursor = null; changed(); } });
+    on("dblclick", () => this.fit());
+    on("wheel", (event) => this.wheel(event), { passive: false });
+  },
+  beforeUnmount() { this.stop(); this.observer.disconnect(); },
+  methods: {
+    take(news) { take(news); },
+    fit() { fit(); },
+    zoomBy(factor) { zoom((run.from + run.to) / 2, factor); this.ask(); },
+    panBy(share) { pan(share); this.ask(); },
+
+    // --- places ------------------------------------------------------------------------------
+    inner() { return Math.max(1, this.$el.clientWidth - LEFT - RIGHT); },
+    xOf(tick) { return LEFT + ((tick - run.from) / (run.to - run.from)) * this.inner(); },
+    tickOf(x) { return run.from + ((x - LEFT) / this.inner()) * (run.to - run.from); },
+
+    // --- pointer -----------------------------------------------------------------------------
+    move(event) {
+      if (this.pointers.has(event.pointerId)) this.pointers.set(event.pointerId, event.offsetX);
+      if (this.pointers.size === 2) { this.pinch(); return; }
+      if (this.grip) {
+        const way = event.offsetX - this.grip.x;
+        if (Math.abs(way) > 4) this.grip.isMoved = true;
+        const shift = (way / this.inner()) * (this.grip.to - this.grip.from);
+        if (this.grip.isMoved) show(this.grip.from - shift, this.grip.to - shift);
+      }
+      run.cursor = clamp(Math.round(this.tickOf(event.offsetX)), 0, Math.max(run.latest, run.tick));
+      changed();
+    },
+    pinch() {
+      const [a, b] = [...this.pointers.values()], width = Math.max(20, Math.abs(a - b));
+      if (this.width) zoom(this.tickOf((a + b) / 2), this.width / width);
+      this.width = width;
+      if (this.grip) this.grip.isMoved = true;
+    },
+    press(event) {
+      this.canvas.setPointerCapture(event.pointerId);
+      this.pointers.set(event.pointerId, event.offsetX);
+      this.width = 0;
+      this.grip = { x: event.offsetX, from: run.from, to: run.to, isMoved: this.pointers.size > 1 };
+    },
+    release(event) {
+      const { grip } = this;
+      this.pointers.delete(event.pointerId);
+      this.grip = null;
+      if (!grip) return;
+      if (grip.isMoved) this.ask();
+      else if (event.offsetX >= LEFT) {
+        this.$emit("travel", clamp(Math.round(this.tickOf(event.offsetX)), 0, run.latest));
+      }
+    },
+    wheel(event) {
+      event.preventDefault();
+      if (event.shiftKey || Math.abs(event.deltaX) > Math.abs(event.deltaY)) {
+        pan((event.deltaX || event.deltaY) / this.inner());
+      } else zoom(this.tickOf(event.offsetX), Math.exp(clamp(event.deltaY, -200, 200) * 0.003));
+      this.ask();
+    },
+    // Asks for the stretch that is shown in detail once it stays as it is for a moment.
+    ask() {
+      clearTimeout(this.asking);
+      this.asking = setTimeout(() => {
+        if (!run.isPlaying && !run.follows) this.$emit("stretch", [Math.floor(run.from), Math.ceil(run.to)]);
+      }, 200);
+    },
+
+    // --- drawing -----------------------------------------------------------------------------
+    draw() {
+      if (!this.$el.clientHeight) return;
+      const { pen, width, height } = sized(this.canvas, this.$el.clientHeight);
+      const shown = curves(), conditions = [], units = new Map();
+      run.names.slice(0, run.names.length - run.hidden).forEach((name, index) => {
+        if (isCondition(name)) { conditions.push(index); return; }
+        const unit = run.units[index];
+        const key = units.has(unit) || units.size < MAX_PANELS ? unit : [...units.keys()].pop();
+        units.set(key, [...(units.get(key) || []), index]);
+      });
+      const lanesTop = LABEL * LABEL_ROWS + 3, top = lanesTop + conditions.length * LANE + 4;
+      const bottom = height - AXIS, each = units.size ? (bottom - top) / units.size : bottom - top;
+      this.drawTime(pen, width, lanesTop, bottom);
+      this.drawLine(pen, lanesTop, bottom);
+      conditions.forEach((index, row) => this.drawCondition(pen, shown, index, lanesTop + row * LANE, width));
+      this.drawMarks(pen, width, lanesTop, bottom);
+      let place = 0, tint = 0;
+      for (const [unit, indices] of units) {
+        const tints = indices.map(() => COLOURS[(tint++) % COLOURS.length]);
+        this.drawPanel(pen, shown, unit, indices, tints, top + place * each + 3, each - 8, width);
+        place += 1;
+      }
+      this.drawPlaces(pen, width, lanesTop, bottom);
+    },
+    drawTime(pen, width, top, bottom) {
+      const scale = ticks(seconds(run.from), seconds(run.to), this.inner() / 85);
+      pen.textAlign = "center"; pen.textBaseline = "top";
+      for (const time of scale.result) {
+        const x = this.xOf((time * 1e6) / run.cycleUs);
+        pen.strokeStyle = colour("--nc-grid"); pen.lineWidth = 1;
+        pen.beginPath(); pen.moveTo(x, top); pen.lineTo(x, bottom); pen.stroke();
+        pen.fillStyle = colour("--nc-soft");
+        if (x > LEFT + 14 && x < width - 42) pen.fillText(time.toFixed(scale.digits), x, bottom + 3);
+      }
+      pen.textAlign = "right";
+      pen.fillText("s", width - RIGHT, bottom + 3);
+    },
+    // Where the line under the editor's pointer is current, or its branch fires.
+    drawLine(pen, top, bottom) {
+      if (!run.line) return;
+      pen.fillStyle = colour("--nc-chosen");
+      run.blocks.forEach(([begin, line], index) => {
+        if (line !== run.line) return;
+        const end = index + 1 < run.blocks.length ? run.blocks[index + 1][0] : run.latest;
+        const left = Math.max(LEFT, this.xOf(begin)), right = Math.min(this.xOf(end), LEFT + this.inner());
+        if (right > left) pen.fillRect(left, top, Math.max(2, right - left), bottom - top);
+      });
+    },
+    drawCondition(pen, shown, index, y, width) {
+      const name = run.names[index], line = Number(name.slice(4));
+      pen.textAlign = "right"; pen.textBaseline = "middle"; pen.fillStyle = colour("--nc-soft");
+      pen.fillText(`${run.words.line} ${line}`, LEFT - 5, y + LANE / 2);
+      pen.fillStyle = colour("--nc-grid");
+      pen.fillRect(LEFT, y + LANE / 2, this.inner(), 1);
+      pen.fillStyle = "#22a06b";
+      const bar = (begin, end) => {
+        const left = Math.max(this.xOf(begin), LEFT), right = Math.min(this.xOf(end), width - RIGHT);
+        if (right >= LEFT && left <= width - RIGHT) pen.fillRect(left, y + 3, Math.max(1.5, right - left), LANE - 6);
+      };
+      const exact = run.bars.find((one) => one.line === line);
+      if (exact && !run.isPlaying) { for (const [begin, end] of exact.bars) bar(begin, end); return; }
+      const values = shown.columns[index], count = shown.ticks.length;
+      let begin = null;
+      for (let i = 0; i < count; i += 1) {
+        if (values[i] > 0) begin ??= shown.ticks[i];
+        if (begin !== null && (!(values[i] > 0) || i + 1 === count)) { bar(begin, shown.ticks[i]); begin = null; }
+      }
+    },
+    drawMarks(pen, width, top, bottom) {
+      const ends = Array(LABEL_ROWS).fill(-Infinity), groups = [];
+      for (const [tick, kind, label, line] of run.marks) { // those of one place are one group
+        if (tick < run.from || tick > run.to) continue;
+        const x = this.xOf(tick), last = groups[groups.length - 1];
+        const isChosen = Boolean(line) && line === run.line;
+        if (last && x - last.x < 1.5) {
+          if (last.labels.length < 3 && !last.labels.includes(label)) last.labels.push(label);
+          last.isChosen ||= isChosen;
+        } else groups.push({ x, kind, labels: [label], isChosen });
+      }
+      pen.font = "10px system-ui, sans-serif"; pen.textAlign = "left"; pen.textBaseline = "middle";
+      for (const { x, kind, labels, isChosen } of groups) {
+        pen.strokeStyle = MARKS[kind] || MARKS.M; pen.fillStyle = pen.strokeStyle;
+        pen.globalAlpha = isChosen ? 1 : 0.65; pen.lineWidth = isChosen ? 2 : 1;
+        pen.setLineDash(kind === "fired" ? [4, 3] : [1.5, 2.5]);
+        const label = labels.join(" "), wide = pen.measureText(label).width + 8;
+        const left = Math.min(x + 2, width - RIGHT - wide + 4);
+        const row = ends.findIndex((end) => end < left);
+        const begin = row < 0 ? top - 3 : row * LABEL + 1;
+        pen.beginPath(); pen.moveTo(x, begin); pen.lineTo(x, bottom); pen.stroke();
+        pen.setLineDash([]); pen.globalAlpha = 1;
+        if (row < 0) continue; // no room: the line alone
+        pen.fillText(label, left, row * LABEL + LABEL / 2 + 1);
+        ends[row] = left + wide;
+      }
+      pen.font = "11px system-ui, sans-serif";
+    },
+    drawPanel(pen, shown, unit, indices, tints, top, height, width) {
+      let low = Infinity, high = -Infinity;
+      const begin = Math.max(0, indexAt(shown.ticks, run.from));
+      const end = Math.min(shown.ticks.length - 1, indexAt(shown.ticks, run.to) + 1);
+      for (const index of indices) {
+        for (let i = begin; i <= end; i += 1) {
+          const value = shown.columns[index][i];
+          if (value < low) low = value;
+          if (value > high) high = value;
+        }
+      }
+      if (!(low <= high)) { low = 0; high = 1; }
+      const margin = high > low ? 0.06 * (high - low) : Math.max(1, Math.abs(high)) * 0.5;
+      low -= margin; high += margin;
+      const legend = 14, inside = Math.max(4, height - legend);
+      const yOf = (value) => top + legend + inside - ((value - low) / (high - low)) * inside;
+      const scale = ticks(low, high, inside / 28);
+      pen.textAlign = "right"; pen.textBaseline = "middle";
+      for (const value of scale.result) {
+        const y = yOf(value);
+        pen.strokeStyle = colour("--nc-grid"); pen.lineWidth = 1;
+        pen.beginPath(); pen.moveTo(LEFT, y); pen.lineTo(width - RIGHT, y); pen.stroke();
+        pen.fillStyle = colour("--nc-soft");
+        const text = Math.abs(value) >= 1e5 ? value.toExponential(1) : value.toFixed(scale.digits);
+        if (y > top + legend + 4 && y < top + height - 2) pen.fillText(text, LEFT - 5, y);
+      }
+      pen.save();
+      pen.beginPath(); pen.rect(LEFT, top, this.inner(), height + 2); pen.clip();
+      indices.forEach((index, place) => this.drawCurve(pen, shown, index, tints[place], begin, end, unit === "", yOf));
+      pen.restore();
+      this.drawLegend(pen, shown, unit, indices, tints, top, width);
+    },
+    drawCurve(pen, shown, index, tint, begin, end, isStep, yOf) {
+      const values = shown.columns[index];
+      pen.strokeStyle = tint; pen.lineWidth = 1.5;
+      pen.beginPath();
+      for (let i = begin; i <= end; i += 1) {
+        const x = this.xOf(shown.ticks[i]), y = yOf(values[i]);
+        if (isStep && i > begin) pen.lineTo(x, yOf(values[i - 1]));
+        pen.lineTo(x, y);
+      }
+      pen.stroke();
+    },
+    drawLegend(pen, shown, unit, indices, tints, top, width) {
+      const at = run.cursor === null ? shown.ticks.length - 1 : indexAt(shown.ticks, run.cursor);
+      pen.textAlign = "right"; pen.textBaseline = "middle"; pen.fillStyle = colour("--nc-soft");
+      pen.fillText(unit, LEFT - 5, top + 6);
+      let x = LEFT + 4;
+      pen.textAlign = "left";
+      indices.forEach((index, place) => {
+        const value = at < 0 || !shown.ticks.length ? null : shown.columns[index][at];
+        const text = `${run.names[index].replace(".ACS.ACT_POS", "")} ${Number.isFinite(value) ? short(value) : ""}`;
+        const room = width - RIGHT - x - 14;
+        if (room < 24) return;
+        pen.fillStyle = tints[place]; pen.fillRect(x, top + 4, 9, 4);
+        pen.fillStyle = colour("--nc-ink");
+        const drawn = cut(pen, text, room);
+        pen.fillText(drawn, x + 12, top + 6.5);
+        x += 12 + pen.measureText(`${drawn}  `).width + 6;
+      });
+    },
+    // Where the session stands, and the cursor with its time and line.
+    drawPlaces(pen, width, top, bottom) {
+      if (run.tick >= run.from && run.tick <= run.to) {
+        const x = this.xOf(run.tick);
+        pen.strokeStyle = "#d64545"; pen.lineWidth = 1.6;
+        pen.beginPath(); pen.moveTo(x, top); pen.lineTo(x, bottom); pen.stroke();
+      }
+      if (run.cursor === null || run.cursor < run.from || run.cursor > run.to) return;
+      const x = this.xOf(run.cursor), block = blockAt(run.cursor);
+      pen.strokeStyle = colour("--nc-ink"); pen.lineWidth = 1; pen.setLineDash([3, 3]);
+      pen.beginPath(); pen.moveTo(x, top); pen.lineTo(x, bottom); pen.stroke(); pen.setLineDash([]);
+      const where = block ? ` · ${run.words.line} ${block[1]}` : "";
+      const text = `${Number(seconds(run.cursor).toFixed(6))} s${where}`, wide = pen.measureText(text).width + 10;
+      const left = clamp(x - wide / 2, LEFT, width - RIGHT - wide);
+      pen.fillStyle = colour("--nc-ink"); pen.fillRect(left, bottom + 1, wide, AXIS - 2);
+      pen.fillStyle = colour("--nc-card"); pen.textAlign = "left"; pen.textBaseline = "middle";
+      pen.fillText(text, left + 5, bottom + AXIS / 2 + 0.5);
+    },
+  },
+};

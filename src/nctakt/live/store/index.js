@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+// What a browser knows of the session: curves, marks, blocks, the cursor. Scope, path and editor
+// share it; the server adds to it (track.py).
+
+const MAX_POINTS = 2000, MAX_MARKS = 2000, MAX_BLOCKS = 20000;
+
+export const run = {
+  names: [], units: [], hidden: 0, ticks: [], columns: [], marks: [], blocks: [], bars: [],
+  tick: 0, latest: 0, isPlaying: false, cycleUs: 1000, detail: null, words: {},
+  cursor: null, line: 0, from: 0, to: 1, follows: true, span: 0,
+};
+const listeners = new Set();
+let isDue = false;
+
+export const listen = (listener) => { listeners.add(listener); return () => listeners.delete(listener); };
+export const changed = () => {
+  if (isDue) return;
+  isDue = true;
+  requestAnimationFrame(() => { isDue = false; for (const listener of listeners) listener(); });
+};
+
+const trim = (list, size) => { if (list.length > size) list.splice(0, list.length - size); };
+
+// Adds what the server sends: each part is new as a whole or goes on behind what is here.
+export const take = (news) => {
+  for (const name of ["names", "units", "hidden", "words", "cycleUs", "tick", "latest", "isPlaying", "bars"]) {
+    if (news[name] !== undefined) run[name] = news[name];
+  }
+  if (news.rows) {
+    if (news.rows.whole) {
+      run.ticks = [];
+      run.columns = run.names.map(() => []);
+      run.detail = null;
+    }
+    for (const [tick, ...values] of news.rows.added) {
+      run.ticks.push(tick);
+      values.forEach((value, index) => run.columns[index].push(value));
+    }
+    trim(run.ticks, MAX_POINTS);
+    for (const column of run.columns) trim(column, MAX_POINTS);
+  }
+  for (const [name, size] of [["marks", MAX_MARKS], ["blocks", MAX_BLOCKS]]) {
+    const part = news[name];
+    if (!part) continue;
+    run[name] = part.whole ? part.added : run[name].concat(part.added);
+    trim(run[name], size);
+  }
+  if (news.detail) run.detail = news.detail;
+  if (news.texts) showTexts(news.texts);
+  if (run.follows) follow();
+  frames.push(performance.now());
+  trim(frames, 200);
+  changed();
+};
+
+// The times at which news came, for whoever measures the page.
+const frames = [];
+globalThis.nctaktFrames = frames;
+
+const showTexts = (texts) => {
+  for (const [name, text] of Object.entries(texts)) {
+    for (const element of document.querySelectorAll(`[data-testid="${name}"]`)) element.textContent = text;
+  }
+};
+
+// --- the stretch that the scope shows --------------------------------------------------------
+export const first = () => (run.ticks.length ? run.ticks[0] : 0);
+export const follow = () => {
+  run.follows = true;
+  const end = run.isPlaying ? Math.max(run.tick, 1) : Math.max(run.latest, run.tick, 1);
+  run.to = end;
+  run.from = run.span ? Math.max(0, end - run.span) : Math.min(first(), end - 1);
+};
+export const show = (from, to) => {
+  const limit = Math.max(run.latest, run.tick, 10);
+  const span = Math.min(Math.max(to - from, 10), limit);
+  run.from = Math.min(Math.max(from, 0), limit - span);
+  run.to = run.from + span;
+  run.follows = false;
+  changed();
+};
+export const zoom = (tick, factor) => {
+  const span = (run.to - run.from) * factor;
+  if (run.follows && run.isPlaying) {
+    run.span = Math.max(50, span);
+    follow();
+    changed();
+  } else show(tick - (tick - run.from) * factor, tick + (run.to - tick) * factor);
+};
+export const pan = (share) => show(run.from + share * (run.to - run.from), run.to + share * (run.to - run.from));
+export const fit = () => { run.span = 0; follow(); changed(); };
+
+// --- looking up ------------------------------------------------------------------------------
+// The finest curves for the stretch that is shown.
+export const curves = () => {
+  const { detail } = run;
+  const isInside = detail && detail.names.join() === run.names.join()
+    && detail.first <= run.from + 1 && detail.end >= Math.min(run.to, run.latest) - 1;
+  return isInside ? detail : run;
+};
+// The index of the last entry at or before a tick, -1 if there is none.
+export const indexAt = (list, tick, of = (entry) => entry) => {
+  let low = 0, high = list.length;
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (of(list[middle]) <= tick) low = middle + 1;
+    else high = middle;
+  }
+  return low - 1;
+};
+export const blockAt = (tick) => {
+  const index = indexAt(run.blocks, tick, (block) => block[0]);
+  return index < 0 ? null : run.blocks[index];
+};
+export const column = (name) => {
+  const index = run.names.indexOf(name);
+  return index < 0 ? null : curves().columns[index];
+};
+export const seconds = (tick) => (tick * run.cycleUs) / 1e6;
+
+globalThis.nctaktRun = { run, show, zoom, pan, fit, changed, listen, blockAt };

@@ -1,0 +1,158 @@
+# SPDX-License-Identifier: MIT
+"""What browsers draw of a session: it grows by increments, and each browser gets what is new.
+
+In: rows of signals, marks, blocks, in the order of their ticks. Out: for each browser what it has
+not seen yet, or all of it after a change of what is shown.
+"""
+
+from __future__ import annotations
+
+import threading
+from collections import deque
+from collections.abc import Iterable, Sequence
+from itertools import islice
+from typing import Any
+
+from nctakt.base.dataclass import dataclass
+from nctakt.trace.events import Event
+
+#: Entries that are kept: of rows, of marks, of blocks.
+MAX_ROWS, MAX_MARKS, MAX_BLOCKS = 2000, 2000, 20_000
+
+#: An entry: a tick, and what belongs to it.
+Entry = tuple[Any, ...]
+
+#: What a browser has seen of a list: its edition, and how many entries.
+Seen = tuple[int, int]
+
+
+class Growing:
+    """A list that grows at its end; at most ``limit`` entries are kept."""
+
+    def __init__(self, limit: int) -> None:
+        self._entries: deque[Entry] = deque(maxlen=limit)
+        self._edition = 1
+        self._count = 0
+        self._lock = threading.Lock()
+
+    def __len__(self) -> int:
+        return len(self._entries)
+
+    def entries(self) -> list[Entry]:
+        """Return what is kept."""
+        with self._lock:
+            return list(self._entries)
+
+    def add(self, entries: Iterable[Entry]) -> None:
+        """Add entries at the end."""
+        with self._lock:
+            for entry in entries:
+                self._entries.append(entry)
+                self._count += 1
+
+    def replace(self, entries: Iterable[Entry]) -> None:
+        """Let these be all entries."""
+        with self._lock:
+            self._entries.clear()
+            self._entries.extend(entries)
+            self._count = len(self._entries)
+            self._edition += 1
+
+    def cut(self, tick: int) -> None:
+        """Forget the entries from a tick on."""
+        kept = [entry for entry in self.entries() if entry[0] < tick]
+        if len(kept) < len(self._entries):
+            self.replace(kept)
+
+    def news(self, seen: Seen) -> tuple[dict[str, Any] | None, Seen]:
+        """Return what one who has seen so much has not, ``None`` for nothing; and what it has then.
+
+        ``whole``: the entries take the place of those seen.
+        """
+        with self._lock:
+            now = (self._edition, self._count)
+            if seen == now:
+                return None, now
+            is_whole = seen[0] != self._edition
+            missing = self._count - (0 if is_whole else seen[1])
+            first = max(0, len(self._entries) - missing)
+            return {"whole": is_whole, "added": list(islice(self._entries, first, None))}, now
+
+
+@dataclass(frozen=True, slots=True)
+class Shown:
+    """The names of the columns of the rows, with their units; the last ``hidden`` are the path's.
+
+    Conditions come first; their names are ``$IF`` and the line.
+    """
+
+    conditions: tuple[int, ...] = ()
+    signals: tuple[str, ...] = ()
+    units: tuple[str, ...] = ()
+    hidden: int = 0
+
+    @property
+    def names(self) -> list[str]:
+        """The names of all columns."""
+        return [*(f"$IF {line}" for line in self.conditions), *self.signals]
+
+
+class Track:
+    """The curves, marks and blocks of a session."""
+
+    def __init__(self) -> None:
+        self.shown = Shown()
+        self.rows = Growing(MAX_ROWS)
+        self.marks = Growing(MAX_MARKS)
+        self.blocks = Growing(MAX_BLOCKS)
+
+    def show(self, shown: Shown) -> None:
+        """Show these columns from now on; the rows of others are forgotten."""
+        if shown != self.shown:
+            self.shown = shown
+            self.rows.replace(())
+
+    def clear(self) -> None:
+        """Forget all."""
+        for part in (self.rows, self.marks, self.blocks):
+            part.replace(())
+
+    def note(self, events: Sequence[Event], channel: int, file: str) -> None:
+        """Add the marks and blocks of events that are newer than those there."""
+        self.marks.add(newer(self.marks, marks_of(events, file)))
+        self.blocks.add(newer(self.blocks, blocks_of(events, channel, file)))
+
+
+def newer(part: Growing, entries: Sequence[Entry]) -> list[Entry]:
+    """Return the entries that are newer than all that a list has."""
+    known = part.entries()
+    last = known[-1][0] if known else -1
+    same = {entry for entry in known[-50:] if entry[0] == last}
+    return [entry for entry in entries if entry[0] >= last and entry not in same]
+
+
+def marks_of(events: Sequence[Event], file: str) -> list[Entry]:
+    """Return reactions, functions, messages and errors: tick, kind, label, line in the file."""
+    found: list[Entry] = []
+    for event in events:
+        line = event.span.line if event.span is not None and event.span.file == file else 0
+        match event.kind:
+            case "fired":
+                found.append((event.tick, "fired", f"{event.cycle}:{line}", line))
+            case "M" | "H":
+                found.append((event.tick, event.kind, event.kind + event.text.split()[0], line))
+            case "output":
+                letter, number = event.text.split()[:2]
+                found.append((event.tick, "output", letter + number, line))
+            case "message" | "error":
+                found.append((event.tick, event.kind, event.text[:24], line))
+    return found
+
+
+def blocks_of(events: Sequence[Event], channel: int, file: str) -> list[Entry]:
+    """Return the blocks of a channel that have become current: tick, line in the file or 0."""
+    return [
+        (event.tick, event.span.line if event.span.file == file else 0)
+        for event in events
+        if event.kind == "block" and event.span is not None and max(event.channel, 1) == channel
+    ]

@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: MIT
+"""``nctakt live`` in a process of its own, and Chromium in front of it."""
+
+import contextlib
+import os
+import shutil
+import signal
+import subprocess
+import sys
+from collections.abc import Iterator
+from typing import Any
+
+import pytest
+
+CHROMIUM = shutil.which("chromium")
+
+#: How long a page may take for anything, in ms: the machine may be busy with other things.
+PATIENCE_MS = 60_000
+
+#: Marks of tests that drive a browser.
+BROWSER = [
+    pytest.mark.slow,
+    pytest.mark.skipif(
+        CHROMIUM is None or sys.platform != "linux",
+        reason="driving a browser needs Chromium on Linux",
+    ),
+]
+
+
+@contextlib.contextmanager
+def served(*words: str, port: int = 0) -> Iterator[str]:
+    """``nctakt live`` in a process of its own; its address."""
+    environment = {name: value for name, value in os.environ.items() if "PYTEST" not in name}
+    command = [sys.executable, "-m", "nctakt", "live", *words, "--port", str(port)]
+    with subprocess.Popen(
+        command, stdout=subprocess.PIPE, encoding="utf-8", env=environment
+    ) as process:
+        try:
+            assert process.stdout is not None
+            yield process.stdout.readline().strip()
+        finally:
+            process.send_signal(signal.SIGINT)
+            with contextlib.suppress(subprocess.TimeoutExpired):
+                process.wait(60)
+            process.kill()
+
+
+@contextlib.contextmanager
+def chromium() -> Iterator[Any]:
+    """A browser without a window; its errors are the test's."""
+    playwright = pytest.importorskip(
+        "playwright.sync_api", reason="driving a browser needs Playwright"
+    )
+    playwright.expect.set_options(timeout=PATIENCE_MS)
+    with (
+        playwright.sync_playwright() as driver,
+        contextlib.closing(
+            driver.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox"])
+        ) as browser,
+    ):
+        yield browser
+
+
+def opened(browser: Any, address: str, width: int = 1280, height: int = 800) -> Any:
+    """A page at an address, once it shows where the session stands."""
+    page = browser.new_page(viewport={"width": width, "height": height})
+    page.set_default_timeout(PATIENCE_MS)
+    page.goto(address)
+    page.wait_for_function("document.querySelector('[data-testid=clock]')?.textContent")
+    return page

@@ -175,10 +175,3 @@ def test_a_tape_that_cannot_be_read(
         assert code == 2
         assert f"{place}error {number}: " in err or f"error {number}: " in err
         assert err.startswith(place)
-
-
-def test_a_plc_in_another_process_is_not_recorded(told: Told) -> None:
-    """901078."""
-    code, _, err = told("run", "a.nc", "--hli", "x", "--record", "run.tape")
-    assert code == 2
-    assert "error 901078: " in err

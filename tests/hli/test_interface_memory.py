@@ -532,6 +532,7 @@ def run_with_partner(tmp_path: Path, command: list[str]) -> tuple[bytes, str]:
     name = f"nctakt_{os.getpid()}_{secrets.token_hex(4)}"
     trace = tmp_path / "trace.csv"
     words = ["run", str(EXAMPLES / "crossing.nc"), "--quiet", "--hli", name, "--trace", str(trace)]
+    words += ["--record", str(tmp_path / "run.tape")]
     with subprocess.Popen(nctakt(*words), stdout=subprocess.DEVNULL) as cnc:
         done = subprocess.run(
             [*command, name], check=True, capture_output=True, text=True, timeout=120
@@ -572,6 +573,10 @@ def test_a_plc_in_python_does_what_the_scripted_one_does(tmp_path: Path) -> None
     )
     assert printed == "463000 us M100 X 200.748\n"
     assert trace == scripted(tmp_path)
+    replayed = tmp_path / "replayed.csv"
+    words = ["replay", str(tmp_path / "run.tape"), "--quiet", "--trace", str(replayed)]
+    subprocess.run(nctakt(*words), check=True, capture_output=True)
+    assert replayed.read_bytes() == trace
 
 
 def test_two_plcs_are_refused() -> None:

@@ -30,7 +30,6 @@ from nctakt.messages.files import (
 )
 from nctakt.messages.folders import INVALID_CHANNEL_NUMBER, NO_PROGRAM_NAMED
 from nctakt.messages.plc import PLC_AND_HLI_OPTIONS
-from nctakt.messages.tape import RECORD_WITH_PARTNER
 from nctakt.nc.parse.block_head import SKIP_LEVELS
 from nctakt.run.stimuli import Stimulus, parse_assignment, parse_stimulus
 
@@ -149,8 +148,6 @@ def read_request(options: Options, access: FileAccess) -> Request:
     skip_levels = reader.read(_skip_levels, options.skip)
     if options.plc is not None and options.hli is not None:
         reader.diagnostics.append(diagnostic(PLC_AND_HLI_OPTIONS))
-    if options.record is not None and options.hli is not None:
-        reader.diagnostics.append(diagnostic(RECORD_WITH_PARTNER))
     signals = None if options.signals is None else split_names(options.signals)
     is_drawn = (options.plot, options.vcd, options.perfetto) != (None, None, None)
     is_traced = options.trace is not None

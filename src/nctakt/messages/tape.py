@@ -64,10 +64,3 @@ INPUT_NOT_POSSIBLE = error(
     tick=("the tick, counted from 0", "der Takt, ab 0 gezählt"),
     input=("the input", "die Eingabe"),
 )
-RECORD_WITH_PARTNER = error(
-    901078,
-    en="--record cannot record what a PLC in another process writes (--hli)",
-    de="--record kann nicht aufzeichnen, was eine SPS in einem anderen Prozess schreibt (--hli)",
-    remedy_en="Use a PLC in Python: --plc FILE.py",
-    remedy_de="Eine SPS in Python verwenden: --plc DATEI.py",
-)

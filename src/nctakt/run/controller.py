@@ -27,6 +27,7 @@ from nctakt.results.run import ProgramMessage, Run
 from nctakt.results.step import Step
 from nctakt.run import program_loader
 from nctakt.run.assembly import AssembledMachine
+from nctakt.run.inputs import IMAGE
 from nctakt.run.one_at_a_time import OneAtATime, alone
 from nctakt.run.plc_view import AnyPlc, PlcView, WatchedPlc
 from nctakt.run.program_loader import NcText
@@ -167,6 +168,7 @@ class Controller:
         self._image = SharedImage(
             self.machine, machine.kernel, machine.channels, machine.layout, name
         )
+        machine.inputs.attach(self._image)
         return self._image
 
     # --- tick by tick ---------------------------------------------------------------------------
@@ -364,4 +366,8 @@ class Controller:
 
     def begin(self, options: RunOptions) -> ProgramRun:
         """Return a run before its first tick; raises ``Failure`` as ``run``."""
+        inputs = () if options.replay is None else options.replay.inputs
+        has_image = self._image is not None and not self._image.is_closed
+        if not has_image and any(one.kind == IMAGE for one in inputs):
+            self.interface_image()
         return ProgramRun(self._loop, self.diagnostics, options)

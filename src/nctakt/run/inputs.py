@@ -2,13 +2,15 @@
 """The door through which everything reaches a run from outside, tick by tick.
 
 In: values of variables and of the operator's panel, acknowledgements of functions and spindle jobs,
-motions of single axes that a PLC requests; now, or planned for a tick (stimuli, a tape). Out: what
+motions of single axes that a PLC requests, what a PLC in another process writes into the image of
+the HLI; now, or planned for a tick (stimuli, a tape). Out: what
 the next tick latches (RC-002), in the order of arrival. A listener learns of all of them, some
 ticks later: they are all that a run needs to be repeated.
 """
 
 from __future__ import annotations
 
+import weakref
 from collections import deque
 from collections.abc import Callable, Iterable, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -21,13 +23,16 @@ from nctakt.messages.tape import INPUT_NOT_POSSIBLE
 if TYPE_CHECKING:
     from nctakt.kernel.kernel import Kernel
     from nctakt.kernel.tick.channel import Channel
+    from nctakt.run.image_inputs import ImageInputs
+    from nctakt.run.shared_image import SharedImage
     from nctakt.run.variable_access import VariableAccess
 
 #: The kinds of inputs.
 WRITE, ACKNOWLEDGE, ACKNOWLEDGE_SPINDLE, AXIS = "write", "ack", "ack_spindle", "axis"
+IMAGE = "image"
 
-#: Where inputs come from.
-API, STIMULI, PLC = "api", "stimuli", "plc"
+#: Where inputs come from; ``HLI``: a PLC in another process.
+API, STIMULI, PLC, HLI = "api", "stimuli", "plc", "hli"
 
 #: A tick that no run reaches.
 NEVER = 1 << 62
@@ -68,6 +73,10 @@ def unpack(cells: Cells) -> list[Input]:
     return found
 
 
+def _no_image() -> None:
+    """Return no image: none has been attached."""
+
+
 class Inputs:
     """The inputs of one machine."""
 
@@ -85,6 +94,29 @@ class Inputs:
         self._planned: deque[Input] = deque()
         self._listener: InputListener | None = None
         self._noted: Cells = []
+        self._image: Callable[[], SharedImage | None] = _no_image
+        self._image_changes: tuple[int, list[tuple[str, str]]] = (-1, [])
+
+    # --- the image of the HLI -------------------------------------------------------------------
+
+    def attach(self, image: SharedImage) -> None:
+        """Note what a PLC in another process writes into this image, or put it there again."""
+        self._image = weakref.ref(image)
+
+    @property
+    def _image_inputs(self) -> ImageInputs | None:
+        image = self._image()
+        return None if image is None or image.is_closed else image.inputs
+
+    def _note_image(self) -> None:
+        """Note what the PLC has written since the latest tick, each change once."""
+        written, tick = self._image_inputs, self._kernel.tick
+        changes = [] if written is None else written.changes()
+        known = self._image_changes[1] if self._image_changes[0] == tick else []
+        self._image_changes = tick, changes
+        for change in changes:
+            if change not in known:
+                self._tell(HLI, IMAGE, *change)
 
     # --- the listener ---------------------------------------------------------------------------
 
@@ -126,8 +158,20 @@ class Inputs:
                 and 0 <= index < self._channels[channel].context.spindles.count
             ):
                 pass
+            case "image", (str() as name, str() as digits) if self._fits_image(name, digits):
+                pass
             case _:
                 raise Failure(self._impossible(planned))
+
+    def _fits_image(self, name: str, digits: str) -> bool:
+        written = self._image_inputs
+        if written is None:
+            return False
+        try:
+            written.check(name, digits)
+        except ValueError:
+            return False
+        return True
 
     def _impossible(self, planned: Input) -> Diagnostic:
         found = f"{planned.kind} {', '.join(map(str, planned.values))}"
@@ -140,6 +184,8 @@ class Inputs:
         planned = self._planned
         while planned and planned[0].tick <= self._kernel.tick:
             self._apply(planned.popleft())
+        if self._listener is not None and self._image is not _no_image:
+            self._note_image()
         return planned[0].tick if planned else NEVER
 
     def _apply(self, planned: Input) -> None:
@@ -161,6 +207,12 @@ class Inputs:
             case "ack_spindle":
                 channel, index, serial, name = values
                 self.acknowledge_spindle(int(channel), int(index), int(serial), str(name))
+            case "image":
+                name, digits = values
+                written = self._image_inputs
+                if written is None:
+                    raise ValueError(name)
+                written.put(str(name), str(digits))
             case "axis":
                 kind, axis, position, speed, mode, direction = values
                 self.request_axis(

@@ -54,6 +54,7 @@ from nctakt.messages.memory import (
 from nctakt.nc.vocabulary.cells import CELL_BYTES
 from nctakt.nc.vocabulary.realtime_variables import SPINDLE_VALUES
 from nctakt.nc.vocabulary.variable_table import Layout
+from nctakt.run.image_inputs import ImageInputs
 
 if TYPE_CHECKING:
     from multiprocessing.shared_memory import SharedMemory
@@ -69,7 +70,8 @@ class SharedImage:
     """The live image of a controller; also a context manager.
 
     ``memory``: all its bytes, at the offsets of ``layout``; ``external``: the bytes of the V.E
-    variables, of which ``section`` returns those of one scope. ``name``: the name of the shared
+    variables, of which ``section`` returns those of one scope; ``inputs``: what the PLC has written
+    since the latest tick. ``name``: the name of the shared
     memory, ``None`` without. Closing releases the views and removes the shared memory; this happens
     at the latest with the end of the controller, and by Python's resource tracker if the process is
     killed.
@@ -107,7 +109,8 @@ class SharedImage:
             kernel.tick,
         )
         self._put_header_value("ready", 1)
-        self._resources = _Resources(kernel, (self.external, self.memory), shared)
+        self.inputs = ImageInputs(layout, self._sections, self.memory, published)
+        self._resources = _Resources(kernel, (self.inputs, self.external, self.memory), shared)
         self._last_resort = weakref.finalize(self, self._resources.give_up)
 
     def section(self, channel: int = 0) -> memoryview:
@@ -181,7 +184,10 @@ class _Resources:
     """The resources of an image, released in the right order: kernel, views, shared memory."""
 
     def __init__(
-        self, kernel: Kernel, views: Sequence[memoryview], shared: SharedMemory | None
+        self,
+        kernel: Kernel,
+        views: tuple[ImageInputs, memoryview, memoryview],
+        shared: SharedMemory | None,
     ) -> None:
         self.kernel: Kernel | None = kernel
         self._views = views

@@ -20,6 +20,7 @@ from nctakt.run.inputs import (
     ACKNOWLEDGE,
     ACKNOWLEDGE_SPINDLE,
     AXIS,
+    IMAGE,
     INPUT_WIDTH,
     WRITE,
     Cells,
@@ -36,6 +37,7 @@ _SHAPES: Mapping[str, tuple[tuple[type, ...], ...]] = {
     ACKNOWLEDGE: ((int,), (bool,), (int,), (int,), (str,)),
     ACKNOWLEDGE_SPINDLE: ((int,), (int,), (int,), (str,)),
     AXIS: ((int,), (int,), (float, int), (float, int), (int,), (int,)),
+    IMAGE: ((str,), (str,)),
 }
 
 

@@ -16,6 +16,8 @@ import pytest
 
 from nctakt.run.controller import Controller, NcText
 from nctakt.studies.bench import Digest
+from nctakt.studies.plan import Goal
+from nctakt.studies.search import search
 from nctakt.studies.study import Study
 
 PROGRAM = """\
@@ -63,6 +65,51 @@ def test_each_tick_finds_it(program: Path) -> None:
     """The injection at each tick from a time on, up to the end of the unchanged run."""
     done = study(program, each_tick=True, **{"from": "530 ms", "to": "570 ms"}).run()
     assert done.broken[0]["stop"] == FIRST_LATE
+
+
+def test_bisecting_finds_both_neighbours(program: Path) -> None:
+    """The last tick that holds and the first one that does not, in few runs."""
+    plan = Study(
+        program=str(program),
+        until="1 s",
+        vary=[
+            {
+                "time_of": "V.E.TRIGGER = 1",
+                "name": "stop",
+                "from": "0 ms",
+                "to": "900 ms",
+                "step": "1 tick",
+            }
+        ],
+        expect=["max X < 55.05"],
+        find={"boundary": "stop"},
+    )
+    (answer,) = plan.find()
+    assert [row["stop"] for row in answer.rows] == [0.55, FIRST_LATE]
+    assert answer.runs <= 12
+
+
+def test_a_span_without_a_switch_over_is_told(program: Path) -> None:
+    """Both ends hold: 901314 instead of an answer."""
+    plan = study(program, **{"from": "0 ms", "to": "100 ms", "step": "1 tick"})
+    finding = search(plan.bench, Goal("boundary", "stop", 0)).finding
+    assert finding is not None
+    assert finding.id == 901314
+
+
+def test_a_violation_shrinks_to_the_smallest_change(program: Path) -> None:
+    """From a stop at 900 ms back towards that at 0 ms, as far as it stays too late."""
+    plan = study(program, **{"from": "0 ms", "to": "900 ms", "step": "1 tick"})
+    assert plan.shrink(900).rows[0]["stop"] == FIRST_LATE
+
+
+def test_a_search_finds_the_worst_case(program: Path) -> None:
+    """The largest rest position is that of the latest stop."""
+    pytest.importorskip("optuna")
+    plan = study(program, **{"from": "500 ms", "to": "560 ms", "step": "1 tick"})
+    worst = search(plan.bench, Goal("maximize", "rest", 40)).rows[0]
+    late = [row for row in plan.run().rows if row["stop"] >= FIRST_LATE]
+    assert worst["stop"] in [row["stop"] for row in late]
 
 
 def test_processes_yield_the_same_rows(program: Path) -> None:

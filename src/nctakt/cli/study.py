@@ -58,6 +58,7 @@ usage or unusable input, 3 an error of nctakt's own.
 )
 @click.option("--sample", type=click.IntRange(1), metavar="COUNT", help="Take points by chance.")
 @click.option("--only", type=click.IntRange(0), metavar="NUMBER", help="Make one run, from 0.")
+@click.option("--shrink", is_flag=True, help="Find the smallest change that breaks a run.")
 @click.option("--yes", is_flag=True, help="Start even what takes more than an hour.")
 @language_option("Language of diagnostics and results.")
 @click.option("--quiet", is_flag=True, help="No progress.")
@@ -76,6 +77,8 @@ def _study(file: str, words: dict[str, Any]) -> int:
     from nctakt.cli.study_progress import StudyProgress  # noqa: PLC0415 - needs the controller
 
     study = _read(file, words)
+    if study.plan.goals and words["only"] is None:
+        return _find(study, words)
     numbers = (
         range(len(study)) if words["only"] is None else range(words["only"], words["only"] + 1)
     )
@@ -99,7 +102,25 @@ def _study(file: str, words: dict[str, Any]) -> int:
     for line in summary(study, result, file, words["language"]):
         click.echo(line)
     print_diagnostics(progress.crashed(), words["language"])
+    if words["shrink"] and result.broken:
+        from nctakt.cli.study_summary import shrunk_lines  # noqa: PLC0415 - as above
+
+        for line in shrunk_lines(study, result, words["language"]):
+            click.echo(line)
     return EXIT_RAN if result else EXIT_NC_ERROR
+
+
+def _find(study: Study, words: dict[str, Any]) -> int:
+    """Answer the goals of a plan; exit code 1 if one of them has no answer."""
+    from nctakt.cli.study_summary import answer_lines  # noqa: PLC0415 - as above
+
+    answers = study.find()
+    for answer in answers:
+        for line in answer_lines(study, answer, words["language"]):
+            click.echo(line)
+        if answer.finding is not None:
+            print_diagnostics([answer.finding], words["language"])
+    return EXIT_NC_ERROR if any(answer.finding for answer in answers) else EXIT_RAN
 
 
 def _interrupted(size: int, store: Any, words: dict[str, Any]) -> int:

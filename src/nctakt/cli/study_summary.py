@@ -6,9 +6,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from nctakt.base.diagnostics import Language
-from nctakt.studies.bench import HELD
+from nctakt.studies.bench import HELD, Row
 from nctakt.studies.each_tick import strip
 from nctakt.studies.measures import as_text
+from nctakt.studies.search import Answer
 from nctakt.studies.study import Study, StudyResult
 
 #: Broken runs that are shown.
@@ -56,3 +57,31 @@ def summary(study: Study, result: StudyResult, file: str, language: Language) ->
         yield f"    {command or f'nctakt study {file} --only {number}'}"
     if len(shown) > MAX_SHOWN:
         yield f"… {len(shown) - MAX_SHOWN} {more}"
+
+
+def answer_lines(study: Study, answer: Answer, language: Language) -> Iterator[str]:
+    """Yield the lines of the answer to a goal."""
+    runs = _TEXTS[language][0]
+    yield f"{answer.goal.word} {answer.goal.measure} ({answer.runs} {runs})"
+    for row in answer.rows:
+        yield f"  {_values(study, row)}"
+
+
+def shrunk_lines(study: Study, result: StudyResult, language: Language) -> Iterator[str]:
+    """Yield the smallest change that breaks as the first broken run does."""
+    number = result.broken[0]["run"]
+    assert isinstance(number, int)
+    answer = study.shrink(number)
+    runs = _TEXTS[language][0]
+    yield f"{_SHRUNK[language]} {number} ({answer.runs} {runs}): {_values(study, answer.rows[0])}"
+
+
+_SHRUNK = {"en": "smallest change of run", "de": "kleinste Änderung von Lauf"}
+
+
+def _values(study: Study, row: Row) -> str:
+    """Return inputs, measures and verdict of a row as a line."""
+    plan = study.plan
+    names = [*(one.name for one in plan.dimensions), *(one.name for one in plan.measures)]
+    values = ", ".join(f"{name} = {as_text(row[name])}" for name in names)
+    return f"{values}: {row['verdict']}"

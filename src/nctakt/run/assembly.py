@@ -14,12 +14,11 @@ from nctakt.base.diagnostics import Diagnostic, Span
 from nctakt.base.source_ids import SourceFiles
 from nctakt.base.text import nearest
 from nctakt.decoder.axis_limits import history_blocks, look_ahead, single_axes
-from nctakt.decoder.blocks.spindles import names_of
 from nctakt.decoder.state.controller_data import controller_data
 from nctakt.decoder.state.environment import DecoderEnvironment
 from nctakt.decoder.state.offsets import ActiveOffsets
 from nctakt.files.access import FileAccess
-from nctakt.hli.layout import PANEL_CELLS, PanelValue, panel_values
+from nctakt.hli.layout import PanelValue
 from nctakt.kernel import cells
 from nctakt.kernel.axes.axes import Axes
 from nctakt.kernel.base.record import Record
@@ -30,7 +29,6 @@ from nctakt.kernel.path.path import Path as KernelPath
 from nctakt.kernel.plc.panel import Panel
 from nctakt.kernel.plc.technology_slots import Hli
 from nctakt.kernel.tick.channel import Channel
-from nctakt.lists.declared.variables import SCALARS
 from nctakt.lists.machine.axis_configuration import AxisConfiguration
 from nctakt.lists.machine.channel_configuration import ChannelParameters
 from nctakt.lists.machine.machine import ChannelConfiguration, Machine
@@ -38,9 +36,10 @@ from nctakt.messages import diagnostic
 from nctakt.messages.inputs import MISSPELLED_SIGNAL, NAMES_OF_DEMO_MACHINE, UNKNOWN_SIGNAL
 from nctakt.messages.plc import STALE_ACKNOWLEDGEMENT
 from nctakt.nc.outline import ProgramText
-from nctakt.nc.vocabulary.variable_table import ChannelNames, Layout, Location, NameTable
+from nctakt.nc.vocabulary.variable_table import Layout, Location, NameTable
 from nctakt.run.event_registry import EventRegistry
 from nctakt.run.inputs import API, Inputs
+from nctakt.run.machine_names import SignalCell, channel_names, names_of_machine, prefix_of
 from nctakt.run.spindle_setup import all_names, channel_spindles, max_speeds
 from nctakt.run.variable_access import VariableAccess
 
@@ -76,26 +75,12 @@ class AssembledChannel:
     @property
     def prefix(self) -> str:
         """The prefix of its names on a machine with several channels: ``CH2.``."""
-        return f"CH{self.index + 1}."
+        return prefix_of(self.index)
 
 
 def _offsets_of(channel: ChannelConfiguration) -> ActiveOffsets:
     members = [axis.index for axis in channel.axes]
     return ActiveOffsets(members, channel.zero_offsets, channel.clamp_offsets)
-
-
-def _signals_of(channel: AssembledChannel) -> dict[str, tuple[int, str, bool]]:
-    """Return the signals of a channel: name -> cell, unit, whether it is an integer."""
-    rows = channel.names.signals()
-    signals = {name: (cell, row.unit, row.type != "REAL64") for name, cell, row in rows}
-    for name, cell, type_ in channel.names.values():
-        scalar = SCALARS[type_]
-        if scalar.is_numeric:
-            signals[name] = (cell, "", scalar.is_integer)
-    for value in channel.panel.values():
-        entry = value.entry
-        signals[value.name] = (value.cell, entry.unit, entry.type != "REAL64")
-    return signals
 
 
 def _default_signals(channel: AssembledChannel) -> list[str]:
@@ -126,29 +111,8 @@ class AssembledMachine:
     def __init__(self, configuration: Machine, access: FileAccess | None = None) -> None:
         self.configuration = configuration
         self.file_access = access or FileAccess()
-        linear = frozenset(i for i, axis in enumerate(configuration.axes) if axis.is_linear)
-        modulo = frozenset(i for i, axis in enumerate(configuration.axes) if axis.is_modulo)
-        single = frozenset(
-            i for i, axis in enumerate(configuration.axes) if axis.enable_single_axis
-        )
-        ranges = {i: axis.reachable for i, axis in enumerate(configuration.axes)}
-        layout = Layout(
-            [
-                ChannelNames(
-                    tuple((axis.name, axis.index) for axis in channel.axes),
-                    linear,
-                    channel.external_variables,
-                    channel.channel_variables,
-                    names_of(channel.parameters.spindles),
-                    modulo,
-                    single,
-                    ranges,
-                )
-                for channel in configuration.channels
-            ],
-            len(configuration.axes),
-            PANEL_CELLS,
-        )
+        self._names = names_of_machine(configuration)
+        self.layout = layout = self._names.layout
         self.memory = bytearray(8 * layout.size)
         self.cells = memoryview(self.memory).cast("d")
         self.record = Record(self.memory)
@@ -164,20 +128,21 @@ class AssembledMachine:
                 channel,
                 names,
                 tuple(axis.index for axis in channel.axes),
-                {value.name: value for value in panel_values(layout.panel_cell(index))},
+                panel,
                 _offsets_of(channel),
             )
-            for index, (channel, names) in enumerate(
-                zip(configuration.channels, layout.tables, strict=True)
+            for index, (channel, names, panel) in enumerate(
+                channel_names(configuration, self._names)
             )
         )
         self.names = self.assembled[0].names
         self.parameters = self.assembled[0].parameters
         self.members = self.assembled[0].members
-        self.layout = layout
         self.files = SourceFiles()
         spindles = all_names(configuration)
-        self.registry = EventRegistry(self.files, self._name_of_cell, self._axis_names(), spindles)
+        self.registry = EventRegistry(
+            self.files, self._names.name_of_cell, self._axis_names(), spindles
+        )
         self.controller_data = controller_data(
             configuration, self.channels, lambda: self.kernel.tick
         )
@@ -189,7 +154,6 @@ class AssembledMachine:
             (diagnostic(NAMES_OF_DEMO_MACHINE),) if configuration.is_demo else (),
         )
         self.inputs = Inputs(self.kernel, self.channels, self.access, self.report_stale)
-        self._cell_names: dict[int, str] = {}
         self._stale_names: dict[str, None] = {}
         self.report: Callable[[Diagnostic], None] = _ignore
         self.poll: Callable[[], None] = do_nothing
@@ -328,20 +292,6 @@ class AssembledMachine:
         """Write a variable with effect from the next tick."""
         self.inputs.write(name, value, source)
 
-    def _name_of_cell(self, cell: int) -> str:
-        if not self._cell_names:
-            for channel in reversed(self.assembled):
-                self._cell_names.update(
-                    (cell_index, name) for name, cell_index, _ in channel.names.values()
-                )
-                self._cell_names.update(
-                    (cell_index, name) for name, cell_index in channel.names.realtime()
-                )
-                self._cell_names.update(
-                    (value.cell, value.name) for value in channel.panel.values()
-                )
-        return self._cell_names[cell]
-
     @property
     def channel_axes(self) -> tuple[AxisConfiguration, ...]:
         """The axes of the first channel with the names that its list gives them."""
@@ -353,17 +303,12 @@ class AssembledMachine:
 
     # --- signals --------------------------------------------------------------------------------
 
-    def signals(self) -> dict[str, tuple[int, str, bool]]:
+    def signals(self) -> Mapping[str, SignalCell]:
         """Return all signals: name -> cell, unit, whether it is an integer.
 
         ``CH2.BLOCK`` is a signal of the second channel, a name without a prefix one of the first.
         """
-        signals = _signals_of(self.assembled[0])
-        for channel in self.assembled:
-            signals |= {
-                f"{channel.prefix}{name}": signal for name, signal in _signals_of(channel).items()
-            }
-        return signals
+        return self._names.signals()
 
     def default_signals(self) -> list[str]:
         """Return the positions of all axes, path speed, override, block number, active cycles."""

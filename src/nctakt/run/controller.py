@@ -30,7 +30,7 @@ from nctakt.run.assembly import AssembledMachine
 from nctakt.run.inputs import IMAGE
 from nctakt.run.one_at_a_time import OneAtATime, alone
 from nctakt.run.plc_view import AnyPlc, PlcView, WatchedPlc
-from nctakt.run.program_loader import NcText
+from nctakt.run.program_loader import LoadedProgram, NcText
 from nctakt.run.program_run import ProgramRun, RunOptions
 from nctakt.run.shared_image import SharedImage
 from nctakt.run.stimuli import StimulusLike, as_inputs, read_stimulus
@@ -363,6 +363,13 @@ class Controller:
         finally:
             run.close()
         return run.result()
+
+    def load(self, program: str | Path | NcText, channel: int = 1) -> LoadedProgram:
+        """Read and check a program, for runs on this controller and others of its machine.
+
+        Raises ``Failure`` with its errors.
+        """
+        return program_loader.load(program, self._machine, self.diagnostics, self._index(channel))
 
     def begin(self, options: RunOptions) -> ProgramRun:
         """Return a run before its first tick; raises ``Failure`` as ``run``."""

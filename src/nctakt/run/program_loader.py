@@ -57,9 +57,9 @@ class NcText:
     text: str
 
 
-def name_of(program: str | Path | NcText) -> str:
+def name_of(program: AnyProgram) -> str:
     """Return the name of a program as the user wrote it."""
-    return program.name if isinstance(program, NcText) else str(program)
+    return str(program) if isinstance(program, str | Path) else program.name
 
 
 def search_folders(caller: str, parameters: ChannelParameters, machine_folder: Path) -> list[Path]:
@@ -121,10 +121,37 @@ class LoadedProgram:
         self._files: dict[Path, ProgramText] = {}
         self.texts: list[ProgramText] = []
 
+        self.diagnostics: list[Diagnostic] = []
+
     @property
     def text(self) -> ProgramText:
         """The text of the main program."""
         return self.texts[0]
+
+    @property
+    def name(self) -> str:
+        """The name of the main program as the user wrote it."""
+        return self.text.source.file
+
+    def on(self, machine: AssembledMachine) -> LoadedProgram:
+        """Return the program for another controller of the same machine, not checked again.
+
+        Only what it has been loaded with goes along; what it calls by a computed name is read anew.
+        """
+        other = LoadedProgram(machine, self.channel)
+        other.texts = self.texts[: self._loaded_count]
+        other._loaded_count = self._loaded_count
+        other.diagnostics = self.diagnostics
+        loaded = [id(text) for text in other.texts]
+        other._files = {path: text for path, text in self._files.items() if id(text) in loaded}
+        for text in other.texts:
+            machine.files.add(text.source.file, text.source.lines)
+        return other
+
+    def finish(self, diagnostics: list[Diagnostic]) -> None:
+        """Note that it is loaded, with these findings."""
+        self._loaded_count = len(self.texts)
+        self.diagnostics = diagnostics
 
     def add(self, source: Source, collector: Collector, role: Role) -> ProgramText:
         """Check a text, register it and return it."""
@@ -195,18 +222,27 @@ class LoadedProgram:
         return text
 
 
+#: A program: a file, a text, or one that is loaded for the same machine.
+AnyProgram = str | Path | NcText | LoadedProgram
+
+
 def load(
-    program: str | Path | NcText,
+    program: AnyProgram,
     machine: AssembledMachine,
     diagnostics: list[Diagnostic],
     channel: int = 0,
 ) -> LoadedProgram:
     """Read, parse and check a program with all files that it calls.
 
+    One that is loaded already comes along unchanged, with its findings.
+
     All findings go to ``diagnostics``. ``channel``: the index of its channel, from 0. Raises
     ``Failure`` if the program cannot be read, ``ProgramErrors`` if it has errors.
     """
     collector = Collector()
+    if isinstance(program, LoadedProgram):
+        diagnostics += program.diagnostics
+        return program.on(machine)
     if isinstance(program, NcText):
         lines: Sequence[str] = split_lines(program.text)
     elif isinstance(program, str) and ("\n" in program or "\r" in program):
@@ -223,6 +259,7 @@ def load(
                     main.source.file, number, line, is_lenient=True
                 )
     loaded.add_implicit(collector)
+    loaded.finish(collector.diagnostics)
     diagnostics += collector.diagnostics
     errors = [message for message in collector.diagnostics if message.severity.name == "ERROR"]
     if machine.configuration.is_demo and any(message.message in _LIST_NAMES for message in errors):

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import functools
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from nctakt.base.dataclass import dataclass, field
@@ -24,7 +23,7 @@ from nctakt.run.assembly import AssembledMachine, do_nothing
 from nctakt.run.channel_run import ChannelRun, worst_state
 from nctakt.run.condition_signals import with_condition_signals
 from nctakt.run.plc_view import AnyPlc, PlcView, WatchedPlc
-from nctakt.run.program_loader import LoadedProgram, NcText, ProgramErrors
+from nctakt.run.program_loader import AnyProgram, LoadedProgram, ProgramErrors
 from nctakt.run.stimuli import StimulusLike, as_inputs, not_reached, read_stimulus
 from nctakt.run.tick_loop import TickLoop
 from nctakt.run.wait_reasons import wait_reasons
@@ -52,7 +51,7 @@ class RunOptions:
     ``programs``: number of the channel, from 1 -> its programs, one after another.
     """
 
-    programs: Mapping[int, Sequence[str | Path | NcText]]
+    programs: Mapping[int, Sequence[AnyProgram]]
     set: Mapping[str, float | str] = field(default_factory=dict)
     at: Sequence[StimulusLike] = ()
     until: TimeLike | None = None

@@ -23,6 +23,7 @@ from nctakt.plc import load_plc
 from nctakt.project.machine_choice import machine_of
 from nctakt.run.controller import Controller, NcText
 from nctakt.run.plc_view import AnyPlc
+from nctakt.run.program_loader import AnyProgram, LoadedProgram
 from nctakt.run.program_run import ProgramRun, RunOptions
 from nctakt.studies.changed_lists import changed_machine
 from nctakt.studies.dimension import Value
@@ -132,6 +133,7 @@ class Bench:
         self.cycle_time_us = self.machine.cycle_time_us
         text = plan.text
         self._text = "\n".join(access.read_lines(plan.program)) if text is None else text
+        self._loaded: LoadedProgram | None = None
         self._machines: dict[tuple[tuple[tuple[str, str], float | str], ...], Machine] = {}
         names = (name for measure in plan.measures for name in measure.node.signals())
         further = (name for expected in plan.expectations for name in expected.signals)
@@ -171,9 +173,8 @@ class Bench:
             raise Failure(*found)
 
     def _check_inputs(self, inputs: RunInputs) -> None:
-        machine = self._machine_with(inputs.parameters)
-        self._program_with(inputs.program_variables)
-        controller = Controller(machine)
+        controller = Controller(self._machine_with(inputs.parameters))
+        self._program_of(inputs, controller)
         for name, value in inputs.assignments.items():
             controller.write(name, value)
         for _, name, value in inputs.stimuli:
@@ -232,10 +233,11 @@ class Bench:
     def begin(self, inputs: RunInputs, *, blocks: bool = False) -> BegunRun:
         """Begin a run with these inputs; ``blocks``: with the events of its blocks."""
         controller = Controller(self._machine_with(inputs.parameters))
+        program = self._program_of(inputs, controller)
         before = values_before(controller, self.signals, inputs.assignments)
         digest = Digest()
         options = RunOptions(
-            {1: (self._program_with(inputs.program_variables),)},
+            {1: (program,)},
             set=inputs.assignments,
             at=inputs.stimuli,
             until=self.plan.until,
@@ -256,15 +258,26 @@ class Bench:
             self._machines[key] = changed_machine(self.machine, parameters)
         return self._machines[key]
 
-    def _program_with(self, values: Mapping[str, float | str]) -> NcText:
-        """Return the program in which the first assignments to these variables have values."""
+    def _program_of(self, inputs: RunInputs, controller: Controller) -> AnyProgram:
+        """Return the program of a run: the unchanged one is checked once.
+
+        With program variables, their first assignments have these values.
+        """
+        values = inputs.program_variables
+        is_unchanged = not values and not inputs.parameters
+        if is_unchanged and self._loaded is not None:
+            return self._loaded
         text = self._text
         for name, value in values.items():
             pattern = rf"({re.escape(name)}[ \t]*=[ \t]*)[+-]?(?:\d+\.?\d*|\.\d+)"
             text, count = re.subn(pattern, rf"\g<1>{value!r}", text, count=1, flags=re.IGNORECASE)
             if count == 0:
                 raise Failure(diagnostic(UNKNOWN_PROGRAM_VARIABLE, name=name))
-        return NcText(str(self.plan.program), text)
+        source = NcText(str(self.plan.program), text)
+        if not is_unchanged:
+            return source
+        self._loaded = controller.load(source)
+        return self._loaded
 
     def _plc(self, inputs: RunInputs) -> AnyPlc | None:
         plc = None if self.plan.plc is None else load_plc(self.plan.plc)

@@ -41,6 +41,7 @@ class Dimension:
     ``rest``, for a ramp or a noise how long it lasts. A ramp begins with ``rest``; a noise keeps
     within ``amount`` of ``rest``. ``step`` 0: any value between ``low`` and ``high``.
     ``is_each_tick``: each tick of a run, from ``low`` up to the end of the unchanged run.
+    ``nominal``: the value of the unchanged run; ``None``: the first one.
     """
 
     name: str
@@ -57,6 +58,7 @@ class Dimension:
     duration: Time | None = None
     is_ramp: bool = False
     is_each_tick: bool = False
+    nominal: Value | None = None
 
     @property
     def is_time(self) -> bool:
@@ -77,6 +79,11 @@ class Dimension:
         if self.values:
             return self.values[index]
         return self._whole(self.low + index * self.step)
+
+    @property
+    def rest_value(self) -> Value:
+        """The value of the unchanged run."""
+        return self.between(0.0) if self.nominal is None else self.nominal
 
     def between(self, share: float) -> Value:
         """Return the value at a share of the way, 0 … 1; on the grid where there is one."""

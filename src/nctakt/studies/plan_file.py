@@ -42,7 +42,7 @@ _TOP = (
     "program", "machine", "plc", "method", "count", "seed", "until", "after", "set", "at", "vary",
     "measure", "expect", "find",
 )  # fmt: skip
-_COMMON = ("name", "values", "from", "to", "step")
+_COMMON = ("name", "values", "from", "to", "step", "nominal")
 _WORDS: dict[Kind, tuple[str, ...]] = {
     "variable": ("at", "for", "rest", "over"),
     "time_of": ("for", "rest", "each_tick"),
@@ -134,11 +134,12 @@ class _Reader:
         if method not in METHODS:
             self._wrong("method", method, Text(f"one of {', '.join(METHODS)}", ", ".join(METHODS)))
         count = self._whole(tables, "count", 0)
+        dimensions = self._dimensions(tables.get("vary", []))
         plan = Plan(
             program or Path(),
             machine,
             plc,
-            self._dimensions(tables.get("vary", [])),
+            dimensions,
             measures,
             self._expectations(tables.get("expect", []), known),
             method,
@@ -148,10 +149,12 @@ class _Reader:
             self._time(tables, "after") or Time(0),
             self._assignments(tables.get("set", {})),
             self._stimuli(tables.get("at", [])),
-            self._goals(tables.get("find", []), known),
+            self._goals(
+                tables.get("find", []), known, [dimension.name for dimension in dimensions]
+            ),
             text,
         )
-        if not self.diagnostics and plan.size == 0:
+        if not self.diagnostics and plan.size == 0 and not plan.goals:
             empty = [one.name for one in plan.dimensions if one.count == 0]
             name = empty[0] if empty and method in ("grid", "list") else "count"
             self._report(diagnostic(EMPTY_STUDY, name=name), self._location("vary", "", 0))
@@ -294,18 +297,25 @@ class _Reader:
         found = [self._tried("expect", "", 0, read_expectation, one, known) for one in entries]
         return tuple(one for one in found if one is not None)
 
-    def _goals(self, entries: Any, known: dict[str, Node]) -> tuple[Goal, ...]:
+    def _goals(
+        self, entries: Any, known: dict[str, Node], dimensions: Sequence[str]
+    ) -> tuple[Goal, ...]:
         entries = [entries] if isinstance(entries, dict) else entries
         goals: list[Goal] = []
+        if not isinstance(entries, list) or not all(isinstance(one, dict) for one in entries):
+            self._wrong("find", entries, _LIST)
+            return ()
         for number, entry in enumerate(entries):
             self._check_keys(entry, _FIND, "find", number)
-            budget = entry.get("budget", 100)
+            budget = self._whole(entry, "budget", 100)
             for word in ("minimize", "maximize", "boundary"):
                 name = entry.get(word)
                 if name is None:
                     continue
-                if word != "boundary" and name not in known:
-                    names = Text(f"one of {', '.join(known)}", f"eins von {', '.join(known)}")
+                names_here = dimensions if word == "boundary" else known
+                if name not in names_here:
+                    words = ", ".join(names_here)
+                    names = Text(f"one of {words}", f"eins von {words}")
                     self._wrong(word, name, names, "find", number)
                 goals.append(Goal(word, name, budget))
         return tuple(goals)
@@ -359,7 +369,15 @@ class _Reader:
             duration,
             "over" in entry,
             bool(entry.get("each_tick", False)),
+            self._nominal(entry, is_time, number),
         )
+
+    def _nominal(self, entry: dict[str, Any], is_time: bool, number: int) -> Value | None:
+        """Return the value of the unchanged run; ``None`` if the entry does not say it."""
+        value = entry.get("nominal")
+        if value is not None and is_time:
+            return self._microseconds(value, "nominal", number)
+        return value if isinstance(value, int | float | str) else None
 
     def _bound(self, entry: dict[str, Any], key: str, is_time: bool, number: int) -> float:
         value = entry.get(key, 0)

@@ -16,6 +16,7 @@ from nctakt.studies.plan import Plan
 from nctakt.studies.plan_file import read_plan, read_tables
 from nctakt.studies.processes import rows_here, rows_of_processes
 from nctakt.studies.results import RowStore, arrow_table, write_rows
+from nctakt.studies.search import Answer, search, shrink
 
 if TYPE_CHECKING:
     import pandas
@@ -175,6 +176,15 @@ class Study:
                 on_rows(finished)
         rows = sorted(rows, key=lambda row: int(row["run"] or 0)) if store is None else store.rows()
         return StudyResult(self.plan, rows)
+
+    def find(self) -> list[Answer]:
+        """Return the answer to each goal of the plan (``find``); raises ``Failure`` as ``run``."""
+        return [search(self.bench, goal) for goal in self.plan.goals]
+
+    def shrink(self, number: int) -> Answer:
+        """Return the smallest change from the unchanged run that breaks as a run does."""
+        nominal = [dimension.rest_value for dimension in self.plan.dimensions]
+        return shrink(self.bench, self.plan.point(number), nominal)
 
     def command(self, number: int) -> str | None:
         """Return the command that makes a run alone; ``None`` if no option says its inputs."""

@@ -1,0 +1,178 @@
+# SPDX-License-Identifier: MIT
+"""The search of a study: a switch-over to the tick, the worst case, the smallest violation.
+
+In: a bench and a plan. Out: the runs that answer the question, as rows. A search makes runs one
+after another, since each decides about the next; the same plan makes the same runs.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from nctakt.base.dataclass import dataclass
+from nctakt.base.diagnostics import Diagnostic
+from nctakt.base.failure import Failure
+from nctakt.messages import diagnostic
+from nctakt.messages.studies import EXTRA_MISSING, NO_BOUNDARY
+from nctakt.studies.bench import HELD, Bench, Row
+from nctakt.studies.dimension import Dimension, Value
+from nctakt.studies.plan import Goal
+
+#: Halvings of a dimension without a step: a millionth of a millionth of its span.
+MAX_HALVINGS = 40
+
+
+@dataclass(frozen=True, slots=True)
+class Answer:
+    """The answer to a goal: the run before and the run behind a switch-over, or the worst one.
+
+    ``runs``: how many were made. ``finding``: why there is no answer.
+    """
+
+    goal: Goal
+    rows: tuple[Row, ...]
+    runs: int
+    finding: Diagnostic | None = None
+
+
+class _Runs:
+    """Makes the runs of a search, each once."""
+
+    def __init__(self, bench: Bench) -> None:
+        self._bench = bench
+        self._rows: dict[tuple[Value, ...], Row] = {}
+
+    def row(self, point: Sequence[Value]) -> Row:
+        """Return the row of a point; its number is that of the run in the search."""
+        key = tuple(point)
+        if key not in self._rows:
+            self._rows[key] = self._bench.row_of(len(self._rows), key)
+        return self._rows[key]
+
+    @property
+    def count(self) -> int:
+        """How many runs were made."""
+        return len(self._rows)
+
+
+def search(bench: Bench, goal: Goal) -> Answer:
+    """Return the answer to a goal; raises ``Failure`` (901311) without the package it needs."""
+    runs = _Runs(bench)
+    if goal.word == "boundary":
+        return _boundary(bench, goal, runs)
+    return _worst(bench, goal, runs)
+
+
+def _boundary(bench: Bench, goal: Goal, runs: _Runs) -> Answer:
+    """Halve the span of a dimension, the others at their first value, until two neighbours differ.
+
+    On a grid they are neighbours of it, to the tick if its step is a tick.
+    """
+    dimensions = bench.plan.dimensions
+    number = next(i for i, one in enumerate(dimensions) if goal.measure in ("", one.name))
+    dimension = dimensions[number]
+    point = [one.between(0.0) for one in dimensions]
+
+    def row_at(share: int, count: int) -> Row:
+        point[number] = _value(dimension, share, count)
+        return runs.row(point)
+
+    low, high = 0, dimension.count - 1 if dimension.count else 1 << MAX_HALVINGS
+    last = high
+    at_low, at_high = row_at(low, last), row_at(high, last)
+    if at_low["verdict"] == at_high["verdict"]:
+        found = diagnostic(NO_BOUNDARY, low=at_low[dimension.name], high=at_high[dimension.name])
+        return Answer(goal, (at_low, at_high), runs.count, found)
+    while high - low > 1:
+        middle = (low + high) // 2
+        row = row_at(middle, last)
+        if row["verdict"] == at_low["verdict"]:
+            low, at_low = middle, row
+        else:
+            high, at_high = middle, row
+    return Answer(goal, (at_low, at_high), runs.count)
+
+
+def _value(dimension: Dimension, share: int, last: int) -> Value:
+    """Return the value of a number on the grid, or at a share of the way."""
+    if dimension.count:
+        return dimension.value(share)
+    return dimension.between(share / last)
+
+
+def _worst(bench: Bench, goal: Goal, runs: _Runs) -> Answer:
+    """Look for the smallest or largest value of a measure by optuna's tree of Parzen estimators."""
+    try:
+        import optuna  # noqa: PLC0415 - an extra that few plans need
+    except ImportError as error:
+        raise Failure(diagnostic(EXTRA_MISSING, package="optuna", extra="studies")) from error
+    optuna.logging.set_verbosity(optuna.logging.ERROR)
+    plan = bench.plan
+    sign = 1.0 if goal.word == "minimize" else -1.0
+
+    def measured(trial: optuna.Trial) -> float:
+        point = [_suggested(trial, dimension) for dimension in plan.dimensions]
+        value = runs.row(point)[goal.measure]
+        return sign * value if isinstance(value, float | int) else float("inf")
+
+    sampler = optuna.samplers.TPESampler(seed=plan.seed)
+    study = optuna.create_study(sampler=sampler)
+    study.optimize(measured, n_trials=goal.budget)
+    best = [dimension_value(one, study.best_params[one.name]) for one in plan.dimensions]
+    return Answer(goal, (runs.row(best),), runs.count)
+
+
+def _suggested(trial: object, dimension: Dimension) -> Value:
+    """Return the value that a trial takes: a number on the grid, or a share of the way."""
+    suggest_int: Callable[..., int] = trial.suggest_int  # type: ignore[attr-defined]
+    suggest_float: Callable[..., float] = trial.suggest_float  # type: ignore[attr-defined]
+    if dimension.count:
+        number = suggest_int(dimension.name, 0, dimension.count - 1)
+    else:
+        number = suggest_float(dimension.name, 0.0, 1.0)  # type: ignore[assignment]
+    return dimension_value(dimension, number)
+
+
+def dimension_value(dimension: Dimension, number: float) -> Value:
+    """Return the value of a number on the grid, or at a share of the way."""
+    return dimension.value(int(number)) if dimension.count else dimension.between(number)
+
+
+def shrink(bench: Bench, point: Sequence[Value], nominal: Sequence[Value]) -> Answer:
+    """Return the smallest change from the nominal point that still breaks something.
+
+    Each dimension goes back to its nominal value if the run stays broken then; a number that has to
+    differ goes back as far as halving its change finds broken runs.
+    """
+    runs = _Runs(bench)
+    current = list(point)
+    smallest = runs.row(current)
+    for index, dimension in enumerate(bench.plan.dimensions):
+
+        def breaks(value: Value, index: int = index) -> bool:
+            row = runs.row([*current[:index], value, *current[index + 1 :]])
+            return row["verdict"] != HELD
+
+        current[index] = _nearest_broken(current[index], nominal[index], dimension, breaks)
+        smallest = runs.row(current)
+    return Answer(Goal("boundary", "", 0), (smallest,), runs.count)
+
+
+def _nearest_broken(
+    value: Value, rest: Value, dimension: Dimension, breaks: Callable[[Value], bool]
+) -> Value:
+    """Return the value next to ``rest`` that halving the change finds broken."""
+    if value == rest or breaks(rest):
+        return rest
+    if isinstance(value, str) or isinstance(rest, str) or dimension.values:
+        return value
+    held = rest
+    step = dimension.step or abs(value - held) / (1 << MAX_HALVINGS)
+    while abs(value - held) > 1.5 * step:
+        middle = held + round((value - held) / 2 / step) * step
+        middle = round(middle) if dimension.is_time else middle
+        if breaks(middle):
+            value = middle
+        else:
+            held = middle
+    return value

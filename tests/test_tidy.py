@@ -332,7 +332,8 @@ def test_nobody_but_the_command_line_reads_a_clock() -> None:
     found = [
         f"{path.relative_to(PACKAGE)}: {name}"
         for path in SOURCES
-        if path.relative_to(PACKAGE).parts[0] not in ("cli", "linux", "live", "schedule")
+        if path.relative_to(PACKAGE).parts[0]
+        not in ("cli", "debugger", "linux", "live", "schedule")
         and path.name != "one_at_a_time.py"  # refuses a second thread, and makes none
         for name in imports(path)
         if name.split(".")[0] in NOT_DETERMINISTIC

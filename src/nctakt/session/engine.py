@@ -32,7 +32,7 @@ from nctakt.run.program_run import ProgramRun, RunOptions
 from nctakt.run.stimuli import as_inputs, read_stimulus
 from nctakt.run.tick_loop import TickLoop
 from nctakt.session.decoders import DecoderState, decoder_state
-from nctakt.session.setup import Description, Setup
+from nctakt.session.setup import Description, Inventory, Setup
 from nctakt.session.stops import StopAt, StopBuilder
 from nctakt.trace.chunks import latest_of_channels, of_kinds
 from nctakt.trace.events import Event
@@ -387,6 +387,19 @@ class Engine:
     def happened(self) -> tuple[list[Event], int]:
         """Return the latest events that no slice has, and how many there were before them."""
         return self._happened.take()
+
+    def inventory(self) -> Inventory:
+        """Return the variables of the machine, and the realtime cycles of its programs."""
+        return Inventory(
+            {
+                number: {
+                    **{name: type_ for name, _, type_ in channel.names.values()},
+                    **{name: "" for name, _ in channel.names.realtime()},
+                }
+                for number, channel in enumerate(self._machine.assembled, start=1)
+            },
+            tuple(cycle for text in self._run.texts for cycle in text.cycles),
+        )
 
     def decoders(self) -> list[DecoderState]:
         """Return the decoders that have a program open."""

@@ -32,7 +32,7 @@ from nctakt.session.clock import SLICE_S, FastClock, WallClock
 from nctakt.session.decoders import DecoderState
 from nctakt.session.engine import CycleState, Glance, Slice, joined
 from nctakt.session.listening import Listener
-from nctakt.session.setup import Description, Setup
+from nctakt.session.setup import Description, Inventory, Setup
 from nctakt.session.stops import StopAt
 from nctakt.session.story import MAX_ROWS, NEXT_BLOCK, NEXT_REACTION, Story
 from nctakt.trace.events import Event
@@ -421,6 +421,10 @@ class Session:
         distance comes with them. The session stays where it is.
         """
         return self._ask(self._story.look, first, end, signals, rows)
+
+    def inventory(self) -> Inventory:
+        """Return the variables of the machine, and the realtime cycles of its programs."""
+        return self._ask(self._story.inventory)
 
     def decoders(self) -> list[DecoderState]:
         """Return the decoders with a program open: their programs, variables, parameters."""

@@ -9,6 +9,7 @@ from pathlib import Path
 from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.lists.format.times import TimeLike
+from nctakt.nc.tree import RealtimeCycle
 from nctakt.run.inputs import Input
 from nctakt.run.program_loader import NcText
 from nctakt.run.stimuli import StimulusLike
@@ -37,6 +38,18 @@ class Setup:
     acknowledges: bool = True
     folders: Sequence[str | Path] = ()
     why: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Inventory:
+    """What programs of a machine can name, and the realtime cycles in their texts.
+
+    ``variables``: number of the channel -> V.E, V.CH, V.RTA and V.RTG by name with their types;
+    those of V.RTA and V.RTG have none.
+    """
+
+    variables: Mapping[int, Mapping[str, str]]
+    cycles: tuple[RealtimeCycle, ...]
 
 
 @dataclass(frozen=True, slots=True)

@@ -20,7 +20,7 @@ from nctakt.run.plc_view import SpindleEntry, TechnologyEntry
 from nctakt.session.decoders import DecoderState
 from nctakt.session.engine import CycleState, Glance, Slice, joined
 from nctakt.session.past import Past
-from nctakt.session.setup import Description, Setup
+from nctakt.session.setup import Description, Inventory, Setup
 from nctakt.session.stops import StopAt, read_stop
 from nctakt.session.timeline import Branch, Timeline
 from nctakt.trace.events import Event
@@ -260,6 +260,10 @@ class Story:
         return Past(self._timeline.setup, tuple(self.tape()), self.tick)
 
     # --- the end --------------------------------------------------------------------------------
+
+    def inventory(self) -> Inventory:
+        """Return the variables of the machine, and the realtime cycles of its programs."""
+        return cast("Inventory", self._timeline.live.ask("inventory"))
 
     def decoders(self) -> list[DecoderState]:
         """Return the decoders that have a program open at this tick."""

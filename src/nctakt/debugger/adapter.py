@@ -1,0 +1,407 @@
+# SPDX-License-Identifier: MIT
+"""The adapter: requests of the Debug Adapter Protocol -> answers and events.
+
+In: messages of one client (``receive``, from the thread that reads them). Out: answers in the order
+of the requests, events. One thread (``serve``) works on requests and, between them, on the run.
+Whatever a client sends, it gets an answer: what cannot be done is an error with its remedy.
+"""
+
+from __future__ import annotations
+
+import os
+import queue
+import sys
+import threading
+import traceback
+from collections.abc import Callable, Sequence
+from typing import Any
+
+from nctakt.base.diagnostics import Diagnostic, Language, Severity
+from nctakt.base.failure import Failure
+from nctakt.debugger.arguments import Arguments
+from nctakt.debugger.breakpoints import MODES, Breakpoints
+from nctakt.debugger.debuggee import Abilities, Debuggee
+from nctakt.debugger.exceptions import ExceptionFilters, filters
+from nctakt.debugger.launch import Configuration, read_configuration
+from nctakt.debugger.requests import Requests
+from nctakt.debugger.transport import Message, MessageWriter
+from nctakt.messages import diagnostic
+from nctakt.messages.debugger import (
+    NOT_LAUNCHED,
+    PROGRAM_WITH_ERRORS,
+    REQUEST_CANCELLED,
+    TOO_MANY_REQUESTS,
+    UNKNOWN_REQUEST,
+)
+from nctakt.session.session import Session
+
+#: Requests that wait at most.
+MAX_REQUESTS = 256
+
+_CAPABILITIES = (
+    "supportsConfigurationDoneRequest",
+    "supportsFunctionBreakpoints",
+    "supportsConditionalBreakpoints",
+    "supportsHitConditionalBreakpoints",
+    "supportsEvaluateForHovers",
+    "supportsStepBack",
+    "supportsSetVariable",
+    "supportsCompletionsRequest",
+    "supportsRestartRequest",
+    "supportsExceptionInfoRequest",
+    "supportsExceptionFilterOptions",
+    "supportTerminateDebuggee",
+    "supportsLoadedSourcesRequest",
+    "supportsLogPoints",
+    "supportsTerminateRequest",
+    "supportsSetExpression",
+    "supportsDataBreakpoints",
+    "supportsCancelRequest",
+    "supportsBreakpointLocationsRequest",
+    "supportsClipboardContext",
+    "supportsSteppingGranularity",
+)
+
+
+class Adapter:
+    """One client's debugger; ``folders``: the only ones whose files may be run.
+
+    ``shared``: the session of somebody else, to which ``attach`` leads.
+    """
+
+    def __init__(
+        self,
+        writer: MessageWriter,
+        *,
+        folders: Sequence[str] = (),
+        language: Language = "en",
+        shared: Session | None = None,
+    ) -> None:
+        self._writer = writer
+        self._folders = folders
+        self._language: Language = language
+        self._shared = shared
+        self._queue: queue.Queue[Message | None] = queue.Queue()
+        self._cancelled: set[int] = set()
+        self._lock = threading.Lock()
+        self._configuration: Configuration | None = None
+        self._debuggee: Debuggee | None = None
+        self._requests: Requests | None = None
+        self._abilities = Abilities()
+        self._first_line = self._first_column = 1
+        self._breakpoints = Breakpoints()
+        self._exceptions = ExceptionFilters()
+        self._is_closed = self._is_configured = False
+        self._handlers: dict[str, Callable[[Arguments], dict[str, Any] | None]] = {
+            "initialize": self._initialize,
+            "launch": self._launch,
+            "attach": self._attach,
+            "restart": self._restart,
+            "configurationDone": self._configuration_done,
+            "terminate": self._terminate,
+            "disconnect": self._disconnect,
+            "cancel": self._cancel,
+        }
+
+    # --- messages -------------------------------------------------------------------------------
+
+    def receive(self, message: Message) -> None:
+        """Take a message of the client, from the thread that reads."""
+        if message.get("type") != "request":
+            return
+        if message.get("command") == "cancel":
+            self._note_cancelled(message.get("arguments"))
+        if self._queue.qsize() >= MAX_REQUESTS:
+            self._answer_failure(message, [diagnostic(TOO_MANY_REQUESTS, limit=MAX_REQUESTS)])
+            return
+        self._queue.put(message)
+
+    def refuse(self, failure: Failure) -> None:
+        """Tell the client that it has sent something that is no message."""
+        self.tell("output", {"category": "important", "output": f"{failure}\n"})
+
+    def end(self) -> None:
+        """End: the client has gone; from the thread that reads."""
+        self._queue.put(None)
+
+    def _note_cancelled(self, arguments: object) -> None:
+        number = arguments.get("requestId") if isinstance(arguments, dict) else None
+        if isinstance(number, int):
+            with self._lock:
+                if len(self._cancelled) < MAX_REQUESTS:
+                    self._cancelled.add(number)
+
+    def tell(self, event: str, body: dict[str, Any]) -> None:
+        """Send an event."""
+        self._writer.write({"type": "event", "event": event, "body": self._outgoing(body)})
+
+    def _answer(self, request: Message, body: dict[str, Any] | None) -> None:
+        answer = _answer_to(request, is_success=True)
+        if body is not None:
+            answer["body"] = self._outgoing(body)
+        self._writer.write(answer)
+
+    def _answer_failure(self, request: Message, diagnostics: Sequence[Diagnostic]) -> None:
+        first = diagnostics[0]
+        text = first.text(self._language)
+        remedy = first.remedy(self._language)
+        answer = _answer_to(request, is_success=False)
+        answer["message"] = "cancelled" if first.message is REQUEST_CANCELLED else text
+        shown = f"{first.headline(self._language)}\n{remedy}".replace("{", "(").replace("}", ")")
+        answer["body"] = {"error": {"id": first.id, "format": shown, "showUser": True}}
+        self._writer.write(answer)
+
+    # --- the thread that works ------------------------------------------------------------------
+
+    def serve(self) -> None:
+        """Work on requests and on the run until the client goes."""
+        try:
+            while not self._is_closed and not self._writer.is_broken:
+                debuggee = self._debuggee
+                is_running = debuggee is not None and debuggee.is_running
+                try:
+                    message = self._queue.get(block=not is_running)
+                except queue.Empty:
+                    assert debuggee is not None
+                    self._guarded(debuggee.go_on)
+                    continue
+                if message is None:
+                    break
+                self._work_on(message)
+        finally:
+            self._close()
+
+    def _guarded(self, work: Callable[[], None]) -> None:
+        """Do a part of the run; an error of nctakt's own is told and ends it."""
+        try:
+            work()
+        except Exception as error:  # noqa: BLE001 - the debugger goes on
+            self._tell_internal(error)
+            if self._debuggee is not None:
+                self._debuggee.pause(1)
+
+    def _work_on(self, message: Message) -> None:
+        command = str(message.get("command"))
+        number = message.get("seq")
+        with self._lock:
+            is_cancelled = number in self._cancelled
+            self._cancelled.discard(number if isinstance(number, int) else -1)
+        if is_cancelled:
+            self._answer_failure(message, [diagnostic(REQUEST_CANCELLED)])
+            return
+        try:
+            arguments = Arguments(self._incoming(message.get("arguments")))
+            self._answer(message, self._handler(command)(arguments))
+        except Failure as failure:
+            self._answer_failure(message, failure.diagnostics)
+        except Exception as error:  # noqa: BLE001 - the debugger goes on
+            answer = _answer_to(message, is_success=False)
+            answer["message"] = f"internal error: {type(error).__name__}: {error}"
+            self._writer.write(answer)
+            self._tell_internal(error)
+        else:
+            self._guarded(lambda: self._after(command))
+
+    def _tell_internal(self, error: Exception) -> None:
+        text = f"internal error of nctakt: {type(error).__name__}: {error}\n"
+        self.tell("output", {"category": "stderr", "output": text})
+        if os.environ.get("NCTAKT_DEBUG"):
+            traceback.print_exception(error, file=sys.stderr)
+
+    def _handler(self, command: str) -> Callable[[Arguments], dict[str, Any] | None]:
+        handler = self._handlers.get(command)
+        if handler is not None:
+            return handler
+        requests = self._requests
+        if requests is None:
+            raise Failure(diagnostic(NOT_LAUNCHED, command=command))
+        return lambda arguments: requests.answer(command, arguments)
+
+    def _after(self, command: str) -> None:
+        """Do what follows the answer to a request."""
+        debuggee, requests = self._debuggee, self._requests
+        if debuggee is None or requests is None:
+            return
+        if command in ("launch", "attach"):
+            self.tell("initialized", {})
+        if command == "configurationDone" or (command == "restart" and self._is_configured):
+            self._begin(debuggee)
+        requests.follow()
+
+    def _begin(self, debuggee: Debuggee) -> None:
+        """Begin the run, or stand at its start."""
+        configuration = self._configuration
+        if configuration is None:
+            debuggee.stop_on_entry()  # another one's session stands
+        elif not configuration.has_breakpoints:
+            debuggee.session.set_stops()
+            debuggee.run()
+        elif configuration.stops_on_entry:
+            debuggee.stop_on_entry()
+        else:
+            debuggee.run()
+
+    # --- lines and columns ----------------------------------------------------------------------
+
+    def _outgoing(self, value: Any) -> Any:
+        """Return a body with lines and columns as the client counts them."""
+        if self._first_line == 1 and self._first_column == 1:
+            return value
+        return _shifted(value, self._first_line - 1, self._first_column - 1)
+
+    def _incoming(self, value: Any) -> Any:
+        if self._first_line == 1 and self._first_column == 1:
+            return value
+        return _shifted(value, 1 - self._first_line, 1 - self._first_column)
+
+    # --- life -----------------------------------------------------------------------------------
+
+    def _initialize(self, arguments: Arguments) -> dict[str, Any]:
+        self._first_line = 1 if arguments.flag("linesStartAt1", True) else 0
+        self._first_column = 1 if arguments.flag("columnsStartAt1", True) else 0
+        if arguments.text("locale", "").lower().startswith("de"):
+            self._language = "de"
+        self._abilities = Abilities(
+            arguments.flag("supportsProgressReporting"),
+            arguments.flag("supportsInvalidatedEvent"),
+        )
+        return {
+            **dict.fromkeys(_CAPABILITIES, True),
+            "exceptionBreakpointFilters": filters(self._language),
+            "completionTriggerCharacters": [".", " "],
+            "breakpointModes": [
+                {"mode": mode, "label": label, "appliesTo": list(owners)}
+                for mode, label, owners in MODES
+            ],
+        }
+
+    def _launch(self, arguments: Arguments) -> dict[str, Any]:
+        configuration = read_configuration(arguments, self._folders)
+        self._language = configuration.language or self._language
+        self._open(configuration)
+        return {}
+
+    def _attach(self, _arguments: Arguments) -> dict[str, Any]:
+        if self._shared is None:
+            raise Failure(diagnostic(UNKNOWN_REQUEST, command="attach"))
+        self._leave()
+        self._shared.pause()
+        self._take(self._debug(self._shared, stops_at_end=True, owns=False))
+        return {}
+
+    def _open(self, configuration: Configuration) -> None:
+        """Open a session; raises ``Failure`` where its programs do not run."""
+        self._leave()
+        session = configuration.open()
+        found = session.description.diagnostics
+        self._configuration = configuration
+        try:
+            debuggee = self._debug(session, stops_at_end=configuration.stops_at_end, owns=True)
+        except BaseException:
+            session.close()
+            raise
+        note = () if configuration.note is None else (configuration.note,)
+        debuggee.tell_diagnostics([*note, *found])
+        if session.description.is_over:
+            debuggee.close()
+            errors = [one for one in found if one.severity is Severity.ERROR]
+            first = errors[0].headline(self._language) if errors else ""
+            program = configuration.program
+            raise Failure(diagnostic(PROGRAM_WITH_ERRORS, program=program, first=first))
+        self._take(debuggee)
+
+    def _take(self, debuggee: Debuggee) -> None:
+        self._debuggee = debuggee
+        self._requests = Requests(debuggee)
+
+    def _debug(self, session: Session, *, stops_at_end: bool, owns: bool) -> Debuggee:
+        return Debuggee(
+            session,
+            self._breakpoints,
+            self._exceptions,
+            self._language,
+            self.tell,
+            self._abilities,
+            owns=owns,
+            stops_at_end=stops_at_end,
+        )
+
+    def _leave(self) -> None:
+        """Leave the session that there is."""
+        if self._debuggee is not None:
+            self._debuggee.close()
+            self._debuggee = self._requests = None
+
+    def _restart(self, arguments: Arguments) -> dict[str, Any]:
+        """Run the programs again from the start, as they are now."""
+        if self._configuration is None:
+            raise Failure(diagnostic(NOT_LAUNCHED, command="restart"))
+        changed = arguments.part("arguments")
+        configuration = self._configuration
+        if changed.has("program"):
+            configuration = read_configuration(changed, self._folders)
+        self._breakpoints.forget_from(0)
+        self._breakpoints.forget_mistakes()
+        self._open(configuration)
+        if self._requests is not None:
+            for shown in self._requests.verify_all():
+                self.tell("breakpoint", {"reason": "changed", "breakpoint": shown})
+        return {}
+
+    def _configuration_done(self, _arguments: Arguments) -> dict[str, Any]:
+        if self._debuggee is None:
+            raise Failure(diagnostic(NOT_LAUNCHED, command="configurationDone"))
+        self._is_configured = True
+        return {}
+
+    def _terminate(self, _arguments: Arguments) -> dict[str, Any]:
+        if self._debuggee is not None:
+            self._debuggee.finish()
+        return {}
+
+    def _disconnect(self, _arguments: Arguments) -> dict[str, Any]:
+        self._leave()
+        self._is_closed = True
+        return {}
+
+    def _cancel(self, arguments: Arguments) -> dict[str, Any]:
+        if arguments.has("progressId") and self._debuggee is not None:
+            self._debuggee.pause(1)
+        return {}
+
+    def _close(self) -> None:
+        self._is_closed = True
+        self._leave()
+
+
+def _answer_to(request: Message, *, is_success: bool) -> Message:
+    number = request.get("seq")
+    return {
+        "type": "response",
+        "request_seq": number if isinstance(number, int) else 0,
+        "success": is_success,
+        "command": str(request.get("command")),
+    }
+
+
+_LINES = ("line", "endLine")
+_COLUMNS = ("column", "endColumn", "start")
+
+
+def _shifted(value: Any, lines: int, columns: int, depth: int = 0) -> Any:
+    """Return a body whose lines and columns are counted from elsewhere."""
+    if depth > 20:
+        return value
+    if isinstance(value, list):
+        return [_shifted(item, lines, columns, depth + 1) for item in value]
+    if not isinstance(value, dict):
+        return value
+    shifted = {}
+    for name, item in value.items():
+        if isinstance(item, int) and not isinstance(item, bool) and name in _LINES:
+            shifted[name] = item + lines
+        elif isinstance(item, int) and not isinstance(item, bool) and name in _COLUMNS:
+            shifted[name] = item + columns
+        else:
+            shifted[name] = _shifted(item, lines, columns, depth + 1)
+    return shifted

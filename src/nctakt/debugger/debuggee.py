@@ -1,0 +1,447 @@
+# SPDX-License-Identifier: MIT
+"""A program under the debugger: a session with what belongs to it, at a tick or on its way.
+
+In: wishes to go on, to step, to go back. Out: events of the protocol: stopped, output, progress,
+terminated. A run goes on in parts (``go_on``), so that requests are answered between two of them.
+"""
+
+from __future__ import annotations
+
+import time
+from collections import deque
+from collections.abc import Callable, Sequence
+from typing import Any
+
+from nctakt.base.dataclass import dataclass, field
+from nctakt.base.diagnostics import Diagnostic, Language, Severity
+from nctakt.base.failure import Failure
+from nctakt.debugger.breakpoints import Breakpoint, Breakpoints
+from nctakt.debugger.console import Console
+from nctakt.debugger.exceptions import ExceptionFilters, Raised
+from nctakt.debugger.places import Places
+from nctakt.debugger.scopes import Scopes
+from nctakt.debugger.sources import Sources
+from nctakt.debugger.values import Values
+from nctakt.lists.format.times import Time, time_stamp
+from nctakt.messages import diagnostic
+from nctakt.messages.debugger import RUN_IS_ON
+from nctakt.results.summary import headline
+from nctakt.session.engine import Slice
+from nctakt.session.session import Session
+from nctakt.session.stops import StopAt
+
+#: How long a part of a run takes, in seconds, and its ticks at first and at most.
+PART_S = 0.02
+FIRST_TICKS, MAX_TICKS = 2_000, 2_000_000
+
+#: After this time, in seconds, a client is told how far a run is, and then again and again.
+PROGRESS_S, PROGRESS_AGAIN_S = 1.0, 0.5
+
+#: Diagnostics that are kept to explain an error.
+MAX_DIAGNOSTICS = 1000
+
+#: Hits of breakpoints whose hit condition is not true that a search backward passes at most.
+MAX_PASSED = 1000
+
+Tell = Callable[[str, dict[str, Any]], None]
+
+
+@dataclass(slots=True)
+class _Running:
+    """A run on its way: the stops that end it beside the breakpoints, the tick at which it ends."""
+
+    reason: str
+    thread: int
+    until: Sequence[StopAt] = ()
+    end: int | None = None
+    begin_s: float = field(default_factory=time.monotonic)
+    told_s: float = 0.0
+    ticks: int = FIRST_TICKS
+
+
+@dataclass(frozen=True, slots=True)
+class Abilities:
+    """What the client can do."""
+
+    has_progress: bool = False
+    has_invalidated: bool = False
+
+
+class Debuggee:
+    """One session under the debugger; ``owns``: it is closed with the debugger.
+
+    ``tell`` sends an event. ``stops_at_end``: the run stands at its end; else the debugger ends.
+    """
+
+    def __init__(
+        self,
+        session: Session,
+        breakpoints: Breakpoints,
+        exceptions: ExceptionFilters,
+        language: Language,
+        tell: Tell,
+        abilities: Abilities,
+        *,
+        owns: bool,
+        stops_at_end: bool,
+    ) -> None:
+        self.session = session
+        self.breakpoints = breakpoints
+        self.exceptions = exceptions
+        self.language: Language = language
+        self._tell = tell
+        self._abilities = abilities
+        self._owns = owns
+        self._stops_at_end = stops_at_end
+        self.sources = Sources(session.description.texts)
+        self.values = Values(session, session.inventory())
+        self.scopes = Scopes(session, self.values, self.sources, language)
+        self.console = Console(session, self.values, language)
+        self._places: dict[str, Places] = {}
+        self._owners: list[Breakpoint] = []
+        self._diagnostics: deque[Diagnostic] = deque(maxlen=MAX_DIAGNOSTICS)
+        self._running: _Running | None = None
+        self._progress = 0
+        self._branch = session.branch
+        self.raised: Raised | None = None
+        self.is_over = False
+        self.watch()
+
+    # --- what belongs to it ---------------------------------------------------------------------
+
+    @property
+    def is_running(self) -> bool:
+        """Whether it is on its way."""
+        return self._running is not None
+
+    @property
+    def diagnostics(self) -> Sequence[Diagnostic]:
+        """The latest diagnostics of the run."""
+        return tuple(self._diagnostics)
+
+    def places(self, file: str) -> Places:
+        """Return the places of a text where a breakpoint can be."""
+        if file not in self._places:
+            lines = self.sources.lines(file)
+            self._places[file] = Places(file, lines, self.values.inventory.cycles)
+        return self._places[file]
+
+    def check_stops(self, stops: Sequence[StopAt]) -> None:
+        """Raise ``Failure`` with the mistakes of stops; what is watched stays."""
+        watched = self.session.stops
+        try:
+            self.session.set_stops(*stops)
+        finally:
+            self.session.set_stops(*watched)
+
+    def watch(self) -> None:
+        """Let the session watch the breakpoints and exceptions that there are now."""
+        stops, self._owners = self.breakpoints.stops()
+        self.session.set_stops(*stops, *self.exceptions.stops())
+
+    def check_standing(self, command: str) -> None:
+        """Raise ``Failure`` (901226) while it is on its way."""
+        if self._running is not None:
+            raise Failure(diagnostic(RUN_IS_ON, command=command))
+
+    def close(self) -> None:
+        """End the session, or leave one that belongs to somebody else without stops."""
+        self._running = None
+        if self._owns:
+            self.session.close()
+        else:
+            self.session.set_stops()
+
+    # --- forward --------------------------------------------------------------------------------
+
+    def run(self, thread: int = 1) -> None:
+        """Run to a breakpoint or the end; from the end on, the debugger ends."""
+        if self.session.is_over:
+            self.finish()
+            return
+        self._start(_Running("breakpoint", thread))
+
+    def step(self, thread: int, *, is_tick: bool, up: int | None) -> None:
+        """Step to a block, or by a tick.
+
+        ``up``: how many programs fewer may be open than now at the block, ``None``: any number of
+        programs may be open.
+        """
+        if is_tick or self.scopes.is_cycle(thread):
+            self._start(_Running("step", thread, end=self.session.tick + 1))
+            return
+        depth = self.scopes.depth(thread)
+        if up and up >= depth:
+            self._start(_Running("step", thread))
+            return
+        max_depth = 0 if up is None else max(0, depth - up)
+        stop = StopAt("block", channel=thread, is_of_channel=True, max_depth=max_depth)
+        self._start(_Running("step", thread, [stop]))
+
+    def run_until(self, stop: StopAt, thread: int) -> None:
+        """Run to a stop."""
+        self._start(_Running("goto", thread, [stop]))
+
+    def _start(self, running: _Running) -> None:
+        self.scopes.forget()
+        self.raised = None
+        self._running = running
+
+    def go_on(self) -> None:
+        """Run a part of the way; tell what has come of it."""
+        running = self._running
+        assert running is not None
+        begin_s = time.monotonic()
+        end = self.session.tick + running.ticks
+        if running.end is not None:
+            end = min(end, running.end)
+        try:
+            done = self.session.run(Time(end, is_in_ticks=True), until=running.until)
+        except (Failure, RuntimeError) as error:
+            self._running = None
+            self._output("stderr", f"{error}\n")
+            self._stopped("pause", running.thread, str(error))
+            return
+        took_s = time.monotonic() - begin_s
+        running.ticks = (
+            min(2 * running.ticks, MAX_TICKS) if took_s < PART_S else max(running.ticks // 2, 1)
+        )
+        self._tell_news(done)
+        if not self._ends(running, done):
+            self._tell_progress(running)
+
+    def _ends(self, running: _Running, done: Slice) -> bool:
+        """Stop where something is due; return whether it has stopped."""
+        tick = done.tick - 1
+        own = len(self._owners)
+        watched = len(self.session.stops)
+        due = []
+        for breakpoint_ in dict.fromkeys([breakpoint_.number for breakpoint_ in self._hit(done)]):
+            found = next(one for one in self._owners if one.number == breakpoint_)
+            if not found.is_due(tick):
+                continue
+            if found.log:
+                self._log(found, running.thread)
+            else:
+                due.append(found)
+        raised = None
+        if any(own <= hit < watched for hit in done.hits):
+            raised = self.exceptions.selected(done.events, tick)
+        if raised is not None:
+            self._raise(raised, running.thread)
+        elif due:
+            self._stop_at(due, tick, running.thread)
+        elif any(hit >= watched for hit in done.hits) or done.tick == running.end:
+            self._stopped(running.reason, running.thread)
+        elif done.run_state is not None:
+            self._end()
+        else:
+            return False
+        return True
+
+    def _hit(self, done: Slice) -> list[Breakpoint]:
+        return [self._owners[hit] for hit in done.hits if hit < len(self._owners)]
+
+    def _log(self, breakpoint_: Breakpoint, thread: int) -> None:
+        """Tell the text of a log point, with the values of the expressions in its braces."""
+        channel = self.scopes.channel_of(thread) if not self.scopes.is_cycle(thread) else 1
+        pieces = breakpoint_.log.split("{")
+        text = pieces[0]
+        for piece in pieces[1:]:
+            expression, brace, rest = piece.partition("}")
+            if not brace:
+                text += "{" + piece
+                continue
+            try:
+                text += self.values.evaluate(expression, channel) + rest
+            except Failure as failure:
+                text += f"<{failure.diagnostics[0].text(self.language)}>{rest}"
+        where: dict[str, Any] = {}
+        if breakpoint_.line:
+            where = {"line": breakpoint_.line, "source": self.sources.source(breakpoint_.file)}
+        self._output("console", f"{self._time(self.session.tick - 1)}  {text}\n", **where)
+
+    # --- stopping -------------------------------------------------------------------------------
+
+    def pause(self, thread: int) -> None:
+        """Stop between two ticks."""
+        if self._running is not None:
+            self._stopped("pause", thread)
+
+    def _raise(self, raised: Raised, thread: int) -> None:
+        self.raised = raised
+        channel = max(raised.event.channel, 1)
+        if raised.event.cycle:
+            thread = self.scopes.thread_of_cycle(raised.event.cycle)
+        elif not self.scopes.is_cycle(thread):
+            thread = channel
+        self._stopped("exception", thread, raised.title)
+
+    def _stop_at(self, due: Sequence[Breakpoint], tick: int, thread: int) -> None:
+        """Stop at breakpoints: in the thread in which the first of them has held."""
+        kinds = {"function": "function breakpoint", "data": "data breakpoint"}
+        reason = kinds.get(due[0].kind, "breakpoint")
+        where = ", ".join(self._name(one) for one in due)
+        thread = self._thread_of(due[0], thread)
+        numbers = [one.number for one in due]
+        self._stopped(reason, thread, f"{where}, {self._tick_word} {tick}", numbers)
+
+    def _name(self, breakpoint_: Breakpoint) -> str:
+        word = "Zeile" if self.language == "de" else "line"
+        if breakpoint_.line:
+            return f"{word} {breakpoint_.line}"
+        return ", ".join(dict.fromkeys(stop.text for stop in breakpoint_.stops))
+
+    @property
+    def _tick_word(self) -> str:
+        return "Takt" if self.language == "de" else "tick"
+
+    def _thread_of(self, breakpoint_: Breakpoint, thread: int) -> int:
+        """Return the thread in which a breakpoint has held: a realtime cycle, or a channel."""
+        stop = breakpoint_.stops[0]
+        if stop.kind in ("runs", "turns", "false", "fires", "cycle"):
+            for cycle in self.session.cycles():
+                lines = {cycle.span.line, *(branch.span.line for branch in cycle.branches)}
+                if cycle.span.file == stop.file and stop.line in lines:
+                    return self.scopes.thread_of_cycle(cycle.name)
+        if stop.kind == "block":
+            for channel, span in self.session.latest.blocks.items():
+                if span.file == stop.file and span.line == stop.line:
+                    return channel
+        return 1 if self.scopes.is_cycle(thread) else thread
+
+    def _stopped(
+        self, reason: str, thread: int, text: str = "", numbers: Sequence[int] = ()
+    ) -> None:
+        self._end_progress()
+        self._running = None
+        self.scopes.forget()
+        body: dict[str, Any] = {"reason": reason, "threadId": thread, "allThreadsStopped": True}
+        if text:
+            body |= {"description": text, "text": text}
+        if numbers:
+            body["hitBreakpointIds"] = list(numbers)
+        self._tell("stopped", body)
+
+    def stop_on_entry(self) -> None:
+        """Tell that it stands before its first tick."""
+        self._stopped("entry", 1)
+
+    def _end(self) -> None:
+        """Stand at the end of the run, or end the debugger with it."""
+        text = headline(self.session.result(), self.language, None)
+        self._output("console", f"{text}\n")
+        if self._stops_at_end:
+            self._stopped("end", 1, text)
+        else:
+            self.finish()
+
+    def finish(self) -> None:
+        """End the debugger: tell how the run has ended, and that it is over."""
+        self._end_progress()
+        self._running = None
+        if not self.is_over:
+            self.is_over = True
+            state = self.session.latest.run_state
+            self._tell("exited", {"exitCode": 0 if state in ("ended", "limit", None) else 1})
+            self._tell("terminated", {})
+
+    # --- back -----------------------------------------------------------------------------------
+
+    def step_back(self, thread: int, *, is_tick: bool) -> None:
+        """Go back to the block before, past those of called programs, or by a tick."""
+        if is_tick or self.scopes.is_cycle(thread):
+            self.session.back(1)
+        else:
+            depth = max(1, self.scopes.depth(thread))
+            stop = StopAt("block", channel=thread, is_of_channel=True, max_depth=depth)
+            if self.session.back_to(stop) is None:
+                self.session.go_to(0)
+        self.tell_travel("step", thread)
+
+    def reverse(self, thread: int) -> None:
+        """Go back to the last breakpoint, to the start without one."""
+        stopping = [one for one in self.breakpoints.all if not one.log and one.mistake is None]
+        owners = [one for one in stopping for _ in one.stops]
+        stops = [stop for one in stopping for stop in one.stops]
+        for _ in range(MAX_PASSED):
+            done = self.session.back_to(*stops) if stops else None
+            if done is None:
+                break
+            tick = self.session.tick
+            due = (
+                [one for one in owners if one.is_due(tick - 1)] if self._has_counts(owners) else []
+            )
+            if due or not self._has_counts(owners):
+                self.tell_travel("breakpoint", thread)
+                return
+        self.session.go_to(0)
+        self.tell_travel("entry", thread)
+
+    def _has_counts(self, owners: Sequence[Breakpoint]) -> bool:
+        return any(one.hit_condition for one in owners)
+
+    def tell_travel(self, reason: str, thread: int) -> None:
+        """Tell that it stands elsewhere."""
+        self._note_branch()
+        self._stopped(reason, thread, self.console.position())
+        if self._abilities.has_invalidated:
+            self._tell("invalidated", {"areas": ["all"]})
+
+    def note_input(self) -> None:
+        """Note that a value was set: in the past another branch of the tape begins there."""
+        if self.session.branch != self._branch:
+            self.breakpoints.forget_from(self.session.tick)
+            self._note_branch()
+            self._output("console", f"{self.console.position()}\n")
+
+    def _note_branch(self) -> None:
+        self._branch = self.session.branch
+
+    # --- telling --------------------------------------------------------------------------------
+
+    def _time(self, tick: int) -> str:
+        return time_stamp(tick * self.session.description.cycle_time_us)
+
+    def _tell_news(self, done: Slice) -> None:
+        """Tell messages of programs and diagnostics of a part of the way."""
+        for message in done.messages:
+            channel = f"CH{message.channel} " if message.channel else ""
+            self._output("stdout", f"{time_stamp(message.time_us)}  {channel}{message.text}\n")
+        self.tell_diagnostics(done.diagnostics)
+
+    def tell_diagnostics(self, diagnostics: Sequence[Diagnostic]) -> None:
+        """Tell diagnostics, and keep them to explain errors."""
+        self._diagnostics += diagnostics
+        for found in diagnostics:
+            where: dict[str, Any] = {}
+            if found.span is not None and found.span.line:
+                source = self.sources.source(found.span.file)
+                where = {"line": found.span.line, "column": found.span.column, "source": source}
+            category = "stderr" if found.severity is Severity.ERROR else "console"
+            self._output(category, f"{found.render(self.language)}\n", **where)
+
+    def _output(self, category: str, text: str, **where: Any) -> None:
+        self._tell("output", {"category": category, "output": text, **where})
+
+    def _tell_progress(self, running: _Running) -> None:
+        """Tell how far a long run is."""
+        now_s = time.monotonic()
+        if not self._abilities.has_progress or now_s - running.begin_s < PROGRESS_S:
+            return
+        if now_s - running.told_s < PROGRESS_AGAIN_S:
+            return
+        text = f"{self._tick_word} {self.session.tick} = {self._time(self.session.tick)}"
+        body = {"progressId": f"run-{self._progress}", "message": text}
+        if running.told_s:
+            self._tell("progressUpdate", body)
+        else:
+            title = "Lauf" if self.language == "de" else "Running"
+            self._progress += 1
+            body["progressId"] = f"run-{self._progress}"
+            self._tell("progressStart", {**body, "title": title, "cancellable": True})
+        running.told_s = now_s
+
+    def _end_progress(self) -> None:
+        if self._running is not None and self._running.told_s:
+            self._tell("progressEnd", {"progressId": f"run-{self._progress}"})

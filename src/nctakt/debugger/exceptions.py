@@ -1,0 +1,161 @@
+# SPDX-License-Identifier: MIT
+"""Exception breakpoints: errors by their class, #ERROR, messages; and what has come up.
+
+In: the filters that a client has chosen, the events of a tick. Out: the stops to watch, and the
+event that a filter wants, with its cause and its remedy.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+from nctakt.base.dataclass import dataclass
+from nctakt.base.diagnostics import Diagnostic, Language, Message, Text
+from nctakt.debugger.arguments import Arguments
+from nctakt.messages.catalogue import messages_of
+from nctakt.messages.classes import CLEARINGS, REACTIONS
+from nctakt.session.stops import StopAt
+from nctakt.trace.events import Event
+
+_LABELS = {
+    "error": Text("Errors", "Fehler"),
+    "user_error": Text("#ERROR of programs", "#ERROR der Programme"),
+    "warning": Text("Warnings and notes of the realtime part", "Warnungen und Hinweise im Takt"),
+    "message": Text("#MSG of programs", "#MSG der Programme"),
+}
+
+_CLASS = Text("Class", "Klasse")
+_WORDS = {
+    "cause": Text("cause", "Ursache"),
+    "effect": Text("effect", "Wirkung"),
+    "clearing": Text("cleared by", "gelöscht durch"),
+}
+
+#: The filter that is on unless the client chooses.
+_DEFAULT = "error"
+
+#: The kinds of events that a class of errors may have.
+_ERRORS = ("error", "warning", "notice", "note")
+
+
+@dataclass(frozen=True, slots=True)
+class Raised:
+    """What has come up in a tick: the event, and its message where it has a number."""
+
+    event: Event
+    message: Message | None
+
+    @property
+    def title(self) -> str:
+        """The event as a short text."""
+        return f"{self.event.kind} {self.event.text}"
+
+
+def filters(language: Language) -> list[dict[str, Any]]:
+    """Return the filters that a client may offer."""
+    found = [_filter(name, label.get(language)) for name, label in _LABELS.items()]
+    for number, effect in REACTIONS.items():
+        label = f"{_CLASS.get(language)} {number}: {effect.get(language)}"
+        found.append(_filter(f"class{number}", label))
+    return found
+
+
+def _filter(name: str, label: str) -> dict[str, Any]:
+    return {
+        "filter": name,
+        "label": label,
+        "default": name == _DEFAULT,
+        "supportsCondition": True,
+        "conditionDescription": "900243, 22009",
+    }
+
+
+class ExceptionFilters:
+    """The filters that are on, each with the numbers that it wants; none: all."""
+
+    def __init__(self) -> None:
+        self._selected: dict[str, tuple[int, ...]] = {_DEFAULT: ()}
+
+    def set(self, arguments: Arguments) -> None:
+        """Choose filters; their conditions are numbers of messages."""
+        selected: dict[str, tuple[int, ...]] = dict.fromkeys(arguments.texts("filters"), ())
+        for option in arguments.parts("filterOptions"):
+            numbers = option.text("condition", "").replace(",", " ").split()
+            known = tuple(int(number) for number in numbers if number.isdecimal())
+            selected[option.text("filterId")] = known
+        self._selected = selected
+
+    def stops(self) -> list[StopAt]:
+        """Return the stops to watch."""
+        has_errors = any(name not in ("warning", "message") for name in self._selected)
+        has_notices = any(name not in ("user_error", "message", "error") for name in self._selected)
+        kinds: list[StopAt] = []
+        if has_errors or has_notices:
+            kinds.append(StopAt("error"))
+        if has_notices:
+            kinds.append(StopAt("notice"))
+        if "message" in self._selected:
+            kinds.append(StopAt("message"))
+        return kinds
+
+    def selected(self, events: Iterable[Event], tick: int) -> Raised | None:
+        """Return the first event of a tick that a filter wants."""
+        for event in events:
+            if event.tick == tick:
+                raised = Raised(event, _message_of(event))
+                for name, numbers in self._selected.items():
+                    if _is_of(raised, name) and (not numbers or _number(event) in numbers):
+                        return raised
+        return None
+
+
+def _is_of(raised: Raised, name: str) -> bool:
+    """Return whether an event belongs to a filter."""
+    kind = raised.event.kind
+    if name == "warning":
+        return kind in ("warning", "notice", "note")
+    if name in ("user_error", "message", "error"):
+        return kind == name
+    reaction = 0 if raised.message is None else raised.message.reaction
+    return kind in _ERRORS and name == f"class{reaction}"
+
+
+def _number(event: Event) -> int:
+    first = event.text.partition(" ")[0]
+    return int(first) if first.isdecimal() else 0
+
+
+def _message_of(event: Event) -> Message | None:
+    if event.kind not in _ERRORS:
+        return None
+    return next(iter(messages_of(_number(event))), None)
+
+
+def info(raised: Raised, diagnostics: Sequence[Diagnostic], language: Language) -> dict[str, Any]:
+    """Return what a client shows of an event: text, cause, effect, remedy."""
+    number = _number(raised.event)
+    known = next((one for one in reversed(diagnostics) if one.id == number), None)
+    if raised.event.kind == "user_error":
+        known = diagnostics[-1] if diagnostics else None
+    lines = [known.render(language)] if known is not None else [raised.title]
+    message = raised.message
+    if message is not None and message.cause.get(language):
+        lines.append(f"  {_WORDS['cause'].get(language)}: {message.cause.get(language)}")
+    if message is not None and message.reaction in REACTIONS:
+        effect = REACTIONS[message.reaction].get(language)
+        lines.append(f"  {_WORDS['effect'].get(language)}: {effect}")
+    if message is not None and message.clearing in CLEARINGS:
+        clearing = CLEARINGS[message.clearing].get(language)
+        lines.append(f"  {_WORDS['clearing'].get(language)}: {clearing}")
+    kind = _LABELS.get(raised.event.kind)
+    name = f"{_CLASS.get(language)} {message.reaction}" if message is not None else ""
+    details: dict[str, Any] = {"message": lines[0], "stackTrace": "\n".join(lines)}
+    if name or kind is not None:
+        details["typeName"] = name or (kind.get(language) if kind is not None else "")
+    return {
+        "exceptionId": raised.title,
+        "description": "\n".join(lines),
+        "breakMode": "always",
+        "details": details,
+    }

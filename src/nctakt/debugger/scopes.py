@@ -1,0 +1,415 @@
+# SPDX-License-Identifier: MIT
+"""Frames, scopes and variables of the protocol: what a stack and its variables show.
+
+In: a session at a tick. Out: frames of the interpolation, the decoder and realtime cycles, their
+scopes, and the variables in these. Numbers of frames and variables hold until the run goes on.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import re
+from collections.abc import Sequence
+from typing import Any
+
+from nctakt.base.diagnostics import Language, Span
+from nctakt.base.failure import Failure
+from nctakt.debugger.names import Node, tree_of
+from nctakt.debugger.sources import Sources
+from nctakt.debugger.values import Value, Values, elements_of, shown_value
+from nctakt.lists.format.times import time_stamp
+from nctakt.messages import diagnostic
+from nctakt.messages.debugger import UNKNOWN_REFERENCE
+from nctakt.run.plc_view import SpindleEntry
+from nctakt.session.decoders import DecoderState, DecoderVariable
+from nctakt.session.engine import BranchState, CycleState
+from nctakt.session.session import Session
+
+#: The number of the first thread that is a realtime cycle; below it they are channels.
+FIRST_CYCLE_THREAD = 1001
+
+Key = tuple[Any, ...]
+
+_OPERAND = re.compile(r"\bVs?\.(?:E|CH|RTA|RTG|P|L|S|CYC)\.[A-Za-z_][\w.]*(?:\[\w+\][\w.]*)*")
+
+_WORDS: dict[Language, dict[str, str]] = {
+    "en": {
+        "axes": "Axes", "channel": "Path and channel", "cycles": "Realtime cycles",
+        "plc": "Waits for the PLC", "decoder": "decoder", "V.L": "V.L", "arguments": "Arguments",
+        "parameters": "P parameters", "branches": "Branches", "true": "true", "false": "false",
+        "never": "not evaluated yet", "ran": "has run", "runs": "runs", "since": "since",
+        "channel n": "channel", "cycle n": "realtime cycle", "ahead": "decoder, ahead of the path",
+    },
+    "de": {
+        "axes": "Achsen", "channel": "Bahn und Kanal", "cycles": "Echtzeitzyklen",
+        "plc": "Wartet auf die SPS", "decoder": "Dekoder", "V.L": "V.L", "arguments": "Argumente",
+        "parameters": "P-Parameter", "branches": "Zweige", "true": "wahr", "false": "falsch",
+        "never": "noch nicht ausgewertet", "ran": "ist gelaufen", "runs": "Läufe", "since": "seit",
+        "channel n": "Kanal", "cycle n": "Echtzeitzyklus", "ahead": "Dekoder, der Bahn voraus",
+    },
+}  # fmt: skip
+
+
+class Scopes:
+    """What a session shows at its tick; ``forget`` when it has gone on."""
+
+    def __init__(
+        self, session: Session, values: Values, sources: Sources, language: Language
+    ) -> None:
+        self._session = session
+        self._values = values
+        self._sources = sources
+        self._words = _WORDS[language]
+        self._channels = range(1, session.description.channel_count + 1)
+        self._cycle_threads: dict[str, int] = {}
+        self._trees: dict[int, dict[str, Node]] = {}
+        self._frames: list[Key] = []
+        self._keys: list[Key] = []
+        self._references: dict[Key, int] = {}
+
+    def forget(self) -> None:
+        """Forget frames and references."""
+        self._frames.clear()
+        self._keys.clear()
+        self._references.clear()
+
+    # --- threads --------------------------------------------------------------------------------
+
+    def threads(self) -> list[dict[str, Any]]:
+        """Return the threads: the channels, then the living realtime cycles."""
+        words = self._words
+        found = [
+            {"id": number, "name": f"{words['channel n']} {number}"} for number in self._channels
+        ]
+        for cycle in self._session.cycles():
+            name = f"{words['cycle n']} {cycle.name} ({cycle.scope}, {cycle.state})"
+            found.append({"id": self.thread_of_cycle(cycle.name), "name": name})
+        return found
+
+    def thread_of_cycle(self, name: str) -> int:
+        """Return the thread of a realtime cycle, the same as long as the session lives."""
+        return self._cycle_threads.setdefault(name, FIRST_CYCLE_THREAD + len(self._cycle_threads))
+
+    def channel_of(self, thread: int) -> int:
+        """Return the channel of a thread."""
+        if thread in self._channels:
+            return thread
+        return _channel_of_cycle(self._cycle_of(thread).name)
+
+    def is_cycle(self, thread: int) -> bool:
+        """Return whether a thread is a realtime cycle."""
+        return thread not in self._channels
+
+    def _cycle_of(self, thread: int) -> CycleState:
+        names = {number: name for name, number in self._cycle_threads.items()}
+        for cycle in self._session.cycles():
+            if cycle.name == names.get(thread):
+                return cycle
+        raise Failure(diagnostic(UNKNOWN_REFERENCE, what="thread", number=thread))
+
+    # --- frames ---------------------------------------------------------------------------------
+
+    def stack(self, thread: int) -> list[dict[str, Any]]:
+        """Return the frames of a thread, the innermost first."""
+        if thread not in self._channels:
+            cycle = self._cycle_of(thread)
+            ran = [branch.span for branch in cycle.branches if branch.has_run]
+            name = f"{self._words['cycle n']} {cycle.name}"
+            return [self._frame(("cycle", cycle.name), name, ran[-1] if ran else cycle.span)]
+        latest = self._session.latest
+        frames = []
+        calls = latest.calls.get(thread, ())
+        for level in range(len(calls) - 1, -1, -1):
+            span = calls[level].span or latest.blocks.get(thread)
+            frames.append(self._frame(("path", thread, level), calls[level].name, span))
+        if not calls and thread == 1:
+            frames.append(self._before_the_first_block())
+        decoder = self._decoder(thread)
+        if decoder is not None:
+            frames.append(self._frame(("label", thread), self._words["ahead"], None, "label"))
+            for level in range(len(decoder.frames) - 1, -1, -1):
+                own = decoder.frames[level]
+                key = ("decoder", thread, level)
+                name = f"{own.name} [{self._words['decoder']}]"
+                frames.append(self._frame(key, name, own.span, "subtle"))
+        return frames
+
+    def _before_the_first_block(self) -> dict[str, Any]:
+        """Return the frame of a program that has not begun: the begin of its text."""
+        name = next(iter(self._session.description.texts), "")
+        return self._frame(("path", 1, 0), name, Span(name, 1, 1, 2))
+
+    def depth(self, channel: int) -> int:
+        """Return how many programs are open at the current block of a channel."""
+        return len(self._session.latest.calls.get(channel, ()))
+
+    def _frame(
+        self, key: Key, name: str, span: Span | None, hint: str = "normal"
+    ) -> dict[str, Any]:
+        self._frames.append(key)
+        frame: dict[str, Any] = {
+            "id": len(self._frames),
+            "name": name,
+            "line": 0,
+            "column": 0,
+            "presentationHint": hint,
+        }
+        if span is not None:
+            frame |= {"line": span.line, "column": 1, "source": self._sources.source(span.file)}
+        return frame
+
+    def _decoder(self, channel: int) -> DecoderState | None:
+        for decoder in self._session.decoders():
+            if decoder.channel == channel:
+                return decoder
+        return None
+
+    def channel_of_frame(self, frame: int) -> int:
+        """Return the channel of a frame, 1 for none."""
+        if not 0 < frame <= len(self._frames):
+            return 1
+        key = self._frames[frame - 1]
+        return _channel_of_cycle(key[1]) if key[0] == "cycle" else int(key[1])
+
+    # --- scopes ---------------------------------------------------------------------------------
+
+    def scopes(self, frame: int) -> list[dict[str, Any]]:
+        """Return the scopes of a frame."""
+        if not 0 < frame <= len(self._frames):
+            raise Failure(diagnostic(UNKNOWN_REFERENCE, what="frame", number=frame))
+        kind, owner, *level = self._frames[frame - 1]
+        words = self._words
+        if kind == "cycle":
+            channel = _channel_of_cycle(owner)
+            first = self._scope(words["branches"], ("cycle", owner))
+            return [first, *self._of_channel(channel, ("V.E", "V.RTA", "V.RTG", "axes"))]
+        if kind == "decoder":
+            return [
+                self._scope(title, ("decoder", owner, level[0], part))
+                for part, title in (
+                    ("L", "V.L"), ("P", "V.P"), ("S", "V.S"), ("CYC", "V.CYC"),
+                    ("arguments", words["arguments"]), ("parameters", words["parameters"]),
+                )
+            ]  # fmt: skip
+        if kind == "label":
+            return []
+        roots = ("axes", "channel", "V.E", "V.CH", "V.RTA", "V.RTG", "HLI")
+        return [
+            *self._of_channel(owner, roots),
+            self._scope(words["cycles"], ("cycles", owner)),
+            self._scope(words["plc"], ("plc", owner)),
+            *(
+                self._scope(f"V.{part} [{words['decoder']}]", ("decoder", owner, -1, part))
+                for part in ("P", "L", "S")
+            ),
+        ]
+
+    def _of_channel(self, channel: int, roots: Sequence[str]) -> list[dict[str, Any]]:
+        trees = self._tree(channel)
+        return [
+            self._scope(self._words.get(root, root), ("tree", channel, root, ()))
+            for root in roots
+            if trees[root].children
+        ]
+
+    def _scope(self, name: str, key: Key) -> dict[str, Any]:
+        is_dear = key[0] == "tree" and key[2] in ("V.RTA", "V.RTG", "V.CH")
+        return {"name": name, "variablesReference": self._reference(key), "expensive": is_dear}
+
+    def _reference(self, key: Key) -> int:
+        if key not in self._references:
+            self._keys.append(key)
+            self._references[key] = len(self._keys)
+        return self._references[key]
+
+    def _tree(self, channel: int) -> dict[str, Node]:
+        """Return the names of a channel by scope."""
+        if channel not in self._trees:
+            signals = self._session.description.signals
+            prefix = "" if channel == 1 else f"CH{channel}."
+            own = [name.removeprefix(prefix) for name in signals if name.startswith(prefix)]
+            own = [name for name in own if not re.match(r"CH\d+\.", name)]
+            axes = {name.partition(".")[0] for name in own if name.endswith(".ACS.ACT_POS")}
+            values = [*self._values.inventory.variables.get(channel, ())]
+            values += [name for name in own if name.startswith("HLI.")]
+            others = [name for name in own if not name.startswith(("V.", "HLI."))]
+            of_axes = [name for name in others if name.partition(".")[0] in axes]
+            whole = tree_of(values)
+            names = whole.children.get("V", Node("V"))
+            self._trees[channel] = {
+                "axes": tree_of(of_axes),
+                "channel": tree_of(name for name in others if name.partition(".")[0] not in axes),
+                "HLI": whole.children.get("HLI", Node("HLI")),
+                **{
+                    f"V.{family}": names.children.get(family, Node(family))
+                    for family in ("E", "CH", "RTA", "RTG")
+                },
+            }
+        return self._trees[channel]
+
+    # --- variables ------------------------------------------------------------------------------
+
+    def variables(self, reference: int, first: int, count: int) -> list[dict[str, Any]]:
+        """Return the variables of a scope or of another variable, from ``first`` on."""
+        kind, *rest = self._key(reference)
+        if kind == "tree":
+            return self._of_tree(rest[0], rest[1], rest[2], first, count)
+        if kind == "cycles":
+            found = self._cycles(*rest)
+        elif kind == "cycle":
+            found = self._branches(*rest)
+        elif kind == "branch":
+            found = self._operands(*rest)
+        elif kind == "plc":
+            found = self._waiting(*rest)
+        else:
+            found = self._of_decoder(*rest)
+        return found[first:][: count or None]
+
+    def full_name(self, reference: int, name: str) -> tuple[str, int]:
+        """Return the whole name of a variable in a scope, and its channel."""
+        key = self._key(reference)
+        if key[0] == "tree":
+            node = self._tree(key[1])[key[2]].find((*key[3], name))
+            if node is not None and node.full:
+                return node.full, key[1]
+        if key[0] in ("decoder", "elements"):
+            return name, key[1]
+        if key[0] == "branch":
+            return name, _channel_of_cycle(key[1])
+        return name, 1
+
+    def _key(self, reference: int) -> Key:
+        if not 0 < reference <= len(self._keys):
+            raise Failure(diagnostic(UNKNOWN_REFERENCE, what="variable", number=reference))
+        return self._keys[reference - 1]
+
+    def _of_tree(
+        self, channel: int, root: str, path: tuple[str, ...], first: int, count: int
+    ) -> list[dict[str, Any]]:
+        node = self._tree(channel)[root].find(path)
+        children = list(node.children.values()) if node is not None else []
+        children = children[first:][: count or None]
+        leaves = [child.full for child in children if child.full]
+        values = dict(zip(leaves, self._values.read(leaves, channel), strict=True))
+        types = self._values.inventory.variables.get(channel, {})
+        found = []
+        for child in children:
+            if child.full:
+                text = shown_value(values[child.full]) + self._values.note_of(child.full, channel)
+                shown = _variable(child.piece, text, types.get(child.full, ""))
+                shown["evaluateName"] = child.full
+            else:
+                text = f"[{len(child.children)}]" if child.is_array else ""
+                shown = _variable(child.piece, text, "")
+                key = ("tree", channel, root, (*path, child.piece))
+                shown["variablesReference"] = self._reference(key)
+                word = "indexedVariables" if child.is_array else "namedVariables"
+                shown[word] = len(child.children)
+            found.append(shown)
+        return found
+
+    def _cycles(self, channel: int) -> list[dict[str, Any]]:
+        found = []
+        for cycle in self._session.cycles():
+            if _channel_of_cycle(cycle.name) == channel:
+                text = f"{cycle.scope}, {cycle.state}, {cycle.runs} {self._words['runs']}"
+                shown = _variable(cycle.name, text, "")
+                shown["variablesReference"] = self._reference(("cycle", cycle.name))
+                found.append(shown)
+        return found
+
+    def _branches(self, name: str) -> list[dict[str, Any]]:
+        found = []
+        for cycle in self._session.cycles():
+            for branch in cycle.branches if cycle.name == name else ():
+                line = self._sources.line(branch.span.file, branch.span.line)
+                shown = _variable(f"{branch.span.line}: {line}", self._state(branch), "")
+                if _OPERAND.search(line):
+                    shown["variablesReference"] = self._reference(("branch", name, line))
+                found.append(shown)
+        return found
+
+    def _state(self, branch: BranchState) -> str:
+        words = self._words
+        truth = {True: words["true"], False: words["false"], None: words["never"]}[branch.truth]
+        ran = f", {words['ran']}" if branch.has_run else ""
+        return f"{truth}{ran}, {branch.count} {words['runs']}"
+
+    def _operands(self, cycle: str, line: str) -> list[dict[str, Any]]:
+        channel = _channel_of_cycle(cycle)
+        found = []
+        for name in dict.fromkeys(_OPERAND.findall(line)):
+            with contextlib.suppress(Failure):
+                shown = _variable(name, self._values.evaluate(name, channel), "")
+                shown["evaluateName"] = name
+                found.append(shown)
+        return found
+
+    def _waiting(self, channel: int) -> list[dict[str, Any]]:
+        found = []
+        for number, entry in self._session.waiting():
+            if number != channel:
+                continue
+            what = (
+                f"M{entry.function}" if isinstance(entry, SpindleEntry) else entry.synchronisation
+            )
+            text = f"{what} {self._words['since']} {time_stamp(entry.time_us)}"
+            found.append(_variable(entry.name, text, ""))
+        return found
+
+    def _of_decoder(self, channel: int, level: int, part: str) -> list[dict[str, Any]]:
+        decoder = self._decoder(channel)
+        if decoder is None or not decoder.frames or not -1 <= level < len(decoder.frames):
+            return []
+        if part not in ("P", "S", "CYC", "L", "arguments", "parameters"):
+            return self._elements(decoder, level, part)
+        frame = decoder.frames[level]
+        if part == "arguments":
+            return [_named(f"@P{number}", value) for number, value in frame.arguments.items()]
+        if part == "parameters":
+            return [_named(f"P{number}", value) for number, value in decoder.parameters.items()]
+        found = []
+        for variable in _group(decoder, level, part):
+            if not variable.dimensions:
+                found.append(_named(variable.name, variable.values[0], variable.type))
+                continue
+            shape = "".join(f"[{count}]" for count in variable.dimensions)
+            shown = _variable(variable.name, shape, variable.type)
+            key = ("decoder", channel, level, variable.name)
+            shown["variablesReference"] = self._reference(key)
+            shown["indexedVariables"] = len(variable.values)
+            found.append(shown)
+        return found
+
+    def _elements(self, decoder: DecoderState, level: int, name: str) -> list[dict[str, Any]]:
+        """Return the elements of an array of the decoder; how many are not shown is told."""
+        family = name.split(".")[1]
+        for variable in _group(decoder, level, family):
+            if variable.name == name:
+                found = [_named(f"{name}{index}", value) for index, value in elements_of(variable)]
+                left_out = variable.count - len(found)
+                return [*found, _variable("…", f"+ {left_out}", "")] if left_out else found
+        return []
+
+
+def _group(decoder: DecoderState, level: int, family: str) -> Sequence[DecoderVariable]:
+    if family == "L":
+        return decoder.frames[level].variables
+    return {"P": decoder.program, "S": decoder.kept}.get(family, decoder.cycle)
+
+
+def _channel_of_cycle(name: str) -> int:
+    number, colon, _ = name.partition(":")
+    return int(number) if colon else 1
+
+
+def _named(name: str, value: Value, type_: str = "") -> dict[str, Any]:
+    return {**_variable(name, shown_value(value), type_), "evaluateName": name}
+
+
+def _variable(name: str, value: str, type_: str) -> dict[str, Any]:
+    variable: dict[str, Any] = {"name": name, "value": value, "variablesReference": 0}
+    if type_:
+        variable["type"] = type_
+    return variable

@@ -79,7 +79,7 @@ def bits(value: float) -> bytes:
 def test_a_fused_node_gives_the_same_bits(text: str) -> None:
     """Signs of zeros included, and infinite where the operations are."""
     shape, name = SHAPES[text]
-    node = shape(*[Side(load(cell)) for cell in range(4)]).built.node
+    node = shape(*[Side(load(cell, 4)) for cell in range(4)]).built.node
     assert type(node).__name__ == name
     memory = bytearray(8 * 10)
     context = context_of(memory)

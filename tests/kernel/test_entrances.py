@@ -16,6 +16,8 @@ from nctakt.kernel.axes.trajectory import Trajectories
 from nctakt.kernel.base.record import Record
 from nctakt.kernel.base.timers import Timers
 from nctakt.kernel.cycles.cycles import CycleManager
+from nctakt.kernel.cycles.expressions import Constant, Index, Load, LoadElement
+from nctakt.kernel.cycles.instructions import AssignElement, AssignReal
 from nctakt.kernel.path.edge_probe import EdgeProbe
 from nctakt.kernel.path.path import Path as KernelPath
 from nctakt.kernel.plc.image_slots import SectionUnits, SpindleUnits, Units
@@ -124,11 +126,27 @@ CONSTRUCTORS: dict[str, _Entrance] = {
     "CycleManager": lambda rig, n: CycleManager(rig.machine.record, rig.machine.single_axes, 0, n),
     "SectionUnits first": lambda rig, n: units_of(rig, n, 0),
     "SectionUnits acknowledged": lambda rig, n: units_of(rig, 0, n),
+    "Load cell": lambda rig, n: Load(n, 4),
+    "Index stride": lambda rig, n: Index(Constant(0.0), n, 1, None, 0, 0),
+    "Index count": lambda rig, n: Index(Constant(0.0), 1, n, None, 0, 0),
     "SpindleUnits job": lambda rig, n: jobs_of(rig, n, 64, 0, 8),
     "SpindleUnits size": lambda rig, n: jobs_of(rig, 0, n, 0, 8),
     "SpindleUnits answer": lambda rig, n: jobs_of(rig, 0, 64, n, 8),
     "SpindleUnits answer size": lambda rig, n: jobs_of(rig, 0, 64, 0, n),
 }
+
+
+def test_an_element_lies_in_the_memory_of_its_variable() -> None:
+    """The highest index of all dimensions together, of what is read and of what is written."""
+    inner = Index(Constant(0.0), 1, 3, None, 0, 0)
+    outer = Index(Constant(0.0), 3, 2, inner, 0, 0)
+    assert (inner.span, outer.span) == (2, 5)
+    LoadElement(Load(4, 10), outer)
+    AssignElement(outer, AssignReal(Load(4, 10), Constant(1.0), 0, 1), 0, 1)
+    with pytest.raises(ValueError, match="index 5 is not in"):
+        LoadElement(Load(5, 10), outer)
+    with pytest.raises(ValueError, match="index 5 is not in"):
+        AssignElement(outer, AssignReal(Load(5, 10), Constant(1.0), 0, 1), 0, 1)
 
 
 def jobs_of(rig: Rig, job: int, size: int, answer: int, answer_size: int) -> SpindleUnits:

@@ -47,7 +47,8 @@ def begun(program: str = PROGRAM) -> tuple[Controller, ProgramRun]:
 
 def cell(controller: Controller, name: str) -> Expression:
     """Return the load of a variable."""
-    return Load(controller._machine.access._find(name)[1])
+    machine = controller._machine
+    return Load(machine.access._find(name)[1], len(machine.memory) // 8)
 
 
 def first_tick_of(kind: str, text: str) -> int:

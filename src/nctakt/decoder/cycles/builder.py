@@ -113,6 +113,7 @@ class CycleBuilder:
         self._values = values
         self._source_id = values.environment.source_id
         self._names = values.environment.names
+        self._cell_count = len(values.environment.cells)
         self._texts = TextBuilder(values, self._index, self._keep_text)
         self._builder = ExpressionBuilder(
             self._leaf, compare_texts=self._texts.compare, macro=values.no_macro
@@ -294,10 +295,10 @@ class CycleBuilder:
             target = self._builder.build(statement.target)
             if (
                 statement.operator == "+="
-                and target.cell is not None
+                and target.load is not None
                 and _kind_of(location) is instructions.AssignReal
             ):
-                return instructions.AddToReal(target.cell, value.node, source, cost)
+                return instructions.AddToReal(target.load, value.node, source, cost)
             value = self._builder.combine(statement.operator[0], target, value)
         return self._store(statement.target, location, value, source, cost)
 
@@ -306,12 +307,13 @@ class CycleBuilder:
     ) -> Statement:
         scalar = SCALARS[location.type]
         cell, index = self._index(target, location)
+        variable = expressions.Load(cell, self._cell_count)
         kind = _kind_of(location)
         assignment: instructions.Assignment
         if issubclass(kind, instructions.BoundedAssignment):
-            assignment = kind(cell, value.node, scalar.low, scalar.high, source, cost)
+            assignment = kind(variable, value.node, scalar.low, scalar.high, source, cost)
         else:
-            assignment = kind(cell, value.node, source, cost)
+            assignment = kind(variable, value.node, source, cost)
         if index is None:
             return assignment
         return instructions.AssignElement(index, assignment, source, cost)
@@ -332,9 +334,9 @@ class CycleBuilder:
         """The variable's value in the tick, in the unit of length of the definition."""
         location = self._values.locate(node)
         cell, index = self._index(node, location)
-        built = load(cell)
-        if index is not None:
-            built = Operand(expressions.LoadElement(cell, index))
+        built = load(cell, self._cell_count)
+        if index is not None and built.load is not None:
+            built = Operand(expressions.LoadElement(built.load, index))
         unit = self._values.state.length_unit_mm
         if location.is_length and unit != 1.0:
             return Operand(fused.DivideExpressionConstant(built.node, unit))
@@ -352,10 +354,10 @@ class CycleBuilder:
 
     def _index(
         self, variable: tree.Variable, location: Location | Aggregate
-    ) -> tuple[int, expressions.Expression | None]:
+    ) -> tuple[int, expressions.Index | None]:
         """Cell and computed part of an array access; constant indices are in the cell."""
         cell = location.cell
-        further: expressions.Expression | None = None
+        further: expressions.Index | None = None
         indices = [index for part in variable.parts for index in part.indices]
         for index, dimension in reversed(list(zip(indices, location.dimensions, strict=True))):
             built = self._builder.build(index)
@@ -366,7 +368,7 @@ class CycleBuilder:
                 built.node,
                 dimension.stride,
                 dimension.count,
-                further or expressions.Constant(0.0),
+                further,
                 self._source_id(index.span),
                 CYCLE_INDEX_OUT_OF_RANGE.number_of({"variable": location.name}),
             )

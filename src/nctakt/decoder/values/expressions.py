@@ -157,10 +157,10 @@ class ExpressionBuilder:
                 return conditions.IsTextTrue(compared.node)
         left_operand, right_operand = self.build(expression.left), self.build(expression.right)
         general, fused, mirrored = _COMPARISONS[operator]
-        if left_operand.cell is not None and right_operand.constant is not None:
-            return fused(left_operand.cell, right_operand.constant)
-        if left_operand.constant is not None and right_operand.cell is not None:
-            return _COMPARISONS[mirrored][1](right_operand.cell, left_operand.constant)
+        if left_operand.load is not None and right_operand.constant is not None:
+            return fused(left_operand.load, right_operand.constant)
+        if left_operand.constant is not None and right_operand.load is not None:
+            return _COMPARISONS[mirrored][1](right_operand.load, left_operand.constant)
         return general(left_operand.node, right_operand.node)
 
     def _part(self, expression: tree.Expression) -> Condition:

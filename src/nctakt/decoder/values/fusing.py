@@ -9,23 +9,23 @@ from __future__ import annotations
 
 from nctakt.base.dataclass import dataclass
 from nctakt.kernel.cycles import expressions, fused
-from nctakt.kernel.cycles.expressions import Expression
+from nctakt.kernel.cycles.expressions import Expression, Load
 
 #: Variables with their factors, added up from left to right.
-Terms = tuple[tuple[int, float], ...]
+Terms = tuple[tuple[Load, float], ...]
 
 
 @dataclass(frozen=True, slots=True)
 class Operand:
     """A built node.
 
-    ``constant``: its value if known; ``cell``: the variable that it only loads; ``terms``: its
+    ``constant``: its value if known; ``load``: the variable that it only loads; ``terms``: its
     terms if it is a sum of multiples of variables.
     """
 
     node: Expression
     constant: float | None = None
-    cell: int | None = None
+    load: Load | None = None
     terms: Terms = ()
 
 
@@ -34,9 +34,10 @@ def constant(value: float) -> Operand:
     return Operand(expressions.Constant(value), value)
 
 
-def load(cell: int) -> Operand:
-    """Return the operand of a variable in memory."""
-    return Operand(expressions.Load(cell), cell=cell, terms=((cell, 1.0),))
+def load(cell: int, count: int) -> Operand:
+    """Return the operand of a variable in a memory of ``count`` cells."""
+    node = Load(cell, count)
+    return Operand(node, load=node, terms=((node, 1.0),))
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,7 +83,7 @@ def fuse(operator: str, left: Operand, right: Operand) -> Operand | None:
     if operator == "*":
         return _multiple(left, right) or _pair(operator, left, right)
     terms = _sum(operator, left, right)
-    if len(terms) < 2 or (left.cell is not None and right.cell is not None):
+    if len(terms) < 2 or (left.load is not None and right.load is not None):
         return _pair(operator, left, right, terms)
     return Operand(_SUMS[len(terms)](1.0, terms), terms=terms)
 
@@ -96,8 +97,8 @@ def _sum(operator: str, left: Operand, right: Operand) -> Terms:
         left, right = right, left
     if not 1 <= len(left.terms) <= 3 or len(right.terms) != 1:
         return ()
-    ((cell, factor),) = right.terms
-    return (*left.terms, (cell, factor if operator == "+" else -factor))
+    ((variable, factor),) = right.terms
+    return (*left.terms, (variable, factor if operator == "+" else -factor))
 
 
 def _multiple(left: Operand, right: Operand) -> Operand | None:
@@ -106,9 +107,9 @@ def _multiple(left: Operand, right: Operand) -> Operand | None:
         left, right = right, left
     if right.constant is None or not left.terms:
         return None
-    if left.cell is not None:
-        node = fused.MultiplyCellConstant(left.cell, right.constant)
-        return Operand(node, terms=((left.cell, right.constant),))
+    if left.load is not None:
+        node = fused.MultiplyCellConstant(left.load, right.constant)
+        return Operand(node, terms=((left.load, right.constant),))
     if len(left.terms) == 1:
         return None
     return Operand(_SUMS[len(left.terms)](right.constant, left.terms))
@@ -117,16 +118,16 @@ def _multiple(left: Operand, right: Operand) -> Operand | None:
 def _pair(operator: str, left: Operand, right: Operand, terms: Terms = ()) -> Operand | None:
     """Return the node of two operands of which at least one is a variable or a number."""
     operation = _OPERATIONS[operator]
-    if operator != "-" and right.cell is None and right.constant is None:
+    if operator != "-" and right.load is None and right.constant is None:
         left, right = right, left
-    if operator != "-" and left.constant is not None and right.cell is not None:
+    if operator != "-" and left.constant is not None and right.load is not None:
         left, right = right, left
-    if left.cell is not None and right.constant is not None:
-        return Operand(operation.cell_constant(left.cell, right.constant))
-    if left.cell is not None and right.cell is not None:
-        return Operand(operation.cell_cell(left.cell, right.cell), terms=terms)
+    if left.load is not None and right.constant is not None:
+        return Operand(operation.cell_constant(left.load, right.constant))
+    if left.load is not None and right.load is not None:
+        return Operand(operation.cell_cell(left.load, right.load), terms=terms)
     if right.constant is not None:
         return Operand(operation.expression_constant(left.node, right.constant))
-    if right.cell is not None and left.constant is None:
-        return Operand(operation.expression_cell(left.node, right.cell))
+    if right.load is not None and left.constant is None:
+        return Operand(operation.expression_cell(left.node, right.load))
     return None

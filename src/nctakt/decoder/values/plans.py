@@ -27,6 +27,9 @@ MAX_PLANS = 4096
 #: Maximum number of variables and parameters of an expression with nodes.
 MAX_LEAVES = 32
 
+#: Cells of the memory of all plans.
+_CELLS = max(MAX_LEAVES, MAX_CELLS)
+
 Leaf = tree.Variable | tree.Parameter
 
 
@@ -48,7 +51,7 @@ class Plans:
     """The plans of one program; their nodes read ``cells`` through ``context``."""
 
     def __init__(self) -> None:
-        self.memory = bytearray(8 * max(MAX_LEAVES, MAX_CELLS))
+        self.memory = bytearray(8 * _CELLS)
         self.context = context_of(self.memory)
         self.cells = memoryview(self.memory).cast("d")
         self._plans: dict[int, Plan | tree.Expression] = {}
@@ -92,7 +95,12 @@ class Plans:
 
     def _leaf(self, leaf: Leaf) -> Operand:
         self._leaves.append(leaf)
-        return load(len(self._leaves) - 1)
+        return _operand(len(self._leaves) - 1)
+
+
+def _operand(cell: int) -> Operand:
+    """Return the operand of a cell; the node of a plan with too many of them is not kept."""
+    return load(min(cell, _CELLS - 1), _CELLS)
 
 
 def plan_of_template(template: ExpressionTemplate) -> TemplatePlan:
@@ -106,17 +114,17 @@ def plan_of_template(template: ExpressionTemplate) -> TemplatePlan:
         if value is None:
             return constant(node.value)
         numbers[value] = None
-        return load(list(numbers).index(value))
+        return _operand(list(numbers).index(value))
 
     def leaf(node: Leaf) -> Operand:
         if isinstance(node, tree.Variable):
             name = (node.family, bare_name(node))
             names[name] = None
-            return load(len(numbers) + list(names).index(name))
+            return _operand(len(numbers) + list(names).index(name))
         assert isinstance(node.index, tree.Number)
         parameter = int(node.index.value)
         parameters[parameter] = None
-        return load(len(numbers) + len(names) + list(parameters).index(parameter))
+        return _operand(len(numbers) + len(names) + list(parameters).index(parameter))
 
     builder = ExpressionBuilder(leaf, number=number)
     builder.build(template.tree)  # collects numbers, names and parameters

@@ -13,7 +13,7 @@ from __future__ import annotations
 from nctakt.kernel import codes, rows
 from nctakt.kernel.base import arithmetic
 from nctakt.kernel.cycles.context import Context
-from nctakt.kernel.cycles.expressions import Expression
+from nctakt.kernel.cycles.expressions import Expression, Load
 
 
 class Condition:
@@ -95,9 +95,9 @@ class Comparison(Condition):
 class CellComparison(Condition):
     """Base of the comparisons of a variable with a number (fused)."""
 
-    def __init__(self, cell: int, number: float) -> None:
+    def __init__(self, load: Load, number: float) -> None:
         super().__init__()
-        self.cell = cell
+        self.cell = load.cell
         self.number = number
 
 

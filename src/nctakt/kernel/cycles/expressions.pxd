@@ -12,10 +12,12 @@ cdef class Constant(Expression):
     cdef double value(self, Context context) noexcept nogil
 
 cdef class Load(Expression):
-    cdef Py_ssize_t cell
+    cdef readonly Py_ssize_t cell
+    cdef readonly Py_ssize_t room
     cdef double value(self, Context context) noexcept nogil
 
 cdef class Index(Expression):
+    cdef readonly long long span
     cdef Expression index
     cdef long long stride
     cdef long long count

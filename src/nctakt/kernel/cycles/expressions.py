@@ -10,6 +10,7 @@ above sees the fault and stores nothing. Operators stand here, functions in ``fu
 from __future__ import annotations
 
 from nctakt.kernel.base import arithmetic
+from nctakt.kernel.base.bounds import MAX_SIZE, check_index, check_range
 from nctakt.kernel.cycles.context import Context
 
 
@@ -36,10 +37,16 @@ class Constant(Expression):
 
 
 class Load(Expression):
-    """A variable: one cell of the memory."""
+    """A variable: one cell of a memory of ``count`` cells.
 
-    def __init__(self, cell: int) -> None:
+    The number of a cell enters a tree only here: fused nodes and assignments take a ``Load``.
+    ``room``: the number of cells from this one on.
+    """
+
+    def __init__(self, cell: int, count: int) -> None:
+        check_index(cell, count, "cell")
         self.cell = cell
+        self.room = count - cell
 
     def value(self, context: Context) -> float:
         return context.cells[self.cell]
@@ -49,7 +56,7 @@ class Index(Expression):
     """The part of an array access that is not fixed: ``next + stride * index`` (RC-307).
 
     An index outside 0 … count-1 notes ``message``, one that is no number 50879; ``further`` is
-    the next dimension's part.
+    the next dimension's part, ``None`` behind the last one. ``span``: the highest value.
     """
 
     def __init__(
@@ -57,14 +64,17 @@ class Index(Expression):
         index: Expression,
         stride: int,
         count: int,
-        further: Expression,
+        further: Index | None,
         source: int,
         message: int,
     ) -> None:
+        check_range(stride, 1, MAX_SIZE, "stride")
+        check_range(count, 1, MAX_SIZE, "count")
+        self.span = (count - 1) * stride + highest_of(further)
         self.index = index
         self.stride = stride
         self.count = count
-        self.further = further
+        self.further = further or Expression()
         self.source = source
         self.message = message
 
@@ -79,11 +89,17 @@ class Index(Expression):
         return self.stride * number + self.further.value(context)
 
 
+def highest_of(index: Index | None) -> int:
+    """Return the highest value of an index, 0 for none."""
+    return 0 if index is None else index.span
+
+
 class LoadElement(Expression):
     """An array element whose index is computed in the tick."""
 
-    def __init__(self, first_cell: int, index: Expression) -> None:
-        self.first_cell = first_cell
+    def __init__(self, first: Load, index: Index) -> None:
+        check_index(index.span, first.room, "index")
+        self.first_cell = first.cell
         self.index = index
 
     def value(self, context: Context) -> float:

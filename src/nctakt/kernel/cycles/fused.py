@@ -12,23 +12,23 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from nctakt.kernel.cycles.context import Context
-from nctakt.kernel.cycles.expressions import Expression
+from nctakt.kernel.cycles.expressions import Expression, Load
 
 
 class CellConstant(Expression):
     """Base: a variable and a number."""
 
-    def __init__(self, cell: int, number: float) -> None:
-        self.cell = cell
+    def __init__(self, load: Load, number: float) -> None:
+        self.cell = load.cell
         self.number = number
 
 
 class CellCell(Expression):
     """Base: two variables."""
 
-    def __init__(self, cell: int, other: int) -> None:
-        self.cell = cell
-        self.other = other
+    def __init__(self, load: Load, other: Load) -> None:
+        self.cell = load.cell
+        self.other = other.cell
 
 
 class ExpressionConstant(Expression):
@@ -42,9 +42,9 @@ class ExpressionConstant(Expression):
 class ExpressionCell(Expression):
     """Base: an expression and a variable."""
 
-    def __init__(self, operand: Expression, cell: int) -> None:
+    def __init__(self, operand: Expression, load: Load) -> None:
         self.operand = operand
-        self.cell = cell
+        self.cell = load.cell
 
 
 class AddCellConstant(CellConstant):
@@ -141,9 +141,10 @@ class DivideExpressionConstant(ExpressionConstant):
 class SumOfTwo(Expression):
     """``scale * (factor_a * a + factor_b * b)`` of variables."""
 
-    def __init__(self, scale: float, terms: Sequence[tuple[int, float]]) -> None:
+    def __init__(self, scale: float, terms: Sequence[tuple[Load, float]]) -> None:
         self.scale = scale
-        (self.a, self.factor_a), (self.b, self.factor_b) = terms
+        (first, self.factor_a), (second, self.factor_b) = terms
+        self.a, self.b = first.cell, second.cell
 
     def value(self, context: Context) -> float:
         total = self.factor_a * context.cells[self.a] + self.factor_b * context.cells[self.b]
@@ -153,9 +154,10 @@ class SumOfTwo(Expression):
 class SumOfThree(Expression):
     """``scale * (factor_a * a + factor_b * b + factor_c * c)`` of variables."""
 
-    def __init__(self, scale: float, terms: Sequence[tuple[int, float]]) -> None:
+    def __init__(self, scale: float, terms: Sequence[tuple[Load, float]]) -> None:
         self.scale = scale
-        (self.a, self.factor_a), (self.b, self.factor_b), (self.c, self.factor_c) = terms
+        (first, self.factor_a), (second, self.factor_b), (third, self.factor_c) = terms
+        self.a, self.b, self.c = first.cell, second.cell, third.cell
 
     def value(self, context: Context) -> float:
         total = self.factor_a * context.cells[self.a] + self.factor_b * context.cells[self.b]
@@ -165,10 +167,11 @@ class SumOfThree(Expression):
 class SumOfFour(Expression):
     """``scale * (factor_a * a + factor_b * b + factor_c * c + factor_d * d)`` of variables."""
 
-    def __init__(self, scale: float, terms: Sequence[tuple[int, float]]) -> None:
+    def __init__(self, scale: float, terms: Sequence[tuple[Load, float]]) -> None:
         self.scale = scale
-        (self.a, self.factor_a), (self.b, self.factor_b), *others = terms
-        (self.c, self.factor_c), (self.d, self.factor_d) = others
+        (first, self.factor_a), (second, self.factor_b), *others = terms
+        (third, self.factor_c), (fourth, self.factor_d) = others
+        self.a, self.b, self.c, self.d = first.cell, second.cell, third.cell, fourth.cell
 
     def value(self, context: Context) -> float:
         total = self.factor_a * context.cells[self.a] + self.factor_b * context.cells[self.b]

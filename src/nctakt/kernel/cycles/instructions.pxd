@@ -44,6 +44,7 @@ cdef double evaluate(Counted statement, Expression expression, Context context) 
 
 cdef class Assignment(Counted):
     cdef Py_ssize_t cell
+    cdef readonly Py_ssize_t room
     cdef Expression expression
     cdef int store(self, Context context, Py_ssize_t cell, double value) noexcept nogil
 

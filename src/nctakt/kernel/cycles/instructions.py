@@ -14,8 +14,9 @@ from itertools import pairwise
 
 from nctakt.kernel import rows
 from nctakt.kernel.base import arithmetic
+from nctakt.kernel.base.bounds import check_index
 from nctakt.kernel.cycles.context import Context
-from nctakt.kernel.cycles.expressions import Expression
+from nctakt.kernel.cycles.expressions import Expression, Index, Load
 
 
 class Statement:
@@ -163,9 +164,10 @@ def evaluate(statement: Counted, expression: Expression, context: Context) -> fl
 class Assignment(Counted):
     """Base of ``v = e``."""
 
-    def __init__(self, cell: int, expression: Expression, source: int, cost: int) -> None:
+    def __init__(self, target: Load, expression: Expression, source: int, cost: int) -> None:
         super().__init__(source, cost)
-        self.cell = cell
+        self.cell = target.cell
+        self.room = target.room
         self.expression = expression
 
     def store(self, context: Context, cell: int, value: float) -> int:
@@ -219,14 +221,14 @@ class BoundedAssignment(Assignment):
 
     def __init__(
         self,
-        cell: int,
+        target: Load,
         expression: Expression,
         lowest: float,
         highest: float,
         source: int,
         cost: int,
     ) -> None:
-        super().__init__(cell, expression, source, cost)
+        super().__init__(target, expression, source, cost)
         self.lowest = lowest
         self.highest = highest
 
@@ -292,8 +294,9 @@ class AssignOverride(BoundedAssignment):
 class AssignElement(Counted):
     """``v[i] = e`` with an index computed in the tick; ``scalar`` knows type and expression."""
 
-    def __init__(self, index: Expression, scalar: Assignment, source: int, cost: int) -> None:
+    def __init__(self, index: Index, scalar: Assignment, source: int, cost: int) -> None:
         super().__init__(source, cost)
+        check_index(index.span, scalar.room, "index")
         self.index = index
         self.scalar = scalar
 

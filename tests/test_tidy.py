@@ -323,8 +323,8 @@ def imports(path: Path) -> Iterator[str]:
 #: The files of a session that pace and show what others decide; none of them makes a result.
 PACING = ("session/session.py", "session/listening.py", "session/workshop.py")
 
-#: The file that hands out the runs of a study; what a run yields does not depend on who makes it.
-HANDING_OUT = ("studies/processes.py",)
+#: The files that hand out the runs of a study; what a run yields does not depend on who makes it.
+HANDING_OUT = ("studies/processes.py", "studies/cluster.py")
 
 
 def test_nobody_but_the_command_line_reads_a_clock() -> None:

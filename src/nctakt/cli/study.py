@@ -56,6 +56,7 @@ usage or unusable input, 3 an error of nctakt's own.
     metavar="COUNT",
     help="How many processes make runs [default: one per core].",
 )
+@click.option("--scheduler", metavar="ADDRESS", help="Make the runs on a Dask cluster: tcp://…")
 @click.option("--sample", type=click.IntRange(1), metavar="COUNT", help="Take points by chance.")
 @click.option("--only", type=click.IntRange(0), metavar="NUMBER", help="Make one run, from 0.")
 @click.option("--shrink", is_flag=True, help="Find the smallest change that breaks a run.")
@@ -88,7 +89,13 @@ def _study(file: str, words: dict[str, Any]) -> int:
         progress.check_size(study, count)
     store = None if words["out"] is None else _store(study, words)
     try:
-        result = study.run(processes=count, numbers=numbers, store=store, on_rows=progress.add)
+        result = study.run(
+            processes=count,
+            numbers=numbers,
+            store=store,
+            executor=_executor(words),
+            on_rows=progress.add,
+        )
     except KeyboardInterrupt:
         progress.close()
         return _interrupted(len(numbers), store, words)
@@ -121,6 +128,16 @@ def _find(study: Study, words: dict[str, Any]) -> int:
         if answer.finding is not None:
             print_diagnostics([answer.finding], words["language"])
     return EXIT_NC_ERROR if any(answer.finding for answer in answers) else EXIT_RAN
+
+
+def _executor(words: dict[str, Any]) -> Any:
+    """Return what makes the runs on a cluster; ``None``: this machine."""
+    address = words["scheduler"]
+    if address is None:
+        return None
+    from nctakt.studies.cluster import rows_of_cluster  # noqa: PLC0415 - as above
+
+    return lambda plan, numbers: rows_of_cluster(plan, numbers, address)
 
 
 def _interrupted(size: int, store: Any, words: dict[str, Any]) -> int:

@@ -156,3 +156,12 @@ NOT_AN_INJECTION = error(
     remedy_de='Etwa: --each-tick "V.E.STOP=1 for 20 ms"',
     text=("the text", "der Text"),
 )
+CLUSTER_LOST = error(
+    901316,
+    en="no connection to the scheduler {address}: {reason}",
+    de="keine Verbindung zum Scheduler {address}: {reason}",
+    remedy_en="Start it (dask scheduler); --resume goes on with the finished runs.",
+    remedy_de="Ihn starten (dask scheduler); --resume macht mit den fertigen Läufen weiter.",
+    address=("the address", "die Adresse"),
+    reason=("the reason", "der Grund"),
+)

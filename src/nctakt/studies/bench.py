@@ -119,17 +119,17 @@ class BegunRun:
 
 
 class Bench:
-    """Machine and program of a plan; ``machine`` instead of that of the plan, if given.
+    """Machine and program of a plan; ``access`` notes the files that are read.
 
     Raises ``Failure`` for a machine or a program that cannot be read, and for each name of the plan
     that they do not have.
     """
 
-    def __init__(self, plan: Plan) -> None:
+    def __init__(self, plan: Plan, access: FileAccess | None = None) -> None:
         self.plan = plan
-        access = FileAccess()
+        self._access = access = access or FileAccess()
         folder = plan.machine or machine_of(plan.program, access).path
-        self.machine = load_machine(folder)
+        self.machine = load_machine(folder, access=access)
         self.cycle_time_us = self.machine.cycle_time_us
         text = plan.text
         self._text = "\n".join(access.read_lines(plan.program)) if text is None else text
@@ -138,7 +138,7 @@ class Bench:
         names = (name for measure in plan.measures for name in measure.node.signals())
         further = (name for expected in plan.expectations for name in expected.signals)
         self._names = tuple(dict.fromkeys([*names, *further]))
-        self.signals = self._signals(Controller(self.machine))
+        self.signals = self._signals(Controller(self.machine, access=access))
 
     def _signals(self, controller: Controller) -> tuple[str, ...]:
         """Return the signals that measures read; an axis stands for its command position."""
@@ -173,7 +173,7 @@ class Bench:
             raise Failure(*found)
 
     def _check_inputs(self, inputs: RunInputs) -> None:
-        controller = Controller(self._machine_with(inputs.parameters))
+        controller = Controller(self._machine_with(inputs.parameters), access=self._access)
         self._program_of(inputs, controller)
         for name, value in inputs.assignments.items():
             controller.write(name, value)
@@ -232,7 +232,7 @@ class Bench:
 
     def begin(self, inputs: RunInputs, *, blocks: bool = False) -> BegunRun:
         """Begin a run with these inputs; ``blocks``: with the events of its blocks."""
-        controller = Controller(self._machine_with(inputs.parameters))
+        controller = Controller(self._machine_with(inputs.parameters), access=self._access)
         program = self._program_of(inputs, controller)
         before = values_before(controller, self.signals, inputs.assignments)
         digest = Digest()

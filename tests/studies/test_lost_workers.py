@@ -1,0 +1,148 @@
+# SPDX-License-Identifier: MIT
+"""Workers that end by themselves, or are killed, lose no finished run."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from nctakt.base.failure import Failure
+from nctakt.studies import processes
+from nctakt.studies.bench import Row
+from nctakt.studies.results import RowStore, read_rows
+from nctakt.studies.study import Study
+
+PLC = """\
+import os
+
+from nctakt import Plc
+
+
+class Cell(Plc):
+    def each_tick(self, hli):
+        if hli.read("V.E.VALUE") == 13:
+            os._exit(3)
+"""
+
+
+def study(folder: Path, *, count: int = 120, plc: bool = False) -> Study:
+    """A study of a value, one run for each."""
+    (folder / "part.nc").write_text("G01 X[V.E.VALUE] F6000\nM30\n")
+    (folder / "cell.py").write_text(PLC)
+    entries: dict[str, Any] = {"plc": str(folder / "cell.py")} if plc else {}
+    return Study(
+        program=str(folder / "part.nc"),
+        until="0.2 s",
+        vary=[{"variable": "V.E.VALUE", "from": 1, "to": count, "step": 1}],
+        measure={"end": "X at end"},
+        **entries,
+    )
+
+
+def test_a_run_that_ends_its_process_is_told(tmp_path: Path) -> None:
+    """The run gets a row that says so, all others theirs."""
+    done = study(tmp_path, count=20, plc=True).run(processes=2)
+    assert [row["run"] for row in done.rows if row["verdict"] == "crashed"] == [12]
+    assert done.counts["held"] == 19
+
+
+def test_a_killed_worker_is_replaced(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """After kill -9 the rows are those of one process, in the same order."""
+    started: list[subprocess.Popen[bytes]] = []
+    start = processes._Pool._start
+
+    def noted(pool: processes._Pool) -> subprocess.Popen[bytes]:
+        worker = start(pool)
+        started.append(worker)
+        return worker
+
+    monkeypatch.setattr(processes._Pool, "_start", noted)
+    plan = study(tmp_path)
+    expected = plan.run().rows
+
+    def kill(_rows: list[Row]) -> None:
+        if len(started) == 1:
+            os.kill(started[0].pid, signal.SIGTERM if os.name == "nt" else signal.SIGKILL)
+
+    assert plan.run(
+        executor=lambda p, n: processes.rows_of_processes(p, n, 1), on_rows=kill
+    ).rows == (expected)
+    assert len(started) == 2
+
+
+def test_what_is_finished_is_not_made_again(tmp_path: Path) -> None:
+    """``resumes`` makes the missing runs only, also behind a line that was cut off."""
+    plan = study(tmp_path, count=8)
+    whole = plan.run().rows
+    path = tmp_path / "out.csv.rows"
+    store = RowStore(path, plan.plan, resumes=False)
+    plan.run(numbers=range(5), store=store)
+    store.close()
+    with path.open("ab") as file:
+        file.write(b'{"run": 5, "V.E')
+    again: list[int] = []
+    store = RowStore(path, plan.plan, resumes=True)
+    done = plan.run(
+        store=store, on_rows=lambda rows: again.extend(int(row["run"] or 0) for row in rows)
+    )
+    store.close()
+    assert again == [5, 6, 7]
+    assert done.rows == whole
+
+
+def test_rows_of_another_plan_are_refused(tmp_path: Path) -> None:
+    """A program that has changed since makes other runs (901309)."""
+    path = tmp_path / "out.csv.rows"
+    RowStore(path, study(tmp_path, count=3).plan, resumes=False).close()
+    with pytest.raises(Failure) as raised:
+        RowStore(path, study(tmp_path, count=4).plan, resumes=True)
+    assert raised.value.diagnostics[0].id == 901309
+
+
+@pytest.mark.parametrize("name", ["rows.parquet", "rows.jsonl", "rows.csv"])
+def test_rows_are_read_back(tmp_path: Path, name: str) -> None:
+    """Numbers to the last bit, texts, and what has no value."""
+    if name.endswith("parquet"):
+        pytest.importorskip("pyarrow")
+    study(tmp_path)
+    plan = Study(
+        program=str(tmp_path / "part.nc"),
+        vary=[{"variable": "V.E.VALUE", "values": [1, 2]}],
+        measure={"end": "X at end", "late": "time of M100"},
+    )
+    done = plan.run()
+    done.save(tmp_path / name)
+    rows = read_rows(tmp_path / name)
+    assert [row["end"] for row in rows] == [row["end"] for row in done.rows]
+    assert [row["late"] for row in rows] == [None, None]
+    assert [row["digest"] for row in rows] == [row["digest"] for row in done.rows]
+
+
+@pytest.mark.slow
+@pytest.mark.filterwarnings("ignore")
+def test_a_cluster_yields_the_same_rows_and_survives_kills(tmp_path: Path) -> None:
+    """Dask workers on this machine, one of them killed: the rows of one process, byte for byte."""
+    distributed = pytest.importorskip("distributed")
+    from nctakt.studies.cluster import rows_of_cluster  # noqa: PLC0415 - an extra
+
+    plan = study(tmp_path, count=400)
+    expected = plan.run().rows
+    with distributed.LocalCluster(
+        n_workers=2, threads_per_worker=1, dashboard_address=None
+    ) as cluster:
+        killed: list[int] = []
+
+        def kill(_rows: list[Row]) -> None:
+            if not killed:
+                pid = next(iter(cluster.workers.values())).pid
+                killed.append(pid)
+                os.kill(pid, signal.SIGKILL)
+
+        executor = lambda p, n: rows_of_cluster(p, n, cluster)  # noqa: E731
+        assert plan.run(executor=executor, on_rows=kill).rows == expected
+        assert killed

@@ -179,7 +179,10 @@ class RunsThrough(Stop):
 
 
 class Turns(Stop):
-    """The condition of a branch turns true, or false where ``truth`` is ``codes.FALSE``."""
+    """The condition of a branch turns true, or false where ``truth`` is ``codes.FALSE``.
+
+    One that is false when it is first evaluated has not turned.
+    """
 
     def __init__(
         self, condition: Condition, truth: int, guard: Expression, hits_needed: int
@@ -195,6 +198,8 @@ class Turns(Stop):
     def holds(self, context: Context, record: Record) -> int:
         before = self.previous
         self.previous = self.condition.truth
+        if before == codes.UNKNOWN and self.truth == codes.FALSE:
+            return 0
         return 1 if self.previous == self.truth and before != self.truth else 0
 
 

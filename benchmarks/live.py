@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""``python -m benchmarks.live [SECONDS]``: what a session costs, and how fast it goes back.
+"""``python -m benchmarks.live [SECONDS [MINUTES]]``: what a session and its page cost.
 
 - A session at full speed with a listener of 12 signals at 20 Hz beside ``Controller.run`` of the
   same program without a trace, in turn: at least 90 % of its speed.
@@ -8,6 +8,8 @@
 - 1 ms ticks on the wall clock for ``SECONDS`` (60) in slices of 10 ms: late slices, and the
   lateness beside that of a thread that only sleeps.
 - A tape of a run with a PLC that writes in each tick: at most 5 % of the run.
+- The page in a browser for ``SECONDS`` on the wall clock and ``MINUTES`` (10) in all: see
+  ``live_page.py``.
 """
 
 from __future__ import annotations
@@ -19,6 +21,7 @@ import threading
 import time
 from pathlib import Path
 
+from benchmarks.live_page import measure_page
 from nctakt import Controller, NcText, Plc
 from nctakt.run.plc_view import PlcView
 from nctakt.run.tape import TapeWriter
@@ -145,10 +148,12 @@ def measure_tape() -> None:
 def main() -> None:
     """Measure all."""
     seconds = float(sys.argv[1]) if len(sys.argv) > 1 else 60.0
+    minutes = float(sys.argv[2]) if len(sys.argv) > 2 else 10.0
     measure_speed()
     measure_back()
     measure_wall_clock(seconds)
     measure_tape()
+    measure_page(seconds, minutes)
 
 
 if __name__ == "__main__":

@@ -8,6 +8,7 @@ import signal
 import subprocess
 import sys
 from collections.abc import Iterator
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -28,13 +29,16 @@ BROWSER = [
 
 
 @contextlib.contextmanager
-def served(*words: str, port: int = 0) -> Iterator[str]:
-    """``nctakt live`` in a process of its own; its address."""
+def served(*words: str, errors: Path | None = None) -> Iterator[str]:
+    """``nctakt live`` in a process of its own; its address. What it tells goes to ``errors``."""
     environment = {name: value for name, value in os.environ.items() if "PYTEST" not in name}
-    command = [sys.executable, "-m", "nctakt", "live", *words, "--port", str(port)]
-    with subprocess.Popen(
-        command, stdout=subprocess.PIPE, encoding="utf-8", env=environment
-    ) as process:
+    command = [sys.executable, "-m", "nctakt", "live", *words, "--port", "0"]
+    with (
+        (errors or Path(os.devnull)).open("w", encoding="utf-8") as told,
+        subprocess.Popen(
+            command, stdout=subprocess.PIPE, stderr=told, encoding="utf-8", env=environment
+        ) as process,
+    ):
         try:
             assert process.stdout is not None
             yield process.stdout.readline().strip()

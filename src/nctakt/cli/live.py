@@ -171,6 +171,7 @@ def _show(
                 has_plc=options.plc is not None,
                 opens_browser=opens_browser,
                 tell=click.echo,
+                tell_error=lambda found: print_diagnostics([found], options.language),
             )
     finally:
         shared.close()

@@ -26,15 +26,22 @@ COOKIE, WORD = "nctakt_token", "token"
 LOCAL = ("127.0.0.1", "localhost", "::1")
 
 
+_PLAIN = "text/plain; charset=utf-8"
+
+
 class Guard:
     """Lets requests through that may see the page.
 
     ``token``: needed on other addresses than this machine's own; ``None``: not needed.
+    ``refusal``: returns why no further browser can see the page now, empty if one can.
     """
 
-    def __init__(self, application: Application, token: str | None) -> None:
+    def __init__(
+        self, application: Application, token: str | None, refusal: Callable[[], str]
+    ) -> None:
         self._application = application
         self._token = token
+        self._refusal = refusal
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Pass a request on, or refuse it."""
@@ -51,6 +58,8 @@ class Guard:
         elif given and self._token is not None and scope["type"] == "http":
             cookie = f"{COOKIE}={self._token}; Path=/; HttpOnly; SameSite=Strict"
             await _answer(send, 303, [("location", scope["path"]), ("set-cookie", cookie)])
+        elif scope["type"] == "http" and scope["path"] == "/" and (reason := self._refusal()):
+            await _answer(send, 503, [("content-type", _PLAIN)], f"{reason}\n".encode())
         else:
             await self._application(scope, receive, send)
 
@@ -88,7 +97,7 @@ async def _refuse(scope: Scope, send: Send) -> None:
     if scope["type"] == "websocket":
         await send({"type": "websocket.close", "code": 1008})
         return
-    await _answer(send, 403, [("content-type", "text/plain")], b"403: not admitted\n")
+    await _answer(send, 403, [("content-type", _PLAIN)], b"403: not admitted\n")
 
 
 async def _answer(

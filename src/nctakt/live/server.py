@@ -7,17 +7,32 @@ here and nowhere else outside of the page.
 
 from __future__ import annotations
 
+import asyncio
+import contextlib
+import gc
 import secrets
 import socket
+import sys
 from collections.abc import Callable, Mapping
 
+from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
 from nctakt.live.document import Document
 from nctakt.live.guard import LOCAL, WORD, Guard
+from nctakt.live.reporting import tell_errors
 from nctakt.live.shared import SharedSession
 from nctakt.live.texts import Texts
 from nctakt.messages import diagnostic
 from nctakt.messages.live import ADDRESS_NOT_USABLE, LIVE_LIBRARY_MISSING
+
+#: Browsers that may look at the page at a time.
+MAX_BROWSERS = 20
+
+#: Where addresses that stand for all of a machine can be reached from itself.
+_REACHABLE = {"0.0.0.0": "127.0.0.1", "::": "::1"}
+
+#: How long a thread of the server may compute while the session's thread is due, in seconds.
+_SWITCH_S = 0.001
 
 
 def check_library() -> None:
@@ -51,9 +66,13 @@ def serve(
     has_plc: bool,
     opens_browser: bool,
     tell: Callable[[str], None],
+    tell_error: Callable[[Diagnostic], None],
 ) -> None:
-    """Serve the page until Ctrl-C; ``tell`` gets its address once."""
-    from nicegui import app, ui  # noqa: PLC0415 - only the page needs it
+    """Serve the page until Ctrl-C.
+
+    ``tell`` gets its address once, ``tell_error`` what browsers send and nobody understands.
+    """
+    from nicegui import Client, app, background_tasks, ui  # noqa: PLC0415 - only the page needs it
 
     from nctakt.live.page import Page  # noqa: PLC0415 - as above
 
@@ -65,9 +84,30 @@ def serve(
     def show() -> None:
         Page(shared, documents, texts, has_plc=has_plc)
 
-    app.add_middleware(Guard, token=token)
+    def refusal() -> str:
+        if len(Client.instances) < MAX_BROWSERS:
+            return ""
+        return texts["too_many"].format(count=MAX_BROWSERS)
+
+    async def begin() -> None:
+        gc.freeze()  # what is there stays: a search for garbage is short then
+        background_tasks.create(announce())
+
+    async def announce() -> None:
+        """Tell the address once somebody can connect."""
+        while True:
+            with contextlib.suppress(OSError):
+                _, writer = await asyncio.open_connection(_REACHABLE.get(host, host), port)
+                writer.close()
+                break
+            await asyncio.sleep(0.01)
+        tell(f"http://{shown}:{port}/{word}")
+
+    sys.setswitchinterval(_SWITCH_S)
+    tell_errors(tell_error)
+    app.add_middleware(Guard, token=token, refusal=refusal)
     shown = f"[{host}]" if ":" in host else host
-    app.on_startup(lambda: tell(f"http://{shown}:{port}/{word}"))
+    app.on_startup(begin)
     ui.run(
         host=host,
         port=port,

@@ -143,8 +143,8 @@ _WORDS: dict[str, tuple[str, str]] = {
     "tab_why": ("Why", "Warum"),
     "tab_stops": ("Stops", "Haltepunkte"),
     "too_many": (
-        "403: too many browsers look at this page already ({count}). Close one of them.",
-        "403: zu viele Browser zeigen diese Seite schon ({count}). Einen davon schließen.",
+        "503: too many browsers look at this page already ({count}). Close one of them.",
+        "503: zu viele Browser zeigen diese Seite schon ({count}). Einen davon schließen.",
     ),
 }
 

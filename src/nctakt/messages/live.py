@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from nctakt.messages.catalogue import error
+from nctakt.messages.catalogue import error, warning
 
 LIVE_LIBRARY_MISSING = error(
     901160,
@@ -31,4 +31,14 @@ PROGRAM_CHANGED_ON_DISK = error(
     remedy_de="Eigene Änderungen kopieren, dann die Seite neu laden: sie zeigt die Datei von "
     "jetzt.",
     file=("the program", "das Programm"),
+)
+MESSAGE_NOT_READABLE = warning(
+    901163,
+    en="the page could not handle what a browser sent: {reason}",
+    de="die Seite konnte nicht verarbeiten, was ein Browser gesendet hat: {reason}",
+    remedy_en="The run goes on. Reload the page; if it comes again without a strange program "
+    "at the port, please report it with NCTAKT_DEBUG=1.",
+    remedy_de="Der Lauf geht weiter. Die Seite neu laden; kommt es ohne ein fremdes Programm am "
+    "Port wieder, bitte mit NCTAKT_DEBUG=1 melden.",
+    reason=("the reason", "der Grund"),
 )

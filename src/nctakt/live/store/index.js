@@ -48,13 +48,15 @@ export const take = (news) => {
   if (news.detail) run.detail = news.detail;
   if (news.texts) showTexts(news.texts);
   if (run.follows) follow();
-  frames.push(performance.now());
-  trim(frames, 200);
+  frames.count += 1;
   changed();
 };
 
-// The times at which news came, for whoever measures the page.
-const frames = [];
+// Light or dark: the drawings take their colours anew.
+new MutationObserver(changed).observe(document.body, { attributes: true, attributeFilter: ["class"] });
+
+// How often news came, for whoever measures the page.
+const frames = { count: 0 };
 globalThis.nctaktFrames = frames;
 
 const showTexts = (texts) => {

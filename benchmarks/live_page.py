@@ -1,0 +1,168 @@
+# SPDX-License-Identifier: MIT
+"""The page part of ``python -m benchmarks.live``: Chromium in front of ``nctakt live``.
+
+- First paint: at most 1.5 s after the address is opened, the server warm.
+- Frames: 20 a second with 12 signals while 1 ms ticks run on the wall clock.
+- No late slice of 10 ms while the page is open, beside a thread that only sleeps.
+- The memory of server and browser: flat over ten minutes.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+#: V.E variables that the program names, so that the scope shows 12 signals with X, Y and speed.
+_VARIABLES = [f"V.E.LIST[{index}]" for index in range(9)]
+
+#: Ways through the program, which lasts longer than any measurement.
+_BLOCKS = 20_000
+
+
+def _program() -> str:
+    branches = "\n".join(
+        f"  $IF EDGE V.RTA.ACS.ACT_POS.X > {10 * index + 5}\n    {name} += 1\n  $ENDIF"
+        for index, name in enumerate(_VARIABLES)
+    )
+    lines = (f"G01 X{100 * (number % 2)} Y{number % 7} F6000" for number in range(_BLOCKS))
+    return "\n".join(["#RT CYCLE [ID=1 SCOPE=PROG]", branches, "#RT CYCLE END", *lines, "M30", ""])
+
+
+@contextlib.contextmanager
+def _served(folder: Path) -> Iterator[tuple[str, int]]:
+    """The page in a process of its own: its address and its process."""
+    path = folder / "part.nc"
+    path.write_text(_program(), "utf-8")
+    command = [sys.executable, "-m", "nctakt", "live", str(path), "--port", "0"]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, encoding="utf-8") as process:
+        try:
+            assert process.stdout is not None
+            yield process.stdout.readline().strip(), process.pid
+        finally:
+            process.send_signal(signal.SIGINT)
+            process.wait(60)
+
+
+def _family(pid: int) -> list[int]:
+    """A process with all that it has started."""
+    found = [pid]
+    for folder in Path("/proc").glob("[0-9]*"):
+        with contextlib.suppress(OSError):
+            parent = int((folder / "stat").read_text().rpartition(")")[2].split()[1])
+            if parent == pid:
+                found += _family(int(folder.name))
+    return found
+
+
+def _memory_mib(pid: int) -> float:
+    """The memory of a process of its own, in MiB (that of its parked controllers is shared)."""
+    for line in Path(f"/proc/{pid}/status").read_text().splitlines():
+        if line.startswith("VmRSS:"):
+            return int(line.split()[1]) / 1024
+    return 0.0
+
+
+def _heap_mib(page: Any) -> float:
+    """What the page's scripts hold once their garbage is gone, in MiB."""
+    link = page.context.new_cdp_session(page)
+    link.send("HeapProfiler.collectGarbage")
+    used = link.send("Runtime.getHeapUsage")["usedSize"]
+    link.detach()
+    return float(used) / 2**20
+
+
+class _Sleeper(threading.Thread):
+    """A thread that only sleeps: how late the machine itself is, in ms."""
+
+    def __init__(self) -> None:
+        super().__init__(daemon=True)
+        self.late_ms: list[float] = []
+        self.ends = False
+
+    def run(self) -> None:
+        """Sleep for 10 ms at a time, by absolute times."""
+        due = time.monotonic()
+        while not self.ends:
+            due += 0.010
+            time.sleep(max(0.0, due - time.monotonic()))
+            self.late_ms.append(1000 * (time.monotonic() - due))
+
+
+def measure_page(seconds: float, minutes: float) -> None:
+    """Print what the page costs: ``seconds`` on the wall clock, ``minutes`` for the memory."""
+    chromium = shutil.which("chromium")
+    try:
+        from playwright.sync_api import sync_playwright  # noqa: PLC0415 - it may be missing
+    except ImportError:
+        chromium = None
+    if chromium is None:
+        print("page: not measured, Chromium or Playwright is missing")
+        return
+    with (
+        tempfile.TemporaryDirectory() as folder,
+        _served(Path(folder)) as (address, pid),
+        sync_playwright() as driver,
+        contextlib.closing(
+            driver.chromium.launch(executable_path=chromium, args=["--no-sandbox"])
+        ) as browser,
+    ):
+        browser.new_page().goto(address)  # the server's first page, the browser's cache
+        page = browser.new_page(viewport={"width": 1280, "height": 800})
+        page.set_default_timeout(60_000)
+        _measure_paint(page, address)
+        page.get_by_test_id("pen").click()
+        page.get_by_test_id("toggle").click()
+        page.wait_for_timeout(3000)
+        _measure_frames(page, seconds)
+        _measure_memory(page, pid, minutes)
+
+
+def _measure_paint(page: Any, address: str) -> None:
+    begin = time.perf_counter()
+    page.goto(address)
+    page.wait_for_function("document.querySelector('[data-testid=clock]')?.textContent")
+    shown_s = time.perf_counter() - begin
+    paint_ms = page.evaluate(
+        "performance.getEntriesByName('first-contentful-paint')[0]?.startTime ?? 0"
+    )
+    print(f"page: first paint           {paint_ms / 1000:8.2f} s, live after {shown_s:.2f} s")
+
+
+def _measure_frames(page: Any, seconds: float) -> None:
+    sleeper = _Sleeper()
+    sleeper.start()
+    begin = page.evaluate("[performance.now(), nctaktFrames.count, nctaktRun.run.tick]")
+    late_before = page.get_by_test_id("clock").inner_text()
+    page.wait_for_timeout(1000 * seconds)
+    end = page.evaluate("[performance.now(), nctaktFrames.count, nctaktRun.run.tick]")
+    sleeper.ends = True
+    passed_s = (end[0] - begin[0]) / 1000
+    signals = page.evaluate("nctaktRun.run.names.filter((name) => !name.startsWith('$')).length")
+    rate = (end[1] - begin[1]) / passed_s
+    print(f"page: frames with {signals} signals  {rate:8.1f} a second")
+    own = sorted(sleeper.late_ms)
+    print(f"page: {end[2] - begin[2]} ticks in {passed_s:.1f} s; late slices before and after:")
+    print(f"      {late_before}")
+    print(f"      {page.get_by_test_id('clock').inner_text()}")
+    p99 = own[int(0.99 * len(own))]
+    print(f"      a thread that only sleeps: p99 {p99:.1f} ms, worst {own[-1]:.1f} ms")
+
+
+def _measure_memory(page: Any, pid: int, minutes: float) -> None:
+    print("page: memory in MiB         server  worker  scripts")
+    begin = time.monotonic()
+    for part in range(6):
+        page.wait_for_timeout(max(0.0, 1000 * (begin + 12 * minutes * part - time.monotonic())))
+        worker = next((one for one in _family(pid)[1:]), pid)
+        numbers = (_memory_mib(pid), _memory_mib(worker), _heap_mib(page))
+        row = " ".join(f"{number:7.1f}" for number in numbers)
+        print(f"      after {(time.monotonic() - begin) / 60:5.1f} min      {row}", flush=True)

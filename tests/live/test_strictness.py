@@ -1,0 +1,168 @@
+# SPDX-License-Identifier: MIT
+"""What the live page does with what it should not get: strangers, garbage, crowds, floods."""
+
+import contextlib
+import socket
+import subprocess
+import sys
+import time
+import urllib.error
+import urllib.request
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from nctakt import NcText, Session
+from nctakt.live import track
+from nctakt.live.shared import MAX_LOG, SharedSession
+from tests.live.driving import BROWSER, chromium, opened, served
+
+pytest.importorskip("nicegui", reason="the live page needs NiceGUI")
+client = pytest.importorskip("websockets.sync.client", reason="strangers need websockets")
+
+pytestmark = pytest.mark.slow
+
+SOCKET = "/_nicegui_ws/socket.io/?EIO=4&transport=websocket"
+
+GARBAGE: list[str | bytes] = [
+    "garbage",
+    "42[",
+    '42["event",{}]',
+    '42["event",{"client_id":"x","id":1,"listener_id":"y","args":[]}]',
+    '42["handshake",5]',
+    '42["javascript_response",{}]',
+    "9" * 100_000,
+    b"\x00\xff" * 1000,
+]
+
+TURNING = """#RT CYCLE [ID=1 SCOPE=PROG]
+  $IF V.E.CONDITION == 0
+    V.E.CONDITION = 1
+  $ELSE
+    V.E.CONDITION = 0
+  $ENDIF
+#RT CYCLE END
+G04 X100000
+M30
+"""
+
+
+@contextlib.contextmanager
+def connected(address: str, **options: Any) -> Iterator[Any]:
+    """A WebSocket of the page, greeted."""
+    url = address.replace("http", "ws").rstrip("/") + SOCKET
+    with client.connect(url, open_timeout=30, **options) as link:
+        link.recv(timeout=30)
+        link.send("40")
+        link.recv(timeout=30)
+        yield link
+
+
+def status_of(address: str) -> tuple[int, str]:
+    """What an address answers: its status, the begin of its text."""
+    try:
+        with urllib.request.urlopen(address, timeout=60) as answer:
+            return answer.status, answer.read(200).decode("utf-8", "replace")
+    except urllib.error.HTTPError as error:
+        return error.code, error.read(200).decode("utf-8", "replace")
+
+
+def program(folder: Path) -> str:
+    """A program that goes on for long."""
+    path = folder / "part.nc"
+    path.write_text(TURNING, "utf-8")
+    return str(path)
+
+
+def test_strangers_garbage_and_files(tmp_path: Path) -> None:
+    """Another site's socket is refused, garbage is dropped and told once, files stay unseen."""
+    errors = tmp_path / "errors.txt"
+    (tmp_path / "secret.txt").write_text("secret", "utf-8")
+    with served(program(tmp_path), errors=errors) as address:
+        with (
+            pytest.raises(Exception, match=r"403|1008"),
+            connected(address, origin="https://elsewhere.example"),
+        ):
+            pass
+        for words in GARBAGE * 2:
+            with connected(address) as link, contextlib.suppress(Exception):
+                link.send(words)
+                link.recv(timeout=0.2)
+        for path in ("../secret.txt", "%2e%2e/secret.txt", "secret.txt", "_nicegui/../secret.txt"):
+            assert "secret" not in status_of(address + path)[1]
+        assert status_of(address)[0] == 200
+    told = errors.read_text("utf-8")
+    assert "Traceback" not in told
+    assert told.count("JSONDecodeError") == 1
+    assert "901163" in told
+
+
+def test_a_crowd_is_told(tmp_path: Path) -> None:
+    """The twenty-first browser gets a sentence, in the page's language."""
+    with served(program(tmp_path), "--lang", "de") as address:
+        answers = [status_of(address) for _ in range(25)]
+    assert [status for status, _ in answers] == [200] * 20 + [503] * 5
+    assert answers[-1][1].startswith("503: zu viele Browser")
+
+
+@pytest.mark.parametrize("mark", [pytest.param(None, marks=BROWSER)])
+def test_a_hundred_connections_do_not_stop_the_tick(tmp_path: Path, mark: None) -> None:
+    """The page goes on, also for a browser that comes after the one that closed in mid-run."""
+    with served(program(tmp_path)) as address, chromium() as browser:
+        page = opened(browser, address)
+        page.get_by_test_id("toggle").click()
+        page.wait_for_function("nctaktRun.run.tick > 100")
+        with contextlib.ExitStack() as crowd:
+            for number in range(100):
+                link = crowd.enter_context(connected(address))
+                link.send(f'42["event",{{"client_id":"{number}"}}]')
+            before = page.evaluate("nctaktRun.run.tick")
+            page.wait_for_function(f"nctaktRun.run.tick > {before} + 500")
+        page.close()
+        later = opened(browser, address)
+        later.wait_for_function(f"nctaktRun.run.tick > {before} + 500")
+        later.get_by_test_id("toggle").click()
+        later.wait_for_function("!nctaktRun.run.isPlaying")
+
+
+def test_a_flood_of_events_is_bounded() -> None:
+    """An event in each of a million ticks: lists stay short, what is left out is told."""
+
+    def opener(chosen: str | None, acknowledges: bool) -> Session:
+        return Session(NcText("part.nc", TURNING), acknowledges=acknowledges, until="1 h")
+
+    shared = SharedSession(opener, "part.nc", acknowledges=True)
+    try:
+        shared.do(lambda session: session.play())
+        ends = time.monotonic() + 120
+        while shared.snapshot.tick < 1_000_000 and time.monotonic() < ends:
+            time.sleep(0.05)
+        shared.do(lambda session: session.pause())
+        assert shared.session.tick >= 1_000_000
+        assert shared.left_out > 0
+        assert len(shared.events) == MAX_LOG
+        assert 0 < len(shared.track.marks) <= track.MAX_MARKS
+        assert shared.session.step(1).tick == shared.session.tick
+    finally:
+        shared.close()
+
+
+def test_a_taken_port_ends_the_command(tmp_path: Path) -> None:
+    """With exit code 2, number and remedy, and without a traceback."""
+    with socket.socket() as taken:
+        taken.bind(("127.0.0.1", 0))
+        taken.listen()
+        port = str(taken.getsockname()[1])
+        done = subprocess.run(
+            [sys.executable, "-m", "nctakt", "live", program(tmp_path), "--port", port],
+            capture_output=True,
+            encoding="utf-8",
+            timeout=120,
+            check=False,
+        )
+    assert done.returncode == 2
+    assert "901161" in done.stderr
+    assert "--port 0" in done.stderr
+    assert "Traceback" not in done.stderr

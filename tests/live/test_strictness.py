@@ -96,7 +96,7 @@ def test_strangers_garbage_and_files(tmp_path: Path) -> None:
     told = errors.read_text("utf-8")
     assert "Traceback" not in told
     assert told.count("JSONDecodeError") == 1
-    assert "901163" in told
+    assert "901317" in told
 
 
 def test_a_crowd_is_told(tmp_path: Path) -> None:

@@ -33,12 +33,12 @@ PROGRAM_CHANGED_ON_DISK = error(
     file=("the program", "das Programm"),
 )
 MESSAGE_NOT_READABLE = warning(
-    901163,
+    901317,
     en="the page could not handle what a browser sent: {reason}",
     de="die Seite konnte nicht verarbeiten, was ein Browser gesendet hat: {reason}",
-    remedy_en="The run goes on. Reload the page; if it comes again without a strange program "
-    "at the port, please report it with NCTAKT_DEBUG=1.",
-    remedy_de="Der Lauf geht weiter. Die Seite neu laden; kommt es ohne ein fremdes Programm am "
-    "Port wieder, bitte mit NCTAKT_DEBUG=1 melden.",
+    remedy_en="The run goes on. If it comes again after a reload, please report it with "
+    "NCTAKT_DEBUG=1.",
+    remedy_de="Der Lauf geht weiter. Kommt es nach dem Neuladen wieder, bitte mit NCTAKT_DEBUG=1 "
+    "melden.",
     reason=("the reason", "der Grund"),
 )

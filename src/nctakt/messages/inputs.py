@@ -31,6 +31,16 @@ NOT_A_STIMULUS = error(
     remedy_de='Zeit, Name der Variablen und Wert angeben: ("20 ms", "V.E.DOOR", 1).',
     value=("the value as it was given", "der Wert, wie angegeben"),
 )
+WRONG_ARGUMENT = error(
+    901186,
+    en="{name} must be {expected}, not {value}",
+    de="{name} muss {expected} sein, nicht {value}",
+    remedy_en="Give such a value; help(nctakt) shows the functions with their arguments.",
+    remedy_de="Einen solchen Wert angeben; help(nctakt) zeigt die Funktionen mit ihren Argumenten.",
+    name=("the argument", "das Argument"),
+    expected=("what it must be", "was es sein muss"),
+    value=("the value as it was given", "der Wert, wie angegeben"),
+)
 TEXT_INSTEAD_OF_FILE = error(
     900515,
     en="'{line} …' is the text of a program, not the name of a file",

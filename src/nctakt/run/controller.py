@@ -8,7 +8,6 @@ independent of each other; any number of them can live in one process.
 
 from __future__ import annotations
 
-import operator
 from collections.abc import Callable, Collection, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -17,6 +16,7 @@ from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
 from nctakt.decoder.cycles.builder import CycleDefinition
 from nctakt.files.access import FileAccess
+from nctakt.lists.format import arguments
 from nctakt.lists.format.times import TimeLike
 from nctakt.lists.machine.axis_configuration import AxisConfiguration
 from nctakt.lists.machine.machine import Machine, load_machine
@@ -155,7 +155,7 @@ class Controller:
     def signal(self, name: str) -> float:
         """Return the present value of a signal; raises ``Failure`` for an unknown name."""
         signals = self._machine.signals()
-        if name not in signals:
+        if arguments.text("name", name) not in signals:
             raise Failure(self._machine.unknown_signal(name))
         return self._machine.cells[signals[name][0]]
 
@@ -164,6 +164,8 @@ class Controller:
 
         Raises ``Failure`` if there is one already, or if the shared memory is not available.
         """
+        if name is not None:
+            arguments.text("name", name)
         machine = self._machine
         self._image = SharedImage(
             self.machine, machine.kernel, machine.channels, machine.layout, name
@@ -217,10 +219,9 @@ class Controller:
     def step(self, ticks: int = 1) -> Step:
         """Run this number of ticks, whatever the state; return what they have done.
 
-        Raises ``TypeError`` for a number that is not whole, ``ValueError`` for one below 0.
+        Raises ``Failure`` for what is no number of ticks.
         """
-        if operator.index(ticks) < 0:
-            raise ValueError(f"{ticks} ticks: time does not go back")
+        ticks = arguments.whole_number("ticks", ticks)
         first_tick, first_diagnostic = self.tick, len(self.diagnostics)
         recording = self._loop.recording
         first_message = len(recording.messages)
@@ -267,7 +268,7 @@ class Controller:
     def _index(self, channel: int) -> int:
         """Return the index of a channel, from 0; raises ``Failure`` if there is none."""
         count = len(self._loop.channels)
-        if not 0 < channel <= count:
+        if not 0 < arguments.whole_number("channel", channel) <= count:
             raise Failure(diagnostic(UNKNOWN_CHANNEL, channel=channel, count=count))
         return channel - 1
 
@@ -324,6 +325,8 @@ class Controller:
         Raises ``Failure`` for a program that cannot be read and for an invalid name, value or time;
         mistakes in the programs are in the result.
         """
+        if channels is not None:
+            arguments.mapping("channels", channels)
         by_channel = {1: programs, **(channels or {})}
         for number in by_channel:
             self._index(number)

@@ -17,6 +17,7 @@ from nctakt.base.failure import Failure
 from nctakt.base.text import split_lines
 from nctakt.decoder.state.environment import DecodeError
 from nctakt.files.access import FileAccess
+from nctakt.lists.format import arguments
 from nctakt.lists.machine.channel_configuration import ChannelParameters
 from nctakt.lists.machine.files import find_below
 from nctakt.messages import Collector, diagnostic
@@ -244,11 +245,12 @@ def load(
         diagnostics += program.diagnostics
         return program.on(machine)
     if isinstance(program, NcText):
-        lines: Sequence[str] = split_lines(program.text)
+        arguments.text("NcText.name", program.name)
+        lines: Sequence[str] = split_lines(arguments.text("NcText.text", program.text))
     elif isinstance(program, str) and ("\n" in program or "\r" in program):
         raise Failure(diagnostic(TEXT_INSTEAD_OF_FILE, line=split_lines(program)[0][:SHOWN_TEXT]))
     else:
-        lines = machine.file_access.read_lines(Path(program))
+        lines = machine.file_access.read_lines(arguments.path("program", program))
     loaded = LoadedProgram(machine, channel)
     main = loaded.add(Source(name_of(program), lines), collector, "main")
     loaded.add_called(main, collector)

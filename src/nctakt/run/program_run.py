@@ -12,8 +12,9 @@ from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from nctakt.base.dataclass import dataclass, field
-from nctakt.base.diagnostics import Diagnostic
+from nctakt.base.diagnostics import Diagnostic, Text
 from nctakt.decoder.cycles.builder import CycleDefinition
+from nctakt.lists.format import arguments
 from nctakt.lists.format.times import TimeLike, read_time
 from nctakt.nc.outline import ProgramText
 from nctakt.results.run import ProgramMessage, Run, RunDrawer, RunState
@@ -74,6 +75,34 @@ class RunOptions:
     replay: Tape | None = None
 
 
+def _check(options: RunOptions) -> None:
+    """Check the types of the options; raises ``Failure``."""
+    for channel, programs in options.programs.items():
+        arguments.collection(f"channels[{channel}]", programs)
+    arguments.mapping("set", options.set)
+    arguments.collection("at", options.at)
+    arguments.collection("sinks", options.sinks)
+    if options.signals is not None:
+        arguments.collection("signals", options.signals)
+    if options.ticks is not None:
+        arguments.whole_number("ticks", options.ticks)
+    arguments.collection("skip", options.skip)
+    for level in options.skip:
+        arguments.whole_number("skip", level)
+    arguments.function("on_message", options.on_message)
+    arguments.function("on_progress", options.on_progress)
+    arguments.function("on_cycle", options.on_cycle)
+    arguments.function("record", options.record)
+    if options.plc is not None and not hasattr(options.plc, "cycle"):
+        arguments.refuse("plc", options.plc, _PLC)
+    if options.replay is not None and not hasattr(options.replay, "inputs"):
+        arguments.refuse("replay", options.replay, _TAPE)
+
+
+_PLC = Text("a Plc", "eine Plc")
+_TAPE = Text("a tape", "ein Band")
+
+
 class ProgramRun:
     """A run that has begun; ``state`` is ``None`` until it is over.
 
@@ -81,6 +110,7 @@ class ProgramRun:
     """
 
     def __init__(self, loop: TickLoop, diagnostics: list[Diagnostic], options: RunOptions) -> None:
+        _check(options)
         machine = loop.machine
         self._loop = loop
         self._machine = machine

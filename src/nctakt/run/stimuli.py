@@ -14,6 +14,7 @@ from collections.abc import Iterable
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
+from nctakt.lists.format import arguments
 from nctakt.lists.format.times import Time, TimeLike, read_time
 from nctakt.messages import diagnostic
 from nctakt.messages.inputs import (
@@ -36,7 +37,8 @@ class Stimulus:
     """A value for a variable at a time of the run, counted from the run's first tick.
 
     ``Stimulus("20 ms", "V.E.DOOR", 1)``: the time is a text with a unit (us, ms, s, min, h, ticks),
-    a number of seconds or a ``datetime.timedelta``. Raises ``Failure`` for any other time.
+    a number of seconds or a ``datetime.timedelta``. Raises ``Failure`` for any
+    other time, for a name that is no text and a value that no variable holds.
 
     >>> stimulus = Stimulus("20 ms", "V.E.VALUE", 5)
     >>> controller = Controller()
@@ -50,6 +52,8 @@ class Stimulus:
     value: float | str
 
     def __init__(self, time: TimeLike, name: str, value: float | str) -> None:
+        arguments.text("name", name)
+        arguments.number_or_text(name, value)
         object.__setattr__(self, "time", read_time(time))
         object.__setattr__(self, "name", name)
         object.__setattr__(self, "value", value)

@@ -19,6 +19,7 @@ from nctakt.hli.layout import PREFIX, PanelValue
 from nctakt.kernel.base import arithmetic
 from nctakt.kernel.kernel import Kernel
 from nctakt.lists.declared.variables import SCALARS
+from nctakt.lists.format import arguments
 from nctakt.messages import diagnostic
 from nctakt.messages.decoder import VALUE_OUTSIDE_TYPE_RANGE
 from nctakt.messages.folders import UNKNOWN_CHANNEL
@@ -115,7 +116,7 @@ class VariableAccess:
 
     def read(self, name: str) -> float | bool | str:
         """Return the value of a variable; a written value is returned before it is latched."""
-        shown = self._find_panel(name)
+        shown = self._find_panel(arguments.text("name", name))
         if shown is not None:
             value = self._pending.get(shown.cell, self._cells[shown.cell])
             assert isinstance(value, float)
@@ -131,7 +132,8 @@ class VariableAccess:
 
     def check(self, name: str, value: float | bool | str) -> Write:
         """Return the converted value; raises ``Failure`` for an unknown name and a wrong value."""
-        shown = self._find_panel(name)
+        shown = self._find_panel(arguments.text("name", name))
+        arguments.number_or_text(name, value)
         if shown is not None:
             return _command(shown, value)
         location, cell = self._find(name)

@@ -11,11 +11,12 @@ from __future__ import annotations
 from pathlib import Path
 
 from nctakt.base.dataclass import dataclass
-from nctakt.base.diagnostics import Diagnostic, Severity
+from nctakt.base.diagnostics import Diagnostic, Severity, Text
 from nctakt.base.failure import Failure
 from nctakt.base.text import decode_text
 from nctakt.files.access import FileAccess
 from nctakt.lists.declared.rtconf import RtconfConfiguration
+from nctakt.lists.format import arguments
 from nctakt.lists.format.times import Time, TimeLike, read_time
 from nctakt.lists.machine.scheduling import load_rtconf
 from nctakt.lists.machine.scheduling_profile import RtconfOptions
@@ -66,10 +67,13 @@ def open_schedule(
     options = options or RtconfOptions()
     access = access or FileAccess()
     collector = Collector()
-    configuration = load_rtconf(str(rtconf), access.read_bytes(Path(rtconf)), collector, options)
+    path = arguments.path("rtconf", rtconf)
+    configuration = load_rtconf(str(rtconf), access.read_bytes(path), collector, options)
     times = ASSUMED
     if load is not None:
-        times = read_load(str(load), decode_text(access.read_bytes(Path(load))).text, collector)
+        times = read_load(
+            str(load), decode_text(access.read_bytes(arguments.path("load", load))).text, collector
+        )
     if collector.has_errors:
         raise Failure(*collector.diagnostics)
     model = assemble(configuration, times, options.profile, collector)
@@ -77,6 +81,9 @@ def open_schedule(
     if any(finding.message not in PLACED for finding in errors):
         raise Failure(*collector.diagnostics)
     return RunSchedule(str(rtconf), configuration, model, times, tuple(collector.diagnostics))
+
+
+_SCHEDULE = Text("the result of open_schedule", "das Ergebnis von open_schedule")
 
 
 def simulate_schedule(schedule: RunSchedule, until: TimeLike = "1 s") -> Simulation:
@@ -88,6 +95,8 @@ def simulate_schedule(schedule: RunSchedule, until: TimeLike = "1 s") -> Simulat
     >>> simulate_schedule(schedule, "100 ms").cycles
     100
     """
+    if not isinstance(schedule, RunSchedule):
+        arguments.refuse("schedule", schedule, _SCHEDULE)
     return simulate(schedule.model, cycles_within(schedule.model, read_time(until)))
 
 

@@ -38,6 +38,7 @@ from nctakt.lists.declared.startup import (
 from nctakt.lists.declared.technology_functions import check_lead_times
 from nctakt.lists.declared.tools import TOOLS, Tool, tools_configuration
 from nctakt.lists.declared.variables import VARIABLES
+from nctakt.lists.format import arguments
 from nctakt.lists.format.times import Time
 from nctakt.lists.format.values import Values
 from nctakt.lists.format.without_effect import Detail
@@ -185,9 +186,9 @@ def load_machine(
     >>> load_machine()
     <Machine demo: 1 channel, axes X, Y, Z, A, S, S2, tick 0.001 s>
     """
-    root = None if root is None else Path(root)
+    root = None if root is None else arguments.path("root", root)
     access = access or FileAccess()
-    folder = DEMO_FOLDER if folder is None else machine_folder(folder)
+    folder = DEMO_FOLDER if folder is None else machine_folder(arguments.path("folder", folder))
     collector = Collector()
     startup_file = _startup_file(folder, collector)
     user_folder = folder if folder.is_dir() else None

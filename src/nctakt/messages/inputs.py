@@ -31,7 +31,7 @@ NOT_A_STIMULUS = error(
     remedy_de='Zeit, Name der Variablen und Wert angeben: ("20 ms", "V.E.DOOR", 1).',
     value=("the value as it was given", "der Wert, wie angegeben"),
 )
-WRONG_ARGUMENT = error(
+ARGUMENT_OF_WRONG_TYPE = error(
     901186,
     en="{name} must be {expected}, not {value}",
     de="{name} muss {expected} sein, nicht {value}",

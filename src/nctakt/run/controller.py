@@ -376,6 +376,7 @@ class Controller:
 
     def begin(self, options: RunOptions) -> ProgramRun:
         """Return a run before its first tick; raises ``Failure`` as ``run``."""
+        options.check()
         inputs = () if options.replay is None else options.replay.inputs
         has_image = self._image is not None and not self._image.is_closed
         if not has_image and any(one.kind == IMAGE for one in inputs):

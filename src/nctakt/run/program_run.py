@@ -45,6 +45,10 @@ REST_US = 60_000_000
 PROGRESS_TICKS = 100_000
 
 
+_PLC = Text("a Plc", "eine Plc")
+_TAPE = Text("a tape", "ein Band")
+
+
 @dataclass(frozen=True, slots=True)
 class RunOptions:
     """What a run is made of; ``Controller.run`` explains each.
@@ -74,33 +78,28 @@ class RunOptions:
     record: InputListener | None = None
     replay: Tape | None = None
 
-
-def _check(options: RunOptions) -> None:
-    """Check the types of the options; raises ``Failure``."""
-    for channel, programs in options.programs.items():
-        arguments.collection(f"channels[{channel}]", programs)
-    arguments.mapping("set", options.set)
-    arguments.collection("at", options.at)
-    arguments.collection("sinks", options.sinks)
-    if options.signals is not None:
-        arguments.collection("signals", options.signals)
-    if options.ticks is not None:
-        arguments.whole_number("ticks", options.ticks)
-    arguments.collection("skip", options.skip)
-    for level in options.skip:
-        arguments.whole_number("skip", level)
-    arguments.function("on_message", options.on_message)
-    arguments.function("on_progress", options.on_progress)
-    arguments.function("on_cycle", options.on_cycle)
-    arguments.function("record", options.record)
-    if options.plc is not None and not hasattr(options.plc, "cycle"):
-        arguments.refuse("plc", options.plc, _PLC)
-    if options.replay is not None and not hasattr(options.replay, "inputs"):
-        arguments.refuse("replay", options.replay, _TAPE)
-
-
-_PLC = Text("a Plc", "eine Plc")
-_TAPE = Text("a tape", "ein Band")
+    def check(self) -> None:
+        """Check the types of the options; raises ``Failure``."""
+        for channel, programs in self.programs.items():
+            arguments.collection(f"channels[{channel}]", programs)
+        arguments.mapping("set", self.set)
+        arguments.collection("at", self.at)
+        arguments.collection("sinks", self.sinks)
+        if self.signals is not None:
+            arguments.collection("signals", self.signals)
+        if self.ticks is not None:
+            arguments.whole_number("ticks", self.ticks)
+        arguments.collection("skip", self.skip)
+        for level in self.skip:
+            arguments.whole_number("skip", level)
+        arguments.function("on_message", self.on_message)
+        arguments.function("on_progress", self.on_progress)
+        arguments.function("on_cycle", self.on_cycle)
+        arguments.function("record", self.record)
+        if self.plc is not None and not hasattr(self.plc, "cycle"):
+            arguments.refuse("plc", self.plc, _PLC)
+        if self.replay is not None and not hasattr(self.replay, "inputs"):
+            arguments.refuse("replay", self.replay, _TAPE)
 
 
 class ProgramRun:
@@ -110,7 +109,6 @@ class ProgramRun:
     """
 
     def __init__(self, loop: TickLoop, diagnostics: list[Diagnostic], options: RunOptions) -> None:
-        _check(options)
         machine = loop.machine
         self._loop = loop
         self._machine = machine

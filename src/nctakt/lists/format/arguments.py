@@ -16,7 +16,7 @@ from typing import Any, NoReturn, SupportsIndex
 from nctakt.base.diagnostics import Text
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
-from nctakt.messages.inputs import WRONG_ARGUMENT
+from nctakt.messages.inputs import ARGUMENT_OF_WRONG_TYPE
 
 _WHOLE = Text("a whole number from {minimum} on", "eine ganze Zahl ab {minimum}")
 _TEXT = Text("a text", "ein Text")
@@ -78,4 +78,6 @@ def function(name: str, value: object) -> None:
 
 def refuse(name: str, value: Any, expected: Text) -> NoReturn:
     """Raise ``Failure``: the argument ``name`` is not ``expected``."""
-    raise Failure(diagnostic(WRONG_ARGUMENT, name=name, expected=expected, value=repr(value)))
+    raise Failure(
+        diagnostic(ARGUMENT_OF_WRONG_TYPE, name=name, expected=expected, value=repr(value))
+    )

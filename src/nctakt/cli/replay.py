@@ -41,7 +41,7 @@ error of nctakt's own.
     "--anyway", is_flag=True, help="Replay although programs or lists have changed since."
 )
 @FORMAT_OPTION
-@click.option("--trace", metavar="FILE", help="Record each tick in a .csv or .jsonl file.")
+@click.option("--trace", metavar="FILE", help="Record each tick: .csv, .jsonl or .parquet.")
 @click.option("--signals", metavar="NAME,...", help="The signals to record and to draw.")
 @with_drawing_options
 @click.option("--diagnosis", metavar="FILE", help="Write the realtime cycles' diagnosis data.")

@@ -69,7 +69,7 @@ _EPILOG = f"""{RUN_CODES}
 @click.command("run", epilog=_EPILOG, short_help="Run NC programs one after another.")
 @run_options("diagnostics, summary and diagnosis data", "No summary and no notes.")
 @FORMAT_OPTION
-@click.option("--trace", metavar="FILE", help="Record each tick in a .csv or .jsonl file.")
+@click.option("--trace", metavar="FILE", help="Record each tick: .csv, .jsonl or .parquet.")
 @click.option("--signals", metavar="NAME,...", help="The signals to record and to draw.")
 @with_drawing_options
 @click.option("--blocks", is_flag=True, help="Record when each block is decoded and run.")
@@ -181,8 +181,12 @@ def _with_partner(
 
 def _open_trace(file: OutputFile | None) -> list[Sink]:
     """Return the sink of ``--trace``."""
-    from nctakt.trace.sinks import file_sink  # noqa: PLC0415 - the mode is chosen before
+    from nctakt.trace.sinks import PARQUET, file_sink  # noqa: PLC0415 - the mode is chosen before
 
+    if file is not None and file.name.lower().endswith(PARQUET):
+        from nctakt.trace.arrow import ParquetSink  # noqa: PLC0415 - as above
+
+        return [ParquetSink(file)]
     return [] if file is None else [file_sink(file)]
 
 

@@ -165,3 +165,10 @@ CLUSTER_LOST = error(
     address=("the address", "die Adresse"),
     reason=("the reason", "der Grund"),
 )
+RUN_WITHOUT_TRACE = error(
+    901317,
+    en="the run has no trace in memory",
+    de="der Lauf hat keine Aufzeichnung im Speicher",
+    remedy_en="Run with memory_trace=True, which is the default.",
+    remedy_de="Mit memory_trace=True laufen lassen; das ist die Voreinstellung.",
+)

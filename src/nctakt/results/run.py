@@ -17,12 +17,17 @@ from nctakt.files.output import OutputFile
 from nctakt.lists.format.times import Time
 from nctakt.messages import diagnostic
 from nctakt.messages.pictures import RUN_NOT_RECORDED
+from nctakt.messages.studies import RUN_WITHOUT_TRACE
 from nctakt.results.notebook import html_table
 from nctakt.results.user_errors import UserErrorReport, user_errors
 from nctakt.trace.events import Event
 from nctakt.trace.recorded import Trace
 
 if TYPE_CHECKING:
+    import pandas
+    import polars
+    import pyarrow
+
     from nctakt.results.coverage import Coverage
     from nctakt.results.starving import OverflowCount, Starvation
     from nctakt.results.why import WhyReport
@@ -230,6 +235,27 @@ class Run:
     def events(self) -> Sequence[Event]:
         """All events in the order of their occurrence."""
         return () if self.trace is None else self.trace.events
+
+    def to_arrow(self) -> pyarrow.Table:
+        """Return the trace as an Arrow table: ``tick``, ``time_us``, the signals, ``events``.
+
+        Raises ``Failure``: no pyarrow (901311), a run without a trace (901317).
+        """
+        from nctakt.trace.arrow import trace_table  # noqa: PLC0415 - an extra
+
+        if self.trace is None:
+            raise Failure(diagnostic(RUN_WITHOUT_TRACE))
+        return trace_table(self.trace)
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """Return the trace as a pandas frame; raises as ``to_arrow``."""
+        return self.to_arrow().to_pandas()
+
+    def to_polars(self) -> polars.DataFrame:
+        """Return the trace as a polars frame; raises as ``to_arrow``."""
+        import polars  # noqa: PLC0415 - an extra
+
+        return polars.DataFrame(self.to_arrow())
 
     @property
     def technology(self) -> list[TechnologyOutput]:

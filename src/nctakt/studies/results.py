@@ -25,11 +25,12 @@ from nctakt.files.output import OutputFile
 from nctakt.lists.machine.machine import load_machine
 from nctakt.messages import diagnostic
 from nctakt.messages.files import FILE_NOT_WRITABLE
-from nctakt.messages.studies import EXTRA_MISSING, OTHER_PLAN
+from nctakt.messages.studies import OTHER_PLAN
 from nctakt.project.machine_choice import machine_of
 from nctakt.run.tape import digest_of
-from nctakt.studies.bench import Row, columns_of
+from nctakt.studies.bench import Row
 from nctakt.studies.plan import Plan
+from nctakt.trace.arrow import load_pyarrow
 
 if TYPE_CHECKING:
     import pyarrow
@@ -133,7 +134,7 @@ def _lines(path: Path) -> Iterator[Row]:
 def check_target(path: Path) -> None:
     """Raise ``Failure`` (901311) if rows cannot be written to a file of this ending."""
     if path.suffix == ".parquet":
-        _arrow()
+        load_pyarrow()
 
 
 def write_rows(rows: Sequence[Row], columns: Sequence[str], path: Path) -> None:
@@ -164,7 +165,7 @@ def read_rows(path: Path) -> list[Row]:
     """
     data = FileAccess().read_bytes(path) if path.suffix != ".parquet" else b""
     if path.suffix == ".parquet":
-        table = _arrow("parquet").read_table(path)
+        table = load_pyarrow("parquet").read_table(path)
         rows: list[Row] = table.to_pylist()
         return rows
     if path.suffix == ".csv":
@@ -189,7 +190,7 @@ def arrow_table(rows: Sequence[Mapping[str, Any]], columns: Sequence[str]) -> py
 
     Raises ``Failure`` (901311) without pyarrow.
     """
-    arrow = _arrow()
+    arrow = load_pyarrow()
     arrays = {}
     for name in columns:
         values = [row.get(name) for row in rows]
@@ -205,7 +206,7 @@ def arrow_table(rows: Sequence[Mapping[str, Any]], columns: Sequence[str]) -> py
 
 
 def _write_parquet(rows: Sequence[Row], columns: Sequence[str], path: Path) -> None:
-    parquet = _arrow("parquet")
+    parquet = load_pyarrow("parquet")
     target = io.BytesIO()
     parquet.write_table(
         arrow_table(rows, columns), target, compression="zstd", row_group_size=GROUP
@@ -213,20 +214,3 @@ def _write_parquet(rows: Sequence[Row], columns: Sequence[str], path: Path) -> N
     file = OutputFile(path)
     with file:
         file.write(target.getvalue())
-
-
-def _arrow(module: str = "") -> Any:
-    import importlib  # noqa: PLC0415 - an extra
-
-    try:
-        return importlib.import_module(f"pyarrow.{module}" if module else "pyarrow")
-    except ImportError as error:
-        raise Failure(diagnostic(EXTRA_MISSING, package="pyarrow", extra="data")) from error
-
-
-def as_columns(plan: Plan, rows: Sequence[Row]) -> list[str]:
-    """Return the names of the columns of rows, those of the plan first."""
-    names = dict.fromkeys(columns_of(plan))
-    for row in rows:
-        names |= dict.fromkeys(row)
-    return list(names)

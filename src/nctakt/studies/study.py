@@ -75,9 +75,7 @@ class StudyResult:
         """Return the rows as a polars frame; raises as ``to_arrow``."""
         import polars  # noqa: PLC0415 - an extra
 
-        frame = polars.from_arrow(self.to_arrow())
-        assert isinstance(frame, polars.DataFrame)
-        return frame
+        return polars.DataFrame(self.to_arrow())
 
     def save(self, path: str | Path) -> None:
         """Write the rows to a .parquet, .csv or .jsonl file; raises ``Failure``."""

@@ -35,6 +35,9 @@ FORMAT_VERSION = 1
 #: Endings of file names and the formats that they choose.
 SUFFIXES = (".csv", ".jsonl")
 
+#: The ending of Parquet files, which are written (``nctakt.trace.arrow``).
+PARQUET = ".parquet"
+
 
 @dataclass(frozen=True, slots=True)
 class Signal:
@@ -82,10 +85,9 @@ class RowSink(Sink, Protocol):
 
 def check_suffix(path: Path) -> None:
     """Raise ``Failure`` (900506) for a file whose suffix is not that of a format."""
-    if path.suffix.lower() not in SUFFIXES:
-        raise Failure(
-            diagnostic(UNKNOWN_TRACE_FORMAT, file=str(path), suffixes=" or ".join(SUFFIXES))
-        )
+    known = (*SUFFIXES, PARQUET)
+    if path.suffix.lower() not in known:
+        raise Failure(diagnostic(UNKNOWN_TRACE_FORMAT, file=str(path), suffixes=" or ".join(known)))
 
 
 def file_sink(file: Path | OutputFile) -> CsvSink | JsonlSink:

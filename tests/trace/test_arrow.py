@@ -48,8 +48,8 @@ def test_frames_of_other_packages() -> None:
 
 
 def test_a_run_without_a_trace_has_no_table() -> None:
-    """901317."""
+    """901350."""
     run = Controller().run(NcText("part.nc", TEXT), memory_trace=False)
     with pytest.raises(Failure) as raised:
         run.to_arrow()
-    assert raised.value.diagnostics[0].id == 901317
+    assert raised.value.diagnostics[0].id == 901350

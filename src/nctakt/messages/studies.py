@@ -166,7 +166,7 @@ CLUSTER_LOST = error(
     reason=("the reason", "der Grund"),
 )
 RUN_WITHOUT_TRACE = error(
-    901317,
+    901350,
     en="the run has no trace in memory",
     de="der Lauf hat keine Aufzeichnung im Speicher",
     remedy_en="Run with memory_trace=True, which is the default.",

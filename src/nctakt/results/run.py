@@ -239,7 +239,7 @@ class Run:
     def to_arrow(self) -> pyarrow.Table:
         """Return the trace as an Arrow table: ``tick``, ``time_us``, the signals, ``events``.
 
-        Raises ``Failure``: no pyarrow (901311), a run without a trace (901317).
+        Raises ``Failure``: no pyarrow (901311), a run without a trace (901350).
         """
         from nctakt.trace.arrow import trace_table  # noqa: PLC0415 - an extra
 

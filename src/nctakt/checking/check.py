@@ -8,7 +8,7 @@ programs is reported (``nc/lint``).
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -92,15 +92,17 @@ def check_files(
     root: Path | None = None,
     for_all: bool = True,
     rtconf: RtconfOptions = STANDARD_OPTIONS,
+    poll: Callable[[], None] | None = None,
 ) -> CheckResult:
     """Check files, folders with their contents, texts, and the files that programs call.
 
     ``detail``: the extent of reports on list entries without effect. ``root``: a further folder for
     the files that lists name. ``for_all``: all programs are for ``machine``, even those in the
-    folder of another one. ``rtconf``: the reading of scheduling lists. An unreadable file is a
-    diagnostic as well; ``files`` of the result is empty if no file was checked.
+    folder of another one. ``rtconf``: the reading of scheduling lists. ``poll`` is called
+    repeatedly while programs are read, and may end the check by an exception. An unreadable file
+    is a diagnostic as well; ``files`` of the result is empty if no file was checked.
     """
-    return _Checker(machine, detail, root, for_all, rtconf).check(inputs)
+    return _Checker(machine, detail, root, for_all, rtconf, poll).check(inputs)
 
 
 @dataclass(frozen=True, slots=True)
@@ -122,7 +124,9 @@ class _Checker:
         root: Path | None,
         for_all: bool,
         rtconf: RtconfOptions,
+        poll: Callable[[], None] | None = None,
     ) -> None:
+        self._poll = poll
         self._targets = Targets(machine, for_all)
         self._access = machine.file_access
         self._detail = detail
@@ -388,6 +392,7 @@ class _Checker:
             role=role,
             axes=target.axes,
             is_shifted=target.is_shifted,
+            poll=self._poll,
         )
         self._global_cycles.append(checked.global_cycles)
         self._keep(name, collector.diagnostics, (target.channel,))

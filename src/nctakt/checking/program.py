@@ -8,7 +8,7 @@ is in memory at a time, so that a program of any length can be checked.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from types import MappingProxyType
 
@@ -79,11 +79,13 @@ def check_program(
     role: Role = "either",
     axes: Mapping[str, AxisConfiguration] = MappingProxyType({}),
     is_shifted: bool = False,
+    poll: Callable[[], None] | None = None,
 ) -> Checked:
     """Check a program with its local subprograms and return its links to others.
 
     ``access`` admits the files that may be read. ``tools``, ``axes``: those of the channel.
     ``is_shifted``: offsets act from the start. ``role``: ``called`` if it is only called by others.
+    ``poll`` is called at regular intervals.
     Called files must exist, as well as those that the channel list runs with each main program.
     """
     program_diagnostics = Collector()
@@ -93,7 +95,9 @@ def check_program(
         channel, axes, Findings(source, of_path), begins=role != "called", is_shifted=is_shifted
     )
     watcher = _Watchers(linter, path_checker, sees_each_block=len(source.lines) <= MAX_LINES)
-    program = inspect(source, names, channel, program_diagnostics, role=role, watcher=watcher)
+    program = inspect(
+        source, names, channel, program_diagnostics, role=role, watcher=watcher, poll=poll
+    )
     if role == "main" or path_checker.subprogram_end is None:
         program_diagnostics.diagnostics += of_path.diagnostics
     calls: list[tuple[str, Span]] = []

@@ -40,6 +40,7 @@ _COMMANDS = {
     "dap": "nctakt.cli.dap",
     "check": "nctakt.cli.check",
     "explain": "nctakt.cli.explain",
+    "lsp": "nctakt.cli.lsp",
     "list": "nctakt.cli.listing",
     "new": "nctakt.cli.new",
     "why": "nctakt.cli.why",

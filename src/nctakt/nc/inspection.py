@@ -93,7 +93,7 @@ def inspect(
         if poll is not None and count % STATEMENTS_PER_POLL == 0:
             poll()
         sequel.take(line, section, statement)
-        sequel.skip_known(statements)
+        sequel.skip_known(statements, poll)
     program = sequel.finish()
     unsorted.diagnostics.sort(key=_position)
     collector.diagnostics += _named(_without_redundant(unsorted.diagnostics))
@@ -185,14 +185,21 @@ class _ProgramInspector:
             self._check(statement)
         self._remember(line)
 
-    def skip_known(self, statements: StatementReader) -> None:
-        """Skip lines of known valid shapes while statements are not kept."""
+    def skip_known(
+        self, statements: StatementReader, poll: Callable[[], None] | None = None
+    ) -> None:
+        """Skip lines of known valid shapes while statements are not kept.
+
+        ``poll`` is called for each group of lines.
+        """
         self._new = None
         if self._section is None or self._section.kept is not None or self._sees_each_block:
             return
         lines = statements.lines
         templates = self._program.templates
         while lines is not None and lines.more():
+            if poll is not None and lines.index == 0:
+                poll()
             lines.index = self._scanner.skip_known(lines.group, lines.index, self._plain_in_order)
             if self._watcher is not None and lines.index < len(lines.group):
                 return

@@ -13,6 +13,9 @@ from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Span
 from nctakt.base.long_text import LongText
 
+#: Lines of a text in memory that are read as one group.
+GROUP_LINES = 20_000
+
 
 @dataclass(frozen=True, slots=True)
 class Source:
@@ -28,7 +31,9 @@ class Source:
         if isinstance(self.lines, LongText):
             return self.lines.groups(first - 1)
         if isinstance(self.lines, list):
-            return iter((self.lines[first - 1 :],))
+            lines = self.lines
+            starts = range(first - 1, len(lines), GROUP_LINES)
+            return (lines[start : start + GROUP_LINES] for start in starts)
         return ([line] for line in islice(self.lines, first - 1, None))
 
     def line_of(self, span: Span | None) -> str:

@@ -42,13 +42,13 @@ _SYNCHRONOUS = {
 
 
 class MachineVariables:
-    """The variables of a machine; ``folder`` ``None``: of the demo machine.
+    """The variables of a machine, loaded or in ``folder``; ``None``: of the demo machine.
 
     Raises ``Failure`` if no machine results.
     """
 
-    def __init__(self, folder: str | None) -> None:
-        self._machine = load_machine(folder)
+    def __init__(self, folder: str | Machine | None) -> None:
+        self._machine = folder if isinstance(folder, Machine) else load_machine(folder)
 
     def find(self, word: str) -> list[Article]:
         """Return the articles of all variables of this name, those of each channel apart."""

@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: MIT
+"""``nctakt lsp``: the language server for editors, over standard streams or TCP.
+
+In: the messages of an editor. Out: answers and findings. It ends with the editor, or at Ctrl-C.
+"""
+
+from __future__ import annotations
+
+import gc
+
+import click
+
+from nctakt.base.diagnostics import Language
+from nctakt.base.failure import Failure
+from nctakt.cli import EXIT_RAN, EXIT_USAGE
+from nctakt.cli.language import language_option
+from nctakt.cli.terminal import print_diagnostics
+from nctakt.messages import diagnostic
+from nctakt.messages.editor import EDITOR_LIBRARY_MISSING
+
+_EPILOG = """\b
+Editors start it by themselves and speak with it over its standard streams;
+docs/editor.md has the few lines that each needs. --tcp waits for one editor at
+an address instead.
+Exit codes: 0 ended, 2 wrong usage or a missing library, 3 an error of nctakt's
+own.
+
+\b
+  nctakt lsp
+  nctakt lsp --tcp 2087 --lang de
+"""
+
+
+@click.command("lsp", epilog=_EPILOG, short_help="Serve an editor (language server).")
+@click.option("--stdio", is_flag=True, help="Speak over the standard streams [default].")
+@click.option(
+    "--tcp",
+    "port",
+    type=click.IntRange(1, 65535),
+    metavar="PORT",
+    help="Wait for an editor at this port.",
+)
+@click.option("--host", default="127.0.0.1", metavar="ADDRESS", help="Address of the port.")
+@language_option("Language of findings and explanations [default: en].")
+def command(stdio: bool, port: int | None, host: str, language: Language) -> int:
+    """Check, explain, complete and format programs and lists in an editor."""
+    gc.disable()  # what is imported stays
+    try:
+        import pygls  # noqa: F401, PLC0415 - only this command needs it
+    except ImportError:
+        failure = Failure(diagnostic(EDITOR_LIBRARY_MISSING))
+        print_diagnostics(failure.diagnostics, language)
+        return EXIT_USAGE
+    from nctakt.editor.server import Server  # noqa: PLC0415 - as above
+
+    server = Server(language)
+    gc.freeze()
+    gc.enable()
+    if port is not None and not stdio:
+        server.start_tcp(host, port)
+    else:
+        server.start_io()
+    return EXIT_RAN

@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: MIT
+"""A text that is open in an editor, and its positions.
+
+In: the text as it was opened, then changes. Out: lines, as the check counts them. A change touches
+only its own lines, so that a program of a million lines is edited as fast as a short one.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from urllib.parse import quote, unquote, urlsplit
+
+from lsprotocol.types import (
+    Position,
+    PositionEncodingKind,
+    Range,
+    TextDocumentContentChangeEvent,
+    TextDocumentContentChangePartial,
+)
+
+from nctakt.base.dataclass import dataclass
+from nctakt.base.diagnostics import Span
+
+#: The language of lists among the languages of editors; any other document is a program.
+LIST_LANGUAGE = "nctakt-list"
+
+
+@dataclass(slots=True)
+class Document:
+    """An open text; ``lines`` are without their ends, the last one may be empty.
+
+    ``path`` is ``None`` for a text without a file. ``name`` is what findings call it. ``encoding``
+    counts the characters of positions.
+    """
+
+    uri: str
+    path: Path | None
+    name: str
+    language: str
+    version: int
+    lines: list[str]
+    encoding: PositionEncodingKind | str = PositionEncodingKind.Utf16
+
+    @property
+    def is_list(self) -> bool:
+        """Whether it is a list of parameters, by its language or the end of its name."""
+        suffix = Path(self.name).suffix.casefold()
+        return self.language == LIST_LANGUAGE or suffix in (".lis", ".xml")
+
+    def program_lines(self) -> list[str]:
+        """Return the lines as the check counts them: an end of line begins no other line."""
+        return self.lines[:-1] if self.lines and not self.lines[-1] else self.lines[:]
+
+    def text(self) -> str:
+        """Return the whole text."""
+        return "\n".join(self.lines)
+
+    def line(self, number: int) -> str:
+        """Return a line, counted from 0; empty behind the last one."""
+        return self.lines[number] if 0 <= number < len(self.lines) else ""
+
+    def change(self, event: TextDocumentContentChangeEvent) -> None:
+        """Apply a change of the editor."""
+        if not isinstance(event, TextDocumentContentChangePartial):
+            self.lines = split_text(event.text)
+            return
+        first, last = self._inside(event.range.start), self._inside(event.range.end)
+        before = self.line(first.line)[: self.index(first)]
+        after = self.line(last.line)[self.index(last) :]
+        new = split_text(event.text)
+        new[0] = before + new[0]
+        new[-1] += after
+        self.lines[first.line : last.line + 1] = new
+
+    def _inside(self, position: Position) -> Position:
+        """Return the position, behind the text its end."""
+        if position.line < len(self.lines):
+            return position
+        return Position(len(self.lines) - 1, len(self.lines[-1]) * 2)
+
+    def index(self, position: Position) -> int:
+        """Return the index of a position's character in its line."""
+        return self.index_of(self.line(position.line), position.character)
+
+    def index_of(self, line: str, character: int) -> int:
+        """Return the index of the character that the editor counts as ``character``."""
+        if line.isascii() or self.encoding == PositionEncodingKind.Utf32:
+            return min(character, len(line))
+        count = 0
+        for index, letter in enumerate(line):
+            if count >= character:
+                return index
+            count += self._width(letter)
+        return len(line)
+
+    def character_of(self, line: str, index: int) -> int:
+        """Return how the editor counts the character at an index."""
+        if line.isascii() or self.encoding == PositionEncodingKind.Utf32:
+            return index
+        return sum(map(self._width, line[:index])) + max(0, index - len(line))
+
+    def _width(self, letter: str) -> int:
+        if self.encoding == PositionEncodingKind.Utf8:
+            return len(letter.encode("utf-8", "surrogatepass"))
+        return 2 if ord(letter) > 0xFFFF else 1
+
+    def range(self, line: int, start: int, end: int) -> Range:
+        """Return the range of ``line[start:end]``; lines count from 0."""
+        text = self.line(line)
+        return Range(
+            Position(line, self.character_of(text, start)),
+            Position(line, self.character_of(text, end)),
+        )
+
+    def range_of(self, span: Span | None) -> Range:
+        """Return the range of a span; of a whole file its first character."""
+        if span is None or not span.line:
+            return Range(Position(0, 0), Position(0, 1))
+        return self.range(span.line - 1, span.column - 1, span.end_column - 1)
+
+    def whole_lines(self, first: int, last: int) -> Range:
+        """Return the range from the start of a line to the end of another one."""
+        text = self.line(last)
+        return Range(Position(first, 0), Position(last, self.character_of(text, len(text))))
+
+
+def split_text(text: str) -> list[str]:
+    r"""Return the lines of a text; an end (``\r\n``, ``\n``, ``\r``) always begins another one."""
+    return text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
+
+
+def path_of(uri: str) -> Path | None:
+    """Return the file of a URI, ``None`` if it names none."""
+    parts = urlsplit(uri)
+    if parts.scheme != "file":
+        return None
+    path = unquote(parts.path)
+    if len(path) > 2 and path[0] == "/" and path[2] == ":":
+        path = path[1:]  # /C:/programs/part.nc
+    return Path(path)
+
+
+def uri_of(path: Path) -> str:
+    """Return the URI of a file."""
+    full = path.absolute().as_posix()
+    return "file://" + quote(full if full.startswith("/") else f"/{full}")

@@ -1,0 +1,183 @@
+# SPDX-License-Identifier: MIT
+"""The names of a program: what the one at the cursor stands for, and all places that mean it.
+
+In: a document and a position. Out: ``Symbol``, and its occurrences: where it is defined and where
+it is used. Cycle IDs, labels, local subprograms, called files, parameters, variables and axes.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from typing import Literal, NamedTuple
+
+from nctakt.editor.line_tokens import VARIABLE
+from nctakt.nc.parse.lexer import without_comments
+
+Kind = Literal["cycle", "label", "subprogram", "file", "parameter", "variable", "axis"]
+
+#: Families of variables that a program declares itself.
+OWN_FAMILIES = ("P", "L", "S", "CYC")
+
+
+class Symbol(NamedTuple):
+    """A name: ``name`` in the form in which it is compared."""
+
+    kind: Kind
+    name: str
+
+
+class Occurrence(NamedTuple):
+    """A place of a symbol: its line, from 0, and its columns; ``is_definition``: made there."""
+
+    symbol: Symbol
+    line: int
+    start: int
+    end: int
+    is_definition: bool
+
+
+_CYCLE = re.compile(
+    r"#\s*RT\s+CYCLE\b(?P<action>[^\[]*)\[[^\]]*?\bID\s*=\s*(?P<id>\d+)", re.IGNORECASE
+)
+_HEAD_LABEL = re.compile(
+    r"^\s*(?:/\d*\s*)?(?:N\s*(?P<number>\d+)\s*:|\[(?P<name>[A-Z_]\w*)\])", re.I
+)
+_GOTO = re.compile(r"\$GOTO\s*(?:N\s*(?P<number>\d+)|\[\s*(?P<name>[A-Z_]\w*)\s*\])", re.IGNORECASE)
+_START = re.compile(r"^\s*%\s*L\s+(?P<name>[^\s;(]+)", re.IGNORECASE)
+_LOCAL_CALL = re.compile(r"(?<![\w.])LL\s+(?!CYCLE\b)(?P<name>[^\s\[;(=]+)", re.IGNORECASE)
+_NAMED_CALL = re.compile(
+    r"(?<![\w.])(?P<word>L|LL)\s+CYCLE\s*\[[^\]]*?\bNAME\s*=\s*\"?(?P<name>[^\s\]\"]+)", re.I
+)
+_FILE_CALL = re.compile(r"(?<![\w.])L\s+(?!CYCLE\b)(?P<name>[^\s\[;(=]+)", re.IGNORECASE)
+_PARAMETER = re.compile(r"(?<![\w.@])P(?P<number>\d+)(?!\w)", re.IGNORECASE)
+_ASSIGNED = re.compile(r"\s*[-+*/]?=(?!=)")
+_VARIABLE = re.compile(rf"(?<!\w\w)(?<![\d._])(?P<name>{VARIABLE})", re.IGNORECASE)
+_AXIS = re.compile(r"(?<![\w.#$])(?P<name>[ABCQU-Z]\d?)(?=\s*[-+]?[\d.\[P]|\s*=)", re.IGNORECASE)
+_INDEX = re.compile(r"\[[^\[\]]*\]")
+_VAR_BEGIN = re.compile(r"^\s*(?:N\d+\s*)?#\s*VAR\b", re.IGNORECASE)
+_VAR_END = re.compile(r"^\s*(?:N\d+\s*)?#\s*ENDVAR\b", re.IGNORECASE)
+
+
+def variable_name(written: str) -> str:
+    """Return a variable without indices and ``Vs.``: ``Vs.E.A[3].B`` -> ``V.E.A.B``."""
+    name = _INDEX.sub("", written).rstrip(".")
+    parts = name.split(".")
+    parts[0] = "V"
+    if len(parts) > 1:
+        parts[1] = parts[1].upper()
+    return ".".join(parts)
+
+
+def occurrences_in(line: str, number: int, *, declares: bool = False) -> Iterator[Occurrence]:
+    """Yield the names of a line; ``declares``: it lies between ``#VAR`` and ``#ENDVAR``."""
+    code = without_comments(line)
+    for match in _CYCLE.finditer(code):
+        action = match["action"].split()
+        is_definition = not action or action[0].upper() == "DEF"
+        yield _at(Symbol("cycle", str(int(match["id"]))), number, match, "id", is_definition)
+    head = _HEAD_LABEL.match(code)
+    if head is not None:
+        yield _label(head, number, is_definition=True)
+    for match in _GOTO.finditer(code):
+        yield _label(match, number, is_definition=False)
+    start = _START.match(code)
+    if start is not None:
+        yield _at(Symbol("subprogram", start["name"]), number, start, "name", True)
+    for match in _LOCAL_CALL.finditer(code):
+        yield _at(Symbol("subprogram", match["name"]), number, match, "name", False)
+    for match in _NAMED_CALL.finditer(code):
+        kind: Kind = "subprogram" if match["word"].upper() == "LL" else "file"
+        yield _at(Symbol(kind, match["name"]), number, match, "name", False)
+    for match in _FILE_CALL.finditer(code):
+        yield _at(Symbol("file", match["name"]), number, match, "name", False)
+    for match in _PARAMETER.finditer(code):
+        written = _ASSIGNED.match(code, match.end()) is not None
+        yield _at(Symbol("parameter", f"P{int(match['number'])}"), number, match, None, written)
+    for match in _VARIABLE.finditer(code):
+        symbol = Symbol("variable", variable_name(match["name"]))
+        yield _at(symbol, number, match, "name", declares)
+    for match in _AXIS.finditer(code):
+        yield _at(Symbol("axis", match["name"].upper()), number, match, "name", False)
+
+
+def _label(match: re.Match[str], line: int, *, is_definition: bool) -> Occurrence:
+    if match["number"] is not None:
+        symbol = Symbol("label", f"N{int(match['number'])}")
+        return _at(symbol, line, match, "number", is_definition)
+    return _at(Symbol("label", match["name"]), line, match, "name", is_definition)
+
+
+def _at(
+    symbol: Symbol, line: int, match: re.Match[str], group: str | None, is_definition: bool
+) -> Occurrence:
+    start, end = match.span() if group is None else match.span(group)
+    return Occurrence(symbol, line, start, end, is_definition)
+
+
+def symbol_at(lines: Sequence[str], line: int, index: int) -> Occurrence | None:
+    """Return the name at a position, the shortest of several."""
+    if not 0 <= line < len(lines):
+        return None
+    found = occurrences_in(lines[line], line, declares=_is_declared(lines, line))
+    touching = [item for item in found if item.start <= index <= item.end]
+    return min(touching, key=lambda item: item.end - item.start, default=None)
+
+
+def _is_declared(lines: Sequence[str], line: int) -> bool:
+    """Return whether a line lies between ``#VAR`` and ``#ENDVAR``; looks back 1,000 lines."""
+    for number in range(line, max(-1, line - 1000), -1):
+        if _VAR_BEGIN.match(lines[number]):
+            return number != line
+        if _VAR_END.match(lines[number]):
+            return False
+    return False
+
+
+def section_of(lines: Sequence[str], line: int) -> range:
+    """Return the lines of the main program or subprogram that has a line; labels are its own."""
+    first = line
+    while first > 0 and not lines[first].lstrip().startswith("%"):
+        first -= 1
+    last = line + 1
+    while last < len(lines) and not lines[last].lstrip().startswith("%"):
+        last += 1
+    return range(first, last)
+
+
+def occurrences(
+    lines: Sequence[str], symbol: Symbol, within: range | None = None
+) -> Iterator[Occurrence]:
+    """Yield all places of a symbol in the order of the text; ``within``: only in these lines."""
+    needle = _needle(symbol)
+    declares = False
+    for number in within or range(len(lines)):
+        line = lines[number]
+        if "#" in line:
+            if _VAR_BEGIN.match(line):
+                declares = True
+            elif _VAR_END.match(line):
+                declares = False
+        if needle not in line.upper():
+            continue
+        for item in occurrences_in(line, number, declares=declares):
+            if same(item.symbol, symbol):
+                yield item
+
+
+def same(one: Symbol, other: Symbol) -> bool:
+    """Return whether two symbols are one; a member belongs to its variable."""
+    return one == other or (
+        one.kind == other.kind == "variable" and one.name.startswith(f"{other.name}.")
+    )
+
+
+def _needle(symbol: Symbol) -> str:
+    """Return what a line must contain, in upper case, to have the symbol."""
+    if symbol.kind == "cycle":
+        return "CYCLE"
+    if symbol.kind in ("label", "parameter"):
+        return symbol.name.lstrip("NP") if symbol.name[1:].isdigit() else symbol.name.upper()
+    if symbol.kind == "variable":
+        return symbol.name.split(".")[-1].upper()
+    return symbol.name.upper()

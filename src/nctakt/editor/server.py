@@ -1,0 +1,383 @@
+# SPDX-License-Identifier: MIT
+"""The server itself: requests of an editor -> answers of the other modules.
+
+In: messages of the Language Server Protocol, over standard streams or TCP. Out: answers, and
+findings after each change. Documents are kept here and not by pygls, which would copy a long text
+at each keystroke. The modules of the answers are loaded beside the first check, so that the editor
+need not wait for them at the start.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from lsprotocol import types
+from pygls.lsp.server import LanguageServer
+from pygls.protocol import LanguageServerProtocol, lsp_method
+
+from nctakt.base.diagnostics import Diagnostic, Language, Severity
+from nctakt.base.version import __version__
+from nctakt.editor.diagnosis import Diagnosis
+from nctakt.editor.document import Document, path_of, split_text
+from nctakt.editor.workspace import Workspace
+
+#: Seconds between two switches of threads: a check must not hold up an answer.
+_SWITCH_S = 0.001
+
+_SEVERITIES = {
+    Severity.ERROR: types.DiagnosticSeverity.Error,
+    Severity.WARNING: types.DiagnosticSeverity.Warning,
+    Severity.NOTE: types.DiagnosticSeverity.Information,
+}
+
+
+class _Protocol(LanguageServerProtocol):
+    """Leaves the texts of documents to the server."""
+
+    @lsp_method(types.TEXT_DOCUMENT_DID_OPEN)
+    def lsp_text_document__did_open(self, params: types.DidOpenTextDocumentParams) -> None:
+        """Open a document."""
+        _server(self).opened(params)
+
+    @lsp_method(types.TEXT_DOCUMENT_DID_CHANGE)
+    def lsp_text_document__did_change(self, params: types.DidChangeTextDocumentParams) -> None:
+        """Change a document."""
+        _server(self).changed(params)
+
+    @lsp_method(types.TEXT_DOCUMENT_DID_CLOSE)
+    def lsp_text_document__did_close(self, params: types.DidCloseTextDocumentParams) -> None:
+        """Close a document."""
+        _server(self).closed(params.text_document.uri)
+
+
+def _server(protocol: LanguageServerProtocol) -> Server:
+    server = protocol._server
+    assert isinstance(server, Server)
+    return server
+
+
+class Server(LanguageServer):
+    """The language server: its documents, their checks, the language of its texts."""
+
+    def __init__(self, language: Language = "en") -> None:
+        super().__init__("nctakt", __version__, protocol_cls=_Protocol)
+        self.language: Language = language
+        self.work = Workspace()
+        self.diagnosis = Diagnosis(self.work, self._publish)
+        self.reference = ""
+        sys.setswitchinterval(_SWITCH_S)
+        register(self)
+
+    def begin(self, params: types.InitializeParams) -> None:
+        """Take the options of the editor: ``language``, ``reference`` (where codes lead)."""
+        options = params.initialization_options
+        if isinstance(options, dict):
+            if options.get("language") in ("en", "de"):
+                self.language = options["language"]
+            self.reference = str(options.get("reference") or "")
+
+    # --- documents -------------------------------------------------------------------------------
+
+    def opened(self, params: types.DidOpenTextDocumentParams) -> None:
+        """Add a document and check it."""
+        item = params.text_document
+        path = path_of(item.uri)
+        document = Document(
+            item.uri,
+            path,
+            item.uri.rsplit("/", 1)[-1] if path is None else path.as_posix(),
+            item.language_id,
+            item.version,
+            split_text(item.text),
+            self.workspace.position_encoding or types.PositionEncodingKind.Utf16,
+        )
+        self.work.open(document)
+        self.diagnosis.changed(document, pause=False)
+
+    def changed(self, params: types.DidChangeTextDocumentParams) -> None:
+        """Change a document and check it; a list changes the programs of its machine, too."""
+        document = self.work.documents.get(params.text_document.uri)
+        if document is None:
+            return
+        for event in params.content_changes:
+            document.change(event)
+        document.version = params.text_document.version
+        self.diagnosis.changed(document)
+        if document.is_list:
+            self.recheck(document)
+
+    def recheck(self, changed: Document | None = None) -> None:
+        """Check the other programs anew: a list or a file has changed."""
+        for other in self.work.documents.values():
+            if other is not changed and not other.is_list:
+                self.diagnosis.changed(other)
+
+    def closed(self, uri: str) -> None:
+        """Remove a document and its findings."""
+        self.work.close(uri)
+        self.diagnosis.closed(uri)
+        self.text_document_publish_diagnostics(types.PublishDiagnosticsParams(uri, []))
+
+    def document(self, uri: str) -> Document | None:
+        """Return an open document."""
+        return self.work.documents.get(uri)
+
+    # --- findings --------------------------------------------------------------------------------
+
+    def _publish(self, document: Document, found: Sequence[Diagnostic]) -> None:
+        shown = [self.shown(document, item) for item in found]
+        self.text_document_publish_diagnostics(
+            types.PublishDiagnosticsParams(document.uri, shown, document.version)
+        )
+
+    def shown(self, document: Document, item: Diagnostic) -> types.Diagnostic:
+        """Return a finding as editors show it: number, area, text, remedy, related place."""
+        remedy = item.remedy(self.language)
+        text = item.text(self.language)
+        href = f"{self.reference}{item.id}" if self.reference else ""
+        return types.Diagnostic(
+            document.range_of(item.span),
+            f"{text}\n{remedy}" if remedy else text,
+            _SEVERITIES[item.severity],
+            item.id,
+            types.CodeDescription(href) if href else None,
+            "nctakt",
+            related_information=self._related(document, item),
+        )
+
+    def _related(
+        self, document: Document, item: Diagnostic
+    ) -> list[types.DiagnosticRelatedInformation] | None:
+        line = item.values.get("line")
+        if not isinstance(line, int) or not 1 <= line <= len(document.lines):
+            return None
+        area = types.Location(document.uri, document.whole_lines(line - 1, line - 1))
+        text = document.line(line - 1).strip()
+        return [types.DiagnosticRelatedInformation(area, text)]
+
+
+def register(server: Server) -> None:
+    """Register the requests that the server answers."""
+    feature = server.feature
+
+    @feature(types.INITIALIZE)
+    def initialize(params: types.InitializeParams) -> None:
+        if isinstance(params, types.InitializeParams):
+            server.begin(params)
+
+    @feature(types.INITIALIZED)
+    def initialized(_: types.InitializedParams) -> None:
+        server.diagnosis.warm_up()
+
+    @feature(types.SHUTDOWN)
+    def shutdown(*_: Any) -> None:
+        server.diagnosis.stop()
+
+    @feature(types.TEXT_DOCUMENT_DID_SAVE)
+    @feature(types.WORKSPACE_DID_CHANGE_WATCHED_FILES)
+    def saved(_: Any) -> None:
+        server.recheck()
+
+    @feature(types.TEXT_DOCUMENT_HOVER)
+    def on_hover(params: types.HoverParams) -> types.Hover | None:
+        from nctakt.editor.hover import hover  # noqa: PLC0415 - when it is asked for
+
+        document = server.document(params.text_document.uri)
+        if document is None:
+            return None
+        machine = server.work.machine_of(document).machine.configuration
+        found = server.diagnosis.findings.get(document.uri, [])
+        return hover(document, params.position, machine, found, server.language)
+
+    @feature(
+        types.TEXT_DOCUMENT_COMPLETION,
+        types.CompletionOptions(trigger_characters=[".", "$", "#", "[", "=", " "]),
+    )
+    def on_completion(params: types.CompletionParams) -> types.CompletionList | None:
+        from nctakt.editor.completion import complete  # noqa: PLC0415 - when it is asked for
+
+        document = server.document(params.text_document.uri)
+        if document is None:
+            return None
+        machine = server.work.machine_of(document).machine
+        items = complete(document, params.position, machine, server.language)
+        return types.CompletionList(is_incomplete=False, items=items)
+
+    @feature(types.TEXT_DOCUMENT_DEFINITION)
+    def on_definition(params: types.DefinitionParams) -> list[types.Location]:
+        from nctakt.editor.navigation import definition  # noqa: PLC0415 - when it is asked for
+
+        document = server.document(params.text_document.uri)
+        if document is None:
+            return []
+        return definition(document, params.position, server.work.machine_of(document))
+
+    @feature(types.TEXT_DOCUMENT_REFERENCES)
+    def on_references(params: types.ReferenceParams) -> list[types.Location]:
+        from nctakt.editor.navigation import references  # noqa: PLC0415 - when it is asked for
+
+        document = server.document(params.text_document.uri)
+        if document is None:
+            return []
+        with_definition = params.context.include_declaration
+        return references(document, params.position, with_definition=with_definition)
+
+    @feature(types.TEXT_DOCUMENT_DOCUMENT_HIGHLIGHT)
+    def on_highlight(params: types.DocumentHighlightParams) -> list[types.DocumentHighlight]:
+        from nctakt.editor.navigation import references  # noqa: PLC0415 - when it is asked for
+
+        document = server.document(params.text_document.uri)
+        if document is None:
+            return []
+        found = references(document, params.position, with_definition=True)
+        return [types.DocumentHighlight(area.range) for area in found]
+
+    @feature(types.TEXT_DOCUMENT_PREPARE_RENAME)
+    def on_prepare_rename(params: types.PrepareRenameParams) -> types.Range | None:
+        from nctakt.editor.navigation import can_rename, found_at, renamed_part  # noqa: PLC0415 - when it is asked for
+
+        document = server.document(params.text_document.uri)
+        item = None if document is None else found_at(document, params.position)
+        if document is None or item is None or not can_rename(item.symbol):
+            return None
+        return document.range(item.line, *renamed_part(document, item))
+
+    @feature(types.TEXT_DOCUMENT_RENAME, types.RenameOptions(prepare_provider=True))
+    def on_rename(params: types.RenameParams) -> types.WorkspaceEdit | None:
+        from nctakt.editor.navigation import rename  # noqa: PLC0415 - when it is asked for
+
+        document = server.document(params.text_document.uri)
+        if document is None:
+            return None
+        loaded = server.work.machine_of(document)
+        return rename(document, params.position, params.new_name, loaded)
+
+    @feature(types.TEXT_DOCUMENT_DOCUMENT_SYMBOL)
+    def on_symbols(params: types.DocumentSymbolParams) -> list[types.DocumentSymbol]:
+        from nctakt.editor.outline import document_symbols  # noqa: PLC0415 - when it is asked for
+
+        document = server.document(params.text_document.uri)
+        return [] if document is None else document_symbols(document)
+
+    @feature(types.WORKSPACE_SYMBOL)
+    def on_workspace_symbols(
+        params: types.WorkspaceSymbolParams,
+    ) -> list[types.WorkspaceSymbol]:
+        from nctakt.editor.outline import document_symbols  # noqa: PLC0415 - when it is asked for
+
+        found = []
+        query = params.query.casefold()
+        for document in _all_documents(server):
+            for symbol in _flat(document_symbols(document)):
+                if query in symbol.name.casefold():
+                    area = types.Location(document.uri, symbol.selection_range)
+                    found.append(types.WorkspaceSymbol(area, symbol.name, symbol.kind))
+        return found
+
+    @feature(types.TEXT_DOCUMENT_FOLDING_RANGE)
+    def on_folding(params: types.FoldingRangeParams) -> list[types.FoldingRange]:
+        from nctakt.editor.outline import folding_ranges  # noqa: PLC0415 - when it is asked for
+
+        document = server.document(params.text_document.uri)
+        return [] if document is None or document.is_list else folding_ranges(document)
+
+    @feature(types.TEXT_DOCUMENT_SELECTION_RANGE)
+    def on_selection(params: types.SelectionRangeParams) -> list[types.SelectionRange] | None:
+        from nctakt.editor.outline import selection_range  # noqa: PLC0415 - when it is asked for
+
+        document = server.document(params.text_document.uri)
+        if document is None:
+            return None
+        return [selection_range(document, position) for position in params.positions]
+
+    @feature(types.TEXT_DOCUMENT_FORMATTING)
+    def on_formatting(params: types.DocumentFormattingParams) -> list[types.TextEdit] | None:
+        document = server.document(params.text_document.uri)
+        if document is None or document.is_list:
+            return None
+        return _edits(document, 0, len(document.lines))
+
+    @feature(types.TEXT_DOCUMENT_RANGE_FORMATTING)
+    def on_range(params: types.DocumentRangeFormattingParams) -> list[types.TextEdit] | None:
+        document = server.document(params.text_document.uri)
+        if document is None or document.is_list:
+            return None
+        last = min(params.range.end.line + (params.range.end.character > 0), len(document.lines))
+        return _edits(document, params.range.start.line, max(last, params.range.start.line + 1))
+
+    @feature(
+        types.TEXT_DOCUMENT_CODE_ACTION,
+        types.CodeActionOptions(code_action_kinds=[types.CodeActionKind.QuickFix]),
+    )
+    async def on_action(params: types.CodeActionParams) -> list[types.CodeAction]:
+        from nctakt.editor.remedies import actions  # noqa: PLC0415 - when it is asked for
+
+        document = server.document(params.text_document.uri)
+        if document is None:
+            return []
+        found = await server.diagnosis.settled(document)
+        chosen = []
+        for item in found:
+            shown = server.shown(document, item)
+            if shown.range.start.line <= params.range.end.line and (
+                params.range.start.line <= shown.range.end.line
+            ):
+                chosen.append((item, shown))
+        return actions(document, chosen, server.work.machine_of(document), server.language)
+
+
+def _edits(document: Document, first: int, last: int) -> list[types.TextEdit]:
+    from nctakt.editor.formatting import format_lines  # noqa: PLC0415 - when it is asked for
+
+    new = format_lines(document.lines, first, last)
+    return [
+        types.TextEdit(document.whole_lines(number, number), line)
+        for number, line in enumerate(new, first)
+        if line != document.line(number)
+    ]
+
+
+def _flat(symbols: Sequence[types.DocumentSymbol]) -> list[types.DocumentSymbol]:
+    flat: list[types.DocumentSymbol] = []
+    for symbol in symbols:
+        flat += [symbol, *_flat(symbol.children or ())]
+    return flat
+
+
+#: Files of the folders of the editor that are searched for symbols.
+_MAX_FILES = 200
+_SUFFIXES = (".nc", ".ncp", ".cnc", ".sub", ".cyc")
+
+
+def _all_documents(server: Server) -> list[Document]:
+    """Return the open programs, and those in the folders of the editor."""
+    documents = [item for item in server.work.documents.values() if not item.is_list]
+    known = {item.uri for item in documents}
+    for folder in server.workspace.folders.values():
+        root = path_of(folder.uri)
+        if root is None or not root.is_dir():
+            continue
+        paths = (path for path in sorted(root.rglob("*")) if path.suffix.lower() in _SUFFIXES)
+        for path in paths:
+            if len(documents) >= _MAX_FILES:
+                return documents
+            found = _from_disk(path)
+            if found is not None and found.uri not in known:
+                documents.append(found)
+    return documents
+
+
+def _from_disk(path: Path) -> Document | None:
+    from nctakt.base.failure import Failure  # noqa: PLC0415 - only a search needs them
+    from nctakt.base.text import decode_text  # noqa: PLC0415
+    from nctakt.editor.document import uri_of  # noqa: PLC0415
+    from nctakt.files.access import FileAccess  # noqa: PLC0415
+
+    try:
+        text = decode_text(FileAccess().read_bytes(path)).text
+    except Failure:
+        return None
+    return Document(uri_of(path), path, path.as_posix(), "nctakt", 0, split_text(text))

@@ -1,0 +1,164 @@
+# SPDX-License-Identifier: MIT
+"""The open documents, their machines, and the check of each.
+
+In: documents, the project files around them. Out: the findings of a document, those that
+``nctakt check`` has for its text as it is in the editor.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from nctakt.base.dataclass import dataclass
+from nctakt.base.diagnostics import Diagnostic
+from nctakt.base.failure import Failure
+from nctakt.editor.document import Document
+
+if TYPE_CHECKING:
+    from nctakt.editor.open_buffers import OpenBuffers
+    from nctakt.project.machine_choice import MachineChoice
+    from nctakt.run.assembly import AssembledMachine
+
+# The modules of the check are loaded with the first one, beside the start of the server.
+
+
+#: The modules of the answers to an editor.
+_ANSWERS = ("completion", "formatting", "hover", "navigation", "outline", "remedies")
+
+
+@dataclass(frozen=True, slots=True)
+class LoadedMachine:
+    """A machine, the files that it was read from, and why it could not be read (then the demo)."""
+
+    machine: AssembledMachine
+    access: OpenBuffers
+    failure: tuple[Diagnostic, ...] = ()
+
+
+class Workspace:
+    """All open documents by URI, and the machines of their programs."""
+
+    def __init__(self) -> None:
+        self.documents: dict[str, Document] = {}
+        self._paths: dict[Path, Document] = {}
+        self._machines: dict[Path, LoadedMachine] = {}
+
+    def open(self, document: Document) -> None:
+        """Add a document."""
+        self.documents[document.uri] = document
+        if document.path is not None:
+            self._paths[_real(document.path)] = document
+
+    def close(self, uri: str) -> None:
+        """Remove a document; its file counts again."""
+        document = self.documents.pop(uri, None)
+        if document is not None and document.path is not None:
+            self._paths.pop(_real(document.path), None)
+
+    def at(self, path: Path) -> Document | None:
+        """Return the open document of a file."""
+        return self._paths.get(path) or self._paths.get(_real(path))
+
+    def lines_of(self, path: Path) -> Sequence[str] | None:
+        """Return the lines of an open file, ``None`` if it is not open."""
+        document = self.at(path)
+        return None if document is None else document.program_lines()
+
+    # --- machines --------------------------------------------------------------------------------
+
+    def choice_of(self, path: Path | None) -> MachineChoice:
+        """Return the machine of a program; raises ``Failure`` for an invalid project file."""
+        from nctakt.editor.open_buffers import OpenBuffers  # noqa: PLC0415 - as above
+        from nctakt.project.machine_choice import choose_machine  # noqa: PLC0415
+        from nctakt.project.project_file import find_project  # noqa: PLC0415
+
+        access = OpenBuffers(self.lines_of)
+        return choose_machine(path, find_project(path or Path(), access), access)
+
+    def machine_of(self, document: Document) -> LoadedMachine:
+        """Return the machine of a program, loaded anew where one of its lists has changed."""
+        try:
+            choice = self.choice_of(document.path)
+        except Failure as failure:
+            return LoadedMachine(*self._demo(), failure.diagnostics)
+        known = self._machines.get(choice.path)
+        if known is None or known.access.is_outdated():
+            known = self._machines[choice.path] = self._load(choice.path)
+        return known
+
+    def _load(self, folder: Path) -> LoadedMachine:
+        from nctakt.editor.open_buffers import OpenBuffers  # noqa: PLC0415 - as above
+        from nctakt.lists.machine.machine import load_machine  # noqa: PLC0415
+        from nctakt.run.assembly import AssembledMachine  # noqa: PLC0415
+
+        access = OpenBuffers(self.lines_of)
+        try:
+            configuration = load_machine(folder, access=access)
+        except Failure as failure:
+            return LoadedMachine(self._demo()[0], access, failure.diagnostics)
+        return LoadedMachine(AssembledMachine(configuration, access), access)
+
+    def _demo(self) -> tuple[AssembledMachine, OpenBuffers]:
+        from nctakt.lists.machine.files import DEMO_FOLDER  # noqa: PLC0415 - as above
+
+        known = self._machines.get(DEMO_FOLDER)
+        if known is None:
+            known = self._machines[DEMO_FOLDER] = self._load(DEMO_FOLDER)
+        return known.machine, known.access
+
+    def warm_up(self) -> None:
+        """Load what the first answers need."""
+        import importlib  # noqa: PLC0415 - as above
+
+        self._demo()
+        for name in _ANSWERS:
+            importlib.import_module(f"nctakt.editor.{name}")
+
+    # --- the check -------------------------------------------------------------------------------
+
+    def check(self, document: Document, poll: Callable[[], None] | None = None) -> list[Diagnostic]:
+        """Return the findings of a document in the order of its text.
+
+        ``poll`` is called repeatedly and may end the check by an exception.
+        """
+        from nctakt.checking.check import check_files  # noqa: PLC0415 - as above
+        from nctakt.run.program_loader import NcText  # noqa: PLC0415
+
+        if document.is_list:
+            return self._check_list(document)
+        loaded = self.machine_of(document)
+        named: Path | NcText = NcText(document.name, document.text())
+        if document.path is not None and document.path.is_file():
+            named = document.path
+        result = check_files([named], loaded.machine, for_all=True, poll=poll)
+        return [item.diagnostic for item in result.findings if item.file == document.name]
+
+    def _check_list(self, document: Document) -> list[Diagnostic]:
+        """Return the findings of a list: with the machine that names it, else of it alone."""
+        from nctakt.checking.check import check_files  # noqa: PLC0415 - as above
+        from nctakt.editor.open_buffers import OpenBuffers  # noqa: PLC0415
+        from nctakt.lists.machine.files import startup_list_around  # noqa: PLC0415
+        from nctakt.run.assembly import AssembledMachine  # noqa: PLC0415
+
+        path = document.path
+        if path is None or not path.is_file():
+            return []
+        default = AssembledMachine(self._demo()[0].configuration, OpenBuffers(self.lines_of))
+        startup = startup_list_around(path)
+        for named in (startup, path):
+            if named is None:
+                continue
+            result = check_files([named], default, detail="effects")
+            if any(_real(Path(file.file)) == _real(path) for file in result.files):
+                return [
+                    item.diagnostic
+                    for item in result.findings
+                    if item.file and _real(Path(item.file)) == _real(path)
+                ]
+        return []
+
+
+def _real(path: Path) -> Path:
+    return Path(path.absolute().as_posix()).resolve()

@@ -7,6 +7,10 @@ from nctakt.kernel.axes.axis_motions cimport AxisMotions
 
 @cython.final
 cdef class SingleAxes(AxisMotions):
+    cdef bint is_command(
+        self, Py_ssize_t axis, double value, double speed_v, long long mode, long long direction,
+        long long owner
+    ) noexcept nogil
     cdef int check_command(self, axis, value, speed_v, mode, direction, owner) except -1
     cdef void order(self, long long source, long long serial) noexcept nogil
     @cython.locals(message=int)

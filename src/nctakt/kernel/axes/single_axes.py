@@ -286,16 +286,30 @@ class SingleAxes(AxisMotions):
 
     # --- Python's side, between two ticks -------------------------------------------------------
 
+    def is_command(
+        self, axis: int, value: float, speed_v: float, mode: int, direction: int, owner: int
+    ) -> bool:
+        """Return whether all numbers of a command of an axis are in their ranges."""
+        return (
+            0 <= axis < self.count
+            and value - value == 0.0
+            and speed_v - speed_v == 0.0
+            and codes.ABORTING <= mode <= codes.BUFFERED
+            and codes.NEGATIVE <= direction <= codes.SHORTEST
+            and owner >> 62 == 0  # 0 … MAX_OWNER
+        )
+
     def check_command(
         self, axis: int, value: float, speed_v: float, mode: int, direction: int, owner: int
     ) -> None:
         """Raise ``ValueError`` for a number that no command of an axis has."""
-        bounds.check_index(axis, self.count, "axis")
-        bounds.check_finite(value, "position or distance")
-        bounds.check_finite(speed_v, "speed")
-        bounds.check_range(mode, codes.ABORTING, codes.BUFFERED, "buffer mode")
-        bounds.check_range(direction, codes.NEGATIVE, codes.SHORTEST, "direction")
-        bounds.check_range(owner, 0, MAX_OWNER, "owner")
+        if not self.is_command(axis, value, speed_v, mode, direction, owner):
+            bounds.check_index(axis, self.count, "axis")
+            bounds.check_finite(value, "position or distance")
+            bounds.check_finite(speed_v, "speed")
+            bounds.check_range(mode, codes.ABORTING, codes.BUFFERED, "buffer mode")
+            bounds.check_range(direction, codes.NEGATIVE, codes.SHORTEST, "direction")
+            bounds.check_range(owner, 0, MAX_OWNER, "owner")
 
     def absolute(
         self, axis: int, target: float, speed_v: float, mode: int, direction: int, owner: int

@@ -136,7 +136,7 @@ def measure_tape() -> None:
             Controller().run(program, plc=_Writer(), memory_trace=False)
             without = time.perf_counter() - begin
             with (Path(folder) / f"{number}.tape").open("w", encoding="utf-8") as file:
-                writer = TapeWriter(file.write, {}, None, True)
+                writer = TapeWriter(file.write, {}, {}, True)
                 begin = time.perf_counter()
                 Controller().run(
                     program, plc=_Writer(), memory_trace=False, sinks=[writer], record=writer.note

@@ -321,7 +321,7 @@ def imports(path: Path) -> Iterator[str]:
 
 
 #: The files of a session that pace and show what others decide; none of them makes a result.
-PACING = ("session/session.py", "session/listening.py", "session/workshop.py")
+PACING = ("session/session.py", "session/thread.py", "session/listening.py", "session/workshop.py")
 
 #: The files that hand out the runs of a study; what a run yields does not depend on who makes it.
 HANDING_OUT = ("studies/processes.py", "studies/cluster.py")

@@ -47,7 +47,7 @@ def test_what_a_plc_writes_into_the_image_stands_on_the_tape_by_name() -> None:
         (6, "hli", "image", "command[1].ack_program"),
     ]
     assert inputs[0].values[1] == struct.pack("=d", 50.0).hex()
-    tape = Tape({}, None, True, tuple(inputs), {}, run.ticks, run.state, {})
+    tape = Tape({}, {}, True, tuple(inputs), {}, run.ticks, run.state, {})
     again = Controller().run(program, replay=tape)
     assert again.ticks == run.ticks
     assert list(again.events) == list(run.events)
@@ -64,7 +64,7 @@ def test_what_a_plc_writes_into_the_image_stands_on_the_tape_by_name() -> None:
 )
 def test_a_tape_for_another_image_is_refused(values: tuple[str, str]) -> None:
     """901077."""
-    tape = Tape({}, None, True, (Input(1, "hli", "image", values),), {}, 10, "ended", {})
+    tape = Tape({}, {}, True, (Input(1, "hli", "image", values),), {}, 10, "ended", {})
     with pytest.raises(Failure) as caught:
         Controller().run(NcText("part.nc", "G01 X10 F6000\nM30"), replay=tape)
     assert caught.value.diagnostics[0].id == 901077

@@ -26,7 +26,7 @@ def test_a_replay_gives_the_same_bytes(name: str, tmp_path: Path) -> None:
     work = tmp_path / "work"
     recorded, replayed = io.StringIO(), io.StringIO()
     with tape_file.open("w", encoding="utf-8") as file:
-        writer = TapeWriter(file.write, {}, None, "plc" in settings(folder))
+        writer = TapeWriter(file.write, {}, {}, "plc" in settings(folder))
         first = perform(
             folder,
             SIGNALS,

@@ -62,7 +62,7 @@ def straight(story: Story, plc: Path | None, programs: list[NcText]) -> tuple[Co
     """Run the tape of a session from the start up to where the session stands."""
     inputs = tuple(one for one in story.tape() if one.source != PLC_SOURCE)
     controller = Controller()
-    tape = Tape({}, None, plc is not None, inputs, {}, 0, "", {})
+    tape = Tape({}, {}, plc is not None, inputs, {}, 0, "", {})
     run = controller.run(
         *programs,
         plc=None if plc is None else load_plc(plc),

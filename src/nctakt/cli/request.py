@@ -38,7 +38,11 @@ if TYPE_CHECKING:
     from nctakt.run.controller import NcText
     from nctakt.run.tape import Tape
 
+#: Stands for standard input in place of a program.
 STANDARD_INPUT = "-"
+
+#: The name of that program in messages and on tapes.
+STANDARD_INPUT_NAME = "<stdin>"
 
 _P = ParamSpec("_P")
 _T = TypeVar("_T")
@@ -85,6 +89,7 @@ class Options:
     limit_fails: bool = False
     confined: tuple[str, ...] = ()
     record: str | None = None
+    stays: bool = False
     tape: Tape | None = None
 
 
@@ -130,11 +135,12 @@ def read_request(options: Options, access: FileAccess) -> Request:
     """
     reader = _Reader()
     words = (*options.programs, *(program for _, program in options.others))
-    if not words:
+    texts = {} if options.tape is None else options.tape.texts
+    if not words and not options.stays:
         reader.diagnostics.append(diagnostic(NO_PROGRAM_NAMED))
     if words.count(STANDARD_INPUT) > 1:
         reader.diagnostics.append(diagnostic(STDIN_NAMED_TWICE))
-    for program in dict.fromkeys(words):
+    for program in dict.fromkeys(word for word in words if word not in texts):
         reader.read(_check_program, program, access)
     numbers = [reader.read(_channel_number, number) for number, _ in options.others]
     if options.machine is not None:
@@ -217,12 +223,14 @@ def _check_machine(path: Path) -> None:
 
 
 def _program(program: str, options: Options) -> Path | NcText:
-    if program != STANDARD_INPUT:
+    texts = {} if options.tape is None else options.tape.texts
+    if program != STANDARD_INPUT and program not in texts:
         return Path(program)
     from nctakt.run.controller import NcText  # noqa: PLC0415 - the mode is chosen before its import
 
-    recorded = None if options.tape is None else options.tape.text
-    return NcText("<stdin>", read_standard_input() if recorded is None else recorded)
+    if program in texts:
+        return NcText(program, texts[program])
+    return NcText(STANDARD_INPUT_NAME, read_standard_input())
 
 
 def _load_plc(path: str, access: FileAccess) -> AnyPlc:

@@ -245,6 +245,7 @@ def run_programs(
                 on_cycle=on_cycle,
                 blocks=options.blocks or is_drawn,
                 condition_signals=condition_signals,
+                stays=options.stays,
                 record=record,
                 replay=options.tape,
             )

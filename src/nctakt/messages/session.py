@@ -77,3 +77,23 @@ NO_SUCH_BRANCH = error(
     branch=("the number asked for", "die verlangte Nummer"),
     count=("the number of branches", "die Anzahl der Zweige"),
 )
+
+PROGRAM_NOT_SELECTED = warning(
+    901316,
+    en="program {program} was not selected: channel {channel} is in state {state}",
+    de="Programm {program} wurde nicht angewählt: Kanal {channel} ist im Zustand {state}",
+    remedy_en="Wait for the end of its program, or press RESET first.",
+    remedy_de="Das Ende seines Programms abwarten oder zuerst RESET drücken.",
+    program=("the program's file", "die Datei des Programms"),
+    channel=("the number of the channel", "die Nummer des Kanals"),
+    state=("`running` or `error`", "`running` oder `error`"),
+)
+
+TAPE_NEEDS_SCHEDULE = error(
+    901317,
+    en="the run on this tape went by the schedule {list}, which a session has not",
+    de="der Lauf auf diesem Band ging nach dem Ablaufplan {list}, den eine Sitzung nicht hat",
+    remedy_en="Repeat it with `nctakt replay`.",
+    remedy_de="Ihn mit `nctakt replay` wiederholen.",
+    list=("the scheduling list", "die Liste der Ablaufplanung"),
+)

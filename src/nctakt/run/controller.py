@@ -297,6 +297,7 @@ class Controller:
         on_cycle: Callable[[str, CycleDefinition], None] | None = None,
         blocks: bool = False,
         condition_signals: bool = False,
+        stays: bool = False,
         record: InputListener | None = None,
         replay: Tape | None = None,
     ) -> Run:
@@ -316,11 +317,12 @@ class Controller:
         history of each condition of the realtime cycles (``Run.why``) and counts it
         (``Run.coverage``). ``blocks``: events for decoding and execution of blocks, for each flush
         of the channel, and for the acknowledgement of each function. ``condition_signals``:
-        ``signals`` and those that conditions of the programs' realtime cycles read. ``on_message``
-        is called with each message of a program, ``on_progress`` with the ticks so far and of the
-        whole run, ``on_cycle`` with the name and the definition of each realtime cycle when it is
-        decoded, ``record`` with each input from outside behind ``set``. ``replay``: the inputs of a
-        recorded run instead of ``at`` and ``plc``.
+        ``signals`` and those that conditions of the programs' realtime cycles read. ``stays``: the
+        run goes on after its programs, for those that are selected, without a limit.
+        ``on_message`` is called with each message of a program, ``on_progress`` with the ticks so
+        far and of the whole run, ``on_cycle`` with the name and the definition of each realtime
+        cycle when it is decoded, ``record`` with the inputs from outside behind ``set``.
+        ``replay``: the inputs of a recorded run instead of ``at`` and ``plc``.
 
         Raises ``Failure`` for a program that cannot be read and for an invalid name, value or time;
         mistakes in the programs are in the result.
@@ -351,6 +353,7 @@ class Controller:
                 on_cycle,
                 blocks,
                 condition_signals,
+                stays,
                 record,
                 replay,
             )

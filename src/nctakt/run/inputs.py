@@ -3,9 +3,9 @@
 
 In: values of variables and of the operator's panel, acknowledgements of functions and spindle jobs,
 motions of single axes that a PLC requests, what a PLC in another process writes into the image of
-the HLI; now, or planned for a tick (stimuli, a tape). Out: what
-the next tick latches (RC-002), in the order of arrival. A listener learns of all of them, some
-ticks later: they are all that a run needs to be repeated.
+the HLI, programs that are selected; now, or planned for a tick (stimuli, a tape). Out: what the
+next tick latches (RC-002), in the order of arrival. A listener learns of all of them, some ticks
+later: they are all that a run needs to be repeated.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 #: The kinds of inputs.
 WRITE, ACKNOWLEDGE, ACKNOWLEDGE_SPINDLE, AXIS = "write", "ack", "ack_spindle", "axis"
-IMAGE = "image"
+IMAGE, SELECT = "image", "select"
 
 #: Where inputs come from; ``HLI``: a PLC in another process.
 API, STIMULI, PLC, HLI = "api", "stimuli", "plc", "hli"
@@ -94,6 +94,7 @@ class Inputs:
         self._planned: deque[Input] = deque()
         self._listener: InputListener | None = None
         self._noted: Cells = []
+        self.on_select: Callable[[int, str], None] | None = None
         self._image: Callable[[], SharedImage | None] = _no_image
         self._image_changes: tuple[int, list[tuple[str, str]]] = (-1, [])
 
@@ -158,6 +159,8 @@ class Inputs:
                 and 0 <= index < self._channels[channel].context.spindles.count
             ):
                 pass
+            case "select", (int() as channel, str()) if 0 <= channel < len(self._channels):
+                pass
             case "image", (str() as name, str() as digits) if self._fits_image(name, digits):
                 pass
             case _:
@@ -207,6 +210,9 @@ class Inputs:
             case "ack_spindle":
                 channel, index, serial, name = values
                 self.acknowledge_spindle(int(channel), int(index), int(serial), str(name))
+            case "select":
+                channel, name = values
+                self.select(int(channel), str(name), planned.source)
             case "image":
                 name, digits = values
                 written = self._image_inputs
@@ -227,6 +233,14 @@ class Inputs:
         if self._listener is not None:
             number = value if isinstance(value, str) else float(value)
             self._noted += (self._kernel.tick, source, WRITE, name, number)
+
+    def select(self, channel: int, name: str, source: str = API) -> None:
+        """Select the program file of this name for a channel, counted from 0."""
+        if not 0 <= channel < len(self._channels):
+            raise ValueError(channel)
+        self._tell(source, SELECT, channel, name)
+        if self.on_select is not None:
+            self.on_select(channel, name)
 
     def acknowledge(
         self, channel: int, is_realtime: bool, slot: int, serial: int, name: str

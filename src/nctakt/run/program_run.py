@@ -13,9 +13,12 @@ from typing import TYPE_CHECKING
 
 from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Diagnostic, Text
+from nctakt.base.failure import Failure
 from nctakt.decoder.cycles.builder import CycleDefinition
 from nctakt.lists.format import arguments
 from nctakt.lists.format.times import TimeLike, read_time
+from nctakt.messages import diagnostic
+from nctakt.messages.session import PROGRAM_NOT_SELECTED
 from nctakt.nc.outline import ProgramText
 from nctakt.results.run import ProgramMessage, Run, RunDrawer, RunState
 from nctakt.results.run_statistics import RunStatistics
@@ -23,6 +26,7 @@ from nctakt.run import program_loader
 from nctakt.run.assembly import AssembledMachine, do_nothing
 from nctakt.run.channel_run import ChannelRun, worst_state
 from nctakt.run.condition_signals import with_condition_signals
+from nctakt.run.inputs import NEVER
 from nctakt.run.plc_view import AnyPlc, PlcView, WatchedPlc
 from nctakt.run.program_loader import AnyProgram, LoadedProgram, ProgramErrors
 from nctakt.run.stimuli import StimulusLike, as_inputs, not_reached, read_stimulus
@@ -75,6 +79,7 @@ class RunOptions:
     on_cycle: Callable[[str, CycleDefinition], None] | None = None
     blocks: bool = False
     condition_signals: bool = False
+    stays: bool = False
     record: InputListener | None = None
     replay: Tape | None = None
 
@@ -146,6 +151,7 @@ class ProgramRun:
             else replay.inputs
         )
         machine.poll = functools.partial(self._report_progress, options.on_progress)
+        machine.inputs.on_select = self._select
         self._parts: Iterator[int] | None = None
         self._loaded: list[LoadedProgram] = []
         self.state: RunState | None = None
@@ -156,6 +162,8 @@ class ProgramRun:
         limits = [ticks] if ticks is not None else []
         if until is not None:
             limits.append(read_time(until).ticks(self._cycle_time_us))
+        if self._options.stays and not limits:
+            return NEVER
         return min(limits) if limits else DEFAULT_LIMIT_US // self._cycle_time_us
 
     def _report_progress(self, on_progress: Callable[[int, int | None], None] | None) -> None:
@@ -224,13 +232,13 @@ class ProgramRun:
     def _run_programs(self, programs: Mapping[int, Sequence[LoadedProgram]]) -> Iterator[int]:
         """Yield up to which tick the loop may go next; set the state at the end."""
         loop, end = self._loop, self._end
-        channels = [loop.channels[number - 1] for number, own in programs.items() if own]
-        waits = self._options.wait_for_start
+        waits, stays = self._options.wait_for_start, self._options.stays
+        channels = [loop.channels[number - 1] for number, own in programs.items() if own or stays]
         if not waits:
             loop.make_ready(channels)
         for number, own in programs.items():
             loop.channels[number - 1].queue(own, waits_for_start=waits)
-        while self._proceed(channels):
+        while self._proceed(channels) or stays:
             if loop.tick >= end:
                 self._diagnostics += wait_reasons(self._machine, loop.channels)
                 self.state = worst_state(channels, "limit")
@@ -251,6 +259,25 @@ class ProgramRun:
         else:
             self.state = "limit" if loop.tick < stop else state
 
+    def _select(self, index: int, name: str) -> None:
+        """Let a channel that stands ready have this program next, or report why it cannot."""
+        channel = self._loop.channels[index]
+        if channel.is_running or channel.is_stopped:
+            state = "error" if channel.is_stopped else "running"
+            found = diagnostic(PROGRAM_NOT_SELECTED, program=name, channel=index + 1, state=state)
+            self._diagnostics.append(found)
+            return
+        try:
+            loaded = program_loader.load(name, self._machine, self._diagnostics, index)
+        except ProgramErrors:
+            return
+        except Failure as failure:
+            self._diagnostics += failure.diagnostics
+            return
+        self._loaded.append(loaded)
+        channel.queue([loaded], waits_for_start=self._options.wait_for_start)
+        channel.proceed()
+
     def _proceed(self, channels: Sequence[ChannelRun]) -> bool:
         """Let each channel begin the program that is due; return whether any is still at work."""
         for channel in channels:
@@ -269,7 +296,7 @@ class ProgramRun:
         self._loop.recording.close()
         for channel in self._loop.channels:
             channel.close()
-        self._machine.registry.on_cycle = None
+        self._machine.registry.on_cycle = self._machine.inputs.on_select = None
         self._machine.inputs.listen(None)
         self._machine.poll = do_nothing
 

@@ -36,6 +36,10 @@ VERSION = 1
 #: The first characters of each tape.
 _BEGIN = '{"tape":'
 
+#: Prefix of the files of built-in machines on a tape.
+_OWN_MARK = "nctakt:"
+_OWN_FOLDER = Path(__file__).parent.parent
+
 #: Head, end, and what stands behind the last line end: nothing.
 _MIN_LINES = 3
 
@@ -44,13 +48,13 @@ _MIN_LINES = 3
 class Tape:
     """A recorded run.
 
-    ``words`` are those of the command that it was started with, ``text`` its program from standard
-    input. ``checksums``: tick -> that of its events. ``ticks`` and ``state``: how it ended.
-    ``digests``: file -> SHA-256 in hexadecimal digits.
+    ``words`` are those of the command that it was started with, ``texts`` its programs that are no
+    files, by their names. ``checksums``: tick -> that of its events. ``ticks`` and ``state``: how
+    it ended. ``digests``: file -> SHA-256 in hexadecimal digits.
     """
 
     words: Mapping[str, Any]
-    text: str | None
+    texts: Mapping[str, str]
     has_plc: bool
     inputs: tuple[Input, ...]
     checksums: Mapping[int, int]
@@ -68,6 +72,26 @@ def digest_of(path: Path) -> str | None:
         return None
 
 
+def name_on_tape(path: Path) -> str:
+    """Return the name of a file on a tape: those of built-in machines are found anywhere."""
+    absolute = path.absolute()
+    if absolute.is_relative_to(_OWN_FOLDER):
+        return f"{_OWN_MARK}{absolute.relative_to(_OWN_FOLDER).as_posix()}"
+    return path.as_posix()
+
+
+def path_of(name: str) -> Path:
+    """Return the path of a file by its name on a tape."""
+    if name.startswith(_OWN_MARK):
+        return _OWN_FOLDER / name.removeprefix(_OWN_MARK)
+    return Path(name)
+
+
+def changed_files(tape: Tape) -> list[str]:
+    """Return the files of a tape that are not as they were when it was recorded."""
+    return [name for name, digest in tape.digests.items() if digest_of(path_of(name)) != digest]
+
+
 def checksum(events: Sequence[Event]) -> int:
     """Return the checksum of the events of a tick."""
     return zlib.crc32(join_events(events).encode("utf-8"))
@@ -77,7 +101,11 @@ class TapeWriter:
     """Writes a tape line by line: ``note`` takes inputs, as a sink it takes events."""
 
     def __init__(
-        self, write: Callable[[str], Any], words: Mapping[str, Any], text: str | None, has_plc: bool
+        self,
+        write: Callable[[str], Any],
+        words: Mapping[str, Any],
+        texts: Mapping[str, str],
+        has_plc: bool,
     ) -> None:
         self._write = write
         self._inputs = InputLines(write)
@@ -87,7 +115,7 @@ class TapeWriter:
                 "tape": VERSION,
                 "nctakt": __version__,
                 "words": words,
-                "text": text,
+                "texts": texts,
                 "has_plc": has_plc,
             }
         )
@@ -181,10 +209,11 @@ class _Reader:
                 writer=writer,
             )
             raise Failure(message)
-        text = head.get("text")
+        texts = head.get("texts")
         is_whole = isinstance(head.get("words"), dict) and isinstance(head.get("has_plc"), bool)
-        if not is_whole or not isinstance(text, str | None):
-            raise self._invalid(1, "words, text or has_plc is missing")
+        has_texts = isinstance(texts, dict) and all(isinstance(one, str) for one in texts.values())
+        if not is_whole or not has_texts:
+            raise self._invalid(1, "words, texts or has_plc is missing")
         return head
 
     def add(self, number: int, inputs: list[Input], checksums: dict[int, int]) -> None:
@@ -214,7 +243,7 @@ class _Reader:
             raise self._invalid(len(self._lines) - 1, "ticks or files is missing")
         return Tape(
             head["words"],
-            head["text"],
+            head["texts"],
             head["has_plc"],
             tuple(inputs),
             checksums,

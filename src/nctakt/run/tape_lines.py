@@ -22,6 +22,7 @@ from nctakt.run.inputs import (
     AXIS,
     IMAGE,
     INPUT_WIDTH,
+    SELECT,
     WRITE,
     Cells,
     Input,
@@ -38,6 +39,7 @@ _SHAPES: Mapping[str, tuple[tuple[type, ...], ...]] = {
     ACKNOWLEDGE_SPINDLE: ((int,), (int,), (int,), (str,)),
     AXIS: ((int,), (int,), (float, int), (float, int), (int,), (int,)),
     IMAGE: ((str,), (str,)),
+    SELECT: ((int,), (str,)),
 }
 
 

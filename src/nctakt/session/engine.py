@@ -26,10 +26,11 @@ from nctakt.lists.machine.machine import load_machine
 from nctakt.plc.loading import load_plc
 from nctakt.results.run import ProgramMessage, Run, RunState
 from nctakt.run.assembly import AssembledMachine
-from nctakt.run.inputs import PLC, Cells, Input, unpack
+from nctakt.run.inputs import PLC, SELECT, Cells, Input, unpack
 from nctakt.run.plc_view import PlcView, SpindleEntry, TechnologyEntry
+from nctakt.run.program_loader import load
 from nctakt.run.program_run import ProgramRun, RunOptions
-from nctakt.run.stimuli import as_inputs, read_stimulus
+from nctakt.run.stimuli import Stimulus, as_inputs, read_stimulus
 from nctakt.run.tick_loop import TickLoop
 from nctakt.session.decoders import DecoderState, decoder_state
 from nctakt.session.setup import Description, Inventory, Setup
@@ -211,6 +212,7 @@ class Engine:
                 blocks=True,
                 record=self._note,
                 why=setup.why,
+                stays=setup.stays,
             ),
         )
         self._loop.connect(plc, has_plc=plc is not None or not setup.acknowledges)
@@ -221,9 +223,17 @@ class Engine:
             {name: unit for name, (_, unit, _) in self._signals.items()},
             {text.source.file: tuple(text.source.lines) for text in self._run.texts},
             tuple(self._diagnostics),
-            as_inputs(stimuli, 0, configuration.cycle_time_us),
+            self._planned(stimuli, setup.inputs),
             self._run.state is not None,
         )
+
+    def _planned(self, stimuli: Sequence[Stimulus], inputs: Sequence[Input]) -> list[Input]:
+        """Return the inputs that are planned before the first tick."""
+        cycle_us = self._machine.configuration.cycle_time_us
+        planned = sorted([*as_inputs(stimuli, 0, cycle_us), *inputs], key=lambda one: one.tick)
+        if inputs:
+            self.plan(planned)
+        return planned
 
     def _add_cycle(self, name: str, definition: CycleDefinition) -> None:
         self._cycles[definition.serial] = name, definition
@@ -250,8 +260,9 @@ class Engine:
 
         Those of the PLC are only compared with what it does, since it runs again, too.
         """
-        own = [planned for planned in inputs if planned.source != PLC]
-        self._expected = deque(planned for planned in inputs if planned.source == PLC)
+        runs_again = self._loop.plc is not None
+        own = [planned for planned in inputs if planned.source != PLC or not runs_again]
+        self._expected = deque(one for one in inputs if one.source == PLC and runs_again)
         self._differs = None
         self._machine.inputs.plan(own)
 
@@ -259,6 +270,9 @@ class Engine:
         """Add inputs; raises ``Failure`` for an unknown name or a wrong value, and adds none."""
         for posted in inputs:
             self._machine.inputs.check(posted)
+            if posted.kind == SELECT:
+                channel, name = posted.values
+                load(str(name), self._machine, [], int(channel))
         self._machine.inputs.add(inputs)
         self._expected.clear()
 

@@ -8,19 +8,14 @@ those who listen. Between two slices the thread does what it was asked for.
 from __future__ import annotations
 
 import contextlib
-import queue
-import threading
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from concurrent.futures import Future
 from pathlib import Path
 from types import TracebackType
-from typing import Any, ParamSpec, Self, TypeVar
+from typing import Any, Self
 
 from nctakt.base.failure import Failure
 from nctakt.lists.format.times import TimeLike
-from nctakt.messages import diagnostic
-from nctakt.messages.session import SESSION_IS_CLOSED
 from nctakt.results.run import Run
 from nctakt.results.why import WhyReport
 from nctakt.run.inputs import API, Input
@@ -35,13 +30,9 @@ from nctakt.session.listening import Listener
 from nctakt.session.setup import Description, Inventory, Setup
 from nctakt.session.stops import StopAt
 from nctakt.session.story import MAX_ROWS, NEXT_BLOCK, NEXT_REACTION, Story
+from nctakt.session.tapes import read_setup, save_tape
+from nctakt.session.thread import SessionThread
 from nctakt.trace.events import Event
-
-#: Commands that wait for the thread at most; whoever brings one more waits.
-MAX_COMMANDS = 1000
-
-_P = ParamSpec("_P")
-_T = TypeVar("_T")
 
 
 class Session:
@@ -52,7 +43,8 @@ class Session:
     of ``Controller.run``; ``machine`` is a folder, ``plc`` a Python file. Without a PLC, functions
     acknowledge themselves unless ``acknowledges`` is false. ``folders``: the only ones whose files
     may be read. ``pace``: on the wall clock ``slice`` runs the ticks of 10 ms together, ``tick``
-    each at its own time.
+    each at its own time. ``stays``: the run goes on after its programs, for those that are selected
+    (``select``), without a limit.
 
     Raises ``Failure`` for what cannot be read, and for wrong names and values; programs with errors
     are a session that is over.
@@ -81,48 +73,57 @@ class Session:
         acknowledges: bool = True,
         folders: Sequence[str | Path] = (),
         pace: str = "slice",
+        stays: bool = False,
     ) -> None:
+        self._begin(
+            Setup(
+                {1: programs, **(channels or {})},
+                machine,
+                plc,
+                set or {},
+                at,
+                until,
+                after,
+                wait_for_start,
+                skip,
+                acknowledges,
+                folders,
+                stays=stays,
+            ),
+            pace,
+        )
+
+    @classmethod
+    def of_tape(
+        cls,
+        tape: str | Path,
+        *,
+        anyway: bool = False,
+        folders: Sequence[str | Path] = (),
+        pace: str = "slice",
+    ) -> Self:
+        """Return a session of the run on a tape, which needs no PLC.
+
+        Its inputs come when they came; what is written behind the start begins a branch. Raises
+        ``Failure`` for a tape that cannot be read, or whose programs and lists have changed, unless
+        it shall run ``anyway``.
+        """
+        session = cls.__new__(cls)
+        session._begin(read_setup(tape, folders, anyway=anyway), pace)
+        return session
+
+    def _begin(self, setup: Setup, pace: str) -> None:
         if pace not in ("slice", "tick"):
             raise ValueError(pace)
-        setup = Setup(
-            {1: programs, **(channels or {})},
-            machine,
-            plc,
-            set or {},
-            at,
-            until,
-            after,
-            wait_for_start,
-            skip,
-            acknowledges,
-            folders,
-        )
         self._story = Story(setup)
+        self._setup = setup
         self.description: Description = self._story.description
         self._slice_s = SLICE_S if pace == "slice" else self.description.cycle_time_us / 1e6
-        self._clock: WallClock | FastClock | None = None
         self._audience = Audience(self._story)
-        self._commands: queue.Queue[Callable[[], None] | None] = queue.Queue(MAX_COMMANDS)
-        self._is_closed = self._is_interrupted = False
-        self._thread = threading.Thread(target=self._live, name="nctakt session", daemon=True)
-        self._thread.start()
+        self._thread = SessionThread(self._run_slice)
+        self._ask = self._thread.ask
 
-    # --- the thread -----------------------------------------------------------------------------
-
-    def _live(self) -> None:
-        """Do commands, and between them the slices that the clock asks for."""
-        while True:
-            clock = self._clock
-            wait_s = None if clock is None else clock.wait_s(time.monotonic())
-            try:
-                command = self._commands.get(block=wait_s != 0.0, timeout=wait_s or None)
-            except queue.Empty:
-                assert clock is not None
-                self._run_slice(clock)
-                continue
-            if command is None:
-                return
-            command()
+    # --- slices ---------------------------------------------------------------------------------
 
     def _run_slice(self, clock: WallClock | FastClock) -> None:
         begin_s = time.monotonic()
@@ -131,37 +132,14 @@ class Session:
         try:
             done = self._story.run(end, events=self._audience.wants_events)
         except (Failure, RuntimeError) as error:
-            self._clock = None
+            self._thread.clock = None
             self._audience.tell("refused", str(error))
             return
         clock.note(done.tick - first, time.monotonic() - begin_s)
         is_at_end = bool(done.hits) or done.run_state is not None
         if is_at_end:
-            self._clock = None
+            self._thread.clock = None
         self._publish(done, at_once=is_at_end)
-
-    def _ask(self, method: Callable[_P, _T], *words: _P.args, **keywords: _P.kwargs) -> _T:
-        """Return what a method gives in the session's thread."""
-        if threading.current_thread() is self._thread:
-            return method(*words, **keywords)
-        answer: Future[_T] = Future()
-
-        def command() -> None:
-            try:
-                answer.set_result(method(*words, **keywords))
-            except BaseException as error:  # noqa: BLE001 - whoever has asked gets it
-                answer.set_exception(error)
-
-        if self._is_closed:
-            raise Failure(diagnostic(SESSION_IS_CLOSED))
-        self._commands.put(command)
-        try:
-            return answer.result()
-        except KeyboardInterrupt:
-            self._is_interrupted = True
-            answer.exception()  # the run stops between two slices
-            self._is_interrupted = False
-            raise
 
     # --- where it stands ------------------------------------------------------------------------
 
@@ -213,7 +191,7 @@ class Session:
 
     def _run_to(self, end: int | None, stops: Sequence[StopAt]) -> Slice:
         """Run in slices, so that ``pause`` and ``close`` can end it."""
-        self._clock = None
+        self._thread.clock = None
         clock = FastClock(self._story.tick)
         whole: Slice | None = None
         while True:
@@ -231,7 +209,7 @@ class Session:
             self._publish(done, at_once=is_there)
             if is_there:
                 return whole
-            if self._is_interrupted:
+            if self._thread.is_interrupted:
                 return joined(whole, self._story.step(0))
 
     def step(self, ticks: int = 1) -> Slice:
@@ -250,7 +228,7 @@ class Session:
         return self._run_to(None, [stop])
 
     def _pausing(self, method: Callable[..., Slice], *words: Any) -> Slice:
-        self._clock = None
+        self._thread.clock = None
         return self._ran(method(*words))
 
     # --- back -----------------------------------------------------------------------------------
@@ -283,13 +261,13 @@ class Session:
         return self._ask(self._back_to, [StopAt("changes", expression)])
 
     def _back_to(self, stops: Sequence[str | StopAt]) -> Slice | None:
-        self._clock = None
+        self._thread.clock = None
         named = self._story.read_stops(stops) if stops else self._story.stops
         done = self._story.back_to(named)
         return None if done is None else self._travelled(done)
 
     def _travel(self, method: Callable[..., Slice], *words: Any) -> Slice:
-        self._clock = None
+        self._thread.clock = None
         return self._travelled(method(*words))
 
     # --- the clock ------------------------------------------------------------------------------
@@ -304,39 +282,39 @@ class Session:
     def _play(self, speed: float | None) -> None:
         tick = self._story.tick
         if speed is None:
-            self._clock = FastClock(tick)
+            self._thread.clock = FastClock(tick)
         else:
             cycle_us = self.description.cycle_time_us
-            self._clock = WallClock(speed, tick, cycle_us, time.monotonic(), self._slice_s)
+            self._thread.clock = WallClock(speed, tick, cycle_us, time.monotonic(), self._slice_s)
 
     def pause(self) -> Slice:
         """Stop between two ticks, also a ``run`` of another thread; return the latest slice."""
-        self._is_interrupted = True
+        self._thread.is_interrupted = True
         try:
             return self._ask(self._pause)
         finally:
-            self._is_interrupted = False
+            self._thread.is_interrupted = False
 
     def _pause(self) -> Slice:
-        was_playing = self._clock is not None
-        self._clock = None
+        was_playing = self._thread.clock is not None
+        self._thread.clock = None
         return self._story.with_events() if was_playing else self._story.latest
 
     @property
     def speed(self) -> float | None:
         """The factor to the wall clock; ``None`` as fast as possible, and while it pauses."""
-        clock = self._clock
+        clock = self._thread.clock
         return None if clock is None else clock.speed
 
     @property
     def is_playing(self) -> bool:
         """Whether it goes on by itself."""
-        return self._clock is not None
+        return self._thread.clock is not None
 
     @property
     def lateness(self) -> tuple[int, float]:
         """The number of late slices since ``play``, and the largest lateness in seconds."""
-        clock = self._clock
+        clock = self._thread.clock
         return (clock.late_count, clock.worst_s) if isinstance(clock, WallClock) else (0, 0.0)
 
     # --- stops, inputs --------------------------------------------------------------------------
@@ -358,6 +336,14 @@ class Session:
     ) -> None:
         """Acknowledge an entry of ``waiting``; otherwise as ``write``."""
         self._ask(self._input, self._story.acknowledge, channel, entry, source)
+
+    def select(self, program: str | Path, channel: int = 1, source: str = API) -> None:
+        """Select a program file for a channel: from the next tick on, as an input on the tape.
+
+        It begins at once, with ``wait_for_start`` by START; a channel whose program runs, or that
+        has an error, keeps what it has (901316). Raises ``Failure`` for a file with mistakes.
+        """
+        self._ask(self._input, self._story.select, str(program), channel, source)
 
     def acknowledge_after(self, ticks: int | None) -> None:
         """Acknowledge functions and spindle jobs this number of ticks after they came up.
@@ -438,6 +424,15 @@ class Session:
         """Return the inputs of this branch, the PLC's too, in the order of their ticks."""
         return self._ask(self._story.tape)
 
+    def save(self, path: str | Path) -> None:
+        """Write this branch up to its latest tick as a tape for ``nctakt replay``.
+
+        Its run is repeated for that; the session goes on meanwhile. Raises ``Failure`` for a file
+        that cannot be written.
+        """
+        inputs, ticks = self._ask(lambda: (self._story.tape(), self._story.branch.latest))
+        save_tape(path, self._setup, inputs, ticks)
+
     # --- listening ------------------------------------------------------------------------------
 
     @contextlib.contextmanager
@@ -472,15 +467,9 @@ class Session:
 
     def close(self) -> None:
         """End the session and all its processes."""
-        if self._is_closed:
+        if self._thread.is_closed:
             return
-        self._is_closed = self._is_interrupted = True
-        self._commands.put(None)
-        self._thread.join()
-        while not self._commands.empty():  # of those who asked while it was closing
-            command = self._commands.get()
-            if command is not None:
-                command()
+        self._thread.close()
         self._audience.tell("closed")
         self._story.close()
 

@@ -22,8 +22,8 @@ class Setup:
     ``programs``: number of the channel, from 1 -> its programs. ``machine``: a folder, ``None`` for
     the demo machine. ``plc``: a Python file. ``acknowledges``: technology functions acknowledge
     themselves where there is no PLC; else whoever watches the session does it. ``folders``: the
-    only ones whose files may be read, where there are any. ``why`` and the rest as in
-    ``Controller.run``.
+    only ones whose files may be read, where there are any. ``inputs``: those of a tape. ``why`` and
+    the rest as in ``Controller.run``.
     """
 
     programs: Mapping[int, Sequence[str | Path | NcText]]
@@ -38,6 +38,8 @@ class Setup:
     acknowledges: bool = True
     folders: Sequence[str | Path] = ()
     why: bool = False
+    stays: bool = False
+    inputs: Sequence[Input] = ()
 
 
 @dataclass(frozen=True, slots=True)

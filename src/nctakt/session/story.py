@@ -15,7 +15,7 @@ from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
 from nctakt.lists.format.times import TimeLike, read_time
 from nctakt.results.run import Run
-from nctakt.run.inputs import ACKNOWLEDGE, ACKNOWLEDGE_SPINDLE, WRITE, Input
+from nctakt.run.inputs import ACKNOWLEDGE, ACKNOWLEDGE_SPINDLE, SELECT, WRITE, Input
 from nctakt.run.plc_view import SpindleEntry, TechnologyEntry
 from nctakt.session.decoders import DecoderState
 from nctakt.session.engine import CycleState, Glance, Slice, joined
@@ -194,6 +194,11 @@ class Story:
         return self._timeline.post(
             [Input(self.tick, source, WRITE, (name, value)) for name, value in values.items()]
         )
+
+    def select(self, program: str, channel: int, source: str) -> bool:
+        """Select a program file for a channel, counted from 1; returns as ``write``."""
+        values = channel - 1, program
+        return self._timeline.post([Input(self.tick, source, SELECT, values)])
 
     def acknowledge(self, channel: int, entry: TechnologyEntry | SpindleEntry, source: str) -> bool:
         """Acknowledge an entry of ``waiting``; returns as ``write``."""

@@ -105,8 +105,9 @@ class Timeline:
         self._blocks = done.decoded
         branch = self.branch
         if done.tick > branch.latest:
-            news = [one for one in done.inputs if one.tick > branch.latest and one.source == PLC]
-            self._plc[branch.number] += news
+            if self._setup.plc is not None:
+                news = [one for one in done.inputs if one.tick > branch.latest]
+                self._plc[branch.number] += [one for one in news if one.source == PLC]
             branch.latest = done.tick
         if self._workshop.can_copy and self._is_far_from_parked():
             self._park()

@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: MIT
+"""A session <-> a tape: what was lived through can be replayed, and a recorded run lived through.
+
+In: the setup and the inputs of a branch, a path; or a tape. Out: the file that ``nctakt replay``
+takes; or the setup of a session that has the tape's inputs and needs no PLC.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from nctakt.base.failure import Failure
+from nctakt.files.access import FileAccess
+from nctakt.files.output import OutputFile
+from nctakt.lists.format.times import TimeLike, read_time
+from nctakt.messages import diagnostic
+from nctakt.messages.session import TAPE_NEEDS_SCHEDULE
+from nctakt.messages.tape import TAPE_FILES_CHANGED
+from nctakt.run.controller import Controller
+from nctakt.run.inputs import Input
+from nctakt.run.program_loader import NcText, name_of
+from nctakt.run.stimuli import parse_assignment
+from nctakt.run.tape import Tape, TapeWriter, changed_files, name_on_tape, read_tape
+from nctakt.run.tape_words import words_of
+from nctakt.session.setup import Setup
+
+
+def save_tape(path: str | Path, setup: Setup, inputs: Sequence[Input], ticks: int) -> None:
+    """Write the tape of a branch up to tick ``ticks``, for which its run is repeated.
+
+    Raises ``Failure`` for a file that cannot be written.
+    """
+    access = FileAccess([Path(folder) for folder in setup.folders])
+    has_plc = setup.plc is not None or not setup.acknowledges
+    texts = {one.name: one.text for one in _programs(setup) if isinstance(one, NcText)}
+    for program in _programs(setup):
+        if not isinstance(program, NcText):
+            access.note(program)
+    controller = Controller(setup.machine, access=access)
+    replayed = Tape({}, texts, has_plc, tuple(inputs), {}, ticks, "", {})
+    with OutputFile(path, "tape", access) as file:
+        writer = TapeWriter(file.write, _words(setup), texts, has_plc)
+        run = controller.run(
+            *setup.programs.get(1, ()),
+            channels={number: own for number, own in setup.programs.items() if number > 1},
+            set=setup.set,
+            until=setup.until,
+            ticks=ticks,
+            after=setup.after,
+            wait_for_start=setup.wait_for_start,
+            skip=setup.skip,
+            memory_trace=False,
+            blocks=True,
+            stays=setup.stays,
+            sinks=(writer,),
+            record=writer.note,
+            replay=replayed,
+        )
+        state = "interrupted" if run.state == "limit" else run.state
+        files = {name_on_tape(one): one for one in access.read_files}
+        writer.finish(state, controller.tick, files)
+
+
+def _programs(setup: Setup) -> list[str | Path | NcText]:
+    return [program for own in setup.programs.values() for program in own]
+
+
+def _words(setup: Setup) -> dict[str, Any]:
+    """Return the words of the command that runs what the setup does."""
+    return {
+        "programs": [name_of(program) for program in setup.programs.get(1, ())],
+        "others": [
+            [str(number), name_of(program)]
+            for number, own in setup.programs.items()
+            if number > 1
+            for program in own
+        ],
+        "machine": None if setup.machine is None else str(setup.machine),
+        "root": None,
+        "assignments": [f"{name}={_value(value)}" for name, value in setup.set.items()],
+        "ticks": None,
+        "until": None if setup.until is None else _time(setup.until),
+        "after": _time(setup.after),
+        "skip": ",".join(map(str, setup.skip)),
+        "wait_for_start": setup.wait_for_start,
+        "blocks": True,
+        "stays": setup.stays,
+        "rtconf": None,
+        "load": None,
+        "system": None,
+        "confined": [str(folder) for folder in setup.folders],
+    }
+
+
+def _time(time: TimeLike) -> str:
+    return str(read_time(time))
+
+
+def _value(value: float | str) -> str:
+    return f'"{value}"' if isinstance(value, str) else repr(float(value))
+
+
+def read_setup(path: str | Path, folders: Sequence[str | Path] = (), *, anyway: bool) -> Setup:
+    """Return the setup of the run on a tape; it has no PLC, but the PLC's inputs.
+
+    Raises ``Failure`` for a tape that cannot be read (901070 …), that needs a schedule (901317), or
+    whose programs or lists have changed (901073), unless it shall run ``anyway``.
+    """
+    tape = read_tape(Path(path), FileAccess([Path(folder) for folder in folders]))
+    words = words_of(tape, str(path))
+    changed = changed_files(tape)
+    if changed and not anyway:
+        raise Failure(diagnostic(TAPE_FILES_CHANGED, files=", ".join(changed)))
+    if words["rtconf"] is not None:
+        raise Failure(diagnostic(TAPE_NEEDS_SCHEDULE, list=words["rtconf"]))
+    programs: dict[int, list[str | Path | NcText]] = {1: []}
+    named = [(1, name) for name in words["programs"]]
+    named += [(int(number), name) for number, name in words["others"]]
+    for number, name in named:
+        program = NcText(name, tape.texts[name]) if name in tape.texts else name
+        programs.setdefault(number, []).append(program)
+    until = words["until"] if words["ticks"] is None else f"{words['ticks']} ticks"
+    return Setup(
+        programs,
+        words["machine"],
+        set=dict(map(parse_assignment, words["assignments"])),
+        until=until,
+        after=words["after"],
+        wait_for_start=words["wait_for_start"],
+        skip=[int(level) for level in words["skip"].split(",") if level],
+        acknowledges=not tape.has_plc,
+        folders=(*folders, *words["confined"]),
+        stays=words["stays"],
+        inputs=tape.inputs,
+    )

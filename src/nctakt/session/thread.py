@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: MIT
+"""The thread that a session lives in: it does what others ask for, and between that goes on.
+
+In: methods to call, from any thread; a clock. Out: their results, and slices when the clock says.
+"""
+
+from __future__ import annotations
+
+import queue
+import threading
+import time
+from collections.abc import Callable
+from concurrent.futures import Future
+from typing import ParamSpec, TypeVar
+
+from nctakt.base.failure import Failure
+from nctakt.messages import diagnostic
+from nctakt.messages.session import SESSION_IS_CLOSED
+from nctakt.session.clock import FastClock, WallClock
+
+#: Commands that wait for the thread at most; whoever brings one more waits.
+MAX_COMMANDS = 1000
+
+_P = ParamSpec("_P")
+_T = TypeVar("_T")
+
+
+class SessionThread:
+    """Does commands, and between them the slices that ``clock`` asks for.
+
+    ``run_slice`` runs one; without a clock nothing goes on by itself. ``is_interrupted``: whoever
+    runs in slices shall end between two of them.
+    """
+
+    def __init__(self, run_slice: Callable[[WallClock | FastClock], None]) -> None:
+        self._run_slice = run_slice
+        self.clock: WallClock | FastClock | None = None
+        self.is_interrupted = False
+        self.is_closed = False
+        self._commands: queue.Queue[Callable[[], None] | None] = queue.Queue(MAX_COMMANDS)
+        self._thread = threading.Thread(target=self._live, name="nctakt session", daemon=True)
+        self._thread.start()
+
+    def _live(self) -> None:
+        while True:
+            clock = self.clock
+            wait_s = None if clock is None else clock.wait_s(time.monotonic())
+            try:
+                command = self._commands.get(block=wait_s != 0.0, timeout=wait_s or None)
+            except queue.Empty:
+                assert clock is not None
+                self._run_slice(clock)
+                continue
+            if command is None:
+                return
+            command()
+
+    def ask(self, method: Callable[_P, _T], *words: _P.args, **keywords: _P.kwargs) -> _T:
+        """Return what a method gives in this thread.
+
+        Raises ``Failure`` (901155) once it is closed.
+        """
+        if threading.current_thread() is self._thread:
+            return method(*words, **keywords)
+        answer: Future[_T] = Future()
+
+        def command() -> None:
+            try:
+                answer.set_result(method(*words, **keywords))
+            except BaseException as error:  # noqa: BLE001 - whoever has asked gets it
+                answer.set_exception(error)
+
+        if self.is_closed:
+            raise Failure(diagnostic(SESSION_IS_CLOSED))
+        self._commands.put(command)
+        try:
+            return answer.result()
+        except KeyboardInterrupt:
+            self.is_interrupted = True
+            answer.exception()  # the run stops between two slices
+            self.is_interrupted = False
+            raise
+
+    def close(self) -> None:
+        """Do what has been asked for, then end."""
+        self.is_closed = self.is_interrupted = True
+        self._commands.put(None)
+        self._thread.join()
+        while not self._commands.empty():  # of those who asked while it was closing
+            command = self._commands.get()
+            if command is not None:
+                command()

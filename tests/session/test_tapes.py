@@ -1,0 +1,181 @@
+# SPDX-License-Identifier: MIT
+"""Sessions on tapes: saved, replayed on the command line, lived through again; chosen programs."""
+
+from __future__ import annotations
+
+import contextlib
+import json
+from pathlib import Path
+
+import pytest
+
+from nctakt import Failure, NcText
+from nctakt.cli import main
+from nctakt.session import Session
+
+PROGRAM = """\
+#RT CYCLE [ID=1 SCOPE=PROG]
+  $IF EDGE V.E.VALUE > 0.5
+    V.E.COUNT += 1
+  $ENDIF
+#RT CYCLE END
+M100
+G01 X100 F6000
+M30
+"""
+
+PLC = """\
+class Cell:
+    def cycle(self, hli):
+        hli.write("V.E.VALUE", hli.tick // 50 % 2)
+        if hli.tick == 30:
+            hli.acknowledge_all()
+"""
+
+
+@pytest.fixture(autouse=True)
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A folder of its own, with a program and a PLC."""
+    monkeypatch.chdir(tmp_path)
+    Path("part.nc").write_text(PROGRAM, "utf-8")
+    Path("cell.py").write_text(PLC, "utf-8")
+    return tmp_path
+
+
+def replayed(tape: str, capsys: pytest.CaptureFixture[str]) -> tuple[int, str]:
+    """Return exit code and diagnostics of ``nctakt replay``."""
+    code = main(["replay", tape])
+    return code, capsys.readouterr().err
+
+
+def test_a_saved_session_is_replayed_with_the_same_events(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    with Session("part.nc", at=[("20 ms", "V.E.VALUE", 1)], acknowledges=False) as session:
+        session.run("100 ms")
+        ((channel, entry),) = session.waiting()
+        session.acknowledge(channel, entry)
+        session.run("300 ms")
+        session.write({"HLI.OVERRIDE": 50.0, "V.E.VALUE": 0})
+        session.step(10)
+        session.write({"V.E.VALUE": 1})
+        session.run()
+        count, ticks = session.evaluate("V.E.COUNT"), session.tick
+        session.save("lived.tape")
+    assert count == 2
+    end = json.loads(Path("lived.tape").read_text("utf-8").splitlines()[-1])
+    assert end["end"] == "ended"
+    assert end["ticks"] == ticks
+    assert [Path(name).name for name in end["files"] if name.endswith("part.nc")] == ["part.nc"]
+    code, err = replayed("lived.tape", capsys)
+    assert code == 0
+    assert "901075" in err
+
+
+def test_a_session_with_a_plc_and_texts_is_replayed_up_to_where_it_was(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    with Session(NcText("mine.nc", PROGRAM), plc="cell.py", set={"V.E.COUNT": 5}) as session:
+        session.run("400 ms")
+        session.back(100)
+        session.save("lived.tape")
+    code, err = replayed("lived.tape", capsys)
+    assert code == 0
+    assert "901075" in err
+    assert "901074" not in err
+
+
+def test_a_recorded_run_is_lived_through_without_its_plc() -> None:
+    assert main(["run", "part.nc", "--plc", "cell.py", "--record", "run.tape", "--quiet"]) == 0
+    with Session("part.nc", plc="cell.py") as session:
+        session.run("500 ms")
+        expected = session.evaluate("V.E.COUNT"), session.read("X.ACS.ACT_POS")
+        inputs = [one for one in session.tape() if one.tick <= 400]
+    Path("cell.py").unlink()
+    with Session.of_tape("run.tape") as session:
+        session.run("500 ms")
+        assert (session.evaluate("V.E.COUNT"), session.read("X.ACS.ACT_POS")) == expected
+        assert [one for one in session.tape() if one.tick <= 400] == inputs
+        session.back(200)
+        session.write({"V.E.COUNT": 100})
+        session.run()
+        assert session.is_over
+        assert session.branches[2] == session.tick
+        session.save("again.tape")
+    assert main(["replay", "again.tape", "--quiet"]) == 0
+
+
+def test_a_tape_of_changed_programs_is_told() -> None:
+    """901073."""
+    assert main(["run", "part.nc", "--record", "run.tape", "--quiet"]) == 0
+    Path("part.nc").write_text(PROGRAM + "; changed\n", "utf-8")
+    with pytest.raises(Failure) as caught:
+        Session.of_tape("run.tape")
+    assert caught.value.diagnostics[0].id == 901073
+    with Session.of_tape("run.tape", anyway=True) as session:
+        session.run()
+        assert session.is_over
+
+
+def test_a_program_is_chosen_while_the_session_stays(capsys: pytest.CaptureFixture[str]) -> None:
+    Path("other.nc").write_text("G01 Y10 F6000\nM30\n", "utf-8")
+    with Session("part.nc", stays=True, wait_for_start=True) as session:
+        session.write({"HLI.START": True})
+        session.run("3 s")
+        assert session.latest.state == "ready"
+        assert session.read("X.ACS.ACT_POS") == [100.0]
+        session.select("other.nc")
+        session.run("4 s")
+        assert session.read("Y.ACS.ACT_POS") == [0.0]  # it waits for START
+        session.write({"HLI.START": True})
+        session.run("5 s")
+        assert session.read("Y.ACS.ACT_POS") == [10.0]
+        assert not session.is_over
+        session.back(1500)
+        assert session.read("Y.ACS.ACT_POS") == [0.0]
+        session.run("5 s")
+        assert session.read("Y.ACS.ACT_POS") == [10.0]
+        session.save("lived.tape")
+    _, err = replayed("lived.tape", capsys)
+    assert "901075" in err
+
+
+def test_a_session_without_programs_takes_one_at_once() -> None:
+    with Session(stays=True) as session:
+        session.run("1 s")
+        session.select("part.nc")
+        session.run("3 s")
+        assert session.read("X.ACS.ACT_POS") == [100.0]
+
+
+def test_a_program_with_mistakes_or_no_file_is_not_chosen() -> None:
+    Path("wrong.nc").write_text("G01 X10 F\nM30\n", "utf-8")
+    with Session(stays=True) as session:
+        for name, text in (("wrong.nc", "wrong.nc:1"), ("none.nc", "none.nc")):
+            with pytest.raises(Failure) as caught:
+                session.select(name)
+            assert text in str(caught.value)
+        assert session.tape() == []
+
+
+def test_a_channel_that_runs_keeps_its_program() -> None:
+    """901316."""
+    Path("other.nc").write_text("G01 Y10 F6000\nM30\n", "utf-8")
+    with Session("part.nc", stays=True) as session:
+        session.run("200 ms")
+        session.select("other.nc")
+        told = [found.id for found in session.run("3 s").diagnostics]
+        assert told == [901316]
+        assert session.read("X.ACS.ACT_POS", "Y.ACS.ACT_POS") == [100.0, 0.0]
+
+
+def test_a_tape_of_a_schedule_is_refused() -> None:
+    """901317."""
+    assert main(["run", "part.nc", "--record", "run.tape", "--quiet"]) == 0
+    lines = Path("run.tape").read_text("utf-8").splitlines()
+    head = json.loads(lines[0])
+    head["words"]["rtconf"] = "rtconf.lis"
+    Path("run.tape").write_text("\n".join([json.dumps(head), *lines[1:]]) + "\n", "utf-8")
+    with pytest.raises(Failure) as caught, contextlib.closing(Session.of_tape("run.tape")):
+        pass
+    assert caught.value.diagnostics[0].id == 901317

@@ -159,18 +159,18 @@ def test_a_program_with_mistakes_or_no_file_is_not_chosen() -> None:
 
 
 def test_a_channel_that_runs_keeps_its_program() -> None:
-    """901163."""
+    """901148."""
     Path("other.nc").write_text("G01 Y10 F6000\nM30\n", "utf-8")
     with Session("part.nc", stays=True) as session:
         session.run("200 ms")
         session.select("other.nc")
         told = [found.id for found in session.run("3 s").diagnostics]
-        assert told == [901163]
+        assert told == [901148]
         assert session.read("X.ACS.ACT_POS", "Y.ACS.ACT_POS") == [100.0, 0.0]
 
 
 def test_a_tape_of_a_schedule_is_refused() -> None:
-    """901164."""
+    """901149."""
     assert main(["run", "part.nc", "--record", "run.tape", "--quiet"]) == 0
     lines = Path("run.tape").read_text("utf-8").splitlines()
     head = json.loads(lines[0])
@@ -178,4 +178,4 @@ def test_a_tape_of_a_schedule_is_refused() -> None:
     Path("run.tape").write_text("\n".join([json.dumps(head), *lines[1:]]) + "\n", "utf-8")
     with pytest.raises(Failure) as caught, contextlib.closing(Session.of_tape("run.tape")):
         pass
-    assert caught.value.diagnostics[0].id == 901164
+    assert caught.value.diagnostics[0].id == 901149

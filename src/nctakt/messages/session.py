@@ -79,7 +79,7 @@ NO_SUCH_BRANCH = error(
 )
 
 PROGRAM_NOT_SELECTED = warning(
-    901163,
+    901148,
     en="program {program} was not selected: channel {channel} is in state {state}",
     de="Programm {program} wurde nicht angewählt: Kanal {channel} ist im Zustand {state}",
     remedy_en="Wait for the end of its program, or press RESET first.",
@@ -90,7 +90,7 @@ PROGRAM_NOT_SELECTED = warning(
 )
 
 TAPE_NEEDS_SCHEDULE = error(
-    901164,
+    901149,
     en="the run on this tape went by the schedule {list}, which a session has not",
     de="der Lauf auf diesem Band ging nach dem Ablaufplan {list}, den eine Sitzung nicht hat",
     remedy_en="Repeat it with `nctakt replay`.",

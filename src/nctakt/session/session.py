@@ -341,7 +341,7 @@ class Session:
         """Select a program file for a channel: from the next tick on, as an input on the tape.
 
         It begins at once, with ``wait_for_start`` by START; a channel whose program runs, or that
-        has an error, keeps what it has (901163). Raises ``Failure`` for a file with mistakes.
+        has an error, keeps what it has (901148). Raises ``Failure`` for a file with mistakes.
         """
         self._ask(self._input, self._story.select, str(program), channel, source)
 

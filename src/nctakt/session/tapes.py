@@ -105,7 +105,7 @@ def _value(value: float | str) -> str:
 def read_setup(path: str | Path, folders: Sequence[str | Path] = (), *, anyway: bool) -> Setup:
     """Return the setup of the run on a tape; it has no PLC, but the PLC's inputs.
 
-    Raises ``Failure`` for a tape that cannot be read (901070 …), that needs a schedule (901164), or
+    Raises ``Failure`` for a tape that cannot be read (901070 …), that needs a schedule (901149), or
     whose programs or lists have changed (901073), unless it shall run ``anyway``.
     """
     tape = read_tape(Path(path), FileAccess([Path(folder) for folder in folders]))

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 
 #: The modules of the answers to an editor.
-_ANSWERS = ("completion", "formatting", "hover", "navigation", "outline", "remedies")
+_ANSWERS = ("completion", "formatting", "hints", "hover", "navigation", "outline", "remedies")
 
 
 @dataclass(frozen=True, slots=True)

@@ -86,6 +86,8 @@ def event_words(event: Event, language: Language) -> str:
     parts = event.text.split(" ")
     if event.kind == "block":
         parts = []
+    if event.kind in ("fired", "paused"):
+        parts = parts[:-2]  # its line, which stands beside it
     if event.kind in ("M", "H"):
         name, parts = f"{event.kind}{parts[0]}", []
     if event.kind in ("output", "acknowledged", "dropped"):

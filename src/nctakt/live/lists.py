@@ -96,13 +96,15 @@ class Lists:
         holder.clear()
         with holder:
             for row in shown:
-                line = f"{self._texts['line']} {row.line}: " if row.line else ""
+                line = f"{self._texts['line']} {row.line}" if row.line else ""
                 with (
                     ui.element("div")
                     .classes(f"nc-finding {row.kind}")
                     .on("click", lambda row=row: self._reveal(row.line))
                 ):
-                    ui.label(f"{line}{row.text}")
+                    with ui.element("div").classes("nc-rows"):
+                        ui.label(row.text)
+                        ui.label(line).classes("nc-soft")
                     if row.remedy:
                         ui.label(row.remedy).classes("nc-soft")
             if not shown:

@@ -79,9 +79,11 @@ class Panel:
                 self._state = ui.label().classes("nc-soft ellipsis").props("data-testid=nc-state")
             if len(self._programs) > 1:
                 options = {_ALL: texts["all_programs"], **{name: name for name in self._programs}}
-                ui.select(
-                    options, value=_ALL, label=texts["program"], on_change=self._chosen
-                ).props("dense options-dense outlined data-testid=program").classes("nc-choice")
+                with ui.element("div").classes("nc-row"):
+                    ui.label(texts["program"]).classes("nc-soft")
+                    choice = ui.select(options, value=_ALL, on_change=self._chosen)
+                    choice.props("dense options-dense borderless data-testid=program")
+                    choice.classes("col nc-choice")
             with ui.element("div").classes("nc-row"):
                 for name, color in (("start", "positive"), ("reset", "negative")):
                     button = ui.button(texts[name], on_click=partial(self.press, name))

@@ -45,7 +45,7 @@ class ProgramCard:
         self._ask_why = ask_why
         self._on_findings = on_findings
         self._typed = 0
-        self._marks: list[dict[str, Any]] = []
+        self._marks: list[dict[str, Any]] | None = None
         self.findings: list[Diagnostic] = []
         self.document = self._shown_document()
         self._build()
@@ -121,7 +121,7 @@ class ProgramCard:
 
     def _show_document(self) -> None:
         self.document = self._shown_document()
-        self._marks = []
+        self._marks = None
         self._choice.set_value(self._key())
         self._editor.set_value(self.document.text)
 
@@ -196,7 +196,7 @@ class ProgramCard:
             self._shared.reopen(self._shared.program)
 
         if await self._commander.attempt(save_and_run):
-            self._marks = []
+            self._marks = None
             ui.notify(self._texts["saved"], type="positive", timeout=2000)
 
     async def _read(self) -> None:

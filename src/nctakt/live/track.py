@@ -135,10 +135,11 @@ def marks_of(events: Sequence[Event], file: str) -> list[Entry]:
     """Return reactions, functions, messages and errors: tick, kind, label, line in the file."""
     found: list[Entry] = []
     for event in events:
-        line = event.span.line if event.span is not None and event.span.file == file else 0
+        number = 0 if event.span is None else event.span.line
+        line = number if event.span is not None and event.span.file == file else 0
         match event.kind:
             case "fired":
-                found.append((event.tick, "fired", f"{event.cycle}:{line}", line))
+                found.append((event.tick, "fired", f"{event.cycle}:{number}", line))
             case "M" | "H":
                 found.append((event.tick, event.kind, event.kind + event.text.split()[0], line))
             case "output":

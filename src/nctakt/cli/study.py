@@ -35,19 +35,21 @@ usage or unusable input, 3 an error of nctakt's own.
 \b
   nctakt study plan.toml --out results.parquet
   nctakt study plan.toml --out results.parquet --resume
+  nctakt study report plan.toml results.parquet --report results.html
   nctakt study part.nc --each-tick "V.E.STOP=1 for 20 ms" \\
       --expect "Z.ACS.ACT_POS < 50 within 100 ms"
 """
 
 
 @click.command("study", epilog=_EPILOG, short_help="Make many runs of a program and check each.")
-@click.argument("file", metavar="FILE")
+@click.argument("files", metavar="FILE", nargs=-1, required=True)
 @click.option("--each-tick", metavar="NAME=VALUE", help="Inject a value at each tick of the run.")
 @click.option("--expect", multiple=True, metavar="TEXT", help="Expect this of each run.")
 @click.option("--machine", metavar="FOLDER", help="The machine of a program without a plan.")
 @click.option("--plc", metavar="FILE", help="The PLC of a program without a plan.")
 @click.option("--until", metavar="TIME", help="The limit of each run of a program without a plan.")
 @click.option("--out", metavar="FILE", help="Write a row per run: .parquet, .csv or .jsonl.")
+@click.option("--report", metavar="FILE", help="Write a page (.html) with pictures of the results.")
 @click.option("--resume", is_flag=True, help="Make only the runs that --out does not have yet.")
 @click.option(
     "-j",
@@ -63,11 +65,16 @@ usage or unusable input, 3 an error of nctakt's own.
 @click.option("--yes", is_flag=True, help="Start even what takes more than an hour.")
 @language_option("Language of diagnostics and results.")
 @click.option("--quiet", is_flag=True, help="No progress.")
-def command(file: str, **words: Any) -> int:
-    """Make the runs of a plan, or inject a value at each tick of a program."""
+def command(files: tuple[str, ...], **words: Any) -> int:
+    """Make the runs of a plan, or inject a value at each tick of a program.
+
+    "report PLAN RESULTS" makes the page of --report of runs that are finished.
+    """
     language: Language = words["language"]
+    if len(files) != 1 and (files[0] != "report" or len(files) != 3):
+        raise click.UsageError("one plan or program, or: report PLAN RESULTS")
     try:
-        return _study(file, words)
+        return _study(files[0], words) if len(files) == 1 else _report(*files[1:], words)
     except Failure as failure:
         print_diagnostics(failure.diagnostics, language)
         return EXIT_USAGE
@@ -104,6 +111,10 @@ def _study(file: str, words: dict[str, Any]) -> int:
     if store is not None:
         result.save(words["out"])
         store.remove()
+    if words["report"] is not None:
+        from nctakt.files.output import write_file  # noqa: PLC0415 - few studies have one
+
+        write_file(words["report"], result.report())
     from nctakt.cli.study_summary import summary  # noqa: PLC0415 - as above
 
     for line in summary(study, result, file, words["language"]):
@@ -115,6 +126,21 @@ def _study(file: str, words: dict[str, Any]) -> int:
         for line in shrunk_lines(study, result, words["language"]):
             click.echo(line)
     return EXIT_RAN if result else EXIT_NC_ERROR
+
+
+def _report(plan: str, results: str, words: dict[str, Any]) -> int:
+    """Write the report of runs that are finished."""
+    from nctakt.files.output import write_file  # noqa: PLC0415 - as above
+    from nctakt.studies.plan_file import read_plan  # noqa: PLC0415
+    from nctakt.studies.report import report  # noqa: PLC0415
+    from nctakt.studies.results import read_rows  # noqa: PLC0415
+
+    rows = read_rows(Path(results))
+    write_file(
+        words["report"] or str(Path(results).with_suffix(".html")),
+        report(read_plan(Path(plan)), rows),
+    )
+    return EXIT_RAN
 
 
 def _find(study: Study, words: dict[str, Any]) -> int:

@@ -15,6 +15,7 @@ from nctakt.studies.measures import MeasuredValue, function_measure
 from nctakt.studies.plan import Plan
 from nctakt.studies.plan_file import read_plan, read_tables
 from nctakt.studies.processes import rows_here, rows_of_processes
+from nctakt.studies.report import report
 from nctakt.studies.results import RowStore, arrow_table, write_rows
 from nctakt.studies.search import Answer, search, shrink
 
@@ -36,7 +37,9 @@ class StudyResult:
 
     def __repr__(self) -> str:
         counts = ", ".join(f"{count} {verdict}" for verdict, count in self.counts.items() if count)
-        return f"<StudyResult of {len(self.rows)} runs: {counts or 'none'}>"
+        first = self.broken[:1]
+        shown = f"; first run {first[0]['run']}: {first[0]['broken']}" if first else ""
+        return f"<StudyResult of {len(self.rows)} runs: {counts or 'none'}{shown}>"
 
     def __bool__(self) -> bool:
         return all(row["verdict"] == HELD for row in self.rows)
@@ -76,6 +79,10 @@ class StudyResult:
         import polars  # noqa: PLC0415 - an extra
 
         return polars.DataFrame(self.to_arrow())
+
+    def report(self) -> str:
+        """Return the report: an HTML page that needs no network."""
+        return report(self.plan, self.rows)
 
     def save(self, path: str | Path) -> None:
         """Write the rows to a .parquet, .csv or .jsonl file; raises ``Failure``."""

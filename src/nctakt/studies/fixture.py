@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: MIT
+"""The pytest fixture ``study``: a study as a test, with its verdict.
+
+    def test_every_stop_comes_in_time(study):
+        assert study("stop.toml")
+
+pytest loads it by its entry point, so nothing of nctakt is imported before a test needs it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import pytest
+
+if TYPE_CHECKING:
+    from nctakt.studies.study import StudyResult
+
+
+@pytest.fixture
+def study(request: pytest.FixtureRequest) -> Callable[..., StudyResult]:
+    """A function that makes the runs of a plan: a file beside the test, or its entries."""
+    from nctakt.studies.study import Study  # noqa: PLC0415 - see above
+
+    folder = request.path.parent
+
+    def make(file: str | Path | None = None, *, processes: int = 1, **entries: Any) -> StudyResult:
+        for key in ("program", "plc"):
+            if isinstance(entries.get(key), str | Path):
+                entries[key] = str(folder / entries[key])
+        plan = Study(None if file is None else folder / file, **entries)
+        return plan.run(processes=processes)
+
+    return make

@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: MIT
+"""The report of a study, its sensitivities, and the study as a test."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from xml.etree import ElementTree
+
+import pytest
+
+from nctakt.cli import main
+from nctakt.studies.report import sensitivities
+
+pytest_plugins = ["pytester"]
+
+PLAN = """\
+program = "part.nc"
+until = "3 s"
+expect = ["duration < 1.2 s"]
+[measure]
+time = "duration"
+late = "time of M100"
+[[vary]]
+name = "override"
+variable = "HLI.OVERRIDE"
+from = 40
+to = 100
+step = 10
+[[vary]]
+variable = "V.E.VALUE"
+values = [1, 2, 3]
+"""
+
+
+@pytest.fixture
+def plan(tmp_path: Path) -> Path:
+    """A plan of 21 runs with its program."""
+    (tmp_path / "part.nc").write_text("G01 X100 F6000\nM30\n")
+    path = tmp_path / "plan.toml"
+    path.write_text(PLAN)
+    return path
+
+
+def test_the_page_stands_alone(plan: Path) -> None:
+    """All pictures are well-formed SVG; nothing is fetched and nothing is run."""
+    page, rows = plan.with_name("page.html"), plan.with_name("rows.csv")
+    words = ["study", str(plan), "--out", str(rows), "--report", str(page), "--quiet", "-j", "1"]
+    assert main(words) == 1
+    text = page.read_text("utf-8")
+    for svg in re.findall(r"<svg.*?</svg>", text):
+        ElementTree.fromstring(svg)
+    for heading in ("Measures", "Pairs of inputs", "Sensitivities", "Runs that did not hold"):
+        assert f"<h2>{heading}</h2>" in text
+    assert "<script" not in text
+    assert "http" not in text
+    again = plan.with_name("again.html")
+    assert main(["study", "report", str(plan), str(rows), "--report", str(again)]) == 0
+    assert again.read_text("utf-8").count("<svg") == text.count("<svg")
+
+
+def test_what_matters_is_on_top() -> None:
+    """The measure is the first input; the second one has no part in it."""
+    first = [float(number % 10) for number in range(100)]
+    second = [float(number // 10) for number in range(100)]
+    shares, _ = sensitivities([first, second], first)
+    assert shares[0] > 0.5 > shares[1]
+
+
+def test_a_study_is_a_test(pytester: pytest.Pytester, plan: Path) -> None:
+    """It fails with the counts and the first broken run."""
+    (pytester.path / "part.nc").write_text((plan.parent / "part.nc").read_text())
+    (pytester.path / "plan.toml").write_text(PLAN)
+    pytester.makepyfile('def test_it(study):\n    assert study("plan.toml")\n')
+    done = pytester.runpytest_inprocess("-p", "nctakt.studies.fixture", "-p", "no:cacheprovider")
+    done.assert_outcomes(failed=1)
+    done.stdout.fnmatch_lines(["*first run 0: duration < 1.2 s*"])

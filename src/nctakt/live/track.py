@@ -135,11 +135,11 @@ def marks_of(events: Sequence[Event], file: str) -> list[Entry]:
     """Return reactions, functions, messages and errors: tick, kind, label, line in the file."""
     found: list[Entry] = []
     for event in events:
-        number = 0 if event.span is None else event.span.line
-        line = number if event.span is not None and event.span.file == file else 0
+        line_in_text = 0 if event.span is None else event.span.line
+        line = line_in_text if event.span is not None and event.span.file == file else 0
         match event.kind:
             case "fired":
-                found.append((event.tick, "fired", f"{event.cycle}:{number}", line))
+                found.append((event.tick, "fired", f"{event.cycle}:{line_in_text}", line))
             case "M" | "H":
                 found.append((event.tick, event.kind, event.kind + event.text.split()[0], line))
             case "output":

@@ -15,7 +15,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from nctakt.base.failure import Failure
 from nctakt.debugger.names import pieces_of
 from nctakt.messages import diagnostic
-from nctakt.messages.debugger import DECODER_VARIABLE, NOT_A_VALUE
+from nctakt.messages.debugger import DECODER_VARIABLE, UNREADABLE_VALUE_TEXT
 from nctakt.session.decoders import DecoderState, DecoderVariable
 from nctakt.session.session import Session
 from nctakt.session.setup import Inventory
@@ -55,7 +55,7 @@ def read_value(text: str) -> Value:
     except ValueError:
         number = math.nan
     if not math.isfinite(number):
-        raise Failure(diagnostic(NOT_A_VALUE, text=text))
+        raise Failure(diagnostic(UNREADABLE_VALUE_TEXT, text=text))
     return number
 
 

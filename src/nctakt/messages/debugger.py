@@ -130,8 +130,8 @@ UNKNOWN_CONSOLE_COMMAND = error(
     901235,
     en="this is neither a command of the console nor an expression: {text}",
     de="das ist weder ein Befehl der Konsole noch ein Ausdruck: {text}",
-    remedy_en="help lists the commands.",
-    remedy_de="help zeigt die Befehle.",
+    remedy_en="Type help for the commands.",
+    remedy_de="Mit help die Befehle ansehen.",
     text=("the text", "der Text"),
 )
 NEVER_HELD = note(
@@ -159,7 +159,7 @@ NO_LIVE_PAGE = error(
     port=("the port", "der Port"),
     reason=("the system's reason", "der Grund des Systems"),
 )
-NOT_A_VALUE = error(
+UNREADABLE_VALUE_TEXT = error(
     901239,
     en="this is not a value: {text}",
     de="das ist kein Wert: {text}",

@@ -8,6 +8,7 @@ In: programs, machine, PLC, address. Out: the address of the page (standard outp
 from __future__ import annotations
 
 import contextlib
+import threading
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -24,6 +25,7 @@ from nctakt.files.access import FileAccess
 from nctakt.lists.machine.files import machine_folder
 
 if TYPE_CHECKING:
+    from nctakt.live.shared import SharedSession
     from nctakt.session.session import Session
 
 #: The machine time after which a run on the page ends.
@@ -88,6 +90,13 @@ nctakt's own.
     metavar="N",
     help="Port of the page, 0: a free one [default: 8765].",
 )
+@click.option(
+    "--dap",
+    "debug_port",
+    type=click.IntRange(0, 65535),
+    metavar="N",
+    help="Let debuggers attach at this port of this computer, 0: a free one, which is printed.",
+)
 @click.option("--open", "opens_browser", is_flag=True, help="Open the page in the browser.")
 @CONFINE_OPTION
 @language_option("Language of the page and of diagnostics [default: en].", None)
@@ -97,11 +106,18 @@ nctakt's own.
     default=None,
     help="The realtime part compiled or as plain Python [default: compiled if it is built].",
 )
-def command(host: str, port: int, opens_browser: bool, acknowledge: bool, **words: Any) -> int:
+def command(
+    host: str,
+    port: int,
+    debug_port: int | None,
+    opens_browser: bool,
+    acknowledge: bool,
+    **words: Any,
+) -> int:
     """Show a run on a page in the browser: play, pause, step, go back, edit, set variables."""
 
     def show(options: Options, access: FileAccess) -> int:
-        return _show(options, access, (host, port), opens_browser, acknowledge)
+        return _show(options, access, (host, port), debug_port, opens_browser, acknowledge)
 
     given = {**words, "ticks": None, "until": None, "after": "0"}
     return carry_out(given, show)
@@ -111,6 +127,7 @@ def _show(
     options: Options,
     access: FileAccess,
     address: tuple[str, int],
+    debug_port: int | None,
     opens_browser: bool,
     acknowledge: bool,
 ) -> int:
@@ -162,6 +179,8 @@ def _show(
     file = documents[channel][0].file
     shared = SharedSession(open_session, file, acknowledges=not acknowledge, channel=channel)
     try:
+        if debug_port is not None:
+            _let_attach(shared, debug_port, options)
         with contextlib.suppress(KeyboardInterrupt):  # the way to end it
             serve(
                 shared,
@@ -176,6 +195,17 @@ def _show(
     finally:
         shared.close()
     return EXIT_RAN
+
+
+def _let_attach(shared: SharedSession, port: int, options: Options) -> None:
+    """Let debuggers attach to the page's session; raises ``Failure`` if the port is taken."""
+    from nctakt.debugger.server import PortServer  # noqa: PLC0415 - seldom needed
+
+    server = PortServer(
+        port, folders=options.confined, language=options.language, session=lambda: shared.session
+    )
+    threading.Thread(target=server.serve, name="nctakt dap", daemon=True).start()
+    click.echo(f"dap 127.0.0.1:{server.port}")
 
 
 def _folders_of(options: Options) -> tuple[str, ...]:

@@ -20,9 +20,10 @@ from nctakt.base.diagnostics import Diagnostic, Language, Severity
 from nctakt.base.failure import Failure
 from nctakt.debugger.arguments import Arguments
 from nctakt.debugger.breakpoints import MODES, Breakpoints
-from nctakt.debugger.debuggee import Abilities, Debuggee
+from nctakt.debugger.debuggee import Abilities, Debuggee, internal_text
 from nctakt.debugger.exceptions import ExceptionFilters, filters
 from nctakt.debugger.launch import Configuration, read_configuration
+from nctakt.debugger.relay import Relay, Relayed
 from nctakt.debugger.requests import Requests
 from nctakt.debugger.transport import Message, MessageWriter
 from nctakt.messages import diagnostic
@@ -31,12 +32,14 @@ from nctakt.messages.debugger import (
     PROGRAM_WITH_ERRORS,
     REQUEST_CANCELLED,
     TOO_MANY_REQUESTS,
-    UNKNOWN_REQUEST,
 )
 from nctakt.session.session import Session
 
 #: Requests that wait at most.
 MAX_REQUESTS = 256
+
+#: How often the debugger looks at what others do with their session, in seconds.
+LOOK_S = 0.1
 
 _CAPABILITIES = (
     "supportsConfigurationDoneRequest",
@@ -66,7 +69,8 @@ _CAPABILITIES = (
 class Adapter:
     """One client's debugger; ``folders``: the only ones whose files may be run.
 
-    ``shared``: the session of somebody else, to which ``attach`` leads.
+    ``shared`` returns the session of somebody else, to which ``attach`` leads; it may become
+    another one.
     """
 
     def __init__(
@@ -75,7 +79,7 @@ class Adapter:
         *,
         folders: Sequence[str] = (),
         language: Language = "en",
-        shared: Session | None = None,
+        shared: Callable[[], Session] | None = None,
     ) -> None:
         self._writer = writer
         self._folders = folders
@@ -87,6 +91,8 @@ class Adapter:
         self._configuration: Configuration | None = None
         self._debuggee: Debuggee | None = None
         self._requests: Requests | None = None
+        self._relay: Relay | None = None
+        self._initialized: Any = None
         self._abilities = Abilities()
         self._first_line = self._first_column = 1
         self._breakpoints = Breakpoints()
@@ -159,17 +165,32 @@ class Adapter:
             while not self._is_closed and not self._writer.is_broken:
                 debuggee = self._debuggee
                 is_running = debuggee is not None and debuggee.is_running
+                looks_s = LOOK_S if self._shared is not None and debuggee is not None else None
                 try:
-                    message = self._queue.get(block=not is_running)
+                    message = self._queue.get(block=not is_running, timeout=looks_s)
                 except queue.Empty:
-                    assert debuggee is not None
-                    self._guarded(debuggee.go_on)
+                    self._guarded(self._go_on)
                     continue
                 if message is None:
                     break
-                self._work_on(message)
+                if self._relay is None:
+                    self._work_on(message)
+                else:
+                    self._relay.send(message)
         finally:
             self._close()
+
+    def _go_on(self) -> None:
+        """Do a part of the run, or look at what others do with their session."""
+        debuggee = self._debuggee
+        assert debuggee is not None
+        if self._shared is not None and self._shared() is not debuggee.session:
+            self._join(self._shared())
+            return
+        if debuggee.is_running:
+            debuggee.go_on()
+        else:
+            debuggee.attend()
 
     def _guarded(self, work: Callable[[], None]) -> None:
         """Do a part of the run; an error of nctakt's own is told and ends it."""
@@ -190,21 +211,25 @@ class Adapter:
             self._answer_failure(message, [diagnostic(REQUEST_CANCELLED)])
             return
         try:
+            if command == "initialize":
+                self._initialized = message.get("arguments")
             arguments = Arguments(self._incoming(message.get("arguments")))
             self._answer(message, self._handler(command)(arguments))
+        except Relayed:
+            assert self._relay is not None
+            self._relay.send(message)
         except Failure as failure:
             self._answer_failure(message, failure.diagnostics)
         except Exception as error:  # noqa: BLE001 - the debugger goes on
             answer = _answer_to(message, is_success=False)
-            answer["message"] = f"internal error: {type(error).__name__}: {error}"
+            answer["message"] = internal_text(error)
             self._writer.write(answer)
             self._tell_internal(error)
         else:
             self._guarded(lambda: self._after(command))
 
     def _tell_internal(self, error: Exception) -> None:
-        text = f"internal error of nctakt: {type(error).__name__}: {error}\n"
-        self.tell("output", {"category": "stderr", "output": text})
+        self.tell("output", {"category": "stderr", "output": f"{internal_text(error)}\n"})
         if os.environ.get("NCTAKT_DEBUG"):
             traceback.print_exception(error, file=sys.stderr)
 
@@ -281,13 +306,26 @@ class Adapter:
         self._open(configuration)
         return {}
 
-    def _attach(self, _arguments: Arguments) -> dict[str, Any]:
-        if self._shared is None:
-            raise Failure(diagnostic(UNKNOWN_REQUEST, command="attach"))
+    def _attach(self, arguments: Arguments) -> dict[str, Any] | None:
+        """Join the session of ``nctakt live``, in this process or at a port."""
         self._leave()
-        self._shared.pause()
-        self._take(self._debug(self._shared, stops_at_end=True, owns=False))
+        if self._shared is None:
+            port = arguments.number("port")
+            self._relay = Relay(port, self._initialized, self._writer, self.end)
+            raise Relayed
+        session = self._shared()
+        session.pause()
+        self._take(self._debug(session, stops_at_end=True, owns=False))
         return {}
+
+    def _join(self, session: Session) -> None:
+        """Go over to another session of the same page: its program was begun anew."""
+        self._leave()
+        self._take(self._debug(session, stops_at_end=True, owns=False))
+        if self._requests is not None and self._debuggee is not None:
+            for shown in self._requests.verify_all():
+                self.tell("breakpoint", {"reason": "changed", "breakpoint": shown})
+            self._debuggee.stop_on_entry()
 
     def _open(self, configuration: Configuration) -> None:
         """Open a session; raises ``Failure`` where its programs do not run."""
@@ -372,6 +410,8 @@ class Adapter:
     def _close(self) -> None:
         self._is_closed = True
         self._leave()
+        if self._relay is not None:
+            self._relay.close()
 
 
 def _answer_to(request: Message, *, is_success: bool) -> Message:

@@ -67,6 +67,13 @@ class Abilities:
     has_invalidated: bool = False
 
 
+def internal_text(error: Exception) -> str:
+    """Return an error of nctakt's own on one line; that of a controller's process ends with it."""
+    lines = str(error).strip().splitlines() or [""]
+    name = "" if len(lines) > 1 else f"{type(error).__name__}: "
+    return f"internal error of nctakt: {name}{lines[-1]}"
+
+
 class Debuggee:
     """One session under the debugger; ``owns``: it is closed with the debugger.
 
@@ -99,6 +106,8 @@ class Debuggee:
         self.console = Console(session, self.values, language)
         self._places: dict[str, Places] = {}
         self._owners: list[Breakpoint] = []
+        self._stops: list[StopAt] = []
+        self._seen: tuple[int, int, bool] = (session.tick, session.branch, False)
         self._diagnostics: deque[Diagnostic] = deque(maxlen=MAX_DIAGNOSTICS)
         self._running: _Running | None = None
         self._progress = 0
@@ -127,17 +136,18 @@ class Debuggee:
         return self._places[file]
 
     def check_stops(self, stops: Sequence[StopAt]) -> None:
-        """Raise ``Failure`` with the mistakes of stops; what is watched stays."""
-        watched = self.session.stops
-        try:
-            self.session.set_stops(*stops)
-        finally:
-            self.session.set_stops(*watched)
+        """Raise ``Failure`` with the mistakes of stops."""
+        self.session.set_stops(*stops, only_check=True)
 
     def watch(self) -> None:
-        """Let the session watch the breakpoints and exceptions that there are now."""
+        """Watch the breakpoints and exceptions that there are now.
+
+        The stops of another one's session stay; the debugger's are watched beside them.
+        """
         stops, self._owners = self.breakpoints.stops()
-        self.session.set_stops(*stops, *self.exceptions.stops())
+        self._stops = [*stops, *self.exceptions.stops()]
+        if self._owns:
+            self.session.set_stops(*self._stops)
 
     def check_standing(self, command: str) -> None:
         """Raise ``Failure`` (901226) while it is on its way."""
@@ -145,12 +155,10 @@ class Debuggee:
             raise Failure(diagnostic(RUN_IS_ON, command=command))
 
     def close(self) -> None:
-        """End the session, or leave one that belongs to somebody else without stops."""
+        """End the session, unless it belongs to somebody else."""
         self._running = None
         if self._owns:
             self.session.close()
-        else:
-            self.session.set_stops()
 
     # --- forward --------------------------------------------------------------------------------
 
@@ -195,52 +203,60 @@ class Debuggee:
         end = self.session.tick + running.ticks
         if running.end is not None:
             end = min(end, running.end)
+        until = running.until if self._owns else [*self._stops, *running.until]
+        others = 0 if self._owns else len(self.session.stops)
         try:
-            done = self.session.run(Time(end, is_in_ticks=True), until=running.until)
+            done = self.session.run(Time(end, is_in_ticks=True), until=until)
         except (Failure, RuntimeError) as error:
-            self._running = None
-            self._output("stderr", f"{error}\n")
-            self._stopped("pause", running.thread, str(error))
+            text = str(error) if isinstance(error, Failure) else internal_text(error)
+            self._output("stderr", f"{text}\n")
+            self._stopped("pause", running.thread, text.partition("\n")[0])
             return
         took_s = time.monotonic() - begin_s
         running.ticks = (
             min(2 * running.ticks, MAX_TICKS) if took_s < PART_S else max(running.ticks // 2, 1)
         )
         self._tell_news(done)
-        if not self._ends(running, done):
+        if not self._ends(running, done, [hit - others for hit in done.hits]):
             self._tell_progress(running)
 
-    def _ends(self, running: _Running, done: Slice) -> bool:
-        """Stop where something is due; return whether it has stopped."""
+    def _ends(self, running: _Running, done: Slice, hits: Sequence[int]) -> bool:
+        """Stop where something is due; return whether it has stopped.
+
+        ``hits``: the stops that have held: below 0 those of another one's session, then the
+        debugger's, then those of the way.
+        """
         tick = done.tick - 1
-        own = len(self._owners)
-        watched = len(self.session.stops)
-        due = []
-        for breakpoint_ in dict.fromkeys([breakpoint_.number for breakpoint_ in self._hit(done)]):
-            found = next(one for one in self._owners if one.number == breakpoint_)
-            if not found.is_due(tick):
-                continue
-            if found.log:
-                self._log(found, running.thread)
-            else:
-                due.append(found)
+        own, watched = len(self._owners), len(self._stops)
+        due = self._due([self._owners[hit] for hit in hits if 0 <= hit < own], tick, running)
         raised = None
-        if any(own <= hit < watched for hit in done.hits):
+        if any(own <= hit < watched for hit in hits):
             raised = self.exceptions.selected(done.events, tick)
         if raised is not None:
             self._raise(raised, running.thread)
         elif due:
             self._stop_at(due, tick, running.thread)
-        elif any(hit >= watched for hit in done.hits) or done.tick == running.end:
+        elif any(hit >= watched for hit in hits) or done.tick == running.end:
             self._stopped(running.reason, running.thread)
+        elif any(hit < 0 for hit in hits):
+            self._stopped("pause", running.thread)
         elif done.run_state is not None:
             self._end()
         else:
             return False
         return True
 
-    def _hit(self, done: Slice) -> list[Breakpoint]:
-        return [self._owners[hit] for hit in done.hits if hit < len(self._owners)]
+    def _due(self, held: Sequence[Breakpoint], tick: int, running: _Running) -> list[Breakpoint]:
+        """Return the breakpoints to stop at of those that have held; tell the log points."""
+        due = []
+        for index, breakpoint_ in enumerate(held):
+            if breakpoint_ in held[:index] or not breakpoint_.is_due(tick):
+                continue
+            if breakpoint_.log:
+                self._log(breakpoint_, running.thread)
+            else:
+                due.append(breakpoint_)
+        return due
 
     def _log(self, breakpoint_: Breakpoint, thread: int) -> None:
         """Tell the text of a log point, with the values of the expressions in its braces."""
@@ -315,6 +331,7 @@ class Debuggee:
     ) -> None:
         self._end_progress()
         self._running = None
+        self._note_seen()
         self.scopes.forget()
         body: dict[str, Any] = {"reason": reason, "threadId": thread, "allThreadsStopped": True}
         if text:
@@ -345,6 +362,26 @@ class Debuggee:
             state = self.session.latest.run_state
             self._tell("exited", {"exitCode": 0 if state in ("ended", "limit", None) else 1})
             self._tell("terminated", {})
+
+    # --- another one's session ------------------------------------------------------------------
+
+    def attend(self) -> None:
+        """Tell what others have done with the session since it was looked at."""
+        session = self.session
+        before, self._seen = self._seen, (session.tick, session.branch, session.is_playing)
+        if before == self._seen:
+            return
+        if session.is_playing:
+            if not before[2]:
+                self.scopes.forget()
+                self._tell("continued", {"threadId": 1, "allThreadsContinued": True})
+            return
+        self._branch = session.branch
+        self._stopped("pause", 1, self.console.position())
+
+    def _note_seen(self) -> None:
+        """Note where the session stands, as the client knows it."""
+        self._seen = self.session.tick, self.session.branch, self.session.is_playing
 
     # --- back -----------------------------------------------------------------------------------
 
@@ -393,6 +430,7 @@ class Debuggee:
         if self.session.branch != self._branch:
             self.breakpoints.forget_from(self.session.tick)
             self._note_branch()
+            self._note_seen()
             self._output("console", f"{self.console.position()}\n")
 
     def _note_branch(self) -> None:

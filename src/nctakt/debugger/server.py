@@ -36,10 +36,10 @@ def serve_streams(
     *,
     folders: Sequence[str] = (),
     language: Language = "en",
-    session: Session | None = None,
+    session: Callable[[], Session] | None = None,
     is_strict: bool = False,
 ) -> None:
-    """Serve one client until it goes; ``session``: that of somebody else, to attach to."""
+    """Serve one client until it goes; ``session`` returns that of another one, to attach to."""
     adapter = Adapter(MessageWriter(writing), folders=folders, language=language, shared=session)
     reader = MessageReader(reading, is_strict=is_strict)
     thread = threading.Thread(
@@ -81,7 +81,7 @@ def serve_pipe(*, folders: Sequence[str], language: Language) -> None:
 class PortServer:
     """Serves clients at a port of this computer; ``port``: the one that it has.
 
-    Raises ``Failure`` (901161) if the port is taken. ``session`` is asked for each client.
+    Raises ``Failure`` (901161) if the port is taken. ``session`` returns the session to attach to.
     """
 
     def __init__(
@@ -90,7 +90,7 @@ class PortServer:
         *,
         folders: Sequence[str] = (),
         language: Language = "en",
-        session: Callable[[], Session | None] = lambda: None,
+        session: Callable[[], Session] | None = None,
     ) -> None:
         try:
             self._socket = socket.create_server((HOST, port))
@@ -134,7 +134,7 @@ class PortServer:
                 writing,
                 folders=self._folders,
                 language=self._language,
-                session=self._session(),
+                session=self._session,
                 is_strict=True,
             )
             with contextlib.suppress(OSError):
@@ -142,4 +142,6 @@ class PortServer:
 
     def close(self) -> None:
         """Take no further clients."""
+        with contextlib.suppress(OSError):  # not on each system
+            self._socket.shutdown(socket.SHUT_RDWR)
         self._socket.close()

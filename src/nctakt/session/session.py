@@ -319,9 +319,9 @@ class Session:
 
     # --- stops, inputs --------------------------------------------------------------------------
 
-    def set_stops(self, *stops: str | StopAt) -> tuple[StopAt, ...]:
+    def set_stops(self, *stops: str | StopAt, only_check: bool = False) -> tuple[StopAt, ...]:
         """Stop at these, and at no other, from now on; raises ``Failure`` with all mistakes."""
-        return self._ask(self._story.set_stops, stops)
+        return self._ask(self._story.read_stops if only_check else self._story.set_stops, stops)
 
     def write(self, values: Mapping[str, float | bool | str], source: str = API) -> None:
         """Let variables or the operator's values have these from the next tick on.

@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: MIT
+"""The way from an editor's debugger to the one inside of ``nctakt live``.
+
+In: a port of this computer, the requests of the editor. Out: the same at that port, and what comes
+from there to the editor. So an editor that starts a debugger of its own can attach, too.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import socket
+import threading
+from collections.abc import Callable
+from typing import Any
+
+from nctakt.base.failure import Failure
+from nctakt.debugger.transport import Message, MessageReader, MessageWriter
+from nctakt.messages import diagnostic
+from nctakt.messages.debugger import NO_LIVE_PAGE
+
+#: How long the other debugger may take to answer at first, in seconds.
+ANSWER_S = 10.0
+
+_HOST = "127.0.0.1"
+
+
+class Relayed(Exception):
+    """A request that the other debugger answers."""
+
+
+class Relay:
+    """A connection to another debugger; raises ``Failure`` (901238) if there is none.
+
+    ``initialized``: the arguments of the editor's ``initialize``. ``end`` is called when the other
+    one has gone.
+    """
+
+    def __init__(
+        self, port: int, initialized: Any, writer: MessageWriter, end: Callable[[], None]
+    ) -> None:
+        self._open = contextlib.ExitStack()
+        try:
+            self._socket = socket.create_connection((_HOST, port), timeout=ANSWER_S)
+            self._open.enter_context(self._socket)
+            reading = self._open.enter_context(self._socket.makefile("rb"))
+            writing = self._open.enter_context(self._socket.makefile("wb"))
+            self._reader = MessageReader(reading, is_strict=True)
+            self._other = MessageWriter(writing)
+            request = {"type": "request", "command": "initialize", "arguments": initialized or {}}
+            self._other.write({**request, "seq": 0})
+            if self._reader.read() is None:
+                raise ConnectionResetError("EOF")
+        except (OSError, OverflowError, Failure) as error:
+            self._open.close()
+            reason = getattr(error, "strerror", None) or str(error)
+            raise Failure(diagnostic(NO_LIVE_PAGE, port=port, reason=reason)) from error
+        self._socket.settimeout(None)
+        self._writer = writer
+        self._end = end
+        self._thread = threading.Thread(
+            target=self._bring_back, name="nctakt dap relay", daemon=True
+        )
+        self._thread.start()
+
+    def send(self, message: Message) -> None:
+        """Send a request of the editor."""
+        self._other.write(message)
+
+    def _bring_back(self) -> None:
+        """Give the editor what the other debugger sends, until it goes."""
+        with contextlib.suppress(OSError, ValueError, Failure):
+            while (message := self._reader.read()) is not None:
+                message.pop("seq", None)
+                self._writer.write(message)
+        self._end()
+
+    def close(self) -> None:
+        """Leave the other debugger."""
+        with contextlib.suppress(OSError):
+            self._socket.shutdown(socket.SHUT_RDWR)
+        self._thread.join()
+        with contextlib.suppress(OSError):
+            self._open.close()

@@ -16,7 +16,7 @@ PROGRAM = """\
 P1 = 200
 #RT CYCLE [ID=7 SCOPE=PROG]
   $IF EDGE V.RTA.ACS.ACT_POS.X > P1
-    V.E.ASYNC = 1
+    V.E.COUNT = V.E.ASYNC
   $ENDIF
 #RT CYCLE END
 V.E.ASYNC = 2 (why)
@@ -77,10 +77,8 @@ def test_hints_links_lenses_and_forms(in_editor: Run) -> None:
         hints = await client.text_document_inlay_hint_async(
             types.InlayHintParams(document, everything)
         )
-        assert {(hint.position.line, hint.label) for hint in hints} == {
-            (1, "≤ 5 instructions"),
-            (2, " = 200"),
-        }
+        labels = {(hint.position.line, hint.label) for hint in hints}
+        assert labels >= {(1, "≤ 6 instructions"), (2, " = 200")}
         (link,) = await client.text_document_document_link_async(types.DocumentLinkParams(document))
         assert link.target.endswith("/other.nc")
         lenses = await client.text_document_code_lens_async(types.CodeLensParams(document))

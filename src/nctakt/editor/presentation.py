@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 
 from lsprotocol import types
 
+from nctakt.base.diagnostics import Text
 from nctakt.editor.colours import LEGEND
 
 if TYPE_CHECKING:
@@ -23,6 +24,11 @@ if TYPE_CHECKING:
 
 #: The machine time after which a counted run ends.
 _COUNTED_TIME = "60s"
+
+_NOTHING_RAN = Text(
+    "No branch of a realtime cycle was counted: the program has none, or it did not run.",
+    "Kein Zweig eines Echtzeit-Zyklus gezählt: das Programm hat keinen, oder es lief nicht.",
+)
 
 
 def register(server: Server) -> None:
@@ -88,6 +94,9 @@ def register(server: Server) -> None:
         if document is None or document.path is None:
             return 0
         counts[uri] = await _counted(document.path)
+        if not counts[uri]:
+            text = _NOTHING_RAN.get(server.language)
+            server.window_show_message(types.ShowMessageParams(types.MessageType.Warning, text))
         server.workspace_code_lens_refresh(None)
         return len(counts[uri])
 

@@ -11,6 +11,7 @@ cdef class SingleAxes(AxisMotions):
         self, Py_ssize_t axis, double value, double speed_v, long long mode, long long direction,
         long long owner
     ) noexcept nogil
+    @cython.locals(is_right=cython.bint)
     cdef int check_command(self, axis, value, speed_v, mode, direction, owner) except -1
     cdef void order(self, long long source, long long serial) noexcept nogil
     @cython.locals(message=int)

@@ -303,7 +303,11 @@ class SingleAxes(AxisMotions):
         self, axis: int, value: float, speed_v: float, mode: int, direction: int, owner: int
     ) -> None:
         """Raise ``ValueError`` for a number that no command of an axis has."""
-        if not self.is_command(axis, value, speed_v, mode, direction, owner):
+        try:
+            is_right = self.is_command(axis, value, speed_v, mode, direction, owner)
+        except (OverflowError, TypeError, ValueError):  # no number of 64 bits
+            is_right = False
+        if not is_right:
             bounds.check_index(axis, self.count, "axis")
             bounds.check_finite(value, "position or distance")
             bounds.check_finite(speed_v, "speed")

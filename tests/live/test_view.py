@@ -8,12 +8,15 @@ import pytest
 from nctakt import NcText, Session
 from nctakt.base.diagnostics import Span
 from nctakt.base.failure import Failure
-from nctakt.live import view
+from nctakt.live import track, view
 from nctakt.live.document import Checker, Document
+from nctakt.live.event_words import event_words
+from nctakt.live.keys import GROUPS, KEYS
 from nctakt.live.shared import SharedSession
 from nctakt.live.texts import Texts
 from nctakt.live.view import Snapshot
 from nctakt.session.engine import BranchState, CycleState
+from nctakt.trace.events import Event
 
 pytestmark = pytest.mark.slow
 
@@ -114,6 +117,85 @@ def test_a_shared_session_follows_commands() -> None:
         assert shared.snapshot.serial == 2
     finally:
         shared.close()
+
+
+def test_another_channel_can_be_shown() -> None:
+    """Its axes, its variables, its program; inputs name it."""
+    folder = Path(__file__).parents[1] / "runs" / "two_channels"
+    files = {number: str(folder / name) for number, name in ((1, "one.nc"), (2, "two.nc"))}
+
+    def opener(program: str | None, acknowledges: bool) -> Session:
+        channels = {number: [file] for number, file in files.items()}
+        return Session(channels=channels, machine=folder / "machine", acknowledges=acknowledges)
+
+    shared = SharedSession(opener, files[1], acknowledges=True)
+    try:
+        shared.look_at(2, files[2])
+        shared.do(lambda session: session.run("2 ticks"))
+        with shared._lock:
+            shown = shared._look(None)
+        assert shared.prefix == "CH2."
+        assert shared.axes == ["X"]
+        assert shared.scope[-1] == "CH2.V.E.OWN"
+        assert shown.values["CH2.V.E.OWN"] == 20
+        assert shown.blocks[2].file == files[2]
+        shared.acknowledge_after(5)
+        assert {one.values[0] for one in shared.session.tape()} == {
+            "CH1.HLI.PLC_PRESENT",
+            "CH2.HLI.PLC_PRESENT",
+        }
+    finally:
+        shared.close()
+
+
+def test_rows_come_as_increments() -> None:
+    """A browser gets what it lacks; all of it after a change of what is shown."""
+    rows = track.Growing(4)
+    rows.add([(0, 1.0), (1, 2.0)])
+    news, seen = rows.news((0, 0))
+    assert news == {"whole": True, "added": [(0, 1.0), (1, 2.0)]}
+    assert rows.news(seen) == (None, seen)
+    rows.add([(2, 3.0)])
+    news, seen = rows.news(seen)
+    assert news == {"whole": False, "added": [(2, 3.0)]}
+    rows.add([(tick, 0.0) for tick in range(3, 9)])
+    news, seen = rows.news(seen)
+    assert news is not None
+    assert [tick for tick, _ in news["added"]] == [5, 6, 7, 8]  # the others are forgotten
+    rows.cut(7)
+    news, _ = rows.news(seen)
+    assert news == {"whole": True, "added": [(5, 0.0), (6, 0.0)]}
+
+
+def test_stops_of_lines() -> None:
+    """A line with a condition stops when its branch fires, another one when its block comes up."""
+    assert view.stop_for(FILE, 2, LINES[1]) == "fires part.nc:2"
+    assert view.stop_for(FILE, 4, LINES[3]) == "line part.nc:4"
+    stops = ["fires part.nc:2", "line 4", "line other.nc:1", "V.E.COUNT > 3"]
+    assert view.stop_lines(stops, FILE) == [2, 4]
+    assert view.conditions_of(["$IF 1", *LINES]) == [3]
+
+
+def test_events_in_words() -> None:
+    """In both languages; names, messages and values stay as they are."""
+    span = Span(FILE, 6, 1, 2)
+    fired = Event(3, 3000, "fired", "17 line 6", span, "17")
+    assert event_words(fired, "en") == "reaction 17"
+    assert event_words(fired, "de") == "Reaktion 17"
+    ended = Event(3, 3000, "ended", "17 delete", span, "17", 2)
+    assert event_words(ended, "de") == "CH2 Zyklus beendet 17 durch DELETE"
+    assert event_words(Event(3, 3000, "message", "done"), "de") == "Meldung done"
+    assert event_words(Event(3, 3000, "output", "M 7"), "de") == "an die SPS M7"
+
+
+def test_words_and_keys_are_complete() -> None:
+    """Each key has a word for the help; no key stands twice."""
+    for language in ("en", "de"):
+        texts = Texts(language)  # type: ignore[arg-type]
+        for heading, keys in GROUPS:
+            assert texts[heading]
+            assert all(texts[key.command] for key in keys)
+    assert len(KEYS) == sum(len(keys) for _, keys in GROUPS)
 
 
 def test_a_program_is_saved_as_it_was(tmp_path: Path) -> None:

@@ -121,6 +121,8 @@ class Drawings:
         if shown is not track.shown:
             self._seen.clear()  # it has changed meanwhile: all of it at the next look
             return
+        if list(self._signals.value) != shared.scope:
+            self._signals.set_value(list(shared.scope))  # another browser has chosen
         news |= {name: value for name, value in now.items() if self._sent.get(name) != value}
         self._sent = now
         if news:

@@ -80,7 +80,8 @@ class Page:
         self._shared = shared
         self._texts = texts
         self._commander = Commander(shared, texts, context.client)
-        self._shown = self._serial = -1
+        self._shown = -1
+        self._subject: tuple[object, ...] = ()
         self._readings: dict[str, str] = {}
         self._bar: tuple[object, ...] = ()
         self._pen_shown: bool | None = None
@@ -166,8 +167,9 @@ class Page:
         """Show what is new."""
         shared, snapshot = self._shared, self._shared.snapshot
         self._looks += 1
-        if snapshot.serial != self._serial:
-            self._serial = snapshot.serial
+        subject = (snapshot.serial, shared.channel, shared.file)
+        if subject != self._subject:
+            self._subject = subject
             self._drawings.show_session()
             self._variables.show_session()
         self._drawings.follow(self._new_readings(snapshot))

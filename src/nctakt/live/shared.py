@@ -326,7 +326,7 @@ class SharedSession:
         own = [prefix + name for name in view.PANEL if prefix + name in self.units]
         for axis in self.axes:
             own += [f"{prefix}{axis}.ACS.ACT_POS", f"{prefix}{axis}.PCS.DIST_TO_GO"]
-        variables = view.variables_read(self.units)
+        variables = view.variables_read(self.units, prefix)
         return list(dict.fromkeys([*own, *self.track.shown.signals, *variables]))
 
     def _show(self) -> None:

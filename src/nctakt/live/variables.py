@@ -111,7 +111,7 @@ class Variables:
     def show(self, snapshot: Snapshot) -> None:
         """Show the values of a tick; fields that a person is in stay."""
         for name, field in self._fields.items():
-            value = snapshot.values.get(name)
+            value = snapshot.values.get(self._shared.prefix + name)
             if value is None or name in self._busy:
                 continue
             if isinstance(field, ui.switch):
@@ -133,7 +133,7 @@ class Variables:
     # --- what is set ----------------------------------------------------------------------------
 
     async def _write(self, name: str, value: float | bool) -> None:
-        await self._commander.write(name, value)
+        await self._commander.write(self._shared.prefix + name, value)
 
     async def _commit(self, name: str, field: Any, _: Any = None) -> None:
         self._busy.discard(name)

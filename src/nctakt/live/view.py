@@ -111,9 +111,9 @@ def choosable(signals: Mapping[str, str]) -> list[str]:
     ]
 
 
-def variables_read(signals: Mapping[str, str]) -> list[str]:
-    """Return the V.E variables that are read in each look."""
-    return [name for name in signals if name.startswith("V.E.")][:MAX_VARIABLES]
+def variables_read(signals: Mapping[str, str], prefix: str = "") -> list[str]:
+    """Return the V.E variables of a channel that are read in each look."""
+    return [name for name in signals if name.startswith(f"{prefix}V.E.")][:MAX_VARIABLES]
 
 
 def conditions_of(lines: Sequence[str]) -> list[int]:
@@ -166,7 +166,11 @@ def first_signals(signals: Mapping[str, str], lines: Sequence[str], prefix: str 
     text = "\n".join(lines).upper()
     axes = [axis for axis in axes_of(signals, prefix) if re.search(rf"\b{axis}[-+=.\d\[]", text)]
     named = {name.upper() for line in lines for name in operands_in(line)}
-    variables = [name for name in signals if name.startswith("V.E.") and name.upper() in named]
+    variables = [
+        name
+        for name in signals
+        if name.startswith(f"{prefix}V.E.") and name.removeprefix(prefix).upper() in named
+    ]
     chosen = [f"{prefix}{axis}.ACS.ACT_POS" for axis in axes[:3]]
     chosen += [name for name in (f"{prefix}PATH.SPEED",) if name in signals]
     return [*chosen, *variables][:MAX_SIGNALS]

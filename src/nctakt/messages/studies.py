@@ -47,8 +47,8 @@ EMPTY_STUDY = error(
     en="the plan has no runs: {name} has no value",
     de="der Plan hat keine Läufe: {name} hat keinen Wert",
     remedy_en="Give values, or from, to (not below from) and step; other methods need count.",
-    remedy_de="values angeben oder from, to (nicht unter from) und step; andere Verfahren "
-    "brauchen count.",
+    remedy_de="Die Werte (values) oder from, to (nicht unter from) und step angeben; andere "
+    "Verfahren brauchen count.",
     name=("the dimension, or count", "die Dimension oder count"),
 )
 STUDY_TOO_LARGE = error(
@@ -144,7 +144,7 @@ NO_BOUNDARY = warning(
     en="no switch-over between {low} and {high}: the verdict is the same at both ends",
     de="kein Umschlag zwischen {low} und {high}: an beiden Enden gilt dasselbe Urteil",
     remedy_en="Choose from and to so that the expectations hold at one end only.",
-    remedy_de="from und to so wählen, dass die Erwartungen nur an einem Ende erfüllt sind.",
+    remedy_de="Für from und to Werte wählen, sodass die Erwartungen nur an einem Ende erfüllt sind.",
     low=("the lowest value", "der kleinste Wert"),
     high=("the highest value", "der größte Wert"),
 )

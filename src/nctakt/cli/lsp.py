@@ -51,9 +51,11 @@ def command(stdio: bool, port: int | None, host: str, language: Language) -> int
         failure = Failure(diagnostic(EDITOR_LIBRARY_MISSING))
         print_diagnostics(failure.diagnostics, language)
         return EXIT_USAGE
-    from nctakt.editor.server import Server  # noqa: PLC0415 - as above
+    from nctakt.editor import presentation  # noqa: PLC0415 - as above
+    from nctakt.editor.server import Server  # noqa: PLC0415
 
     server = Server(language)
+    presentation.register(server)
     gc.freeze()
     gc.enable()
     if port is not None and not stdio:

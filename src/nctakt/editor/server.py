@@ -20,7 +20,6 @@ from pygls.protocol import LanguageServerProtocol, lsp_method
 
 from nctakt.base.diagnostics import Diagnostic, Language, Severity
 from nctakt.base.version import __version__
-from nctakt.editor import presentation
 from nctakt.editor.diagnosis import Diagnosis
 from nctakt.editor.document import Document, path_of, split_text
 from nctakt.editor.workspace import Workspace
@@ -71,7 +70,6 @@ class Server(LanguageServer):
         self.reference = ""
         sys.setswitchinterval(_SWITCH_S)
         register(self)
-        presentation.register(self)
 
     def begin(self, params: types.InitializeParams) -> None:
         """Take the options of the editor: ``language``, ``reference`` (where codes lead)."""

@@ -83,7 +83,7 @@ class Analysis:
 
 
 def analyse(model: Model) -> Analysis:
-    """Analyse a model."""
+    """Return the analysis of a model: bounds of all responses, in ns."""
     search = ResponseSearch(model)
     responses = _responses(search)
     tasks = tuple(

@@ -56,7 +56,7 @@ def assemble(
     rules: Rules = STANDARD_RULES,
     cpu_base: int = 1,
 ) -> Model:
-    """The model; complete only when the collector has no errors but 1000180 and 1000181.
+    """Return the model; complete only if the collector has no errors but 1000180 and 1000181.
 
     ``cpu_base``: the number of the first processor in ``thread[i].cpu``.
     """

@@ -20,7 +20,7 @@ class Arrivals:
         self._spread = 2 * train.jitter
 
     def count(self, length: int) -> int:
-        """Return the most NC interrupts in ``length`` (> 0), the one at its begin included."""
+        """Return the maximum number of NC interrupts in ``length`` ns (> 0), both ends included."""
         return -(-(length + self._spread) // self._distance)
 
     def pending(self, response: int) -> int:
@@ -31,7 +31,7 @@ class Arrivals:
         return max(0, -(-(response + self._spread) // self._distance) - 1)
 
     def earliest(self, cycles: int) -> int:
-        """Return the shortest time to the NC interrupt as many ``cycles`` later."""
+        """Return the shortest time to the NC interrupt ``cycles`` cycles later, in ns."""
         return cycles * self._distance - self._spread if cycles else 0
 
 
@@ -53,7 +53,7 @@ class JobWork:
         self.can_be_zero = not self._constant and bool(task.calls)
 
     def longest(self, jobs: int) -> int:
-        """Return the longest work of ``jobs`` jobs that follow each other."""
+        """Return the longest work of ``jobs`` consecutive jobs, in ns."""
         work = jobs * self._constant
         for values, calls in self._lists:
             work += longest_sum(values, jobs * calls)
@@ -61,7 +61,7 @@ class JobWork:
 
     @property
     def mean(self) -> float:
-        """The mean work of a job when uniform times are always the longest."""
+        """Return the mean work of a job in ns if uniform times are always the longest."""
         return self._constant + sum(
             calls * sum(values) / len(values) for values, calls in self._lists
         )

@@ -41,7 +41,7 @@ def effective_rows(
     diagnostics: list[Diagnostic],
     language: Language,
 ) -> list[EffectiveRow]:
-    """The table of a list."""
+    """Return the table of a list, a row for each parameter of P-RTCF."""
     entries = effective_entries(file, data)
     counts = {key: shown(value) for key, value in effective_values(configuration).items()}
     keys = sorted({*entries, *counts}, key=_rank)

@@ -98,7 +98,7 @@ class Figure:
 
 
 def svg(figure: Figure) -> str:
-    """The picture as the text of an SVG file."""
+    """Return the picture as the text of an SVG file."""
     lines = [
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{figure.width}" '
         f'height="{figure.height}" viewBox="0 0 {figure.width} {figure.height}" '
@@ -158,7 +158,7 @@ def _stroke(stroke: Stroke) -> Iterator[str]:
 
 
 def arrow_heads(stroke: Stroke) -> Iterator[list[tuple[float, float]]]:
-    """Yield the triangles at the ends of a stroke with arrows."""
+    """Yield the triangles at the ends of a stroke with arrows, as points in pixels."""
     ends = []
     if stroke.arrows in ("end", "both"):
         ends.append((stroke.points[-2], stroke.points[-1]))

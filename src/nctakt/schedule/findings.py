@@ -30,7 +30,7 @@ _LATE = "late suspension"
 
 
 def us(time: int) -> str:
-    """A time in ns as µs, with decimals only where it has some."""
+    """Return a time in ns as text in µs, with decimals only where it has some."""
     return f"{time / NS_PER_US:.3f}".rstrip("0").rstrip(".")
 
 

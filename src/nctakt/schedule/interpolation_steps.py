@@ -36,7 +36,7 @@ def has_parts(model: Model) -> bool:
 
 
 def dead_times(model: Model) -> list[tuple[str, int]]:
-    """For each thread with parts how long it takes from reading to putting out, in ns.
+    """Return for each thread with parts how long it takes from input to output, in ns.
 
     A call that nothing interrupts, at the begin of its cycle.
     """
@@ -52,7 +52,7 @@ def dead_times(model: Model) -> list[tuple[str, int]]:
 
 
 def parts_of(model: Model, record: Record) -> list[Part]:
-    """All parts in a record, piece by piece."""
+    """Return all parts in a record, piece by piece."""
     segments: dict[tuple[int, int], list[Segment]] = {}
     for segment in record.segments:
         segments.setdefault((segment.task, segment.job), []).append(segment)

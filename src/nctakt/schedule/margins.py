@@ -37,7 +37,7 @@ class FunctionLimit:
 
     @property
     def change(self) -> int | None:
-        """Return the difference from the present time; negative where it must be shorter."""
+        """Return the difference from the present time in ns; negative where it must be shorter."""
         return None if self.limit is None else self.limit - self.present
 
 
@@ -61,7 +61,7 @@ class Margins:
 
 
 def find_margins(model: Model) -> Margins:
-    """Search all margins; execution times to the microsecond."""
+    """Return all margins, found by search; execution times to the microsecond."""
     names = dict.fromkeys(call.function for task in model.tasks for call in task.calls)
     return Margins(
         tuple(_function_limit(model, name) for name in names),
@@ -111,7 +111,7 @@ def _with_executions(model: Model, change: Callable[[Task, str, Execution], Exec
 
 
 def longest_time(model: Model, function: str) -> int:
-    """Return the longest execution time of a function."""
+    """Return the longest execution time of a function, in ns."""
     calls = [call for task in model.tasks for call in task.calls if call.function == function]
     return max(call.execution.longest for call in calls)
 

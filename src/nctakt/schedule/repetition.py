@@ -20,7 +20,7 @@ class RepeatingState(Protocol):
 
     @property
     def hyperperiod(self) -> int:
-        """The number of cycles after which all periods begin together again."""
+        """Return the number of cycles after which all periods begin together again."""
 
     @property
     def model(self) -> Model:

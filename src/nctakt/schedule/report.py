@@ -38,7 +38,7 @@ _OVERFLOWS = Text("overflows", "Überläufe")
 
 
 def table(heads: Sequence[str], rows: Sequence[Sequence[str]], left: int = 1) -> list[str]:
-    """Columns under their heads: the first ``left`` to the left, the others to the right."""
+    """Return columns below their heads; the first ``left`` are aligned left, the others right."""
     widths = [max(len(row[i]) for row in (heads, *rows)) for i in range(len(heads))]
     lines = []
     for row in (heads, ["─" * width for width in widths], *rows):
@@ -116,7 +116,7 @@ def dead_time_report(model: Model, language: Language) -> list[str]:
 def simulation_report(
     run: Simulation, worst_phases: Mapping[int, Simulation], language: Language
 ) -> str:
-    """All numbers of a simulation; ``worst_phases``: the same with other phases, by phase in ns."""
+    """Return all numbers of a simulation; ``worst_phases``: with other phases, by phase in ns."""
     model = run.model
     lines = chosen_report(model, language)
     simulated = Text(
@@ -213,7 +213,7 @@ def _histogram(bars: list[tuple[int, int, int]]) -> list[str]:
 
 
 def numbers_report(run: Simulation, language: Language) -> list[str]:
-    """The numbers of the threads and of Windows."""
+    """Return the numbers of the threads and of Windows."""
     heads = Text(
         "Thread|Class|CPU|Period|Due|Done|Load %|R min|R mean|R max|Slack|Overflows|Lost|Suspended",
         "Thread|Klasse|CPU|Periode|Fällig|Fertig|Last %|R min|R mittel|R max|Reserve|Überläufe|"
@@ -244,12 +244,12 @@ def _task_row(run: Simulation, i: int, language: Language) -> list[str]:
 
 
 def rounded_mean(total: int, count: int) -> int:
-    """Return the mean, rounded half up."""
+    """Return the mean in ns, rounded half up."""
     return (2 * total + count) // (2 * count)
 
 
 def responses(numbers: TaskNumbers) -> list[str]:
-    """Least, mean and longest response in µs."""
+    """Return shortest, mean and longest response as texts in µs."""
     if numbers.response_min is None or numbers.response_max is None:
         return [NONE] * 3
     mean = rounded_mean(numbers.response_sum, numbers.completed)
@@ -280,7 +280,7 @@ def _windows_table(run: Simulation, language: Language) -> list[str]:
 def analysis_report(
     analysis: Analysis, margins: Margins, run: Simulation, language: Language
 ) -> str:
-    """Response times beside those of a simulation, load against supply, and the answers."""
+    """Return response times beside those of a simulation, demand and supply, and the findings."""
     lines = chosen_report(analysis.model, language)
     heads = Text(
         "Thread|C|T|C/T %|R analysed|R simulated|Slack|Overflow",

@@ -72,7 +72,7 @@ class ResponseSearch:
         return self.model.cpus if cpu == ANY_CPU else (cpu,)
 
     def period(self, i: int) -> int:
-        """Return the shortest time between two activations of task ``i``."""
+        """Return the shortest time between two activations of task ``i``, in ns."""
         return self.arrivals.earliest(self.model.tasks[i].every)
 
     def is_guarded(self, cpu: int) -> bool:
@@ -89,7 +89,7 @@ class ResponseSearch:
         ]
 
     def response(self, i: int, bounds: Sequence[int | None]) -> Response:
-        """Return the longest response of task ``i``."""
+        """Return the longest response of task ``i``, in ns."""
         if not self.model.tasks[i].calls:
             return Response(0, False, True)
         cpus = self.cpus_of(i)
@@ -167,7 +167,7 @@ class _BusyTime:
         return None if response is None else search.arrivals.pending(response)
 
     def longest_response(self) -> int | None:
-        """Return the longest response of all jobs of the busy time; ``None``: no bound."""
+        """Return the longest response of all jobs of the busy time in ns; ``None``: no bound."""
         search, task = self._search, self._task
         if self._is_suspendable and not search.supply.min_per_cycle:
             return None

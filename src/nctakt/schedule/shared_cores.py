@@ -37,7 +37,7 @@ class RunningState(Protocol):
         """Return the time of switching to task ``i`` that is still due on ``cpu``, in ns."""
 
     def advance(self, i: int, cpu: int, now: int, until: int, overhead: int) -> int:
-        """Let task ``i`` run from ``now`` to ``until``, ``overhead`` of it for switching."""
+        """Let task ``i`` run from ``now`` to ``until``, ``overhead`` of it for switching, in ns."""
 
 
 class Placement:

@@ -242,7 +242,7 @@ class SchedulerState:
         return 0 if self._last[cpu] == i else self._switch
 
     def advance(self, i: int, cpu: int, now: int, until: int, overhead: int) -> int:
-        """Let task ``i`` run from ``now`` to ``until``, which is returned."""
+        """Let task ``i`` run from ``now`` to ``until``, in ns; return ``until``."""
         self._last[cpu] = i
         if self._records:
             self.recorder.segment(cpu, now, until, i, overhead)

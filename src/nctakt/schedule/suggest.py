@@ -48,7 +48,7 @@ class Slacks:
     threads: Mapping[str, float]
 
     def limit(self, name: str, period: int) -> float:
-        """Return the longest response of a thread that leaves its slack."""
+        """Return the longest response of a thread that leaves its slack, in ns."""
         return period * (1 - self.threads.get(name, self.everybody) / 100)
 
 
@@ -81,7 +81,7 @@ def suggest(
     variables: Collection[Variable],
     cpus: range,
 ) -> Suggestions:
-    """Search lists that have the slacks; ``cpus``: what ``thread[i].cpu`` may be."""
+    """Return lists that have the slacks; ``cpus``: the values ``thread[i].cpu`` may have."""
     search = _Search(configuration, model_of, slacks, variables, cpus)
     present = search.judge(configuration)
     if present.shortfall == 0:

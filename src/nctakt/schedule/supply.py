@@ -72,16 +72,16 @@ class Supply:
 
     @property
     def min_per_cycle(self) -> int:
-        """The least time of a cycle of the mean length."""
+        """The minimum supply in a cycle of the mean length, in ns."""
         return min(self._earliest, self._distance)
 
     def moment(self, amount: int) -> int:
-        """Return the latest time by which there is ``amount`` (> 0); needs a supply at all."""
+        """Return the latest time in ns by which ``amount`` ns (> 0) are supplied; some must be."""
         cycles = self._max_cycles_below(amount)
         return amount + self._longest_loss(cycles)
 
     def maximum(self, length: int) -> int:
-        """Return the most that there can be within ``length``."""
+        """Return the maximum supply within ``length``, both in ns."""
         cycles, rest = divmod(length + self._spread, self._distance)
         return min(length, cycles * self._latest + min(rest, self._latest))
 

@@ -30,7 +30,7 @@ class _Lists:
     model: Model
 
     def with_function(self, function: str, context: int) -> tuple[int, ...]:
-        """The threads that call a function: those of the context, else all."""
+        """Return the threads that call a function: those of the context, else all."""
         threads = self.configuration.threads
         callers = [
             i
@@ -41,7 +41,7 @@ class _Lists:
         return own or tuple(callers)
 
     def interpolators(self, context: int) -> tuple[int, ...]:
-        """The threads of the interpolation; without ``task_int`` the most urgent thread is it."""
+        """Return the threads of the interpolation: with ``task_int``, else the most urgent."""
         callers = self.with_function(REALTIME_FUNCTION, context)
         tasks = enumerate(self.model.tasks)
         return callers or tuple(
@@ -56,7 +56,7 @@ def find_thread_roles(
     plc: str | None,
     collector: Collector,
 ) -> ThreadRoles | None:
-    """The roles; ``None`` where there are errors. ``plc``: its semaphore, if the load names it."""
+    """Return the roles; ``None`` after errors. ``plc``: its semaphore, if the load names it."""
     lists = _Lists(configuration, model)
     found = Collector()
     interpolators: dict[int, None] = {}

@@ -19,7 +19,7 @@ def tick_times(model: Model, begin: int, end: int) -> range:
 
 
 def windows_times(run: Simulation, cpu: int) -> list[tuple[int, int]]:
-    """Return the times in the record in which no task has the processor."""
+    """Return the times in the record without a task on the processor, from and to in ns."""
     record = run.record
     free: list[tuple[int, int]] = []
     now = record.begin
@@ -34,7 +34,7 @@ def windows_times(run: Simulation, cpu: int) -> list[tuple[int, int]]:
 
 
 def suspended_times(run: Simulation, task: int) -> list[tuple[int, int]]:
-    """Return the times in the record in which a task is suspended."""
+    """Return the times in the record in which a task is suspended, from and to in ns."""
     times: list[tuple[int, int]] = []
     begin: int | None = None
     for event in run.record.events:
@@ -49,7 +49,7 @@ def suspended_times(run: Simulation, task: int) -> list[tuple[int, int]]:
 
 
 def pending_times(run: Simulation) -> list[tuple[int, int, int]]:
-    """Return for each job its task, and from when to when it was there and not finished."""
+    """Return for each job its task, its release and its end, in ns."""
     ends = {
         (event.task, event.time - event.value): event.time
         for event in run.record.events

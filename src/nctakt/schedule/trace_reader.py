@@ -68,7 +68,7 @@ class Recording:
 
 
 def read_recording(file: str, text: str) -> Recording:
-    """Return what a file has recorded."""
+    """Return the recording in a file; raises ``Failure`` if it cannot be read."""
     if text.lstrip().startswith("$"):
         return _Vcd(file, text).recording()
     return _read_csv(file, text)
@@ -96,7 +96,7 @@ class _Vcd:
         self._times: list[int] = []
 
     def recording(self) -> Recording:
-        """Read all of it."""
+        """Read the whole file; raises ``Failure`` for what is no recording."""
         now = 0
         for word in self._words:
             if word.startswith("#"):

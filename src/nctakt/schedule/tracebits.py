@@ -81,7 +81,7 @@ def _work_of(segments: list[Segment], activation: int) -> Iterator[tuple[int, in
 
 
 def trace_bits(model: Model, record: Record) -> dict[int, list[tuple[int, int]]]:
-    """Return for each bit from 1 to 7 when it is high; calls that touch stay apart."""
+    """Return for each bit from 1 to 7 when it is high, in ns; calls that touch stay apart."""
     edges: dict[int, list[tuple[int, int]]] = {bit: [] for bit in BITS}
     for ran in calls_of(model, record):
         bit = model.tasks[ran.task].calls[ran.call].trace_bit

@@ -89,7 +89,7 @@ def _ticks(run: Simulation) -> range:
 
 
 def write_perfetto(run: Simulation, path: Path) -> None:
-    """Chrome's trace format: processors with their slices, threads with their calls, counters."""
+    """Write Chrome's trace format: slices of processors, calls of threads, counters."""
     events = [*_names(run), *_slices(run), *_moments(run), *_counters(run)]
     write_perfetto_file(path, events)
 
@@ -146,7 +146,7 @@ def _counters(run: Simulation) -> Iterator[TraceEvent]:
 
 
 def windows_shares(run: Simulation) -> list[tuple[int, int, int]]:
-    """For each recorded cycle its begin, and what Windows gets on each of its processors."""
+    """Return for each recorded cycle its start and the share of Windows per processor, in ns."""
     events = run.record.events
     begins = [event.time for event in events if event.kind is EventKind.INTERRUPT]
     ends = [*begins[1:], run.record.end]
@@ -165,7 +165,7 @@ def windows_shares(run: Simulation) -> list[tuple[int, int, int]]:
 
 
 def write_csv(run: Simulation, path: Path) -> None:
-    """All events, pieces of execution and shares of Windows in the order of time, in µs."""
+    """Write events, pieces of execution and shares of Windows in the order of time, in µs."""
     tasks, record = run.model.tasks, run.record
     rows: list[tuple[int, str, str, str, str, str]] = []
     for event in record.events:

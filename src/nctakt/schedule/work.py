@@ -48,7 +48,7 @@ class Work:
 
     @property
     def times(self) -> tuple[int, ...]:
-        """The execution times of the calls of the job drawn last."""
+        """The execution times of the calls of the job drawn last, in ns."""
         return tuple(self._drawn)
 
     @property

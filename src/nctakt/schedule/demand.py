@@ -20,7 +20,7 @@ class Arrivals:
         self._spread = 2 * train.jitter
 
     def count(self, length: int) -> int:
-        """Return the maximum number of NC interrupts in ``length`` ns (> 0), both ends included."""
+        """Return the maximum number of NC interrupts in ``length`` ns (> 0), its start included."""
         return -(-(length + self._spread) // self._distance)
 
     def pending(self, response: int) -> int:

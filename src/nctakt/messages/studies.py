@@ -144,7 +144,7 @@ NO_BOUNDARY = warning(
     en="no switch-over between {low} and {high}: the verdict is the same at both ends",
     de="kein Umschlag zwischen {low} und {high}: an beiden Enden gilt dasselbe Urteil",
     remedy_en="Choose from and to so that the expectations hold at one end only.",
-    remedy_de="Für from und to Werte wählen, sodass die Erwartungen nur an einem Ende erfüllt sind.",
+    remedy_de="Die Grenzen from und to ändern, bis die Erwartungen nur an einem Ende gelten.",
     low=("the lowest value", "der kleinste Wert"),
     high=("the highest value", "der größte Wert"),
 )

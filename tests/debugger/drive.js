@@ -28,10 +28,6 @@ function line(frames) {
 }
 
 const scenarios = {
-  async "stops at a line"(client) {
-    await client.hitBreakpoint({ program }, { path: program, line: 9 });
-  },
-
   async "stops, steps, goes back"(client) {
     await begun(client, {});
     const asked = { source: { path: program }, breakpoints: [{ line: 9 }, { line: 10 }] };

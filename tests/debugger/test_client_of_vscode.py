@@ -65,4 +65,4 @@ def test_the_client_of_vscode_debugs_a_program(folder: Path) -> None:
         words, cwd=folder, capture_output=True, text=True, timeout=120, check=False
     )
     assert done.returncode == 0, done.stdout + done.stderr
-    assert len(done.stdout.splitlines()) == 5
+    assert len(done.stdout.splitlines()) == 4

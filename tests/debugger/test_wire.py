@@ -284,6 +284,10 @@ def test_a_restart_reads_the_program_again(client: DebugClient, tmp_path: Path) 
     assert client.go()["reason"] == "end"
     client.ask("continue", threadId=1)
     client.event("terminated")
+    program.write_text("G01 Q1\nM30\n", "utf-8")
+    with pytest.raises(Refused, match="has errors"):
+        client.ask("restart")
+    client.event("terminated")
 
 
 def test_without_breakpoints_the_run_goes_to_its_end(client: DebugClient, folder: Path) -> None:

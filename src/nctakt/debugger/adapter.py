@@ -380,7 +380,11 @@ class Adapter:
             configuration = read_configuration(changed, self._folders)
         self._breakpoints.forget_from(0)
         self._breakpoints.forget_mistakes()
-        self._open(configuration)
+        try:
+            self._open(configuration)
+        except Failure:
+            self.tell("terminated", {})
+            raise
         if self._requests is not None:
             for shown in self._requests.verify_all():
                 self.tell("breakpoint", {"reason": "changed", "breakpoint": shown})

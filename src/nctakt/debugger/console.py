@@ -44,7 +44,7 @@ tick 1200, tick 1.2 s    dorthin gehen
 back 10 ms, back 3       um eine Zeit oder um Takte zurück; back: um einen
 forward 10 ms            um eine Zeit oder um Takte weiter, an allen Haltepunkten vorbei
 last V.E.X               zurück zur letzten Änderung einer Variablen oder eines Ausdrucks
-reaction                 zurück zur letzten Reaktion eines Echtzeitzyklus
+reaction                 zurück zur letzten Reaktion eines Echtzeit-Zyklus
 why 17:4                 warum der Zweig in Zeile 4 von Zyklus 17 lief oder nicht; why 17, why
 set V.E.X = 5            einer Variablen oder einem Wert der HLI im nächsten Takt etwas zuweisen
 ack                      quittieren, was auf die SPS wartet

@@ -41,11 +41,11 @@ _WORDS: dict[Language, dict[str, str]] = {
         "channel n": "channel", "cycle n": "realtime cycle", "ahead": "decoder, ahead of the path",
     },
     "de": {
-        "axes": "Achsen", "channel": "Bahn und Kanal", "cycles": "Echtzeitzyklen",
+        "axes": "Achsen", "channel": "Bahn und Kanal", "cycles": "Echtzeit-Zyklen",
         "plc": "Wartet auf die SPS", "decoder": "Dekoder", "V.L": "V.L", "arguments": "Argumente",
         "parameters": "P-Parameter", "branches": "Zweige", "true": "wahr", "false": "falsch",
         "never": "noch nicht ausgewertet", "ran": "ist gelaufen", "runs": "Läufe", "since": "seit",
-        "channel n": "Kanal", "cycle n": "Echtzeitzyklus", "ahead": "Dekoder, der Bahn voraus",
+        "channel n": "Kanal", "cycle n": "Echtzeit-Zyklus", "ahead": "Dekoder, der Bahn voraus",
     },
 }  # fmt: skip
 
@@ -76,12 +76,14 @@ class Scopes:
     # --- threads --------------------------------------------------------------------------------
 
     def threads(self) -> list[dict[str, Any]]:
-        """Return the threads: the channels, then the living realtime cycles."""
+        """Return the threads: the channels, then the realtime cycles that have not ended."""
         words = self._words
         found = [
             {"id": number, "name": f"{words['channel n']} {number}"} for number in self._channels
         ]
         for cycle in self._session.cycles():
+            if cycle.state == "ended":
+                continue
             name = f"{words['cycle n']} {cycle.name} ({cycle.scope}, {cycle.state})"
             found.append({"id": self.thread_of_cycle(cycle.name), "name": name})
         return found

@@ -91,7 +91,7 @@ NO_LINE_TO_STOP_AT = error(
     en="there is no block from line {line} on",
     de="ab Zeile {line} gibt es keinen Satz",
     remedy_en="Set the breakpoint at a block, or at a branch of a realtime cycle.",
-    remedy_de="Den Haltepunkt auf einen Satz oder einen Zweig eines Echtzeitzyklus setzen.",
+    remedy_de="Den Haltepunkt auf einen Satz oder einen Zweig eines Echtzeit-Zyklus setzen.",
     line=("the line", "die Zeile"),
 )
 NOT_A_HIT_CONDITION = error(
@@ -105,7 +105,7 @@ NOT_A_HIT_CONDITION = error(
 CHANGES_NEEDS_A_BRANCH = error(
     901232,
     en='"changes" belongs to a branch of a realtime cycle, or to an assignment in it',
-    de='"changes" gehört zu einem Zweig eines Echtzeitzyklus oder zu einer Zuweisung darin',
+    de='"changes" gehört zu einem Zweig eines Echtzeit-Zyklus oder zu einer Zuweisung darin',
     remedy_en="Leave it out here, or set a data breakpoint on a variable.",
     remedy_de="Es hier weglassen oder einen Datenhaltepunkt auf eine Variable setzen.",
 )

@@ -14,12 +14,16 @@ import pytest
 from nctakt.base import mode
 from nctakt.kernel import cells, rows
 from nctakt.kernel.axes.axes import Axes
+from nctakt.kernel.axes.single_axes import SingleAxes
 from nctakt.kernel.base.record import Record
+from nctakt.kernel.cycles.context import context_of
+from nctakt.kernel.cycles.expressions import Expression
 from nctakt.kernel.path.arc_speed import ArcSpeed
 from nctakt.kernel.path.backward import BackwardMotion
 from nctakt.kernel.path.history import History
 from nctakt.kernel.path.trapezoid_profile import TrapezoidProfile
 from nctakt.kernel.tick.loop_body import LoopBody
+from nctakt.kernel.tick.stops import Happens
 
 pytestmark = pytest.mark.skipif(mode.is_compiled(), reason="compiled methods cannot be called")
 
@@ -161,3 +165,38 @@ def test_a_pass_of_a_loop_begins_where_the_one_before_has_ended() -> None:
         body.append(row, 0)
     body.end(2, True)
     assert [body.rows[rows.START + i] for i in range(3)] == [22.0, 23.0, 12.0]
+
+
+def test_a_record_grows_only_while_it_is_empty() -> None:
+    """What was recorded and not taken yet is not lost."""
+    record = Record(bytearray(80), event_capacity=2, probe_capacity=2)
+    record.reserve(5, 6)
+    assert record.has_room(10, 12) == 1
+    record.event(rows.EVENT_NOTICE, 1, 2, 3)
+    record.reserve(50, 2)
+    assert record.has_room(10, 0) == 0
+    taken = memoryview(record.take_events()).cast("d")
+    assert taken[rows.EVENT_SOURCE] == 1.0
+
+
+def test_an_event_that_was_taken_is_none_of_this_tick() -> None:
+    """A stop looks only at events that the record still has."""
+    record = Record(bytearray(80), event_capacity=1)
+    record.tick = 5
+    record.event(rows.EVENT_NOTICE, 1, 2, 3)
+    context = context_of(bytearray(80))
+    context.tick = 5
+    wide = [-1e300] * rows.EVENT_WIDTH, [1e300] * rows.EVENT_WIDTH
+    stop = Happens(1 << rows.EVENT_NOTICE, *wide, Expression(), 1)
+    assert stop.holds(context, record) == 1
+    record.take_events()
+    assert stop.holds(context, record) == 0
+
+
+def test_the_fault_of_an_axis_is_taken_once() -> None:
+    """Its channel reports it; the PLC still reads it (``fault_of``)."""
+    axes = SingleAxes(Axes(bytearray(8 * cells.AXIS_CELLS), 0, 1), Record(bytearray(80)), 1000)
+    axes.fault[0] = 1702
+    axes.fault_count = 1
+    assert [axes.take_fault(0), axes.take_fault(0)] == [1702, 0]
+    assert (axes.fault_count, axes.fault_of(0)) == (0, 1702)

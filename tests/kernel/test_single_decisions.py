@@ -10,17 +10,20 @@ from types import SimpleNamespace
 from typing import Any
 
 import pytest
+from kernel_rig import Rig
 
 from nctakt.base import mode
-from nctakt.kernel import cells, rows
+from nctakt.kernel import cells, codes, rows
 from nctakt.kernel.axes.axes import Axes
 from nctakt.kernel.axes.single_axes import SingleAxes
+from nctakt.kernel.axes.spindles import wrapped
 from nctakt.kernel.base.record import Record
 from nctakt.kernel.cycles.context import context_of
 from nctakt.kernel.cycles.expressions import Expression
 from nctakt.kernel.path.arc_speed import ArcSpeed
 from nctakt.kernel.path.backward import BackwardMotion
 from nctakt.kernel.path.history import History
+from nctakt.kernel.path.path import Path as KernelPath
 from nctakt.kernel.path.trapezoid_profile import TrapezoidProfile
 from nctakt.kernel.tick.loop_body import LoopBody
 from nctakt.kernel.tick.stops import Happens
@@ -200,3 +203,83 @@ def test_the_fault_of_an_axis_is_taken_once() -> None:
     axes.fault_count = 1
     assert [axes.take_fault(0), axes.take_fault(0)] == [1702, 0]
     assert (axes.fault_count, axes.fault_of(0)) == (0, 1702)
+
+
+def test_a_position_of_a_spindle_is_below_360_degrees() -> None:
+    """Rounding leads just below a revolution to 360; it is the begin of the next one."""
+    assert [wrapped(angle) for angle in (0.0, 360.0, -90.0, 725.0)] == [0.0, 0.0, 270.0, 5.0]
+    assert wrapped(-1e-17) == 0.0
+
+
+def test_axes_that_fail_in_one_tick_are_reported_in_their_order() -> None:
+    """Each error event has its axis."""
+    memory = bytearray(8 * 3 * cells.AXIS_CELLS)
+    axes = SingleAxes(Axes(memory, 0, 3), Record(bytearray(80)), 1000)
+    for axis in (2, 0, 1):
+        axes.fail(axis, 1702)
+    assert [axes.next_failed() for _ in range(3)] == [2, 0, 1]
+
+
+@pytest.mark.parametrize(
+    ("kind", "is_retracing", "is_front_over", "promised"),
+    [
+        (rows.SEGMENT, False, False, 12.0),
+        (rows.SEGMENT, True, False, 12.0),
+        (rows.SEGMENT, False, True, 12.0),
+        (rows.SEGMENT, True, True, 0.0),
+        (rows.DWELL, False, False, 0.0),
+    ],
+)
+def test_only_a_segment_that_still_lies_ahead_promises_a_speed(
+    kind: int, is_retracing: bool, is_front_over: bool, promised: float
+) -> None:
+    """The newest segment, unless the path walks back from its end."""
+    history_rows = [0.0] * 200
+    history_rows[100 + rows.KIND] = kind
+    history_rows[100 + rows.END_SPEED] = 12.0
+    path: Any = SimpleNamespace(
+        history_rows=history_rows,
+        front=100,
+        is_retracing=is_retracing,
+        is_front_over=is_front_over,
+    )
+    assert KernelPath.promised_speed(path, rows.END_SPEED) == promised
+
+
+@pytest.mark.parametrize(
+    ("continues", "rounding_d", "rest_d", "stands"),
+    [
+        (0.0, 0.0, 1.0, 1),
+        (1.0, 0.0, 10.0, 0),
+        (1.0, 0.0, 9.0, 1),
+        (1.0, 1.0, 4.0, 0),
+        (1.0, 1.0, 3.9, 1),
+    ],
+)
+def test_single_block_stops_in_a_block_that_has_no_room_to_stop_in(
+    continues: float, rounding_d: float, rest_d: float, stands: int
+) -> None:
+    """The rest of the block is just enough, or not; in front of a rounding by its own limits."""
+    row = [0.0] * 200
+    row[rows.CONTINUES] = continues
+    row[rows.REMAINING_LENGTH] = rest_d
+    row[rows.CARRIED_ACCELERATION], row[rows.CARRIED_JERK] = 100.0, 200.0
+    row[rows.ROUNDING_LENGTH], row[rows.GOAL_SPEED] = rounding_d, 2.0
+    row[rows.ROUNDING_ACCELERATION], row[rows.ROUNDING_JERK] = 30.0, 40.0
+    lengths = {(5.0, 0.0, 100.0, 200.0): 10.0, (2.0, 0.0, 30.0, 40.0): 4.0}
+    course = SimpleNamespace(stopping_d=lambda *values: lengths[values])
+    path: Any = SimpleNamespace(
+        row=0, history_rows=row, speed_v=3.0, jerk_profile=SimpleNamespace(course=course)
+    )
+    assert KernelPath.stands_in_single_block(path, 5.0) == stands
+
+
+def test_more_is_decoded_only_below_the_low_water() -> None:
+    """Commands that take time count; with as many as the mark there are enough."""
+    rig = Rig()
+    rig.channel.decoder_open = True
+    rig.channel.low_water = 2
+    rig.dwell(10)
+    assert rig.channel.needs_python() == codes.REFILL
+    rig.dwell(10)
+    assert rig.channel.needs_python() == codes.DONE

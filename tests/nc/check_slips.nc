@@ -23,7 +23,7 @@ $IF (V.E.COUNT > 5) ; error 900101 "(V.E.COUNT > 5) is a comment"
 $ENDIF
 $WHILE P1 < 10 DO ; error 20797 "without DO"
 $ENDWHILE
-$FOR P1 = 1 TO 10 ; error 20880 "TO does not divide"
+$FOR P1 = 1 TO 10 ; error 20229 "TO does not divide"
 $ENDFOR
 IF P1 == 3 ; error 20797 "IF needs the sign"
 GOTO 10 ; error 20797 "GOTO needs the sign"
@@ -72,7 +72,7 @@ G01 X10 // go ; error 900101 "does not begin a comment"
 G43 H1 ; error 20131 "tool length"
 G49 ; error 20131 "tool length"
 G91 G28 Z0 ; error 20131 "reference point"
-G54.1 P3 ; error 20131 "zero offset"
+G54.1 P3 ; error 20107 "zero offset"
 G65 P1000 ; error 20131 "subprogram"
 M98 P1234 ; error 20157 "subprogram"
 M99 ; error 20157 "end of a subprogram"

@@ -176,7 +176,7 @@ SIGN_MISSING_BEFORE_WORD = error(
     replacement=_REPLACEMENT,
 )
 SEPARATOR_IN_FOR = error(
-    20880,
+    20229,
     known_as=(901179,),
     en="{found} does not divide the values of $FOR",
     de="{found} trennt die Werte von $FOR nicht",

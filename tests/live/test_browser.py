@@ -89,6 +89,7 @@ def test_a_person_at_the_page(browser: Any, tmp_path: Path) -> None:
         page.keyboard.type("G999 ")
         page.get_by_test_id("tab-findings").click()
         expect(page.get_by_test_id("findings")).to_contain_text("20797")
+        expect(page.locator(".cm-content .nc-error").first).to_be_visible()
         assert path.read_text("utf-8") == PROGRAM
         assert foreign == []
         page.close()

@@ -15,6 +15,8 @@ from nctakt.live.keys import GROUPS, KEYS
 from nctakt.live.shared import SharedSession
 from nctakt.live.texts import Texts
 from nctakt.live.view import Snapshot
+from nctakt.messages import diagnostic
+from nctakt.messages.decoder import NO_FEED_ACTIVE
 from nctakt.session.engine import BranchState, CycleState
 from nctakt.trace.events import Event
 
@@ -72,6 +74,18 @@ def test_marks_of_the_program() -> None:
 def test_marks_of_another_file_are_not_shown() -> None:
     """A subprogram is not in the editor."""
     assert view.program_marks(LINES, "other.nc", snapshot(branch(True)), TEXTS) == []
+
+
+def test_findings_are_underlined() -> None:
+    """Where they are in the text; at the end of a line its last character."""
+    found = [
+        diagnostic(NO_FEED_ACTIVE, Span(FILE, line, column, column + 3), LINES[line - 1])
+        for line, column in ((1, 2), (4, 8))
+    ]
+    marks = view.finding_marks(LINES, FILE, found)
+    first = sum(len(line) + 1 for line in LINES[:3])
+    assert [(one["from"], one["to"]) for one in marks] == [(1, 4), (first + 5, first + 6)]
+    assert view.finding_marks(LINES, "other.nc", found) == []
 
 
 def test_first_signals() -> None:

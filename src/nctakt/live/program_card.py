@@ -47,6 +47,7 @@ class ProgramCard:
         self._typed = 0
         self._marks: list[dict[str, Any]] | None = None
         self.findings: list[Diagnostic] = []
+        self._checked_lines: list[str] = []
         self.document = self._shown_document()
         self._build()
         self._check_later()
@@ -110,18 +111,23 @@ class ProgramCard:
         if self._shown_document() is not self.document:
             self._show_document()
         self._edited.set_text(f"● {self._texts['edited']}" if self.is_edited else "")
-        if self.is_edited:
-            return
-        shared = self._shared
-        stops = view.stop_lines(shared.stops, self.document.file)
-        marks = view.program_marks(shared.lines, self.document.file, snapshot, self._texts, stops)
-        if marks != self._marks:
+        shared, file = self._shared, self.document.file
+        marks = view.finding_marks(self._checked_lines, file, self.findings)
+        if not self.is_edited:
+            stops = view.stop_lines(shared.stops, file)
+            marks += view.program_marks(shared.lines, file, snapshot, self._texts, stops)
+        if marks != self._marks and (self.is_checked or not self.is_edited):
             self._marks = marks
             self._editor.run_method("setDecorations", marks)
 
+    @property
+    def is_checked(self) -> bool:
+        """Whether the findings are those of the editor's text as it stands."""
+        return (self._editor.value or "").split("\n") == self._checked_lines
+
     def _show_document(self) -> None:
         self.document = self._shown_document()
-        self._marks = None
+        self._marks, self.findings, self._checked_lines = None, [], []
         self._choice.set_value(self._key())
         self._editor.set_value(self.document.text)
 
@@ -181,7 +187,7 @@ class ProgramCard:
         text = self._editor.value or ""
         found = await run.io_bound(self.document.check, text)
         if typed == self._typed and found is not None:
-            self.findings = found
+            self.findings, self._checked_lines = found, text.split("\n")
             self._on_findings()
 
     async def save(self) -> None:

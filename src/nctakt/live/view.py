@@ -228,6 +228,33 @@ def program_marks(
     return found
 
 
+def finding_marks(
+    lines: Sequence[str], file: str, found: Sequence[Diagnostic]
+) -> list[dict[str, Any]]:
+    """Return the editor's decorations of findings: their text is underlined."""
+    offsets = [0]
+    for text in lines:
+        offsets.append(offsets[-1] + len(text) + 1)
+    marks = []
+    for one in found:
+        span = one.span
+        if span is None or span.file != file or not 1 <= span.line <= len(lines):
+            continue
+        length = len(lines[span.line - 1])
+        begin = min(max(span.column - 1, 0), max(length - 1, 0))
+        end = min(max(span.end_column - 1, begin + 1), length)
+        if begin < end:
+            marks.append(
+                {
+                    "kind": "mark",
+                    "from": offsets[span.line - 1] + begin,
+                    "to": offsets[span.line - 1] + end,
+                    "class": f"nc-{one.severity.name.casefold()}",
+                }
+            )
+    return marks
+
+
 def truth_class(branch: BranchState) -> str:
     """Return the class of a condition's line by its truth and whether its body has run."""
     if branch.truth is None:

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// The grammar over all programs below a folder: each line has colours, none is marked as invalid.
+
+import { readdirSync, readFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import path from "node:path";
+
+const require = createRequire(import.meta.url);
+const textmate = require("vscode-textmate");
+const oniguruma = require("vscode-oniguruma");
+
+const here = path.dirname(new URL(import.meta.url).pathname);
+const wasm = readFileSync(require.resolve("vscode-oniguruma/release/onig.wasm"));
+await oniguruma.loadWASM(wasm.buffer);
+const registry = new textmate.Registry({
+  onigLib: Promise.resolve({
+    createOnigScanner: (patterns) => new oniguruma.OnigScanner(patterns),
+    createOnigString: (text) => new oniguruma.OnigString(text),
+  }),
+  loadGrammar: async () => {
+    const file = path.join(here, "..", "syntaxes", "nctakt.tmLanguage.json");
+    return textmate.parseRawGrammar(readFileSync(file, "utf8"), file);
+  },
+});
+const grammar = await registry.loadGrammar("source.nctakt");
+const files = readdirSync(process.argv[2], { recursive: true }).filter((name) => /\.(nc|sub|cyc)$/i.test(name));
+let wrong = 0;
+for (const name of files) {
+  let state = textmate.INITIAL;
+  const lines = readFileSync(path.join(process.argv[2], name), "utf8").split(/\r?\n/);
+  lines.forEach((line, index) => {
+    const result = grammar.tokenizeLine(line, state);
+    state = result.ruleStack;
+    const scopes = result.tokens.flatMap((token) => token.scopes);
+    const isPlain = line.trim() !== "" && scopes.every((scope) => scope === "source.nctakt");
+    if (isPlain || scopes.some((scope) => scope.startsWith("invalid"))) {
+      console.error(`${name}:${index + 1}: ${line}`);
+      wrong += 1;
+    }
+  });
+}
+console.log(`${files.length} programs, ${wrong} lines without the right colour`);
+process.exit(files.length > 0 && wrong === 0 ? 0 : 1);

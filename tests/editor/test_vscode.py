@@ -1,0 +1,47 @@
+# SPDX-License-Identifier: MIT
+"""The extension of VS Code: its commands, its grammar."""
+
+from __future__ import annotations
+
+import json
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from nctakt.editor.colours import MODIFIERS
+from nctakt.editor.document import LIST_LANGUAGE
+
+FOLDER = Path(__file__).parents[2] / "editors" / "vscode"
+MANIFEST = json.loads((FOLDER / "package.json").read_text("utf-8"))
+
+
+def test_the_extension_has_what_the_server_names() -> None:
+    """Commands of lenses, modifiers of colours, the languages; no file type of others."""
+    contributed = MANIFEST["contributes"]
+    commands = {item["command"] for item in contributed["commands"]}
+    assert {"nctakt.run", "nctakt.debug", "nctakt.live", "nctakt.why"} <= commands
+    modifiers = {item["id"] for item in contributed["semanticTokenModifiers"]}
+    assert modifiers <= set(MODIFIERS)
+    languages = {item["id"]: item.get("extensions", []) for item in contributed["languages"]}
+    assert languages == {"nctakt": [".nctakt"], LIST_LANGUAGE: []}
+    source = (FOLDER / "src" / "extension.ts").read_text("utf-8")
+    assert all(f'"{command}"' in source for command in commands)
+
+
+def test_no_address_of_a_registry_is_in_the_lock_file() -> None:
+    """The lock file holds versions and checksums only."""
+    assert '"resolved"' not in (FOLDER / "package-lock.json").read_text("utf-8")
+
+
+@pytest.mark.skipif(
+    shutil.which("npm") is None or not (FOLDER / "node_modules").is_dir(),
+    reason="npm ci has not been run in editors/vscode",
+)
+def test_the_grammar_colours_the_examples() -> None:
+    """The grammar's own test, and each line of the examples."""
+    done = subprocess.run(
+        ["npm", "test"], cwd=FOLDER, capture_output=True, text=True, check=False, timeout=120
+    )
+    assert done.returncode == 0, done.stdout + done.stderr

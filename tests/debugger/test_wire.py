@@ -229,6 +229,18 @@ def test_too_many_requests_are_refused(client: DebugClient, folder: Path) -> Non
     assert "wait already" in refused[0]["message"]
 
 
+def test_breakpoints_beyond_the_bound_are_not_verified(client: DebugClient, folder: Path) -> None:
+    """The others are watched; 8 stops are left for exceptions and steps."""
+    program = str(folder / "short.nc")
+    client.begin(program)
+    own = {"source": {"path": program}, "breakpoints": [{"line": 1}] * 994}
+    made = client.ask("setBreakpoints", **own)["breakpoints"]
+    assert [one["verified"] for one in made] == [True] * 992 + [False] * 2
+    assert "901152" in made[-1]["message"]
+    client.ask("configurationDone")
+    assert client.stopped()["line"] == 1
+
+
 # --- a run on its way -----------------------------------------------------------------------------
 
 

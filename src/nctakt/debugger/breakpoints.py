@@ -24,10 +24,14 @@ from nctakt.debugger.arguments import Arguments
 from nctakt.debugger.places import Place
 from nctakt.messages import diagnostic
 from nctakt.messages.debugger import CHANGES_NEEDS_A_BRANCH, NOT_A_HIT_CONDITION
-from nctakt.session.stops import Kind, StopAt
+from nctakt.messages.session import TOO_MANY_STOPS
+from nctakt.session.stops import MAX_STOPS, Kind, StopAt
 
 #: How often a breakpoint with a hit condition is counted at most.
 MAX_HITS = 1_000_000
+
+#: Stops that are left for exceptions and steps.
+RESERVED_STOPS = 8
 
 #: The modes of breakpoints that the client may offer: name, label, what they belong to.
 MODES = (
@@ -168,12 +172,24 @@ class Breakpoints:
 
     def verify(self, own: Iterable[Breakpoint], check: Callable[[Sequence[StopAt]], None]) -> None:
         """Note what is wrong with breakpoints; ``check`` raises ``Failure`` for stops."""
-        for breakpoint_ in own:
-            if breakpoint_.mistake is None:
-                try:
-                    check(breakpoint_.stops)
-                except Failure as failure:
-                    breakpoint_.mistake = failure
+        unknown = [breakpoint_ for breakpoint_ in own if breakpoint_.mistake is None]
+        different = dict.fromkeys(breakpoint_.stops for breakpoint_ in unknown)
+        mistakes: dict[tuple[StopAt, ...], Failure] = {}
+        for stops in different:
+            try:
+                check(stops)
+            except Failure as failure:
+                mistakes[stops] = failure
+        for breakpoint_ in unknown:
+            breakpoint_.mistake = mistakes.get(breakpoint_.stops)
+
+    def bound(self) -> None:
+        """Note of breakpoints beyond the stops that a session can watch that they are too many."""
+        stops, owners = self.stops()
+        limit = MAX_STOPS - RESERVED_STOPS
+        for breakpoint_ in owners[limit:]:
+            found = diagnostic(TOO_MANY_STOPS, count=len(stops), limit=limit)
+            breakpoint_.mistake = Failure(found)
 
     def stops(self) -> tuple[list[StopAt], list[Breakpoint]]:
         """Return the stops to watch, and for each of them its breakpoint."""

@@ -22,7 +22,7 @@ from nctakt.nc.source import Source
 MAX_LINES = 2000
 
 #: Lines before a block that are read, since it may have begun there.
-MAX_LINES_BEFORE = 1000
+MAX_LINES_BEFORE = 100
 
 PlaceKind = Literal["block", "branch", "otherwise", "cycle"]
 

@@ -122,6 +122,7 @@ class Requests:
         debuggee = self._debuggee
         debuggee.breakpoints.verify(new, debuggee.check_stops)
         debuggee.breakpoints.set(group, new)
+        debuggee.breakpoints.bound()
         debuggee.watch()
         return {"breakpoints": [self._shown(one) for one in new]}
 
@@ -134,6 +135,7 @@ class Requests:
         """Verify all breakpoints with a program that has changed; return them as shown."""
         debuggee = self._debuggee
         debuggee.breakpoints.verify(debuggee.breakpoints.all, debuggee.check_stops)
+        debuggee.breakpoints.bound()
         debuggee.watch()
         return [self._shown(one) for one in debuggee.breakpoints.all]
 

@@ -7,10 +7,12 @@ In: rows. Out: tabs of NiceGUI; a click on a row shows its line.
 from __future__ import annotations
 
 import asyncio
+import time
 from collections.abc import Callable, Sequence
 from typing import Any
 
 from nicegui import ui
+from nicegui.element import Element
 
 from nctakt.base.failure import Failure
 from nctakt.live import view
@@ -23,6 +25,13 @@ NAMES = ("findings", "messages", "events", "why", "stops")
 #: Rows of a list that are shown: the newest.
 _MAX_SHOWN = 80
 
+#: The lists of rows, and how long they stay as they are while the session plays, in seconds.
+_ROWS, _DISTANCE_S = ("findings", "messages", "events"), 0.4
+
+
+class RowsView(Element, component="rows.js"):
+    """Rows of a list."""
+
 
 class Lists:
     """The lists of one browser."""
@@ -33,12 +42,15 @@ class Lists:
         self._texts = commander.texts
         self._reveal = reveal
         self._shown: dict[str, object] = {}
+        self._due_s = 0.0
+        self._program: ProgramCard | None = None
         self._list_of: dict[str, Any] = {}
         with ui.element("div").classes("nc-card nc-lists"):
             with ui.tabs().props("dense align=left no-caps outside-arrows mobile-arrows") as tabs:
                 for name in NAMES:
                     ui.tab(name, self._texts[name]).props(f"data-testid=tab-{name}")
             self._tabs = tabs
+            tabs.on_value_change(self._turn)
             with ui.tab_panels(tabs, value="findings").classes("nc-scroll bg-transparent"):
                 for name in NAMES:
                     with ui.tab_panel(name).classes("q-pa-none"):
@@ -53,10 +65,24 @@ class Lists:
                 ui.button(self._texts["add"], on_click=self._add_stop).props(
                     "dense flat no-caps size=sm data-testid=add-stop"
                 )
+        if name in _ROWS:
+            view_of_rows = RowsView()
+            view_of_rows.props["rows"] = []
+            view_of_rows.props["word"] = self._texts["line"]
+            view_of_rows.props["empty"] = self._texts[f"no_{name}"]
+            view_of_rows.on("line", self._clicked)
+            self._list_of[name] = view_of_rows.props(f"data-testid={name}")
+            return
         self._list_of[name] = ui.element("div").props(f"data-testid={name}")
         if name == "why":
             with self._list_of[name]:
                 self._why = ui.label(self._texts["ask_why"]).classes("nc-why nc-soft")
+
+    def _turn(self, _: Any) -> None:
+        """Show another list as it is now."""
+        self._due_s = 0.0
+        if self._program is not None:
+            self.show(self._program)
 
     def choose(self, name: str) -> None:
         """Show one of the lists."""
@@ -65,8 +91,12 @@ class Lists:
     # --- rows -----------------------------------------------------------------------------------
 
     def show(self, program: ProgramCard) -> None:
-        """Show what is new in all lists."""
+        """Show what is new in the list that is open."""
+        self._program = program
         shared, language = self._shared, self._texts.language
+        if shared.snapshot.is_playing and time.monotonic() < self._due_s:
+            return
+        self._due_s = time.monotonic() + _DISTANCE_S
         messages = [view.message_row(one) for one in list(shared.messages)[-_MAX_SHOWN:]]
         self._show_rows("messages", messages[::-1])
         events = [view.event_row(one, language) for one in list(shared.events)[-_MAX_SHOWN:]]
@@ -89,26 +119,16 @@ class Lists:
 
     def _show_rows(self, name: str, rows: Sequence[LogRow]) -> None:
         shown = tuple(rows[: _MAX_SHOWN + 1])
-        if self._shown.get(name) == shown:
+        if self._shown.get(name) == shown or self._tabs.value != name:
             return
         self._shown[name] = shown
-        holder = self._list_of[name]
-        holder.clear()
-        with holder:
-            for row in shown:
-                line = f"{self._texts['line']} {row.line}" if row.line else ""
-                with (
-                    ui.element("div")
-                    .classes(f"nc-finding {row.kind}")
-                    .on("click", lambda row=row: self._reveal(row.line))
-                ):
-                    with ui.element("div").classes("nc-rows"):
-                        ui.label(row.text)
-                        ui.label(line).classes("nc-soft")
-                    if row.remedy:
-                        ui.label(row.remedy).classes("nc-soft")
-            if not shown:
-                ui.label(self._texts[f"no_{name}"]).classes("nc-soft")
+        cells = [[row.kind, row.line, row.text, row.remedy] for row in shown]
+        self._list_of[name].props["rows"] = cells
+        self._list_of[name].update()
+
+    def _clicked(self, event: Any) -> None:
+        if isinstance(event.args, int) and event.args:
+            self._reveal(event.args)
 
     # --- why ------------------------------------------------------------------------------------
 

@@ -324,7 +324,7 @@ def imports(path: Path) -> Iterator[str]:
 PACING = ("session/session.py", "session/thread.py", "session/listening.py", "session/workshop.py")
 
 #: The files that hand out the runs of a study; what a run yields does not depend on who makes it.
-HANDING_OUT = ("studies/processes.py", "studies/cluster.py")
+HANDING_OUT = ("studies/processes.py", "studies/cluster.py", "studies/shared_beginning.py")
 
 
 def test_nobody_but_the_command_line_reads_a_clock() -> None:

@@ -9,6 +9,7 @@ stop comes too late is that at 551 ms.
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 from typing import Any
 
@@ -18,6 +19,7 @@ from nctakt.run.controller import Controller, NcText
 from nctakt.studies.bench import Digest
 from nctakt.studies.plan import Goal
 from nctakt.studies.search import search
+from nctakt.studies.shared_beginning import SharedBeginning
 from nctakt.studies.study import Study
 
 PROGRAM = """\
@@ -65,6 +67,23 @@ def test_each_tick_finds_it(program: Path) -> None:
     """The injection at each tick from a time on, up to the end of the unchanged run."""
     done = study(program, each_tick=True, **{"from": "530 ms", "to": "570 ms"}).run()
     assert done.broken[0]["stop"] == FIRST_LATE
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="needs fork")
+@pytest.mark.filterwarnings("ignore:.*multi-threaded:DeprecationWarning")
+def test_a_shared_beginning_yields_the_same_rows(program: Path) -> None:
+    """Injections into copies of one run are those of runs from the start, to the last digit."""
+    vary = {"time_of": "V.E.TRIGGER = 1", "each_tick": True, "for": "10 ms", "from": "300 ms"}
+    plan = Study(
+        program=str(program),
+        vary=[vary],
+        at=[["302 ms", "V.E.VALUE = 1"]],
+        expect=["PATH.SPEED <= 0 within 20 ms"],
+    )
+    shared = SharedBeginning(plan.bench)
+    shared._copying_pays = lambda: True  # type: ignore[method-assign]
+    for number in (0, 1, 2, 3, 40, 700, 5):
+        assert shared.row(number) == plan.bench.row(number)
 
 
 def test_bisecting_finds_both_neighbours(program: Path) -> None:

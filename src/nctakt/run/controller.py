@@ -39,7 +39,7 @@ from nctakt.trace.recorded import EventList
 from nctakt.trace.sinks import Sink
 
 if TYPE_CHECKING:
-    from nctakt.run.inputs import InputListener
+    from nctakt.run.inputs import Input, InputListener
     from nctakt.run.tape import Tape
     from nctakt.schedule.open_schedule import RunSchedule
 
@@ -376,6 +376,10 @@ class Controller:
         Raises ``Failure`` with its errors.
         """
         return program_loader.load(program, self._machine, self.diagnostics, self._index(channel))
+
+    def plan(self, inputs: Sequence[Input]) -> None:
+        """Plan further inputs of a run that has begun, behind those of their ticks."""
+        self._machine.inputs.add(inputs)
 
     def begin(self, options: RunOptions) -> ProgramRun:
         """Return a run before its first tick; raises ``Failure`` as ``run``."""

@@ -22,6 +22,7 @@ from nctakt.messages.studies import UNKNOWN_PROGRAM_VARIABLE
 from nctakt.plc import load_plc
 from nctakt.project.machine_choice import machine_of
 from nctakt.run.controller import Controller, NcText
+from nctakt.run.inputs import Input
 from nctakt.run.plc_view import AnyPlc
 from nctakt.run.program_loader import AnyProgram, LoadedProgram
 from nctakt.run.program_run import ProgramRun, RunOptions
@@ -104,6 +105,10 @@ class BegunRun:
         self._inputs = inputs
         self._before = before
         self._digest = digest
+
+    def add(self, inputs: Sequence[Input]) -> None:
+        """Plan further inputs, behind those of their ticks that are planned already."""
+        self.controller.plan(inputs)
 
     def finish(self, injected_us: int | None = None, end: int | None = None) -> FinishedRun:
         """Go on up to tick ``end``, by default to the end of the run; return what was made."""
@@ -189,9 +194,7 @@ class Bench:
 
     def row_of(self, index: int, point: Sequence[Value]) -> Row:
         """Return the row of a run with these values."""
-        row: Row = {"run": index}
-        for dimension, value in zip(self.plan.dimensions, point, strict=True):
-            row[dimension.name] = dimension.shown(value)
+        row = self.row_head(index, point)
         try:
             finished = self.make(point)
         except Failure as failure:
@@ -199,6 +202,13 @@ class Bench:
             texts = "; ".join(one.headline() for one in failure.diagnostics)
             return row | {"verdict": FAILED, "broken": texts, "seed": self.plan.seed, "digest": ""}
         return row | self.judge(finished)
+
+    def row_head(self, index: int, point: Sequence[Value]) -> Row:
+        """Return the begin of a row: the number of the run and its inputs."""
+        row: Row = {"run": index}
+        for dimension, value in zip(self.plan.dimensions, point, strict=True):
+            row[dimension.name] = dimension.shown(value)
+        return row
 
     def judge(self, finished: FinishedRun) -> Row:
         """Return measures, verdict and digest of a run."""

@@ -18,6 +18,7 @@ from nctakt.studies.processes import rows_here, rows_of_processes
 from nctakt.studies.report import report
 from nctakt.studies.results import RowStore, arrow_table, write_rows
 from nctakt.studies.search import Answer, search, shrink
+from nctakt.studies.shared_beginning import is_shared
 
 if TYPE_CHECKING:
     import pandas
@@ -169,7 +170,8 @@ class Study:
         missing = [number for number in numbers_due if number not in done] if done else numbers_due
         if executor is None:
             executor = rows_here
-            if processes > 1 and not self._has_functions:
+            shares = is_shared(self.plan, self.bench.cycle_time_us)
+            if (processes > 1 or shares) and not self._has_functions:
                 executor = lambda plan, left: rows_of_processes(plan, left, processes)  # noqa: E731
         rows: list[Row] = []
         for finished in executor(self.plan, missing):

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """A worker: a process that makes runs of a plan, asked over its standard input.
 
-In: the plan, then lists of numbers of runs, each pickled. Out: for each list its rows, pickled. It
-has one thread, and it ends when its standard input does. What a user's PLC prints goes to standard
-error.
+In: the plan, then lists of numbers of runs, each pickled. Out: for each list its rows, pickled. A
+worker has one thread, so that it can copy itself, and it ends when its standard input does. What a
+user's PLC prints goes to standard error.
 """
 
 from __future__ import annotations
@@ -16,6 +16,7 @@ import signal
 import sys
 
 from nctakt.studies.bench import Bench
+from nctakt.studies.shared_beginning import SharedBeginning, is_shared
 
 
 def main() -> None:
@@ -25,11 +26,12 @@ def main() -> None:
     os.dup2(2, 1)
     questions = sys.stdin.buffer
     bench = Bench(pickle.load(questions))
+    maker = SharedBeginning(bench) if is_shared(bench.plan, bench.cycle_time_us) else bench
     gc.collect()
     gc.freeze()
     with contextlib.suppress(EOFError, BrokenPipeError):
         while True:
-            rows = [bench.row(number) for number in pickle.load(questions)]
+            rows = [maker.row(number) for number in pickle.load(questions)]
             pickle.dump(rows, answers)
             answers.flush()
 

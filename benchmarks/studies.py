@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: MIT
+"""``python -m benchmarks.studies``: how many runs of a study are made per second, at what cost.
+
+Measured: runs of examples/crossing.nc with fresh inputs in one process, the same on two; injections
+into it with windows of 100 ticks; the overhead of Dask against processes; the size of 10^6 rows as
+Parquet; the memory of a process over many runs. Goals: 1,500 runs/s and 2,000 injections/s per
+core, two cores 1.9 times one, Dask within 10 %, 60 MB, memory flat.
+"""
+
+from __future__ import annotations
+
+import gc
+import platform
+import resource
+import sys
+import tempfile
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+from nctakt.studies.bench import Bench, Row
+from nctakt.studies.results import write_rows
+from nctakt.studies.study import Study
+
+PROGRAM = Path(__file__).parent.parent / "examples" / "crossing.nc"
+RUNS = 600
+
+
+def crossing(count: int) -> Study:
+    """The study of a value that the program counts on."""
+    return Study(
+        program=str(PROGRAM),
+        vary=[{"variable": "V.E.COUNT", "from": 0, "to": count - 1, "step": 1}],
+        measure={"crossed": "time of M100"},
+        expect=["crossed < 1 s"],
+    )
+
+
+def injections() -> Study:
+    """The injection at each tick, decided 100 ticks later."""
+    return Study(
+        program=str(PROGRAM),
+        vary=[{"time_of": "V.E.TRIGGER = 1", "each_tick": True}],
+        expect=["PATH.SPEED >= 0 within 100 ms"],
+    )
+
+
+def per_cpu_second(bench: Bench, count: int) -> float:
+    """How many rows a bench makes in a second of its processor."""
+    bench.row(0)
+    gc.collect()
+    begin = time.process_time()
+    for number in range(count):
+        bench.row(number)
+    return count / (time.process_time() - begin)
+
+
+def wall(function: Callable[[], object]) -> float:
+    """How long a function takes in seconds."""
+    begin = time.perf_counter()
+    function()
+    return time.perf_counter() - begin
+
+
+def parquet_megabytes(count: int) -> float:
+    """The size of a file with so many rows."""
+    first: Row = crossing(10).run().rows[0]
+    rows: list[Row] = [
+        {**first, "run": i, "V.E.COUNT": i, "digest": f"{i * 0x9E3779B97F4A7C15 % 2**64:016x}"}
+        for i in range(count)
+    ]
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "rows.parquet"
+        write_rows(rows, list(first), path)
+        return path.stat().st_size / 1e6
+
+
+def memory_megabytes() -> float:
+    """The largest memory of this process so far."""
+    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
+
+
+def main() -> int:
+    """Print one line for each goal."""
+    print(f"CPython {platform.python_version()}, {platform.machine()}")
+    bench = crossing(100_000).bench
+    print(f"runs per second of a core: {per_cpu_second(bench, RUNS):.0f} (goal 1500)")
+    each_tick = injections()
+    print(
+        f"injections per second of a core: {per_cpu_second(each_tick.bench, RUNS):.0f} (goal 2000)"
+    )
+    before = memory_megabytes()
+    for number in range(5 * RUNS):
+        bench.row(number)
+    grown = memory_megabytes() - before
+    print(f"memory grows by {grown:.1f} MB over {5 * RUNS} runs (goal 0)")
+    study = crossing(4 * RUNS)
+    one, two = (wall(lambda count=count: study.run(processes=count)) for count in (1, 2))  # type: ignore[misc]
+    print(f"two processes are {one / two:.2f} times as fast as one (goal 1.9)")
+    print(f"10^6 rows take {parquet_megabytes(1_000_000):.0f} MB as Parquet (goal 60)")
+    if "--dask" in sys.argv:
+        import distributed  # noqa: PLC0415 - an extra
+
+        from nctakt.studies.cluster import rows_of_cluster  # noqa: PLC0415
+
+        with distributed.LocalCluster(n_workers=2, threads_per_worker=1) as cluster:
+            client = distributed.Client(cluster)
+            study.run(numbers=range(100), executor=lambda p, n: rows_of_cluster(p, n, client))
+            dask = wall(lambda: study.run(executor=lambda p, n: rows_of_cluster(p, n, client)))
+            client.close()
+        print(f"Dask takes {100 * (dask / two - 1):.0f} % longer than processes (goal 10)")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -39,9 +39,11 @@ WORDS = ("-p", "no:cacheprovider", "-q", "-W", "error")
 
 
 def plugin_words() -> list[str]:
-    """How pytest finds the plugin: by its entry point, by ``-p`` where that is not installed."""
+    """How pytest finds the plugins: by entry points, by ``-p`` where they are not installed."""
     known = {one.name for one in entry_points(group="pytest11")}
-    return [] if "nctakt" in known else ["-p", "nctakt.testing.plugin"]
+    if "nctakt" in known:
+        return []
+    return ["-p", "nctakt.testing.plugin", "-p", "nctakt.studies.fixture"]
 
 
 def run_pytest(folder: Path, *words: str) -> subprocess.CompletedProcess[str]:
@@ -122,12 +124,13 @@ def test_the_example_project_passes() -> None:
 
 
 def test_the_plugin_loads_nothing_before_a_test_asks_for_it(tmp_path: Path) -> None:
-    """A session without NC programs has of nctakt only the plugin."""
+    """A session without NC programs has of nctakt only the plugins."""
     text = (
         "import sys\n\ndef test_it():\n"
         "    found = sorted(one for one in sys.modules if one.startswith('nctakt'))\n"
         "    assert found == ['nctakt', 'nctakt.base', 'nctakt.base.lazy_names',\n"
-        "                     'nctakt.base.version', 'nctakt.testing', 'nctakt.testing.plugin']\n"
+        "                     'nctakt.base.version', 'nctakt.studies', 'nctakt.studies.fixture',\n"
+        "                     'nctakt.testing', 'nctakt.testing.plugin']\n"
         "    assert 'numpy' not in sys.modules\n"
     )
     done = run_pytest(project(tmp_path, test_light_py=text))

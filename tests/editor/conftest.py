@@ -105,7 +105,7 @@ async def _with_editor(
                 initialization_options=options,
             )
         )
-        await asyncio.wait_for(script(Editor(client, folder)), 120)
+        await asyncio.wait_for(script(Editor(client, folder)), 600)
         await client.shutdown_session()
     except BaseException:
         client._server.kill()

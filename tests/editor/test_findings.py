@@ -9,6 +9,7 @@ from pathlib import Path
 
 from editor.conftest import Editor
 from lsprotocol import types
+from random_seeds import FIRST, MANY
 
 from nctakt.checking.check import check_files
 from nctakt.cli import main
@@ -17,6 +18,9 @@ from nctakt.run.assembly import AssembledMachine
 from nctakt.run.program_loader import NcText
 
 Run = Callable[..., None]
+
+#: Random edits; ``NCTAKT_SEEDS=10000`` makes as many.
+EDITS = 600
 
 PROGRAM = """\
 %MAIN
@@ -157,12 +161,12 @@ def test_a_list_is_checked_and_changes_its_programs(in_editor: Run, tmp_path: Pa
 def test_random_edits_leave_the_findings_of_a_fresh_check(in_editor: Run) -> None:
     """After any edits, most of which cancel the check before, the findings are a fresh check's."""
     pieces = ["X", "1,5", "\n", "$IF P1 == 3\n", "$ENDIF\n", "#RT CYCLE END\n", "]", ";", "(", "++"]
-    chance = random.Random(7)
+    chance = random.Random(7 + FIRST)
 
     async def script(editor: Editor) -> None:
         uri = await editor.open("part.nc", PROGRAM)
         text = PROGRAM
-        for round_number in range(1, 601):
+        for round_number in range(1, int(MANY or EDITS) + 1):
             lines = text.split("\n")
             line = chance.randrange(len(lines))
             start = chance.randrange(len(lines[line]) + 1)

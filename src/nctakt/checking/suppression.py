@@ -130,9 +130,11 @@ def apply(suppressions: Suppressions, found: Sequence[Diagnostic]) -> list[Diagn
 def _marked_lines(source: Source) -> Iterator[tuple[int, str]]:
     first = 1
     for group in source.groups():
-        for index, line in enumerate(group):
-            if MARK in line or MARK.upper() in line:
-                yield first + index, line
+        text = "\n".join(group)
+        if MARK in text or MARK.upper() in text:
+            for index, line in enumerate(group):
+                if MARK in line or MARK.upper() in line:
+                    yield first + index, line
         first += len(group)
 
 

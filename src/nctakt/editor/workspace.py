@@ -129,9 +129,11 @@ class Workspace:
         if document.is_list:
             return self._check_list(document)
         loaded = self.machine_of(document)
-        named: Path | NcText = NcText(document.name, document.text())
+        named: Path | NcText
         if document.path is not None and document.path.is_file():
             named = document.path
+        else:
+            named = NcText(document.name, document.text())
         result = check_files([named], loaded.machine, for_all=True, poll=poll)
         return [item.diagnostic for item in result.findings if item.file == document.name]
 

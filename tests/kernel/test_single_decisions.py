@@ -283,3 +283,25 @@ def test_more_is_decoded_only_below_the_low_water() -> None:
     assert rig.channel.needs_python() == codes.REFILL
     rig.dwell(10)
     assert rig.channel.needs_python() == codes.DONE
+
+
+@pytest.mark.parametrize(
+    ("begin", "end", "way"), [(350.0, 10.0, 20.0), (10.0, 350.0, -20.0), (0.0, 90.0, 90.0)]
+)
+def test_a_modulo_axis_lags_on_the_shorter_way(begin: float, end: float, way: float) -> None:
+    """MO-11: over the end of its range, too; another axis has only one way."""
+    axes = Axes(bytearray(8 * 2 * cells.AXIS_CELLS), 0, 2)
+    axes.set_modulo(0, 0.0, 360.0)
+    assert axes.distance(0, begin, end) == way
+    assert axes.distance(1, begin, end) == end - begin
+
+
+@pytest.mark.parametrize(("mode", "message"), [(codes.ABORTING, 0), (codes.BUFFERED, 1)])
+def test_a_distance_counts_from_where_its_motion_begins(mode: int, message: int) -> None:
+    """From the commanded position where it takes over, from the goal where it waits (RC-409)."""
+    rig = Rig()
+    axes = rig.machine.single_axes
+    high = axes.high[0]
+    assert axes.absolute(0, high - 10.0, 100.0, codes.PRESENT, codes.ABORTING, 1) == 0
+    rig.run(2)
+    assert (axes.relative(0, high - 20.0, 100.0, mode, 1) != 0) == bool(message)

@@ -59,7 +59,6 @@ cdef class SingleAxes(AxisMotions):
     cdef int is_free(self, Py_ssize_t axis) noexcept nogil
     cdef int stands(self, Py_ssize_t axis) noexcept nogil
     cdef int is_held(self, Py_ssize_t axis) noexcept nogil
-    cdef int is_endless(self, Py_ssize_t axis) noexcept nogil
     @cython.locals(shown=int)
     cdef int state(self, Py_ssize_t axis) noexcept nogil
     cdef int is_ending(self, Py_ssize_t axis) noexcept nogil

@@ -257,10 +257,6 @@ class SingleAxes(AxisMotions):
         """Return whether a motion of the axis is held."""
         return 1 if self.held[axis] else 0
 
-    def is_endless(self, axis: int) -> int:
-        """Return whether the axis moves without a target."""
-        return 1 if self.kind[axis] == codes.ENDLESS else 0
-
     def state(self, axis: int) -> int:
         """The PLCopen state (``codes.STANDSTILL`` …)."""
         shown = int(self.axes.cells[self.axes.cell_of(axis) + cells.AXIS_STATE])

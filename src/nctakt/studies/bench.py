@@ -215,6 +215,8 @@ class Bench:
         plan, outcome = self.plan, finished.outcome
         row: Row = {measure.name: measure.value(outcome) for measure in plan.measures}
         broken = [one.text for one in plan.expectations if not one.is_met(outcome)]
+        if not plan.speaks_of_errors:
+            broken += dict.fromkeys(f"error {found.id}" for found in outcome.run.errors)
         reactions = [one.reaction for one in plan.expectations if one.reaction is not None]
         if reactions:
             row[REACTION] = reaction_time(reactions[0], outcome)

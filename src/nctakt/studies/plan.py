@@ -74,6 +74,12 @@ class Plan:
             return min((dimension.count for dimension in self.dimensions), default=1)
         return self.count
 
+    @property
+    def speaks_of_errors(self) -> bool:
+        """Whether an expectation is about errors or the state; else a run must not have any."""
+        words = " ".join(expectation.text for expectation in self.expectations).split()
+        return not {"error", "state"}.isdisjoint(words)
+
     def point(self, index: int) -> tuple[Value, ...]:
         """Return the values of a run, one for each dimension.
 

@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: MIT
+"""``nctakt study``: what it shows, what it keeps, its exit codes."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from nctakt.cli import main, study_progress
+from nctakt.studies.bench import Row
+
+Captured = pytest.CaptureFixture[str]
+
+PLAN = """\
+program = "part.nc"
+expect = ["X at end < 4.5"]
+[measure]
+end = "X at end"
+[[vary]]
+variable = "V.E.VALUE"
+from = 1
+to = 6
+step = 1
+"""
+
+
+@pytest.fixture
+def plan(tmp_path: Path) -> Path:
+    """A plan of six runs, of which the last two do not hold."""
+    (tmp_path / "part.nc").write_text("G01 X[V.E.VALUE] F6000\nM30\n")
+    path = tmp_path / "plan.toml"
+    path.write_text(PLAN)
+    return path
+
+
+def test_the_summary_names_the_broken_runs(plan: Path, capsys: Captured) -> None:
+    """Counts, the span of the measure, each broken run with its command; exit code 1."""
+    assert main(["study", str(plan), "--quiet"]) == 1
+    lines = capsys.readouterr().out.splitlines()
+    assert lines[0] == f"{plan}: 6 runs: 4 held, 2 broken"
+    assert lines[1] == "  end  minimum 1  maximum 6"
+    assert lines[2] == "4: V.E.VALUE = 5: broken: X at end < 4.5"
+    assert lines[3] == f"    nctakt run {plan.with_name('part.nc')} --set V.E.VALUE=5"
+    assert main(["study", str(plan), "--only", "2", "--quiet"]) == 0
+
+
+def test_each_tick_of_a_program(plan: Path, capsys: Captured) -> None:
+    """The strip has a line for each block; a mistake in the words is exit code 2."""
+    program = str(plan.with_name("part.nc"))
+    words = ["study", program, "--each-tick", "V.E.VALUE1=1 for 2 ms", "--quiet", "--expect"]
+    assert main([*words, "PATH.SPEED >= 0 within 5 ms"]) == 0
+    assert "G01 X[V.E.VALUE] F6000" in capsys.readouterr().out
+    assert main([*words, "PATH.SPED >= 0 within 5 ms"]) == 2
+    assert "PATH.SPEED" in capsys.readouterr().err
+    assert main(["study", program, "--each-tick", "nothing", "--quiet"]) == 2
+    assert "901315" in capsys.readouterr().err
+
+
+def test_ctrl_c_keeps_what_is_finished(
+    plan: Path, capsys: Captured, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The rows so far stay, and ``--resume`` makes the others; then the file is the same."""
+    out = plan.with_name("rows.jsonl")
+    words = ["study", str(plan), "--out", str(out), "--quiet", "-j", "1"]
+    assert main(words) == 1
+    whole = out.read_bytes()
+    out.unlink()
+    with monkeypatch.context() as patch:
+
+        def interrupt(self: study_progress.StudyProgress, rows: list[Row]) -> None:
+            if rows[0]["run"] == 2:
+                raise KeyboardInterrupt
+
+        patch.setattr(study_progress.StudyProgress, "add", interrupt)
+        assert main(words) == 1
+    assert "901310" in capsys.readouterr().err
+    assert not out.exists()
+    assert main([*words, "--resume"]) == 1
+    assert out.read_bytes() == whole
+    assert not out.with_name("rows.jsonl.rows").exists()
+
+
+def test_what_takes_hours_has_to_be_confirmed(
+    plan: Path, capsys: Captured, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """10^12 points: the estimate is told, nothing begins; a sample does."""
+    text = PLAN.replace("to = 6", "to = 1000000")
+    text += '[[vary]]\nvariable = "V.E.VALUE1"\nfrom = 1\nto = 1000000\nstep = 1\n'
+    plan.write_text(text)
+    assert main(["study", str(plan), "--quiet"]) == 2
+    found = capsys.readouterr().err
+    assert "901305" in found
+    assert "1000000000000 runs" in found
+    assert "years" in found
+    assert main(["study", str(plan), "--quiet", "--sample", "3", "-j", "1"]) == 1
+    assert "3 runs" in capsys.readouterr().out
+
+
+def test_an_error_that_nobody_expects_breaks(plan: Path, capsys: Captured) -> None:
+    """As in the comments of a program; unless an expectation is about errors or the state."""
+    plan.write_text(
+        PLAN.replace("to = 6", "to = 100001\nstep = 100000").replace("\nstep = 1\n", "\n")
+    )
+    assert main(["study", str(plan), "--quiet"]) == 1
+    assert "1 held, 1 broken" in capsys.readouterr().out
+    plan.write_text(plan.read_text().replace("X at end < 4.5", "count of error 120000 = 0"))
+    assert main(["study", str(plan), "--quiet"]) == 0

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
 from nctakt.base.text import split_lines
@@ -68,3 +70,22 @@ def test_an_error_is_never_suppressed() -> None:
 def test_a_text_in_quotes_is_no_comment() -> None:
     """Only a comment suppresses."""
     assert numbers('#MSG ["; nctakt: ignore 900243 x"]\nM30\n') == []
+
+
+@pytest.mark.parametrize(
+    ("comment", "left"),
+    [
+        ("", [1023]),
+        (" # nctakt: ignore 1023 the machine has it so", []),
+        (" # nctakt: ignore 900008 another number", [1023, 901182]),
+    ],
+)
+def test_in_lists_such_comments_stand_behind_a_hash(
+    comment: str, left: list[int], tmp_path: Path
+) -> None:
+    """The finding of an entry is taken out, and an unused comment told, as in programs."""
+    path = tmp_path / "sda_mds1.lis"
+    path.write_text(f"rt_cycles.enable   7{comment}\nrt_cycles.max_duration 500\n")
+    result = check_files([path], AssembledMachine(load_machine(None)))
+    found = [item.diagnostic.id for item in result.findings]
+    assert [number for number in found if number != 900583] == left

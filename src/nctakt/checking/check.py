@@ -8,6 +8,7 @@ programs is reported (``nc/lint``).
 
 from __future__ import annotations
 
+import contextlib
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -16,7 +17,7 @@ from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Severity, Span, Text
 from nctakt.base.failure import Failure
 from nctakt.base.text import BYTE_ORDER_MARKS, decode_text, split_lines
-from nctakt.checking.inputs import Finding, gather
+from nctakt.checking.inputs import LIST_SUFFIX, Finding, gather
 from nctakt.checking.program import check_program
 from nctakt.checking.suppression import Suppressions, apply, read_suppressions
 from nctakt.checking.targets import Target, Targets
@@ -187,7 +188,12 @@ class _Checker:
         return CheckResult(files, found, machines, self._targets.uses_default, around, settings)
 
     def _unsuppressed(self, found: tuple[Finding, ...]) -> tuple[Finding, ...]:
-        """Return the findings that no comment of their program suppresses, in the same order."""
+        """Return the findings that no comment of their file suppresses, in the same order."""
+        for file, kind in self._files.items():
+            if kind != PROGRAM and file.casefold().endswith(LIST_SUFFIX):
+                with contextlib.suppress(Failure):  # an unreadable list has been reported
+                    source = Source(file, self._access.read_lines(Path(file)))
+                    self._suppressions[file] = read_suppressions(source, is_list=True)
         marked = {
             file: comments
             for file, comments in self._suppressions.items()

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""Comments in programs that suppress findings: ``; nctakt: ignore 900243 the PLC waits for it``.
+"""Comments that suppress findings: ``; nctakt: ignore 900243 the PLC waits for it``.
 
-In: the lines of a program, and its findings. Out: the findings that are left, and new ones about
-comments that suppress nothing, give no reason or cannot be read. Behind a block a comment is about
-its line, in a line of its own about the next line with a block. Several numbers are separated by
-commas. Errors are not suppressed: a program with an error does not run.
+In: the lines of a program or list (there behind ``#``), and its findings. Out: the findings that
+are left, and new ones about comments that suppress nothing, give no reason or cannot be read.
+Behind a block or an entry a comment is about its line, in a line of its own about the next one that
+has any. Several numbers are separated by commas. Errors are not suppressed: a program with an error
+does not run.
 """
 
 from __future__ import annotations
@@ -28,7 +29,12 @@ from nctakt.nc.source import Source
 #: Begins the comment; a test for it must be cheap, since each line of a program is asked.
 MARK = "nctakt:"
 
-_COMMENT = re.compile(rf";\s*(?P<all>{MARK}\s*(?P<verb>[^\W\d]*)(?P<rest>[^;]*))", re.IGNORECASE)
+_COMMENTS = {
+    begin: re.compile(
+        rf"{begin}\s*(?P<all>{MARK}\s*(?P<verb>[^\W\d]*)(?P<rest>[^;]*))", re.IGNORECASE
+    )
+    for begin in (";", "#")
+}
 _NUMBERS = re.compile(r"\s+(?P<numbers>\d+(?:\s*,\s*\d+)*)(?P<reason>.*)$")
 _VERB = "ignore"
 
@@ -52,12 +58,13 @@ class Suppressions:
     diagnostics: tuple[Diagnostic, ...]
 
 
-def read_suppressions(source: Source) -> Suppressions:
-    """Return the comments of a program that suppress findings."""
+def read_suppressions(source: Source, *, is_list: bool = False) -> Suppressions:
+    """Return the comments of a program or list that suppress findings."""
+    comment = _COMMENTS["#" if is_list else ";"]
     items: list[Suppression] = []
     wrong: list[Diagnostic] = []
     for number, line in _marked_lines(source):
-        match = _COMMENT.search(line)
+        match = comment.search(line)
         if match is None or line.count('"', 0, match.start()) % 2:
             continue
         span = Span(
@@ -72,7 +79,7 @@ def read_suppressions(source: Source) -> Suppressions:
             text = match["all"].strip()[:60]
             wrong.append(diagnostic(INVALID_SUPPRESSION, span, line, text=text))
             continue
-        about = _line_about(source, number, line)
+        about = _line_about(source, number, line, is_list=is_list)
         reason = numbers["reason"].strip()
         found = [Suppression(int(text), span, line, about, reason) for text in written]
         items += found
@@ -138,9 +145,12 @@ def _marked_lines(source: Source) -> Iterator[tuple[int, str]]:
         first += len(group)
 
 
-def _line_about(source: Source, number: int, line: str) -> int:
-    """Return the line that a comment is about: its own, or the next one with a block."""
-    while without_comments(line).strip() == "" and number < len(source.lines):
+def _line_about(source: Source, number: int, line: str, *, is_list: bool) -> int:
+    """Return the line that a comment is about: its own, or the next one that says something."""
+    while number < len(source.lines):
+        code = line.partition("#")[0] if is_list else without_comments(line)
+        if code.strip():
+            break
         number += 1
         line = source.lines[number - 1]
     return number

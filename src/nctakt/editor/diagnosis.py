@@ -16,8 +16,8 @@ from nctakt.editor.document import Document
 from nctakt.editor.workspace import Workspace
 
 #: The pause after a keystroke before a check begins, in seconds; a long text waits longer.
-PAUSE_S = 0.03
-LONG_PAUSE_S = 0.15
+PAUSE_S = 0.02
+LONG_PAUSE_S = 0.1
 LONG_LINES = 50_000
 
 Publish = Callable[[Document, list[Diagnostic]], None]

@@ -70,7 +70,7 @@ def actions(
                 )
             )
     for item, shown in found:
-        if item.severity is not Severity.ERROR and item.span is not None and not document.is_list:
+        if item.severity is not Severity.ERROR and _can_suppress(document, item):
             title = _SUPPRESS.get(language).format(number=item.id)
             edit = [_suppression(document, item, language)]
             result.append(
@@ -192,14 +192,21 @@ def _indent(line: str) -> int:
     return len(line) - len(line.lstrip())
 
 
+def _can_suppress(document: Document, item: Diagnostic) -> bool:
+    """Return whether a comment in its line can suppress a finding: not in XML."""
+    return bool(item.span and item.span.line) and not document.name.casefold().endswith(".xml")
+
+
 def _suppression(document: Document, item: Diagnostic, language: Language) -> TextEdit:
     """Return the edit that writes the comment behind the block of a finding."""
     assert item.span is not None
     number = item.span.line - 1
     line = document.line(number)
-    end = len(without_comments(line).rstrip())
+    mark = "#" if document.is_list else ";"
+    code = line.partition("#")[0] if document.is_list else without_comments(line)
+    end = len(code.rstrip())
     at = document.range(number, end, end)
-    return TextEdit(at, f" ; nctakt: ignore {item.id} {_REASON.get(language)}")
+    return TextEdit(at, f" {mark} nctakt: ignore {item.id} {_REASON.get(language)}")
 
 
 def _declaration(

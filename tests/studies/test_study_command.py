@@ -97,6 +97,29 @@ def test_what_takes_hours_has_to_be_confirmed(
     assert "3 runs" in capsys.readouterr().out
 
 
+def test_inputs_are_tried_until_each_branch_has_run(plan: Path, capsys: Captured) -> None:
+    """One branch needs a value of 5 or more, another one can never run."""
+    text = """\
+#RT CYCLE [ID = 1 SCOPE = PROG]
+  $IF V.E.VALUE > 4
+    V.E.VALUE1 = 1
+  $ENDIF
+  $IF V.E.VALUE > {limit}
+    V.E.VALUE1 = 2
+  $ENDIF
+#RT CYCLE END
+G01 X1 F6000
+M30
+"""
+    program = plan.with_name("part.nc")
+    program.write_text(text.format(limit=5))
+    assert main(["study", str(plan), "--cover"]) == 0
+    shown = capsys.readouterr().out
+    assert f"{program}:5: nctakt run {program} --set V.E.VALUE=6" in shown
+    program.write_text(text.format(limit=9))
+    assert main(["study", str(plan), "--cover"]) == 1
+
+
 def test_an_error_that_nobody_expects_breaks(plan: Path, capsys: Captured) -> None:
     """As in the comments of a program; unless an expectation is about errors or the state."""
     plan.write_text(

@@ -61,6 +61,7 @@ usage or unusable input, 3 an error of nctakt's own.
 @click.option("--scheduler", metavar="ADDRESS", help="Make the runs on a Dask cluster: tcp://…")
 @click.option("--sample", type=click.IntRange(1), metavar="COUNT", help="Take points by chance.")
 @click.option("--only", type=click.IntRange(0), metavar="NUMBER", help="Make one run, from 0.")
+@click.option("--cover", is_flag=True, help="Try inputs until every branch of a cycle has run.")
 @click.option("--shrink", is_flag=True, help="Find the smallest change that breaks a run.")
 @click.option("--yes", is_flag=True, help="Start even what takes more than an hour.")
 @language_option("Language of diagnostics and results.")
@@ -85,6 +86,8 @@ def _study(file: str, words: dict[str, Any]) -> int:
     from nctakt.cli.study_progress import StudyProgress  # noqa: PLC0415 - needs the controller
 
     study = _read(file, words)
+    if words["cover"]:
+        return _cover(study, words)
     if study.plan.goals and words["only"] is None:
         return _find(study, words)
     numbers = (
@@ -141,6 +144,19 @@ def _report(plan: str, results: str, words: dict[str, Any]) -> int:
         report(read_plan(Path(plan)), rows),
     )
     return EXIT_RAN
+
+
+def _cover(study: Study, words: dict[str, Any]) -> int:
+    """Show which branches the points of a plan reach; exit code 1 if they miss any."""
+    from nctakt.results.coverage_text import CoverageText  # noqa: PLC0415 - as above
+    from nctakt.studies.cover import reach  # noqa: PLC0415
+
+    reached = reach(study.bench, words["sample"] or len(study))
+    click.echo(CoverageText(reached.coverage, words["language"]).table(), nl=False)
+    for file, line, number in reached.first:
+        command = study.command(number) or f"--only {number}"
+        click.echo(f"{file}:{line}: {command}")
+    return EXIT_RAN if reached.is_whole else EXIT_NC_ERROR
 
 
 def _find(study: Study, words: dict[str, Any]) -> int:

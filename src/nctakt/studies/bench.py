@@ -242,8 +242,11 @@ class Bench:
             return None
         return -(-(injected_us + window_us) // self.cycle_time_us) + 1
 
-    def begin(self, inputs: RunInputs, *, blocks: bool = False) -> BegunRun:
-        """Begin a run with these inputs; ``blocks``: with the events of its blocks."""
+    def begin(self, inputs: RunInputs, *, blocks: bool = False, why: bool = False) -> BegunRun:
+        """Begin a run with these inputs.
+
+        ``blocks``: with the events of its blocks; ``why``: with the histories of its conditions.
+        """
         controller = Controller(self._machine_with(inputs.parameters), access=self._access)
         program = self._program_of(inputs, controller)
         before = values_before(controller, self.signals, inputs.assignments)
@@ -258,6 +261,7 @@ class Bench:
             signals=self.signals,
             sinks=(digest,),
             blocks=blocks,
+            why=why,
         )
         return BegunRun(controller, controller.begin(options), inputs, before, digest)
 

@@ -381,8 +381,8 @@ class SharedSession:
     ) -> None:
         """Add a row while the session plays, unless it plays in a past that is known."""
         rows = self.track.rows
-        known = rows.entries()
-        if tick < 0 or (known and tick <= known[-1][0]):
+        known = rows.newest()
+        if tick < 0 or (known and tick <= known[0][0]):
             return
         shown = self.track.shown
         states = [None if (truth := truths.get(line)) is None else int(truth)

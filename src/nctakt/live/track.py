@@ -43,6 +43,11 @@ class Growing:
         with self._lock:
             return list(self._entries)
 
+    def newest(self, count: int = 1) -> list[Entry]:
+        """Return the newest entries, the last one first."""
+        with self._lock:
+            return list(islice(reversed(self._entries), count))
+
     def add(self, entries: Iterable[Entry]) -> None:
         """Add entries at the end."""
         with self._lock:
@@ -125,9 +130,9 @@ class Track:
 
 def newer(part: Growing, entries: Sequence[Entry]) -> list[Entry]:
     """Return the entries that are newer than all that a list has."""
-    known = part.entries()
-    last = known[-1][0] if known else -1
-    same = {entry for entry in known[-50:] if entry[0] == last}
+    known = part.newest(50)
+    last = known[0][0] if known else -1
+    same = {entry for entry in known if entry[0] == last}
     return [entry for entry in entries if entry[0] >= last and entry not in same]
 
 

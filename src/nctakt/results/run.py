@@ -17,7 +17,6 @@ from nctakt.files.output import OutputFile
 from nctakt.lists.format.times import Time
 from nctakt.messages import diagnostic
 from nctakt.messages.pictures import RUN_NOT_RECORDED
-from nctakt.messages.studies import RUN_WITHOUT_TRACE
 from nctakt.results.notebook import html_table
 from nctakt.results.user_errors import UserErrorReport, user_errors
 from nctakt.trace.events import Event
@@ -241,6 +240,7 @@ class Run:
 
         Raises ``Failure``: no pyarrow (901311), a run without a trace (901350).
         """
+        from nctakt.messages.studies import RUN_WITHOUT_TRACE  # noqa: PLC0415 - few runs need it
         from nctakt.trace.arrow import trace_table  # noqa: PLC0415 - an extra
 
         if self.trace is None:

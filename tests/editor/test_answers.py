@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from editor.conftest import Editor
+from editor.client import Editor
 from lsprotocol import types
 
 Run = Callable[..., None]

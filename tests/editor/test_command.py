@@ -9,7 +9,7 @@ import subprocess
 from pathlib import Path
 
 import pytest
-from editor.conftest import COMMAND, ENVIRONMENT
+from editor.client import COMMAND, ENVIRONMENT
 from lsprotocol import types
 from pygls.lsp.client import LanguageClient
 

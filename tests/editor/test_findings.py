@@ -7,7 +7,7 @@ import random
 from collections.abc import Callable
 from pathlib import Path
 
-from editor.conftest import Editor
+from editor.client import Editor
 from lsprotocol import types
 from random_seeds import FIRST, MANY
 

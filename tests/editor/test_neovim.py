@@ -9,7 +9,7 @@ import sys
 from pathlib import Path
 
 import pytest
-from editor.conftest import ENVIRONMENT
+from editor.client import ENVIRONMENT
 
 NEOVIM = shutil.which("nvim")
 

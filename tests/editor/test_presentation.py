@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from editor.conftest import Editor
+from editor.client import Editor
 from lsprotocol import types
 
 from nctakt.editor.colours import MODIFIERS, TYPES

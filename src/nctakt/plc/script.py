@@ -35,6 +35,7 @@ from nctakt.base.text import nearest
 from nctakt.lists.format.times import Time, TimeLike, read_time
 from nctakt.messages import diagnostic
 from nctakt.messages.plc import HANDLER_NOT_CALLED, UNKNOWN_FUNCTION_IN_PLC, WRONG_PLC_TYPE
+from nctakt.plc.class_check import class_slips
 from nctakt.plc.inputs import read_inputs
 from nctakt.plc.policies import ALL, Only, Policy, SpindlePolicy
 from nctakt.run.plc_view import WatchedPlc
@@ -48,6 +49,8 @@ _Method = TypeVar("_Method", bound=Callable[..., Any])
 _MARK = "_nctakt_when"
 #: Methods of ``Plc`` that are called with the HLI.
 _CALLED = ("each_tick", "begin_run", "unused_handlers")
+#: Members of ``Plc`` that it calls or reads.
+_MEMBERS = ("cycle", "each_tick", "acknowledge", "spindles", "inputs")
 
 _CONDITION = Text("a function that takes the HLI", "eine Funktion, die das HLI nimmt")
 _NAMES = Text('names such as "M100"', 'Namen wie "M100"')
@@ -201,7 +204,9 @@ class Plc(WatchedPlc):
         return plc
 
     def begin_run(self, hli: PlcView) -> None:
-        """Raise ``Failure`` (901013) for unknown functions in ``@on`` and ``only``."""
+        """Raise ``Failure`` for unknown functions in ``@on`` and ``only`` (901013), for slips in
+        the class (901008, 901009, 901011).
+        """
         functions = hli.known_functions()
         upper = {name.upper() for name in functions}
         requested = [(name, kind.names) for name, _, kind in self._of(_On)]
@@ -218,6 +223,13 @@ class Plc(WatchedPlc):
             )
             for member, names in requested
             for name in sorted(names - upper)
+        ]
+        kind = type(self)
+        unknown += [
+            diagnostic(message, *_source_position(kind, member, word), **values)
+            for message, member, word, values in class_slips(
+                kind, Plc, _MEMBERS, lambda name, one: handler_parameters(name, one, is_plc=True)
+            )
         ]
         if unknown:
             raise Failure(*unknown)

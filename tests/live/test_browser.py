@@ -8,6 +8,7 @@ from typing import Any
 
 import pytest
 
+from nctakt.cli import main
 from tests.live.driving import BROWSER, chromium, opened, served
 
 pytest.importorskip("nicegui", reason="the live page needs NiceGUI")
@@ -42,9 +43,12 @@ def written(folder: Path, text: str = PROGRAM, name: str = "part.nc") -> Path:
 
 
 def test_a_person_at_the_page(browser: Any, tmp_path: Path) -> None:
-    """Step, set a variable, see the reaction, travel, run, acknowledge, pause, make a mistake."""
-    path = written(tmp_path)
-    with served(str(path), "--acknowledge") as address:
+    """Step, set a variable, see the reaction, travel, run, acknowledge, pause, make a mistake.
+
+    What was lived through stands on a tape behind it.
+    """
+    path, tape = written(tmp_path), tmp_path / "page.tape"
+    with served(str(path), "--acknowledge", "--record", str(tape)) as address:
         page = opened(browser, address)
         foreign: list[str] = []
         own = (address, "data:", "blob:", address.replace("http", "ws"))
@@ -93,6 +97,8 @@ def test_a_person_at_the_page(browser: Any, tmp_path: Path) -> None:
         assert path.read_text("utf-8") == PROGRAM
         assert foreign == []
         page.close()
+    assert '"ack",' in tape.read_text("utf-8")
+    assert main(["replay", str(tape), "--quiet"]) == 0
 
 
 def test_slide_and_travel(browser: Any, tmp_path: Path) -> None:

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from nctakt.base.dataclass import dataclass
 from nctakt.cli import EXIT_RAN
 from nctakt.cli.file_options import CONFINE_OPTION
 from nctakt.cli.language import language_option
@@ -22,6 +23,7 @@ from nctakt.cli.running import choose_mode
 from nctakt.cli.settings import carry_out
 from nctakt.cli.terminal import print_diagnostics
 from nctakt.files.access import FileAccess
+from nctakt.files.output import OutputFile
 from nctakt.lists.machine.files import machine_folder
 
 if TYPE_CHECKING:
@@ -82,6 +84,15 @@ nctakt's own.
 @click.option(
     "--acknowledge", is_flag=True, help="M and H functions wait for you to acknowledge them."
 )
+@click.option(
+    "--pace",
+    type=click.Choice(["slice", "tick"]),
+    default="slice",
+    help="On the wall clock: 10 ms of ticks together, or each at its own time [default: slice].",
+)
+@click.option(
+    "--record", "tape", metavar="FILE", help="Record the inputs of the last run for nctakt replay."
+)
 @click.option("--host", default="127.0.0.1", metavar="ADDRESS", help="Address of the page.")
 @click.option(
     "--port",
@@ -112,25 +123,33 @@ def command(
     debug_port: int | None,
     opens_browser: bool,
     acknowledge: bool,
+    pace: str,
+    tape: str | None,
     **words: Any,
 ) -> int:
     """Show a run on a page in the browser: play, pause, step, go back, edit, set variables."""
+    own = _Words((host, port), debug_port, opens_browser, acknowledge, pace, tape)
 
     def show(options: Options, access: FileAccess) -> int:
-        return _show(options, access, (host, port), debug_port, opens_browser, acknowledge)
+        return _show(options, access, own)
 
     given = {**words, "ticks": None, "until": None, "after": "0"}
     return carry_out(given, show)
 
 
-def _show(
-    options: Options,
-    access: FileAccess,
-    address: tuple[str, int],
-    debug_port: int | None,
-    opens_browser: bool,
-    acknowledge: bool,
-) -> int:
+@dataclass(frozen=True, slots=True)
+class _Words:
+    """The words that only this command has."""
+
+    address: tuple[str, int]
+    debug_port: int | None
+    opens_browser: bool
+    acknowledge: bool
+    pace: str
+    tape: str | None
+
+
+def _show(options: Options, access: FileAccess, own: _Words) -> int:
     """Open the session and serve the page; raises ``Failure`` for what cannot be used."""
     from nctakt.live.server import check_library, serve, usable_port  # noqa: PLC0415 - seldom
 
@@ -145,7 +164,10 @@ def _show(
     request = read_request(options, access)
     if options.machine_note is not None and not options.quiet:
         print_diagnostics([options.machine_note], options.language)
-    host, port = address[0], usable_port(*address)
+    host, port = own.address[0], usable_port(*own.address)
+    if own.tape is not None:
+        with OutputFile(own.tape, "--record", access):
+            pass  # it is none of the inputs, and can be written
     folders = options.confined or _folders_of(options)
     checker = Checker(options.machine, folders)
     documents = {
@@ -158,10 +180,10 @@ def _show(
         texts = {
             number: [
                 NcText(document.file, document.text)
-                for document in own
+                for document in opened
                 if number > 1 or program in (None, document.file)
             ]
-            for number, own in documents.items()
+            for number, opened in documents.items()
         }
         return Session(
             channels=texts,
@@ -173,14 +195,15 @@ def _show(
             wait_for_start=options.wait_for_start,
             acknowledges=acknowledges,
             folders=folders,
+            pace=own.pace,
         )
 
     channel = next(iter(documents))
     file = documents[channel][0].file
-    shared = SharedSession(open_session, file, acknowledges=not acknowledge, channel=channel)
+    shared = SharedSession(open_session, file, acknowledges=not own.acknowledge, channel=channel)
     try:
-        if debug_port is not None:
-            _let_attach(shared, debug_port, options)
+        if own.debug_port is not None:
+            _let_attach(shared, own.debug_port, options)
         with contextlib.suppress(KeyboardInterrupt):  # the way to end it
             serve(
                 shared,
@@ -188,10 +211,12 @@ def _show(
                 Texts(options.language),
                 (host, port),
                 has_plc=options.plc is not None,
-                opens_browser=opens_browser,
+                opens_browser=own.opens_browser,
                 tell=click.echo,
                 tell_error=lambda found: print_diagnostics([found], options.language),
             )
+        if own.tape is not None:
+            shared.session.save(own.tape)
     finally:
         shared.close()
     return EXIT_RAN

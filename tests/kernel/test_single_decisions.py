@@ -14,9 +14,9 @@ from kernel_rig import Rig
 
 from nctakt.base import mode
 from nctakt.kernel import cells, codes, rows
+from nctakt.kernel.axes import spindles
 from nctakt.kernel.axes.axes import Axes
 from nctakt.kernel.axes.single_axes import SingleAxes
-from nctakt.kernel.axes.spindles import wrapped
 from nctakt.kernel.base.record import Record
 from nctakt.kernel.cycles.context import context_of
 from nctakt.kernel.cycles.expressions import Expression
@@ -207,8 +207,13 @@ def test_the_fault_of_an_axis_is_taken_once() -> None:
 
 def test_a_position_of_a_spindle_is_below_360_degrees() -> None:
     """Rounding leads just below a revolution to 360; it is the begin of the next one."""
-    assert [wrapped(angle) for angle in (0.0, 360.0, -90.0, 725.0)] == [0.0, 0.0, 270.0, 5.0]
-    assert wrapped(-1e-17) == 0.0
+    assert [spindles.wrapped(angle) for angle in (0.0, 360.0, -90.0, 725.0)] == [
+        0.0,
+        0.0,
+        270.0,
+        5.0,
+    ]
+    assert spindles.wrapped(-1e-17) == 0.0
 
 
 def test_axes_that_fail_in_one_tick_are_reported_in_their_order() -> None:

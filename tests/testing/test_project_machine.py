@@ -25,7 +25,18 @@ def run_pytest(folder: Path, **environment: str) -> str:
     path = os.pathsep.join(filter(None, [str(SOURCES), os.environ.get("PYTHONPATH", "")]))
     kept = {name: value for name, value in os.environ.items() if name != "NCTAKT_MACHINE"}
     done = subprocess.run(
-        [sys.executable, "-m", "pytest", *words, "-p", "no:cacheprovider", "-q", "."],
+        [
+            sys.executable,
+            "-m",
+            "pytest",
+            *words,
+            "-p",
+            "no:asyncio",
+            "-p",
+            "no:cacheprovider",
+            "-q",
+            ".",
+        ],
         cwd=folder,
         check=False,
         capture_output=True,

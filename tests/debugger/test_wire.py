@@ -7,6 +7,7 @@ import io
 import json
 import random
 import socket
+import struct
 import subprocess
 import sys
 import threading
@@ -77,6 +78,8 @@ def test_what_is_written_is_read() -> None:
         (b"Content-Type: x\r\n" * 9, "901220"),
         (framed(b"[1, 2]"), "901222"),
         (framed(b"{"), "901222"),
+        (framed(b'{"a": NaN}'), "901222"),
+        (framed(b'{"a": 1e999}'), "901222"),
         (framed(b"\xff\xfe"), "901222"),
         (framed(b"[" * 100_000), "901222"),
         (framed(b" " * (MAX_MESSAGE + 1)), "901221"),
@@ -279,6 +282,25 @@ def test_requests_that_wait_can_be_cancelled(client: DebugClient, folder: Path) 
     assert (answer["success"], answer["message"]) == (False, "cancelled")
 
 
+def test_a_cancellation_that_comes_too_late_is_forgotten(client: DebugClient, folder: Path) -> None:
+    """Else those that were too late would fill the bound for those that are not."""
+    client.begin(str(folder / "short.nc"), stopOnEntry=True)
+    for _ in range(MAX_REQUESTS + 1):
+        number = client.send("threads")
+        client.answer(number)
+        client.answer(client.send("cancel", requestId=number))
+    slow = client.send("evaluate", expression="why", context="repl")
+    waiting = client.send("threads")
+    client.send("cancel", requestId=waiting)
+    assert client.answer(slow)["success"]
+    assert client.answer(waiting)["message"] == "cancelled"
+
+
+def test_a_request_whose_number_is_none_is_answered(client: DebugClient) -> None:
+    client.send_bytes(b'{"seq": [1], "type": "request", "command": "threads"}')
+    assert client.ask("initialize")["supportsStepBack"]
+
+
 def test_a_restart_reads_the_program_again(client: DebugClient, tmp_path: Path) -> None:
     """Breakpoints stay; those whose line is gone are told."""
     program = tmp_path / "part.nc"
@@ -342,6 +364,35 @@ def test_only_the_allowed_folders_are_run(folder: Path, tmp_path: Path) -> None:
         client.begin(str(tmp_path / "own.nc"))
 
 
+def test_a_plc_of_the_project_lies_in_the_allowed_folders(folder: Path, tmp_path: Path) -> None:
+    """900917."""
+    own = tmp_path / "own"
+    own.mkdir()
+    (tmp_path / "cell.py").write_text("raise SystemExit\n", "utf-8")
+    (own / "nctakt.toml").write_text('plc = "../cell.py"\n', "utf-8")
+    (own / "own.nc").write_text(SHORT, "utf-8")
+    with DebugClient(folders=[str(own)]) as client:
+        with pytest.raises(Refused, match="outside"):
+            client.ask("launch", program=str(own / "own.nc"))
+
+
+def test_a_client_that_breaks_off_leaves_no_traceback(monkeypatch: pytest.MonkeyPatch) -> None:
+    broken: list[object] = []
+    monkeypatch.setattr(threading, "excepthook", lambda hook: broken.append(hook.exc_value))
+    server = PortServer(0)
+    threading.Thread(target=server.serve, daemon=True).start()
+    before = set(threading.enumerate())
+    client = socket.create_connection(("127.0.0.1", server.port), timeout=20)
+    client.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, struct.pack("ii", 1, 0))
+    client.sendall(framed(b'{"seq": 1, "type": "request", "command": "initialize"}') * 200)
+    client.recv(1)
+    client.close()
+    for thread in set(threading.enumerate()) - before:
+        thread.join(timeout=20)
+    server.close()
+    assert broken == []
+
+
 def test_a_port_serves_several_clients_and_refuses_others(folder: Path) -> None:
     server = PortServer(0)
     threading.Thread(target=server.serve, daemon=True).start()
@@ -391,3 +442,20 @@ def test_the_command_speaks_over_standard_input_and_output(folder: Path) -> None
             events.append(message.get("event"))
         process.stdin.close()
         assert process.wait(timeout=20) == 0
+
+
+def test_the_command_ends_when_it_is_left_while_its_input_is_open() -> None:
+    requests = [
+        b'{"seq": 1, "type": "request", "command": "%b"}' % name
+        for name in (b"initialize", b"disconnect")
+    ]
+    words = [sys.executable, "-m", "nctakt", "dap"]
+    with subprocess.Popen(
+        words, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE
+    ) as process:
+        assert process.stdin is not None
+        assert process.stderr is not None
+        process.stdin.write(b"".join(map(framed, requests)))
+        process.stdin.flush()
+        assert process.wait(timeout=20) == 0
+        assert process.stderr.read() == b""

@@ -137,6 +137,14 @@ class Adapter:
                 if len(self._cancelled) < MAX_REQUESTS:
                     self._cancelled.add(number)
 
+    def _is_cancelled(self, number: object) -> bool:
+        """Return whether the request of a number is cancelled, and forget that."""
+        with self._lock:
+            is_cancelled = isinstance(number, int) and number in self._cancelled
+            if isinstance(number, int):
+                self._cancelled.discard(number)
+        return is_cancelled
+
     def tell(self, event: str, body: dict[str, Any]) -> None:
         """Send an event."""
         self._writer.write({"type": "event", "event": event, "body": self._outgoing(body)})
@@ -203,11 +211,7 @@ class Adapter:
 
     def _work_on(self, message: Message) -> None:
         command = str(message.get("command"))
-        number = message.get("seq")
-        with self._lock:
-            is_cancelled = number in self._cancelled
-            self._cancelled.discard(number if isinstance(number, int) else -1)
-        if is_cancelled:
+        if self._is_cancelled(message.get("seq")):
             self._answer_failure(message, [diagnostic(REQUEST_CANCELLED)])
             return
         try:
@@ -407,6 +411,8 @@ class Adapter:
         return {}
 
     def _cancel(self, arguments: Arguments) -> dict[str, Any]:
+        """Stop a run whose progress is shown; a request before this one has been answered."""
+        self._is_cancelled(arguments.number("requestId", -1))
         if arguments.has("progressId") and self._debuggee is not None:
             self._debuggee.pause(1)
         return {}

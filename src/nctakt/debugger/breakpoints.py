@@ -102,10 +102,7 @@ def divided_condition(text: str) -> tuple[str, str]:
 
 
 class Breakpoints:
-    """All breakpoints of a debugger; they outlive a restart of its session.
-
-    ``channel``: the one whose variables conditions name.
-    """
+    """All breakpoints of a debugger; they outlive a restart of its session."""
 
     def __init__(self) -> None:
         self._count = 0

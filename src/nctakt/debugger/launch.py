@@ -103,6 +103,7 @@ def read_configuration(arguments: Arguments, folders: Sequence[str]) -> Configur
     if plc is not None:
         plc = str(_paths([plc], base, access)[0])
     elif project is not None and project.plc:
+        access.check_admitted(project.plc)
         plc = str(project.plc)
     until = arguments.optional_text("until")
     has_breakpoints = not arguments.flag("noDebug")

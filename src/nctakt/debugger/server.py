@@ -74,8 +74,10 @@ def serve_pipe(*, folders: Sequence[str], language: Language) -> None:
     """
     own = os.dup(sys.stdout.fileno())
     os.dup2(sys.stderr.fileno(), sys.stdout.fileno())
-    with os.fdopen(own, "wb") as writing:
-        serve_streams(sys.stdin.buffer, writing, folders=folders, language=language)
+    # Not sys.stdin: the process cannot end while a thread waits in that one's buffer.
+    reading = os.fdopen(os.dup(sys.stdin.fileno()), "rb")
+    with contextlib.suppress(OSError), os.fdopen(own, "wb") as writing:
+        serve_streams(reading, writing, folders=folders, language=language)
 
 
 class PortServer:
@@ -104,16 +106,13 @@ class PortServer:
         self._session = session
         self._free = threading.Semaphore(MAX_CLIENTS)
 
-    def serve(self, *, is_for_one: bool = False) -> None:
-        """Take clients until ``close``, or until the first one has gone."""
+    def serve(self) -> None:
+        """Take clients until ``close``."""
         while True:
             try:
                 client, _ = self._socket.accept()
             except OSError:
                 return  # closed
-            if is_for_one:
-                self._serve_client(client)
-                return
             if not self._free.acquire(blocking=False):
                 client.close()
                 continue
@@ -128,7 +127,12 @@ class PortServer:
             self._free.release()
 
     def _serve_client(self, client: socket.socket) -> None:
-        with client, client.makefile("rb") as reading, client.makefile("wb") as writing:
+        with (
+            contextlib.suppress(OSError),  # the client has gone before the last bytes
+            client,
+            client.makefile("rb") as reading,
+            client.makefile("wb") as writing,
+        ):
             serve_streams(
                 reading,
                 writing,

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import json
 import threading
+from math import isfinite
 from typing import Any, BinaryIO
 
 from nctakt.base.failure import Failure
@@ -54,7 +55,7 @@ class MessageReader:
         if len(body) < length:
             return None
         try:
-            message = json.loads(body)
+            message = json.loads(body, parse_float=_number, parse_constant=_number)
         except (ValueError, RecursionError) as error:
             raise Failure(diagnostic(NOT_A_MESSAGE, reason=str(error))) from error
         if not isinstance(message, dict):
@@ -92,6 +93,14 @@ class MessageReader:
             if not skipped:
                 return
             length -= skipped
+
+
+def _number(text: str) -> float:
+    """Return a number of JSON; raises ``ValueError`` for one that no message can hold."""
+    number = float(text)
+    if not isfinite(number):
+        raise ValueError(text)
+    return number
 
 
 class MessageWriter:

@@ -14,6 +14,8 @@ import pytest
 from nctakt import Controller, Failure, NcText
 from nctakt.run.inputs import Input
 from nctakt.session import Session
+from nctakt.session.engine import Engine
+from nctakt.session.setup import Setup
 from nctakt.session.stops import StopAt, read_stop
 from nctakt.session.worker import can_fork
 from nctakt.session.workshop import Workshop
@@ -114,7 +116,9 @@ def test_all_mistakes_of_stops_are_told_and_the_old_ones_stay(session: Session) 
     assert session.stops == (StopAt("function", "M100"),)
 
 
-@pytest.mark.parametrize("text", ["", "line", "line x", "fires", "M100 0 times", "turns a:b"])
+@pytest.mark.parametrize(
+    "text", ["", "line", "line x", "fires", "M100 0 times", "turns a:b", "line " + 5000 * "9"]
+)
 def test_what_is_no_stop(text: str) -> None:
     with pytest.raises(Failure, match="901150"):
         read_stop(text)
@@ -184,6 +188,14 @@ def test_a_wrong_input_is_refused_and_nothing_has_happened(session: Session) -> 
 
 
 # --- looking --------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("every", [1, 10])
+def test_a_look_passes_the_stops_that_were_watched(every: int) -> None:
+    """A parked controller still watches those of the run that it was parked in."""
+    engine = Engine(Setup({1: [NcText("p.nc", PROGRAM)]}))
+    engine.run(10, [StopAt("condition", "V.RTA.ACS.ACT_POS.X > 20")])
+    assert len(engine.look(510, ["X.ACS.ACT_POS"], every)) == 8 * 500 // every
 
 
 def test_a_look_at_the_past_is_the_trace_of_the_run(session: Session) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import contextlib
 import json
+import struct
 from pathlib import Path
 
 import pytest
@@ -103,6 +104,39 @@ def test_a_recorded_run_is_lived_through_without_its_plc() -> None:
         assert session.branches[2] == session.tick
         session.save("again.tape")
     assert main(["replay", "again.tape", "--quiet"]) == 0
+
+
+def with_line(tape: str, number: int, line: str) -> None:
+    """Put a line into a tape behind its first ``number`` lines."""
+    lines = Path(tape).read_text("utf-8").split("\n")
+    Path(tape).write_text("\n".join([*lines[:number], line, *lines[number:]]), "utf-8")
+
+
+def test_what_a_plc_in_another_process_wrote_is_lived_through_without_it() -> None:
+    assert main(["run", "part.nc", "--record", "run.tape", "--quiet"]) == 0
+    digits = struct.pack("=d", 50.0).hex()
+    written = ["hli", "image", "command[1].override", digits]
+    with_line("run.tape", 1, json.dumps({"tick": 4, "inputs": [written]}))
+    with Session.of_tape("run.tape") as session:
+        assert session.run("4 ticks").tick == 4
+        assert session.read("HLI.OVERRIDE") == [100.0]
+        session.run("20 ticks")
+        assert session.read("HLI.OVERRIDE") == [50.0]
+        session.back(16)
+        assert session.read("HLI.OVERRIDE") == [100.0]
+        session.step(2)
+        assert session.read("HLI.OVERRIDE") == [50.0]
+
+
+def test_a_tape_does_not_widen_the_allowed_folders() -> None:
+    """900917."""
+    assert main(["run", "part.nc", "--record", "run.tape", "--quiet", "--confine", "/"]) == 0
+    Path("tapes").mkdir()
+    tape = Path("run.tape").rename("tapes/run.tape")
+    with pytest.raises(Failure, match="900917"):
+        Session.of_tape(tape, folders=["tapes"])
+    with Session.of_tape(tape) as session:
+        assert session.run().run_state == "ended"
 
 
 def test_a_tape_of_changed_programs_is_told() -> None:

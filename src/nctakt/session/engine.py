@@ -20,33 +20,28 @@ from nctakt.base.failure import Failure
 from nctakt.decoder.cycles.builder import CycleDefinition
 from nctakt.decoder.state.call_stack import OpenCall
 from nctakt.files.access import FileAccess
-from nctakt.kernel import codes, rows
+from nctakt.kernel import codes
 from nctakt.kernel.cycles.context import context_of
 from nctakt.lists.machine.machine import load_machine
 from nctakt.plc.loading import load_plc
 from nctakt.results.run import ProgramMessage, Run, RunState
 from nctakt.run.assembly import AssembledMachine
-from nctakt.run.inputs import PLC, SELECT, Cells, Input, unpack
+from nctakt.run.inputs import IMAGE, PLC, SELECT, Cells, Input, unpack
 from nctakt.run.plc_view import PlcView, SpindleEntry, TechnologyEntry
 from nctakt.run.program_loader import load
 from nctakt.run.program_run import ProgramRun, RunOptions
+from nctakt.run.shared_image import SharedImage
 from nctakt.run.stimuli import Stimulus, as_inputs, read_stimulus
 from nctakt.run.tick_loop import TickLoop
 from nctakt.session.decoders import DecoderState, decoder_state
+from nctakt.session.happened import MAX_EVENTS, Happened
 from nctakt.session.setup import Description, Inventory, Setup
 from nctakt.session.stops import StopAt, StopBuilder
-from nctakt.trace.chunks import latest_of_channels, of_kinds
 from nctakt.trace.events import Event
 from nctakt.trace.recorded import EventList
-from nctakt.trace.sinks import TraceHeader
-
-#: Events of one slice that are handed out: the latest; how many others there were is told.
-MAX_EVENTS = 1000
 
 #: Ticks of a stretch that is looked at in detail.
 MAX_LOOKED_AT = 1_000_000
-
-_BLOCKS = frozenset((rows.EVENT_BLOCK,))
 
 
 @dataclass(frozen=True, slots=True)
@@ -131,47 +126,6 @@ class Glance:
     waiting: tuple[tuple[int, TechnologyEntry | SpindleEntry], ...]
 
 
-class _Happened:
-    """The events since the last slice: the latest of them, and the current blocks."""
-
-    def __init__(self) -> None:
-        self._chunks: deque[Sequence[Event]] = deque()
-        self._count = 0
-        self.left_out = 0
-        self.blocks: dict[int, Span] = {}
-        self.calls: dict[int, int] = {}
-        self.block_count = 0
-
-    def open(self, header: TraceHeader) -> None:
-        """Do nothing."""
-
-    def events(self, events: Sequence[Event]) -> None:
-        """Keep events, and forget the oldest of too many."""
-        begun = of_kinds(events, _BLOCKS)
-        self.block_count += len(begun)
-        for event, calls in latest_of_channels(begun, rows.EVENT_B):
-            if event.span is not None:
-                self.blocks[max(event.channel, 1)] = event.span
-                self.calls[max(event.channel, 1)] = int(calls)
-        self._chunks.append(events)
-        self._count += len(events)
-        while self._count - len(self._chunks[0]) >= MAX_EVENTS:
-            forgotten = len(self._chunks.popleft())
-            self._count -= forgotten
-            self.left_out += forgotten
-
-    def close(self) -> None:
-        """Do nothing."""
-
-    def take(self) -> tuple[list[Event], int]:
-        """Return the latest events, and how many there were before them."""
-        kept = [event for chunk in self._chunks for event in chunk]
-        left_out = self.left_out + max(0, len(kept) - MAX_EVENTS)
-        self._chunks.clear()
-        self._count = self.left_out = 0
-        return kept[-MAX_EVENTS:], left_out
-
-
 class Engine:
     """One controller that runs the programs of a setup; raises ``Failure`` as a controller does."""
 
@@ -183,7 +137,7 @@ class Engine:
         machine.report = self._diagnostics.append
         self._signals = machine.signals()
         self._loop = TickLoop(machine, self._diagnostics.append, None)
-        self._happened = _Happened()
+        self._happened = Happened()
         self._inputs: list[Input] = []
         self._expected: deque[Input] = deque()
         self._differs: int | None = None
@@ -231,9 +185,19 @@ class Engine:
         """Return the inputs that are planned before the first tick."""
         cycle_us = self._machine.configuration.cycle_time_us
         planned = sorted([*as_inputs(stimuli, 0, cycle_us), *inputs], key=lambda one: one.tick)
+        if any(one.kind == IMAGE for one in inputs):
+            self._attach_image()
         if inputs:
             self.plan(planned)
         return planned
+
+    def _attach_image(self) -> None:
+        """Let there be an image for what a PLC in another process has written."""
+        machine = self._machine
+        self._image = SharedImage(
+            machine.configuration, machine.kernel, machine.channels, machine.layout
+        )
+        machine.inputs.attach(self._image)
 
     def _add_cycle(self, name: str, definition: CycleDefinition) -> None:
         self._cycles[definition.serial] = name, definition
@@ -282,8 +246,7 @@ class Engine:
         Without ``events`` the slice has none; the next one that has any brings them along.
         """
         if stops != self._stops:
-            self._stop_builder.watch(stops)
-            self._stops = stops
+            self._watch(stops)
         first = self.tick
         is_stopped = self._run.advance(end)
         hits = self._stop_builder.hits(self.tick - 1) if is_stopped else []
@@ -291,13 +254,17 @@ class Engine:
 
     def search(self, end: int, stops: Sequence[StopAt]) -> list[int]:
         """Run up to tick ``end``; return the ticks behind which a stop has held."""
-        self._stop_builder.watch(stops)
-        self._stops = stops
+        self._watch(stops)
         found = []
         while self._run.state is None and self.tick < end:
             if self._run.advance(end):
                 found.append(self.tick)
         return found
+
+    def _watch(self, stops: Sequence[StopAt]) -> None:
+        """Watch these stops and no other ones from now on."""
+        self._stop_builder.watch(stops)
+        self._stops = stops
 
     def check_stops(self, stops: Sequence[StopAt]) -> None:
         """Raise ``Failure`` with the mistakes of stops."""
@@ -447,6 +414,7 @@ class Engine:
         if unknown:
             raise Failure(*(self._machine.unknown_signal(name) for name in unknown))
         cells = [known[name][0] for name in signals]
+        self._watch(())
         found = bytearray()
         if every > 1:
             memory = self._machine.cells

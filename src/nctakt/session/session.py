@@ -131,15 +131,14 @@ class Session:
         first = self._story.tick
         try:
             done = self._story.run(end, events=self._audience.wants_events)
+            clock.note(done.tick - first, time.monotonic() - begin_s)
+            is_at_end = bool(done.hits) or done.run_state is not None
+            if is_at_end:
+                self._thread.clock = None
+            self._publish(done, at_once=is_at_end)
         except (Failure, RuntimeError) as error:
             self._thread.clock = None
             self._audience.tell("refused", str(error))
-            return
-        clock.note(done.tick - first, time.monotonic() - begin_s)
-        is_at_end = bool(done.hits) or done.run_state is not None
-        if is_at_end:
-            self._thread.clock = None
-        self._publish(done, at_once=is_at_end)
 
     # --- where it stands ------------------------------------------------------------------------
 

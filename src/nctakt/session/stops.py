@@ -57,7 +57,7 @@ _EVENTS: dict[Kind, tuple[int, ...]] = {
 #: The kinds that watch the nodes of realtime cycles.
 _OF_CYCLES: tuple[Kind, ...] = ("runs", "turns", "false", "cycle")
 
-_LINE = re.compile(r"(?:(?P<file>\S.*?):)?(?P<line>\d+)")
+_LINE = re.compile(r"(?:(?P<file>\S.*?):)?(?P<line>\d{1,9})")
 _WORDS: dict[str, Kind] = {
     "line": "block", "fires": "fires", "runs": "runs", "turns": "turns", "cycle": "cycle",
 }  # fmt: skip
@@ -70,7 +70,7 @@ _ANY_SERIAL = 1 << 53
 #: How many kinds of parts a written text has: the only one, the first, the last, one between.
 _TEXT_PARTS = 4
 
-_FUNCTION = re.compile(r"(?P<letter>[MHT])(?P<number>\d+)", re.IGNORECASE)
+_FUNCTION = re.compile(r"(?P<letter>[MHT])(?P<number>\d{1,9})", re.IGNORECASE)
 
 
 @dataclass(frozen=True, slots=True)
@@ -108,7 +108,7 @@ def read_stop(text: str) -> StopAt:
     else is a condition. ``… if CONDITION`` and ``… 3 times`` may follow. Raises ``Failure``
     (901150).
     """
-    text, count = _divided(text.strip(), re.compile(r"(.*\S)\s+(\d+)\s+times", re.IGNORECASE))
+    text, count = _divided(text.strip(), re.compile(r"(.*\S)\s+(\d{1,9})\s+times", re.IGNORECASE))
     text, only_if = _divided(text, re.compile(r"(.*\S)\s+if\s+(\S.*)", re.IGNORECASE))
     options: dict[str, Any] = {"only_if": only_if, "count": int(count or 1)}
     if not text or options["count"] < 1:

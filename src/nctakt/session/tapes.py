@@ -131,7 +131,7 @@ def read_setup(path: str | Path, folders: Sequence[str | Path] = (), *, anyway: 
         wait_for_start=words["wait_for_start"],
         skip=[int(level) for level in words["skip"].split(",") if level],
         acknowledges=not tape.has_plc,
-        folders=(*folders, *words["confined"]),
+        folders=folders or words["confined"],
         stays=words["stays"],
         inputs=tape.inputs,
     )

@@ -38,6 +38,7 @@ class SessionThread:
         self.is_interrupted = False
         self.is_closed = False
         self._commands: queue.Queue[Callable[[], None] | None] = queue.Queue(MAX_COMMANDS)
+        self._entry = threading.Lock()
         self._thread = threading.Thread(target=self._live, name="nctakt session", daemon=True)
         self._thread.start()
 
@@ -70,9 +71,10 @@ class SessionThread:
             except BaseException as error:  # noqa: BLE001 - whoever has asked gets it
                 answer.set_exception(error)
 
-        if self.is_closed:
-            raise Failure(diagnostic(SESSION_IS_CLOSED))
-        self._commands.put(command)
+        with self._entry:
+            if self.is_closed:
+                raise Failure(diagnostic(SESSION_IS_CLOSED))
+            self._commands.put(command)
         try:
             return answer.result()
         except KeyboardInterrupt:
@@ -83,10 +85,8 @@ class SessionThread:
 
     def close(self) -> None:
         """Do what has been asked for, then end."""
-        self.is_closed = self.is_interrupted = True
+        self.is_interrupted = True
+        with self._entry:
+            self.is_closed = True
         self._commands.put(None)
         self._thread.join()
-        while not self._commands.empty():  # of those who asked while it was closing
-            command = self._commands.get()
-            if command is not None:
-                command()

@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: MIT
+"""The thread of a session: who asks gets an answer, whatever happens beside it."""
+
+from __future__ import annotations
+
+import queue
+import threading
+import time
+from concurrent.futures import ThreadPoolExecutor
+from typing import Any
+
+import pytest
+
+from nctakt import Failure, NcText, Session
+from nctakt.messages import diagnostic
+from nctakt.messages.session import CONTROLLER_LOST
+from nctakt.session.story import Story
+from nctakt.session.thread import SessionThread
+
+#: How long a test waits, in seconds.
+PATIENCE_S = 20.0
+
+
+def test_who_asks_while_it_closes_gets_an_answer() -> None:
+    """Also one whose command is on its way into the queue when the thread ends."""
+    thread = SessionThread(lambda _clock: None)
+    is_on_its_way = threading.Event()
+
+    class SlowQueue(queue.Queue[Any]):
+        def put(self, item: Any, block: bool = True, timeout: float | None = None) -> None:
+            if item is not None:
+                is_on_its_way.set()
+                time.sleep(0.3)
+            super().put(item, block, timeout)
+
+    assert thread.ask(int, "1") == 1
+    slow = SlowQueue()
+    first, thread._commands = thread._commands, slow
+    first.put(lambda: None)  # wakes the thread, which then waits at the slow queue
+    with ThreadPoolExecutor(1) as pool:
+        answer = pool.submit(thread.ask, int, "2")
+        assert is_on_its_way.wait(PATIENCE_S)
+        thread.close()
+        assert answer.result(PATIENCE_S) == 2
+    with pytest.raises(Failure, match="901155"):
+        thread.ask(int, "3")
+
+
+def test_a_controller_that_is_lost_while_it_is_read_ends_play_and_no_more(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    program = NcText("p.nc", "$WHILE 1\nG01 X10 F1000\nG01 X0\n$ENDWHILE\nM30")
+    with Session(program, until="24 h") as session, session.listen("X.ACS.ACT_POS") as listener:
+
+        def lost(_story: Story, _names: object) -> None:
+            raise Failure(diagnostic(CONTROLLER_LOST, reason="EOF"))
+
+        monkeypatch.setattr(Story, "read", lost)
+        session.play()
+        end_s = time.monotonic() + PATIENCE_S
+        while session.is_playing and time.monotonic() < end_s:
+            time.sleep(0.01)
+        monkeypatch.undo()
+        assert not session.is_playing
+        assert [one.kind for one in listener.notices()] == ["refused"]
+        assert session.step().tick == session.tick

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """What the live page shows, without a browser: marks of the program, curves, lists, fields."""
 
+import time
 from pathlib import Path
 
 import pytest
@@ -14,7 +15,7 @@ from nctakt.live.event_words import event_words
 from nctakt.live.keys import GROUPS, KEYS
 from nctakt.live.shared import SharedSession
 from nctakt.live.texts import Texts
-from nctakt.live.view import Snapshot
+from nctakt.live.view import LogRow, Snapshot
 from nctakt.messages import diagnostic
 from nctakt.messages.decoder import NO_FEED_ACTIVE
 from nctakt.session.engine import BranchState, CycleState
@@ -225,3 +226,52 @@ def test_a_program_is_saved_as_it_was(tmp_path: Path) -> None:
     with pytest.raises(Failure, match="901162"):
         document.save("G01 X3")
     assert path.read_text("utf-8") == "M30\n"
+
+
+def test_empty_lines_at_the_end_of_a_program_stay(tmp_path: Path) -> None:
+    path = tmp_path / "part.nc"
+    path.write_text("G01 X1\nM30\n", "utf-8")
+    document = Document(str(path), Checker(None, [tmp_path]))
+    document.save(document.text + "\n")
+    assert document.text == "G01 X1\nM30\n"
+    assert Document(str(path), document.checker).text == document.text
+
+
+ENDLESS = "\n".join([*LINES[:2], "$ENDIF", LINES[2], "$WHILE 1", "G01 X9 F600", "X0", "$ENDWHILE"])
+
+
+def endless(program: str | None, acknowledges: bool) -> Session:
+    return Session(NcText(FILE, ENDLESS), until="24 h", acknowledges=acknowledges)
+
+
+def test_only_a_session_that_stays_where_it_is_is_explained() -> None:
+    shared = SharedSession(endless, FILE, acknowledges=True)
+    try:
+        shared.do(lambda session: session.step(100))
+        moment = shared.snapshot.serial, 1, 100
+        shared.do(lambda session: session.step(50))
+        report = shared.explainer.report(moment, shared.session)
+        assert report.ticks == 150
+        assert shared.explainer.bars(moment, FILE) == []
+        moment = shared.snapshot.serial, 1, 150
+        assert shared.explainer.report(moment, shared.session).ticks == 150
+        assert shared.explainer.report(moment, shared.session) is not report
+        assert shared.explainer.bars(moment, FILE) == [{"line": 2, "bars": []}]
+    finally:
+        shared.close()
+
+
+def test_a_controller_that_is_lost_is_told_once() -> None:
+    shared = SharedSession(endless, FILE, acknowledges=True)
+    try:
+        shared.session._story._timeline.live._connection.close()
+        end_s = time.monotonic() + 20.0
+        while not shared.messages and time.monotonic() < end_s:
+            time.sleep(0.02)
+        for _ in range(20):
+            with pytest.raises(Failure, match="901153"):
+                shared.do(lambda session: session.step(1))
+            time.sleep(0.02)
+        assert [row.kind for row in shared.messages if isinstance(row, LogRow)] == ["error"]
+    finally:
+        shared.close()

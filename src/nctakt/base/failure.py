@@ -25,3 +25,15 @@ class Failure(Exception):
         assert diagnostics
         super().__init__("\n".join(diagnostic.render() for diagnostic in diagnostics))
         self.diagnostics = diagnostics
+
+
+def error_text(error: Exception) -> str:
+    """Return an error as users read it: a ``Failure`` as it is, one of nctakt's own on one line.
+
+    That of a controller's process has come with its traceback, and is the last line of it.
+    """
+    if isinstance(error, Failure):
+        return str(error)
+    lines = str(error).strip().splitlines() or [""]
+    name = "" if len(lines) > 1 else f"{type(error).__name__}: "
+    return f"internal error of nctakt: {name}{lines[-1]}"

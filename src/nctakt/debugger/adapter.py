@@ -17,10 +17,10 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 from nctakt.base.diagnostics import Diagnostic, Language, Severity
-from nctakt.base.failure import Failure
+from nctakt.base.failure import Failure, error_text
 from nctakt.debugger.arguments import Arguments
 from nctakt.debugger.breakpoints import MODES, Breakpoints
-from nctakt.debugger.debuggee import Abilities, Debuggee, internal_text
+from nctakt.debugger.debuggee import Abilities, Debuggee
 from nctakt.debugger.exceptions import ExceptionFilters, filters
 from nctakt.debugger.launch import Configuration, read_configuration
 from nctakt.debugger.relay import Relay, Relayed
@@ -226,14 +226,14 @@ class Adapter:
             self._answer_failure(message, failure.diagnostics)
         except Exception as error:  # noqa: BLE001 - the debugger goes on
             answer = _answer_to(message, is_success=False)
-            answer["message"] = internal_text(error)
+            answer["message"] = error_text(error)
             self._writer.write(answer)
             self._tell_internal(error)
         else:
             self._guarded(lambda: self._after(command))
 
     def _tell_internal(self, error: Exception) -> None:
-        self.tell("output", {"category": "stderr", "output": f"{internal_text(error)}\n"})
+        self.tell("output", {"category": "stderr", "output": f"{error_text(error)}\n"})
         if os.environ.get("NCTAKT_DEBUG"):
             traceback.print_exception(error, file=sys.stderr)
 

@@ -14,7 +14,7 @@ from typing import Any
 
 from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Diagnostic, Language, Severity
-from nctakt.base.failure import Failure
+from nctakt.base.failure import Failure, error_text
 from nctakt.debugger.breakpoints import Breakpoint, Breakpoints
 from nctakt.debugger.console import Console
 from nctakt.debugger.exceptions import ExceptionFilters, Raised
@@ -65,13 +65,6 @@ class Abilities:
 
     has_progress: bool = False
     has_invalidated: bool = False
-
-
-def internal_text(error: Exception) -> str:
-    """Return an error of nctakt's own on one line; that of a controller's process ends with it."""
-    lines = str(error).strip().splitlines() or [""]
-    name = "" if len(lines) > 1 else f"{type(error).__name__}: "
-    return f"internal error of nctakt: {name}{lines[-1]}"
 
 
 class Debuggee:
@@ -208,7 +201,7 @@ class Debuggee:
         try:
             done = self.session.run(Time(end, is_in_ticks=True), until=until)
         except (Failure, RuntimeError) as error:
-            text = str(error) if isinstance(error, Failure) else internal_text(error)
+            text = error_text(error)
             self._output("stderr", f"{text}\n")
             self._stopped("pause", running.thread, text.partition("\n")[0])
             return

@@ -12,7 +12,7 @@ from collections.abc import Callable
 
 from nicegui import Client, ui
 
-from nctakt.base.failure import Failure
+from nctakt.base.failure import Failure, error_text
 from nctakt.live.shared import PAGE, SharedSession
 from nctakt.live.texts import Texts
 from nctakt.live.view import plain_number
@@ -48,7 +48,7 @@ class Commander:
     def refuse(self, error: Exception) -> None:
         """Show why something is refused."""
         language = self.texts.language
-        reasons = [str(error)]
+        reasons = [error_text(error)]
         if isinstance(error, Failure):
             reasons = [
                 f"{one.id}: {one.text(language)} {one.remedy(language)}"

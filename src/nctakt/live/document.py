@@ -86,7 +86,7 @@ class Document:
         if FileAccess().read_bytes(path) != self._content:
             raise Failure(diagnostic(PROGRAM_CHANGED_ON_DISK, file=self.file))
         end = "\r\n" if b"\r\n" in self._content else "\n"
-        lines = text.rstrip("\n").split("\n")
+        lines = text.split("\n")
         content = encode_text("".join(line + end for line in lines), self._content)
         try:
             _replace(path, content)

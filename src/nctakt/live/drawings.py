@@ -158,10 +158,10 @@ class Drawings:
                 return  # the session has gone on or was closed; the coarse curves stay
             self._scope.run_method("take", {"detail": detail})
 
-    def _choose(self, event: Any) -> None:
+    async def _choose(self, event: Any) -> None:
         chosen = list(event.value)[: view.MAX_SIGNALS]
         if chosen != self._shared.scope and self._commander.may():
-            self._shared.choose(chosen)
+            await self._commander.attempt(lambda: self._shared.choose(chosen))
 
     def zoom(self, factor: float) -> None:
         """Zoom the scope."""

@@ -10,6 +10,7 @@ from __future__ import annotations
 import threading
 import time
 from collections.abc import Callable
+from functools import partial
 
 from nctakt.base.diagnostics import Language
 from nctakt.base.failure import Failure
@@ -48,14 +49,21 @@ class Explainer:
                 self._wish = (moment, session)
                 self._changed.notify_all()
 
+    def forget_wish(self) -> None:
+        """Explain nothing: the session has gone on."""
+        with self._changed:
+            self._wish = None
+            self._changed.notify_all()
+
     def report(self, moment: Moment, session: Session) -> WhyReport:
         """Return the report of this place, at once if it is there; raises ``Failure``."""
         known = self._report
         if known is not None and known[0] == moment:
             return known[1]
         report = session.why()
-        self._report = (moment, report)
-        self._notify()
+        if report.first_tick + report.ticks == moment[2]:  # it has not gone on meanwhile
+            self._report = (moment, report)
+            self._notify()
         return report
 
     def bars(self, moment: Moment, file: str) -> list[dict[str, object]]:
@@ -67,16 +75,18 @@ class Explainer:
         while not self._is_closed:
             with self._changed:
                 self._changed.wait_for(lambda: self._wish is not None or self._is_closed)
-                wish, self._wish = self._wish, None
-                is_replaced = wish is not None and self._changed.wait_for(
-                    lambda: self._wish is not None or self._is_closed, _REST_S
-                )
-            if wish is None or is_replaced:
-                continue
+                wish = self._wish
+                is_replaced = partial(self._is_replaced, wish)
+                if wish is None or self._changed.wait_for(is_replaced, _REST_S):
+                    continue
+                self._wish = None
             try:
                 self.report(*wish)
             except (Failure, RuntimeError):
                 time.sleep(_REST_S)  # whoever clicks gets the reason
+
+    def _is_replaced(self, wish: tuple[Moment, Session] | None) -> bool:
+        return self._wish is not wish or self._is_closed
 
     def close(self) -> None:
         """End the thread."""

@@ -14,7 +14,7 @@ from typing import Any
 from nicegui import ui
 from nicegui.element import Element
 
-from nctakt.base.failure import Failure
+from nctakt.base.failure import Failure, error_text
 from nctakt.live import view
 from nctakt.live.commander import Commander
 from nctakt.live.program_card import ProgramCard
@@ -147,7 +147,7 @@ class Lists:
                 f"{one.id}: {one.text(texts.language)}\n{one.remedy(texts.language)}"
                 for one in getattr(error, "diagnostics", ())
             )
-            text = text or str(error)
+            text = text or error_text(error)
         self._why.classes(remove="nc-soft")
         self._why.set_text(text)
 

@@ -133,8 +133,9 @@ class ProgramCard:
 
     def look_at_disk(self) -> None:
         """Tell when the file on disk is another than the one that was read."""
-        self._load.set_visibility(self.document.is_replaced)
-        if self.document.is_replaced:
+        is_replaced = self.document.is_replaced
+        self._load.set_visibility(is_replaced)
+        if is_replaced:
             self._edited.set_text(self._texts["on_disk"])
 
     def set_dark(self, is_dark: bool) -> None:

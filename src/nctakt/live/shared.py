@@ -16,7 +16,7 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 from nctakt.base.diagnostics import Diagnostic, Language
-from nctakt.base.failure import Failure
+from nctakt.base.failure import Failure, error_text
 from nctakt.live import view
 from nctakt.live.explaining import Explainer, Moment, why_text
 from nctakt.live.track import Shown, Track, blocks_of, marks_of
@@ -228,15 +228,19 @@ class SharedSession:
                     while not self._is_closed and session is self.session:
                         self._take(session, listener)
             except (Failure, RuntimeError) as error:
-                if session is self.session:
-                    self.messages.append(LogRow("error", 0, str(error)))
+                if session is self.session and not self._is_closed:
+                    row = LogRow("error", 0, error_text(error))
+                    if row not in list(self.messages)[-1:]:
+                        self.messages.append(row)
+                    self._wake.clear()
                     self._wake.wait(2.0)
 
     def _take(self, session: Session, listener: Listener) -> None:
         """Take a frame, or what a command has changed; and the notices."""
         frame = listener.take(0.0 if self._wake.is_set() else _WAIT_S)
         was_woken = self._wake.is_set()
-        self._wake.clear()
+        if was_woken:
+            self._wake.clear()
         notices = listener.notices()
         with self._lock:
             if session is not self.session:
@@ -306,7 +310,9 @@ class SharedSession:
             operands,
             session.lateness[0],
         )
-        if not is_playing:
+        if is_playing:
+            self.explainer.forget_wish()
+        else:
             self.explainer.wish((self._serial, snapshot.branch, snapshot.tick), session)
         return snapshot
 

@@ -14,7 +14,7 @@ from pathlib import Path
 from types import TracebackType
 from typing import Any, Self
 
-from nctakt.base.failure import Failure
+from nctakt.base.failure import Failure, error_text
 from nctakt.lists.format.times import TimeLike
 from nctakt.results.run import Run
 from nctakt.results.why import WhyReport
@@ -138,7 +138,7 @@ class Session:
             self._publish(done, at_once=is_at_end)
         except (Failure, RuntimeError) as error:
             self._thread.clock = None
-            self._audience.tell("refused", str(error))
+            self._audience.tell("refused", error_text(error))
 
     # --- where it stands ------------------------------------------------------------------------
 

@@ -260,6 +260,23 @@ def test_back_to_the_breakpoint_before(client: DebugClient, file: str) -> None:
     assert client.event("invalidated") == {"areas": ["all"]}
 
 
+@pytest.mark.parametrize("counted", [X10, EDGE])
+def test_reverse_passes_a_breakpoint_whose_hit_condition_is_false(
+    client: DebugClient, file: str, counted: int
+) -> None:
+    """Others, which hold elsewhere, neither stop there nor count."""
+    own = {"line": counted, "hitCondition": "== 1"}
+    set_at(client, file, own, {"line": X0, "hitCondition": "== 1"}, X30)
+    places = []
+    for _ in range(3):
+        client.go()
+        places.append(client.console("tick"))
+    for place in places[1::-1]:
+        client.go("reverseContinue")
+        assert client.console("tick") == place
+    assert client.go("reverseContinue")["reason"] == "entry"
+
+
 def test_the_end_is_a_place_to_go_back_from(client: DebugClient, file: str) -> None:
     stop = client.go()
     assert stop["reason"] == "end"

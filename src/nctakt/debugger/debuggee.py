@@ -395,21 +395,23 @@ class Debuggee:
         owners = [one for one in stopping for _ in one.stops]
         stops = [stop for one in stopping for stop in one.stops]
         for _ in range(MAX_PASSED):
-            done = self.session.back_to(*stops) if stops else None
-            if done is None:
+            if not stops or self.session.back_to(*stops) is None:
                 break
-            tick = self.session.tick
-            due = (
-                [one for one in owners if one.is_due(tick - 1)] if self._has_counts(owners) else []
-            )
-            if due or not self._has_counts(owners):
+            if self._is_due_here(stops, owners):
                 self.tell_travel("breakpoint", thread)
                 return
         self.session.go_to(0)
         self.tell_travel("entry", thread)
 
-    def _has_counts(self, owners: Sequence[Breakpoint]) -> bool:
-        return any(one.hit_condition for one in owners)
+    def _is_due_here(self, stops: Sequence[StopAt], owners: Sequence[Breakpoint]) -> bool:
+        """Return whether one of the breakpoints that held in the last tick is due."""
+        if not any(one.hit_condition for one in owners):
+            return True
+        session = self.session
+        tick, others = session.tick, len(session.stops)
+        session.back(1)
+        done = session.run(Time(tick, is_in_ticks=True), until=stops)
+        return any([owners[hit - others].is_due(tick - 1) for hit in done.hits if hit >= others])
 
     def tell_travel(self, reason: str, thread: int) -> None:
         """Tell that it stands elsewhere."""

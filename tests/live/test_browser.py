@@ -181,6 +181,33 @@ def test_two_browsers_and_one_pen(browser: Any, tmp_path: Path) -> None:
         first.close()
 
 
+def test_what_one_browser_saves_the_other_one_shows(browser: Any, tmp_path: Path) -> None:
+    """One with changes of its own keeps them, and does not write over what was saved."""
+    path = written(tmp_path)
+    with served(str(path)) as address:
+        first, second = opened(browser, address), opened(browser, address)
+        first.locator(".cm-content").get_by_text("X20").click()
+        first.keyboard.press("End")
+        first.keyboard.type("0")
+        first.wait_for_timeout(500)
+        first.keyboard.press("Control+s")
+        expect(second.locator(".cm-content")).to_contain_text("F60000")
+        expect(second.get_by_text("not saved")).to_have_count(0)
+        second.locator(".cm-content").get_by_text("X20").click()
+        second.keyboard.press("End")
+        second.keyboard.type("1")
+        first.keyboard.type("2")
+        first.wait_for_timeout(500)
+        first.keyboard.press("Control+s")
+        expect(second.get_by_test_id("load")).to_be_visible()
+        second.get_by_test_id("pen").click()
+        second.keyboard.press("Control+s")
+        expect(second.locator(".q-notification").get_by_text("901162")).to_be_visible()
+        assert "F600002" in path.read_text("utf-8")
+        for page in (first, second):
+            page.close()
+
+
 def test_keys_do_all(browser: Any, tmp_path: Path) -> None:
     """Ticks, blocks, the panel, the lists and the help by keys alone."""
     path = written(tmp_path)

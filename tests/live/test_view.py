@@ -219,20 +219,32 @@ def test_a_program_is_saved_as_it_was(tmp_path: Path) -> None:
     path.write_bytes("G01 X1 (größer)\r\nM30\r\n".encode("cp1252"))
     document = Document(str(path), Checker(None, [tmp_path]))
     assert document.text == "G01 X1 (größer)\nM30"
-    document.save("G01 X2 (größer)\nM30")
+    document.save("G01 X2 (größer)\nM30", document.text)
     assert path.read_bytes() == "G01 X2 (größer)\r\nM30\r\n".encode("cp1252")
     assert [found.id for found in document.check("G01 X[\nM30")] == [20397]
     path.write_text("M30\n", "utf-8")
     with pytest.raises(Failure, match="901162"):
-        document.save("G01 X3")
+        document.save("G01 X3", document.text)
     assert path.read_text("utf-8") == "M30\n"
+
+
+def test_what_another_browser_has_saved_is_not_written_over(tmp_path: Path) -> None:
+    """901162."""
+    path = tmp_path / "part.nc"
+    path.write_text("G01 X1\nM30\n", "utf-8")
+    document = Document(str(path), Checker(None, [tmp_path]))
+    begin = document.text
+    document.save("G01 X2\nM30", begin)
+    with pytest.raises(Failure, match="901162"):
+        document.save("G01 X3\nM30", begin)
+    assert path.read_text("utf-8") == "G01 X2\nM30\n"
 
 
 def test_empty_lines_at_the_end_of_a_program_stay(tmp_path: Path) -> None:
     path = tmp_path / "part.nc"
     path.write_text("G01 X1\nM30\n", "utf-8")
     document = Document(str(path), Checker(None, [tmp_path]))
-    document.save(document.text + "\n")
+    document.save(document.text + "\n", document.text)
     assert document.text == "G01 X1\nM30\n"
     assert Document(str(path), document.checker).text == document.text
 

@@ -77,13 +77,14 @@ class Document:
         """Return what the check finds in a text of the editor; notes are left out."""
         return self.checker.check(self.file, text)
 
-    def save(self, text: str) -> None:
-        """Write the editor's text; raises ``Failure`` if the file has changed or cannot be written.
+    def save(self, text: str, begin: str) -> None:
+        """Write the editor's text, which was ``begin`` before it was changed.
 
-        The ends of lines and the encoding stay as they are.
+        The ends of lines and the encoding stay as they are. Raises ``Failure`` if the file has
+        changed since, also by another browser, or cannot be written.
         """
         path = Path(self.file)
-        if FileAccess().read_bytes(path) != self._content:
+        if begin != self.text or FileAccess().read_bytes(path) != self._content:
             raise Failure(diagnostic(PROGRAM_CHANGED_ON_DISK, file=self.file))
         end = "\r\n" if b"\r\n" in self._content else "\n"
         lines = text.split("\n")

@@ -49,6 +49,7 @@ class ProgramCard:
         self.findings: list[Diagnostic] = []
         self._checked_lines: list[str] = []
         self.document = self._shown_document()
+        self._begin = self.document.text
         self._build()
         self._check_later()
 
@@ -108,7 +109,8 @@ class ProgramCard:
 
     def show(self, snapshot: Snapshot) -> None:
         """Show the blocks, conditions and stops of a tick."""
-        if self._shown_document() is not self.document:
+        is_taken_over = self._begin == self.document.text or self._editor.value != self._begin
+        if self._shown_document() is not self.document or not is_taken_over:
             self._show_document()
         self._edited.set_text(f"● {self._texts['edited']}" if self.is_edited else "")
         shared, file = self._shared, self.document.file
@@ -127,13 +129,14 @@ class ProgramCard:
 
     def _show_document(self) -> None:
         self.document = self._shown_document()
+        self._begin = self.document.text
         self._marks, self.findings, self._checked_lines = None, [], []
         self._choice.set_value(self._key())
         self._editor.set_value(self.document.text)
 
     def look_at_disk(self) -> None:
-        """Tell when the file on disk is another than the one that was read."""
-        is_replaced = self.document.is_replaced
+        """Tell when the file on disk is another than the one that this browser shows or changes."""
+        is_replaced = self._begin != self.document.text or self.document.is_replaced
         self._load.set_visibility(is_replaced)
         if is_replaced:
             self._edited.set_text(self._texts["on_disk"])
@@ -199,7 +202,8 @@ class ProgramCard:
 
         def save_and_run() -> None:
             if text != self.document.text:
-                self.document.save(text)
+                self.document.save(text, self._begin)
+            self._begin = text  # from which further changes begin
             self._shared.reopen(self._shared.program)
 
         if await self._commander.attempt(save_and_run):

@@ -133,6 +133,12 @@ def test_a_plc_that_fails_leaves_a_tape(told: Told) -> None:
     assert "901075" in err
 
 
+def with_input(tape: str, values: list[object]) -> str:
+    """Return a tape with another input before the first tick."""
+    head, _, rest = tape.partition("\n")
+    return "\n".join([head, json.dumps({"tick": 0, "inputs": [values]}), rest])
+
+
 @pytest.mark.parametrize(
     ("change", "number", "place"),
     [
@@ -151,10 +157,12 @@ def test_a_plc_that_fails_leaves_a_tape(told: Told) -> None:
         (lambda text: text.replace('"TRIGGER",1.0', '"TRIGGER"', 1), 0, ""),
         (lambda text: text.replace('{"tick":11,', '{"tick":-1,', 1), 901070, "run.tape:"),
         (lambda text: text.replace('["plc","ack",0,', '["plc","ack",9,', 1), 901077, ""),
+        (lambda text: text.replace('["plc","ack",0,', '["plc","ack",-1,', 1), 901077, ""),
+        (lambda text: with_input(text, ["plc", "ack_spindle", -1, 0, 1, "S"]), 901077, ""),
         (lambda text: text.replace("V.E.TRIGGER", "V.E.NOTHING", 1), 900514, ""),
         (lambda text: "[" * 100_000 + "\n" + text, 901070, "run.tape:1:1: "),
     ],
-    ids=map(str, range(13)),
+    ids=map(str, range(19)),
 )
 def test_a_tape_that_cannot_be_read(
     told: Told, change: Callable[[str], str], number: int, place: str

@@ -166,3 +166,17 @@ def test_a_taken_port_ends_the_command(tmp_path: Path) -> None:
     assert "901161" in done.stderr
     assert "--port 0" in done.stderr
     assert "Traceback" not in done.stderr
+
+
+def test_a_program_from_standard_input_is_refused() -> None:
+    """901318."""
+    done = subprocess.run(
+        [sys.executable, "-m", "nctakt", "live", "-", "--port", "0"],
+        input="M30\n",
+        capture_output=True,
+        encoding="utf-8",
+        timeout=120,
+        check=False,
+    )
+    assert done.returncode == 2
+    assert "901318" in done.stderr

@@ -15,16 +15,19 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from nctakt.base.dataclass import dataclass
+from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_RAN
 from nctakt.cli.file_options import CONFINE_OPTION
 from nctakt.cli.language import language_option
-from nctakt.cli.request import Options, read_request
+from nctakt.cli.request import STANDARD_INPUT, Options, read_request
 from nctakt.cli.running import choose_mode
 from nctakt.cli.settings import carry_out
 from nctakt.cli.terminal import print_diagnostics
 from nctakt.files.access import FileAccess
 from nctakt.files.output import OutputFile
 from nctakt.lists.machine.files import machine_folder
+from nctakt.messages import diagnostic
+from nctakt.messages.live import PAGE_NEEDS_FILES
 
 if TYPE_CHECKING:
     from nctakt.live.shared import SharedSession
@@ -154,6 +157,8 @@ def _show(options: Options, access: FileAccess, own: _Words) -> int:
     from nctakt.live.server import check_library, serve, usable_port  # noqa: PLC0415 - seldom
 
     check_library()
+    if STANDARD_INPUT in (*options.programs, *(program for _, program in options.others)):
+        raise Failure(diagnostic(PAGE_NEEDS_FILES))
     choose_mode(options)
     from nctakt.live.document import Checker, Document  # noqa: PLC0415 - the mode is chosen before
     from nctakt.live.shared import SharedSession  # noqa: PLC0415 - as above

@@ -32,6 +32,13 @@ PROGRAM_CHANGED_ON_DISK = error(
     "jetzt.",
     file=("the program", "das Programm"),
 )
+PAGE_NEEDS_FILES = error(
+    901318,
+    en="the page shows and saves programs in files, not one from standard input",
+    de="die Seite zeigt und speichert Programme in Dateien, keines von der Standardeingabe",
+    remedy_en="Save the program to a file, and name that.",
+    remedy_de="Das Programm in einer Datei speichern und diese nennen.",
+)
 MESSAGE_NOT_READABLE = warning(
     901317,
     en="the page could not handle what a browser sent: {reason}",

@@ -259,6 +259,8 @@ class Inputs:
 
     def acknowledge_spindle(self, channel: int, index: int, serial: int, name: str) -> None:
         """Acknowledge a spindle job as done; otherwise as ``acknowledge``."""
+        if channel < 0:
+            raise ValueError(channel)
         spindles = self._channels[channel].context.spindles
         if not spindles.acknowledge(index, serial):
             self._report_stale(name)

@@ -128,7 +128,7 @@ def test_a_hundred_connections_do_not_stop_the_tick(tmp_path: Path, mark: None) 
 
 
 def test_a_flood_of_events_is_bounded() -> None:
-    """An event in each of 200,000 ticks, more than a million a second: lists stay short, what is left out is told."""
+    """More than a million events a second: lists stay short, what is left out is told."""
 
     def opener(chosen: str | None, acknowledges: bool) -> Session:
         return Session(NcText("part.nc", TURNING), acknowledges=acknowledges, until="1 h")

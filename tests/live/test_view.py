@@ -19,6 +19,7 @@ from nctakt.live.view import LogRow, Snapshot
 from nctakt.messages import diagnostic
 from nctakt.messages.decoder import NO_FEED_ACTIVE
 from nctakt.session.engine import BranchState, CycleState
+from nctakt.session.listening import MAX_NOTICES
 from nctakt.trace.events import Event
 
 pytestmark = pytest.mark.slow
@@ -276,14 +277,37 @@ def test_only_a_session_that_stays_where_it_is_is_explained() -> None:
 def test_a_controller_that_is_lost_is_told_once() -> None:
     shared = SharedSession(endless, FILE, acknowledges=True)
     try:
-        shared.session._story._timeline.live._connection.close()
+        (process,) = shared.session._story._timeline._workshop._processes
+        process.kill()
+        process.wait()
         end_s = time.monotonic() + 20.0
-        while not shared.messages and time.monotonic() < end_s:
-            time.sleep(0.02)
         for _ in range(20):
             with pytest.raises(Failure, match="901153"):
                 shared.do(lambda session: session.step(1))
             time.sleep(0.02)
-        assert [row.kind for row in shared.messages if isinstance(row, LogRow)] == ["error"]
+        while not shared.messages and time.monotonic() < end_s:
+            time.sleep(0.02)
+        texts = [row.text for row in shared.messages if isinstance(row, LogRow)]
+        assert texts
+        assert len(texts) == len(set(texts))  # each reason of the system once
+    finally:
+        shared.close()
+
+
+def test_a_page_that_did_not_keep_up_listens_anew() -> None:
+    """Whoever leaves too many notices unread is told no more."""
+    shared = SharedSession(endless, FILE, acknowledges=True)
+    try:
+        audience, ask = shared.session._audience, shared.session._thread.ask
+        shared.do(lambda session: session.step(1))
+        with shared._lock:
+            for _ in range(MAX_NOTICES + 100):
+                ask(audience.tell, "travelled")
+        shared.do(lambda session: session.play(1.0))
+        end_s = time.monotonic() + 20.0
+        while shared.snapshot.tick < 100 and time.monotonic() < end_s:
+            time.sleep(0.02)
+        assert shared.snapshot.tick >= 100
+        assert len(audience._listeners) == 1
     finally:
         shared.close()

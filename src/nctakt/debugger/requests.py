@@ -7,7 +7,7 @@ sent. Raises ``Failure`` for what cannot be done.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from typing import Any
 
 from nctakt.base.failure import Failure
@@ -63,11 +63,6 @@ class Requests:
             "loadedSources": self._loaded_sources,
             "source": self._source,
         }
-
-    @property
-    def names(self) -> Sequence[str]:
-        """The requests that it knows."""
-        return tuple(self._handlers)
 
     def answer(self, command: str, arguments: Arguments) -> Body:
         """Return the body of the answer to a request; raises ``Failure``."""

@@ -227,6 +227,8 @@ class SharedSession:
                 with session.listen(rate_hz=RATE_HZ) as listener:
                     while not self._is_closed and session is self.session:
                         self._take(session, listener)
+                        if listener.is_dropped:
+                            break  # it would get nothing more; the next one does
             except (Failure, RuntimeError) as error:
                 if session is self.session and not self._is_closed:
                     row = LogRow("error", 0, error_text(error))

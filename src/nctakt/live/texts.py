@@ -28,7 +28,6 @@ _WORDS: dict[str, tuple[str, str]] = {
     "slower": ("Slower", "Langsamer"),
     "late": ("late slices", "späte Abschnitte"),
     "take_pen": ("Take the pen", "Stift nehmen"),
-    "have_pen": ("You have the pen: you command.", "Der Stift ist hier: von hier wird bedient."),
     "no_pen": ("Another browser has the pen.", "Ein anderer Browser hat den Stift."),
     "dark": ("Light or dark", "Hell oder dunkel"),
     "help": ("Keys", "Tasten"),

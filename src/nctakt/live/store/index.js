@@ -114,10 +114,6 @@ export const blockAt = (tick) => {
   const index = indexAt(run.blocks, tick, (block) => block[0]);
   return index < 0 ? null : run.blocks[index];
 };
-export const column = (name) => {
-  const index = run.names.indexOf(name);
-  return index < 0 ? null : curves().columns[index];
-};
 export const seconds = (tick) => (tick * run.cycleUs) / 1e6;
 
 globalThis.nctaktRun = { run, show, zoom, pan, fit, changed, listen, blockAt };

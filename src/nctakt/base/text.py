@@ -60,15 +60,19 @@ def decode_text(data: bytes) -> DecodedText:
 
 
 def encode_text(text: str, like: bytes) -> bytes:
-    """Return ``text`` in the encoding, and with the byte order mark, in which ``like`` is read."""
+    """Return ``text`` in the encoding, and with the byte order mark, in which ``like`` is read.
+
+    A text that the encoding of Windows cannot hold is UTF-8, which is read as such: no character is
+    lost.
+    """
     encoding = decode_text(like).encoding
     if encoding == "utf-16":
         mark = like[:2]
         return mark + text.encode("utf-16-le" if mark == _UTF16_MARKS[0] else "utf-16-be")
     if encoding == "cp1252":
         bytes_of = {character: byte for byte, character in WINDOWS_1252.items()}
-        codes = (bytes_of.get(character, ord(character)) for character in text)
-        return bytes(code if code < 256 else ord("?") for code in codes)
+        codes = [bytes_of.get(character, ord(character)) for character in text]
+        return bytes(codes) if max(codes, default=0) < 256 else text.encode("utf-8")
     return text.encode(encoding)
 
 

@@ -82,6 +82,43 @@ def test_blocks_that_take_no_time_are_told() -> None:
     assert [found.span and found.span.line for found in run.diagnostics] == [4, 5, 6]
 
 
+@pytest.mark.parametrize(
+    "empty",
+    [
+        "G04 X0",
+        "G04 0",
+        "#TIME 0",
+        "G00 X0",
+        "G01 X0 F1000",
+        "G91 X0 F1000\nG90",
+        "X0 M100",
+    ],
+)
+def test_a_motion_or_dwell_of_no_tick_is_passed_over_and_told(empty: str) -> None:
+    """RC-105: a block that stays where the path is, or waits for no time, is not the block."""
+    first, last, run = of_block(f"{empty}\nG04 0.003\nG00 X0")
+    assert (first, last) == (0, 2)
+    assert numbers(run) == [901049]
+    assert [found.span and found.span.line for found in run.diagnostics] == [4]
+
+
+def test_an_empty_motion_with_a_function_that_waits_is_the_block() -> None:
+    """RC-105: what is on one line is one block; behind it nothing is passed over."""
+    first, last, run = of_block("X0 M111\nG00 X0\nG04 0.003")
+    assert (first, last) == (0, 0)
+    assert numbers(run) == []
+
+
+def test_a_started_cycle_passes_over_empty_blocks_too() -> None:
+    """RC-105: START arms a cycle that was defined with DEF."""
+    text = (
+        CYCLE.replace("[ID=1", "DEF [ID=1") + "G04 0\n#RT CYCLE START [ID=1]\nG04 0\nG04 0.002\nM30"
+    )
+    run = perform(text)
+    assert numbers(run) == [901049]
+    assert [found.span and found.span.line for found in run.diagnostics] == [6]
+
+
 def test_a_cycle_that_is_held_meanwhile_leaves_its_block_like_the_others() -> None:
     """RC-105, RC-111: an ID that is free again behind a wait can be used in the next line."""
     again = CYCLE.replace("+= 1", "+= 10")

@@ -209,6 +209,7 @@ CASES: list[tuple[type[Command], dict[str, object], int, dict[int, float]]] = [
     ),
     (commands.MeasureEnd, {}, rows.MEASURE_END, {}),
     (commands.ClearHistory, {}, rows.CLEAR_HISTORY, {}),
+    (commands.EmptyBlock, {}, rows.EMPTY_BLOCK, {}),
     (commands.LoopBegin, {}, rows.LOOP_BEGIN, {}),
     (commands.LoopPass, {}, rows.LOOP_PASS, {}),
     (commands.LoopEnd, {}, rows.LOOP_END, {rows.IS_ANSWERED: 1}),

@@ -10,6 +10,12 @@ import pytest
 from machines import machine_with
 from programs import Machine, errors
 
+from nctakt.checking.program import check_program
+from nctakt.files.access import FileAccess
+from nctakt.messages import Collector
+from nctakt.nc.lint.realtime_cycles import StepLimits
+from nctakt.nc.source import Source
+from nctakt.nc.vocabulary.variable_table import ChannelNames, Layout
 from nctakt.results.instruction_tree import list_cycle
 from nctakt.results.run import Run
 from nctakt.run.controller import Controller, NcText
@@ -31,7 +37,7 @@ struct[1].element[1].synchronisation FALSE
 struct[1].element[2].name TEXT
 struct[1].element[2].type STRING
 struct[1].element[2].synchronisation FALSE
-number_used_variables 11
+number_used_variables 12
 var[0].name A
 var[0].type STRING
 var[1].name B
@@ -61,6 +67,9 @@ var[9].type MIXED
 var[9].array_elements 2
 var[10].name FLAG
 var[10].type BOOLEAN
+var[11].name THEN
+var[11].type CELL
+var[11].synchronisation FALSE
 vch[0].name Cell
 vch[0].type CELL
 vch[1].name Numbers
@@ -343,6 +352,37 @@ def test_asynchronous_members_are_those_of_the_definition(lists: Lists) -> None:
     ]
 
 
+def test_members_of_the_definition_are_told_as_frozen(lists: Lists) -> None:
+    """RC-302: each member of a copy with its name and value; those of ``Vs.`` are none."""
+    initial = {"V.E.THEN.NUMBER": 3, "V.E.THEN.NAMES[1]": "then"}
+    run = cycle(lists, "V.E.CELL[0] = V.E.THEN", initial=initial)
+    assert errors(run) == []
+    (found,) = run.cycles
+    assert [(one.name, one.value) for one in found.frozen] == [
+        ("V.E.THEN.NUMBER", 3.0),
+        ("V.E.THEN.NAMES[0]", ""),
+        ("V.E.THEN.NAMES[1]", "then"),
+    ]
+    frozen = [one.text for one in run.events if one.kind == "frozen"]
+    assert frozen == ["V.E.THEN.NUMBER 3", 'V.E.THEN.NAMES[0] ""', 'V.E.THEN.NAMES[1] "then"']
+    run = cycle(lists, "Vs.E.CELL[0] = Vs.E.THEN", initial=initial)
+    assert run.cycles[0].frozen == ()
+    (channel,) = lists.configuration.channels
+    declared = ChannelNames((), frozenset(), channel.external_variables, channel.channel_variables)
+    (names,) = Layout([declared], 0).tables
+    limits, collector = StepLimits(201, 200), Collector()
+    source = Source("p.nc", tuple(text_of("V.E.CELL[0] = V.E.THEN").text.splitlines()))
+    check_program(
+        source, names, channel.parameters, limits, collector, access=FileAccess(), tools={}
+    )
+    notes = [one for one in collector.diagnostics if one.message.id == 900236]
+    assert [one.values["name"] for one in notes] == [
+        "V.E.THEN.NUMBER",
+        "V.E.THEN.NAMES[0]",
+        "V.E.THEN.NAMES[1]",
+    ]
+
+
 def test_an_index_outside_copies_nothing(lists: Lists) -> None:
     """RC-307."""
     run = cycle(lists, "V.E.CELL[0] = V.E.CELL[V.E.I]", initial={"V.E.I": 3, "V.E.HIT": 1})
@@ -362,6 +402,7 @@ def test_an_index_outside_copies_nothing(lists: Lists) -> None:
         ("V.E.LIST[V.E.I] = V.E.LIST[0]", 5),
         ("V.CH.Cell = V.E.CELL[0]", 14),  # a number and two strings of 24 bytes, twice
         ("V.CH.Cell = V.E.CELL[V.E.I]", 15),
+        ("V.CH.Cell = V.E.THEN", 14),
         ("V.CH.Numbers = V.E.NUMBERS", 8),
     ],
 )

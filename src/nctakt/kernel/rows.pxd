@@ -41,6 +41,7 @@ cdef enum:
     MEASURE = 34
     MEASURE_END = 35
     CLEAR_HISTORY = 36
+    EMPTY_BLOCK = 37
     DWELL_TICKS = 3
     CYCLE_SLOT = 3
     CYCLE_STARTS = 4

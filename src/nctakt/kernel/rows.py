@@ -56,7 +56,8 @@ from __future__ import annotations
     MEASURE,  # the next motion looks for an edge
     MEASURE_END,  # the motion that looks for an edge is over
     CLEAR_HISTORY,  # #BACKWARD STORAGE CLEAR
-) = range(1, 37)
+    EMPTY_BLOCK,  # a block whose motion or dwell takes no tick
+) = range(1, 38)
 
 #: The kinds that take or may take time.
 TIMED_KINDS = frozenset(

@@ -79,7 +79,7 @@ class _Lister:
     def __init__(self, frozen: Sequence[FrozenValue], steps: Mapping[Span, int]) -> None:
         self.listed: list[ListedStatement] = []
         self._steps = steps
-        self._frozen = {value.span: value for value in frozen}
+        self._frozen = {(value.span, value.name): value for value in frozen}
 
     def sequence(self, statements: Sequence[tree.Statement], depth: int) -> int:
         """Add statements in their order and return the sum of their maximum costs."""
@@ -155,7 +155,9 @@ class _Lister:
             yield from self._expression(operand, depth + 1)
 
     def _expression(self, node: tree.Expression, depth: int) -> Iterator[Instruction]:
-        frozen = self._frozen.get(node.span)
+        frozen = None
+        if isinstance(node, tree.Variable | tree.Parameter):
+            frozen = self._frozen.get((node.span, format_expression(node)))
         match node:
             case tree.Variable() | tree.Parameter() if frozen is not None:
                 text = f"{frozen.name} = {value_text(frozen.value)}"

@@ -31,6 +31,7 @@ from nctakt.decoder.state.commands import (
     Answer,
     Command,
     Dwell,
+    EmptyBlock,
     FixedStop,
     FixedStopEnd,
     Flush,
@@ -374,6 +375,7 @@ class BlockDecoder:
         segment = self.path.segment(start, target, content.path, span, number)
         self._state.positions = target
         if segment is None:
+            yield from self._pass_over(span, number)
             return
         if segment.is_feed and self.technology.awaits_feed:
             yield from self.technology.before_feed()
@@ -490,6 +492,13 @@ class BlockDecoder:
         count = int(arithmetic.ceiling(ticks - 1e-6))
         if count > 0:
             yield Dwell(self._environment.source_id(span), number, count)
+        else:
+            yield from self._pass_over(span, number)
+
+    def _pass_over(self, span: Span, number: int) -> Iterator[Command]:
+        """Yield that a motion or dwell takes no tick, for BLOCK cycles that are armed (RC-105)."""
+        if self._uncertain_axes.awaits_block:
+            yield EmptyBlock(self._environment.source_id(span), number)
 
 
 def _is_revolutions(word: tree.BlockWord) -> bool:

@@ -114,7 +114,7 @@ class CycleBuilder:
         self._source_id = values.environment.source_id
         self._names = values.environment.names
         self._cell_count = len(values.environment.cells)
-        self._texts = TextBuilder(values, self._index, self._keep_text)
+        self._texts = TextBuilder(values, self._index, self._keep)
         self._builder = ExpressionBuilder(
             self._leaf, compare_texts=self._texts.compare, macro=values.no_macro
         )
@@ -150,9 +150,9 @@ class CycleBuilder:
         )
 
     def _distinct_frozen(self) -> tuple[FrozenValue, ...]:
-        """Return the frozen values in the order of the text, each access once."""
-        by_span = {frozen.span: frozen for frozen in self._frozen}
-        return tuple(by_span[span] for span in sorted(by_span))
+        """Return the frozen values in the order of the text; members in theirs."""
+        accesses = {(frozen.span, frozen.name): frozen for frozen in self._frozen}
+        return tuple(sorted(accesses.values(), key=lambda frozen: frozen.span))
 
     # --- statements -----------------------------------------------------------------------------
 
@@ -348,9 +348,9 @@ class CycleBuilder:
         self._frozen.append(FrozenValue(format_expression(node), value, node.span))
         return constant(value)
 
-    def _keep_text(self, variable: tree.Variable, text: str) -> None:
-        """Keep an asynchronous text, which is a constant from now on."""
-        self._frozen.append(FrozenValue(format_expression(variable), text, variable.span))
+    def _keep(self, name: str, value: float | str, span: Span) -> None:
+        """List an asynchronous value that is a constant from now on."""
+        self._frozen.append(FrozenValue(name, value, span))
 
     def _index(
         self, variable: tree.Variable, location: Location | Aggregate

@@ -40,13 +40,14 @@ Index = Callable[[tree.Variable, Location | Aggregate], tuple[int, Expression | 
 class TextBuilder:
     """Builds what concerns texts in one cycle.
 
-    ``index`` returns where a variable is; ``freeze`` keeps an asynchronous text. ``events``: how
+    ``index`` returns where a variable is; ``freeze`` takes name, value and place of what is
+    asynchronous and keeps its value of the definition. ``events``: how
     many more than one each the statements can record in a tick; ``steps``: elementary instructions
     of accesses in each tick.
     """
 
     def __init__(
-        self, values: Values, index: Index, freeze: Callable[[tree.Variable, str], None]
+        self, values: Values, index: Index, freeze: Callable[[str, float | str, Span], None]
     ) -> None:
         self._values = values
         self._names = values.environment.names
@@ -112,6 +113,7 @@ class TextBuilder:
         if not all(is_live for _, _, is_live in leaves):
             first = CELL_BYTES * self._values.cell_now(value, whole)
             frozen[:] = self._values.environment.memory[first : first + len(frozen)]
+            self._freeze_members(value, whole, frozen)
         return Copy(
             self._cell_range(target, destination, count),
             self._cell_range(value, whole, count),
@@ -121,6 +123,21 @@ class TextBuilder:
             source,
             cost,
         )
+
+    def _freeze_members(self, value: tree.Variable, whole: Aggregate, data: bytearray) -> None:
+        """List each member of a copy that keeps its value of the definition (RC-302)."""
+        if value.synchronous:
+            return
+        numbers = memoryview(data).cast("d")
+        for name, leaf, cell in leaf_cells(whole.node, format_expression(value), 0):
+            if leaf.synchronous:
+                continue
+            if leaf.type in ("STRING", "VSTRING"):
+                first = CELL_BYTES * cell
+                text = strings.decode(data[first : first + leaf.size_bytes])
+                self._freeze(name, text, value.span)
+            else:
+                self._freeze(name, numbers[cell], value.span)
 
     def _is_text(self, expression: tree.Expression) -> bool:
         if isinstance(expression, tree.StringLiteral):
@@ -146,7 +163,7 @@ class TextBuilder:
                 return None
         text = self._values.text_now(expression)
         assert text is not None
-        self._freeze(expression, text)
+        self._freeze(format_expression(expression), text, expression.span)
         return text
 
     def _live(self, expression: tree.Expression) -> Text:

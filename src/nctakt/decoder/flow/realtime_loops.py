@@ -16,6 +16,7 @@ from nctakt.decoder.state.commands import (
     Answer,
     BlockMark,
     Command,
+    EmptyBlock,
     LoopBegin,
     LoopEnd,
     LoopPass,
@@ -93,6 +94,6 @@ class RealtimeLoops:
                 command = next(decoded)
             except StopIteration:
                 return commands
-            if not isinstance(command, Segment | WriteVariable | BlockMark):
+            if not isinstance(command, Segment | WriteVariable | BlockMark | EmptyBlock):
                 self._values.fail(NOT_ALLOWED_IN_RT_WHILE, loop.span, command="#RT WHILE")
             commands.append(command)

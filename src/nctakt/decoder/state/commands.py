@@ -392,6 +392,11 @@ class ClearHistory(Command):
     """Nothing in front of this is walked back (``#BACKWARD STORAGE CLEAR``)."""
 
 
+@dataclass(frozen=True, slots=True)
+class EmptyBlock(Command):
+    """A motion of length 0 or a dwell of no tick, which an armed BLOCK cycle passes over."""
+
+
 #: What the decoder gets back from a command that waits.
 Answer = float | tuple[float, ...] | None
 

@@ -14,6 +14,7 @@ from nctakt.decoder.state.commands import (
     Command,
     CycleControl,
     Dwell,
+    EmptyBlock,
     FixedStop,
     FixedStopEnd,
     Flush,
@@ -116,6 +117,8 @@ def pack(command: Command, reference: int = 0) -> list[float]:
             return [*row, command.value is not None, command.value or 0]
         case ClearHistory():
             return [rows.CLEAR_HISTORY, *head]
+        case EmptyBlock():
+            return [rows.EMPTY_BLOCK, *head]
         case MeasureEnd():
             return [rows.MEASURE_END, *head]
         case FixedStopEnd():

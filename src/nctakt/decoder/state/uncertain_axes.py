@@ -33,13 +33,17 @@ class _CycleAxes:
 
 
 class UncertainAxes:
-    """Tracks the axes of one program; ``moving``: axes in independent motion at its start."""
+    """Tracks the axes of one program; ``moving``: axes in independent motion at its start.
+
+    ``awaits_block``: a BLOCK cycle is armed for the next motion or dwell.
+    """
 
     def __init__(self, living: Sequence[LivingCycle], moving: Sequence[str]) -> None:
         self._by_identity = {cycle.identity: _CycleAxes(cycle.axes, False) for cycle in living}
         self._running: dict[int, tuple[str, ...]] = {}
         self._without_id: list[tuple[str, ...]] = []
         self._armed: dict[str, None] = {}
+        self.awaits_block = False
         self._uncertain: dict[str, None] = dict.fromkeys(moving)
         for cycle in living:
             if cycle.is_started:
@@ -62,10 +66,11 @@ class UncertainAxes:
             self._start(identity, cycle)
 
     def _start(self, identity: int, cycle: _CycleAxes) -> None:
-        if not cycle.axes:
-            return
         if cycle.is_block:
+            self.awaits_block = True
             self._armed.update(dict.fromkeys(cycle.axes))
+            return
+        if not cycle.axes:
             return
         if identity:
             self._running[identity] = cycle.axes
@@ -92,6 +97,7 @@ class UncertainAxes:
         if is_block:
             self._uncertain.update(self._armed)
             self._armed.clear()
+            self.awaits_block = False
         if self._running or self._without_id:
             moved = tuple(moved)
             for axes in (*self._running.values(), *self._without_id):
@@ -99,8 +105,10 @@ class UncertainAxes:
 
     @property
     def is_empty(self) -> bool:
-        """Whether no axis is uncertain or will become so without another command."""
-        return not (self._uncertain or self._armed or self._running or self._without_id)
+        """Whether no axis is uncertain or will become so, and no BLOCK cycle is armed."""
+        if self.awaits_block:
+            return False
+        return not (self._uncertain or self._running or self._without_id)
 
     def uncertain(self, axes: Iterable[str]) -> tuple[str, ...]:
         """Return those of these axes whose positions must be requested before the path moves

@@ -114,6 +114,6 @@ class BlockScope:
         """Return whether a command that takes no time belongs to a block of the program."""
         if kind in (rows.TECHNOLOGY, rows.SPINDLE, rows.TIMER, rows.MESSAGE, rows.USER_ERROR):
             return 1
-        if kind in (rows.WRITE_VARIABLE, rows.WRITE_TEXT):
+        if kind in (rows.WRITE_VARIABLE, rows.WRITE_TEXT, rows.EMPTY_BLOCK):
             return 1
         return 1 if kind in (rows.SET_OFFSET, rows.SET_ORIGIN, rows.SET_TURN) else 0

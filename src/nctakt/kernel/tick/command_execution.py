@@ -200,7 +200,7 @@ class CommandExecutor:
             self.report(int(self.queue.rows[row + rows.SOURCE]), message, 0.0)
         elif kind in (rows.MESSAGE, rows.FREEZE, rows.BLOCK_MARK, rows.WAIT_MARK):
             self.take_event(row, kind)
-        else:
+        elif kind != rows.EMPTY_BLOCK:
             self.waiting = kind
             return 0
         return 1

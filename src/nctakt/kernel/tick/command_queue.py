@@ -318,6 +318,7 @@ class CommandQueue:
             rows.FREEZE,
             rows.LOOP_PASS,
             rows.CLEAR_HISTORY,
+            rows.EMPTY_BLOCK,
         ):
             return 1
         return 0

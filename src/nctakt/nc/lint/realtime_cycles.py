@@ -71,6 +71,7 @@ from nctakt.nc.vocabulary.axis_commands import (
     is_axis_command,
     read_axis_command,
 )
+from nctakt.nc.vocabulary.cells import leaf_cells
 from nctakt.nc.vocabulary.extensions import (
     BUFFERED_MOTION,
     COMPOUND_ASSIGNMENT,
@@ -375,6 +376,19 @@ class CycleLinter:
         for operand in operands_of(expression, self._names):
             if self._is_frozen(operand):
                 self._report_frozen(operand, in_condition=False)
+            elif isinstance(operand, Variable):
+                self._frozen_members(operand)
+
+    def _frozen_members(self, operand: Variable) -> None:
+        """Report the asynchronous members of a structure or array that is copied."""
+        whole = resolve_aggregate(operand, self._names)
+        if not isinstance(whole, Aggregate) or operand.synchronous:
+            return
+        for path, leaf, _ in leaf_cells(whole.node, "", 0):
+            name = self._name(operand) + path
+            if not leaf.synchronous and name not in self._reported:
+                self._reported[name] = None
+                self._findings.report(ASYNCHRONOUS_VALUE, operand.span, name=name, seen=_THEN)
 
     def _is_frozen(self, operand: Expression) -> bool:
         if isinstance(operand, Parameter):

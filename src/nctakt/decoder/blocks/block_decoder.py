@@ -31,7 +31,6 @@ from nctakt.decoder.state.commands import (
     Answer,
     Command,
     Dwell,
-    EmptyBlock,
     FixedStop,
     FixedStopEnd,
     Flush,
@@ -375,7 +374,7 @@ class BlockDecoder:
         segment = self.path.segment(start, target, content.path, span, number)
         self._state.positions = target
         if segment is None:
-            yield from self._pass_over(span, number)
+            yield from self._uncertain_axes.pass_over(self._environment.source_id(span), number)
             return
         if segment.is_feed and self.technology.awaits_feed:
             yield from self.technology.before_feed()
@@ -488,17 +487,11 @@ class BlockDecoder:
         """Yield a dwell of ``ceil(d / T)`` ticks (RC-005)."""
         if seconds < 0.0:
             self._values.fail(INVALID_DWELL_TIME, span, seconds=seconds)
-        ticks = seconds * 1e6 / self._environment.cycle_time_us
-        count = int(arithmetic.ceiling(ticks - 1e-6))
+        count = int(arithmetic.ceiling(seconds * 1e6 / self._environment.cycle_time_us - 1e-6))
         if count > 0:
             yield Dwell(self._environment.source_id(span), number, count)
         else:
-            yield from self._pass_over(span, number)
-
-    def _pass_over(self, span: Span, number: int) -> Iterator[Command]:
-        """Yield that a motion or dwell takes no tick, for BLOCK cycles that are armed (RC-105)."""
-        if self._uncertain_axes.awaits_block:
-            yield EmptyBlock(self._environment.source_id(span), number)
+            yield from self._uncertain_axes.pass_over(self._environment.source_id(span), number)
 
 
 def _is_revolutions(word: tree.BlockWord) -> bool:

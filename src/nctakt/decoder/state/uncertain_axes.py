@@ -10,9 +10,10 @@ which the path does not move the axis.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 from nctakt.base.dataclass import dataclass
+from nctakt.decoder.state.commands import Command, EmptyBlock
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,6 +103,11 @@ class UncertainAxes:
             moved = tuple(moved)
             for axes in (*self._running.values(), *self._without_id):
                 self._uncertain.update(dict.fromkeys(axis for axis in axes if axis not in moved))
+
+    def pass_over(self, source: int, number: int) -> Iterator[Command]:
+        """Yield that a motion or dwell takes no tick, for BLOCK cycles that are armed (RC-105)."""
+        if self.awaits_block:
+            yield EmptyBlock(source, number)
 
     @property
     def is_empty(self) -> bool:

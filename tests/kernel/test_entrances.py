@@ -263,3 +263,26 @@ def test_a_long_way_of_idle_ticks_can_be_interrupted() -> None:
     controller = Controller()
     assert not controller._loop.advance(1 << 60)
     assert 0 < controller.tick <= TICKS_AT_ONCE
+
+
+def test_python_reaches_no_queue_and_no_statement() -> None:
+    """Rows of commands and statements of cycles come from the decoder, which has checked them.
+
+    No public attribute of a controller leads to the objects that take them.
+    """
+    hidden = {"CommandQueue", "CycleManager", "RealtimeCycle", "CommandExecutor", "Channel"}
+    controller = Controller()
+    waiting: list[object] = [controller]
+    seen: dict[int, object] = {}
+    while waiting:
+        one = waiting.pop()
+        if id(one) in seen:
+            continue
+        seen[id(one)] = one
+        is_kernel = type(one).__module__.startswith("nctakt.kernel")
+        assert not (is_kernel and type(one).__name__ in hidden), type(one)
+        if not type(one).__module__.startswith("nctakt.") or isinstance(one, type):
+            continue
+        names = [name for name in dir(one) if not name.startswith("_")]
+        waiting += [value for name in names if not callable(value := getattr(one, name, None))]
+    assert "PlcView" in {type(one).__name__ for one in seen.values()}

@@ -33,6 +33,8 @@ def run_pytest(folder: Path, **environment: str) -> str:
             "-p",
             "no:asyncio",
             "-p",
+            "no:pytest-lsp",
+            "-p",
             "no:cacheprovider",
             "-q",
             ".",

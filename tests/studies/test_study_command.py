@@ -45,6 +45,22 @@ def test_the_summary_names_the_broken_runs(plan: Path, capsys: Captured) -> None
     assert main(["study", str(plan), "--only", "2", "--quiet"]) == 0
 
 
+def test_a_run_that_the_study_does_not_have(plan: Path, capsys: Captured) -> None:
+    """Exit code 2 instead of a run with the values of another number."""
+    assert main(["study", str(plan), "--only", "6", "--quiet"]) == 2
+    assert "0 to 5" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("content", [None, b"\xff", b'{"run":'])
+def test_results_that_cannot_be_read(plan: Path, capsys: Captured, content: bytes | None) -> None:
+    """A missing or damaged file of results: a message with the file's name, exit code 2."""
+    results = plan.with_name("results.jsonl")
+    if content is not None:
+        results.write_bytes(content)
+    assert main(["study", "report", str(plan), str(results)]) == 2
+    assert "results.jsonl" in capsys.readouterr().err
+
+
 def test_each_tick_of_a_program(plan: Path, capsys: Captured) -> None:
     """The strip has a line for each block; a mistake in the words is exit code 2."""
     program = str(plan.with_name("part.nc"))

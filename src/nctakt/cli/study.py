@@ -90,6 +90,8 @@ def _study(file: str, words: dict[str, Any]) -> int:
         return _cover(study, words)
     if study.plan.goals and words["only"] is None:
         return _find(study, words)
+    if words["only"] is not None and words["only"] >= len(study):
+        raise click.UsageError(f"--only: the study has the runs 0 to {len(study) - 1}")
     numbers = (
         range(len(study)) if words["only"] is None else range(words["only"], words["only"] + 1)
     )

@@ -24,7 +24,7 @@ from nctakt.files.access import FileAccess
 from nctakt.files.output import OutputFile
 from nctakt.lists.machine.machine import load_machine
 from nctakt.messages import diagnostic
-from nctakt.messages.files import FILE_NOT_WRITABLE
+from nctakt.messages.files import FILE_NOT_READABLE, FILE_NOT_WRITABLE
 from nctakt.messages.studies import OTHER_PLAN
 from nctakt.project.machine_choice import machine_of
 from nctakt.run.tape import digest_of
@@ -163,12 +163,20 @@ def read_rows(path: Path) -> list[Row]:
 
     Raises ``Failure`` for a file that cannot be read (900500 …), without pyarrow (901311).
     """
-    data = FileAccess().read_bytes(path) if path.suffix != ".parquet" else b""
-    if path.suffix == ".parquet":
-        table = load_pyarrow("parquet").read_table(path)
+    data = FileAccess().read_bytes(path)
+    try:
+        return _rows_of(data, path.suffix)
+    except ValueError as error:  # of pyarrow, of UTF-8, of JSON
+        found = diagnostic(FILE_NOT_READABLE, file=path.as_posix(), reason=str(error))
+        raise Failure(found) from error
+
+
+def _rows_of(data: bytes, suffix: str) -> list[Row]:
+    if suffix == ".parquet":
+        table = load_pyarrow("parquet").read_table(io.BytesIO(data))
         rows: list[Row] = table.to_pylist()
         return rows
-    if path.suffix == ".csv":
+    if suffix == ".csv":
         return [
             {name: _cell(name, cell) for name, cell in row.items()}
             for row in csv.DictReader(io.StringIO(data.decode("utf-8")))

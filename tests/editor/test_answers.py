@@ -6,8 +6,11 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
+import pytest
 from editor.client import Editor
 from lsprotocol import types
+
+pytestmark = pytest.mark.slow
 
 Run = Callable[..., None]
 

@@ -15,6 +15,8 @@ from pygls.lsp.client import LanguageClient
 
 from nctakt.cli import EXIT_USAGE, main
 
+pytestmark = pytest.mark.slow
+
 
 def test_an_editor_can_come_over_tcp(tmp_path: Path) -> None:
     """The server waits at its port, answers, and ends with its editor."""

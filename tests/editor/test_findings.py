@@ -7,6 +7,7 @@ import random
 from collections.abc import Callable
 from pathlib import Path
 
+import pytest
 from editor.client import Editor
 from lsprotocol import types
 from random_seeds import FIRST, MANY
@@ -16,6 +17,8 @@ from nctakt.cli import main
 from nctakt.lists.machine.machine import load_machine
 from nctakt.run.assembly import AssembledMachine
 from nctakt.run.program_loader import NcText
+
+pytestmark = pytest.mark.slow
 
 Run = Callable[..., None]
 

@@ -11,6 +11,8 @@ from pathlib import Path
 import pytest
 from editor.client import ENVIRONMENT
 
+pytestmark = pytest.mark.slow
+
 NEOVIM = shutil.which("nvim")
 
 

@@ -5,10 +5,13 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+import pytest
 from editor.client import Editor
 from lsprotocol import types
 
 from nctakt.editor.colours import MODIFIERS, TYPES
+
+pytestmark = pytest.mark.slow
 
 Run = Callable[..., None]
 

@@ -10,6 +10,8 @@ from pathlib import Path
 
 import pytest
 
+pytestmark = pytest.mark.slow
+
 colours = pytest.importorskip("nctakt.editor.colours", reason="pygls is not installed")
 document = pytest.importorskip("nctakt.editor.document")
 

@@ -14,6 +14,8 @@ from nctakt import Failure, NcText
 from nctakt.cli import main
 from nctakt.session import Session
 
+pytestmark = pytest.mark.slow
+
 PROGRAM = """\
 #RT CYCLE [ID=1 SCOPE=PROG]
   $IF EDGE V.E.VALUE > 0.5

@@ -17,6 +17,8 @@ from nctakt.studies.bench import Row
 from nctakt.studies.results import RowStore, read_rows
 from nctakt.studies.study import Study
 
+pytestmark = pytest.mark.slow
+
 PLC = """\
 import os
 

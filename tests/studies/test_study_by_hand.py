@@ -22,6 +22,8 @@ from nctakt.studies.search import search
 from nctakt.studies.shared_beginning import SharedBeginning
 from nctakt.studies.study import Study
 
+pytestmark = pytest.mark.slow
+
 PROGRAM = """\
 #RT CYCLE [ID = 1 SCOPE = PROG]
   $IF V.E.TRIGGER > 0

@@ -123,7 +123,7 @@ class Adapter:
         self._queue.put(message)
 
     def refuse(self, failure: Failure) -> None:
-        """Tell the client that it has sent something that is no message."""
+        """Tell the client that what it has sent is not a message of the protocol."""
         self.tell("output", {"category": "important", "output": f"{failure}\n"})
 
     def end(self) -> None:
@@ -189,7 +189,7 @@ class Adapter:
             self._close()
 
     def _go_on(self) -> None:
-        """Do a part of the run, or look at what others do with their session."""
+        """Run for a short while, or watch what others do with their session."""
         debuggee = self._debuggee
         assert debuggee is not None
         if self._shared is not None and self._shared() is not debuggee.session:
@@ -201,7 +201,7 @@ class Adapter:
             debuggee.attend()
 
     def _guarded(self, work: Callable[[], None]) -> None:
-        """Do a part of the run; an error of nctakt's own is told and ends it."""
+        """Call ``work``; report an internal error, and pause the run."""
         try:
             work()
         except Exception as error:  # noqa: BLE001 - the debugger goes on
@@ -258,7 +258,7 @@ class Adapter:
         requests.follow()
 
     def _begin(self, debuggee: Debuggee) -> None:
-        """Begin the run, or stand at its start."""
+        """Start the run, or stop before its first tick."""
         configuration = self._configuration
         if configuration is None:
             debuggee.stop_on_entry()  # another one's session stands

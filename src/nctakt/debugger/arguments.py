@@ -37,7 +37,7 @@ class Arguments:
         return self._values.get(name) is not None
 
     def text(self, name: str, default: str | None = None) -> str:
-        """Return a text; the argument is needed where there is no default."""
+        """Return a text argument; it is required unless there is a default."""
         value = self._values.get(name)
         if value is None and default is not None:
             return default

@@ -208,7 +208,7 @@ class Console:
     # --- completions ----------------------------------------------------------------------------
 
     def completions(self, text: str, column: int, channel: int) -> list[dict[str, Any]]:
-        """Return what may stand at a column, counted from 1."""
+        """Return the completions at a column, counted from 1."""
         before = text[: max(0, column - 1)]
         match = _WORD.search(before)
         begun = "" if match is None else match[0]

@@ -34,7 +34,7 @@ from nctakt.session.stops import StopAt
 PART_S = 0.02
 FIRST_TICKS, MAX_TICKS = 2_000, 2_000_000
 
-#: After this time, in seconds, a client is told how far a run is, and then again and again.
+#: A run reports its progress first after ``PROGRESS_S`` seconds, then at this interval.
 PROGRESS_S, PROGRESS_AGAIN_S = 1.0, 0.5
 
 #: Diagnostics that are kept to explain an error.

@@ -333,7 +333,7 @@ def test_nobody_but_the_command_line_reads_a_clock() -> None:
         f"{path.relative_to(PACKAGE)}: {name}"
         for path in SOURCES
         if path.relative_to(PACKAGE).parts[0]
-        not in ("cli", "debugger", "linux", "live", "schedule")
+        not in ("cli", "debugger", "linux", "live", "schedule", "servers")
         and path.name != "one_at_a_time.py"  # refuses a second thread, and makes none
         for name in imports(path)
         if name.split(".")[0] in NOT_DETERMINISTIC

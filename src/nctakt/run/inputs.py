@@ -34,6 +34,10 @@ IMAGE, SELECT = "image", "select"
 #: Where inputs come from; ``HLI``: a PLC in another process.
 API, STIMULI, PLC, HLI = "api", "stimuli", "plc", "hli"
 
+#: The order of the sources within a tick, by the first word of their names: tape and stimuli, PLCs,
+#: the servers, persons; others come last. Of two that write one value the later one wins.
+SOURCE_ORDER = (STIMULI, HLI, PLC, "automatic", "ads", "opcua", "mqtt", "page", "debugger", API)
+
 #: A tick that no run reaches.
 NEVER = 1 << 62
 
@@ -53,6 +57,14 @@ class Input(NamedTuple):
     source: str
     kind: str
     values: tuple[float | str | bool, ...]
+
+
+def in_order(planned: Input) -> tuple[int, int]:
+    """Return the key by which inputs are sorted: tick, then source; arrival decides the rest."""
+    return planned.tick, _ranks.get(planned.source.partition(" ")[0], len(_ranks))
+
+
+_ranks = {source: rank for rank, source in enumerate(SOURCE_ORDER)}
 
 
 #: Inputs in the order of their arrival, in five cells each: tick, source, kind; name and value of
@@ -139,8 +151,8 @@ class Inputs:
         self._planned = deque(inputs)
 
     def add(self, inputs: Iterable[Input]) -> None:
-        """Plan further inputs, each behind those of its tick that are planned already."""
-        self._planned = deque(sorted([*self._planned, *inputs], key=lambda planned: planned.tick))
+        """Plan further inputs, each behind those of its tick and source."""
+        self._planned = deque(sorted([*self._planned, *inputs], key=in_order))
 
     def check(self, planned: Input) -> None:
         """Raise ``Failure`` for a name or a value that this machine does not take (901077)."""

@@ -27,11 +27,13 @@ class Audience:
         self._pending: dict[int, list[Slice]] = {}
         self._has_differed = False
 
-    def add(self, listener: Listener, speed: float | None) -> None:
-        """Let somebody listen from now on; raises ``Failure`` for an unknown signal."""
-        self._story.read(listener.signals)
-        self._listeners.append(listener)
-        self._pending[id(listener)] = [self._story.latest]
+    def add(self, listener: Listener, speed: float | None, signals: Sequence[str]) -> None:
+        """Let somebody listen to these signals; raises ``Failure`` for an unknown one."""
+        self._story.read(signals)
+        listener.signals = tuple(signals)
+        if listener not in self._listeners:
+            self._listeners.append(listener)
+            self._pending[id(listener)] = [self._story.latest]
         self._give([listener], speed)
 
     @property

@@ -144,6 +144,7 @@ class Engine:
         self._stop_builder = StopBuilder(machine)
         self._cycles: dict[int, tuple[str, CycleDefinition]] = {}
         self._stops: Sequence[StopAt] = ()
+        self._listed: list[int | str] = []
         self._told_diagnostics = self._told_messages = 0
         plc = None if setup.plc is None else load_plc(setup.plc)
         stimuli = [read_stimulus(stimulus) for stimulus in setup.at]
@@ -315,6 +316,15 @@ class Engine:
         return [
             cells[signals[name][0]] if name in signals else self._machine.read(name)
             for name in names
+        ]
+
+    def read_listed(self, names: Sequence[str] | None) -> list[float | bool | str]:
+        """Return values as ``read``; without names, of those that were asked for last."""
+        signals, cells = self._signals, self._machine.cells
+        if names is not None:
+            self._listed = [signals[name][0] if name in signals else name for name in names]
+        return [
+            cells[one] if isinstance(one, int) else self._machine.read(one) for one in self._listed
         ]
 
     def evaluate(self, text: str, channel: int = 1) -> float:

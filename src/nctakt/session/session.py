@@ -128,10 +128,9 @@ class Session:
     def _run_slice(self, clock: WallClock | FastClock) -> None:
         begin_s = time.monotonic()
         end = clock.next_tick(begin_s)
-        first = self._story.tick
         try:
             done = self._story.run(end, events=self._audience.wants_events)
-            clock.note(done.tick - first, time.monotonic() - begin_s)
+            clock.note(done.tick - done.first_tick, time.monotonic() - begin_s)
             is_at_end = bool(done.hits) or done.run_state is not None
             if is_at_end:
                 self._thread.clock = None
@@ -217,18 +216,17 @@ class Session:
 
     def next_block(self) -> Slice:
         """Run until a block becomes current."""
-        return self._ask(self._until, NEXT_BLOCK)
+        return self._ask(self._run_to, None, [NEXT_BLOCK])
 
     def next_reaction(self) -> Slice:
         """Run until a branch of a realtime cycle fires."""
-        return self._ask(self._until, NEXT_REACTION)
-
-    def _until(self, stop: StopAt) -> Slice:
-        return self._run_to(None, [stop])
+        return self._ask(self._run_to, None, [NEXT_REACTION])
 
     def _pausing(self, method: Callable[..., Slice], *words: Any) -> Slice:
         self._thread.clock = None
-        return self._ran(method(*words))
+        done = method(*words)
+        self._publish(done, at_once=True)
+        return done
 
     # --- back -----------------------------------------------------------------------------------
 
@@ -329,6 +327,14 @@ class Session:
         value, and nothing is written.
         """
         self._ask(self._input, self._story.write, values, source)
+
+    def write_each(
+        self, requests: Sequence[tuple[Mapping[str, float | bool | str], str]]
+    ) -> list[Failure | None]:
+        """Write values, each with its source, in one tick; return why each is refused, if it is."""
+        answers: list[Failure | None] = []
+        self._ask(self._input, self._story.write_each, requests, answers)
+        return answers
 
     def acknowledge(
         self, channel: int, entry: TechnologyEntry | SpindleEntry, source: str = API
@@ -443,16 +449,20 @@ class Session:
         Raises ``Failure`` for an unknown signal.
         """
         listener = Listener(signals, rate_hz, wants_events=events)
-        self._ask(self._audience.add, listener, self.speed)
+        self.attach(listener, signals)
         try:
             yield listener
         finally:
-            with contextlib.suppress(Failure):
-                self._ask(self._audience.remove, listener)
+            self.detach(listener)
 
-    def _ran(self, done: Slice) -> Slice:
-        self._publish(done, at_once=True)
-        return done
+    def attach(self, listener: Listener, signals: Sequence[str] = ()) -> None:
+        """Let a listener hear these signals alone from now on, until ``detach``; see ``listen``."""
+        self._ask(self._audience.add, listener, self.speed, signals)
+
+    def detach(self, listener: Listener) -> None:
+        """Let a listener hear nothing more."""
+        with contextlib.suppress(Failure):
+            self._ask(self._audience.remove, listener)
 
     def _travelled(self, done: Slice) -> Slice:
         self._audience.tell("travelled", str(self._story.branch.number))

@@ -195,6 +195,21 @@ class Story:
             [Input(self.tick, source, WRITE, (name, value)) for name, value in values.items()]
         )
 
+    def write_each(
+        self,
+        requests: Sequence[tuple[Mapping[str, float | bool | str], str]],
+        answers: list[Failure | None],
+    ) -> bool:
+        """Write for several clients; each answer is why it was refused; returns as ``write``."""
+        begins = False
+        for values, source in requests:
+            try:
+                begins = self.write(values, source) or begins
+                answers.append(None)
+            except Failure as failure:
+                answers.append(failure)
+        return begins
+
     def select(self, program: str, channel: int, source: str) -> bool:
         """Select a program file for a channel, counted from 1; returns as ``write``."""
         values = channel - 1, program
@@ -208,7 +223,7 @@ class Story:
 
     def read(self, names: Sequence[str]) -> list[float | bool | str]:
         """Return signals and variables at this tick; raises ``Failure`` for an unknown name."""
-        return cast("list[float | bool | str]", self._timeline.live.ask("read", list(names)))
+        return self._timeline.live.read(tuple(names))
 
     def evaluate(self, text: str, channel: int = 1) -> float:
         """Return the value of an expression in the controller's language at this tick."""

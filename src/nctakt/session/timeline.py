@@ -17,7 +17,7 @@ from nctakt.base.dataclass import dataclass, field
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
 from nctakt.messages.session import NO_SUCH_BRANCH, TICK_NOT_REACHED
-from nctakt.run.inputs import PLC, Input
+from nctakt.run.inputs import PLC, Input, in_order
 from nctakt.session.engine import Slice
 from nctakt.session.parking import SPARSE_US, Cost, approach, surplus
 from nctakt.session.setup import Setup
@@ -155,8 +155,7 @@ class Timeline:
             self.branches.append(self.branch)
             self._plc[self.branch.number] = []
             self.branch.inputs = planned
-        own = self.branch.inputs
-        own[:] = sorted([*own, *arriving], key=lambda one: one.tick)
+        _insert(self.branch.inputs, arriving)
         if begins:
             self.live.plan(self.branch.inputs)
         return begins
@@ -294,3 +293,11 @@ class Timeline:
         self._parked.clear()
         self.live.close()
         self._workshop.close()
+
+
+def _insert(inputs: list[Input], arriving: Sequence[Input]) -> None:
+    """Insert inputs into a list in its order, whose end they nearly always concern."""
+    first = min(map(in_order, arriving), default=None)
+    if first is not None:
+        at = bisect.bisect_right(inputs, first, key=in_order)
+        inputs[at:] = sorted([*inputs[at:], *arriving], key=in_order)

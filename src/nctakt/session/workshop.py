@@ -40,6 +40,7 @@ class RemoteEngine:
         self._connection = connection
         self._workshop = workshop
         self.tick = tick
+        self._listed: Sequence[str] = ()
 
     def ask(self, request: str, *words: Any) -> Any:
         """Return the answer to a request."""
@@ -65,6 +66,13 @@ class RemoteEngine:
         done = cast("Slice", self.ask("run", end, stops, events))
         self.tick = done.tick
         return done
+
+    def read(self, names: Sequence[str]) -> list[float | bool | str]:
+        """Read as ``Engine.read``; names that were asked for last are not sent again."""
+        known, self._listed = self._listed, ()
+        answer = self.ask("read_listed", None if names == known else names)
+        self._listed = names
+        return cast("list[float | bool | str]", answer)
 
     def search(self, end: int, stops: Sequence[StopAt]) -> list[int]:
         """Search as ``Engine.search``."""

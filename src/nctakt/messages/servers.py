@@ -1,0 +1,42 @@
+# SPDX-License-Identifier: MIT
+"""Messages about servers: their addresses, their protocols."""
+
+from __future__ import annotations
+
+from nctakt.messages.catalogue import error
+
+DOOR_ADDRESS_NOT_USABLE = error(
+    901351,
+    en="{door} cannot listen at {host}, port {port}: {reason}",
+    de="{door} kann nicht an {host}, Port {port} lauschen: {reason}",
+    remedy_en="End the program that uses the port, or name another one; port 0 takes a free one.",
+    remedy_de="Das Programm am Port beenden oder einen anderen nennen; Port 0 nimmt einen freien.",
+    door=("the server", "der Server"),
+    host=("the address", "die Adresse"),
+    port=("the port", "der Port"),
+    reason=("the system's reason", "der Grund des Systems"),
+)
+INVALID_DOOR_ADDRESS = error(
+    901352,
+    en="{option} needs an address as HOST:PORT, not {text}",
+    de="{option} braucht eine Adresse der Form HOST:PORT, nicht {text}",
+    remedy_en="Write it with an equals sign, {option}=127.0.0.1:0, and programs before it.",
+    remedy_de="Mit Gleichheitszeichen schreiben, {option}=127.0.0.1:0, und Programme davor.",
+    option=("the option", "die Option"),
+    text=("the text", "der Text"),
+)
+NO_DOOR = error(
+    901353,
+    en="nctakt serve needs at least one protocol for its clients",
+    de="nctakt serve braucht mindestens ein Protokoll für seine Clients",
+    remedy_en="Name one, for example --ads.",
+    remedy_de="Eine nennen, zum Beispiel --ads.",
+)
+CONTROLLER_STOPPED = error(
+    901354,
+    en="the controller has stopped, so the servers end: {reason}",
+    de="die Steuerung steht, deshalb enden die Server: {reason}",
+    remedy_en="Start the command again; please report it if the reason is not yours.",
+    remedy_de="Den Befehl neu starten; bitte melden, wenn der Grund nicht bei Ihnen liegt.",
+    reason=("the reason", "der Grund"),
+)

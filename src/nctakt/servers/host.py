@@ -1,0 +1,182 @@
+# SPDX-License-Identifier: MIT
+"""The host of all doors: one session, one loop, one store of values, one way to write.
+
+In: commands and values of clients, through the doors. Out: inputs of the session, values by name,
+frames and notices. Whatever asks the session waits in a thread of its own, never in the loop.
+"""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Callable, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from typing import Literal, ParamSpec, Protocol, Self, TypeVar
+
+from nctakt.base.failure import Failure
+from nctakt.lists.machine.machine import Machine
+from nctakt.run.machine_names import names_of_machine
+from nctakt.servers.catalogue import Catalogue
+from nctakt.servers.feed import Feed
+from nctakt.servers.log import ServerLog
+from nctakt.servers.notices import Notices, ServerNotice
+from nctakt.servers.store import Scalar, Store
+from nctakt.session.listening import Frame, Notice
+from nctakt.session.session import Session
+
+#: Writes that wait for the session at most; one more is refused.
+MAX_WRITES = 10_000
+
+#: The operator's keys: the value of the HLI that each writes, and what.
+KEYS: Mapping[str, tuple[str, float]] = {
+    "start": ("HLI.START", 1.0),
+    "reset": ("HLI.RESET", 1.0),
+    "hold": ("HLI.FEED_HOLD", 1.0),
+    "go_on": ("HLI.FEED_HOLD", 0.0),
+}
+
+Key = Literal["start", "reset", "hold", "go_on"]
+
+_P = ParamSpec("_P")
+_T = TypeVar("_T")
+
+
+class Door(Protocol):
+    """A server of one protocol in the host's loop."""
+
+    async def open(self) -> str:
+        """Serve clients from now on; return the address. Raises ``Failure``."""
+
+    async def close(self) -> None:
+        """Tell the clients that it ends, and serve nobody any more."""
+
+
+class Busy(Exception):
+    """Too many writes wait for the session."""
+
+
+class Host:
+    """A session and what its doors share; open it in a running loop.
+
+    ``machine``: that of the session. ``catalogue``: its values by name; ``store``: their latest
+    values; ``notices``: what clients must know; ``log``: what is told of clients.
+    """
+
+    def __init__(self, session: Session, machine: Machine, log: ServerLog) -> None:
+        self.session = session
+        self.machine = machine
+        self.catalogue = Catalogue(names_of_machine(machine))
+        self.log = log
+        self.notices = Notices()
+        self.store = Store(self._subscribe, log)
+        self.cycle_time_us = session.description.cycle_time_us
+        self._executor = ThreadPoolExecutor(1, "nctakt servers")
+        self._writes: list[tuple[Mapping[str, Scalar], str, asyncio.Future[Failure | None]]] = []
+        self._writer: asyncio.Task[None] | None = None
+        self._feed: Feed | None = None
+
+    async def open(self) -> Self:
+        """Listen to the session from now on."""
+        self.loop = asyncio.get_running_loop()
+        self._feed = feed = Feed(self.loop, self._take_frame, self._take_notice)
+        await self.ask(self.session.attach, feed)
+        return self
+
+    async def close(self) -> None:
+        """Listen no more; the session stays open."""
+        feed, self._feed = self._feed, None
+        if feed is not None:
+            await self.ask(self.session.detach, feed)
+        self._executor.shutdown()
+
+    # --- what the session tells -----------------------------------------------------------------
+
+    def _take_frame(self, frame: Frame) -> None:
+        self.store.take(frame)
+        for message in frame.messages:
+            self.notices.tell(ServerNotice("message", frame.tick, message.text, message=message))
+        for found in frame.diagnostics:
+            self.notices.tell(ServerNotice("diagnostic", frame.tick, str(found), diagnostic=found))
+
+    def _take_notice(self, notice: Notice) -> None:
+        self.log.note(notice.kind, tick=notice.tick, text=notice.text)
+        self.notices.tell(ServerNotice(notice.kind, notice.tick, notice.text))
+
+    def want_events(self) -> None:
+        """Let frames have events from now on."""
+        assert self._feed is not None
+        self._feed.wants_events = True
+
+    @property
+    def missed_frames(self) -> int:
+        """The number of frames that the loop was too late for."""
+        return 0 if self._feed is None else self._feed.missed
+
+    async def _subscribe(self, names: Sequence[str]) -> None:
+        assert self._feed is not None
+        await self.ask(self.session.attach, self._feed, names)
+
+    # --- what clients want ----------------------------------------------------------------------
+
+    async def ask(self, method: Callable[_P, _T], *words: _P.args, **keywords: _P.kwargs) -> _T:
+        """Return what a method of the session gives, without holding up the loop."""
+        return await self.loop.run_in_executor(self._executor, lambda: method(*words, **keywords))
+
+    async def write(self, values: Mapping[str, Scalar], door: str, client: str) -> None:
+        """Write values from the next tick on, all of them in the same one.
+
+        Raises ``Failure`` for a wrong name or value, ``Busy`` where too many writes wait; then
+        nothing is written, and it stands in the log. On the tape its source is door and client.
+        """
+        if len(self._writes) >= MAX_WRITES:
+            self.log.refuse(door, client, "too many writes wait")
+            raise Busy
+        answer: asyncio.Future[Failure | None] = self.loop.create_future()
+        self._writes.append((dict(values), f"{door} {client}", answer))
+        if self._writer is None:
+            self._writer = self.loop.create_task(self._write_all())
+        failure = await answer
+        if failure is not None:
+            self.refuse(failure, door, client)
+            raise failure
+
+    async def _write_all(self) -> None:
+        """Hand the writes of all clients to the session, together those that wait together."""
+        try:
+            while self._writes:
+                writes, self._writes = self._writes, []
+                requests = [(values, source) for values, source, _ in writes]
+                try:
+                    answers = await self.ask(self.session.write_each, requests)
+                except Failure as failure:
+                    answers = [failure] * len(writes)
+                for (_, _, answer), refused in zip(writes, answers, strict=True):
+                    if not answer.done():  # whose client has gone
+                        answer.set_result(refused)
+        finally:
+            self._writer = None
+
+    async def select(self, program: str | Path, channel: int, door: str, client: str) -> None:
+        """Select a program file for a channel, counted from 1; raises ``Failure``."""
+        await self._command(door, client, self.session.select, program, channel)
+
+    async def press(self, key: Key, channel: int, door: str, client: str) -> None:
+        """Press a key of the operator: START, RESET, feed hold, and its end."""
+        name, value = KEYS[key]
+        count = len(self.machine.channels)
+        prefix = f"CH{channel}." if count > 1 or channel > 1 else ""
+        await self.write({f"{prefix}{name}": value}, door, client)
+
+    async def _command(
+        self, door: str, client: str, method: Callable[..., None], *words: object
+    ) -> None:
+        try:
+            await self.ask(method, *words, source=f"{door} {client}")
+        except Failure as failure:
+            self.refuse(failure, door, client)
+            raise
+
+    def refuse(self, failure: Failure, door: str, client: str) -> None:
+        """Tell in the log that something of a client was refused."""
+        for found in failure.diagnostics[:1]:
+            self.log.refuse(door, client, f"{found.id}: {found.text('en')}")

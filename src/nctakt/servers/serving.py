@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: MIT
+"""A session served through its doors until somebody ends it.
+
+In: a session, its doors, a speed. Out: the addresses once all doors are open. SIGTERM and Ctrl-C
+end it: the doors close first, each telling its clients.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import signal
+import sys
+from collections.abc import Callable, Mapping
+
+from nctakt.base.failure import Failure, error_text
+from nctakt.lists.machine.machine import Machine
+from nctakt.messages import diagnostic
+from nctakt.messages.servers import CONTROLLER_STOPPED
+from nctakt.servers.host import Door, Host
+from nctakt.servers.log import ServerLog
+from nctakt.servers.notices import ServerNotice
+from nctakt.session.session import Session
+
+#: Makes a door of a host.
+DoorOpener = Callable[[Host], Door]
+
+#: How long a door may take to close, in seconds.
+CLOSING_S = 5.0
+
+#: How long a thread may compute while the loop or the session is due, in seconds.
+_SWITCH_S = 0.0005
+
+
+async def serve(
+    session: Session,
+    machine: Machine,
+    log: ServerLog,
+    doors: Mapping[str, DoorOpener],
+    *,
+    speed: float | None,
+    ready: Callable[[Mapping[str, str]], None],
+) -> None:
+    """Serve until a signal comes; ``ready`` gets the address of each door.
+
+    Raises ``Failure`` for an address that cannot be used, and when the controller has stopped
+    (901354).
+    """
+    sys.setswitchinterval(_SWITCH_S)
+    host = await Host(session, machine, log).open()
+    end = _EndSignal(host)
+    opened: list[tuple[str, Door]] = []
+    try:
+        addresses: dict[str, str] = {}
+        for name, opener in doors.items():
+            door = opener(host)
+            addresses[name] = await door.open()
+            opened.append((name, door))
+            log.note("open", door=name, address=addresses[name])
+        await host.ask(session.play, speed)
+        ready(addresses)
+        await end.wait()
+    finally:
+        host.notices.tell(ServerNotice("closing", host.store.tick, ""))
+        for name, door in reversed(opened):
+            try:
+                await asyncio.wait_for(door.close(), CLOSING_S)
+            except Exception as error:  # noqa: BLE001 - the other doors must close as well
+                log.error("close", door=name, reason=error_text(error) or repr(error))
+        with contextlib.suppress(Failure):
+            await host.ask(session.pause)
+        await host.close()
+        log.note("closed", tick=session.tick)
+
+
+class _EndSignal:
+    """Waits for SIGTERM, Ctrl-C or the end of the controller."""
+
+    def __init__(self, host: Host) -> None:
+        self._end = asyncio.Event()
+        self._reason = ""
+        self._host = host
+        loop = asyncio.get_running_loop()
+        for number in (signal.SIGTERM, signal.SIGINT):
+            try:
+                loop.add_signal_handler(number, self._end.set)
+            except (NotImplementedError, RuntimeError, ValueError):  # Windows, or another thread
+                with contextlib.suppress(ValueError):
+                    signal.signal(number, lambda *_: loop.call_soon_threadsafe(self._end.set))
+        self._watch = loop.create_task(self._watch_controller())
+
+    async def _watch_controller(self) -> None:
+        """End when a slice has failed: the session goes on no more."""
+        subscription = self._host.notices.subscribe(self._end.set)
+        while True:
+            notice = await subscription.next()
+            if notice.kind in ("refused", "closed") and not self._host.session.is_playing:
+                self._reason = notice.text
+                self._end.set()
+
+    async def wait(self) -> None:
+        """Return when it shall end; raises ``Failure`` if the controller has stopped."""
+        await self._end.wait()
+        self._watch.cancel()
+        if self._reason:
+            raise Failure(diagnostic(CONTROLLER_STOPPED, reason=self._reason))

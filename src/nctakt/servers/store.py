@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: MIT
+"""The latest values of a session, in the loop of the servers: all clients read them here.
+
+In: frames of the session. Out: values by name, all of the same tick, without asking the session.
+A name that nobody has read before is subscribed first; then its value comes with each frame.
+"""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Awaitable, Callable, Iterable, Mapping, Sequence
+
+from nctakt.base.failure import error_text
+from nctakt.servers.log import ServerLog
+from nctakt.session.listening import Frame
+
+#: The type of values.
+Scalar = float | bool | str
+
+#: Lets the session tell these values from now on.
+Subscriber = Callable[[Sequence[str]], Awaitable[None]]
+
+
+class Store:
+    """Values by name; ``tick``: the one that comes next, ``frame``: the latest one."""
+
+    def __init__(self, subscribe: Subscriber, log: ServerLog) -> None:
+        self._subscribe = subscribe
+        self._log = log
+        self._names: dict[str, None] = {}
+        self._lock = asyncio.Lock()
+        self._listeners: list[Callable[[Frame], None]] = []
+        self.values: Mapping[str, Scalar] = {}
+        self.tick = 0
+        self.frame: Frame | None = None
+
+    def take(self, frame: Frame) -> None:
+        """Take a frame, and tell those who listen."""
+        self.frame = frame
+        self.tick = frame.tick
+        self.values = frame.values
+        for listener in tuple(self._listeners):
+            try:
+                listener(frame)
+            except Exception as error:  # noqa: BLE001 - one door's mistake must not hit the others
+                self._log.error("frame", reason=error_text(error))
+
+    def listen(self, listener: Callable[[Frame], None]) -> Callable[[], None]:
+        """Call a function with each frame, in the loop; return one that ends it."""
+        self._listeners.append(listener)
+        return lambda: self._listeners.remove(listener)
+
+    def has(self, names: Iterable[str]) -> bool:
+        """Return whether the values of all names are here."""
+        values = self.values
+        return all(name in values for name in names)
+
+    async def subscribe(self, names: Iterable[str]) -> None:
+        """Let the values of these names be here from now on; raises ``Failure`` for unknown ones.
+
+        The names are those of the session (``Catalogue.find(...).name``).
+        """
+        asked_for = dict.fromkeys(names)
+        if self.has(asked_for):
+            return
+        async with self._lock:
+            missing = [name for name in asked_for if name not in self._names]
+            if missing:
+                await self._subscribe([*self._names, *missing])
+                self._names.update(dict.fromkeys(missing))
+
+    async def read(self, *names: str) -> list[Scalar]:
+        """Return values, all of the same tick; raises ``Failure`` for an unknown name."""
+        await self.subscribe(names)
+        return [self.values[name] for name in names]

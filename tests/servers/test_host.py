@@ -1,0 +1,185 @@
+# SPDX-License-Identifier: MIT
+"""The host of all doors: values without asking the session, writes of several clients, notices."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+from collections.abc import Awaitable, Callable
+
+import pytest
+
+from nctakt.base.failure import Failure
+from nctakt.lists.machine.machine import load_machine
+from nctakt.run.program_loader import NcText
+from nctakt.servers.address import read_address, shown_address
+from nctakt.servers.host import Host
+from nctakt.servers.log import ServerLog
+from nctakt.servers.notices import Notices, ServerNotice
+from nctakt.session.session import Session
+
+pytestmark = pytest.mark.slow
+
+PROGRAM = NcText("part.nc", "G01 X100 F6000\nM30")
+
+
+def in_host(act: Callable[[Host], Awaitable[None]]) -> list[dict[str, object]]:
+    """Let something happen in a host; the lines of its log."""
+    lines: list[str] = []
+
+    async def live(session: Session) -> None:
+        host = await Host(session, load_machine(), ServerLog(lines.append)).open()
+        try:
+            await act(host)
+        finally:
+            await host.close()
+
+    with Session(PROGRAM, stays=True) as session:
+        asyncio.run(live(session))
+    return [json.loads(line) for line in lines]
+
+
+async def until(host: Host, holds: Callable[[], bool]) -> None:
+    """Wait for a frame after which something holds."""
+    happened = asyncio.Event()
+    end = host.store.listen(lambda _: happened.set() if holds() else None)
+    try:
+        if not holds():
+            await asyncio.wait_for(happened.wait(), 30.0)
+    finally:
+        end()
+
+
+def test_values_come_with_each_frame_once_somebody_has_asked_for_them() -> None:
+    """A name is subscribed by its first reader; then reading asks nobody."""
+
+    async def act(host: Host) -> None:
+        name = host.catalogue.find("x.acs.act_pos").name
+        assert not host.store.has([name])
+        assert await host.store.read(name) == [0.0]
+        await host.ask(host.session.run, "100 ms")
+        await until(host, lambda: host.store.tick == 100)
+        assert host.store.values[name] == host.session.read(name)[0] != 0.0
+
+    in_host(act)
+
+
+def test_an_unknown_name_is_refused_with_the_nearest() -> None:
+    """Whoever asks for a value that is none learns of the one that was meant."""
+
+    async def act(host: Host) -> None:
+        with pytest.raises(Failure, match=r"HLI\.OVERRIDE"):
+            host.catalogue.find("HLI.OVERIDE")
+        with pytest.raises(Failure):
+            await host.store.read("nothing")
+
+    in_host(act)
+
+
+def test_writes_of_all_clients_act_in_the_order_of_their_doors() -> None:
+    """Of two doors that write one value in one tick the later one wins; both stand on the tape."""
+
+    async def act(host: Host) -> None:
+        await host.store.subscribe(["V.E.COUNT"])
+        answers = await asyncio.gather(
+            host.write({"V.E.COUNT": 5}, "opcua", "hmi"),
+            host.write({"V.E.COUNT": 7}, "ads", "plc"),
+            host.write({"V.E.COUNT": "text"}, "ads", "other"),
+            return_exceptions=True,
+        )
+        assert [type(answer) for answer in answers] == [type(None), type(None), Failure]
+        await host.ask(host.session.step)
+        await until(host, lambda: host.store.tick == 1)
+        assert host.store.values["V.E.COUNT"] == 5
+        tape = [(one.tick, one.source, one.values) for one in host.session.tape()]
+        assert tape == [
+            (0, "ads plc", ("V.E.COUNT", 7.0)),
+            (0, "opcua hmi", ("V.E.COUNT", 5.0)),
+        ]
+
+    refused = [line for line in in_host(act) if line["event"] == "refused"]
+    assert [(line["door"], line["client"]) for line in refused] == [("ads", "other")]
+
+
+def test_what_a_frame_listener_breaks_reaches_no_other_door() -> None:
+    """An exception in one door's listener stands in the log; the others hear on."""
+
+    async def act(host: Host) -> None:
+        heard: list[int] = []
+
+        def fail(_: object) -> None:
+            raise KeyError("door")
+
+        host.store.listen(fail)
+        host.store.listen(lambda frame: heard.append(frame.tick))
+        await host.ask(host.session.step)
+        await until(host, lambda: 1 in heard)
+
+    assert "frame" in [line["event"] for line in in_host(act)]
+
+
+def test_keys_are_values_of_the_hli() -> None:
+    """START, RESET and feed hold are what an operator would write."""
+
+    async def act(host: Host) -> None:
+        await host.press("hold", 1, "ads", "plc")
+        await host.store.subscribe(["HLI.FEED_HOLD"])
+        await host.ask(host.session.step)
+        await until(host, lambda: host.store.tick == 1)
+        assert host.store.values["HLI.FEED_HOLD"] == 1
+
+    in_host(act)
+
+
+def test_who_does_not_take_notices_is_dropped() -> None:
+    """Notices are never left out: a full queue disconnects its client, and no other one."""
+
+    async def act() -> None:
+        dropped: list[str] = []
+        notices = Notices()
+        slow = notices.subscribe(lambda: dropped.append("slow"), limit=2)
+        quick = notices.subscribe(lambda: dropped.append("quick"), limit=3)
+        for tick in range(3):
+            notices.tell(ServerNotice("ended", tick, ""))
+        assert dropped == ["slow"]
+        assert slow.is_dropped
+        assert [(await quick.next()).tick for _ in range(3)] == [0, 1, 2]
+
+    asyncio.run(act())
+
+
+def test_a_refusal_that_comes_again_is_told_with_its_number() -> None:
+    """The log holds one line in ten seconds for the same refusal of the same client."""
+    now = 0.0
+    lines: list[str] = []
+    log = ServerLog(lines.append, lambda: now)
+    for _ in range(1000):
+        log.refuse("ads", "1.2.3.4.1.1", "unknown group")
+    now = 11.0
+    log.refuse("ads", "1.2.3.4.1.1", "unknown group")
+    assert [json.loads(line).get("repeated") for line in lines] == [None, 999]
+
+
+@pytest.mark.parametrize(
+    ("text", "address"),
+    [
+        ("127.0.0.1:5", ("127.0.0.1", 5)),
+        ("localhost:0", ("localhost", 0)),
+        ("[::1]:48898", ("::1", 48898)),
+        ("0.0.0.0", ("0.0.0.0", 7)),
+    ],
+)
+def test_addresses_are_host_and_port(text: str, address: tuple[str, int]) -> None:
+    """A door's address is a host with a port, or a host alone."""
+    assert read_address("--ads", text, 7) == address
+    assert shown_address(*address).startswith(text)
+
+
+@pytest.mark.parametrize(
+    "text", ["part.nc", "part.nc:", "dir/part.nc", "part", ":5", "h:70000", ""]
+)
+def test_what_is_no_address_is_refused(text: str) -> None:
+    """A program behind the option of a door is told from an address (901352)."""
+    with pytest.raises(Failure) as caught:
+        read_address("--ads", text, 7)
+    assert caught.value.diagnostics[0].id == 901352

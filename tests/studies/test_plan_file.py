@@ -58,6 +58,74 @@ def test_an_empty_grid_is_told(tmp_path: Path, values: str) -> None:
     assert [number for number, _ in failure_of(plan(tmp_path, text))] == [901304]
 
 
+VALUE = '[[vary]]\nvariable = "V.E.VALUE"\nvalues = [1]\n'
+
+
+@pytest.mark.parametrize(
+    ("text", "found"),
+    [
+        (f"{VALUE}[[find]]\nboundary = 'V.E.VALUE'\nbudget = 0\n", (901302, 7)),
+        (f"{VALUE}[[find]]\nminimize = [1]\n", (901302, 6)),
+        (f"{VALUE}[[find]]\nbudget = 5\n", (901303, 5)),
+        (f"count = 0\n{VALUE}", (901302, 2)),
+        (f"{VALUE}[measure]\nstate = 'ticks'\n", (901390, 6)),
+        (f"{VALUE}[measure]\na = 'count of error 1.5'\n", (901306, 6)),
+        (f"{VALUE}from = 1\nto = 2\n", (901303, 2)),
+        ('[[vary]]\nvariable = "V.E.VALUE"\nfrom = nan\nto = 2\n', (901302, 4)),
+        ('[[vary]]\nvariable = "V.E.VALUE"\nvalues = [inf]\n', (901302, 4)),
+        ('[[vary]]\nplc_returns = "yes"\nvalues = ["1 s"]\n', (901303, 2)),
+        ('[[vary]]\nseries = "a"\nvalues = ["nowhere.csv"]\n', (901302, 4)),
+        ('method = "latin"\ncount = 100000000\n', (901302, 3)),
+        ('plc = "nowhere.py"\n', (901302, 2)),
+    ],
+)
+def test_values_that_no_entry_takes(tmp_path: Path, text: str, found: tuple[int, int]) -> None:
+    """Each is told in its line, before anything runs."""
+    assert failure_of(plan(tmp_path, f'program = "part.nc"\n{text}')) == [found]
+
+
+@pytest.mark.parametrize(
+    ("name", "reason"),
+    [("missing", "AttributeError"), ("number", "not a function"), ("f", "ModuleNotFoundError")],
+)
+def test_a_python_measure_that_is_not_there(tmp_path: Path, name: str, reason: str) -> None:
+    """The file is loaded before any run."""
+    (tmp_path / "own.py").write_text("number = 5\n" if name != "f" else "import nowhere_at_all\n")
+    text = f'program = "part.nc"\n[measure]\na = "python own.py:{name}"\n'
+    with pytest.raises(Failure) as raised:
+        Study(plan(tmp_path, text)).run()
+    (found,) = raised.value.diagnostics
+    assert found.id == 901306
+    assert reason in found.text()
+
+
+def test_what_a_python_measure_returns(tmp_path: Path) -> None:
+    """What is neither a finite number nor a text is no value, and ends no study."""
+    results = {
+        "nan": "float('nan')",
+        "lists": "[1]",
+        "complex": "1j",
+        "none": "None",
+        "big": "1e999",
+    }
+    own = [f"def {name}(run):\n    return {value}\n" for name, value in results.items()]
+    (tmp_path / "own.py").write_text("".join([*own, "def ok(run):\n    return True\n"]))
+    lines = "".join(f'{name} = "python own.py:{name}"\n' for name in [*results, "ok"])
+    row = Study(plan(tmp_path, f'program = "part.nc"\n[measure]\n{lines}')).run().rows[0]
+    assert [row[name] for name in results] == [None] * len(results)
+    assert row["ok"] == 1
+
+
+def test_parameters_of_whole_numbers_are_rounded(tmp_path: Path) -> None:
+    """Between from and to without a step a list gets no fraction that it refuses."""
+    text = (
+        'program = "part.nc"\nmethod = "random"\ncount = 9\n'
+        '[[vary]]\nparameter = "P-AXIS-00012 of X"\nfrom = 20\nto = 40\n'
+    )
+    values = Study(plan(tmp_path, text)).run().column("P-AXIS-00012 of X")
+    assert all(isinstance(value, int) and 20 <= value <= 40 for value in values)
+
+
 def test_unknown_names_are_told_before_any_run(tmp_path: Path) -> None:
     """A variable that the machine does not have, with the nearest one."""
     text = 'program = "part.nc"\n[[vary]]\nvariable = "V.E.VALU"\nvalues = [1]\n'

@@ -136,15 +136,18 @@ def _study(file: str, words: dict[str, Any]) -> int:
 def _report(plan: str, results: str, words: dict[str, Any]) -> int:
     """Write the report of runs that are finished."""
     from nctakt.files.output import write_file  # noqa: PLC0415 - as above
+    from nctakt.messages import diagnostic  # noqa: PLC0415
+    from nctakt.messages.studies import OTHER_PLAN  # noqa: PLC0415
     from nctakt.studies.plan_file import read_plan  # noqa: PLC0415
     from nctakt.studies.report import report  # noqa: PLC0415
     from nctakt.studies.results import read_rows  # noqa: PLC0415
 
-    rows = read_rows(Path(results))
-    write_file(
-        words["report"] or str(Path(results).with_suffix(".html")),
-        report(read_plan(Path(plan)), rows),
-    )
+    study_plan, rows = read_plan(Path(plan)), read_rows(Path(results))
+    names = {dimension.name for dimension in study_plan.dimensions}
+    names |= {measure.name for measure in study_plan.measures}
+    if rows and not names <= set(rows[0]):
+        raise Failure(diagnostic(OTHER_PLAN, folder=results))
+    write_file(words["report"] or str(Path(results).with_suffix(".html")), report(study_plan, rows))
     return EXIT_RAN
 
 

@@ -64,7 +64,7 @@ def answer_lines(study: Study, answer: Answer, language: Language) -> Iterator[s
     runs = _TEXTS[language][0]
     yield f"{answer.goal.word} {answer.goal.measure} ({answer.runs} {runs})"
     for row in answer.rows:
-        yield f"  {_values(study, row)}"
+        yield f"  {_values(study, row, language)}"
 
 
 def shrunk_lines(study: Study, result: StudyResult, language: Language) -> Iterator[str]:
@@ -73,15 +73,16 @@ def shrunk_lines(study: Study, result: StudyResult, language: Language) -> Itera
     assert isinstance(number, int)
     answer = study.shrink(number)
     runs = _TEXTS[language][0]
-    yield f"{_SHRUNK[language]} {number} ({answer.runs} {runs}): {_values(study, answer.rows[0])}"
+    values = _values(study, answer.rows[0], language)
+    yield f"{_SHRUNK[language]} {number} ({answer.runs} {runs}): {values}"
 
 
 _SHRUNK = {"en": "smallest change of run", "de": "kleinste Änderung von Lauf"}
 
 
-def _values(study: Study, row: Row) -> str:
+def _values(study: Study, row: Row, language: Language) -> str:
     """Return inputs, measures and verdict of a row as a line."""
     plan = study.plan
     names = [*(one.name for one in plan.dimensions), *(one.name for one in plan.measures)]
     values = ", ".join(f"{name} = {as_text(row[name])}" for name in names)
-    return f"{values}: {row['verdict']}"
+    return f"{values}: {_VERDICTS[language][str(row['verdict'])]}"

@@ -165,6 +165,15 @@ CLUSTER_LOST = error(
     address=("the address", "die Adresse"),
     reason=("the reason", "der Grund"),
 )
+NAME_TAKEN = error(
+    901390,
+    en="two columns of the results have the name {name}",
+    de="zwei Spalten der Ergebnisse heißen {name}",
+    remedy_en="Give each dimension (name) and each measure a name of its own; {name} is taken.",
+    remedy_de="Jeder Dimension (name) und jeder Messgröße einen eigenen Namen geben; {name} ist "
+    "vergeben.",
+    name=("the name", "der Name"),
+)
 RUN_WITHOUT_TRACE = error(
     901350,
     en="the run has no trace in memory",

@@ -161,6 +161,11 @@ class Bench:
     def check(self) -> None:
         """Raise ``Failure`` for names and values that machine or program do not have."""
         found: list[Diagnostic] = []
+        for measure in self.plan.measures:
+            try:
+                measure.check()
+            except Failure as failure:
+                found += failure.diagnostics
         for index, dimension in enumerate(self.plan.dimensions):
             try:
                 point = [one.between(0.0) for one in self.plan.dimensions]
@@ -171,6 +176,7 @@ class Bench:
             except Failure as failure:
                 found += failure.diagnostics
         try:
+            self._plc(RunInputs())
             self._check_inputs(RunInputs(dict(self.plan.assignments), list(self.plan.stimuli)))
         except Failure as failure:
             found += failure.diagnostics

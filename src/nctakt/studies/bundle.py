@@ -17,8 +17,8 @@ from nctakt.lists.machine.files import DEMO_FOLDER
 from nctakt.project.machine_choice import machine_of
 from nctakt.studies.bench import Bench
 from nctakt.studies.dimension import Dimension
-from nctakt.studies.measure_nodes import PythonMeasure
 from nctakt.studies.plan import Plan
+from nctakt.studies.python_measure import PythonMeasure
 
 
 @dataclass(frozen=True, slots=True)

@@ -14,19 +14,23 @@ from nctakt.lists.format.times import Time
 
 #: What a dimension varies: a variable's value, the time of a stimulus, the seed of a noise, the
 #: file of a series, how a function is acknowledged, when the PLC dies and comes back, a parameter
-#: of the lists, a variable of the program.
+#: of the lists, a variable of the program, an entry of the load of a schedule, the files of a
+#: schedule and of its load.
 Kind = Literal[
     "variable", "time_of", "noise", "series", "acknowledge", "plc_dies", "plc_returns",
-    "parameter", "program_variable",
+    "parameter", "program_variable", "load_entry", "rtconf", "load",
 ]  # fmt: skip
 
-#: The kinds whose values are times.
-TIME_KINDS: tuple[Kind, ...] = ("time_of", "plc_dies", "plc_returns")
+#: The kinds whose values are times; that of an acknowledgement may be ``never`` or ``twice``.
+TIME_KINDS: tuple[Kind, ...] = ("time_of", "acknowledge", "plc_dies", "plc_returns")
 
 Value = float | int | str
 
 #: The highest time of a dimension that goes on to the end of the unchanged run, in microseconds.
 END_OF_RUN = 1 << 60
+
+#: Steps of a dimension beyond which nobody counts.
+MAX_STEPS = 1e18
 
 _MASK = (1 << 64) - 1
 
@@ -41,7 +45,8 @@ class Dimension:
     ``rest``, for a ramp or a noise how long it lasts. A ramp begins with ``rest``; a noise keeps
     within ``amount`` of ``rest``. ``step`` 0: any value between ``low`` and ``high``.
     ``is_each_tick``: each tick of a run, from ``low`` up to the end of the unchanged run.
-    ``nominal``: the value of the unchanged run; ``None``: the first one.
+    ``nominal``: the value of the unchanged run; ``None``: the first one. ``is_whole``: it takes
+    whole numbers only, so that values between two of them are rounded.
     """
 
     name: str
@@ -59,6 +64,7 @@ class Dimension:
     is_ramp: bool = False
     is_each_tick: bool = False
     nominal: Value | None = None
+    is_whole: bool = False
 
     @property
     def is_time(self) -> bool:
@@ -72,7 +78,7 @@ class Dimension:
             return len(self.values)
         if self.step <= 0 or self.high < self.low:
             return 0
-        return int((self.high - self.low) / self.step + 1e-9) + 1
+        return int(min((self.high - self.low) / self.step, MAX_STEPS) + 1e-9) + 1
 
     def value(self, index: int) -> Value:
         """Return a value by its number on the grid, from 0."""
@@ -94,14 +100,14 @@ class Dimension:
 
     def _whole(self, value: float) -> Value:
         """Return a time in whole microseconds; other values without the dust of the addition."""
-        if self.is_time:
+        if self.is_time or self.is_whole:
             return round(value)
         rounded = round(value, 12)
         return int(rounded) if rounded == int(rounded) and self.step == int(self.step) else rounded
 
     def shown(self, value: Value) -> Value:
         """Return a value as results show it: times in seconds."""
-        return int(value) / 1e6 if self.is_time else value
+        return int(value) / 1e6 if self.is_time and not isinstance(value, str) else value
 
 
 def chance(seed: int, *numbers: int) -> float:

@@ -11,20 +11,19 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
 from nctakt.base.dataclass import dataclass, field
-from nctakt.lists.format.times import read_time
 from nctakt.plc.script import Plc
 from nctakt.run.plc_view import AnyPlc, PlcView, TechnologyEntry, WatchedPlc
 
 if TYPE_CHECKING:
     from nctakt.base.diagnostics import Diagnostic
 
-#: How a function is answered, beside a time: how much later than the PLC wants.
+#: How a function is answered, beside a number: how much later than the PLC wants, in microseconds.
 NEVER, TWICE = "never", "twice"
 
 
 @dataclass(slots=True)
 class PlcFaults:
-    """``answers``: function -> ``never``, ``twice`` or a time.
+    """``answers``: function -> ``never``, ``twice`` or microseconds.
 
     ``dies_us``: the time of the run from which on the PLC does nothing, ``returns_us``: after how
     long it goes on, both in microseconds.
@@ -69,7 +68,7 @@ class FaultyPlc(WatchedPlc):
         self._inner.cycle(_FaultyView(hli, self._acknowledge))
         for entry in hli.functions():
             since = self._delayed.get((entry.key, entry.stamp))
-            if since is not None and hli.time_us - since >= self._delay_us(entry, hli):
+            if since is not None and hli.time_us - since >= self._delay_us(entry):
                 del self._delayed[entry.key, entry.stamp]
                 hli.acknowledge(entry)
                 if self._faults.answers[entry.name.upper()] == TWICE:
@@ -81,11 +80,11 @@ class FaultyPlc(WatchedPlc):
             return False
         return returns_us is None or time_us < dies_us + returns_us
 
-    def _delay_us(self, entry: TechnologyEntry, hli: PlcView) -> float:
+    def _delay_us(self, entry: TechnologyEntry) -> float:
         answer = self._faults.answers[entry.name.upper()]
         if answer == NEVER:
             return float("inf")
-        return 0 if answer == TWICE else read_time(answer).us(hli.cycle_time_us)
+        return 0.0 if answer == TWICE else float(answer)
 
     def _acknowledge(self, entry: TechnologyEntry, view: PlcView) -> bool:
         """Note that the PLC wants to acknowledge; return whether a fault holds it back."""

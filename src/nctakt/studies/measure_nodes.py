@@ -3,11 +3,8 @@
 
 from __future__ import annotations
 
-import importlib.util
 import operator
 from collections.abc import Callable, Iterator, Sequence
-from functools import cache
-from pathlib import Path
 from types import MappingProxyType
 from typing import Literal, Protocol
 
@@ -338,42 +335,6 @@ def reaction_time(reaction: Reaction, outcome: Outcome) -> float | None:
         return reaction.reaction_time(outcome)
     except NotMeasuredError:
         return None
-
-
-@dataclass(frozen=True, slots=True)
-class PythonMeasure:
-    """A user's function of a run: in a file, or as it is."""
-
-    file: Path
-    name: str
-    function: Callable[..., Number | None] | None = None
-
-    def value(self, outcome: Outcome) -> Number:
-        """Return its result; raises ``NotMeasuredError`` if it raises anything or returns None."""
-        function = self.function or _load(self.file, self.name)
-        try:
-            result = function(outcome.queries)
-        except Exception as error:
-            raise NotMeasuredError(f"{type(error).__name__}: {error}") from error
-        if result is None:
-            raise NotMeasuredError
-        return result if isinstance(result, str) else float(result)
-
-    def signals(self) -> Iterator[str]:
-        """Yield nothing: ``record`` of the plan names what it reads."""
-        yield from ()
-
-
-@cache
-def _load(file: Path, name: str) -> Callable[..., Number | None]:
-    """Return a function of a Python file."""
-    spec = importlib.util.spec_from_file_location(f"nctakt_study_{file.stem}", file)
-    assert spec is not None
-    assert spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    function: Callable[..., Number | None] = getattr(module, name)
-    return function
 
 
 def as_text(value: Number | None) -> str:

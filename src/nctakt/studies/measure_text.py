@@ -34,6 +34,9 @@ _TOKEN = re.compile(
     r"|(?P<name>[^\W\d][\w.#\[\]]*|#\d+)"
     r"|(?P<sign><=|>=|==|!=|<>|[<>=+\-*/()]))"
 )
+#: The longest measure, in words and signs.
+MAX_WORDS = 200
+
 _FUNCTION = re.compile(r"[MHT]\d+", re.IGNORECASE)
 
 
@@ -64,6 +67,8 @@ class Reader:
 
     def __init__(self, text: str, known: Mapping[str, Node]) -> None:
         self._tokens = _tokens(text)
+        if len(self._tokens) > MAX_WORDS:
+            raise NotAMeasureError(f"more than {MAX_WORDS} words")
         self._known = known
         self._position = 0
 
@@ -144,7 +149,7 @@ class Reader:
         except NotAMeasureError:
             self._position = begin
             return None
-        return Reaction(condition, read_time(token.text), after)
+        return Reaction(condition, _time(token.text), after)
 
     # --- values ----------------------------------------------------------------------------------
 
@@ -232,13 +237,19 @@ class Reader:
         if word == "message" and self._peek().kind == "text":
             return Event("message", self._take().text[1:-1])
         if word in ("error", "warning") and self._peek().kind == "number":
-            return Event(word, self._take().text)
+            return Event(word, self._whole())
         if word == "fired":
             is_named = self._peek().kind == "number" or self._peek().text.startswith("#")
             cycle = self._take().text if is_named else ""
-            line = int(self._take().text) if self._line() else None
+            line = int(self._whole()) if self._line() else None
             return Event("fired", cycle, line)
         raise NotAMeasureError(f"{token.text or 'the end'} is not an event")
+
+    def _whole(self) -> str:
+        token = self._take()
+        if not (token.text.isascii() and token.text.isdigit()):
+            raise NotAMeasureError(f"{token.text} is not a whole number")
+        return token.text
 
     def _line(self) -> bool:
         return self._peek(1).kind == "number" and self._word("line")

@@ -19,6 +19,7 @@ The words are those of the expectations in NC comments (``nctakt.testing.expecta
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
@@ -32,12 +33,12 @@ from nctakt.studies.measure_nodes import (
     Event,
     Node,
     Order,
-    PythonMeasure,
     Reaction,
     as_text,
 )
 from nctakt.studies.measure_text import NotAMeasureError, Reader
 from nctakt.studies.outcome import NotMeasuredError, Outcome
+from nctakt.studies.python_measure import PythonMeasure
 from nctakt.testing import expectations
 from nctakt.testing.verdict import differences
 
@@ -56,9 +57,26 @@ class Measure:
     def value(self, outcome: Outcome) -> MeasuredValue:
         """Return its value, ``None`` if it has none in this run."""
         try:
-            return self.node.value(outcome)
-        except (NotMeasuredError, ZeroDivisionError):
+            return self.measured(outcome)
+        except NotMeasuredError:
             return None
+
+    def measured(self, outcome: Outcome) -> float | str:
+        """Return its value; raises ``NotMeasuredError`` with the reason, if there is one."""
+        try:
+            value = self.node.value(outcome)
+        except ArithmeticError as error:
+            raise NotMeasuredError(str(error)) from error
+        if isinstance(value, float) and not math.isfinite(value):
+            raise NotMeasuredError(f"the result is {value}")
+        return value
+
+    def check(self) -> None:
+        """Raise ``Failure`` (901306) for a Python function that is not there."""
+        if isinstance(self.node, PythonMeasure):
+            problem = self.node.problem()
+            if problem is not None:
+                raise Failure(diagnostic(INVALID_MEASURE, text=self.text, reason=problem))
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,7 +95,7 @@ class Expectation:
             return not any(text.startswith(f":{self.written.line}: ") for text in wrong)
         try:
             return self.node.value(outcome) == BOOLEAN[True]
-        except (NotMeasuredError, ZeroDivisionError):
+        except (NotMeasuredError, ArithmeticError):
             return False
 
     @property

@@ -23,6 +23,17 @@ from nctakt.studies.measures import Expectation, Measure
 #: How points are chosen: each with each, by chance, or spread evenly.
 Method = Literal["grid", "list", "random", "latin", "sobol"]
 METHODS: tuple[Method, ...] = ("grid", "list", "random", "latin", "sobol")
+#: The methods whose points are made as a whole, and how many of them there may be.
+DESIGNS: tuple[Method, ...] = ("latin", "sobol")
+MAX_DESIGN = 10_000_000
+
+#: The columns of each row that are neither inputs nor measures.
+RESERVED = (
+    "run", "reaction_time", "state", "ticks", "verdict", "broken", "seed", "digest",
+)  # fmt: skip
+
+
+GoalWord = Literal["minimize", "maximize", "boundary"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,7 +43,7 @@ class Goal:
     ``budget``: how many runs the search may take.
     """
 
-    word: Literal["minimize", "maximize", "boundary"]
+    word: GoalWord
     measure: str
     budget: int
 
@@ -43,7 +54,8 @@ class Plan:
 
     ``machine`` ``None``: the one on which ``nctakt run`` runs the program. ``assignments`` and
     ``stimuli`` are those of all runs. ``count``: the number of points of a method without a grid.
-    ``nominal``: the values of the unchanged run, in the order of the dimensions.
+    ``rtconf``, ``load``, ``system``: the scheduling list, its load and its operating system;
+    ``is_schedule``: the list is simulated without a program, which ``program`` then stands for.
     """
 
     program: Path
@@ -61,6 +73,10 @@ class Plan:
     stimuli: tuple[tuple[Time, str, float | str], ...] = ()
     goals: tuple[Goal, ...] = ()
     text: str | None = None
+    rtconf: Path | None = None
+    load: Path | None = None
+    system: str = "rtx"
+    is_schedule: bool = False
 
     @property
     def size(self) -> int:

@@ -75,15 +75,18 @@ class RowStore:
         if not self.path.exists():
             return 0
         length = 0
-        with self.path.open("rb") as file:
-            for number, line in enumerate(file):
-                if not line.endswith(b"\n"):
-                    break
-                if number == 0 and line.decode("utf-8", "replace").rstrip() != head:
-                    raise Failure(diagnostic(OTHER_PLAN, folder=self.path.as_posix()))
-                if number:
-                    self.done.add(json.loads(line)["run"])
-                length += len(line)
+        try:
+            with self.path.open("rb") as file:
+                for number, line in enumerate(file):
+                    if not line.endswith(b"\n"):
+                        break
+                    if number == 0 and line.decode("utf-8", "replace").rstrip() != head:
+                        raise Failure(diagnostic(OTHER_PLAN, folder=self.path.as_posix()))
+                    if number:
+                        self.done.add(int(_checked(json.loads(line))["run"] or 0))
+                    length += len(line)
+        except (OSError, ValueError) as error:
+            raise _unreadable(self.path, error) from error
         return length
 
     def add(self, rows: Iterable[Row]) -> None:
@@ -165,10 +168,22 @@ def read_rows(path: Path) -> list[Row]:
     """
     data = FileAccess().read_bytes(path)
     try:
-        return _rows_of(data, path.suffix)
-    except ValueError as error:  # of pyarrow, of UTF-8, of JSON
-        found = diagnostic(FILE_NOT_READABLE, file=path.as_posix(), reason=str(error))
-        raise Failure(found) from error
+        return [_checked(row) for row in _rows_of(data, path.suffix)]
+    except (ValueError, RecursionError, csv.Error) as error:  # of pyarrow, of UTF-8, of JSON
+        raise _unreadable(path, error) from error
+
+
+def _unreadable(path: Path, error: Exception) -> Failure:
+    return Failure(diagnostic(FILE_NOT_READABLE, file=path.as_posix(), reason=str(error)))
+
+
+def _checked(row: Any) -> Row:
+    """Return a row; raises ``ValueError`` for what is none."""
+    if not isinstance(row, dict) or not isinstance(row.get("verdict"), str):
+        raise ValueError("not a row of a study")
+    if not isinstance(row.get("run"), int | float):
+        raise ValueError("a row without its run")
+    return row
 
 
 def _rows_of(data: bytes, suffix: str) -> list[Row]:
@@ -181,7 +196,7 @@ def _rows_of(data: bytes, suffix: str) -> list[Row]:
             {name: _cell(name, cell) for name, cell in row.items()}
             for row in csv.DictReader(io.StringIO(data.decode("utf-8")))
         ]
-    return [json.loads(line) for line in data.decode("utf-8").splitlines()]
+    return [json.loads(line) for line in data.decode("utf-8").split("\n") if line]
 
 
 def _cell(name: str, text: str) -> float | str | None:

@@ -11,8 +11,12 @@ import re
 from collections.abc import Callable, Iterator
 
 import nctakt
+from nctakt.hli.connection import PlcConnection
+from nctakt.hli.operator_panel import OperatorPanel
+from nctakt.hli.plc_entries import SpindleEntry, TechnologyEntry
+from nctakt.hli.plc_side import PlcSide
 from nctakt.results.run import CycleResult, ProgramMessage, ReactionResult, TechnologyOutput
-from nctakt.run.plc_view import PlcView, SpindleEntry, TechnologyEntry
+from nctakt.run.plc_view import PlcView
 from nctakt.trace.events import Event
 from nctakt.trace.recorded import Trace
 
@@ -39,6 +43,9 @@ SECTIONS: dict[str, tuple[str, ...]] = {
 }
 RESULTS = (
     PlcView,
+    OperatorPanel,
+    PlcConnection,
+    PlcSide,
     TechnologyEntry,
     SpindleEntry,
     Trace,

@@ -6,13 +6,13 @@
 #include <stdint.h>
 
 #define HLI_MAGIC "NCTAKT"
-#define HLI_VERSION 5
+#define HLI_VERSION 6
 #define HLI_UNITS 20
 
 /* the begin of the image: what there is, where it stands, and the clock */
 typedef struct hli_header {
     char magic[8]; /* NCTAKT and two zero bytes */
-    uint32_t version; /* 5; another one is another layout */
+    uint32_t version; /* 6; another one is another layout */
     uint32_t ready; /* 1 while the CNC is there; written last, taken away first */
     uint32_t size; /* the whole image (bytes) */
     uint32_t cycle_time_us; /* the length of a tick (µs) */
@@ -32,9 +32,13 @@ typedef struct hli_header {
     uint32_t link_offset; /* place of hli_link (bytes) */
     uint32_t ve_offset; /* place of the V.E variables (bytes) */
     uint32_t ve_size; /* of the V.E variables, all sections (bytes) */
+    uint32_t names_offset; /* place of the names of the V.E variables (bytes) */
+    uint32_t names_size; /* of these names, a text: docs/hli.md (bytes) */
+    uint32_t lockstep; /* 1: the CNC waits for the PLC after each tick */
     uint64_t sequence; /* odd while the CNC writes; unchanged: what was read fits */
     uint64_t tick; /* ticks that have been run */
     uint64_t turn; /* in lockstep: counts the times that the CNC waits for the PLC */
+    uint64_t process; /* ID of the CNC's process, whose end the PLC can notice */
 } hli_header;
 _Static_assert(offsetof(hli_header, magic) == 0, "magic");
 _Static_assert(offsetof(hli_header, version) == 8, "version");
@@ -57,10 +61,14 @@ _Static_assert(offsetof(hli_header, spindle_command_size) == 72, "spindle_comman
 _Static_assert(offsetof(hli_header, link_offset) == 76, "link_offset");
 _Static_assert(offsetof(hli_header, ve_offset) == 80, "ve_offset");
 _Static_assert(offsetof(hli_header, ve_size) == 84, "ve_size");
-_Static_assert(offsetof(hli_header, sequence) == 88, "sequence");
-_Static_assert(offsetof(hli_header, tick) == 96, "tick");
-_Static_assert(offsetof(hli_header, turn) == 104, "turn");
-_Static_assert(sizeof(hli_header) == 112, "hli_header");
+_Static_assert(offsetof(hli_header, names_offset) == 88, "names_offset");
+_Static_assert(offsetof(hli_header, names_size) == 92, "names_size");
+_Static_assert(offsetof(hli_header, lockstep) == 96, "lockstep");
+_Static_assert(offsetof(hli_header, sequence) == 104, "sequence");
+_Static_assert(offsetof(hli_header, tick) == 112, "tick");
+_Static_assert(offsetof(hli_header, turn) == 120, "turn");
+_Static_assert(offsetof(hli_header, process) == 128, "process");
+_Static_assert(sizeof(hli_header) == 136, "hli_header");
 
 /* the PLC's side of the lockstep */
 typedef struct hli_link {

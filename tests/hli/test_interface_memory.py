@@ -31,8 +31,8 @@ from nctakt.hli.layout import (
     Structure,
 )
 from nctakt.hli.places import ImageLayout, entries, entry, image_layout, size_of, unit_offset
+from nctakt.hli.process_watch import ProcessWatch
 from nctakt.plc import PartnerPlc, PlcError
-from nctakt.plc.process_watch import ProcessWatch
 from nctakt.run.controller import Controller, NcText
 from nctakt.run.shared_image import SharedImage
 

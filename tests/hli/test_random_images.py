@@ -14,10 +14,10 @@ from random import Random
 
 from random_seeds import seeds_in_parts
 
+from nctakt.hli.operator_panel import STATES
 from nctakt.hli.places import ImageLayout
 from nctakt.lists.machine.machine import load_machine
 from nctakt.run.controller import Controller, NcText
-from nctakt.run.plc_view import STATES
 
 DEMO = load_machine(None)
 PROGRAM = """\

@@ -30,10 +30,12 @@ from hypothesis.stateful import (
 from random_seeds import FIRST, all_seeds
 
 from nctakt.base.failure import Failure
+from nctakt.hli.operator_panel import STATES
+from nctakt.hli.plc_entries import SpindleEntry, TechnologyEntry
 from nctakt.kernel import codes
 from nctakt.lists.machine.machine import load_machine
 from nctakt.run.controller import Controller, NcText
-from nctakt.run.plc_view import STATES, PlcView, SpindleEntry, TechnologyEntry
+from nctakt.run.plc_view import PlcView
 
 DEMO = load_machine(None)
 #: Rules of one PLC.

@@ -37,7 +37,6 @@ from nctakt.cli.terminal import (
     saved_message,
     show_at_the_end,
 )
-from nctakt.cli.waiting import waiter
 from nctakt.files.access import FileAccess
 from nctakt.files.output import OutputFile
 from nctakt.messages import diagnostic
@@ -52,10 +51,6 @@ if TYPE_CHECKING:
     from nctakt.run.controller import Controller
     from nctakt.run.tape import TapeComparison, TapeWriter
     from nctakt.trace.sinks import Sink
-
-#: Time limits in seconds for a PLC in another process: to appear, and to answer a tick.
-_PARTNER_COMES_S = 30.0
-_PARTNER_ANSWERS_S = 10.0
 
 _EPILOG = f"""{RUN_CODES}
 \b
@@ -107,7 +102,11 @@ def run_with(options: Options, access: FileAccess) -> int:
             sinks.append(_error_log(controller, log))
         diagnosis = [] if report is None else _diagnosis(controller)
         listeners = [*sinks, *diagnosis]
-        request = _with_partner(options, request, controller, files)
+        if options.hli is not None:
+            from nctakt.cli.hli_partner import connect_partner  # noqa: PLC0415 - seldom needed
+
+            partner = connect_partner(options, options.hli, controller, files)
+            request = dataclasses.replace(request, plc=partner)
         tape = _Taping(options, request, open_file("--record", options.record))
         listeners = drawings.sinks([*listeners, *tape.sinks], request)
         request = drawings.request(request)
@@ -162,21 +161,6 @@ class _Taping:
         found = verdict(self._comparison, run.ticks, run.cycle_time_us)
         print_diagnostics([found], self._options.language, lowest)
         return EXIT_RAN if self._comparison.first is None else EXIT_NC_ERROR
-
-
-def _with_partner(
-    options: Options, request: Request, controller: Controller, files: contextlib.ExitStack
-) -> Request:
-    """Return the request with the PLC of ``--hli``, which attaches to the shared memory."""
-    from nctakt.plc import PartnerPlc  # noqa: PLC0415 - the mode is chosen before its import
-
-    if options.hli is None:
-        return request
-    image = files.enter_context(controller.interface_image(options.hli))
-    PartnerPlc(image, waiter(_PARTNER_COMES_S)).await_presence()
-    partner = PartnerPlc(image, waiter(_PARTNER_ANSWERS_S))
-    files.callback(partner.close)
-    return dataclasses.replace(request, plc=partner)
 
 
 def _open_trace(file: OutputFile | None) -> list[Sink]:

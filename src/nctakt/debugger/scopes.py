@@ -17,10 +17,10 @@ from nctakt.base.failure import Failure
 from nctakt.debugger.names import Node, tree_of
 from nctakt.debugger.sources import Sources
 from nctakt.debugger.values import Value, Values, elements_of, shown_value
+from nctakt.hli.plc_entries import SpindleEntry
 from nctakt.lists.format.times import time_stamp
 from nctakt.messages import diagnostic
 from nctakt.messages.debugger import UNKNOWN_REFERENCE
-from nctakt.run.plc_view import SpindleEntry
 from nctakt.session.decoders import DecoderState, DecoderVariable
 from nctakt.session.engine import BranchState, CycleState
 from nctakt.session.session import Session

@@ -22,7 +22,7 @@ PREFIX = "HLI."
 MAGIC = b"NCTAKT\0\0"
 
 #: Version of the layout, changed whenever a value changes its offset or meaning.
-VERSION = 5
+VERSION = 6
 
 #: Size of each type, of names as a whole, in bytes.
 TYPE_BYTES = {
@@ -119,9 +119,13 @@ HEADER = Structure(
         Entry("link_offset", "UNS32", "bytes", "place of `hli_link`"),
         Entry("ve_offset", "UNS32", "bytes", "place of the V.E variables"),
         Entry("ve_size", "UNS32", "bytes", "of the V.E variables, all sections"),
+        Entry("names_offset", "UNS32", "bytes", "place of the names of the V.E variables"),
+        Entry("names_size", "UNS32", "bytes", "of these names, a text: docs/hli.md"),
+        Entry("lockstep", "UNS32", "", "1: the CNC waits for the PLC after each tick"),
         Entry("sequence", "UNS64", "", "odd while the CNC writes; unchanged: what was read fits"),
         Entry("tick", "UNS64", "", "ticks that have been run"),
         Entry("turn", "UNS64", "", "in lockstep: counts the times that the CNC waits for the PLC"),
+        Entry("process", "UNS64", "", "ID of the CNC's process, whose end the PLC can notice"),
     ),
 )
 

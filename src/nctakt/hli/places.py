@@ -4,8 +4,9 @@
 In: the declarations of ``hli/layout.py``, a machine. Out: offsets of values in their structures,
 and ``ImageLayout``: offsets of the structures in the image. The offset of a value is a multiple of
 its size, as a C compiler aligns it; the size of a structure is a multiple of 8 bytes. The values
-that only the CNC writes come first, with the PLC's turn of the lockstep among them; then the values
-that the tick latches: the PLC's commands, and the V.E variables, which both write.
+that only the CNC writes come first, with the PLC's turn of the lockstep among them, and the names
+of the V.E variables; then the values that the tick latches: the PLC's commands, and the V.E
+variables, which both write.
 """
 
 from __future__ import annotations
@@ -26,6 +27,7 @@ from nctakt.hli.layout import (
     Entry,
     Structure,
 )
+from nctakt.hli.variable_names import describe_names
 from nctakt.hli.variables_memory import image_bytes
 from nctakt.kernel.plc.technology_slots import SLOT_COUNT
 from nctakt.lists.machine.machine import Machine
@@ -92,6 +94,8 @@ class ImageLayout:
     channel_offset: int
     axis_offset: int
     spindle_offset: int
+    names_offset: int
+    names_size: int
     command_offset: int
     spindle_command_offset: int
     ve_offset: int
@@ -131,7 +135,9 @@ def image_layout(machine: Machine) -> ImageLayout:
     channel_offset = _aligned(link_offset + size_of(LINK), AREA_ALIGNMENT)
     axis_offset = _aligned(channel_offset + channels * size_of(CHANNEL), AREA_ALIGNMENT)
     spindle_offset = _aligned(axis_offset + axes * size_of(AXIS), AREA_ALIGNMENT)
-    command_offset = _aligned(spindle_offset + spindles * size_of(SPINDLE), AREA_ALIGNMENT)
+    names_offset = _aligned(spindle_offset + spindles * size_of(SPINDLE), AREA_ALIGNMENT)
+    names_size = len(describe_names(machine))
+    command_offset = _aligned(names_offset + names_size, AREA_ALIGNMENT)
     answer_offset = _aligned(command_offset + channels * size_of(COMMAND), AREA_ALIGNMENT)
     return ImageLayout(
         channels,
@@ -141,6 +147,8 @@ def image_layout(machine: Machine) -> ImageLayout:
         channel_offset,
         axis_offset,
         spindle_offset,
+        names_offset,
+        names_size,
         command_offset,
         answer_offset,
         _aligned(answer_offset + spindles * size_of(SPINDLE_COMMAND), AREA_ALIGNMENT),

@@ -14,10 +14,10 @@ from typing import Any
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Language, Span
+from nctakt.hli.plc_entries import SpindleEntry, TechnologyEntry
 from nctakt.live.event_words import event_words
 from nctakt.live.texts import Texts
 from nctakt.results.run import ProgramMessage, RunState
-from nctakt.run.plc_view import SpindleEntry, TechnologyEntry
 from nctakt.session.engine import BranchState, CycleState
 from nctakt.session.stops import names_file
 from nctakt.trace.events import Event

@@ -17,6 +17,8 @@ from pathlib import Path
 from nctakt.base.diagnostics import NOTHING, Diagnostic, Message, Span, Text
 from nctakt.base.misspelling import KnownNames
 from nctakt.base.text import decode_text, nearest, split_lines
+from nctakt.hli.operator_panel import SETTABLE
+from nctakt.hli.plc_entries import AXIS_NAMES, CHANNEL_NAMES, SpindleEntry, TechnologyEntry
 from nctakt.messages import Collector
 from nctakt.messages.plc import (
     PLC_NAME_NOT_SETTABLE,
@@ -26,15 +28,7 @@ from nctakt.messages.plc import (
     WRONG_PLC_TYPE,
 )
 from nctakt.plc.script import Plc, handler_parameters
-from nctakt.run.plc_view import (
-    AXIS_NAMES,
-    CHANNEL_NAMES,
-    SETTABLE,
-    PlcView,
-    SpindleEntry,
-    TechnologyEntry,
-    public_names,
-)
+from nctakt.run.plc_view import PlcView, public_names
 
 #: The members of a PLC's class that are called or read by name.
 _MEMBERS = ("cycle", "each_tick", "acknowledge", "spindles", "inputs")

@@ -12,10 +12,10 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
+from nctakt.hli.process_watch import ProcessWatch
 from nctakt.messages import diagnostic
 from nctakt.messages.plc import NO_PLC_AT_HLI, PLC_LEFT_HLI, PLC_NOT_ANSWERING
 from nctakt.plc.error import PlcError
-from nctakt.plc.process_watch import ProcessWatch
 
 if TYPE_CHECKING:
     from nctakt.run.plc_view import PlcView
@@ -35,6 +35,7 @@ class PartnerPlc:
     def __init__(self, image: SharedImage, wait: Wait) -> None:
         self._image = image
         self._wait = wait
+        image.announce_lockstep()
         self._process: ProcessWatch | None = None
 
     def await_presence(self) -> None:

@@ -13,7 +13,8 @@ from nctakt.base.dataclass import dataclass
 from nctakt.lists.format.times import Time, TimeLike, read_time
 
 if TYPE_CHECKING:
-    from nctakt.run.plc_view import PlcView, SpindleEntry, TechnologyEntry
+    from nctakt.hli.plc_entries import SpindleEntry, TechnologyEntry
+    from nctakt.run.plc_view import PlcView
 
 
 class Policy(Protocol):

@@ -42,7 +42,8 @@ from nctakt.run.plc_view import WatchedPlc
 from nctakt.run.stimuli import Stimulus, not_reached
 
 if TYPE_CHECKING:
-    from nctakt.run.plc_view import PlcView, SpindleEntry, TechnologyEntry
+    from nctakt.hli.plc_entries import SpindleEntry, TechnologyEntry
+    from nctakt.run.plc_view import PlcView
 
 _Method = TypeVar("_Method", bound=Callable[..., Any])
 

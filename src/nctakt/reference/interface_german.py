@@ -32,11 +32,15 @@ GERMAN: dict[str, str] = {
     "hli_header.link_offset": "Stelle von `hli_link`",
     "hli_header.ve_offset": "Stelle der V.E-Variablen",
     "hli_header.ve_size": "der V.E-Variablen, alle Abschnitte",
+    "hli_header.names_offset": "Stelle der Namen der V.E-Variablen",
+    "hli_header.names_size": "dieser Namen, ein Text: docs/hli.md",
+    "hli_header.lockstep": "1: die CNC wartet nach jedem Takt auf die SPS",
     "hli_header.sequence": (
         "ungerade, während die CNC schreibt; unverändert: das Gelesene passt zusammen"
     ),
     "hli_header.tick": "Takte, die gelaufen sind",
     "hli_header.turn": "im Gleichschritt: zählt, wie oft die CNC auf die SPS wartet",
+    "hli_header.process": "ID des Prozesses der CNC, dessen Ende die SPS bemerken kann",
     "hli_link": "die Seite der SPS im Gleichschritt",
     "hli_link.turn": "`turn` des Kopfes, sobald die SPS geantwortet hat",
     "hli_link.process": "ID des Prozesses der SPS, dessen Ende bemerkt wird; 0: keiner",

@@ -10,12 +10,14 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING, NoReturn, Protocol
 
-from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import NOTHING, Diagnostic
 from nctakt.base.failure import Failure
 from nctakt.base.text import nearest
+from nctakt.hli.checked_values import split_channel
 from nctakt.hli.function_codes import function_of
-from nctakt.hli.layout import AXIS, CHANNEL, LAMPS
+from nctakt.hli.layout import AXIS, CHANNEL
+from nctakt.hli.operator_panel import SETTABLE, OperatorPanel
+from nctakt.hli.plc_entries import NamedValues, SpindleEntry, TechnologyEntry
 from nctakt.kernel import codes
 from nctakt.kernel.plc.technology_slots import Hli
 from nctakt.messages import diagnostic
@@ -24,12 +26,10 @@ from nctakt.messages.memory import NOT_VISIBLE_TO_PLC
 from nctakt.messages.plc import (
     INVALID_AXIS_COMMAND,
     TOO_MANY_AXIS_COMMANDS,
-    UNKNOWN_HLI_VALUE,
     UNKNOWN_PLC_AXIS,
 )
 from nctakt.run.assembly import AssembledMachine
 from nctakt.run.inputs import PLC
-from nctakt.run.variable_access import split_channel
 
 
 class AnyPlc(Protocol):
@@ -50,117 +50,11 @@ class WatchedPlc:
         return ()
 
 
-#: The states of a channel in the order of their numbers.
-STATES = ("ready", "running", "error", "reset")
-
-#: The states of backward motion on the path, in the order of their numbers.
-RETRACES = ("front", "backward", "forward")
-
-
-#: The values of ``PlcView.axis`` and ``PlcView.channel``.
-AXIS_NAMES = tuple(entry.name for entry in AXIS.entries if entry.source)
-CHANNEL_NAMES = tuple(
-    entry.name for entry in (*LAMPS, *CHANNEL.entries) if entry in LAMPS or entry.source
-)
-
-
-@dataclass(frozen=True, slots=True)
-class TechnologyEntry:
-    """A function that waits for its acknowledgement.
-
-    ``letter`` is M, H or T, ``sequence`` its number among those of the same tick and section,
-    ``time_us`` its time stamp. ``is_realtime``: a realtime cycle has commanded it (POS_RT).
-    ``synchronisation`` is its type: MOS for those of cycles, else that of the channel list
-    (P-CHAN-00041, P-CHAN-00027).
-    ``process_time_us`` is its time in the channel list (P-CHAN-00040, P-CHAN-00026), ``axis`` its
-    axis or spindle (P-CHAN-00039, P-CHAN-00025), empty for the channel. ``value`` is its value in
-    the program, as in ``M110=130``, 0 without one. ``serial`` distinguishes it from earlier entries
-    in its slot.
-    """
-
-    letter: str
-    number: int
-    sequence: int
-    time_us: int
-    is_realtime: bool
-    process_time_us: float
-    axis: str
-    slot: int
-    value: int = 0
-    serial: int = 0
-    synchronisation: str = "MOS"
-
-    @property
-    def identifier(self) -> str:
-        """``POS_RT`` for a function of a realtime cycle, else empty."""
-        return "POS_RT" if self.is_realtime else ""
-
-    @property
-    def name(self) -> str:
-        """The function as in a program: ``M100``."""
-        return f"{self.letter}{self.number}"
-
-    @property
-    def key(self) -> tuple[str, int]:
-        """Its section and slot."""
-        return "realtime" if self.is_realtime else "program", self.slot
-
-    @property
-    def stamp(self) -> tuple[int, int]:
-        """The numbers that distinguish it from earlier entries in its slot."""
-        return self.time_us, self.sequence
-
-
-@dataclass(frozen=True, slots=True)
-class SpindleEntry:
-    """A job of a spindle that the PLC turns, until it is acknowledged.
-
-    ``function``: M 3, 4, 5 or 19. ``speed``: in revolutions per minute. ``position``: of M19, in
-    degrees. ``direction``: of M19, 1 forward, -1 backward, 0 the shorter way. ``speed_before``: the
-    speed after the last acknowledged job, in revolutions per minute, negative under M4. ``index``:
-    that of the spindle in the channel. ``serial`` distinguishes it from earlier jobs.
-    """
-
-    spindle: str
-    function: int
-    speed: float
-    position: float
-    direction: int
-    time_us: int
-    speed_before: float
-    index: int
-    serial: int = 0
-
-    @property
-    def name(self) -> str:
-        """The name of the spindle."""
-        return self.spindle
-
-    @property
-    def key(self) -> tuple[str, int]:
-        """The index of its spindle."""
-        return "spindle", self.index
-
-    @property
-    def stamp(self) -> tuple[int, int]:
-        """The numbers that distinguish it from earlier jobs of the spindle."""
-        return self.time_us, self.function
-
-
-class NamedValues(dict[str, float]):
-    """Values by the names of the interface; raises ``Failure`` (901012) for another name."""
-
-    __slots__ = ()
-
-    def __missing__(self, name: object) -> float:
-        near = nearest(str(name), self) or NOTHING
-        raise Failure(diagnostic(UNKNOWN_HLI_VALUE, name=name, nearest=near, known=", ".join(self)))
-
-
-class PlcView:
+class PlcView(OperatorPanel):
     """The PLC's side of one channel; ``of_channel(2)`` is that of the second one.
 
-    Raises ``Failure`` for an unknown attribute and suggests the nearest one.
+    The operator's values (``OperatorPanel``) are attributes, too. Raises ``Failure`` for an
+    unknown attribute and suggests the nearest one.
     """
 
     __slots__ = ("_hli", "_index", "_machine")
@@ -373,96 +267,6 @@ class PlcView:
         """Write a V.E variable; raises ``Failure`` for a wrong name or value."""
         self._machine.write(self._own(name), value, PLC)
 
-    @property
-    def override_pct(self) -> float:
-        """The operator's override of the path in percent."""
-        return float(self.read("HLI.OVERRIDE"))
-
-    @override_pct.setter
-    def override_pct(self, value: float) -> None:
-        if not 0.0 <= value < float("inf"):
-            raise ValueError(f"an override of {value} % is not possible")
-        self.write("HLI.OVERRIDE", value)
-
-    @property
-    def feed_hold(self) -> bool:
-        """Whether the path is held."""
-        return bool(self.read("HLI.FEED_HOLD"))
-
-    @feed_hold.setter
-    def feed_hold(self, value: bool) -> None:
-        self.write("HLI.FEED_HOLD", value)
-
-    @property
-    def single_block(self) -> bool:
-        """Whether the channel stops before each block (MO-6)."""
-        return bool(self.read("HLI.SINGLE_BLOCK"))
-
-    @single_block.setter
-    def single_block(self, value: bool) -> None:
-        self.write("HLI.SINGLE_BLOCK", value)
-
-    @property
-    def optional_stop(self) -> bool:
-        """Whether M01 stops the program as M00 does."""
-        return bool(self.read("HLI.OPTIONAL_STOP"))
-
-    @optional_stop.setter
-    def optional_stop(self, value: bool) -> None:
-        self.write("HLI.OPTIONAL_STOP", value)
-
-    @property
-    def backward_motion(self) -> bool:
-        """Whether backward motion on the path is commanded (MO-7)."""
-        return bool(self.read("HLI.BACKWARD_MOTION"))
-
-    @backward_motion.setter
-    def backward_motion(self, value: bool) -> None:
-        self.write("HLI.BACKWARD_MOTION", value)
-
-    @property
-    def retrace(self) -> str:
-        """Backward motion on the path: ``front``, or in the history ``backward`` or ``forward``."""
-        return RETRACES[int(self.read("HLI.RETRACE"))]
-
-    @property
-    def history(self) -> int:
-        """The number of blocks in the history of the path."""
-        return int(self.read("HLI.HISTORY"))
-
-    @property
-    def history_size(self) -> int:
-        """The maximum number of blocks in the history (P-STUP-00033)."""
-        return int(self.read("HLI.HISTORY_SIZE"))
-
-    def start(self) -> None:
-        """Press START: the selected program begins, or continues after M00 or single block."""
-        self.write("HLI.START", 1.0)
-
-    def reset(self) -> None:
-        """Press RESET: the program is aborted, the path brakes to a standstill (RC-007)."""
-        self.write("HLI.RESET", 1.0)
-
-    @property
-    def state(self) -> str:
-        """The state of the channel: ``ready``, ``running``, ``error`` or ``reset``."""
-        return STATES[int(self.read("HLI.STATE"))]
-
-    @property
-    def is_paused(self) -> bool:
-        """Whether single block, M00 or M01 waits for START."""
-        return bool(self.read("HLI.PAUSED"))
-
-    @property
-    def is_armed(self) -> bool:
-        """Whether a selected program waits for START."""
-        return bool(self.read("HLI.ARMED"))
-
-    @property
-    def error(self) -> int:
-        """The number of the error that has stopped the channel, 0 without one."""
-        return int(self.read("HLI.ERROR"))
-
     def _own(self, name: str) -> str:
         """Return the name with its channel; raises ``Failure`` for V.CH (RC-309)."""
         prefix, _, path = split_channel(name)
@@ -472,13 +276,6 @@ class PlcView:
 
 #: Sets an attribute without a check of its name.
 _set = object.__setattr__
-
-#: The attributes of ``PlcView`` that a PLC may set.
-SETTABLE = tuple(
-    name
-    for name, value in vars(PlcView).items()
-    if isinstance(value, property) and value.fset is not None
-)
 
 
 def public_names(kind: type) -> list[str]:

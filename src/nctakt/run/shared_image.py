@@ -34,6 +34,7 @@ from nctakt.hli.layout import (
     Structure,
 )
 from nctakt.hli.places import ImageLayout, entries, entry, image_layout, size_of, unit_offset
+from nctakt.hli.variable_names import describe_names
 from nctakt.hli.variables_memory import Section, sections
 from nctakt.kernel.cells import IDENTIFIER_PROGRAM, POS_RT
 from nctakt.kernel.kernel import Kernel
@@ -134,6 +135,10 @@ class SharedImage:
         """The ID of the PLC's process as the PLC reports it, 0 without a report."""
         offset = self.layout.link_offset + entry(LINK, "process").offset
         return int(struct.unpack_from("=Q", self.memory, offset)[0])
+
+    def announce_lockstep(self) -> None:
+        """Tell the PLC that the CNC waits for it after each tick."""
+        self._put_header_value("lockstep", 1)
 
     def hand_over(self) -> None:
         """Give the turn to the PLC."""
@@ -238,9 +243,13 @@ def _put_header(memory: memoryview, layout: ImageLayout, machine: Machine) -> No
         "link_offset": layout.link_offset,
         "ve_offset": layout.ve_offset,
         "ve_size": layout.ve_size,
+        "names_offset": layout.names_offset,
+        "names_size": layout.names_size,
     }
     for name, value in values.items():
         struct.pack_into("=I", memory, entry(HEADER, name).offset, value)
+    struct.pack_into("=Q", memory, entry(HEADER, "process").offset, os.getpid())
+    memory[layout.names_offset : layout.names_offset + layout.names_size] = describe_names(machine)
     memory[: len(MAGIC)] = MAGIC
     for index, axis in enumerate(machine.axes):
         _put_name(memory, AXIS, layout.axis(index), axis.name)

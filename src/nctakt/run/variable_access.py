@@ -7,21 +7,22 @@ latches (RC-002). Values are checked at once (RC-307); an invalid one is a ``Fai
 
 from __future__ import annotations
 
-import math
-import re
 from collections.abc import Mapping, Sequence
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
 from nctakt.base.text import nearest
+from nctakt.hli.checked_values import (
+    characters_of,
+    command_number,
+    number_of,
+    split_channel,
+)
 from nctakt.hli.layout import PREFIX, PanelValue
-from nctakt.kernel.base import arithmetic
 from nctakt.kernel.kernel import Kernel
-from nctakt.lists.declared.variables import SCALARS
 from nctakt.lists.format import arguments
 from nctakt.messages import diagnostic
-from nctakt.messages.decoder import VALUE_OUTSIDE_TYPE_RANGE
 from nctakt.messages.folders import UNKNOWN_CHANNEL
 from nctakt.messages.inputs import (
     MISSPELLED_MACHINE_VARIABLE,
@@ -29,20 +30,9 @@ from nctakt.messages.inputs import (
     VALUE_NOT_OF_TYPE,
     VARIABLE_NOT_SETTABLE,
 )
-from nctakt.messages.realtime import VALUE_NOT_FINITE
 from nctakt.nc.vocabulary import strings
 from nctakt.nc.vocabulary.cells import CELL_BYTES
 from nctakt.nc.vocabulary.variable_table import Location, NameTable, NotFound
-
-_CHANNEL = re.compile(r"\s*[Cc][Hh](\d{1,4})\.")
-
-
-def split_channel(name: str) -> tuple[str, int, str]:
-    """Divide ``CH2.V.E.X`` into ``("CH2.", 2, "V.E.X")``; channel 1 for a name without one."""
-    match = _CHANNEL.match(name)
-    if match is None:
-        return "", 1, name
-    return match[0].strip(), int(match[1]), name[match.end() :]
 
 
 @dataclass(frozen=True, slots=True)
@@ -135,7 +125,7 @@ class VariableAccess:
         shown = self._find_panel(arguments.text("name", name))
         arguments.number_or_text(name, value)
         if shown is not None:
-            return _command(shown, value)
+            return Write(shown.cell, command_number(shown.name, shown.entry, value))
         location, cell = self._find(name)
         if location.family in ("RTG", "RTA"):
             raise Failure(diagnostic(VARIABLE_NOT_SETTABLE, name=name))
@@ -143,7 +133,7 @@ class VariableAccess:
             raise Failure(diagnostic(VALUE_NOT_OF_TYPE, name=name, type=location.type, value=value))
         if isinstance(value, str):
             return Write(cell, _characters(name, location, value))
-        return Write(cell, _number(name, location.type, float(value)))
+        return Write(cell, number_of(name, location.type, float(value)))
 
     def write(self, name: str, value: float | bool | str) -> None:
         """Write a variable with effect from the next tick."""
@@ -171,47 +161,5 @@ class VariableAccess:
 
 def _characters(name: str, location: Location, text: str) -> bytes:
     """Return the bytes of a text, filled up to the end of their last cell."""
-    size = location.size_bytes
-    wrong = strings.misfit(name, location.type, size, text)
-    if wrong is not None:
-        raise Failure(diagnostic(wrong[0], None, "", **wrong[1]))
-    return strings.encode(text, size).ljust(-(-size // CELL_BYTES) * CELL_BYTES, b"\0")
-
-
-def _command(shown: PanelValue, value: float | bool | str) -> Write:
-    """Return the checked value of an operator's command; the override is at least 0."""
-    if not shown.is_command:
-        raise Failure(diagnostic(VARIABLE_NOT_SETTABLE, name=shown.name))
-    if isinstance(value, str):
-        raise Failure(
-            diagnostic(VALUE_NOT_OF_TYPE, name=shown.name, type=shown.entry.type, value=value)
-        )
-    number = _number(shown.name, shown.entry.type, float(value))
-    if number < 0.0:
-        largest = SCALARS["REAL64"].high
-        raise Failure(
-            diagnostic(VALUE_OUTSIDE_TYPE_RANGE, name=shown.name, value=number, low=0, high=largest)
-        )
-    return Write(shown.cell, number)
-
-
-def _number(name: str, type_: str, number: float) -> float:
-    """Return the number as converted for a variable of this type (RC-307)."""
-    if not math.isfinite(number):
-        raise Failure(diagnostic(VALUE_NOT_FINITE, name=name, value=number))
-    scalar = SCALARS[type_]
-    if type_ == "BOOLEAN":
-        number = 1.0 if arithmetic.is_true(number) else 0.0
-    elif scalar.is_integer:
-        number = arithmetic.round_half_even(number)
-    if not scalar.low <= number <= scalar.high:
-        raise Failure(
-            diagnostic(
-                VALUE_OUTSIDE_TYPE_RANGE,
-                name=name,
-                value=number,
-                low=scalar.low,
-                high=scalar.high,
-            )
-        )
-    return number
+    data = characters_of(name, location.type, location.size_bytes, text)
+    return data.ljust(-(-len(data) // CELL_BYTES) * CELL_BYTES, b"\0")

@@ -20,6 +20,7 @@ from nctakt.base.failure import Failure
 from nctakt.decoder.cycles.builder import CycleDefinition
 from nctakt.decoder.state.call_stack import OpenCall
 from nctakt.files.access import FileAccess
+from nctakt.hli.plc_entries import SpindleEntry, TechnologyEntry
 from nctakt.kernel import codes
 from nctakt.kernel.cycles.context import context_of
 from nctakt.lists.machine.machine import load_machine
@@ -27,7 +28,7 @@ from nctakt.plc.loading import load_plc
 from nctakt.results.run import ProgramMessage, Run, RunState
 from nctakt.run.assembly import AssembledMachine
 from nctakt.run.inputs import IMAGE, PLC, SELECT, Cells, Input, unpack
-from nctakt.run.plc_view import PlcView, SpindleEntry, TechnologyEntry
+from nctakt.run.plc_view import PlcView
 from nctakt.run.program_loader import load
 from nctakt.run.program_run import ProgramRun, RunOptions
 from nctakt.run.shared_image import SharedImage

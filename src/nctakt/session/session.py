@@ -15,11 +15,11 @@ from types import TracebackType
 from typing import Any, Self
 
 from nctakt.base.failure import Failure, error_text
+from nctakt.hli.plc_entries import SpindleEntry, TechnologyEntry
 from nctakt.lists.format.times import TimeLike
 from nctakt.results.run import Run
 from nctakt.results.why import WhyReport
 from nctakt.run.inputs import API, Input
-from nctakt.run.plc_view import SpindleEntry, TechnologyEntry
 from nctakt.run.program_loader import NcText
 from nctakt.run.stimuli import StimulusLike
 from nctakt.session.audience import Audience

@@ -13,10 +13,10 @@ from typing import cast
 
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
+from nctakt.hli.plc_entries import SpindleEntry, TechnologyEntry
 from nctakt.lists.format.times import TimeLike, read_time
 from nctakt.results.run import Run
 from nctakt.run.inputs import ACKNOWLEDGE, ACKNOWLEDGE_SPINDLE, SELECT, WRITE, Input
-from nctakt.run.plc_view import SpindleEntry, TechnologyEntry
 from nctakt.session.decoders import DecoderState
 from nctakt.session.engine import CycleState, Glance, Slice, joined
 from nctakt.session.past import Past

@@ -11,8 +11,9 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
 from nctakt.base.dataclass import dataclass, field
+from nctakt.hli.plc_entries import TechnologyEntry
 from nctakt.plc.script import Plc
-from nctakt.run.plc_view import AnyPlc, PlcView, TechnologyEntry, WatchedPlc
+from nctakt.run.plc_view import AnyPlc, PlcView, WatchedPlc
 
 if TYPE_CHECKING:
     from nctakt.base.diagnostics import Diagnostic

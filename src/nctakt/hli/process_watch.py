@@ -36,3 +36,16 @@ class ProcessWatch:
             os.close(self._handle)
             self._handle = -1
             self._poll = None
+
+
+def is_living(process: int) -> bool:
+    """Return whether there is a process with this ID; False if the system cannot tell."""
+    if not hasattr(os, "pidfd_open"):
+        return False
+    try:
+        os.close(os.pidfd_open(process))
+    except PermissionError:
+        return True
+    except (OSError, OverflowError):
+        return False
+    return True

@@ -1,0 +1,203 @@
+# SPDX-License-Identifier: MIT
+"""A PLC of one's own in another process, attached to the HLI of a CNC by its name.
+
+In: the name behind ``nctakt run --hli``. Out: the PLC's side by names (``plc_side.py``), and the
+ticks of the CNC one after another: in lockstep it waits for an answer after each of them.
+"""
+
+from __future__ import annotations
+
+import os
+import time
+from collections.abc import Iterator
+from types import TracebackType
+from typing import Protocol
+
+from nctakt.base.diagnostics import NOTHING
+from nctakt.base.failure import Failure
+from nctakt.hli.image_access import ImageAccess
+from nctakt.hli.layout import COMMAND, HEADER, LINK, MAGIC
+from nctakt.hli.places import entry, size_of
+from nctakt.hli.plc_side import PlcSide
+from nctakt.hli.process_watch import ProcessWatch, is_living
+from nctakt.hli.shared_file import SharedFile, image_names
+from nctakt.messages import diagnostic
+from nctakt.messages.hli_connection import HLI_HAS_PLC, NO_HLI_OF_NAME, NO_TICK_AT_HLI
+
+#: Looks without a pause: the CNC on another core runs a tick within some microseconds.
+_EAGER_LOOKS = 50
+
+#: The pauses between two later looks, in seconds: for the next tick, and for an image.
+_TICK_PAUSE_S = 0.00002
+_IMAGE_PAUSE_S = 0.01
+
+#: The number of later looks from one to the next at whether the CNC's process still lives.
+_LOOKS_PER_WATCH = 500
+
+
+class TickPlc(Protocol):
+    """A PLC that is called after each tick."""
+
+    def cycle(self, hli: PlcSide) -> None:
+        """Read inputs and set outputs."""
+
+
+class PlcConnection(PlcSide):
+    """The PLC at the HLI of a CNC in another process; also a context manager.
+
+    It is the PLC's side of the first channel, and of the others by ``of_channel``. Closing tells
+    the CNC that the PLC has gone.
+    """
+
+    def __init__(self, shared: SharedFile, access: ImageAccess) -> None:
+        super().__init__(access)
+        self._shared: SharedFile | None = shared
+        self._cnc = ProcessWatch(int(access.number(HEADER, 0, "process")))
+        self._link = access.offset(LINK)
+        self._seen_tick = self.tick
+        access.put_number(LINK, self._link, "process", os.getpid())
+        self._be_present(1)
+
+    # --- ticks ----------------------------------------------------------------------------------
+
+    @property
+    def is_lockstep(self) -> bool:
+        """Whether the CNC waits for an answer after each tick."""
+        return self._access.number(HEADER, 0, "lockstep") != 0
+
+    @property
+    def is_running(self) -> bool:
+        """Whether the CNC is still there."""
+        return self._access.number(HEADER, 0, "ready") != 0 and not self._cnc.is_gone
+
+    def next_tick(self, within_s: float | None = None) -> bool:
+        """Answer the latest tick and wait for the next one; return False once the CNC has ended.
+
+        Raises ``Failure`` (901389) if none comes within ``within_s`` seconds; without it the CNC
+        may pause as long as it likes.
+        """
+        if self.is_lockstep:
+            turn = self._access.number(HEADER, 0, "turn")
+            self._access.put_number(LINK, self._link, "turn", turn)
+        end = None if within_s is None else time.monotonic() + within_s
+        looks = 0
+        while not self._is_tick_done():
+            looks += 1
+            if looks > _EAGER_LOOKS:
+                time.sleep(_TICK_PAUSE_S)
+            if looks % _LOOKS_PER_WATCH == 0 and self._cnc.is_gone:
+                return False
+            if self._access.number(HEADER, 0, "ready") == 0:
+                return False
+            if end is not None and time.monotonic() > end:
+                raise Failure(diagnostic(NO_TICK_AT_HLI, name=self._access.name, seconds=within_s))
+        self._seen_tick = self.tick
+        return True
+
+    def ticks(self) -> Iterator[int]:
+        """Yield the number of each tick once the CNC has run it, until the CNC ends.
+
+        What is done before the next one is the answer to it. Without lockstep ticks that go by
+        meanwhile are left out.
+        """
+        while self.next_tick():
+            yield self.tick
+
+    def run(self, plc: TickPlc) -> None:
+        """Let an object with ``cycle(self, hli)`` be the PLC until the CNC ends."""
+        for _ in self.ticks():
+            plc.cycle(self)
+
+    def _is_tick_done(self) -> bool:
+        """Return whether it is the PLC's turn; without lockstep: whether a tick was run."""
+        if not self.is_lockstep:
+            return self.tick != self._seen_tick
+        turn = self._access.number(HEADER, 0, "turn")
+        return turn != self._access.number(LINK, self._link, "turn")
+
+    # --- the end --------------------------------------------------------------------------------
+
+    def close(self) -> None:
+        """Tell the CNC that the PLC has gone, and let go of the image; may be repeated."""
+        shared, self._shared = self._shared, None
+        if shared is None:
+            return
+        self._be_present(0)
+        self._access.put_number(LINK, self._link, "process", 0)
+        self._cnc.close()
+        self._access.release()
+        shared.close()
+
+    def _be_present(self, value: int) -> None:
+        for index in range(self.channel_count):
+            self._access.put_number(
+                COMMAND, self._access.offset(COMMAND, index), "plc_present", value
+            )
+
+    def __enter__(self) -> PlcConnection:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        traceback: TracebackType | None,
+    ) -> None:
+        self.close()
+
+
+def attach(name: str, within_s: float = 10.0) -> PlcConnection:
+    """Return the PLC's side of the HLI with this name as soon as a CNC shares it.
+
+    Raises ``Failure`` if none does within ``within_s`` seconds (901380), if the shared memory is
+    none of this version (901381 … 901383), or if it has a PLC already (901384).
+    """
+    shared = _open(name, within_s)
+    memory = shared.memory[:]
+    try:
+        access = ImageAccess(name, memory)
+        _check_free(access)
+    except BaseException:
+        memory.release()
+        shared.close()
+        raise
+    return PlcConnection(shared, access)
+
+
+def _open(name: str, within_s: float) -> SharedFile:
+    """Return the shared memory once its maker has finished it."""
+    end = time.monotonic() + within_s
+    while True:
+        shared = _existing(name)
+        if shared is not None:
+            if _is_finished(shared):
+                return shared
+            shared.close()
+        if time.monotonic() > end:
+            known = ", ".join(image_names()) or NOTHING
+            raise Failure(diagnostic(NO_HLI_OF_NAME, name=name, seconds=within_s, known=known))
+        time.sleep(_IMAGE_PAUSE_S)
+
+
+def _existing(name: str) -> SharedFile | None:
+    try:
+        return SharedFile(name)
+    except (OSError, ValueError):
+        return None
+
+
+def _is_finished(shared: SharedFile) -> bool:
+    """Return whether the CNC is ready, or the memory is no image at all, which is told later."""
+    magic = bytes(shared.memory[: len(MAGIC)])
+    if magic != MAGIC or len(shared.memory) < size_of(HEADER):
+        return any(magic)
+    ready = entry(HEADER, "ready").offset
+    return any(shared.memory[ready : ready + 4])
+
+
+def _check_free(access: ImageAccess) -> None:
+    """Raise ``Failure`` (901384) if another PLC whose process still lives is attached."""
+    process = int(access.number(LINK, access.offset(LINK), "process"))
+    is_present = access.number(COMMAND, access.offset(COMMAND), "plc_present") != 0
+    if is_present and process > 0 and is_living(process):
+        raise Failure(diagnostic(HLI_HAS_PLC, name=access.name, process=process))

@@ -80,14 +80,14 @@ def test_axes_channels_and_spindles_have_their_names(cell: Cell) -> None:
     [
         (lambda plc: plc.axis("XX"), 900656, "X"),
         (lambda plc: plc.axis("X")["comand"], 901012, "command"),
-        (lambda plc: plc.spindle("S9"), 901387, "S"),
+        (lambda plc: plc.spindle("S9"), 901437, "S"),
         (lambda plc: plc.of_channel(3), 900749, ""),
-        (lambda plc: plc.read("V.E.VALU"), 901385, "V.E.VALUE"),
-        (lambda plc: plc.read("V.G.TIMER[1]"), 901385, ""),
-        (lambda plc: plc.write("HLI.OVERIDE", 5), 901385, "HLI.OVERRIDE"),
+        (lambda plc: plc.read("V.E.VALU"), 901435, "V.E.VALUE"),
+        (lambda plc: plc.read("V.G.TIMER[1]"), 901435, ""),
+        (lambda plc: plc.write("HLI.OVERIDE", 5), 901435, "HLI.OVERRIDE"),
         (lambda plc: plc.write("HLI.STATE", 1), 900542, ""),
         (lambda plc: plc.write("HLI.OVERRIDE", -1), 20847, ""),
-        (lambda plc: plc.write("V.E.FLAGS[99]", 1), 901386, "7"),
+        (lambda plc: plc.write("V.E.FLAGS[99]", 1), 901436, "7"),
         (lambda plc: plc.write("V.E.VALUE", "text"), 900543, ""),
         (lambda plc: plc.write("V.E.VALUE", float("nan")), 50893, ""),
     ],
@@ -174,23 +174,23 @@ def test_a_spindle_job_is_acknowledged(cell: Cell) -> None:
 
 
 def test_an_hli_that_nobody_shares_is_told() -> None:
-    """901380 names those that there are."""
+    """901430 names those that there are."""
     with Controller().interface_image(new_name()) as image:
         with pytest.raises(Failure) as caught:
             hli.attach("no_such_cell", within_s=0.0)
-        assert number_of(caught) == 901380
+        assert number_of(caught) == 901430
         assert str(image.name) in str(caught.value)
 
 
 @pytest.mark.parametrize(
     ("offset", "data", "number"),
     [
-        (0, b"OTHER", 901381),
-        (entry(HEADER, "version").offset, struct.pack("=I", 5), 901382),
-        (entry(HEADER, "axis_size").offset, struct.pack("=I", 8), 901383),
-        (entry(HEADER, "axes").offset, struct.pack("=I", 2**32 - 1), 901383),
-        (entry(HEADER, "link_offset").offset, struct.pack("=I", 2**31), 901383),
-        (entry(HEADER, "names_size").offset, struct.pack("=I", 17), 901383),
+        (0, b"OTHER", 901431),
+        (entry(HEADER, "version").offset, struct.pack("=I", 5), 901432),
+        (entry(HEADER, "axis_size").offset, struct.pack("=I", 8), 901433),
+        (entry(HEADER, "axes").offset, struct.pack("=I", 2**32 - 1), 901433),
+        (entry(HEADER, "link_offset").offset, struct.pack("=I", 2**31), 901433),
+        (entry(HEADER, "names_size").offset, struct.pack("=I", 17), 901433),
     ],
 )
 def test_memory_of_another_kind_is_refused(offset: int, data: bytes, number: int) -> None:
@@ -212,14 +212,14 @@ def test_random_bytes_are_refused_or_read(cell: Cell) -> None:
             try:
                 ImageAccess("copy", memoryview(copy))
             except Failure as failure:
-                assert failure.diagnostics[0].id in (901381, 901382, 901383)
+                assert failure.diagnostics[0].id in (901431, 901432, 901433)
 
 
 def test_a_second_plc_is_refused(cell: Cell) -> None:
-    """901384 while the process of the first one lives."""
+    """901434 while the process of the first one lives."""
     with pytest.raises(Failure) as caught:
         hli.attach(str(cell.image.name))
-    assert number_of(caught) == 901384
+    assert number_of(caught) == 901434
     cell.plc.close()
     with hli.attach(str(cell.image.name)) as second:
         assert second.is_running
@@ -241,11 +241,11 @@ def test_leaving_is_told_to_the_cnc(cell: Cell) -> None:
 
 
 def test_without_lockstep_a_tick_is_noticed(cell: Cell) -> None:
-    """901389 while none comes; the latest one counts; the end of the CNC ends the ticks."""
+    """901439 while none comes; the latest one counts; the end of the CNC ends the ticks."""
     assert not cell.plc.is_lockstep
     with pytest.raises(Failure) as caught:
         cell.plc.next_tick(within_s=0.0)
-    assert number_of(caught) == 901389
+    assert number_of(caught) == 901439
     cell.controller.step(3)
     assert cell.plc.next_tick()
     assert cell.plc.tick == 2

@@ -73,7 +73,7 @@ class PlcConnection(PlcSide):
     def next_tick(self, within_s: float | None = None) -> bool:
         """Answer the latest tick and wait for the next one; return False once the CNC has ended.
 
-        Raises ``Failure`` (901389) if none comes within ``within_s`` seconds; without it the CNC
+        Raises ``Failure`` (901439) if none comes within ``within_s`` seconds; without it the CNC
         may pause as long as it likes.
         """
         if self.is_lockstep:
@@ -149,8 +149,8 @@ class PlcConnection(PlcSide):
 def attach(name: str, within_s: float = 10.0) -> PlcConnection:
     """Return the PLC's side of the HLI with this name as soon as a CNC shares it.
 
-    Raises ``Failure`` if none does within ``within_s`` seconds (901380), if the shared memory is
-    none of this version (901381 … 901383), or if it has a PLC already (901384).
+    Raises ``Failure`` if none does within ``within_s`` seconds (901430), if the shared memory is
+    none of this version (901431 … 901433), or if it has a PLC already (901434).
     """
     shared = _open(name, within_s)
     memory = shared.memory[:]
@@ -196,7 +196,7 @@ def _is_finished(shared: SharedFile) -> bool:
 
 
 def _check_free(access: ImageAccess) -> None:
-    """Raise ``Failure`` (901384) if another PLC whose process still lives is attached."""
+    """Raise ``Failure`` (901434) if another PLC whose process still lives is attached."""
     process = int(access.number(LINK, access.offset(LINK), "process"))
     is_present = access.number(COMMAND, access.offset(COMMAND), "plc_present") != 0
     if is_present and process > 0 and is_living(process):

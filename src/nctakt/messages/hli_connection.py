@@ -6,7 +6,7 @@ from __future__ import annotations
 from nctakt.messages.catalogue import error, note, warning
 
 NO_HLI_OF_NAME = error(
-    901380,
+    901430,
     en="there is no HLI {name}: nothing has shared it within {seconds} s",
     de="das HLI {name} gibt es nicht: in {seconds} s hat es niemand freigegeben",
     remedy_en="Start nctakt run PROGRAM --hli {name}. Shared at present: {known}",
@@ -16,7 +16,7 @@ NO_HLI_OF_NAME = error(
     known=("the images that can be found, or –", "die Abbilder, die sich finden lassen, oder –"),
 )
 NOT_AN_HLI = error(
-    901381,
+    901431,
     en="the shared memory {name} is not an HLI of nctakt",
     de="der gemeinsame Speicher {name} ist kein HLI von nctakt",
     remedy_en="Give the name behind nctakt run --hli.",
@@ -24,7 +24,7 @@ NOT_AN_HLI = error(
     name=("the name that was given", "der angegebene Name"),
 )
 HLI_VERSION_DIFFERS = error(
-    901382,
+    901432,
     en="the HLI {name} has version {version} of the layout, this nctakt has {own}",
     de="das HLI {name} hat Version {version} des Aufbaus, dieses nctakt hat {own}",
     remedy_en="Use the same nctakt for the CNC and for the PLC.",
@@ -34,7 +34,7 @@ HLI_VERSION_DIFFERS = error(
     own=("the version that this nctakt knows", "die Version, die dieses nctakt kennt"),
 )
 HLI_LAYOUT_DIFFERS = error(
-    901383,
+    901433,
     en="the HLI {name} is laid out in another way: {part} does not fit",
     de="das HLI {name} ist anders aufgebaut: {part} passt nicht",
     remedy_en="Use the same nctakt for the CNC and for the PLC.",
@@ -43,7 +43,7 @@ HLI_LAYOUT_DIFFERS = error(
     part=("the structure or value", "die Struktur oder der Wert"),
 )
 HLI_HAS_PLC = error(
-    901384,
+    901434,
     en="the HLI {name} has a PLC already: process {process}",
     de="das HLI {name} hat schon eine SPS: Prozess {process}",
     remedy_en="End that program first: only one PLC answers the CNC.",
@@ -52,7 +52,7 @@ HLI_HAS_PLC = error(
     process=("the ID of its process", "die ID ihres Prozesses"),
 )
 HLI_HAS_NO_NAME = error(
-    901385,
+    901435,
     en="the HLI {hli} has no {name}",
     de="das HLI {hli} hat kein {name}",
     remedy_en="Did you mean {nearest}? It has HLI values and V.E variables, each with its index.",
@@ -62,7 +62,7 @@ HLI_HAS_NO_NAME = error(
     nearest=("the nearest name, or –", "der ähnlichste Name, oder –"),
 )
 HLI_INDEX_OUTSIDE = error(
-    901386,
+    901436,
     en="{name} is outside of the array, whose last index is {last}",
     de="{name} liegt außerhalb des Feldes, dessen letzter Index {last} ist",
     remedy_en="Use an index from 0 to {last}.",
@@ -71,7 +71,7 @@ HLI_INDEX_OUTSIDE = error(
     last=("the last index", "der letzte Index"),
 )
 UNKNOWN_HLI_SPINDLE = error(
-    901387,
+    901437,
     en="unknown spindle {name}",
     de="unbekannte Spindel {name}",
     remedy_en="Did you mean {nearest}? Name one of these: {known}",
@@ -81,7 +81,7 @@ UNKNOWN_HLI_SPINDLE = error(
     known=("the spindles of the machine", "die Spindeln der Maschine"),
 )
 HLI_CNC_WRITES_ON = error(
-    901388,
+    901438,
     en="the CNC of the HLI {name} never ends writing",
     de="die CNC des HLI {name} hört nicht auf zu schreiben",
     remedy_en="It was killed in the middle: remove the shared memory and start it again.",
@@ -89,7 +89,7 @@ HLI_CNC_WRITES_ON = error(
     name=("the name of the shared memory", "der Name des gemeinsamen Speichers"),
 )
 NO_TICK_AT_HLI = error(
-    901389,
+    901439,
     en="the CNC of the HLI {name} has run no tick for {seconds} s",
     de="die CNC des HLI {name} hat seit {seconds} s keinen Takt ausgeführt",
     remedy_en="Let the CNC go on, or wait longer (within_s).",
@@ -98,7 +98,7 @@ NO_TICK_AT_HLI = error(
     seconds=("how long it was waited for", "wie lange darauf gewartet wurde"),
 )
 WAITING_FOR_PLC = note(
-    901390,
+    901440,
     en="waiting up to {seconds} s for a PLC at the HLI {name}",
     de="es wird bis zu {seconds} s auf eine SPS am HLI {name} gewartet",
     remedy_en='Start it in another shell; in Python it begins with nctakt.hli.attach("{name}").',
@@ -108,14 +108,14 @@ WAITING_FOR_PLC = note(
     seconds=("how long it is waited for", "wie lange gewartet wird"),
 )
 PLC_CONNECTED = note(
-    901391,
+    901441,
     en="a PLC has connected to the HLI {name}: {process}",
     de="eine SPS hat sich mit dem HLI {name} verbunden: {process}",
     name=("the name of the shared memory", "der Name des gemeinsamen Speichers"),
     process=("its process, if it tells it", "ihr Prozess, falls sie ihn nennt"),
 )
 PLC_KEEPS_WAITING = warning(
-    901392,
+    901442,
     en="after tick {tick} the CNC is waiting for the PLC, for {seconds} s so far",
     de="nach Takt {tick} wartet die CNC auf die SPS, bisher {seconds} s",
     remedy_en="It has {left} s to write turn of hli_link; a debugger may hold it.",
@@ -125,7 +125,7 @@ PLC_KEEPS_WAITING = warning(
     left=("the time that is left", "die Zeit, die noch bleibt"),
 )
 PLC_ANSWERED_AGAIN = note(
-    901393,
+    901443,
     en="the PLC has answered tick {tick}; the run goes on",
     de="die SPS hat Takt {tick} beantwortet; der Lauf geht weiter",
     tick=("the last tick that was run", "der zuletzt gelaufene Takt"),

@@ -19,7 +19,7 @@ from program_generator import program
 from trace_digests import DEMO, MAX_TICKS, SEEDS, random_trace
 
 from nctakt.kernel.base.record import Record
-from nctakt.run import assembly
+from nctakt.run import realtime_part
 from nctakt.run.controller import Controller, NcText
 from nctakt.trace.sinks import CsvSink
 
@@ -153,7 +153,7 @@ def test_the_size_of_the_record_changes_nothing(
         small = functools.partial(
             Record, row_capacity=rows, event_capacity=events, probe_capacity=probes
         )
-        monkeypatch.setattr(assembly, "Record", small)
+        monkeypatch.setattr(realtime_part, "Record", small)
         assert random_trace(seed, tmp_path / "small.csv") == whole
 
 

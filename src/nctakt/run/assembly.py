@@ -13,22 +13,11 @@ from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Span
 from nctakt.base.source_ids import SourceFiles
 from nctakt.base.text import nearest
-from nctakt.decoder.axis_limits import history_blocks, look_ahead, single_axes
 from nctakt.decoder.state.controller_data import controller_data
 from nctakt.decoder.state.environment import DecoderEnvironment
 from nctakt.decoder.state.offsets import ActiveOffsets
 from nctakt.files.access import FileAccess
 from nctakt.hli.layout import PanelValue
-from nctakt.kernel import cells
-from nctakt.kernel.axes.axes import Axes
-from nctakt.kernel.base.record import Record
-from nctakt.kernel.base.timers import Timers
-from nctakt.kernel.cycles.cycles import CycleManager
-from nctakt.kernel.kernel import Kernel
-from nctakt.kernel.path.path import Path as KernelPath
-from nctakt.kernel.plc.panel import Panel
-from nctakt.kernel.plc.technology_slots import Hli
-from nctakt.kernel.tick.channel import Channel
 from nctakt.lists.machine.axis_configuration import AxisConfiguration
 from nctakt.lists.machine.channel_configuration import ChannelParameters
 from nctakt.lists.machine.machine import ChannelConfiguration, Machine
@@ -36,21 +25,13 @@ from nctakt.messages import diagnostic
 from nctakt.messages.inputs import MISSPELLED_SIGNAL, NAMES_OF_DEMO_MACHINE, UNKNOWN_SIGNAL
 from nctakt.messages.plc import STALE_ACKNOWLEDGEMENT
 from nctakt.nc.outline import ProgramText
-from nctakt.nc.vocabulary.variable_table import Layout, Location, NameTable
+from nctakt.nc.vocabulary.variable_table import NameTable
 from nctakt.run.event_registry import EventRegistry
 from nctakt.run.inputs import API, Inputs
 from nctakt.run.machine_names import SignalCell, channel_names, names_of_machine, prefix_of
-from nctakt.run.spindle_setup import all_names, channel_spindles, max_speeds
+from nctakt.run.realtime_part import RealtimePart
+from nctakt.run.spindle_setup import all_names, max_speeds
 from nctakt.run.variable_access import VariableAccess
-
-#: The assumed execution time of an elementary instruction, in ns (RC-503).
-INSTRUCTION_COST_NS = 10
-
-#: Owners of independent motions in a channel: one for each slot of a cycle.
-CYCLE_OWNERS = 1024
-
-#: V.RTG.CYCLES.DIAG_LEVEL at start-up (RC-603).
-DEFAULT_DIAGNOSIS_LEVEL = 3.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -106,22 +87,27 @@ class AssembledMachine:
     ``names``, ``parameters`` and ``members`` are those of the first channel. ``report`` receives
     the diagnostics of a run; by default it does nothing. ``file_access`` reads the programs.
     ``poll`` is called between ticks, and repeatedly while programs are read and decoded.
+    ``realtime``: a realtime part of this machine as it is at start-up; by default a new one.
     """
 
-    def __init__(self, configuration: Machine, access: FileAccess | None = None) -> None:
+    def __init__(
+        self,
+        configuration: Machine,
+        access: FileAccess | None = None,
+        realtime: RealtimePart | None = None,
+    ) -> None:
         self.configuration = configuration
         self.file_access = access or FileAccess()
         self._names = names_of_machine(configuration)
         self.layout = layout = self._names.layout
-        self.memory = bytearray(8 * layout.size)
-        self.cells = memoryview(self.memory).cast("d")
-        self.record = Record(self.memory)
-        self.axes = Axes(self.memory, layout.axis_cell(0), len(configuration.axes))
-        self.single_axes = single_axes(configuration, self.axes, self.record)
-        self.channels = [
-            self._channel(index, layout) for index in range(len(configuration.channels))
-        ]
-        self.kernel = Kernel(self.memory, self.axes, self.channels, self.record, self.single_axes)
+        self.realtime = realtime = realtime or RealtimePart(configuration, layout)
+        self.memory = realtime.memory
+        self.cells = realtime.cells
+        self.record = realtime.record
+        self.axes = realtime.axes
+        self.single_axes = realtime.single_axes
+        self.channels = realtime.channels
+        self.kernel = realtime.kernel
         self.assembled = tuple(
             AssembledChannel(
                 index,
@@ -171,50 +157,6 @@ class AssembledMachine:
             for axis in channel.axes:
                 names[axis.index] = axis.name
         return names
-
-    def _channel(self, index: int, layout: Layout) -> Channel:
-        configuration = self.configuration.channels[index]
-        parameters = configuration.parameters
-        members = [axis.index for axis in configuration.axes]
-        first = layout.channel_cell(index)
-        timers = layout.tables[index].resolve("RTG", (("TIMER", 1),))
-        assert isinstance(timers, Location)
-        channel = Channel(
-            self.memory,
-            first,
-            self.record,
-            Hli(Panel(self.memory, layout.panel_cell(index))),
-            CycleManager(self.record, self.single_axes, CYCLE_OWNERS * index + 1),
-            KernelPath(
-                self.axes,
-                members,
-                self.configuration.cycle_time_us,
-                history_blocks(configuration.startup.backward_memory_bytes, len(members)),
-            ),
-            Timers(self.memory, timers.cell, self.configuration.cycle_time_us),
-            parameters.max_override_pct,
-            look_ahead(
-                [self.configuration.axes[i] for i in members],
-                self.configuration.cycle_time_us,
-                configuration.startup.look_ahead_blocks,
-                parameters.max_override_pct,
-            ),
-            self.single_axes,
-        )
-        limits = parameters.realtime_cycles
-        spindles = channel_spindles(self.configuration, index, layout, self.memory, self.record)
-        channel.executor.set_spindles(spindles, limits.buffers)
-        channel.panel.show_size(channel.path.history_size)
-        context = channel.context
-        context.max_steps = limits.max_steps
-        context.cont_steps = limits.cont_steps
-        budget_ns = 10 * self.configuration.cycle_time_us * limits.max_duration_pct
-        channel.manager.memory_limit = limits.memory_bytes
-        context.budget_steps = budget_ns // INSTRUCTION_COST_NS
-        self.cells[first + cells.CHANNEL_OVERRIDE_VEL_CYCLE] = 100.0
-        self.cells[first + cells.CHANNEL_OVERRIDE_VEL_TOTAL] = 100.0
-        self.cells[first + cells.CHANNEL_CYCLES_DIAG_LEVEL] = DEFAULT_DIAGNOSIS_LEVEL
-        return channel
 
     # --- running --------------------------------------------------------------------------------
 

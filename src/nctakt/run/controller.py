@@ -40,6 +40,7 @@ from nctakt.trace.sinks import Sink
 
 if TYPE_CHECKING:
     from nctakt.run.inputs import Input, InputListener
+    from nctakt.run.realtime_part import RealtimePart
     from nctakt.run.tape import Tape
     from nctakt.schedule.open_schedule import RunSchedule
 
@@ -52,7 +53,9 @@ class Controller:
     ``machine``: a folder with lists, a loaded ``Machine``, or ``None`` for the built-in demo
     machine. ``schedule`` (of ``open_schedule``) sets the length of a tick and the time that
     decoder, interpolation and PLC get. ``access`` limits the files that may be read
-    (``FileAccess([folder])``: only those in a folder). Raises ``Failure`` if no machine results.
+    (``FileAccess([folder])``: only those in a folder). ``realtime``: the realtime part of an
+    earlier controller of this machine, put back to its start-up; by default a new one. Raises
+    ``Failure`` if no machine results.
 
     Times are texts with a unit (us, ms, s, min, h, ticks), seconds or ``datetime.timedelta``.
     ``diagnostics``: findings in the machine's lists and in all programs so far.
@@ -69,6 +72,7 @@ class Controller:
         machine: Machine | str | Path | None = None,
         schedule: RunSchedule | None = None,
         access: FileAccess | None = None,
+        realtime: RealtimePart | None = None,
     ) -> None:
         access = access or FileAccess()
         if not isinstance(machine, Machine):
@@ -81,7 +85,7 @@ class Controller:
         self.machine = machine
         self.cycle_time_us = machine.cycle_time_us
         self.diagnostics: list[Diagnostic] = list(machine.diagnostics)
-        self._machine = AssembledMachine(machine, access)
+        self._machine = AssembledMachine(machine, access, realtime)
         self._machine.report = self.diagnostics.append
         self.turn = OneAtATime()
         scheduled_run = None

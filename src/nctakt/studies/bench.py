@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import hashlib
 import re
+from collections import OrderedDict
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -33,10 +34,14 @@ from nctakt.studies.inputs import RunInputs, inputs_of
 from nctakt.studies.measure_nodes import reaction_time
 from nctakt.studies.outcome import Outcome
 from nctakt.studies.plan import Plan
+from nctakt.studies.realtime_parts import MACHINES, LentPart, RealtimeParts
 from nctakt.testing.queries import values_before
 from nctakt.trace.chunks import EventChunk
 from nctakt.trace.events import Event
 from nctakt.trace.sinks import TraceHeader
+
+#: Parameters of the lists that a run changes, with their values.
+Parameters = tuple[tuple[tuple[str, str], float | str], ...]
 
 #: A row of the results: name -> number, text or ``None``.
 Row = dict[str, float | int | str | None]
@@ -99,12 +104,14 @@ class BegunRun:
         inputs: RunInputs,
         before: Mapping[str, float],
         digest: Digest,
+        lent: LentPart,
     ) -> None:
         self.controller = controller
         self.run = run
         self._inputs = inputs
         self._before = before
         self._digest = digest
+        self._lent = lent
 
     def add(self, inputs: Sequence[Input]) -> None:
         """Plan further inputs, behind those of their ticks that are planned already."""
@@ -120,6 +127,7 @@ class BegunRun:
             self.run.close()
         injected = None if injected_us is None else injected_us / 1e6
         outcome = Outcome(self.run.result(), self._before, injected)
+        self._lent.give_back()
         return FinishedRun(outcome, self._inputs, self._digest.text())
 
 
@@ -139,7 +147,8 @@ class Bench:
         text = plan.text
         self._text = "\n".join(access.read_lines(plan.program)) if text is None else text
         self._loaded: LoadedProgram | None = None
-        self._machines: dict[tuple[tuple[tuple[str, str], float | str], ...], Machine] = {}
+        self._machines: OrderedDict[Parameters, Machine] = OrderedDict()
+        self._parts = RealtimeParts()
         names = (name for measure in plan.measures for name in measure.node.signals())
         further = (name for expected in plan.expectations for name in expected.signals)
         self._names = tuple(dict.fromkeys([*names, *further]))
@@ -253,7 +262,9 @@ class Bench:
 
         ``blocks``: with the events of its blocks; ``why``: with the histories of its conditions.
         """
-        controller = Controller(self._machine_with(inputs.parameters), access=self._access)
+        machine = self._machine_with(inputs.parameters)
+        lent = self._parts.lend(machine)
+        controller = Controller(machine, access=self._access, realtime=lent.part)
         program = self._program_of(inputs, controller)
         before = values_before(controller, self.signals, inputs.assignments)
         digest = Digest()
@@ -269,16 +280,19 @@ class Bench:
             blocks=blocks,
             why=why,
         )
-        return BegunRun(controller, controller.begin(options), inputs, before, digest)
+        return BegunRun(controller, controller.begin(options), inputs, before, digest, lent)
 
     def _machine_with(self, parameters: Mapping[tuple[str, str], float | str]) -> Machine:
-        """Return the machine with these parameters, loaded once."""
+        """Return the machine with these parameters; those used last are kept."""
         if not parameters:
             return self.machine
         key = tuple(parameters.items())
-        if key not in self._machines:
-            self._machines[key] = changed_machine(self.machine, parameters)
-        return self._machines[key]
+        machine = self._machines.get(key) or changed_machine(self.machine, parameters)
+        self._machines[key] = machine
+        self._machines.move_to_end(key)
+        if len(self._machines) > MACHINES:
+            self._machines.popitem(last=False)
+        return machine
 
     def _program_of(self, inputs: RunInputs, controller: Controller) -> AnyProgram:
         """Return the program of a run: the unchanged one is checked once.

@@ -7,6 +7,8 @@ a channel is its view of that block, with what the channel's cycles need beside 
 
 from __future__ import annotations
 
+from functools import cache
+
 from nctakt.kernel import cells
 from nctakt.kernel.axes.axes import Axes
 from nctakt.kernel.axes.single_axes import SingleAxes
@@ -99,7 +101,13 @@ def empty_context() -> Context:
 def context_of(memory: bytearray) -> Context:
     """Context whose cells are this memory, at least ten, for expressions of Python's side."""
     record = Record(memory, row_capacity=1, event_capacity=1, probe_capacity=1)
-    single_axes = SingleAxes(Axes(memory, 0, 0), record, 1000)
+    return Context(memory, record, *_without_machine())
+
+
+@cache
+def _without_machine() -> tuple[Hli, Timers, SingleAxes]:
+    """Slots, timers and axes that no expression reaches: the same for all such contexts."""
     own = bytearray(8 * (cells.PANEL_CELLS + cells.TIMERS))
-    hli, timers = Hli(Panel(own, 0)), Timers(own, cells.PANEL_CELLS, 1000)
-    return Context(memory, record, hli, timers, single_axes)
+    record = Record(own, row_capacity=1, event_capacity=1, probe_capacity=1)
+    single_axes = SingleAxes(Axes(own, 0, 0), record, 1000)
+    return Hli(Panel(own, 0)), Timers(own, cells.PANEL_CELLS, 1000), single_axes

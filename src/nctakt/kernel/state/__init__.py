@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: MIT
+"""Copies of the state of the realtime part."""

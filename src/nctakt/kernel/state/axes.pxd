@@ -1,0 +1,20 @@
+# SPDX-License-Identifier: MIT
+# C types of axes.py.
+from nctakt.kernel.axes.axes cimport Axes
+from nctakt.kernel.axes.axis_motions cimport AxisMotions
+from nctakt.kernel.axes.coordinates cimport Offsets, Turns
+from nctakt.kernel.axes.spindles cimport Spindles
+from nctakt.kernel.axes.trajectory cimport Trajectories
+
+cpdef copy_axes(Axes source, Axes target)
+cpdef tuple arrays_of_axes(Axes part)
+cpdef copy_axis_motions(AxisMotions source, AxisMotions target)
+cpdef tuple arrays_of_axis_motions(AxisMotions part)
+cpdef copy_offsets(Offsets source, Offsets target)
+cpdef tuple arrays_of_offsets(Offsets part)
+cpdef copy_turns(Turns source, Turns target)
+cpdef tuple arrays_of_turns(Turns part)
+cpdef copy_spindles(Spindles source, Spindles target)
+cpdef tuple arrays_of_spindles(Spindles part)
+cpdef copy_trajectories(Trajectories source, Trajectories target)
+cpdef tuple arrays_of_trajectories(Trajectories part)

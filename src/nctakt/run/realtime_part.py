@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: MIT
+"""The realtime part of a machine: memory, axes, channels, kernel.
+
+In: ``Machine`` and the layout of its memory. Out: ``RealtimePart``. It knows no names and no texts;
+``run/assembly.py`` puts those around it.
+"""
+
+from __future__ import annotations
+
+from nctakt.decoder.axis_limits import history_blocks, look_ahead, single_axes
+from nctakt.kernel import cells
+from nctakt.kernel.axes.axes import Axes
+from nctakt.kernel.base.record import Record
+from nctakt.kernel.base.timers import Timers
+from nctakt.kernel.cycles.cycles import CycleManager
+from nctakt.kernel.kernel import Kernel
+from nctakt.kernel.path.path import Path as KernelPath
+from nctakt.kernel.plc.panel import Panel
+from nctakt.kernel.plc.technology_slots import Hli
+from nctakt.kernel.tick.channel import Channel
+from nctakt.lists.machine.machine import Machine
+from nctakt.nc.vocabulary.variable_table import Layout, Location
+from nctakt.run.spindle_setup import channel_spindles
+
+#: The assumed execution time of an elementary instruction, in ns (RC-503).
+INSTRUCTION_COST_NS = 10
+
+#: Owners of independent motions in a channel: one for each slot of a cycle.
+CYCLE_OWNERS = 1024
+
+#: V.RTG.CYCLES.DIAG_LEVEL at start-up (RC-603).
+DEFAULT_DIAGNOSIS_LEVEL = 3.0
+
+
+class RealtimePart:
+    """Memory, axes, channels and kernel of one machine, as they are at start-up."""
+
+    def __init__(self, configuration: Machine, layout: Layout) -> None:
+        self._configuration = configuration
+        self.memory = bytearray(8 * layout.size)
+        self.cells = memoryview(self.memory).cast("d")
+        self.record = Record(self.memory)
+        self.axes = Axes(self.memory, layout.axis_cell(0), len(configuration.axes))
+        self.single_axes = single_axes(configuration, self.axes, self.record)
+        self.channels = [
+            self._channel(index, layout) for index in range(len(configuration.channels))
+        ]
+        self.kernel = Kernel(self.memory, self.axes, self.channels, self.record, self.single_axes)
+
+    def _channel(self, index: int, layout: Layout) -> Channel:
+        configuration = self._configuration
+        own = configuration.channels[index]
+        parameters = own.parameters
+        members = [axis.index for axis in own.axes]
+        first = layout.channel_cell(index)
+        timers = layout.tables[index].resolve("RTG", (("TIMER", 1),))
+        assert isinstance(timers, Location)
+        channel = Channel(
+            self.memory,
+            first,
+            self.record,
+            Hli(Panel(self.memory, layout.panel_cell(index))),
+            CycleManager(self.record, self.single_axes, CYCLE_OWNERS * index + 1),
+            KernelPath(
+                self.axes,
+                members,
+                configuration.cycle_time_us,
+                history_blocks(own.startup.backward_memory_bytes, len(members)),
+            ),
+            Timers(self.memory, timers.cell, configuration.cycle_time_us),
+            parameters.max_override_pct,
+            look_ahead(
+                [configuration.axes[i] for i in members],
+                configuration.cycle_time_us,
+                own.startup.look_ahead_blocks,
+                parameters.max_override_pct,
+            ),
+            self.single_axes,
+        )
+        limits = parameters.realtime_cycles
+        spindles = channel_spindles(configuration, index, layout, self.memory, self.record)
+        channel.executor.set_spindles(spindles, limits.buffers)
+        channel.panel.show_size(channel.path.history_size)
+        context = channel.context
+        context.max_steps = limits.max_steps
+        context.cont_steps = limits.cont_steps
+        budget_ns = 10 * configuration.cycle_time_us * limits.max_duration_pct
+        channel.manager.memory_limit = limits.memory_bytes
+        context.budget_steps = budget_ns // INSTRUCTION_COST_NS
+        self.cells[first + cells.CHANNEL_OVERRIDE_VEL_CYCLE] = 100.0
+        self.cells[first + cells.CHANNEL_OVERRIDE_VEL_TOTAL] = 100.0
+        self.cells[first + cells.CHANNEL_CYCLES_DIAG_LEVEL] = DEFAULT_DIAGNOSIS_LEVEL
+        return channel

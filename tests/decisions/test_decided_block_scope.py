@@ -156,3 +156,13 @@ def test_a_block_that_brakes_to_its_end_is_over_behind_a_fault(fault: int) -> No
     ended = ["10 ended 1 scope"] if fault > 5 else []
     of_fault = [f"{fault - 1} ended 2 error"]
     assert told(run, "ended") == sorted(of_fault + ended, key=lambda line: int(line.split()[0]))
+
+
+@pytest.mark.parametrize("end", ["M30", "X999999\nM30", "#FLUSH WAIT\nG04 10\nM30"])
+@pytest.mark.parametrize("start", ["", "#RT CYCLE START [ID=1]\n"])
+def test_no_block_cycle_outlives_its_program(start: str, end: str) -> None:
+    """RC-105, RC-007: neither its end, nor an error and reset, nor a limit leaves one behind."""
+    controller = Controller()
+    defined = CYCLE.replace("[ID=1", "DEF [ID=1")
+    perform(f"{defined}{start}{end}", controller, until=0.005)
+    assert numbers(perform("#RT CYCLE START [ID=1]\nG04 0\nM30", controller)) == [50858]

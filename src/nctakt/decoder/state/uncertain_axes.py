@@ -18,7 +18,7 @@ from nctakt.decoder.state.commands import Command, EmptyBlock
 
 @dataclass(frozen=True, slots=True)
 class LivingCycle:
-    """A cycle left by an earlier program, with the axes that it names."""
+    """A cycle of scope GLOBAL left by an earlier program, with the axes that it names."""
 
     identity: int
     axes: tuple[str, ...]

@@ -208,11 +208,13 @@ def test_vcd_of_another_tool() -> None:
         "time_us,bit1\n2,0\n1,0\n",
         "time_us,bit1\nnan,0\n",
         "time_us,bit1\n1e400,0\n",
+        f"time_us,bit1\n{'1' * 200_000},0\n",
         "time_us,event,thread,cpu,job,value\n0,RUN,GEO,1,0,x\n",
         "$timescale 3 us $end\n",
         "$timescale 1 us",
         "$end\n#2\n#1\n",
         "$end\n#x\n",
+        "a\rb\r1\r",
     ],
 )
 def test_recordings_that_cannot_be_read(text: str) -> None:
@@ -223,7 +225,7 @@ def test_recordings_that_cannot_be_read(text: str) -> None:
     assert raised.value.diagnostics[0].render("en") and raised.value.diagnostics[0].render("de")
 
 
-@given(st.text(alphabet="$#01x!b \n,.-etimeubd_sw", max_size=80))
+@given(st.text(alphabet='$#01x!b \n\r",.-etimeubd_sw\0\x85é', max_size=80))
 @settings(max_examples=300, deadline=None)
 def test_no_text_is_too_odd(text: str) -> None:
     """It is read or refused."""

@@ -234,6 +234,30 @@ def test_starving_threads(folder: Path, capsys: Capture) -> None:
             assert ": 0 times" in told and f" {due} times" in told
 
 
+def test_a_mistake_of_the_load_is_shown_as_it_is_written(folder: Path, capsys: Capture) -> None:
+    """As TOML; --quiet leaves the notes about the list out where the load is refused, too."""
+    text = "[functions]\ntask_int = { uniform = [5, 1] }\n"
+    (folder / "load.toml").write_text(text, "utf-8")
+    words = ["simulate", folder / "rtconf.lis", "--load", folder / "load.toml"]
+    assert run(*words, "--quiet") == 2
+    err = capsys.readouterr().err
+    assert "functions.task_int: { uniform = [5, 1] } is not" in err
+    assert "note" not in err
+    assert run(*words) == 2
+    assert "note" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("command", ["simulate", "analyse"])
+def test_a_thread_that_falls_behind(folder: Path, capsys: Capture, command: str) -> None:
+    """Wake-ups of an external thread queue up: it ends each time, ever later."""
+    text = load_text(TIGHT | {"external_sps": 1900})
+    (folder / "load.toml").write_text(text, "utf-8")
+    run(command, folder / "rtconf.lis", "--load", folder / "load.toml", "--convention", "table")
+    err = capsys.readouterr().err
+    assert "warning 901351: external_sps falls behind" in err
+    assert "of 500 activations still wait at the end" in err
+
+
 def test_phase_that_the_load_does_not_name(folder: Path, capsys: Capture) -> None:
     """3.1: the simulation assumes a phase and shows what the worst one would do."""
     words = ["simulate", folder / "rtconf.lis", "--convention", "field"]

@@ -395,7 +395,8 @@ def test_a_name_that_cannot_be_is_told(wrong: str) -> None:
 
 
 KILLED = """
-import sys, time
+import signal, sys
+signal.signal(signal.SIGINT, signal.default_int_handler)  # also where a shell runs the tests behind
 from nctakt.run.controller import Controller
 controller = Controller()
 image = controller.interface_image(sys.argv[1])
@@ -415,7 +416,10 @@ def test_shared_memory_goes_when_the_process_is_killed(name: str, how: signal.Si
         assert process.stdout.readline() == b"ready\n"
         assert (SHARED_FOLDER / name).exists()
         process.send_signal(how)
-        process.wait(20)
+        try:
+            process.wait(20)
+        finally:
+            process.kill()
         # It ends when the process that removes the memory has ended.
         assert b"UserWarning" not in process.stderr.read()
     end = time.monotonic() + 20

@@ -10,7 +10,7 @@ from __future__ import annotations
 import contextlib
 import functools
 import json
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self
@@ -175,8 +175,14 @@ def guarded(function: Callable[[dict[str, Any]], int], words: dict[str, Any]) ->
     try:
         return function(words)
     except Failure as failure:
-        print_diagnostics(failure.diagnostics, words["language"])
+        print_diagnostics(_shown(failure.diagnostics, words), words["language"])
         return EXIT_USAGE
+
+
+def _shown(findings: Iterable[Diagnostic], words: dict[str, Any]) -> list[Diagnostic]:
+    """Return the findings without notes where ``--quiet`` is given."""
+    lowest = Severity.WARNING if words["quiet"] else Severity.NOTE
+    return [finding for finding in findings if finding.severity >= lowest]
 
 
 def read_list(words: dict[str, Any], access: FileAccess | None = None) -> ListRead:
@@ -237,8 +243,7 @@ def publish(
     selection = read_selection((), words["ignore"])
     listed = [finding for finding in listed if selection.includes(finding)]
     further = [finding for finding in further if selection.includes(finding)]
-    lowest = Severity.WARNING if words["quiet"] else Severity.NOTE
-    shown = [finding for finding in (*listed, *further) if finding.severity >= lowest]
+    shown = _shown((*listed, *further), words)
     if words["format"] == "json":
         diagnostics = diagnostics_as_json(shown, words["file"], words["language"])
         result = {"nctakt": __version__, **document, "diagnostics": diagnostics}

@@ -51,6 +51,18 @@ THREAD_HARDLY_COMPLETES = warning(
     completed=("the number of times it finished", "wie oft er fertig wurde"),
     due=("the number of times it was due", "wie oft er fällig war"),
 )
+THREAD_FALLS_BEHIND = warning(
+    901351,
+    en="{thread} falls behind: {waiting} of {due} activations still wait at the end",
+    de="{thread} kommt nicht nach: {waiting} von {due} Aktivierungen warten am Ende noch",
+    remedy_en="Shorten its functions or those of threads with higher priority, or lengthen its "
+    "cycle.",
+    remedy_de="Seine Funktionen oder die von Threads höherer Priorität verkürzen oder seinen Takt "
+    "verlängern.",
+    thread=("the thread", "der Thread"),
+    waiting=("the number of activations that wait", "wie viele Aktivierungen warten"),
+    due=("the number of times it was due", "wie oft er fällig war"),
+)
 SUSPENSION_TOO_LATE = warning(
     900631,
     en="{count} of {cycles} NC cycles ended before the suspension of threads: no time is "

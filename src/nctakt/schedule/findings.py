@@ -14,6 +14,7 @@ from nctakt.messages.schedule_results import (
     CPU_DEMAND_TOO_HIGH,
     SUSPENSION_TOO_LATE,
     THREAD_CAN_OVERFLOW,
+    THREAD_FALLS_BEHIND,
     THREAD_HARDLY_COMPLETES,
     THREAD_OVERFLOWED,
     WINDOWS_TIME_CAN_BE_VIOLATED,
@@ -26,6 +27,8 @@ from nctakt.schedule.results import Simulation, WindowsNumbers
 
 #: A thread that finishes less often than once in this many activations hardly ever finishes.
 _RARE = 10
+#: So many activations behind each other that wait at the end are more than a passing delay.
+_BACKLOG = 3
 _LATE = "late suspension"
 
 
@@ -63,14 +66,21 @@ def simulation_findings(run: Simulation, foreign: Container[int] = ()) -> Iterat
 
 
 def starvation_findings(run: Simulation, foreign: Container[int] = ()) -> Iterator[Diagnostic]:
-    """Yield threads that never or hardly ever finish, whatever error_on_overflow says."""
+    """Yield threads that hardly ever finish or fall behind, whatever error_on_overflow says."""
     for i, (task, numbers) in enumerate(zip(run.model.tasks, run.tasks, strict=True)):
-        if i not in foreign and numbers.overflows and is_rare(numbers.completed, numbers.due):
+        if i in foreign or not numbers.overflows:
+            continue
+        waiting = numbers.due - numbers.lost - numbers.completed
+        if is_rare(numbers.completed, numbers.due):
             yield diagnostic(
                 THREAD_HARDLY_COMPLETES,
                 thread=task.name,
                 completed=numbers.completed,
                 due=numbers.due,
+            )
+        elif waiting >= _BACKLOG:
+            yield diagnostic(
+                THREAD_FALLS_BEHIND, thread=task.name, waiting=waiting, due=numbers.due
             )
 
 

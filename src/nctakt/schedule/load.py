@@ -185,7 +185,7 @@ class _Reader:
             INVALID_LOAD_VALUE,
             None,
             key=key,
-            value=value,
+            value=_toml(value),
             expected=expected,
         )
 
@@ -318,6 +318,18 @@ def _nanoseconds(entry: Any) -> int | None:
     if isinstance(entry, bool) or not isinstance(entry, int | float):
         return None
     return round(float(entry) * NS_PER_US) if abs(entry) <= LONGEST_US else None
+
+
+def _toml(entry: object) -> object:
+    """Return an entry as a load file writes it; text without its quotation marks."""
+    if isinstance(entry, bool):
+        return str(entry).lower()
+    if isinstance(entry, dict):
+        inner = ", ".join(f"{name} = {_toml(one)}" for name, one in entry.items())
+        return f"{{ {inner} }}" if inner else "{}"
+    if isinstance(entry, list):
+        return f"[{', '.join(str(_toml(one)) for one in entry)}]"
+    return entry
 
 
 def _is_cpu(entry: Any) -> bool:

@@ -48,7 +48,7 @@ def _entry(model: Model, i: int, name: str) -> str:
 
 def _line(key: str, times: Sequence[int], form: TimesForm) -> str:
     mean = us(rounded_mean(sum(times), len(times)))
-    return f"{_key(key)} = {_value(times, form)} # {len(times)} calls, mean {mean}"
+    return f"{_key(key)} = {_value(times, form)} # calls: {len(times)}, mean {mean}"
 
 
 def _value(times: Sequence[int], form: TimesForm) -> str:

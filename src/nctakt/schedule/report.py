@@ -150,7 +150,11 @@ def _phase_report(
             "In the long run it makes no difference.", "Auf Dauer macht sie keinen Unterschied."
         )
         return [f"{lines[0]} {same.get(language)}"]
-    runs = [run, *worst_phases.values()]
+    others = [other for phase, other in worst_phases.items() if phase != run.model.train.phase]
+    if not others:
+        worst = Text("It is the worst one.", "Sie ist die schlechteste.").get(language)
+        return [f"{lines[0]} {worst}"]
+    runs = [run, *others]
     heads = Text("Phase", "Phase").get(language)
     columns = [us(simulation.model.train.phase) for simulation in runs]
     rows = []

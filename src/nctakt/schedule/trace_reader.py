@@ -170,7 +170,12 @@ class _Vcd:
 
 
 def _read_csv(file: str, text: str) -> Recording:
-    rows = list(csv.reader(io.StringIO(text)))
+    try:
+        rows = list(csv.reader(io.StringIO(text, newline="")))
+    except csv.Error as error:  # a cell of more than 128 KiB
+        raise _refuse(
+            file, f"it is not a table ({error})", f"sie ist keine Tabelle ({error})"
+        ) from error
     if not rows:
         raise _refuse(file, "it is empty", "sie ist leer")
     heads = [head.strip() for head in rows[0]]

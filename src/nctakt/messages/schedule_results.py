@@ -52,7 +52,7 @@ THREAD_HARDLY_COMPLETES = warning(
     due=("the number of times it was due", "wie oft er fällig war"),
 )
 THREAD_FALLS_BEHIND = warning(
-    901351,
+    901471,
     en="{thread} falls behind: {waiting} of {due} activations still wait at the end",
     de="{thread} kommt nicht nach: {waiting} von {due} Aktivierungen warten am Ende noch",
     remedy_en="Shorten its functions or those of threads with higher priority, or lengthen its "

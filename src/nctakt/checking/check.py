@@ -9,7 +9,7 @@ programs is reported (``nc/lint``).
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -17,6 +17,7 @@ from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Severity, Span, Text
 from nctakt.base.failure import Failure
 from nctakt.base.text import BYTE_ORDER_MARKS, decode_text, split_lines
+from nctakt.checking.check_memory import CheckMemory, Poll
 from nctakt.checking.inputs import LIST_SUFFIX, Finding, gather
 from nctakt.checking.program import check_program
 from nctakt.checking.suppression import Suppressions, apply, read_suppressions
@@ -93,17 +94,19 @@ def check_files(
     root: Path | None = None,
     for_all: bool = True,
     rtconf: RtconfOptions = STANDARD_OPTIONS,
-    poll: Callable[[], None] | None = None,
+    poll: Poll | None = None,
+    memory: CheckMemory | None = None,
 ) -> CheckResult:
     """Check files, folders with their contents, texts, and the files that programs call.
 
     ``detail``: the extent of reports on list entries without effect. ``root``: a further folder for
     the files that lists name. ``for_all``: all programs are for ``machine``, even those in the
     folder of another one. ``rtconf``: the reading of scheduling lists. ``poll`` is called
-    repeatedly while programs are read, and may end the check by an exception. An unreadable file
-    is a diagnostic as well; ``files`` of the result is empty if no file was checked.
+    repeatedly while programs are read, and may end the check by an exception. ``memory``: what is
+    kept between checks of programs that change. An unreadable file is a diagnostic as well;
+    ``files`` of the result is empty if no file was checked.
     """
-    return _Checker(machine, detail, root, for_all, rtconf, poll).check(inputs)
+    return _Checker(machine, detail, root, for_all, rtconf, poll, memory).check(inputs)
 
 
 @dataclass(frozen=True, slots=True)
@@ -125,9 +128,11 @@ class _Checker:
         root: Path | None,
         for_all: bool,
         rtconf: RtconfOptions,
-        poll: Callable[[], None] | None = None,
+        poll: Poll | None = None,
+        memory: CheckMemory | None = None,
     ) -> None:
         self._poll = poll
+        self._memory = memory
         self._targets = Targets(machine, for_all)
         self._access = machine.file_access
         self._detail = detail
@@ -381,8 +386,10 @@ class _Checker:
                 self._program(program.path.as_posix(), lines, target, program.role)
 
     def _program(self, name: str, lines: Sequence[str], target: Target, role: Role) -> None:
+        memory = None if self._memory is None else self._memory.of_file(name)
         if name not in self._suppressions:
-            self._suppressions[name] = read_suppressions(Source(name, lines))
+            marked = None if memory is None else memory.suppressions.of(lines)
+            self._suppressions[name] = read_suppressions(Source(name, lines), marked=marked)
         self._files[name] = PROGRAM
         self._channels.setdefault(name, set()).add(target.channel)
         collector = Collector()
@@ -398,7 +405,9 @@ class _Checker:
             role=role,
             axes=target.axes,
             is_shifted=target.is_shifted,
+            number=target.channel,
             poll=self._poll,
+            memory=memory,
         )
         self._global_cycles.append(checked.global_cycles)
         self._keep(name, collector.diagnostics, (target.channel,))

@@ -124,6 +124,15 @@ class _Facts:
         }
 
 
+@dataclass(frozen=True, slots=True)
+class PathState:
+    """The state of a checker of the path between two statements."""
+
+    facts: _Facts
+    has_axis_cycles: bool
+    is_main: bool
+
+
 class PathChecker:
     """Follows one program; ``axes``: those of the channel by name, in the order of the path.
 
@@ -147,9 +156,20 @@ class PathChecker:
         self._starts_shifted = is_shifted
         self._facts = _Facts()
         self._has_axis_cycles = False
-        #: M17 or M29 of the main program: how the program begins is its caller's matter.
-        self.subprogram_end: Word | None = None
+        #: M17 and M29 of the main program: how the program begins is its caller's matter.
+        self.subprogram_ends: list[Span] = []
         self._is_main = False
+
+    @property
+    def state(self) -> PathState:
+        """What later statements depend on."""
+        return PathState(self._facts.copy(), self._has_axis_cycles, self._is_main)
+
+    def resume(self, state: PathState) -> None:
+        """Go on from a state."""
+        self._facts = state.facts.copy()
+        self._has_axis_cycles = state.has_axis_cycles
+        self._is_main = state.is_main
 
     def section(self, *, is_main: bool) -> None:
         """Begin a main program or a subprogram."""
@@ -234,7 +254,7 @@ class PathChecker:
                 facts.positions.clear()
             elif isinstance(word, Word) and word.name == "M" and _is_one_of(word, SUBPROGRAM_ENDS):
                 if self._is_main:
-                    self.subprogram_end = word
+                    self.subprogram_ends.append(word.span)
             elif isinstance(word, Word) and word.name in ("T", "D"):
                 self._shift()
         numbers = [word for word in block.words if isinstance(word, Word) and word.name == "G"]

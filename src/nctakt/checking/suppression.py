@@ -58,12 +58,25 @@ class Suppressions:
     diagnostics: tuple[Diagnostic, ...]
 
 
-def read_suppressions(source: Source, *, is_list: bool = False) -> Suppressions:
-    """Return the comments of a program or list that suppress findings."""
+def is_marked(line: str) -> bool:
+    """Return whether a line may have such a comment."""
+    return MARK in line or MARK.upper() in line
+
+
+def read_suppressions(
+    source: Source, *, is_list: bool = False, marked: Sequence[int] | None = None
+) -> Suppressions:
+    """Return the comments of a program or list that suppress findings.
+
+    ``marked``: the numbers of the lines that may have any, if they are known.
+    """
     comment = _COMMENTS["#" if is_list else ";"]
     items: list[Suppression] = []
     wrong: list[Diagnostic] = []
-    for number, line in _marked_lines(source):
+    lines = _marked_lines(source)
+    if marked is not None:
+        lines = ((number, source.lines[number - 1]) for number in marked)
+    for number, line in lines:
         match = comment.search(line)
         if match is None or line.count('"', 0, match.start()) % 2:
             continue
@@ -140,7 +153,7 @@ def _marked_lines(source: Source) -> Iterator[tuple[int, str]]:
         text = "\n".join(group)
         if MARK in text or MARK.upper() in text:
             for index, line in enumerate(group):
-                if MARK in line or MARK.upper() in line:
+                if is_marked(line):
                     yield first + index, line
         first += len(group)
 

@@ -173,7 +173,8 @@ class ProgramDecoder:
                 return signal
             label = signal.label
             self._count_pass(signal.span)
-            if label not in frame.section.labels or label in frame.section.doubled:
+            labels = frame.section.labels
+            if label not in labels.lines or label in labels.doubled:
                 self._values.fail(
                     RETURN_LABEL_NOT_UNIQUE, signal.span, label=label, name=frame.section.name
                 )

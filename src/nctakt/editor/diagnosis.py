@@ -15,10 +15,8 @@ from nctakt.base.diagnostics import Diagnostic
 from nctakt.editor.document import Document
 from nctakt.editor.workspace import Workspace
 
-#: The pause after a keystroke before a check begins, in seconds; a long text waits longer.
+#: The pause after a keystroke before a check begins, in seconds.
 PAUSE_S = 0.02
-LONG_PAUSE_S = 0.1
-LONG_LINES = 50_000
 
 Publish = Callable[[Document, list[Diagnostic]], None]
 
@@ -46,9 +44,9 @@ class Diagnosis:
         before = self._waiting.pop(document.uri, None)
         if before is not None:
             before.cancel()
-        delay = LONG_PAUSE_S if len(document.lines) > LONG_LINES else PAUSE_S
+        delay = PAUSE_S if pause else 0.0
         task = asyncio.get_running_loop().create_task(
-            self._check(document, document.version, delay if pause else 0.0)
+            self._check(document, document.version, delay)
         )
         self._waiting[document.uri] = task
 

@@ -40,6 +40,8 @@ class Document:
     version: int
     lines: list[str]
     encoding: PositionEncodingKind | str = PositionEncodingKind.Utf16
+    _changes: int = 0
+    _copy: tuple[int, list[str]] = (-1, [])
 
     @property
     def is_list(self) -> bool:
@@ -48,8 +50,16 @@ class Document:
         return self.language == LIST_LANGUAGE or suffix in (".lis", ".xml")
 
     def program_lines(self) -> list[str]:
-        """Return the lines as the check counts them: an end of line begins no other line."""
-        return self.lines[:-1] if self.lines and not self.lines[-1] else self.lines[:]
+        """Return the lines as the check counts them: an end of line begins no other line.
+
+        They are copied once for each change, and stay as they are while the text changes.
+        """
+        changes, lines = self._copy
+        if changes != self._changes:
+            changes = self._changes
+            lines = self.lines[:-1] if self.lines and not self.lines[-1] else self.lines[:]
+            self._copy = changes, lines
+        return lines
 
     def text(self) -> str:
         """Return the whole text."""
@@ -61,6 +71,11 @@ class Document:
 
     def change(self, event: TextDocumentContentChangeEvent) -> None:
         """Apply a change of the editor."""
+        self._changes += 1
+        self._apply(event)
+        self._changes += 1  # a copy made meanwhile, beside this thread, is not used again
+
+    def _apply(self, event: TextDocumentContentChangeEvent) -> None:
         if not isinstance(event, TextDocumentContentChangePartial):
             self.lines = split_text(event.text)
             return

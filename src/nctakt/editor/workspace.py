@@ -17,6 +17,7 @@ from nctakt.base.failure import Failure
 from nctakt.editor.document import Document
 
 if TYPE_CHECKING:
+    from nctakt.checking.check_memory import CheckMemory
     from nctakt.editor.open_buffers import OpenBuffers
     from nctakt.project.machine_choice import MachineChoice
     from nctakt.run.assembly import AssembledMachine
@@ -44,6 +45,7 @@ class Workspace:
         self.documents: dict[str, Document] = {}
         self._paths: dict[Path, Document] = {}
         self._machines: dict[Path, LoadedMachine] = {}
+        self._memory: CheckMemory | None = None
 
     def open(self, document: Document) -> None:
         """Add a document."""
@@ -54,6 +56,8 @@ class Workspace:
     def close(self, uri: str) -> None:
         """Remove a document; its file counts again."""
         document = self.documents.pop(uri, None)
+        if document is not None and self._memory is not None:
+            self._memory.forget(document.name)
         if document is not None and document.path is not None:
             self._paths.pop(_real(document.path), None)
 
@@ -124,17 +128,20 @@ class Workspace:
         ``poll`` is called repeatedly and may end the check by an exception.
         """
         from nctakt.checking.check import check_files  # noqa: PLC0415 - as above
+        from nctakt.checking.check_memory import CheckMemory  # noqa: PLC0415
         from nctakt.run.program_loader import NcText  # noqa: PLC0415
 
         if document.is_list:
             return self._check_list(document)
+        if self._memory is None:
+            self._memory = CheckMemory()
         loaded = self.machine_of(document)
         named: Path | NcText
         if document.path is not None and document.path.is_file():
             named = document.path
         else:
             named = NcText(document.name, document.text())
-        result = check_files([named], loaded.machine, for_all=True, poll=poll)
+        result = check_files([named], loaded.machine, for_all=True, poll=poll, memory=self._memory)
         return [item.diagnostic for item in result.findings if item.file == document.name]
 
     def _check_list(self, document: Document) -> list[Diagnostic]:

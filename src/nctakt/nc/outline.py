@@ -13,6 +13,7 @@ from collections.abc import Iterator
 
 from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Span
+from nctakt.base.line_shift import LineShift
 from nctakt.messages import Collector
 from nctakt.nc.fast.templates import Templates
 from nctakt.nc.parse.parser import StatementReader
@@ -26,7 +27,6 @@ from nctakt.nc.tree import (
     RealtimeLoop,
     Repeat,
     Statement,
-    SubprogramCall,
     Switch,
     While,
 )
@@ -73,56 +73,91 @@ def leads_to(statement: Statement, label: str) -> bool:
 
 
 @dataclass(slots=True)
+class Labels:
+    """The labels of a section.
+
+    ``lines``: label -> first line of the statement that has or contains it; the first one counts.
+    ``in_loops``: labels inside loops, which no jump may reach; ``doubled``: labels defined twice.
+    """
+
+    lines: dict[str, int] = field(default_factory=dict)
+    in_loops: dict[str, None] = field(default_factory=dict)
+    doubled: dict[str, None] = field(default_factory=dict)
+
+    @property
+    def size(self) -> int:
+        """How many there are."""
+        return len(self.lines) + len(self.in_loops)
+
+    def add(self, line: int, statement: Statement) -> None:
+        """Add those of a statement that begins in ``line``."""
+        for label, in_loop in labels_in(statement):
+            if label in self.lines or label in self.in_loops:
+                self.doubled[label] = None
+            elif in_loop:
+                self.in_loops[label] = None
+            else:
+                self.lines[label] = line
+
+    def copy(self) -> Labels:
+        """Return them apart from later ones."""
+        return Labels(dict(self.lines), dict(self.in_loops), dict(self.doubled))
+
+    def shifted(self, shift: LineShift) -> Labels:
+        """Return them for a text with other lines; raises ``ReplacedLine``."""
+        lines = {label: shift.line(line) for label, line in self.lines.items()}
+        return Labels(lines, self.in_loops, self.doubled)
+
+
+@dataclass(slots=True)
 class Section:
     """The main program of a text, or one of its local subprograms.
 
-    ``labels``: label -> first line of the statement that has or contains it; the first one counts.
-    ``loop_labels``: labels inside loops, which no jump may reach; ``doubled``: labels defined
-    twice. ``kept``: the statements with their first lines, ``None`` if there are too many.
+    ``kept``: the statements with their first lines, ``None`` if there are too many.
     """
 
     name: str
     span: Span
     first_line: int
     is_local: bool
-    labels: dict[str, int] = field(default_factory=dict)
-    loop_labels: dict[str, None] = field(default_factory=dict)
-    doubled: dict[str, None] = field(default_factory=dict)
+    labels: Labels = field(default_factory=Labels)
     kept: list[tuple[int, Statement]] | None = field(default_factory=list)
 
     def add(self, line: int, statement: Statement) -> None:
         """Append a statement that begins in ``line``."""
-        for label, in_loop in labels_in(statement):
-            if label in self.labels or label in self.loop_labels:
-                self.doubled[label] = None
-            elif in_loop:
-                self.loop_labels[label] = None
-            else:
-                self.labels[label] = line
+        self.labels.add(line, statement)
         if self.kept is not None:
             self.kept.append((line, statement))
             if len(self.kept) > KEPT_STATEMENTS:
                 self.kept = None
 
 
+@dataclass(frozen=True, slots=True)
+class Call:
+    """A call by a constant name: the name of a file or of a local subprogram."""
+
+    name: str
+    span: Span
+
+
 @dataclass(slots=True)
 class ProgramText:
     """A checked program file: ``main`` and the local subprograms by name.
 
-    ``cycles``: its definitions of realtime cycles; ``calls``: its calls of other files by a
-    constant name; ``templates``: shapes of statements seen before.
+    ``cycles``: its definitions of realtime cycles, if its statements are kept; ``calls``: its calls
+    of other files by a constant name; ``templates``: shapes of statements seen before.
     """
 
     source: Source
     main: Section
     subprograms: dict[str, Section] = field(default_factory=dict)
     cycles: list[RealtimeCycle] = field(default_factory=list)
-    calls: list[SubprogramCall] = field(default_factory=list)
+    calls: list[Call] = field(default_factory=list)
     templates: Templates = field(default_factory=Templates)
 
     def statements(self, section: Section, label: str | None = None) -> Iterator[Statement]:
         """Return the statements of a section, from the one with or around ``label`` on if given."""
-        line = section.first_line if label is None else section.labels[label]
+        line = section.first_line if label is None else section.labels.lines[label]
         if section.kept is not None:
             return (statement for begin, statement in section.kept if begin >= line)
         return SectionReader(self.source, section, line, self.templates)

@@ -31,7 +31,6 @@ from nctakt.nc.check.comments import misspelt_keywords
 from nctakt.nc.inspection import inspect
 from nctakt.nc.outline import ProgramText
 from nctakt.nc.source import Source
-from nctakt.nc.tree import StringLiteral
 from nctakt.run.assembly import AssembledMachine
 
 #: Errors about names that the lists of a machine define.
@@ -169,9 +168,8 @@ class LoadedProgram:
         while waiting:
             text = waiting.pop(0)
             for call in text.calls:
-                assert isinstance(call.name, StringLiteral)
                 text_count = len(self.texts)
-                self._find(call.name.value, text.source.file, call.span, collector)
+                self._find(call.name, text.source.file, call.span, collector)
                 waiting += self.texts[text_count:]
 
     def add_implicit(self, collector: Collector) -> None:

@@ -24,12 +24,13 @@ Behind a value ``at TIME`` or ``at end``.
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import replace
 from itertools import chain
 from pathlib import Path
 from typing import Literal
 
+from nctakt.base.comment_keywords import heads
 from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import NOTHING, Diagnostic, Span
 from nctakt.base.failure import Failure
@@ -118,10 +119,27 @@ def read_script(path: Path, text: str) -> Script:
     return script
 
 
-def parse_script(source: Source, diagnostics: list[Diagnostic]) -> Script:
-    """Return the inputs and expectations of a program; invalid comments go to ``diagnostics``."""
+def is_script(line: str) -> bool:
+    """Return whether a line has an input or an expectation, or what looks like one."""
+    if ";" not in line:
+        return False
+    return _COMMENT.search(line) is not None or next(iter(heads(line)), None) is not None
+
+
+def parse_script(
+    source: Source, diagnostics: list[Diagnostic], numbers: Sequence[int] | None = None
+) -> Script:
+    """Return the inputs and expectations of a program; invalid comments go to ``diagnostics``.
+
+    ``numbers``: those of the lines with inputs or expectations, if they are known.
+    """
     script = Script()
-    for number, line in enumerate(chain.from_iterable(source.groups()), 1):
+    lines: Iterable[tuple[int, str]]
+    if numbers is None:
+        lines = enumerate(chain.from_iterable(source.groups()), 1)
+    else:
+        lines = ((number, source.lines[number - 1]) for number in numbers)
+    for number, line in lines:
         if ";" in line:
             _comments(script, source.file, number, line, diagnostics)
     return script

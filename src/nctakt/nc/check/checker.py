@@ -9,9 +9,12 @@ may lead there. ``inspection.py`` applies the checker to a whole text.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
+from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Span
+from nctakt.base.line_shift import LineShift
 from nctakt.base.text import close_names
 from nctakt.lists.machine.channel_configuration import ChannelParameters
 from nctakt.messages import Collector
@@ -34,7 +37,7 @@ from nctakt.nc.check.blocks import Role, WordChecker
 from nctakt.nc.check.calls import CallChecker
 from nctakt.nc.check.coordinate_systems import check_cs_command
 from nctakt.nc.check.expressions import ValueChecker
-from nctakt.nc.check.findings import Findings
+from nctakt.nc.check.findings import Findings, FindingsState
 from nctakt.nc.check.hash_commands import CommandChecker
 from nctakt.nc.check.macros import MacroExpander
 from nctakt.nc.check.path_commands import check_path_command
@@ -91,6 +94,28 @@ _MESSAGE_OPTIONS = ("SAVE", "EXCLUSIVE", "CONTINUE")
 _REFUSED_OPTIONS = ("INFO", "SYN", "ACK")
 
 
+@dataclass(frozen=True, slots=True)
+class CheckerState:
+    """The state of a checker between two statements.
+
+    ``targets``: the labels that the section's jumps name, with the spans of the jumps.
+    """
+
+    role: Role
+    targets: Mapping[str, tuple[Span, ...]]
+    findings: FindingsState
+
+    @property
+    def size(self) -> int:
+        """How many values are in it."""
+        return sum(map(len, self.targets.values())) + len(self.findings[0]) + len(self.findings[1])
+
+    def shifted(self, shift: LineShift) -> CheckerState:
+        """Return it for a text with other lines; raises ``ReplacedLine``."""
+        targets = {name: tuple(map(shift.span, spans)) for name, spans in self.targets.items()}
+        return replace(self, targets=targets)
+
+
 class Checker:
     """Checks the statements of one program in their order."""
 
@@ -116,6 +141,18 @@ class Checker:
         self._role: Role = "main"
         #: Labels named by jumps of this section, with the spans of the jumps.
         self.targets: dict[str, list[Span]] = {}
+
+    @property
+    def state(self) -> CheckerState:
+        """What the check of later statements depends on."""
+        targets = {name: tuple(spans) for name, spans in self.targets.items()}
+        return CheckerState(self._role, targets, self._findings.state)
+
+    def resume(self, state: CheckerState) -> None:
+        """Go on from a state."""
+        self._role = state.role
+        self.targets = {name: list(spans) for name, spans in state.targets.items()}
+        self._findings.resume(state.findings)
 
     def begin(self, role: Role) -> None:
         """Begin a main program or a subprogram."""

@@ -13,6 +13,9 @@ from nctakt.messages.checked_blocks import ACCEPTED_WITHOUT_EFFECT, NOT_SIMULATE
 from nctakt.nc.source import Source
 from nctakt.nc.vocabulary.entries import Entry, Support
 
+#: State of ``Findings``: the notes given once, the macros so far, whether calls may define others.
+FindingsState = tuple[tuple[str, ...], frozenset[str], bool]
+
 
 class Findings:
     """Collects the diagnostics of one program."""
@@ -24,6 +27,17 @@ class Findings:
         #: Macros that the program has defined so far; calls may define others.
         self.macros: set[str] = set()
         self.has_other_macros = False
+
+    @property
+    def state(self) -> FindingsState:
+        """What later findings depend on."""
+        return tuple(self._reported), frozenset(self.macros), self.has_other_macros
+
+    def resume(self, state: FindingsState) -> None:
+        """Go on from a state."""
+        reported, macros, self.has_other_macros = state
+        self._reported = dict.fromkeys(reported)
+        self.macros = set(macros)
 
     def report(self, message: Message, span: Span, **values: object) -> None:
         """Add a diagnostic."""

@@ -16,8 +16,10 @@ cdef class PlainScanner(LineScanner):
     cdef readonly unsigned long long shape
     cdef int words
 
-    @cython.locals(end=Py_ssize_t, last=cython.ulonglong, what=int)
-    cpdef Py_ssize_t skip_known(self, list lines, Py_ssize_t index, set shapes) except -1
+    @cython.locals(last=cython.ulonglong, what=int)
+    cpdef Py_ssize_t skip_known(
+        self, list lines, Py_ssize_t index, Py_ssize_t end, set shapes
+    ) except -1
     @cython.locals(end=Py_ssize_t, i=Py_ssize_t)
     cpdef int read(self, str line)
     cdef Py_ssize_t blanks(self, str line, Py_ssize_t i, Py_ssize_t end)

@@ -71,11 +71,10 @@ class PlainScanner(LineScanner):
         self.shape = 0
         self.words = 0
 
-    def skip_known(self, lines: list[str], index: int, shapes: set[int]) -> int:
-        """Return the index of the first line that is neither empty nor plain with one of these
-        shapes.
+    def skip_known(self, lines: list[str], index: int, end: int, shapes: set[int]) -> int:
+        """Return the index of the first line before ``end`` that is neither empty nor plain with
+        one of these shapes.
         """
-        end = len(lines)
         last = 0
         while index < end:
             what = self.read(lines[index])

@@ -17,6 +17,7 @@ from math import isfinite
 
 from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Span, number_text
+from nctakt.base.line_shift import LineShift
 from nctakt.lists.declared.tools import Tool
 from nctakt.lists.declared.variables import SCALARS
 from nctakt.lists.machine.channel_configuration import ToolSelection
@@ -84,6 +85,10 @@ class GlobalCycle:
     span: Span
     line: str
 
+    def shifted(self, shift: LineShift) -> GlobalCycle:
+        """Return it for a text with other lines; raises ``ReplacedLine``."""
+        return replace(self, span=shift.span(self.span))
+
 
 @dataclass(frozen=True, slots=True)
 class GlobalCycles:
@@ -123,6 +128,14 @@ class _State:
     is_inch: bool = False
     living: frozenset[int] = frozenset()
 
+    def shifted(self, shift: LineShift) -> _State:
+        """Return it for a text with other lines; raises ``ReplacedLine``."""
+        values = {
+            name: KnownValue(value.value, shift.line(value.line))
+            for name, value in self.values.items()
+        }
+        return replace(self, values=values)
+
     def copy(self) -> _State:
         return replace(self, values=dict(self.values))
 
@@ -149,6 +162,33 @@ class _Writer:
     line: int
     scope: str
     identity: int | None
+
+
+@dataclass(frozen=True, slots=True)
+class LinterState:
+    """The state of a linter between two statements.
+
+    ``certain``: what holds there; ``writers``: the cycles that write variables; ``types``: those of
+    the program's own variables.
+    """
+
+    certain: _State
+    writers: Mapping[str, _Writer]
+    types: Mapping[str, str]
+
+    @property
+    def size(self) -> int:
+        """How many values are in it."""
+        certain = len(self.certain.values) + len(self.certain.living)
+        return certain + len(self.writers) + len(self.types)
+
+    def shifted(self, shift: LineShift) -> LinterState:
+        """Return it for a text with other lines; raises ``ReplacedLine``."""
+        writers = {
+            name: replace(writer, line=shift.line(writer.line))
+            for name, writer in self.writers.items()
+        }
+        return LinterState(self.certain.shifted(shift), writers, self.types)
 
 
 class Linter:
@@ -178,9 +218,28 @@ class Linter:
         self._state = _State()
         self._writers: dict[str, _Writer] = {}
         self._types: dict[str, str] = {}
-        self._defined: list[GlobalCycle] = []
-        self._deleted: list[int] = []
-        self._deletes_any = False
+        #: GLOBAL cycles in the order of the text, and IDs of deleted ones, ``None``: a computed ID.
+        self.defined: list[GlobalCycle] = []
+        self.deleted: list[int | None] = []
+
+    @property
+    def state(self) -> LinterState:
+        """What later statements depend on."""
+        return LinterState(self._state.copy(), dict(self._writers), dict(self._types))
+
+    def resume(self, state: LinterState) -> None:
+        """Go on from a state."""
+        self._state = state.certain.copy()
+        self._writers = dict(state.writers)
+        self._types = dict(state.types)
+
+    @property
+    def sees_next_block(self) -> bool:
+        """Whether a block of axis words alone may have a finding, or change what is certain.
+
+        Any other plain block has been judged by its shape.
+        """
+        return self._state.is_arc and self._state.lacks_radius
 
     def section(self) -> None:
         """Begin a main program or subprogram; nothing is certain, except that no radius is set."""
@@ -190,7 +249,8 @@ class Linter:
     @property
     def global_cycles(self) -> GlobalCycles:
         """The GLOBAL cycles that the statements so far define and delete."""
-        return GlobalCycles(tuple(self._defined), tuple(self._deleted), self._deletes_any)
+        deleted = tuple(identity for identity in self.deleted if identity is not None)
+        return GlobalCycles(tuple(self.defined), deleted, None in self.deleted)
 
     def _all(self, statements: Sequence[Statement]) -> None:
         for statement in statements:
@@ -326,7 +386,7 @@ class Linter:
             self._lives(identity, cycle)
         if name == "GLOBAL" and identity is not None and identity > 0:
             line = self._source.line_of(cycle.span)
-            self._defined.append(GlobalCycle(identity, cycle.span, line))
+            self.defined.append(GlobalCycle(identity, cycle.span, line))
 
     def _lives(self, identity: int, cycle: RealtimeCycle) -> None:
         """Note that a cycle lives; report the ID of one that certainly lives already."""
@@ -355,11 +415,11 @@ class Linter:
         values = [item.value for item in control.keywords if isinstance(item, Keyword)]
         identity = self._identity(values[0]) if values else 0
         if identity is None:
-            self._deletes_any = True
+            self.deleted.append(None)
             self._state.living = frozenset()
         else:
             self._state.living -= {identity}
-            self._deleted.append(identity)
+            self.deleted.append(identity)
             self._writers = {
                 name: writer
                 for name, writer in self._writers.items()

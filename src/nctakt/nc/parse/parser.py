@@ -21,7 +21,7 @@ from nctakt.nc.parse.declarations import parse_declaration, whole_declaration
 from nctakt.nc.parse.expressions import unreadable
 from nctakt.nc.parse.lexer import BlockError, BlockText, Lexer
 from nctakt.nc.parse.open_structures import VariablesFrame
-from nctakt.nc.parse.structure_stack import StructureStack
+from nctakt.nc.parse.structure_stack import StackState, StructureStack
 from nctakt.nc.source import LineReader, Source
 from nctakt.nc.tree import (
     NO_HEAD,
@@ -35,6 +35,14 @@ from nctakt.nc.tree import (
     Word,
 )
 from nctakt.nc.vocabulary.functions import ENDS
+
+#: State of a ``StatementReader`` between two statements: whether all lines were empty, and that of
+#: its structures.
+ReaderState = tuple[bool, StackState]
+
+#: State of a ``SectionCounter``: the section, the subprograms so far, whether the main program has
+#: begun.
+CounterState = tuple[int, int, bool]
 
 
 def parse(source: Source, collector: Collector) -> Iterator[Statement]:
@@ -58,6 +66,7 @@ class StatementReader:
         self._lexer = Lexer(source, collector, first_line)
         self._statements = self._read(source, collector, first_line)
         self._given = 0
+        self._is_empty = True
 
     def __iter__(self) -> Iterator[tuple[int, Statement]]:
         return self
@@ -72,14 +81,23 @@ class StatementReader:
         is_between = structures.top is None and self._given == len(structures.ready)
         return self._lexer.lines if is_between and self._lexer.is_between else None
 
+    @property
+    def state(self) -> ReaderState:
+        """What the reading of later statements depends on, while ``lines`` is there."""
+        return self._is_empty, self._structures.state
+
+    def resume(self, state: ReaderState) -> None:
+        """Go on from a state, before the first statement."""
+        self._is_empty, structures = state
+        self._structures.resume(structures)
+
     def _read(
         self, source: Source, collector: Collector, first_line: int
     ) -> Iterator[tuple[int, Statement]]:
         structures = self._structures
         begin = first_line
-        empty = True
         for text in self._lexer.blocks():
-            empty = False
+            self._is_empty = False
             if structures.top is None:
                 begin = text.line_number
             _block(text, self._lexer, structures)
@@ -88,7 +106,7 @@ class StatementReader:
                 structures.ready.clear()
         structures.close_all()
         yield from self._ready(begin)
-        if empty and not collector.has_errors:
+        if self._is_empty and not collector.has_errors:
             span = Span(source.file, 1, 1, 2)
             collector.report(PROGRAM_EMPTY, span, source.line_of(span))
 
@@ -200,19 +218,23 @@ def _declares(text: BlockText) -> bool:
 # --- the program ---------------------------------------------------------------------------------
 
 
-def sections(
-    source: Source, statements: Iterator[tuple[int, Statement]], collector: Collector
-) -> Iterator[tuple[int, int, Statement]]:
-    """Yield line, section and statement: section 0 is the main program, 1 … local subprograms.
+class SectionCounter:
+    """Numbers the sections of a text: 0 is the main program, 1 … its local subprograms.
 
     Section -1 never runs. A section begins with its ``%`` line: ``%L name`` a subprogram, the first
     other one the main program unless that has begun without one. Inside the main program a further
     ``%`` line is a comment; behind a subprogram it begins a program that never runs, with a
     warning.
     """
-    section = subprograms = 0
-    begun = False
-    for begin, statement in statements:
+
+    def __init__(self, source: Source, collector: Collector) -> None:
+        self._source = source
+        self._collector = collector
+        self.state: CounterState = (0, 0, False)
+
+    def of(self, statement: Statement) -> int | None:
+        """Return the section of the next statement, ``None`` for a ``%`` line that is a comment."""
+        section, subprograms, begun = self.state
         if not isinstance(statement, ProgramStart):
             begun = begun or section == 0
         elif statement.local:
@@ -221,12 +243,13 @@ def sections(
         elif not begun:
             section, begun = 0, True
         elif section == 0:
-            continue
+            return None
         else:
-            line = source.line_of(statement.span)
-            collector.report(SECOND_MAIN_PROGRAM, statement.span, line, name=statement.name)
+            line = self._source.line_of(statement.span)
+            self._collector.report(SECOND_MAIN_PROGRAM, statement.span, line, name=statement.name)
             section = -1
-        yield begin, section, statement
+        self.state = section, subprograms, begun
+        return section
 
 
 def _assemble(
@@ -236,7 +259,11 @@ def _assemble(
     name = ""
     bodies: dict[int, list[Statement]] = {0: []}
     starts: dict[int, ProgramStart] = {}
-    for _, section, statement in sections(source, statements, collector):
+    counter = SectionCounter(source, collector)
+    for _, statement in statements:
+        section = counter.of(statement)
+        if section is None:
+            continue
         if not isinstance(statement, ProgramStart):
             bodies.setdefault(section, []).append(statement)
         elif section == 0:

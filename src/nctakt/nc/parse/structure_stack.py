@@ -25,6 +25,10 @@ from nctakt.nc.parse.lexer import BlockError, BlockText
 from nctakt.nc.parse.open_structures import CycleFrame, Frame, LoopFrame, SwitchFrame
 from nctakt.nc.tree import Head, Statement, Unreadable
 
+#: State of a stack without open structures: whether the program has ended, whether that was
+#: warned of, and the surplus ends of realtime cycles that are tolerated.
+StackState = tuple[bool, bool, int]
+
 #: Maximum nesting of structures. Functions that walk the tree may recurse that deep.
 STRUCTURE_DEPTH = 100
 
@@ -46,6 +50,16 @@ class StructureStack:
     def top(self) -> Frame | None:
         """The innermost open structure."""
         return self._stack[-1] if self._stack else None
+
+    @property
+    def state(self) -> StackState:
+        """What later statements depend on while no structure is open."""
+        assert not self._stack
+        return self._ended, self._warned_of_rest, self._forgiven_ends
+
+    def resume(self, state: StackState) -> None:
+        """Go on from a state."""
+        self._ended, self._warned_of_rest, self._forgiven_ends = state
 
     # --- statements ------------------------------------------------------------------------------
 

@@ -85,13 +85,17 @@ def plans(draw: Any) -> dict[str, Any]:
         tables["find"] = [dict(draw(strategies.sampled_from(GOALS)))]
     for _ in range(draw(strategies.integers(0, 3))):
         table = tables
-        inner = [one for one in (*tables.get("vary", ()), *tables.get("find", ())) if one]
+        inner = [
+            one
+            for key in ("vary", "find")
+            if isinstance(tables.get(key), list)
+            for one in tables[key]
+            if isinstance(one, dict) and one
+        ]
         if inner and draw(strategies.booleans()):
             table = draw(strategies.sampled_from(inner))
         keys = [*table, *BASE, "from", "to", "step", "name", "rest", "os", "rtconf", "load"]
         table[draw(strategies.sampled_from(keys))] = draw(junk)
-        if not all(isinstance(tables.get(key, []), list) for key in ("vary", "find")):
-            break
     return tables
 
 

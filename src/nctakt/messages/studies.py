@@ -174,6 +174,16 @@ NAME_TAKEN = error(
     "vergeben.",
     name=("the name", "der Name"),
 )
+UNKNOWN_THREAD = error(
+    901391,
+    en="the schedule has no thread or CPU {name}; nearest: {nearest}",
+    de="der Ablaufplan hat keinen Thread und keine CPU {name}; am nächsten: {nearest}",
+    remedy_en="nctakt schedule show lists the threads; a name with a blank stands in quotes.",
+    remedy_de="Die Threads zeigt nctakt schedule show; ein Name mit Leerzeichen steht in "
+    "Anführungszeichen.",
+    name=("the name", "der Name"),
+    nearest=("the nearest one", "der nächste"),
+)
 RUN_WITHOUT_TRACE = error(
     901350,
     en="the run has no trace in memory",

@@ -146,6 +146,11 @@ def read_load(file: str, text: str, collector: Collector) -> Load:
     except (tomllib.TOMLDecodeError, RecursionError) as error:
         collector.report(INVALID_LOAD_FILE, None, file=file, reason=str(error))
         return Load()
+    return load_of_tables(tables, collector)
+
+
+def load_of_tables(tables: dict[str, Any], collector: Collector) -> Load:
+    """Return the load of the tables of a load file; with errors it is not complete."""
     return _Reader(collector).load(tables)
 
 

@@ -74,13 +74,27 @@ def open_schedule(
         times = read_load(
             str(load), decode_text(access.read_bytes(arguments.path("load", load))).text, collector
         )
+    return schedule_of(str(rtconf), configuration, times, options, collector)
+
+
+def schedule_of(
+    file: str,
+    configuration: RtconfConfiguration,
+    load: Load,
+    options: RtconfOptions,
+    collector: Collector,
+) -> RunSchedule:
+    """Return the schedule of a list and a load that were read with ``collector``.
+
+    Raises ``Failure`` with all that was found if there are errors.
+    """
     if collector.has_errors:
         raise Failure(*collector.diagnostics)
-    model = assemble(configuration, times, options.profile, collector)
+    model = assemble(configuration, load, options.profile, collector)
     errors = [finding for finding in collector.diagnostics if finding.severity is Severity.ERROR]
     if any(finding.message not in PLACED for finding in errors):
         raise Failure(*collector.diagnostics)
-    return RunSchedule(str(rtconf), configuration, model, times, tuple(collector.diagnostics))
+    return RunSchedule(file, configuration, model, load, tuple(collector.diagnostics))
 
 
 _SCHEDULE = Text("the result of open_schedule", "das Ergebnis von open_schedule")

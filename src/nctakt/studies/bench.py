@@ -27,7 +27,9 @@ from nctakt.run.inputs import Input
 from nctakt.run.plc_view import AnyPlc
 from nctakt.run.program_loader import AnyProgram, LoadedProgram
 from nctakt.run.program_run import ProgramRun, RunOptions
+from nctakt.schedule.open_schedule import RunSchedule
 from nctakt.studies.changed_lists import changed_machine
+from nctakt.studies.changed_schedule import ScheduleChanges, ScheduleFiles
 from nctakt.studies.dimension import Value
 from nctakt.studies.faults import FaultyPlc
 from nctakt.studies.inputs import RunInputs, inputs_of
@@ -104,7 +106,7 @@ class BegunRun:
         inputs: RunInputs,
         before: Mapping[str, float],
         digest: Digest,
-        lent: LentPart,
+        lent: LentPart | None,
     ) -> None:
         self.controller = controller
         self.run = run
@@ -127,7 +129,8 @@ class BegunRun:
             self.run.close()
         injected = None if injected_us is None else injected_us / 1e6
         outcome = Outcome(self.run.result(), self._before, injected)
-        self._lent.give_back()
+        if self._lent is not None:
+            self._lent.give_back()
         return FinishedRun(outcome, self._inputs, self._digest.text())
 
 
@@ -143,7 +146,10 @@ class Bench:
         self._access = access = access or FileAccess()
         folder = plan.machine or machine_of(plan.program, access).path
         self.machine = load_machine(folder, access=access)
-        self.cycle_time_us = self.machine.cycle_time_us
+        self._schedule_files = (
+            None if plan.rtconf is None else ScheduleFiles(plan.rtconf, plan.load, plan.system)
+        )
+        self._schedules: OrderedDict[object, RunSchedule] = OrderedDict()
         text = plan.text
         self._text = "\n".join(access.read_lines(plan.program)) if text is None else text
         self._loaded: LoadedProgram | None = None
@@ -152,7 +158,9 @@ class Bench:
         names = (name for measure in plan.measures for name in measure.node.signals())
         further = (name for expected in plan.expectations for name in expected.signals)
         self._names = tuple(dict.fromkeys([*names, *further]))
-        self.signals = self._signals(Controller(self.machine, access=access))
+        controller = self._controller(RunInputs())
+        self.cycle_time_us = controller.cycle_time_us
+        self.signals = self._signals(controller)
 
     def _signals(self, controller: Controller) -> tuple[str, ...]:
         """Return the signals that measures read; an axis stands for its command position."""
@@ -193,7 +201,7 @@ class Bench:
             raise Failure(*found)
 
     def _check_inputs(self, inputs: RunInputs) -> None:
-        controller = Controller(self._machine_with(inputs.parameters), access=self._access)
+        controller = self._controller(inputs)
         self._program_of(inputs, controller)
         for name, value in inputs.assignments.items():
             controller.write(name, value)
@@ -263,8 +271,10 @@ class Bench:
         ``blocks``: with the events of its blocks; ``why``: with the histories of its conditions.
         """
         machine = self._machine_with(inputs.parameters)
-        lent = self._parts.lend(machine)
-        controller = Controller(machine, access=self._access, realtime=lent.part)
+        schedule = self._schedule_of(inputs.schedule)
+        lent = None if schedule is not None else self._parts.lend(machine)
+        part = None if lent is None else lent.part
+        controller = Controller(machine, schedule, self._access, part)
         program = self._program_of(inputs, controller)
         before = values_before(controller, self.signals, inputs.assignments)
         digest = Digest()
@@ -281,6 +291,24 @@ class Bench:
             why=why,
         )
         return BegunRun(controller, controller.begin(options), inputs, before, digest, lent)
+
+    def _controller(self, inputs: RunInputs) -> Controller:
+        """Return a controller with the machine and the schedule of a run."""
+        machine = self._machine_with(inputs.parameters)
+        return Controller(machine, self._schedule_of(inputs.schedule), self._access)
+
+    def _schedule_of(self, changes: ScheduleChanges) -> RunSchedule | None:
+        """Return the schedule with these changes, read once; ``None`` without one."""
+        if self._schedule_files is None:
+            return None
+        schedule = self._schedules.get(changes.key) or self._schedule_files.schedule(
+            changes, self._access
+        )
+        self._schedules[changes.key] = schedule
+        self._schedules.move_to_end(changes.key)
+        if len(self._schedules) > MACHINES:
+            self._schedules.popitem(last=False)
+        return schedule
 
     def _machine_with(self, parameters: Mapping[tuple[str, str], float | str]) -> Machine:
         """Return the machine with these parameters; those used last are kept."""

@@ -15,10 +15,10 @@ from nctakt.base.dataclass import dataclass
 from nctakt.files.access import FileAccess
 from nctakt.lists.machine.files import DEMO_FOLDER
 from nctakt.project.machine_choice import machine_of
-from nctakt.studies.bench import Bench
 from nctakt.studies.dimension import Dimension
 from nctakt.studies.plan import Plan
 from nctakt.studies.python_measure import PythonMeasure
+from nctakt.studies.schedule_bench import bench_of
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,16 +42,16 @@ class Bundle:
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_bytes(content)
         plan = self.plan
+        machine = None if plan.machine is None else _below(folder, plan.machine)
         if self.built_in:
             machine = DEMO_FOLDER.parent / self.built_in
-        else:
-            assert plan.machine is not None
-            machine = _below(folder, plan.machine)
         return replace(
             plan,
             program=_below(folder, plan.program) if plan.text is None else plan.program,
             machine=machine,
             plc=None if plan.plc is None else _below(folder, plan.plc),
+            rtconf=None if plan.rtconf is None else _below(folder, plan.rtconf),
+            load=None if plan.load is None else _below(folder, plan.load),
             dimensions=tuple(_moved(one, folder) for one in plan.dimensions),
             measures=tuple(
                 replace(one, node=replace(one.node, file=_below(folder, one.node.file)))
@@ -68,8 +68,8 @@ def _below(folder: Path, path: Path) -> Path:
 
 
 def _moved(dimension: Dimension, folder: Path) -> Dimension:
-    """Return a dimension whose values are the files of series, with their paths in a folder."""
-    if dimension.kind != "series":
+    """Return a dimension, values that are files with their paths in a folder."""
+    if not dimension.has_files:
         return dimension
     values = tuple(str(_below(folder, Path(str(value)))) for value in dimension.values)
     return replace(dimension, values=values)
@@ -78,20 +78,17 @@ def _moved(dimension: Dimension, folder: Path) -> Dimension:
 def bundle(plan: Plan) -> Bundle:
     """Return a plan with its files: program and what it calls, lists, PLC, series, measures."""
     access = FileAccess()
-    machine = plan.machine or machine_of(plan.program, access).path
-    Bench(plan, access).check()
-    built_in = machine.resolve().is_relative_to(DEMO_FOLDER.parent.resolve())
+    bench_of(plan, access).check()
+    machine = None
+    if not plan.is_schedule:
+        machine = (plan.machine or machine_of(plan.program, access).path).resolve()
+    own = DEMO_FOLDER.parent.resolve()
+    built_in = machine.name if machine is not None and machine.is_relative_to(own) else ""
     files = list(access.read_files)
-    files += [] if plan.plc is None else [plan.plc]
-    files += [Path(str(v)) for one in plan.dimensions if one.kind == "series" for v in one.values]
-    files += [one.node.file for one in plan.measures if isinstance(one.node, PythonMeasure)]
+    files += plan.files
     contents = {
         str(path.resolve()): path.read_bytes()
         for path in files
-        if not path.resolve().is_relative_to(DEMO_FOLDER.parent.resolve())
+        if not path.resolve().is_relative_to(own)
     }
-    return Bundle(
-        replace(plan, machine=machine.resolve()),
-        tuple(sorted(contents.items())),
-        machine.name if built_in else "",
-    )
+    return Bundle(replace(plan, machine=machine), tuple(sorted(contents.items())), built_in)

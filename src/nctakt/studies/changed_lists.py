@@ -23,7 +23,7 @@ from nctakt.messages.studies import UNKNOWN_PARAMETER_OF_STUDY
 
 _AXIS_NAME = re.compile(r"^\s*kopf\.log_achs_name\s+(\S+)", re.MULTILINE)
 _INDEX = re.compile(r"\[[^]]*\]")
-_END = re.compile(r"^\s*Ende\b", re.MULTILINE | re.IGNORECASE)
+_END = re.compile(r"^[ \t]*Ende?\b", re.MULTILINE | re.IGNORECASE)
 
 
 class _ChangedFiles(FileAccess):
@@ -41,17 +41,19 @@ class _ChangedFiles(FileAccess):
             return data
         text = decode_text(data).text
         for name, value in changes.items():
-            text = _changed(text, name, value)
+            text = with_entry(text, name, value)
         return text.encode("utf-8")
 
 
-def _changed(text: str, name: str, value: str) -> str:
+def with_entry(text: str, name: str, value: str) -> str:
     """Return the text of a list in which an entry has a value."""
     entry = re.compile(rf"^[ \t]*{re.escape(name)}[ \t]+\S+", re.MULTILINE)
     line = f"{name} {value}"
     if entry.search(text):
         return entry.sub(line, text)
-    return _END.sub(lambda found: f"{line}\n{found[0]}", text, count=1)
+    if _END.search(text):
+        return _END.sub(lambda found: f"{line}\n{found[0]}", text, count=1)
+    return f"{text.rstrip()}\n{line}\n"
 
 
 def changed_machine(machine: Machine, values: Mapping[tuple[str, str], float | str]) -> Machine:
@@ -65,7 +67,7 @@ def changed_machine(machine: Machine, values: Mapping[tuple[str, str], float | s
         parameter, kind = _parameter(id_, owner)
         path = _list_of(machine, kind, id_, owner)
         name = _INDEX.sub("[0]", parameter.path)
-        changes.setdefault(path.resolve(), {})[name] = _text(value)
+        changes.setdefault(path.resolve(), {})[name] = entry_text(value)
     changed = load_machine(machine.lists[0][1], access=_ChangedFiles(changes))
     before = [(one.id, one.text()) for one in machine.diagnostics]
     found = [one for one in changed.diagnostics if (one.id, one.text()) not in before]
@@ -74,7 +76,8 @@ def changed_machine(machine: Machine, values: Mapping[tuple[str, str], float | s
     return changed
 
 
-def _text(value: float | str) -> str:
+def entry_text(value: float | str) -> str:
+    """Return a value as a list has it."""
     if isinstance(value, str):
         return value
     return str(int(value)) if value == int(value) else repr(value)

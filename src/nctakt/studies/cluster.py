@@ -23,6 +23,7 @@ from nctakt.studies.bench import Bench, Row, crashed_row
 from nctakt.studies.bundle import Bundle, bundle
 from nctakt.studies.plan import Plan
 from nctakt.studies.processes import Block, in_blocks
+from nctakt.studies.schedule_bench import bench_of
 
 #: Blocks that wait on the cluster for each of its threads.
 AHEAD = 4
@@ -40,7 +41,7 @@ def make_block(packed: Bundle, block: Block) -> list[Row]:
         key = packed.key
         if key not in _benches:
             folder = Path(tempfile.mkdtemp(prefix="nctakt-study-"))
-            _benches[key] = Bench(packed.unpack(folder))
+            _benches[key] = bench_of(packed.unpack(folder))
         return [_benches[key].row(number) for number in block]
 
 

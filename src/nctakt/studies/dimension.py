@@ -24,6 +24,9 @@ Kind = Literal[
 #: The kinds whose values are times; that of an acknowledgement may be ``never`` or ``twice``.
 TIME_KINDS: tuple[Kind, ...] = ("time_of", "acknowledge", "plc_dies", "plc_returns")
 
+#: The kinds whose values are files.
+FILE_KINDS: tuple[Kind, ...] = ("series", "rtconf", "load")
+
 Value = float | int | str
 
 #: The highest time of a dimension that goes on to the end of the unchanged run, in microseconds.
@@ -70,6 +73,11 @@ class Dimension:
     def is_time(self) -> bool:
         """Whether its values are times."""
         return self.kind in TIME_KINDS
+
+    @property
+    def has_files(self) -> bool:
+        """Whether its values are files."""
+        return self.kind in FILE_KINDS
 
     @property
     def count(self) -> int:

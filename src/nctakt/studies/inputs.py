@@ -14,6 +14,7 @@ from pathlib import Path
 from nctakt.base.dataclass import dataclass, field
 from nctakt.lists.format.times import Time
 from nctakt.plc.inputs import read_inputs
+from nctakt.studies.changed_schedule import FAMILY, ScheduleChanges
 from nctakt.studies.dimension import Dimension, Value, chance
 from nctakt.studies.faults import PlcFaults
 from nctakt.studies.plan import Plan
@@ -30,45 +31,60 @@ class RunInputs:
     faults: PlcFaults = field(default_factory=PlcFaults)
     parameters: dict[tuple[str, str], Amount] = field(default_factory=dict)
     program_variables: dict[str, Amount] = field(default_factory=dict)
+    schedule: ScheduleChanges = field(default_factory=ScheduleChanges)
+
+    @property
+    def needs_tape(self) -> bool:
+        """Whether no option of ``nctakt run`` says some of these inputs."""
+        changes = self.schedule
+        changed = self.parameters or self.program_variables or changes.parameters or changes.entries
+        return bool(self.faults or changed)
+
+    def add(self, dimension: Dimension, value: Value, cycle_time_us: int) -> None:
+        """Add what a value of a dimension means."""
+        match dimension.kind:
+            case "variable" if dimension.at is None and not dimension.is_ramp:
+                self.assignments[dimension.target] = value
+            case "variable" if dimension.is_ramp:
+                self.stimuli += _ramp(dimension, value, cycle_time_us)
+            case "variable":
+                assert dimension.at is not None
+                begin_us = dimension.at.us(cycle_time_us)
+                self.stimuli += _pulse(dimension, begin_us, value, cycle_time_us)
+            case "time_of":
+                self.stimuli += _pulse(dimension, int(value), dimension.amount, cycle_time_us)
+            case "noise":
+                self.stimuli += _noise(dimension, int(value), cycle_time_us)
+            case "series":
+                self.stimuli += (
+                    (one.time, one.name, one.value) for one in read_inputs(Path(str(value)))
+                )
+            case "acknowledge":
+                self.faults.answers[dimension.target.upper()] = value
+            case "plc_dies":
+                self.faults.dies_us = int(value)
+            case "plc_returns":
+                self.faults.returns_us = int(value)
+            case "program_variable":
+                self.program_variables[dimension.target] = value
+            case "parameter" if dimension.target.startswith(FAMILY):
+                self.schedule.parameters[dimension.target, dimension.of] = value
+            case "parameter":
+                self.parameters[dimension.target, dimension.of] = value
+            case "load_entry":
+                self.schedule.entries[dimension.target] = value
+            case "rtconf":
+                self.schedule.rtconf = Path(str(value))
+            case "load":
+                self.schedule.load = Path(str(value))
 
 
 def inputs_of(plan: Plan, point: Sequence[Value], cycle_time_us: int) -> RunInputs:
     """Return the inputs of a point."""
     inputs = RunInputs(dict(plan.assignments), list(plan.stimuli))
     for dimension, value in zip(plan.dimensions, point, strict=True):
-        _add(inputs, dimension, value, cycle_time_us)
+        inputs.add(dimension, value, cycle_time_us)
     return inputs
-
-
-def _add(inputs: RunInputs, dimension: Dimension, value: Value, cycle_time_us: int) -> None:
-    """Add what a value of a dimension means."""
-    match dimension.kind:
-        case "variable" if dimension.at is None and not dimension.is_ramp:
-            inputs.assignments[dimension.target] = value
-        case "variable" if dimension.is_ramp:
-            inputs.stimuli += _ramp(dimension, value, cycle_time_us)
-        case "variable":
-            assert dimension.at is not None
-            begin_us = dimension.at.us(cycle_time_us)
-            inputs.stimuli += _pulse(dimension, begin_us, value, cycle_time_us)
-        case "time_of":
-            inputs.stimuli += _pulse(dimension, int(value), dimension.amount, cycle_time_us)
-        case "noise":
-            inputs.stimuli += _noise(dimension, int(value), cycle_time_us)
-        case "series":
-            inputs.stimuli += (
-                (one.time, one.name, one.value) for one in read_inputs(Path(str(value)))
-            )
-        case "acknowledge":
-            inputs.faults.answers[dimension.target.upper()] = value
-        case "plc_dies":
-            inputs.faults.dies_us = int(value)
-        case "plc_returns":
-            inputs.faults.returns_us = int(value)
-        case "parameter":
-            inputs.parameters[dimension.target, dimension.of] = value
-        case "program_variable":
-            inputs.program_variables[dimension.target] = value
 
 
 def _pulse(
@@ -112,7 +128,7 @@ def _span(dimension: Dimension, cycle_time_us: int) -> tuple[int, int]:
 
 def command_of(plan: Plan, inputs: RunInputs) -> str | None:
     """Return the command that makes this run; ``None`` if no option says what it needs."""
-    if plan.text is not None or inputs.faults or inputs.parameters or inputs.program_variables:
+    if plan.is_schedule or plan.text is not None or inputs.needs_tape:
         return None
     words = ["nctakt", "run", str(plan.program)]
     if plan.machine is not None:
@@ -123,6 +139,14 @@ def command_of(plan: Plan, inputs: RunInputs) -> str | None:
         words += ["--set", f"{name}={_word(value)}"]
     for time, name, value in inputs.stimuli:
         words += ["--at", str(time).replace(" ", ""), f"{name}={_word(value)}"]
+    for option, path in (
+        ("--rtconf", inputs.schedule.rtconf or plan.rtconf),
+        ("--load", inputs.schedule.load or plan.load),
+    ):
+        if path is not None:
+            words += [option, str(path)]
+    if plan.rtconf is not None:
+        words += ["--os", plan.system]
     if plan.until is not None:
         words += ["--until", str(plan.until).replace(" ", "")]
     if plan.after.count:

@@ -56,7 +56,7 @@ class Constant:
     def value(self, outcome: Outcome) -> Number:
         """Return it; a time in seconds."""
         if isinstance(self.constant, Time):
-            return self.constant.us(outcome.run.cycle_time_us) / 1e6
+            return self.constant.us(outcome.cycle_time_us) / 1e6
         return self.constant
 
     def signals(self) -> Iterator[str]:

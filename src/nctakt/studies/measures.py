@@ -112,8 +112,14 @@ class Expectation:
         return (self.written.name,) if self.written.kind == "value" else ()
 
 
-def read_measure(name: str, text: str, known: Mapping[str, Node], folder: Path = Path()) -> Measure:
-    """Return the measure of a text; ``known``: those that it may name.
+def read_measure(
+    name: str,
+    text: str,
+    known: Mapping[str, Node],
+    folder: Path = Path(),
+    words: type[Reader] = Reader,
+) -> Measure:
+    """Return the measure of a text; ``known``: those that it may name, ``words``: its language.
 
     ``python FILE.py:FUNCTION`` calls a function with the run's queries (``NcRun``); the file is
     relative to ``folder``. Raises ``Failure`` (901306).
@@ -125,7 +131,7 @@ def read_measure(name: str, text: str, known: Mapping[str, Node], folder: Path =
             raise Failure(diagnostic(INVALID_MEASURE, text=text, reason="python FILE.py:FUNCTION"))
         return Measure(name, text, PythonMeasure(folder / file, function))
     try:
-        return Measure(name, text, Reader(text, known).measure())
+        return Measure(name, text, words(text, known).measure())
     except NotAMeasureError as error:
         raise Failure(diagnostic(INVALID_MEASURE, text=text, reason=str(error))) from error
 
@@ -135,13 +141,20 @@ def function_measure(name: str, function: Callable[..., MeasuredValue]) -> Measu
     return Measure(name, function.__qualname__, PythonMeasure(Path(), "", function))
 
 
-def read_expectation(text: str, known: Mapping[str, Node]) -> Expectation:
-    """Return the expectation of a text; raises ``Failure`` (901307)."""
+def read_expectation(
+    text: str, known: Mapping[str, Node], words: type[Reader] = Reader
+) -> Expectation:
+    """Return the expectation of a text; raises ``Failure`` (901307).
+
+    In the language of programs (``words``) it may be one of NC comments as well.
+    """
     try:
-        return Expectation(text, Reader(text, known).expectation())
+        return Expectation(text, words(text, known).expectation())
     except NotAMeasureError as error:
         reason = str(error)
     try:
+        if words is not Reader:
+            raise Failure(diagnostic(INVALID_STUDY_EXPECTATION, text=text, reason=reason))
         return Expectation(text, None, expectations.read_expectation(text))
     except Failure as failure:
         message = diagnostic(INVALID_STUDY_EXPECTATION, text=text, reason=reason)

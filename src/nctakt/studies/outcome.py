@@ -35,6 +35,11 @@ class Outcome:
         return self.run.virtual_time_us / 1e6
 
     @property
+    def cycle_time_us(self) -> int:
+        """The length of a tick in microseconds."""
+        return self.run.cycle_time_us
+
+    @property
     def tick_s(self) -> float:
         """The length of a tick in seconds."""
         return self.run.cycle_time_us / 1e6

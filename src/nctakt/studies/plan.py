@@ -19,6 +19,7 @@ from nctakt.messages import diagnostic
 from nctakt.messages.studies import EXTRA_MISSING
 from nctakt.studies.dimension import Dimension, Value, chance
 from nctakt.studies.measures import Expectation, Measure
+from nctakt.studies.python_measure import PythonMeasure
 
 #: How points are chosen: each with each, by chance, or spread evenly.
 Method = Literal["grid", "list", "random", "latin", "sobol"]
@@ -77,6 +78,18 @@ class Plan:
     load: Path | None = None
     system: str = "rtx"
     is_schedule: bool = False
+
+    @property
+    def files(self) -> list[Path]:
+        """The files beside program and machine: PLC, schedule, series, Python measures."""
+        single = (self.plc, self.rtconf, self.load)
+        files = [path for path in single if path is not None]
+        for dimension in self.dimensions:
+            if dimension.has_files:
+                files += [Path(str(value)) for value in dimension.values]
+        nodes = [measure.node for measure in self.measures]
+        files += [one.file for one in nodes if isinstance(one, PythonMeasure) and not one.function]
+        return list(dict.fromkeys(files))
 
     @property
     def size(self) -> int:

@@ -12,7 +12,7 @@ from nctakt.base.diagnostics import Text
 from nctakt.lists.all_parameters import SCHEMAS
 from nctakt.lists.format.times import Time, read_time
 from nctakt.run.stimuli import parse_assignment
-from nctakt.studies.dimension import END_OF_RUN, TIME_KINDS, Dimension, Kind, Value
+from nctakt.studies.dimension import END_OF_RUN, FILE_KINDS, TIME_KINDS, Dimension, Kind, Value
 from nctakt.studies.faults import NEVER, TWICE
 from nctakt.studies.plan_reader import (
     LIST,
@@ -41,9 +41,6 @@ WORDS: Mapping[Kind, tuple[str, ...]] = MappingProxyType(
         "load": (),
     }
 )
-#: The kinds whose values are files.
-FILES: tuple[Kind, ...] = ("series", "rtconf", "load")
-
 #: The most values of a ramp or a noise.
 MAX_COURSE = 1_000_000
 
@@ -164,7 +161,7 @@ class DimensionReader:
                 self._wrong("load_entry", entry["load_entry"], _PHASE)
             return low, high if "to" in entry else self._slice_us() - 1, step or 1
         has_span = "from" in entry or "to" in entry
-        if ("values" in entry) == has_span or (has_span and kind in FILES):
+        if ("values" in entry) == has_span or (has_span and kind in FILE_KINDS):
             self._reader.missing(
                 "values / from, to", f"vary {self._number + 1}", self._number, "vary"
             )
@@ -199,7 +196,7 @@ class DimensionReader:
             return value
         if kind in TIME_KINDS:
             return self._microseconds(value, key)
-        if kind in FILES:
+        if kind in FILE_KINDS:
             path = self._reader.existing(value, key, "vary", self._number)
             return "" if path is None else str(path)
         if kind == "noise" and not (is_number(value) and value == int(value)):

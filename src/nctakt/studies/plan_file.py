@@ -29,7 +29,9 @@ from nctakt.messages.studies import EMPTY_STUDY, INVALID_PLAN, NAME_TAKEN
 from nctakt.project.machine_choice import machine_of
 from nctakt.run.program_loader import NcText
 from nctakt.run.stimuli import parse_assignment
+from nctakt.studies.changed_schedule import FAMILY
 from nctakt.studies.measure_nodes import Node
+from nctakt.studies.measure_text import Reader
 from nctakt.studies.measures import Expectation, Measure, read_expectation, read_measure
 from nctakt.studies.plan import DESIGNS, MAX_DESIGN, METHODS, RESERVED, Goal, GoalWord, Plan
 from nctakt.studies.plan_dimensions import DimensionReader
@@ -44,6 +46,7 @@ from nctakt.studies.plan_reader import (
     is_value,
     one_of,
 )
+from nctakt.studies.schedule_measures import ScheduleReader
 
 _TOP = (
     "program", "machine", "plc", "rtconf", "load", "os", "method", "count", "seed", "until",
@@ -106,6 +109,7 @@ class _Reader(PlanReader):
     _machine: Path | None = None
     _rtconf: Path | None = None
     _tick: int | None = None
+    _words: type[Reader] = Reader
 
     def plan(self, tables: dict[str, Any]) -> Plan:
         self.check_keys(tables, _TOP, "", 0)
@@ -124,6 +128,7 @@ class _Reader(PlanReader):
                     self.wrong(key, tables[key], _WITH_PROGRAM)
         self._program, self._machine, self._rtconf = program or Path(), machine, rtconf
         is_schedule = "program" not in tables and "rtconf" in tables
+        self._words = ScheduleReader if is_schedule else Reader
         measures = self._measures(tables.get("measure", {}))
         known = {measure.name: measure.node for measure in measures}
         method = self.choice(tables, "method", METHODS)
@@ -157,6 +162,7 @@ class _Reader(PlanReader):
             is_schedule,
         )
         self._check_names(plan)
+        self._check_kinds(plan)
         if not self.diagnostics and plan.size == 0 and not plan.goals:
             empty = [one.name for one in plan.dimensions if one.count == 0]
             name = empty[0] if empty and method in ("grid", "list") else "count"
@@ -215,7 +221,8 @@ class _Reader(PlanReader):
                 self.wrong(name, text, TEXT, "measure")
                 continue
             location = (name, "measure", 0)
-            measure = self.tried(*location, read_measure, name, text, dict(known), self.folder)
+            entries = (name, text, dict(known), self.folder, self._words)
+            measure = self.tried(*location, read_measure, *entries)
             if measure is not None:
                 measures.append(measure)
                 known[name] = measure.node
@@ -227,7 +234,10 @@ class _Reader(PlanReader):
         if not is_list or not all(isinstance(one, str) for one in entries):
             self.wrong("expect", entries, LIST)
             return ()
-        found = [self.tried("expect", "", 0, read_expectation, one, known) for one in entries]
+        found = [
+            self.tried("expect", "", 0, read_expectation, one, known, self._words)
+            for one in entries
+        ]
         return tuple(one for one in found if one is not None)
 
     def _goals(
@@ -249,6 +259,16 @@ class _Reader(PlanReader):
                 else:
                     goals.append(Goal(word, name, budget))
         return tuple(goals)
+
+    def _check_kinds(self, plan: Plan) -> None:
+        """Note dimensions of a schedule without one, and those of a program without one."""
+        for number, dimension in enumerate(plan.dimensions):
+            of_schedule = dimension.kind in ("load_entry", "rtconf", "load")
+            of_schedule |= dimension.kind == "parameter" and dimension.target.startswith(FAMILY)
+            if of_schedule and plan.rtconf is None:
+                self.missing("rtconf", "the plan")
+            elif plan.is_schedule and not of_schedule:
+                self.wrong(dimension.kind, dimension.target, _WITH_PROGRAM, "vary", number)
 
     def _check_names(self, plan: Plan) -> None:
         """Note each name of a dimension or a measure that another column has already (901390)."""

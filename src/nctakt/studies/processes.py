@@ -18,8 +18,9 @@ import sys
 import threading
 from collections.abc import Iterable, Iterator, Sequence
 
-from nctakt.studies.bench import Bench, Row, crashed_row
+from nctakt.studies.bench import Row, crashed_row
 from nctakt.studies.plan import Plan
+from nctakt.studies.schedule_bench import bench_of
 
 #: Runs that a worker makes between two answers.
 BLOCK = 50
@@ -36,7 +37,7 @@ def in_blocks(numbers: Iterable[int], size: int = BLOCK) -> Iterator[Block]:
 
 def rows_here(plan: Plan, numbers: Iterable[int]) -> Iterator[list[Row]]:
     """Yield the rows of runs, made in this process one after another."""
-    bench = Bench(plan)
+    bench = bench_of(plan)
     for number in numbers:
         yield [bench.row(number)]
 

@@ -41,9 +41,10 @@ GROUP = 100_000
 
 def fingerprint(plan: Plan) -> str:
     """Return digits that change with the plan, its program, its PLC and its lists."""
-    machine = load_machine(plan.machine or machine_of(plan.program, FileAccess()).path)
-    files = [plan.program, *(path for _, path in machine.lists)]
-    files += [] if plan.plc is None else [plan.plc]
+    files = [plan.program, *plan.files]
+    if not plan.is_schedule:
+        machine = load_machine(plan.machine or machine_of(plan.program, FileAccess()).path)
+        files += [path for _, path in machine.lists]
     digests = [digest_of(path) for path in files]
     return hashlib.sha256(f"{plan!r}{digests}".encode()).hexdigest()
 

@@ -17,6 +17,7 @@ from nctakt.studies.plan_file import read_plan, read_tables
 from nctakt.studies.processes import rows_here, rows_of_processes
 from nctakt.studies.report import report
 from nctakt.studies.results import RowStore, arrow_table, write_rows
+from nctakt.studies.schedule_bench import bench_of
 from nctakt.studies.search import Answer, search, shrink
 from nctakt.studies.shared_beginning import is_shared
 
@@ -129,7 +130,7 @@ class Study:
         self._bench: Bench | None = None
         self.nominal: Nominal | None = None
         if any(dimension.is_each_tick for dimension in plan.dimensions):
-            bench = Bench(plan)
+            bench = bench_of(plan)
             bench.check()
             self.nominal = nominal_run(bench)
             self.plan = with_span(plan, self.nominal)
@@ -144,7 +145,7 @@ class Study:
     def bench(self) -> Bench:
         """The bench of this process; raises ``Failure`` for names that are unknown."""
         if self._bench is None:
-            bench = Bench(self.plan)
+            bench = bench_of(self.plan)
             bench.check()
             self._bench = bench
         return self._bench

@@ -15,7 +15,7 @@ import pickle
 import signal
 import sys
 
-from nctakt.studies.bench import Bench
+from nctakt.studies.schedule_bench import bench_of
 from nctakt.studies.shared_beginning import SharedBeginning, is_shared
 
 
@@ -25,7 +25,7 @@ def main() -> None:
     answers = os.fdopen(os.dup(1), "wb")
     os.dup2(2, 1)
     questions = sys.stdin.buffer
-    bench = Bench(pickle.load(questions))
+    bench = bench_of(pickle.load(questions))
     maker = SharedBeginning(bench) if is_shared(bench.plan, bench.cycle_time_us) else bench
     gc.collect()
     gc.freeze()

@@ -37,6 +37,7 @@ _COMMANDS = {
     "run": "nctakt.cli.run",
     "replay": "nctakt.cli.replay",
     "live": "nctakt.cli.live",
+    "serve": "nctakt.cli.serve",
     "dap": "nctakt.cli.dap",
     "check": "nctakt.cli.check",
     "explain": "nctakt.cli.explain",

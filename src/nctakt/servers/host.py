@@ -8,6 +8,7 @@ frames and notices. Whatever asks the session waits in a thread of its own, neve
 from __future__ import annotations
 
 import asyncio
+import contextlib
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
@@ -26,6 +27,9 @@ from nctakt.session.session import Session
 
 #: Writes that wait for the session at most; one more is refused.
 MAX_WRITES = 10_000
+
+#: How long a client waits for its write to be latched at most, in seconds: a session may pause.
+LATCHING_S = 1.0
 
 #: The operator's keys: the value of the HLI that each writes, and what.
 KEYS: Mapping[str, tuple[str, float]] = {
@@ -71,7 +75,8 @@ class Host:
         self.store = Store(self._subscribe, log)
         self.cycle_time_us = session.description.cycle_time_us
         self._executor = ThreadPoolExecutor(1, "nctakt servers")
-        self._writes: list[tuple[Mapping[str, Scalar], str, asyncio.Future[Failure | None]]] = []
+        self._writes: list[tuple[Mapping[str, Scalar], str, asyncio.Future[Failure | int]]] = []
+        self._latching: list[tuple[int, asyncio.Future[None]]] = []
         self._writer: asyncio.Task[None] | None = None
         self._feed: Feed | None = None
 
@@ -93,6 +98,13 @@ class Host:
 
     def _take_frame(self, frame: Frame) -> None:
         self.store.take(frame)
+        if self._latching:
+            waiting, self._latching = self._latching, []
+            for tick, latched in waiting:
+                if tick >= frame.tick:
+                    self._latching.append((tick, latched))
+                elif not latched.done():
+                    latched.set_result(None)
         for message in frame.messages:
             self.notices.tell(ServerNotice("message", frame.tick, message.text, message=message))
         for found in frame.diagnostics:
@@ -122,8 +134,8 @@ class Host:
         """Return what a method of the session gives, without holding up the loop."""
         return await self.loop.run_in_executor(self._executor, lambda: method(*words, **keywords))
 
-    async def write(self, values: Mapping[str, Scalar], door: str, client: str) -> None:
-        """Write values from the next tick on, all of them in the same one.
+    async def write(self, values: Mapping[str, Scalar], door: str, client: str) -> int:
+        """Write values from the next tick on, all of them in the same one; return that tick.
 
         Raises ``Failure`` for a wrong name or value, ``Busy`` where too many writes wait; then
         nothing is written, and it stands in the log. On the tape its source is door and client.
@@ -131,14 +143,24 @@ class Host:
         if len(self._writes) >= MAX_WRITES:
             self.log.refuse(door, client, "too many writes wait")
             raise Busy
-        answer: asyncio.Future[Failure | None] = self.loop.create_future()
+        answer: asyncio.Future[Failure | int] = self.loop.create_future()
         self._writes.append((dict(values), f"{door} {client}", answer))
         if self._writer is None:
             self._writer = self.loop.create_task(self._write_all())
-        failure = await answer
-        if failure is not None:
-            self.refuse(failure, door, client)
-            raise failure
+        answered = await answer
+        if isinstance(answered, Failure):
+            self.refuse(answered, door, client)
+            raise answered
+        return answered
+
+    async def latched(self, tick: int) -> None:
+        """Return once all can read what was written for a tick, at once if the session stands."""
+        if tick < self.store.tick or not self.session.is_playing:
+            return
+        latched: asyncio.Future[None] = self.loop.create_future()
+        self._latching.append((tick, latched))
+        with contextlib.suppress(TimeoutError):
+            await asyncio.wait_for(latched, LATCHING_S)
 
     async def _write_all(self) -> None:
         """Hand the writes of all clients to the session, together those that wait together."""
@@ -146,10 +168,11 @@ class Host:
             while self._writes:
                 writes, self._writes = self._writes, []
                 requests = [(values, source) for values, source, _ in writes]
+                answers: Sequence[Failure | int]
                 try:
                     answers = await self.ask(self.session.write_each, requests)
                 except Failure as failure:
-                    answers = [failure] * len(writes)
+                    answers = [failure for _ in writes]
                 for (_, _, answer), refused in zip(writes, answers, strict=True):
                     if not answer.done():  # whose client has gone
                         answer.set_result(refused)
@@ -162,10 +185,14 @@ class Host:
 
     async def press(self, key: Key, channel: int, door: str, client: str) -> None:
         """Press a key of the operator: START, RESET, feed hold, and its end."""
+        await self.write(self.key_value(key, channel), door, client)
+
+    def key_value(self, key: Key, channel: int) -> dict[str, Scalar]:
+        """Return what a key writes in a channel, counted from 1."""
         name, value = KEYS[key]
         count = len(self.machine.channels)
         prefix = f"CH{channel}." if count > 1 or channel > 1 else ""
-        await self.write({f"{prefix}{name}": value}, door, client)
+        return {f"{prefix}{name}": value}
 
     async def _command(
         self, door: str, client: str, method: Callable[..., None], *words: object

@@ -330,9 +330,9 @@ class Session:
 
     def write_each(
         self, requests: Sequence[tuple[Mapping[str, float | bool | str], str]]
-    ) -> list[Failure | None]:
-        """Write values, each with its source, in one tick; return why each is refused, if it is."""
-        answers: list[Failure | None] = []
+    ) -> list[Failure | int]:
+        """Write values with their sources; return for each why it is refused, or its tick."""
+        answers: list[Failure | int] = []
         self._ask(self._input, self._story.write_each, requests, answers)
         return answers
 

@@ -198,14 +198,14 @@ class Story:
     def write_each(
         self,
         requests: Sequence[tuple[Mapping[str, float | bool | str], str]],
-        answers: list[Failure | None],
+        answers: list[Failure | int],
     ) -> bool:
-        """Write for several clients; each answer is why it was refused; returns as ``write``."""
+        """Write for several clients; ``answers``: why one is refused, or its tick."""
         begins = False
         for values, source in requests:
             try:
                 begins = self.write(values, source) or begins
-                answers.append(None)
+                answers.append(self.tick)
             except Failure as failure:
                 answers.append(failure)
         return begins

@@ -64,19 +64,20 @@ def alignment_of(node: Node, pack: int) -> int:
 
 def size_of(node: Node, pack: int) -> int:
     """Return the size of a variable in bytes, with all elements of an array."""
-    return _element_size(node, pack) * max(1, node.array_elements)
+    return element_size(node, pack) * max(1, node.array_elements)
 
 
-def _element_size(node: Node, pack: int) -> int:
+def element_size(node: Node, pack: int) -> int:
+    """Return the size of one element of a variable in bytes."""
     if not node.members:
         return node.size_bytes
     end = 0
-    for member, offset in _members(node, pack):
+    for member, offset in members(node, pack):
         end = offset + size_of(member, pack)
     return _aligned(end, alignment_of(node, pack))
 
 
-def _members(node: Node, pack: int) -> Iterator[tuple[Node, int]]:
+def members(node: Node, pack: int) -> Iterator[tuple[Node, int]]:
     """Yield the members of a structure with their offsets in it."""
     end = 0
     for member in node.members:
@@ -130,10 +131,10 @@ def _fields(node: Node, path: str, offset: int, pack: int) -> Iterator[Field]:
     if not node.members:
         yield Field(path, offset, node.type, node.array_elements, node.size_bytes)
         return
-    size = _element_size(node, pack)
+    size = element_size(node, pack)
     for index in range(max(1, node.array_elements)):
         element = f"{path}[{index}]" if node.array_elements else path
-        for member, member_offset in _members(node, pack):
+        for member, member_offset in members(node, pack):
             yield from _fields(
                 member, f"{element}.{member.name}", offset + index * size + member_offset, pack
             )

@@ -1,0 +1,277 @@
+# SPDX-License-Identifier: MIT
+"""``nctakt serve``: a controller that clients find on the network, until it is ended.
+
+In: programs, machine, PLC, doors. Out: a line with the addresses of all doors (standard output),
+diagnostics (standard error), a log. It ends at SIGTERM and Ctrl-C.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import sys
+from collections.abc import Callable, Iterator, Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from nctakt.base.dataclass import dataclass
+from nctakt.base.failure import Failure
+from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN
+from nctakt.cli.file_options import CONFINE_OPTION
+from nctakt.cli.language import language_option
+from nctakt.cli.request import STANDARD_INPUT, Options, read_request
+from nctakt.cli.running import choose_mode
+from nctakt.cli.settings import carry_out
+from nctakt.cli.terminal import print_diagnostics
+from nctakt.files.access import FileAccess
+from nctakt.files.output import OutputFile
+from nctakt.lists.machine.files import machine_folder
+from nctakt.messages import diagnostic
+from nctakt.messages.live import PAGE_NEEDS_FILES
+from nctakt.messages.servers import NO_DOOR
+
+if TYPE_CHECKING:
+    from nctakt.servers.serving import DoorOpener
+    from nctakt.session.session import Session
+
+_EPILOG = """\b
+A line "ready" with the address of each door comes once clients can connect.
+Doors are open for this computer alone, unless their address names another one.
+Exit codes: 0 ended by SIGTERM or Ctrl-C, 1 programs with errors or a controller
+that has stopped, 2 wrong usage or unusable input, 3 an error of nctakt's own.
+
+\b
+  nctakt serve --machine lists --ads
+  nctakt serve part.nc --ads=0.0.0.0:48898 --record cell.tape
+"""
+
+
+@click.command("serve", epilog=_EPILOG, short_help="Let clients on the network find a controller.")
+@click.argument("programs", metavar="[PROGRAM]...", nargs=-1)
+@click.option(
+    "--channel",
+    "others",
+    metavar="N PROGRAM",
+    nargs=2,
+    multiple=True,
+    help="Run a program in channel N at the same time; may be repeated.",
+)
+@click.option(
+    "--machine",
+    metavar="DIR",
+    help="Folder with the machine's lists, demo or demo5 [default: the project's, else the one "
+    "around the program, else demo].",
+)
+@click.option("--plc", metavar="FILE.py", help="A class of yours that plays the PLC.")
+@click.option(
+    "--set",
+    "assignments",
+    metavar="NAME=VALUE",
+    multiple=True,
+    help="Set a variable before the first tick.",
+)
+@click.option(
+    "--at",
+    "stimuli",
+    metavar="TIME NAME=VALUE",
+    nargs=2,
+    multiple=True,
+    help="Set a variable at a time of the run.",
+)
+@click.option("--wait-for-start", is_flag=True, help="START (HLI.START) begins each program.")
+@click.option(
+    "--acknowledge", is_flag=True, help="M and H functions wait for a client to acknowledge them."
+)
+@click.option(
+    "--ads",
+    metavar="HOST:PORT",
+    is_flag=False,
+    flag_value="127.0.0.1:48898",
+    help="Serve ADS [default address: 127.0.0.1:48898].",
+)
+@click.option(
+    "--speed",
+    type=click.FloatRange(0.01, 1000.0),
+    default=1.0,
+    metavar="F",
+    help="Machine time runs F times as fast as the clock [default: 1].",
+)
+@click.option(
+    "--pace",
+    type=click.Choice(["slice", "tick"]),
+    default="slice",
+    help="10 ms of ticks together, or each at its own time [default: slice].",
+)
+@click.option(
+    "--record", "tape", metavar="FILE", help="Record the inputs for nctakt replay, at the end."
+)
+@click.option(
+    "--ready-file", metavar="FILE", help="Write the addresses to a file once clients can connect."
+)
+@click.option(
+    "--log", metavar="FILE", help="Write what clients do as JSON lines, '-': to standard error."
+)
+@CONFINE_OPTION
+@language_option("Language of diagnostics [default: en].", None)
+@click.option("--quiet", is_flag=True, help="No notes and no warnings.")
+@click.option(
+    "--compiled/--plain",
+    default=None,
+    help="The realtime part compiled or as plain Python [default: compiled if it is built].",
+)
+def command(
+    ads: str | None,
+    acknowledge: bool,
+    speed: float,
+    pace: str,
+    tape: str | None,
+    ready_file: str | None,
+    log: str | None,
+    **words: Any,
+) -> int:
+    """Let clients on the network find a controller: a session behind several doors."""
+    own = _Words({"ads": ads}, acknowledge, speed, pace, tape, ready_file, log)
+
+    def show(options: Options, access: FileAccess) -> int:
+        return _serve(options, access, own)
+
+    given = {**words, "ticks": None, "until": None, "after": "0", "stays": True}
+    return carry_out(given, show)
+
+
+@dataclass(frozen=True, slots=True)
+class _Words:
+    """The words that only this command has; ``doors``: the word of each option of a door."""
+
+    doors: Mapping[str, str | None]
+    acknowledge: bool
+    speed: float
+    pace: str
+    tape: str | None
+    ready_file: str | None
+    log: str | None
+
+
+def _serve(options: Options, access: FileAccess, own: _Words) -> int:
+    """Open the session and serve it; raises ``Failure`` for what cannot be used."""
+    if STANDARD_INPUT in (*options.programs, *(program for _, program in options.others)):
+        raise Failure(diagnostic(PAGE_NEEDS_FILES))
+    choose_mode(options)
+    import asyncio  # noqa: PLC0415 - no other command needs it
+
+    from nctakt.lists.machine.machine import load_machine  # noqa: PLC0415 - the mode is chosen
+    from nctakt.servers.log import ServerLog  # noqa: PLC0415 - as above
+    from nctakt.servers.serving import serve  # noqa: PLC0415
+    from nctakt.session.session import Session  # noqa: PLC0415
+
+    doors = _doors(own)
+    request = read_request(options, access)
+    if options.machine_note is not None and not options.quiet:
+        print_diagnostics([options.machine_note], options.language)
+    machine = load_machine(options.machine, access=access)
+    with contextlib.ExitStack() as stack:  # each can be written, and is none of the other files
+        for option, file in (
+            ("--record", own.tape),
+            ("--ready-file", own.ready_file),
+            ("--log", None if own.log == "-" else own.log),
+        ):
+            if file is not None:
+                stack.enter_context(OutputFile(file, option, access))
+    with contextlib.ExitStack() as stack:
+        log = ServerLog(stack.enter_context(_log_writer(own.log)))
+        session = stack.enter_context(
+            Session(
+                channels={1: request.programs, **request.channels},
+                machine=options.machine,
+                plc=options.plc,
+                set=request.assignments,
+                at=request.stimuli,
+                wait_for_start=options.wait_for_start,
+                acknowledges=not own.acknowledge,
+                folders=options.confined or served_folders(options),
+                pace=own.pace,
+                stays=True,
+            )
+        )
+        print_diagnostics(session.description.diagnostics, options.language)
+        if session.is_over:
+            return EXIT_NC_ERROR
+        speed = own.speed
+        ready = _ready_teller(own.ready_file)
+        try:
+            asyncio.run(serve(session, machine, log, doors, speed=speed, ready=ready))
+        finally:
+            _save(session, own.tape)
+    return EXIT_RAN
+
+
+def _doors(own: _Words) -> dict[str, DoorOpener]:
+    """Return what opens each door that is asked for; raises ``Failure`` for wrong addresses."""
+    doors: dict[str, DoorOpener] = {}
+    for name, word in own.doors.items():
+        if word is not None:
+            doors[name] = _DOORS[name](word)
+    if not doors:
+        raise Failure(diagnostic(NO_DOOR))
+    return doors
+
+
+def _ads(word: str) -> DoorOpener:
+    from nctakt.servers.address import read_address  # noqa: PLC0415 - only where it is asked for
+    from nctakt.servers.ads.server import PORT, AdsDoor  # noqa: PLC0415 - as above
+
+    address = read_address("--ads", word, PORT)
+    return lambda host: AdsDoor(host, address)
+
+
+#: The option of each door, and what its word opens.
+_DOORS: Mapping[str, Callable[[str], DoorOpener]] = {"ads": _ads}
+
+
+def served_folders(options: Options) -> tuple[str, ...]:
+    """Return the folders whose files clients may select: of the programs and of the machine.
+
+    Without a program the working directory is one of them.
+    """
+    programs = (*options.programs, *(program for _, program in options.others))
+    folders = {str(Path(program).parent): None for program in programs or ("./",)}
+    if options.machine is not None:
+        machine = Path(machine_folder(options.machine))
+        folders[str(machine if machine.is_dir() else machine.parent)] = None
+    return tuple(folders)
+
+
+@contextlib.contextmanager
+def _log_writer(file: str | None) -> Iterator[Callable[[str], object] | None]:
+    """Yield what writes a line of the log, each at once."""
+    if file is None:
+        yield None
+    elif file == "-":
+        yield lambda line: print(line, end="", file=sys.stderr, flush=True)
+    else:
+        with Path(file).open("w", encoding="utf-8", buffering=1) as stream:
+            yield stream.write
+
+
+def _ready_teller(file: str | None) -> Callable[[Mapping[str, str]], None]:
+    """Return what tells the addresses of all doors."""
+
+    def tell(addresses: Mapping[str, str]) -> None:
+        if file is not None:
+            document = {"process": os.getpid(), "addresses": dict(addresses)}
+            with OutputFile(file, "--ready-file") as output:
+                output.write(json.dumps(document) + "\n")
+        shown = " ".join(f"{name}={address}" for name, address in addresses.items())
+        click.echo(f"ready {shown}")
+        sys.stdout.flush()
+
+    return tell
+
+
+def _save(session: Session, tape: str | None) -> None:
+    """Write the tape, if one is wanted; raises ``Failure`` where it cannot be written."""
+    if tape is not None:
+        session.save(tape)

@@ -1,0 +1,196 @@
+# SPDX-License-Identifier: MIT
+"""What a client reaches: values at addresses, names, handles, notifications (AD-3, AD-4).
+
+In: a client, group, offset, data. Out: bytes from the latest values, values to write. What is not
+in order is an ``AdsError``; values that are not here yet are ``Missing``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from struct import Struct
+
+from nctakt.base.failure import Failure, error_text
+from nctakt.nc.vocabulary import strings
+from nctakt.servers.ads.clients import Client
+from nctakt.servers.ads.codes import AdsError, Error, Group, Transmission
+from nctakt.servers.ads.data import Readable
+from nctakt.servers.ads.frames import Frame
+from nctakt.servers.ads.limits import MAX_ANSWER
+from nctakt.servers.ads.notifications import Notifier
+from nctakt.servers.ads.objects import ADDRESS, Objects
+from nctakt.servers.ads.symbols import SymbolTable
+from nctakt.servers.ads.uploads import Uploads, symbol_entry, type_entry
+from nctakt.servers.host import Busy, Host
+from nctakt.servers.store import Scalar
+
+#: The name of the protocol in log and tape.
+DOOR = "ads"
+
+_ADDRESS = Struct("<III")
+_NOTIFICATION = Struct("<IIIIII16x")
+_NUMBER = Struct("<I")
+_RESULT = Struct("<II")
+
+
+class Missing(Exception):
+    """Values that are not here yet; ``names``: theirs."""
+
+    def __init__(self, names: Iterable[str]) -> None:
+        super().__init__()
+        self.names = tuple(names)
+
+
+class Access:
+    """Symbols, objects and notifications of one machine, for all clients."""
+
+    def __init__(self, host: Host, notifier: Notifier) -> None:
+        self._host = host
+        self.notifier = notifier
+        self.symbols = SymbolTable(host.machine, host.catalogue)
+        self.objects = Objects(host.catalogue)
+        self._uploads = Uploads(self.symbols)
+        self._infos: dict[int, Callable[[], bytes]] = {
+            Group.UPLOAD: lambda: self._uploads.symbols,
+            Group.UPLOAD_INFO: self._uploads.info,
+            Group.UPLOAD_INFO_2: self._uploads.info_2,
+            Group.TYPE_UPLOAD: lambda: self._uploads.types,
+            Group.VERSION: lambda: b"\1",
+        }
+
+    def log_refusal(self, client: Client, error: AdsError) -> None:
+        """Tell in the log that something was refused."""
+        name = f"{error.code.value:#x} {error.code.name.lower()}"
+        self._host.log.refuse(DOOR, client.name, name, detail=error.reason)
+
+    # --- reading ---------------------------------------------------------------------------------
+
+    def read(self, client: Client, group: int, offset: int, size: int) -> bytes:
+        """Return the bytes that a client reads; raises ``AdsError`` and ``Missing``."""
+        info = self._infos.get(group)
+        if info is not None:
+            data = info()
+            if len(data) > size:
+                raise AdsError(Error.SIZE, f"{size} bytes are too few for {len(data)}")
+            return data
+        if size > MAX_ANSWER:
+            raise AdsError(Error.SIZE, f"{size} bytes")
+        return self.value(self.resolve(client, group, offset, size))
+
+    def value(self, item: Readable) -> bytes:
+        """Return the bytes of values; raises ``Missing``."""
+        try:
+            return item.read(self._host.store.values)
+        except KeyError:
+            raise Missing(item.names) from None
+
+    def check_present(self, names: Iterable[str]) -> None:
+        """Raise ``Missing`` unless all values are here."""
+        absent = [name for name in names if name not in self._host.store.values]
+        if absent:
+            raise Missing(absent)
+
+    def resolve(self, client: Client, group: int, offset: int, size: int) -> Readable:
+        """Return what stands at an address; raises ``AdsError``."""
+        if group == Group.VALUE_BY_HANDLE:
+            symbol = client.symbol(offset)
+            group, offset = symbol.group, symbol.offset
+            size = min(size, symbol.type.size_bytes)
+        if self.symbols.has_group(group):
+            return self.symbols.item(group, offset, size)
+        if self.objects.has_group(group):
+            item = self.objects.item(group, offset)
+            if size < item.size_bytes:
+                raise AdsError(Error.SIZE, f"{size} bytes are too few for {item.size_bytes}")
+            return item
+        raise AdsError(Error.GROUP, f"group {group:#x}")
+
+    async def present(self, read: Callable[[], bytes]) -> bytes:
+        """Return what reads values, once they are here; raises ``AdsError``."""
+        try:
+            return read()
+        except Missing as missing:
+            names = missing.names
+        try:
+            await self._host.store.subscribe(names)
+        except Failure as failure:
+            raise AdsError(Error.NOT_READY, error_text(failure)) from failure
+        return read()
+
+    def read_write(self, client: Client, group: int, offset: int, size: int, data: bytes) -> bytes:
+        """Return what a client asks for with data; raises ``AdsError`` and ``Missing``."""
+        match group:
+            case Group.HANDLE_BY_NAME:
+                return _NUMBER.pack(client.open_handle(self.symbols.find(_name(data))))
+            case Group.VALUE_BY_NAME:
+                symbol = self.symbols.find(_name(data))
+                item = self.symbols.item(symbol.group, symbol.offset, symbol.type.size_bytes)
+                return self.value(item)
+            case Group.INFO_BY_NAME:
+                symbol = self.symbols.find(_name(data))
+                return _ADDRESS.pack(symbol.group, symbol.offset, symbol.type.size_bytes)
+            case Group.INFO_BY_NAME_EX:
+                return symbol_entry(self.symbols.find(_name(data)))[:size]
+            case Group.TYPE_BY_NAME:
+                return type_entry(self.symbols.find_type(_name(data)))
+        if self.objects.has_group(group) and self.objects.attribute_of(group) == ADDRESS:
+            if len(data) != 8:
+                raise AdsError(Error.SIZE, "channel and axis are 8 bytes")
+            channel, axis = _RESULT.unpack(data)
+            return _RESULT.pack(*self.objects.address(group, offset, channel, axis))
+        if not data:
+            return self.read(client, group, offset, size)
+        raise AdsError(Error.GROUP, f"group {group:#x}")
+
+    # --- writing --------------------------------------------------------------------------------
+
+    def decode(self, client: Client, group: int, offset: int, data: bytes) -> dict[str, Scalar]:
+        """Return the values that a client writes; a handle is released. Raises ``AdsError``."""
+        if group == Group.RELEASE_HANDLE:
+            if len(data) != _NUMBER.size:
+                raise AdsError(Error.SIZE, "a handle is 4 bytes")
+            client.release(*_NUMBER.unpack(data))
+            return {}
+        if group == Group.VALUE_BY_HANDLE:
+            symbol = client.symbol(offset)
+            group, offset = symbol.group, symbol.offset
+        if self.symbols.has_group(group):
+            data = self.symbols.filled_up(group, offset, data)
+        return self.resolve(client, group, offset, len(data)).write(data)
+
+    async def write_values(self, client: Client, values: dict[str, Scalar]) -> Error:
+        """Write values; return once a tick has latched them, or why they are refused."""
+        try:
+            tick = await self._host.write(values, DOOR, client.name)
+        except Busy:
+            return Error.BUSY
+        except Failure:
+            return Error.PARAMETER
+        await self._host.latched(tick)
+        return Error.NONE
+
+    # --- notifications --------------------------------------------------------------------------
+
+    def notify(self, client: Client, frame: Frame, data: bytes) -> int:
+        """Add a notification; return its handle. Raises as ``read``."""
+        if len(data) != _NOTIFICATION.size:
+            raise AdsError(Error.SIZE, f"a notification is {_NOTIFICATION.size} bytes")
+        group, offset, size, mode, _, cycle = _NOTIFICATION.unpack(data)
+        if mode not in frozenset(Transmission):
+            raise AdsError(Error.PARAMETER, f"transmission {mode}")
+        item = self.resolve(client, group, offset, size)
+        self.value(item)
+        handle = self.notifier.add(
+            client,
+            item,
+            (frame.target_id, frame.target_port),
+            cycle_units=cycle,
+            sends_changes=mode in (Transmission.ON_CHANGE, Transmission.CLIENT_ON_CHANGE),
+        )
+        client.begins.append(handle)
+        return handle
+
+
+def _name(data: bytes) -> str:
+    """Return the name in bytes, with or without its zero byte."""
+    return strings.decode(data).strip()

@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: MIT
+"""A client of the ADS server: its handles and notifications, which nobody else can use.
+
+A client is source NetId and port of one connection: a router sends many through the same. What it
+has ends with the connection.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from itertools import count
+
+from nctakt.servers.ads.codes import AdsError, Error
+from nctakt.servers.ads.data import Item
+from nctakt.servers.ads.frames import shown_net_id
+from nctakt.servers.ads.limits import MAX_HANDLES
+from nctakt.servers.ads.symbols import Symbol
+
+#: Sum commands of a client whose parts are remembered at most.
+_MAX_PLANS = 64
+
+
+class Client:
+    """One client; ``name``: NetId and port, as on the tape and in the log.
+
+    ``send``: sends bytes to it. ``plans``: sum commands -> what they read. ``begins``: handles of
+    notifications whose first value is still to be sent.
+    """
+
+    _numbers = count(1)
+
+    def __init__(self, net_id: bytes, port: int, send: Callable[[bytes], None]) -> None:
+        self.net_id = net_id
+        self.port = port
+        self.name = f"{shown_net_id(net_id)}:{port}"
+        self.send = send
+        self.handles: dict[int, Symbol] = {}
+        self.notifications: set[int] = set()
+        self.plans: dict[bytes, Item] = {}
+        self.begins: list[int] = []
+
+    @classmethod
+    def next_number(cls) -> int:
+        """Return a number that no client has had: a handle that was released means nothing."""
+        return next(cls._numbers) & 0xFFFFFFFF
+
+    def open_handle(self, symbol: Symbol) -> int:
+        """Return a handle of a symbol; raises ``AdsError`` for too many."""
+        if len(self.handles) >= MAX_HANDLES:
+            raise AdsError(Error.NO_HANDLES, f"{MAX_HANDLES} handles are open")
+        handle = self.next_number()
+        self.handles[handle] = symbol
+        return handle
+
+    def symbol(self, handle: int) -> Symbol:
+        """Return the symbol of a handle; raises ``AdsError`` (0x710)."""
+        try:
+            return self.handles[handle]
+        except KeyError:
+            raise AdsError(Error.SYMBOL, "an unknown handle") from None
+
+    def release(self, handle: int) -> None:
+        """Release a handle; raises ``AdsError`` (0x710)."""
+        self.symbol(handle)
+        del self.handles[handle]
+        self.plans.clear()
+
+    def keep_plan(self, parts: bytes, item: Item) -> None:
+        """Remember what a sum command reads."""
+        if len(self.plans) >= _MAX_PLANS:
+            self.plans.clear()
+        self.plans[parts] = item

@@ -1,0 +1,272 @@
+# SPDX-License-Identifier: MIT
+"""The ADS server: connections, their limits, their end (AD-1, AD-6).
+
+In: bytes of connections. Out: answers and notifications. A connection holds many clients and many
+requests in flight; each answer carries the number of its request. Who sends what is no frame, or
+does not take what it asked for, is disconnected, and it stands in the log.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import socket
+import time
+from collections.abc import Collection
+from typing import cast
+
+from nctakt.servers.address import listen_at
+from nctakt.servers.ads.access import DOOR
+from nctakt.servers.ads.clients import Client
+from nctakt.servers.ads.codes import TCP_PORT, AdsError, Error
+from nctakt.servers.ads.frames import Frame, FrameError, FrameReader, read_net_id, shown_net_id
+from nctakt.servers.ads.limits import (
+    MAX_CLIENTS,
+    MAX_CONNECTIONS,
+    MAX_IN_FLIGHT,
+    MAX_UNREAD,
+    MAX_UNREAD_ANSWERS,
+)
+from nctakt.servers.ads.notifications import Notifier
+from nctakt.servers.ads.service import Later, Service
+from nctakt.servers.host import Host
+from nctakt.session.listening import Frame as SessionFrame
+
+PORT = TCP_PORT
+
+#: 100 ns from 1601, where FILETIME begins, to 1970.
+_FILETIME_1970 = 116_444_736_000_000_000
+
+#: Where addresses that stand for all of a machine are reached from itself.
+_EVERYWHERE = ("0.0.0.0", "::")
+
+
+class AdsDoor:
+    """The server at one address.
+
+    ``net_id``: its own; by default that of its address, as routers make it. ``permitted``: NetIds
+    of clients that may come in, all if it is empty.
+    """
+
+    def __init__(
+        self,
+        host: Host,
+        address: tuple[str, int],
+        net_id: bytes | None = None,
+        permitted: Collection[bytes] = (),
+    ) -> None:
+        self.host = host
+        self._address = address
+        self.net_id = net_id or net_id_of(address[0])
+        self.permitted = frozenset(permitted)
+        self.connections: set[Connection] = set()
+        self._server: asyncio.Server | None = None
+
+    async def open(self) -> str:
+        """Listen; return address and NetId. Raises ``Failure`` (901351)."""
+        host = self.host
+        filetime = _FILETIME_1970 + time.time_ns() // 100
+        passed = host.store.tick * host.cycle_time_us * 10
+        notifier = Notifier(host.cycle_time_us, filetime - passed)
+        self.service = Service(host, notifier)
+        self._end_listening = host.store.listen(self._take_frame)
+        loop = host.loop
+        self._server, shown = await listen_at(
+            "ADS",
+            self._address,
+            lambda name, port: loop.create_server(lambda: Connection(self), name, port),
+        )
+        return f"{shown}/{shown_net_id(self.net_id)}"
+
+    def _take_frame(self, frame: SessionFrame) -> None:
+        self.service.notifier.take(frame.values, frame.tick)
+
+    async def close(self) -> None:
+        """Disconnect all clients."""
+        if self._server is None:
+            return
+        self._server.close()
+        self._end_listening()
+        for connection in tuple(self.connections):
+            connection.end("closing")
+        with contextlib.suppress(TimeoutError):
+            await asyncio.wait_for(self._server.wait_closed(), 1.0)
+
+
+def net_id_of(host: str) -> bytes:
+    """Return the NetId that belongs to an address: ``192.168.0.7`` gives 192.168.0.7.1.1."""
+    if host in _EVERYWHERE:
+        with contextlib.suppress(OSError):
+            host = socket.gethostbyname(socket.gethostname())
+    return read_net_id(f"{host}.1.1") or bytes((127, 0, 0, 1, 1, 1))
+
+
+class Connection(asyncio.Protocol):
+    """One connection with its clients."""
+
+    def __init__(self, door: AdsDoor) -> None:
+        self._door = door
+        self._service = door.service
+        self._log = door.host.log
+        self._reader = FrameReader()
+        self._clients: dict[tuple[bytes, int], Client] = {}
+        self._tasks: set[asyncio.Task[None]] = set()
+        self._is_reading = True
+        self._can_take = True
+        self._transport: asyncio.Transport | None = None
+        self.peer = ""
+
+    # --- the connection -------------------------------------------------------------------------
+
+    def connection_made(self, transport: asyncio.BaseTransport) -> None:
+        """Begin; a connection beyond the limit ends at once."""
+        self._transport = cast("asyncio.Transport", transport)
+        address = transport.get_extra_info("peername") or ("", 0)
+        self.peer = f"{address[0]}:{address[1]}"
+        if len(self._door.connections) >= MAX_CONNECTIONS:
+            self._log.refuse(DOOR, str(address[0]), "too many connections")
+            self._transport.abort()
+            self._transport = None
+            return
+        self._door.connections.add(self)
+        self._transport.set_write_buffer_limits(MAX_UNREAD_ANSWERS)
+        connected = transport.get_extra_info("socket")
+        if connected is not None:
+            connected.setsockopt(socket.SOL_SOCKET, socket.SO_KEEPALIVE, 1)
+        self._log.note("connected", door=DOOR, peer=self.peer)
+
+    def connection_lost(self, exc: Exception | None) -> None:
+        """End: handles, notifications and requests on their way end with it."""
+        self._forget()
+        if self._transport is not None:
+            self._transport = None
+            self._log.note("disconnected", door=DOOR, peer=self.peer)
+
+    def _forget(self) -> None:
+        for client in self._clients.values():
+            self._service.forget(client)
+        self._clients.clear()
+        for task in self._tasks:
+            task.cancel()
+        self._door.connections.discard(self)
+
+    def end(self, reason: str) -> None:
+        """Disconnect; ``reason`` for the log."""
+        transport, self._transport = self._transport, None
+        self._forget()
+        if transport is not None:
+            self._log.note("disconnecting", door=DOOR, peer=self.peer, reason=reason)
+            transport.close()
+            if transport.get_write_buffer_size():
+                transport.abort()
+
+    # --- requests -------------------------------------------------------------------------------
+
+    def data_received(self, data: bytes) -> None:
+        """Answer all requests that are whole with these bytes."""
+        answers: list[bytes] = []
+        begins: list[Client] = []
+        try:
+            for frame in self._reader.feed(data):
+                if not frame.is_request:
+                    continue
+                client = self._client(frame)
+                if client is None:
+                    answers.append(frame.answer(b"", Error.BUSY))
+                    continue
+                answer = self._answer(client, frame)
+                if answer is not None:
+                    answers.append(answer)
+                    if client.begins:
+                        begins.append(client)
+        except FrameError as error:
+            self._log.refuse(DOOR, self.peer, "not a frame of AMS", detail=str(error))
+            self._write(b"".join(answers))
+            self.end("not a frame of AMS")
+            return
+        if answers:
+            self._write(b"".join(answers))
+        for client in begins:
+            self._service.begin_notifications(client)
+
+    def _client(self, frame: Frame) -> Client | None:
+        """Return the client of a frame; ``None`` for one too many."""
+        key = frame.source_id, frame.source_port
+        client = self._clients.get(key)
+        if client is None:
+            if len(self._clients) >= MAX_CLIENTS:
+                self._log.refuse(DOOR, self.peer, "too many clients")
+                return None
+            client = self._clients[key] = Client(*key, self._notify)
+        return client
+
+    def _answer(self, client: Client, frame: Frame) -> bytes | None:
+        """Return the answer to a request, ``None`` if it comes later."""
+        permitted = self._door.permitted
+        if permitted and client.net_id not in permitted:
+            self._log.refuse(DOOR, client.name, "the NetId is not permitted")
+            return frame.answer(b"", Error.SYMBOL)
+        if frame.target_id != self._door.net_id:
+            detail = shown_net_id(frame.target_id)
+            self._log.refuse(DOOR, client.name, "for another NetId", detail=detail)
+            return frame.answer(b"", Error.MACHINE_UNKNOWN)
+        try:
+            answer = self._service.answer(client, frame)
+        except AdsError as error:
+            self._service.access.log_refusal(client, error)
+            return frame.answer(b"", error.code)
+        if isinstance(answer, bytes):
+            return frame.answer(answer)
+        task = self._door.host.loop.create_task(self._answer_later(client, frame, answer))
+        self._tasks.add(task)
+        task.add_done_callback(self._tasks.discard)
+        self._pace()
+        return None
+
+    async def _answer_later(self, client: Client, frame: Frame, answer: Later) -> None:
+        try:
+            data = frame.answer(await answer)
+        except AdsError as error:
+            self._service.access.log_refusal(client, error)
+            data = frame.answer(b"", error.code)
+        self._write(data)
+        self._service.begin_notifications(client)
+        self._door.host.loop.call_soon(self._pace)
+
+    # --- what the client takes ------------------------------------------------------------------
+
+    def _write(self, data: bytes) -> None:
+        if self._transport is not None:
+            self._transport.write(data)
+
+    def _notify(self, data: bytes) -> None:
+        """Send a notification; a client that does not take them is disconnected."""
+        if self._transport is None:
+            return
+        if self._transport.get_write_buffer_size() > MAX_UNREAD:
+            self._log.refuse(DOOR, self.peer, "does not take its notifications")
+            self._transport.abort()
+            self.end("does not take its notifications")
+            return
+        self._transport.write(data)
+
+    def pause_writing(self) -> None:
+        """Read nothing more from a client that does not take its answers."""
+        self._can_take = False
+        self._pace()
+
+    def resume_writing(self) -> None:
+        """Read on."""
+        self._can_take = True
+        self._pace()
+
+    def _pace(self) -> None:
+        """Read from the connection only as long as it takes answers, and not too many wait."""
+        may_read = self._can_take and len(self._tasks) < MAX_IN_FLIGHT
+        if self._transport is None or may_read == self._is_reading:
+            return
+        self._is_reading = may_read
+        if may_read:
+            self._transport.resume_reading()
+        else:
+            self._transport.pause_reading()

@@ -93,6 +93,14 @@ that has stopped, 2 wrong usage or unusable input, 3 an error of nctakt's own.
     help="Serve ADS [default address: 127.0.0.1:48898].",
 )
 @click.option(
+    "--mtconnect",
+    metavar="HOST:PORT",
+    is_flag=False,
+    flag_value="127.0.0.1:7878",
+    help="Serve MTConnect agents [default address: 127.0.0.1:7878].",
+)
+@click.option("--mqtt", metavar="URL", help="Tell an MQTT broker: mqtt://HOST[:PORT][/ROOT].")
+@click.option(
     "--speed",
     type=click.FloatRange(0.01, 1000.0),
     default=1.0,
@@ -124,6 +132,8 @@ that has stopped, 2 wrong usage or unusable input, 3 an error of nctakt's own.
 )
 def command(
     ads: str | None,
+    mtconnect: str | None,
+    mqtt: str | None,
     acknowledge: bool,
     speed: float,
     pace: str,
@@ -133,7 +143,8 @@ def command(
     **words: Any,
 ) -> int:
     """Let clients on the network find a controller: a session behind several doors."""
-    own = _Words({"ads": ads}, acknowledge, speed, pace, tape, ready_file, log)
+    doors = {"ads": ads, "mtconnect": mtconnect, "mqtt": mqtt}
+    own = _Words(doors, acknowledge, speed, pace, tape, ready_file, log)
 
     def show(options: Options, access: FileAccess) -> int:
         return _serve(options, access, own)
@@ -227,8 +238,28 @@ def _ads(word: str) -> DoorOpener:
     return lambda host: AdsDoor(host, address)
 
 
+def _mtconnect(word: str) -> DoorOpener:
+    from nctakt.servers.address import read_address  # noqa: PLC0415 - only where it is asked for
+    from nctakt.servers.mtconnect import PORT, MtconnectDoor  # noqa: PLC0415 - as above
+
+    address = read_address("--mtconnect", word, PORT)
+    return lambda host: MtconnectDoor(host, address)
+
+
+def _mqtt(word: str) -> DoorOpener:
+    from nctakt.servers.mqtt import MqttDoor  # noqa: PLC0415 - only where it is asked for
+    from nctakt.servers.mqtt_requests import read_broker  # noqa: PLC0415 - as above
+
+    broker = read_broker(word)
+    return lambda host: MqttDoor(host, broker)
+
+
 #: The option of each door, and what its word opens.
-_DOORS: Mapping[str, Callable[[str], DoorOpener]] = {"ads": _ads}
+_DOORS: Mapping[str, Callable[[str], DoorOpener]] = {
+    "ads": _ads,
+    "mtconnect": _mtconnect,
+    "mqtt": _mqtt,
+}
 
 
 def served_folders(options: Options) -> tuple[str, ...]:

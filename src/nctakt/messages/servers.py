@@ -40,3 +40,29 @@ CONTROLLER_STOPPED = error(
     remedy_de="Den Befehl neu starten; bitte melden, wenn der Grund nicht bei Ihnen liegt.",
     reason=("the reason", "der Grund"),
 )
+INVALID_BROKER = error(
+    901450,
+    en="--mqtt needs a broker as mqtt://HOST[:PORT][/ROOT], not {text}",
+    de="--mqtt braucht einen Broker der Form mqtt://HOST[:PORT][/WURZEL], nicht {text}",
+    remedy_en="mqtts:// uses TLS; user and password stand in {user} and {password}.",
+    remedy_de="mqtts:// verwendet TLS; Benutzer und Passwort stehen in {user} und {password}.",
+    text=("the text, without what may be secret", "der Text, ohne was geheim sein kann"),
+    user=("the environment variable of the user", "die Umgebungsvariable des Benutzers"),
+    password=("that of the password", "die des Passworts"),
+)
+BROKER_NOT_REACHED = error(
+    901451,
+    en="the MQTT broker {broker} cannot be reached: {reason}",
+    de="der MQTT-Broker {broker} ist nicht erreichbar: {reason}",
+    remedy_en="Start the broker, or correct its address, user and password.",
+    remedy_de="Den Broker starten oder Adresse, Benutzer und Passwort berichtigen.",
+    broker=("the address of the broker", "die Adresse des Brokers"),
+    reason=("the reason of the connection", "der Grund der Verbindung"),
+)
+MQTT_NOT_INSTALLED = error(
+    901452,
+    en="MQTT needs the package aiomqtt, which is not installed",
+    de="MQTT braucht das Paket aiomqtt, das nicht installiert ist",
+    remedy_en='Install it: pip install "nctakt[mqtt]"',
+    remedy_de='Installieren: pip install "nctakt[mqtt]"',
+)

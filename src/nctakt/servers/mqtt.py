@@ -1,0 +1,234 @@
+# SPDX-License-Identifier: MIT
+"""The door for MQTT: the session tells a broker what changes, and takes writes from it.
+
+In: frames and notices of the host; JSON on the topics ``write`` and ``press``. Out: JSON on topics
+below a root: channels, axes, spindles, variables, texts, and an answer to each request. When the
+broker is away, the session goes on, and the door connects again.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import json
+import os
+from typing import TYPE_CHECKING, Any
+
+from nctakt.base.failure import Failure
+from nctakt.messages import diagnostic
+from nctakt.messages.servers import BROKER_NOT_REACHED, MQTT_NOT_INSTALLED
+from nctakt.servers.address import shown_address
+from nctakt.servers.hli_values import parts_of
+from nctakt.servers.host import Busy, Host
+from nctakt.servers.mqtt_requests import PASSWORD, USER, Broker, key_of, read_request, values_of
+from nctakt.servers.notices import ServerNotice, Subscription
+from nctakt.servers.store import Scalar
+
+if TYPE_CHECKING:
+    import aiomqtt
+
+#: The distance of two publications of changed values, in seconds.
+_RATE_S = 0.1
+
+#: The shortest and the longest time until the next attempt to connect, in seconds.
+_FIRST_RETRY_S, _LAST_RETRY_S = 1.0, 30.0
+
+_DOOR = "mqtt"
+_AT_LEAST_ONCE = 1
+
+
+class MqttDoor:
+    """Publishes the state of a session below the root of its topics."""
+
+    def __init__(self, host: Host, broker: Broker) -> None:
+        self._host = host
+        self._broker = broker
+        self._topics = _topics_of(host)
+        self._task: asyncio.Task[None] | None = None
+
+    async def open(self) -> str:
+        """Connect; return the address. Raises ``Failure`` if the broker cannot be reached."""
+        try:
+            import aiomqtt  # noqa: PLC0415 - an extra
+        except ImportError as error:
+            raise Failure(diagnostic(MQTT_NOT_INSTALLED)) from error
+        host, broker = self._host, self._broker
+        await host.store.subscribe(
+            name for names in self._topics.values() for name in names.values()
+        )
+        client = self._client()
+        try:
+            await client.__aenter__()
+        except aiomqtt.MqttError as error:
+            where = shown_address(broker.host, broker.port)
+            raise Failure(diagnostic(BROKER_NOT_REACHED, broker=where, reason=error)) from error
+        self._task = asyncio.create_task(self._live(client, (aiomqtt.MqttError, OSError)))
+        return f"{shown_address(broker.host, broker.port)}/{broker.root}"
+
+    async def close(self) -> None:
+        """Tell the subscribers that the session is not there any more."""
+        task, self._task = self._task, None
+        if task is not None:
+            task.cancel()
+            await asyncio.gather(task, return_exceptions=True)
+
+    def _client(self) -> aiomqtt.Client:
+        """Return a client that is not connected yet; its end is told by the broker."""
+        import aiomqtt  # noqa: PLC0415 - an extra
+
+        broker = self._broker
+        return aiomqtt.Client(
+            broker.host,
+            broker.port,
+            username=os.environ.get(USER),
+            password=os.environ.get(PASSWORD),
+            tls_params=aiomqtt.TLSParameters() if broker.has_tls else None,
+            will=aiomqtt.Will(f"{broker.root}/status", _json(online=False), 1, retain=True),
+            timeout=_FIRST_RETRY_S * 5,
+        )
+
+    async def _live(self, client: aiomqtt.Client, lost: tuple[type[Exception], ...]) -> None:
+        """Serve one connection after another until the door closes."""
+        retry_s = _FIRST_RETRY_S
+        is_connected = True
+        while True:
+            try:
+                if not is_connected:
+                    client = self._client()
+                    await client.__aenter__()
+                    is_connected, retry_s = True, _FIRST_RETRY_S
+                self._host.log.note("connected", door=_DOOR, client=self._broker.host)
+                await self._serve(client)
+            except lost as error:
+                self._host.log.error("disconnected", door=_DOOR, reason=str(error))
+            finally:
+                if is_connected:
+                    is_connected = False
+                    with contextlib.suppress(*lost):
+                        await client.__aexit__(None, None, None)
+            await asyncio.sleep(retry_s)
+            retry_s = min(2.0 * retry_s, _LAST_RETRY_S)
+
+    async def _serve(self, client: aiomqtt.Client) -> None:
+        """Publish and answer until the connection ends."""
+        root = self._broker.root
+        behind = asyncio.Event()
+        notices = self._host.notices.subscribe(behind.set)
+        try:
+            await self._publish(client, "status", _json(online=True), retain=True)
+            for name in ("write", "press"):
+                await client.subscribe(f"{root}/{name}", _AT_LEAST_ONCE)
+            async with asyncio.TaskGroup() as group:
+                group.create_task(self._publish_values(client))
+                group.create_task(self._publish_notices(client, notices))
+                group.create_task(_end_when(behind))
+                group.create_task(self._answer(client))
+        except BaseExceptionGroup as several:
+            raise several.exceptions[0] from None
+        except asyncio.CancelledError:
+            await self._publish(client, "status", _json(online=False), retain=True)
+            raise
+        finally:
+            self._host.notices.unsubscribe(notices)
+
+    async def _publish(
+        self, client: aiomqtt.Client, topic: str, text: str, *, retain: bool = False
+    ) -> None:
+        await client.publish(f"{self._broker.root}/{topic}", text, _AT_LEAST_ONCE, retain=retain)
+
+    # --- what is told ---------------------------------------------------------------------------
+
+    async def _publish_values(self, client: aiomqtt.Client) -> None:
+        """Publish each part whose values have changed, at most so often; the broker keeps them."""
+        sent: dict[str, dict[str, Scalar]] = {}
+        while True:
+            tick, values = self._host.store.tick, self._host.store.values
+            for topic, names in self._topics.items():
+                shown = {
+                    key: self._typed(name, values[name])
+                    for key, name in names.items()
+                    if name in values
+                }
+                if shown and sent.get(topic) != shown:
+                    sent[topic] = shown
+                    time_us = tick * self._host.cycle_time_us
+                    text = _json(tick=tick, time_us=time_us, **shown)
+                    await self._publish(client, topic, text, retain=True)
+            await asyncio.sleep(_RATE_S)
+
+    def _typed(self, name: str, value: Scalar) -> Scalar:
+        """Return a value as JSON has it: whole numbers, true and false by the type of the value."""
+        type_ = self._host.catalogue.values[name].type
+        if isinstance(value, str) or type_ == "REAL64":
+            return value
+        return bool(value) if type_ == "BOOLEAN" else int(value)
+
+    async def _publish_notices(self, client: aiomqtt.Client, notices: Subscription) -> None:
+        while True:
+            notice = await notices.next()
+            await self._publish(client, "notice", _json(**_notice_words(notice)))
+
+    # --- what is asked for ----------------------------------------------------------------------
+
+    async def _answer(self, client: aiomqtt.Client) -> None:
+        """Carry out requests one after another; each gets an answer."""
+        async for message in client.messages:
+            topic = str(message.topic).removeprefix(f"{self._broker.root}/")
+            payload = message.payload
+            if message.retain:  # an old one, which would act again at each connection
+                self._host.log.refuse(_DOOR, self._broker.host, f"a retained {topic}")
+                continue
+            answer = await self._carry_out(topic, payload if isinstance(payload, bytes) else b"")
+            await self._publish(client, "answer", _json(**answer))
+
+    async def _carry_out(self, topic: str, payload: bytes) -> dict[str, Any]:
+        """Return the answer to a request; a wrong one is refused."""
+        client = self._broker.host
+        try:
+            request = read_request(payload)
+        except ValueError as error:
+            self._host.log.refuse(_DOOR, client, f"{topic}: {error}")
+            return {"ok": False, "text": str(error)}
+        answer: dict[str, Any] = {"id": request["id"]} if "id" in request else {}
+        try:
+            if topic == "write":
+                await self._host.write(values_of(request), _DOOR, client)
+            else:
+                await self._host.press(*key_of(request), _DOOR, client)
+        except Failure as failure:
+            found = failure.diagnostics[0]
+            return {**answer, "ok": False, "number": found.id, "text": found.text("en")}
+        except Busy:
+            return {**answer, "ok": False, "text": "too many writes wait"}
+        except ValueError as error:
+            self._host.log.refuse(_DOOR, client, f"{topic}: {error}")
+            return {**answer, "ok": False, "text": str(error)}
+        return {**answer, "ok": True, "tick": self._host.store.tick}
+
+
+async def _end_when(behind: asyncio.Event) -> None:
+    """Raise ``OSError`` once the broker has left too many notices unread."""
+    await behind.wait()
+    raise OSError("the broker takes notices too slowly")
+
+
+def _topics_of(host: Host) -> dict[str, dict[str, str]]:
+    """Return the topics, each with its keys and the names of the session."""
+    topics: dict[str, dict[str, str]] = {}
+    for part in parts_of(host.machine, host.catalogue):
+        if part.is_known:
+            topics[f"{part.kind}/{part.name}"] = dict(part.names)
+    for value in host.catalogue.values.values():
+        if value.name.startswith("V.E.") or ".V.E." in value.name:
+            topics[f"variable/{value.name}"] = {"value": value.name}
+    return topics
+
+
+def _notice_words(notice: ServerNotice) -> dict[str, Any]:
+    """Return a notice as JSON."""
+    number = {"number": notice.diagnostic.id} if notice.diagnostic is not None else {}
+    return {"kind": notice.kind, "tick": notice.tick, "text": notice.text, **number}
+
+
+def _json(**words: Any) -> str:
+    return json.dumps(words, ensure_ascii=False)

@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: MIT
+"""What the door for MQTT is told: the broker's address, and the requests of clients.
+
+In: a URL, bytes of a message. Out: the broker, the values to write, the key to press.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import json
+from collections.abc import Mapping
+from typing import Any, cast
+from urllib.parse import urlsplit
+
+from nctakt.base.dataclass import dataclass
+from nctakt.base.failure import Failure
+from nctakt.messages import diagnostic
+from nctakt.messages.servers import INVALID_BROKER
+from nctakt.servers.host import KEYS, Key
+from nctakt.servers.store import Scalar
+
+#: The ports of brokers, without and with TLS.
+_PORTS = {"mqtt": 1883, "mqtts": 8883}
+
+#: The environment variables with the user and the password of the broker.
+USER, PASSWORD = "NCTAKT_MQTT_USER", "NCTAKT_MQTT_PASSWORD"
+
+#: Bytes of one request at most.
+_MAX_REQUEST = 65_536
+
+
+@dataclass(frozen=True, slots=True)
+class Broker:
+    """Where a broker is, and the root of the topics there."""
+
+    host: str
+    port: int
+    has_tls: bool
+    root: str
+
+
+def read_broker(url: str) -> Broker:
+    """Return the broker of ``mqtt://HOST[:PORT][/ROOT]``; raises ``Failure`` for another text."""
+    with contextlib.suppress(ValueError):
+        parts = urlsplit(url)
+        is_open = parts.username is None and parts.password is None
+        root = parts.path.strip("/") or "nctakt"
+        if parts.scheme in _PORTS and parts.hostname and is_open and not {"#", "+"} & set(url):
+            port = parts.port or _PORTS[parts.scheme]
+            if not parts.query and not parts.fragment:
+                return Broker(parts.hostname, port, parts.scheme == "mqtts", root)
+    shown = url.rpartition("@")[2] if "@" in url else url  # what stands before may be secret
+    raise Failure(diagnostic(INVALID_BROKER, text=shown, user=USER, password=PASSWORD))
+
+
+def read_request(payload: bytes) -> dict[str, Any]:
+    """Return the object of a request; raises ``ValueError`` for what is none."""
+    if len(payload) > _MAX_REQUEST:
+        raise ValueError(f"a request has at most {_MAX_REQUEST} bytes")
+    try:
+        request = json.loads(payload)
+    except (ValueError, RecursionError) as error:
+        raise ValueError(f"not JSON: {error}") from error
+    if not isinstance(request, dict):
+        raise ValueError("a request is an object")
+    return request
+
+
+def values_of(request: Mapping[str, Any]) -> dict[str, Scalar]:
+    """Return the values of a write; raises ``ValueError`` for what is none."""
+    values = request.get("values")
+    if not isinstance(values, dict) or not values:
+        raise ValueError('write {"values": {"V.E.NAME": 1}}')
+    for name, value in values.items():
+        if not isinstance(value, int | float | str):
+            raise ValueError(f"{name} needs a number, true, false or a text")
+    return {
+        name: value if isinstance(value, str) else float(value) for name, value in values.items()
+    }
+
+
+def key_of(request: Mapping[str, Any]) -> tuple[Key, int]:
+    """Return key and channel of a request; raises ``ValueError`` for what is none."""
+    key, channel = request.get("key"), request.get("channel", 1)
+    if key not in KEYS or type(channel) is not int:
+        raise ValueError(f"key must be one of {', '.join(KEYS)}, channel a whole number")
+    return cast("Key", key), channel

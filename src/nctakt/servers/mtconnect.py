@@ -1,0 +1,257 @@
+# SPDX-License-Identifier: MIT
+"""The door for MTConnect: an adapter, which agents connect to and which tells them what changes.
+
+In: frames and notices of the host. Out: lines of the adapter's protocol (SHDR) on a socket:
+commands about the device, then its data items, each line with UTC. An agent's ``* PING`` is
+answered; who stops sending it is disconnected. A slow reader gets the latest values and all texts.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+from collections import deque
+from collections.abc import Callable, Iterator, Mapping
+from datetime import UTC, datetime
+
+from nctakt.base.version import __version__
+from nctakt.servers.address import listen_at
+from nctakt.servers.host import Host
+from nctakt.servers.mtconnect_device import data_items, describe_device
+from nctakt.servers.notices import ServerNotice, Subscription
+from nctakt.session.listening import Frame
+
+#: The port that agents try where none is named.
+PORT = 7878
+
+#: The distance of an agent's pings in milliseconds; after two of them without one it has gone.
+HEARTBEAT_MS = 10_000
+
+#: Clients at the same time; bytes of one line of theirs; lines about conditions that wait for one.
+MAX_CLIENTS = 64
+_MAX_LINE = 1024
+_MAX_WAITING = 1000
+
+#: The version of the protocol, and of the standard whose data items are sent.
+_SHDR_VERSION, _MTCONNECT_VERSION = "2.0", "2.0"
+
+_DOOR = "mtconnect"
+
+
+class MtconnectDoor:
+    """Tells agents the state of the machine; nothing can be written through it."""
+
+    def __init__(self, host: Host, address: tuple[str, int]) -> None:
+        self._host = host
+        self._address = address
+        self._items = data_items(host.machine, host.catalogue)
+        self._device = describe_device(host.machine, self._items)
+        self._clients: dict[_Client, asyncio.Task[None]] = {}
+        self._server: asyncio.Server | None = None
+        self._stop_listening: Callable[[], None] = _nothing
+        self._notices: Subscription | None = None
+        self._reader: asyncio.Task[None] | None = None
+
+    async def open(self) -> str:
+        """Let agents connect; return the address. Raises ``Failure``."""
+        host = self._host
+        await host.store.subscribe(name for item in self._items for name in item.needs)
+        self._server, shown = await listen_at(
+            "MTConnect",
+            self._address,
+            lambda name, port: asyncio.start_server(self._serve, name, port, limit=_MAX_LINE),
+        )
+        self._stop_listening = host.store.listen(self._take)
+        self._notices = host.notices.subscribe(lambda: None)
+        self._reader = asyncio.create_task(self._read_notices(self._notices))
+        return shown
+
+    async def close(self) -> None:
+        """Tell the agents that the device is not available any more."""
+        self._stop_listening()
+        self._stop_listening = _nothing
+        if self._notices is not None:
+            self._host.notices.unsubscribe(self._notices)
+        if self._reader is not None:
+            self._reader.cancel()
+        if self._server is not None:
+            self._server.close()
+        served = dict(self._clients)
+        for client in served:
+            client.leave()
+        await asyncio.gather(*served.values(), return_exceptions=True)
+
+    async def _serve(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
+        """Serve one agent until it leaves."""
+        client = _Client(self._host, writer)
+        if len(self._clients) >= MAX_CLIENTS:
+            self._host.log.refuse(_DOOR, client.name, "too many clients")
+            writer.close()
+            return
+        task = asyncio.current_task()
+        assert task is not None
+        self._clients[client] = task
+        self._host.log.note("connected", door=_DOOR, client=client.name)
+        try:
+            client.greet(self._device)
+            client.take(self._shown())
+            await client.converse(reader)
+        except (OSError, asyncio.IncompleteReadError):
+            pass  # it has gone
+        finally:
+            self._clients.pop(client)
+            client.abort()
+            self._host.log.note("disconnected", door=_DOOR, client=client.name)
+
+    def _take(self, _: Frame) -> None:
+        """Tell all agents what a frame has changed."""
+        if self._clients:
+            shown = self._shown()
+            for client in self._clients:
+                client.take(shown)
+
+    def _shown(self) -> dict[str, str]:
+        """Return the latest values as they are sent, by the keys of the data items."""
+        store = self._host.store
+        return {item.key: item.show(store.values, store.frame) for item in self._items}
+
+    async def _read_notices(self, notices: Subscription) -> None:
+        """Send messages of programs and diagnostics to all agents."""
+        while True:
+            for line in _lines_of(await notices.next()):
+                for client in tuple(self._clients):
+                    client.put(line)
+
+
+class _Client:
+    """One agent: what it was sent, and what waits for it."""
+
+    def __init__(self, host: Host, writer: asyncio.StreamWriter) -> None:
+        peer = writer.get_extra_info("peername") or ("?", 0)
+        self.name = f"{peer[0]}:{peer[1]}"
+        self._host = host
+        self._writer = writer
+        self._sent: dict[str, str] = {}
+        self._shown: Mapping[str, str] = {}
+        self._lines: deque[str] = deque()
+        self._changed = asyncio.Event()
+        self._pinged = False
+
+    def greet(self, device: str) -> None:
+        """Queue the commands about the adapter and its device."""
+        mark = "--multiline--NCTAKTDEVICE"
+        self._lines += [
+            f"* shdrVersion: {_SHDR_VERSION}",
+            f"* adapterVersion: nctakt {__version__}",
+            f"* mtconnectVersion: {_MTCONNECT_VERSION}",
+            f"* deviceModel: {mark}\n{device}\n{mark}",
+        ]
+
+    def take(self, shown: Mapping[str, str]) -> None:
+        """Let the values be sent as soon as the agent reads."""
+        self._shown = shown
+        self._changed.set()
+
+    def put(self, line: str) -> None:
+        """Let a line be sent; an agent that leaves too many unread is disconnected."""
+        if len(self._lines) >= _MAX_WAITING:
+            self._host.log.refuse(_DOOR, self.name, "reads too slowly")
+            self.abort()
+            return
+        self._lines.append(f"{_now()}|{line}")
+        self._changed.set()
+
+    async def converse(self, reader: asyncio.StreamReader) -> None:
+        """Send and answer until either side ends."""
+        tasks = [asyncio.create_task(self._send()), asyncio.create_task(self._answer(reader))]
+        try:
+            done, _ = await asyncio.wait(tasks, return_when=asyncio.FIRST_COMPLETED)
+            for task in done:
+                task.result()
+        finally:
+            for task in tasks:
+                task.cancel()
+            await asyncio.gather(*tasks, return_exceptions=True)
+
+    async def _send(self) -> None:
+        while True:
+            await self._changed.wait()
+            self._changed.clear()
+            while self._lines:
+                self._writer.write(f"{self._lines.popleft()}\n".encode())
+                await self._writer.drain()
+            for line in self._changes():
+                self._writer.write(line.encode())
+            await self._writer.drain()
+
+    def _changes(self) -> Iterator[str]:
+        """Yield lines with the values that differ from what was sent; a condition has its own."""
+        fields: list[str] = []
+        for key, text in self._shown.items():
+            if self._sent.get(key) == text:
+                continue
+            self._sent[key] = text
+            if "|" in text:
+                yield f"{_now()}|{key}|{text}\n"
+            else:
+                fields += [key, text]
+        if fields:
+            yield f"{_now()}|{'|'.join(fields)}\n"
+
+    async def _answer(self, reader: asyncio.StreamReader) -> None:
+        """Answer pings; whoever has sent one goes on doing so, or has gone."""
+        while True:
+            seconds = 2.0 * HEARTBEAT_MS / 1000.0 if self._pinged else None
+            try:
+                line = await asyncio.wait_for(reader.readline(), seconds)
+            except TimeoutError:
+                self._host.log.refuse(_DOOR, self.name, "no ping")
+                return
+            except ValueError:
+                self._host.log.refuse(_DOOR, self.name, "a line is too long")
+                return
+            if not line:
+                return
+            words = line.split()
+            if words[:2] == [b"*", b"PING"]:
+                self._pinged = True
+                self._lines.append(f"* PONG {HEARTBEAT_MS}")
+                self._changed.set()
+            elif words:
+                self._host.log.refuse(_DOOR, self.name, "an unknown command")
+
+    def leave(self) -> None:
+        """Tell the agent that the device is not available, and end the connection."""
+        with contextlib.suppress(OSError, RuntimeError):
+            self._writer.write(f"{_now()}|avail|UNAVAILABLE\n".encode())
+        self._writer.close()
+
+    def abort(self) -> None:
+        """End the connection at once."""
+        with contextlib.suppress(OSError, RuntimeError):
+            self._writer.close()
+
+
+def _lines_of(notice: ServerNotice) -> Iterator[str]:
+    """Yield what is sent of a notice, without its time: texts for the operator."""
+    if notice.message is not None:
+        yield f"message||{escaped(notice.message.text)}"
+    elif notice.diagnostic is not None:
+        yield f"message|{notice.diagnostic.id}|{escaped(notice.diagnostic.text('en'))}"
+
+
+def escaped(text: str) -> str:
+    """Return a text as one field: on one line, in quotes where it holds the divider."""
+    line = " ".join(text.split())
+    if "|" not in line:
+        return line
+    return '"' + line.replace('"', '\\"').replace("|", "\\|") + '"'
+
+
+def _now() -> str:
+    """Return the time as agents expect it."""
+    return datetime.now(UTC).strftime("%Y-%m-%dT%H:%M:%S.%fZ")
+
+
+def _nothing() -> None:
+    """Do nothing: there is no listener yet."""

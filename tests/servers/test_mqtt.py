@@ -1,0 +1,228 @@
+# SPDX-License-Identifier: MIT
+"""The door for MQTT at a broker that others wrote: mosquitto where it is installed, else amqtt."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+import shutil
+import socket
+import subprocess
+import sys
+from collections.abc import Awaitable, Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from nctakt.base.failure import Failure
+from nctakt.lists.machine.machine import load_machine
+from nctakt.run.program_loader import NcText
+from nctakt.servers.host import Host
+from nctakt.servers.log import ServerLog
+from nctakt.servers.mqtt import MqttDoor
+from nctakt.servers.mqtt_requests import Broker, read_broker
+from nctakt.session.session import Session
+
+pytestmark = pytest.mark.slow
+
+PROGRAM = NcText("part.nc", '#MSG ["hello"]\nG01 X10 F6000\nM30')
+
+
+@pytest.fixture(scope="module")
+def port(tmp_path_factory: pytest.TempPathFactory) -> Iterator[int]:
+    """The port of a broker on this computer."""
+    pytest.importorskip("aiomqtt", reason="the extra mqtt")
+    with socket.socket() as free:
+        free.bind(("127.0.0.1", 0))
+        number = free.getsockname()[1]
+    folder = tmp_path_factory.mktemp("broker")
+    with subprocess.Popen(
+        broker_command(number, folder), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
+    ) as broker:
+        asyncio.run(asyncio.wait_for(listening(number), 60.0))
+        yield number
+        broker.terminate()
+
+
+def broker_command(port: int, folder: Path) -> list[str]:
+    """The command that starts a broker."""
+    mosquitto = shutil.which("mosquitto")
+    if mosquitto is not None:
+        return [mosquitto, "-p", str(port)]
+    pytest.importorskip("amqtt", reason="neither mosquitto nor amqtt is installed")
+    settings = folder / "broker.json"
+    listeners = {"default": {"type": "tcp", "bind": f"127.0.0.1:{port}"}}
+    settings.write_text(json.dumps({"listeners": listeners}))
+    return [sys.executable, "-m", "amqtt.scripts.broker_script", "-c", str(settings)]
+
+
+async def listening(port: int) -> None:
+    """Wait until somebody listens."""
+    while True:
+        try:
+            _, writer = await asyncio.open_connection("127.0.0.1", port)
+        except OSError:
+            await asyncio.sleep(0.05)
+        else:
+            writer.close()
+            return
+
+
+class Client:
+    """A client that keeps the latest message of each topic, and all answers."""
+
+    def __init__(self, client: Any) -> None:
+        self.client = client
+        self.latest: dict[str, dict[str, Any]] = {}
+        self.answers: list[dict[str, Any]] = []
+
+    async def take(self) -> None:
+        """Take one message."""
+        message = await asyncio.wait_for(anext(self.client.messages), 30.0)
+        _, _, topic = str(message.topic).partition("/")
+        words = json.loads(message.payload) if topic not in ("write", "press") else {}
+        self.latest[topic] = words
+        if topic == "answer":
+            self.answers.append(words)
+
+    async def until(self, holds: Callable[[], bool]) -> None:
+        """Take messages until something holds."""
+        while not holds():
+            await self.take()
+
+
+def at_the_broker(
+    port: int, act: Callable[[Host, MqttDoor, Client], Awaitable[None]]
+) -> list[dict[str, Any]]:
+    """Let a client see what the door publishes; the log."""
+    aiomqtt = pytest.importorskip("aiomqtt", reason="the extra mqtt")
+    lines: list[str] = []
+
+    async def live(session: Session) -> None:
+        host = await Host(session, load_machine(), ServerLog(lines.append)).open()
+        door = MqttDoor(host, read_broker(f"mqtt://127.0.0.1:{port}/cell"))
+        async with aiomqtt.Client("127.0.0.1", port) as client:
+            await client.subscribe("cell/#", 1)
+            await door.open()
+            try:
+                await act(host, door, Client(client))
+            finally:
+                await door.close()
+                await host.close()
+
+    with Session(PROGRAM, stays=True) as session:
+        asyncio.run(live(session))
+        tape = [{"source": one.source, "values": one.values} for one in session.tape()]
+    return [*map(json.loads, lines), *tape]
+
+
+def test_a_client_sees_the_machine_and_writes(port: int) -> None:
+    """Values by topic with their types; writes and keys are inputs of a tick, and are answered."""
+
+    async def act(host: Host, door: MqttDoor, client: Client) -> None:
+        await client.until(lambda: "axis/X" in client.latest and "channel/1" in client.latest)
+        assert client.latest["status"] == {"online": True}
+        assert client.latest["channel/1"]["state"] == 0
+        await host.ask(host.session.run, "100 ms")
+        await client.until(lambda: client.latest["axis/X"]["tick"] == 100)
+        assert client.latest["axis/X"]["command"] == host.session.read("X.ACS.ACT_POS")[0]
+        await client.until(lambda: client.latest.get("notice", {}).get("text") == "hello")
+        requests = (
+            ("write", '{"id": 7, "values": {"V.E.VALUE": 5, "V.E.TRIGGER": 3}}'),
+            ("press", '{"id": 8, "key": "hold"}'),
+            ("write", '{"id": 9, "values": {"V.E.VALU": 5}}'),
+            ("write", '{"values": {"V.E.VALUE": [1]}}'),
+            ("press", '{"key": "sneeze"}'),
+            ("press", "[" * 100_000),
+            ("write", "\x00{"),
+        )
+        for topic, text in requests:
+            await client.client.publish(f"cell/{topic}", text, 1)
+        await client.until(lambda: len(client.answers) == len(requests))
+        assert [answer["ok"] for answer in client.answers] == [True, True, *[False] * 5]
+        assert [answer.get("id") for answer in client.answers[:3]] == [7, 8, 9]
+        assert client.answers[2]["number"] == 900541
+        await host.ask(host.session.run, "200 ms")
+        await client.until(lambda: client.latest["variable/V.E.VALUE"]["value"] == 5.0)
+        await client.until(lambda: client.latest["channel/1"]["feed_hold"] is True)
+        await door.close()
+        await client.until(lambda: client.latest["status"] == {"online": False})
+
+    log = at_the_broker(port, act)
+    assert [line["values"] for line in log if "values" in line] == [
+        ("V.E.VALUE", 5.0),
+        ("V.E.TRIGGER", 3.0),
+        ("HLI.FEED_HOLD", 1.0),
+    ]
+    assert {line["source"] for line in log if "values" in line} == {"mqtt 127.0.0.1"}
+    assert len([line for line in log if line.get("event") == "refused"]) >= 4
+
+
+def test_a_retained_request_is_refused(port: int) -> None:
+    """It would act again at each connection."""
+    aiomqtt = pytest.importorskip("aiomqtt", reason="the extra mqtt")
+
+    async def leave(text: str) -> None:
+        async with aiomqtt.Client("127.0.0.1", port) as client:
+            await client.publish("cell/press", text, 1, retain=True)
+
+    async def act(host: Host, door: MqttDoor, client: Client) -> None:
+        await client.until(lambda: "axis/X" in client.latest)
+        await client.client.publish("cell/press", '{"id": 1, "key": "go_on"}', 1)
+        await client.until(lambda: bool(client.answers))
+
+    asyncio.run(leave('{"key": "reset"}'))
+    log = at_the_broker(port, act)
+    asyncio.run(leave(""))
+    assert [line["values"] for line in log if "values" in line] == [("HLI.FEED_HOLD", 0.0)]
+    assert "a retained press" in [line.get("reason") for line in log]
+
+
+def test_a_broker_that_is_not_there_is_told(port: int) -> None:
+    """901451 with the reason, before anything is served."""
+
+    async def live(session: Session) -> None:
+        host = await Host(session, load_machine(), ServerLog(None)).open()
+        try:
+            with pytest.raises(Failure) as caught:
+                await MqttDoor(host, Broker("127.0.0.1", 1, False, "x")).open()
+            assert caught.value.diagnostics[0].id == 901451
+        finally:
+            await host.close()
+
+    with Session(PROGRAM, stays=True) as session:
+        asyncio.run(live(session))
+
+
+@pytest.mark.parametrize(
+    ("url", "broker"),
+    [
+        ("mqtt://localhost", Broker("localhost", 1883, False, "nctakt")),
+        ("mqtts://[::1]:1/a/b/", Broker("::1", 1, True, "a/b")),
+    ],
+)
+def test_the_address_of_a_broker(url: str, broker: Broker) -> None:
+    """Ports and topics have defaults."""
+    assert read_broker(url) == broker
+
+
+@pytest.mark.parametrize(
+    "url",
+    [
+        "localhost",
+        "http://localhost",
+        "mqtt://",
+        "mqtt://h:99999",
+        "mqtt://h/a/#",
+        "mqtt://u:secret@h",
+        "mqtt://h?x",
+        "mqtt://[",
+    ],
+)
+def test_another_text_is_refused_without_its_secrets(url: str) -> None:
+    """A password in a URL stands in lists of processes: it is refused, and not repeated."""
+    with pytest.raises(Failure) as caught:
+        read_broker(url)
+    assert caught.value.diagnostics[0].id == 901450
+    assert "secret" not in str(caught.value)

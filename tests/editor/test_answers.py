@@ -166,7 +166,11 @@ def test_names_lead_to_definitions_and_uses_and_can_be_changed(in_editor: Run) -
         axis = await client.text_document_prepare_rename_async(
             types.PrepareRenameParams(**at("G00 X1", "X1"))
         )
-        assert axis is None
+        assert (axis.start.character, axis.end.character) == (4, 5)
+        of_demo = await client.text_document_rename_async(
+            types.RenameParams(**at("G00 X1", "X1"), new_name="X7")
+        )
+        assert of_demo is None
 
     in_editor(script)
 

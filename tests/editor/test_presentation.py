@@ -9,7 +9,7 @@ import pytest
 from editor.client import Editor
 from lsprotocol import types
 
-from nctakt.editor.colours import MODIFIERS, TYPES
+from nctakt.editor.legend import MODIFIERS, TYPES
 
 pytestmark = pytest.mark.slow
 

@@ -10,31 +10,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from lsprotocol.types import SemanticTokensLegend
-
 from nctakt.editor.document import Document
+from nctakt.editor.legend import MODIFIERS, TYPES
 from nctakt.editor.line_tokens import Token, tokens
 from nctakt.editor.names import variable_name
 from nctakt.editor.structures import structure_word
 from nctakt.nc.vocabulary.operators import CONSTANTS, FUNCTIONS
 from nctakt.nc.vocabulary.variable_table import NameTable
-
-TYPES = (
-    "comment",
-    "string",
-    "number",
-    "keyword",
-    "macro",
-    "function",
-    "variable",
-    "parameter",
-    "property",
-    "label",
-    "class",
-    "operator",
-)
-MODIFIERS = ("realtime", "decoder", "frozen", "defaultLibrary")
-LEGEND = SemanticTokensLegend(list(TYPES), list(MODIFIERS))
 
 _TYPE_OF = {
     "comment": "comment",

@@ -16,8 +16,11 @@ from lsprotocol.types import CompletionItem, CompletionItemKind, Position, TextE
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Language
 from nctakt.editor.document import Document
+from nctakt.editor.list_lines import parameter_of, values_of
 from nctakt.editor.names import Kind, occurrences_in, section_of
 from nctakt.lists.all_parameters import SCHEMAS
+from nctakt.lists.format.parameter import ValueType
+from nctakt.lists.format.schema import Schema
 from nctakt.lists.machine.list_kinds import kind_of
 from nctakt.nc.check.realtime_cycles import END_ACTIONS, SCOPES
 from nctakt.nc.parse.controls import CONTROL_WORDS
@@ -45,6 +48,9 @@ _VALUE = re.compile(r"(?P<key>\w+)\s*=\s*(?P<value>\w*)$")
 _GOTO = re.compile(r"\$GOTO\s+\[?\w*$", re.IGNORECASE)
 _LOCAL = re.compile(r"(?<!\w)LL\s+\w*$", re.IGNORECASE)
 _FILE = re.compile(r"(?<!\w)L\s+(?P<name>[^\s\[;]*)$", re.IGNORECASE)
+_LIST_VALUE = re.compile(
+    r"\s*(?P<key>[\w.\[\]]+)[ \t]+(?:[\w]+[ \t]*[|,][ \t]*)*(?P<value>[^\s|,]*)$"
+)
 _CYCLE = re.compile(r"#\s*RT\s+CYCLE\b", re.IGNORECASE)
 
 
@@ -286,14 +292,31 @@ def _words(cursor: _Cursor, machine: AssembledMachine) -> Iterator[CompletionIte
 
 
 def _parameters(cursor: _Cursor) -> Iterator[CompletionItem]:
-    """Yield the parameters of the kind of list, with their IDs."""
-    if re.match(r"\s*[\w.\[\]]*$", cursor.before) is None:
-        return
+    """Yield the parameters of the kind of list, with their IDs; behind a name its values."""
     text = cursor.document.text().encode("utf-8", "surrogatepass")
     schema = kind_of(Path(cursor.document.name).name, text)
+    value = _LIST_VALUE.match(cursor.before)
+    if value is not None and schema is not None:
+        yield from _values(cursor, value["key"], value["value"], schema)
+    if re.match(r"\s*[\w.\[\]]*$", cursor.before) is None:
+        return
     written = len(cursor.before.lstrip())
     for known in SCHEMAS if schema is None else (schema,):
         for parameter in known.parameters:
             meaning = parameter.text.get(cursor.language)
             detail = f"{parameter.id}: {meaning}" if parameter.id else meaning
             yield cursor.item(parameter.path, CompletionItemKind.Field, written, detail)
+
+
+def _values(cursor: _Cursor, key: str, written: str, schema: Schema) -> Iterator[CompletionItem]:
+    """Yield the values of a parameter where they are few, its default, files beside the list."""
+    parameter = parameter_of(key, schema)
+    if parameter is None:
+        return
+    kind = CompletionItemKind.EnumMember
+    for value, detail in values_of(parameter).items():
+        yield cursor.item(value, kind, len(written), detail)
+    if schema.kind == "startup" and parameter.type is ValueType.STRING and cursor.document.path:
+        for path in sorted(cursor.document.path.parent.glob("*")):
+            if path.suffix.lower() in (".lis", ".xml") and path != cursor.document.path:
+                yield cursor.item(path.name, CompletionItemKind.File, len(written))

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from pathlib import Path
 
 from lsprotocol.types import (
     CodeLens,
@@ -26,10 +25,9 @@ from nctakt.base.diagnostics import Diagnostic, Language, Text
 from nctakt.editor.colours import lines_with_cycles
 from nctakt.editor.document import Document, uri_of
 from nctakt.editor.names import occurrences_in
-from nctakt.editor.navigation import called_file
+from nctakt.editor.navigation import called_file, list_file
 from nctakt.editor.structures import every, structures
 from nctakt.editor.workspace import LoadedMachine
-from nctakt.lists.machine.files import find_below
 from nctakt.messages import Collector
 from nctakt.messages.lints import ASYNCHRONOUS_CONDITION, ASYNCHRONOUS_VALUE
 from nctakt.nc.check.cost import max_steps
@@ -51,7 +49,6 @@ _LIVE = Text("Open live page", "Live-Seite öffnen")
 _WHY = Text("Why?", "Warum?")
 _COUNT = Text("Count branches", "Zweige zählen")
 _CALL = re.compile(r"(?P<name>#\s*[A-Z_ ]+|[A-Z]\w*)\s*\[(?P<inside>[^\[\]]*)$", re.IGNORECASE)
-_LIST_FILE = re.compile(r"^\s*[\w.\[\]]+\s+(?P<file>[^\s#]+\.(?:lis|xml|nc))\b", re.IGNORECASE)
 
 #: Ticks in which the body of each branch ran, by its line from 1.
 Counts = Mapping[int, int]
@@ -152,15 +149,11 @@ def document_links(document: Document, loaded: LoadedMachine) -> Iterator[Docume
 
 
 def _links_of_list(document: Document, loaded: LoadedMachine) -> Iterator[DocumentLink]:
-    folder = Path(document.name).parent
-    for number, line in enumerate(document.lines):
-        match = _LIST_FILE.match(line)
-        if match is None:
-            continue
-        path = find_below(match["file"].replace("\\", "/"), folder, loaded.access)
-        if path is not None:
-            area = document.range(number, *match.span("file"))
-            yield DocumentLink(area, target=uri_of(path))
+    for number in range(len(document.lines)):
+        found = list_file(document, number, loaded)
+        if found is not None:
+            path, columns = found
+            yield DocumentLink(document.range(number, *columns), target=uri_of(path))
 
 
 def signature_help(before: str, language: Language) -> SignatureHelp | None:

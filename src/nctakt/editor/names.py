@@ -8,7 +8,8 @@ it is used. Cycle IDs, labels, local subprograms, called files, parameters, vari
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from functools import lru_cache
 from typing import Literal, NamedTuple
 
 from nctakt.editor.line_tokens import VARIABLE
@@ -53,8 +54,8 @@ _FILE_CALL = re.compile(r"(?<![\w.])L\s+(?!CYCLE\b)(?P<name>[^\s\[;(=]+)", re.IG
 _PARAMETER = re.compile(r"(?<![\w.@])P(?P<number>\d+)(?!\w)", re.IGNORECASE)
 _ASSIGNED = re.compile(r"\s*[-+*/]?=(?!=)")
 _VARIABLE = re.compile(rf"(?<!\w\w)(?<![\d._])(?P<name>{VARIABLE})", re.IGNORECASE)
-_AXIS = re.compile(r"(?<![\w.#$])(?P<name>[ABCQU-Z]\d?)(?=\s*[-+]?[\d.\[P]|\s*=)", re.IGNORECASE)
 _INDEX = re.compile(r"\[[^\[\]]*\]")
+_STRING = re.compile(r'"[^"]*"?')
 _VAR_BEGIN = re.compile(r"^\s*(?:N\d+\s*)?#\s*VAR\b", re.IGNORECASE)
 _VAR_END = re.compile(r"^\s*(?:N\d+\s*)?#\s*ENDVAR\b", re.IGNORECASE)
 
@@ -97,8 +98,28 @@ def occurrences_in(line: str, number: int, *, declares: bool = False) -> Iterato
     for match in _VARIABLE.finditer(code):
         symbol = Symbol("variable", variable_name(match["name"]))
         yield _at(symbol, number, match, "name", declares)
-    for match in _AXIS.finditer(code):
-        yield _at(Symbol("axis", match["name"].upper()), number, match, "name", False)
+
+
+def axes_in(line: str, number: int, name: str) -> Iterator[Occurrence]:
+    """Yield where a line means the axis ``name``: its words, paths of V.A and V.RTA, commands."""
+    if name.upper() not in line.upper():
+        return
+    code = _STRING.sub(lambda text: " " * len(text[0]), without_comments(line))
+    for pattern in _axis_patterns(name):
+        for match in pattern.finditer(code):
+            yield _at(Symbol("axis", name), number, match, "name", False)
+
+
+@lru_cache(maxsize=64)
+def _axis_patterns(name: str) -> tuple[re.Pattern[str], ...]:
+    """Return the patterns of words, of paths and of arguments; one letter needs no ``=``."""
+    value = r"=(?!=)|\[" + (r"|[-+]?[\d.]|P\d|P\[|Vs?\." if len(name) == 1 else "")
+    written = (
+        rf"(?<![A-Z_.#$])(?P<name>{name})(?=\s*(?:{value}))",
+        rf"(?<![\w.])Vs?\.(?:A|RTA)\.[\w.\[\]]*?\.(?P<name>{name})(?!\w)",
+        rf"(?<=[\[,=\s])(?P<name>{name})(?=\s*[,\]])",
+    )
+    return tuple(re.compile(pattern, re.IGNORECASE) for pattern in written)
 
 
 def _label(match: re.Match[str], line: int, *, is_definition: bool) -> Occurrence:
@@ -115,13 +136,27 @@ def _at(
     return Occurrence(symbol, line, start, end, is_definition)
 
 
-def symbol_at(lines: Sequence[str], line: int, index: int) -> Occurrence | None:
-    """Return the name at a position, the shortest of several."""
+def symbol_at(
+    lines: Sequence[str], line: int, index: int, axes: Iterable[str] = ()
+) -> Occurrence | None:
+    """Return the name at a position, the shortest of several; ``axes``: those of the machine."""
     if not 0 <= line < len(lines):
         return None
-    found = occurrences_in(lines[line], line, declares=_is_declared(lines, line))
+    found = list(occurrences_in(lines[line], line, declares=_is_declared(lines, line)))
+    for name in axes:
+        found += axes_in(lines[line], line, name)
     touching = [item for item in found if item.start <= index <= item.end]
-    return min(touching, key=lambda item: item.end - item.start, default=None)
+    item = min(touching, key=lambda item: item.end - item.start, default=None)
+    if item is None or item.symbol.kind != "variable":
+        return item
+    return item._replace(symbol=_up_to(item, lines[line], index))
+
+
+def _up_to(item: Occurrence, line: str, index: int) -> Symbol:
+    """Return the variable, or the member of one, whose part of a path has the index."""
+    written = _INDEX.sub(lambda text: " " * len(text[0]), line[item.start : item.end])
+    count = max(3, 1 + written.count(".", 0, index - item.start))
+    return Symbol("variable", ".".join(item.symbol.name.split(".")[:count]))
 
 
 def _is_declared(lines: Sequence[str], line: int) -> bool:
@@ -159,6 +194,9 @@ def occurrences(
             elif _VAR_END.match(line):
                 declares = False
         if needle not in line.upper():
+            continue
+        if symbol.kind == "axis":
+            yield from axes_in(line, number, symbol.name)
             continue
         for item in occurrences_in(line, number, declares=declares):
             if same(item.symbol, symbol):

@@ -22,11 +22,12 @@ from lsprotocol.types import (
 
 from nctakt.editor.document import Document
 from nctakt.editor.line_tokens import token_at
+from nctakt.editor.list_lines import entry_groups
 from nctakt.editor.names import occurrences_in
 from nctakt.editor.structures import Structure, every, structures
 
 _KEY = re.compile(r"^\s*(?P<key>[A-Za-z_][\w.\[\]]*)\s+(?P<value>\S+)")
-_COMMENT_LINE = re.compile(r"^\s*(?:;|\(.*\)\s*$)")
+_COMMENT_LINE = re.compile(r"^\s*(?:;|\(.*\)\s*$|#\s)")
 _START = re.compile(r"^\s*%\s*(?P<local>L\s+)?(?P<name>[^\s;(]*)", re.IGNORECASE)
 #: Symbols of a list or program; an outline of more helps nobody.
 MAX_SYMBOLS = 5000
@@ -102,7 +103,12 @@ def _entries(document: Document) -> Iterator[DocumentSymbol]:
 
 
 def folding_ranges(document: Document) -> list[FoldingRange]:
-    """Return what can be folded: structures, subprograms, groups of comment lines."""
+    """Return what can be folded: structures, subprograms, groups of comment lines; in lists the
+    entries of one element.
+    """
+    if document.is_list:
+        groups = [FoldingRange(first, last) for first, last in entry_groups(document.lines)]
+        return groups + list(_comment_groups(document.lines))
     folds = [
         FoldingRange(item.first, item.last)
         for item in every(structures(document.lines))

@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any
 from lsprotocol import types
 
 from nctakt.base.diagnostics import Text
-from nctakt.editor.colours import LEGEND
+from nctakt.editor.legend import LEGEND
 
 if TYPE_CHECKING:
     from nctakt.editor.server import Server

@@ -23,6 +23,7 @@ from lsprotocol.types import Diagnostic as Shown
 
 from nctakt.base.diagnostics import NOTHING, Diagnostic, Language, Severity, Text
 from nctakt.editor.document import Document, uri_of
+from nctakt.editor.list_lines import LIST_ENDS, VALUE_COLUMN
 from nctakt.editor.structures import ENDS, every, structure_word, structures
 from nctakt.editor.workspace import LoadedMachine
 from nctakt.messages.lints import ASYNCHRONOUS_CONDITION
@@ -42,9 +43,10 @@ _INSERT = Text("Insert {new}", "{new} einfügen")
 _SUPPRESS = Text("Ignore {number} here", "{number} hier übergehen")
 _REASON = Text("reason", "Grund")
 _DECLARE = Text("Add {name} to {file}", "{name} in {file} eintragen")
-_EXTERNAL = re.compile(r"Vs?\.(?P<space>E|CH)\.(?P<name>[A-Za-z_]\w*)$")
+_EXTERNAL = re.compile(r"Vs?\.(?P<space>E|CH)\.(?P<name>[A-Za-z_]\w*)$", re.IGNORECASE)
 _COUNT = re.compile(r"^\s*number_(?:used_)?variables\s+(?P<count>\d+)", re.IGNORECASE)
-_INDEX = re.compile(r"^\s*var\[(?P<index>\d+)\]", re.IGNORECASE)
+#: Space of a variable -> how its entries begin in the list.
+_ENTRIES = {"E": "var", "CH": "vch"}
 _PROGRAM_WORDS = re.compile(
     r"^\s*(?:N\d+\s*)?(?:G0?[0-3]\b|[XYZ][-+]?[\d.=]|M(?:30|0?2|17|29)\b)", re.I
 )
@@ -214,38 +216,51 @@ def _declaration(
 ) -> Iterator[tuple[str, list[TextEdit], str]]:
     """Yield the edit that adds an unknown variable to the variables list of the machine."""
     match = _EXTERNAL.match(written)
-    if match is None or match["space"] != "E":
+    if match is None:
         return
-    names = {name for name, _, _ in loaded.machine.names.values()}
-    if f"V.E.{match['name']}" in names:
-        return
+    name, entries = f"V.{match['space'].upper()}.{match['name']}", _ENTRIES[match["space"].upper()]
+    names = {known for known, _, _ in loaded.machine.names.values()}
     configuration = loaded.machine.configuration
     path = next((path for kind, path in configuration.lists if kind == "variables"), None)
-    if path is None or configuration.is_demo:
+    if name in names or path is None or configuration.is_demo or path.suffix.lower() == ".xml":
         return
     lines = loaded.access.read_lines(path)
-    indices = [int(found["index"]) for line in lines if (found := _INDEX.match(line))]
-    index = max(indices, default=-1) + 1
-    text = "".join(
-        f"var[{index}].{key} {value}\n"
-        for key, value in (
-            ("name", match["name"]),
-            ("type", "SGN32"),
-            ("scope", "GLOBAL"),
-            ("synchronisation", "TRUE"),
-            ("access_rights", "READ_WRITE"),
-        )
-    )
-    edits: list[TextEdit] = []
-    last = 0
+    index, last = _behind(lines, entries)
+    rows = [("name", match["name"]), ("type", "SGN32")]
+    if entries == "var":
+        rows.append(("scope", "GLOBAL"))
+    rows += [("synchronisation", "TRUE"), ("access_rights", "READ_WRITE")]
+    width = VALUE_COLUMN - 1
+    text = [f"{f'{entries}[{index}].{key}':<{width}} {value}" for key, value in rows]
+    edits = list(_counted(lines, index + 1)) if entries == "var" else []
+    if last < 0:
+        start = Position(0, 0)
+        edits.append(TextEdit(Range(start, start), "\n".join((*text, ""))))
+    else:
+        end = Position(last, len(lines[last].encode("utf-16-le")) // 2)
+        edits.append(TextEdit(Range(end, end), "\n".join(("", *text))))
+    yield _DECLARE.get(language).format(name=name, file=path.name), edits, uri_of(path)
+
+
+def _behind(lines: Sequence[str], entries: str) -> tuple[int, int]:
+    """Return the next free index of a list's variables, and the line behind which they belong.
+
+    That is the last entry of its kind, else the last before the end of the list; -1 in an empty
+    list.
+    """
+    pattern = re.compile(rf"^\s*{entries}\[(?P<index>\d+)\]")
+    found = [(number, pattern.match(line)) for number, line in enumerate(lines)]
+    own = [(number, int(match["index"])) for number, match in found if match is not None]
+    if own:
+        return max(index for _, index in own) + 1, own[-1][0]
+    end = next((n for n, line in enumerate(lines) if line.strip() in LIST_ENDS), len(lines))
+    return 0, max((n for n, line in enumerate(lines[:end]) if line.strip()), default=-1)
+
+
+def _counted(lines: Sequence[str], count: int) -> Iterator[TextEdit]:
+    """Yield the edits of the numbers of variables that are too small."""
     for number, line in enumerate(lines):
-        count = _COUNT.match(line)
-        if count is not None:
-            start, end = count.span("count")
-            area = Range(Position(number, start), Position(number, end))
-            edits.append(TextEdit(area, str(max(int(count["count"]), index + 1))))
-        if _INDEX.match(line):
-            last = number + 1
-    edits.append(TextEdit(Range(Position(last, 0), Position(last, 0)), text))
-    title = _DECLARE.get(language).format(name=f"V.E.{match['name']}", file=path.name)
-    yield title, edits, uri_of(path)
+        match = _COUNT.match(line)
+        if match is not None and int(match["count"]) < count:
+            start, end = match.span("count")
+            yield TextEdit(Range(Position(number, start), Position(number, end)), str(count))

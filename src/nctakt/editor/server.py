@@ -84,6 +84,7 @@ class Server(LanguageServer):
     def opened(self, params: types.DidOpenTextDocumentParams) -> None:
         """Add a document and check it."""
         item = params.text_document
+        self.work.encoding = self.workspace.position_encoding or self.work.encoding
         path = path_of(item.uri)
         document = Document(
             item.uri,
@@ -92,7 +93,7 @@ class Server(LanguageServer):
             item.language_id,
             item.version,
             split_text(item.text),
-            self.workspace.position_encoding or types.PositionEncodingKind.Utf16,
+            self.work.encoding,
         )
         self.work.open(document)
         self.diagnosis.changed(document, pause=False)
@@ -120,6 +121,12 @@ class Server(LanguageServer):
         self.work.close(uri)
         self.diagnosis.closed(uri)
         self.text_document_publish_diagnostics(types.PublishDiagnosticsParams(uri, []))
+
+    @property
+    def folders(self) -> list[Path]:
+        """The folders of the editor that are there."""
+        paths = (path_of(folder.uri) for folder in self.workspace.folders.values())
+        return [path for path in paths if path is not None and path.is_dir()]
 
     def document(self, uri: str) -> Document | None:
         """Return an open document."""
@@ -222,26 +229,33 @@ def register(server: Server) -> None:
         document = server.document(params.text_document.uri)
         if document is None:
             return []
-        with_definition = params.context.include_declaration
-        return references(document, params.position, with_definition=with_definition)
+        return references(
+            document,
+            params.position,
+            server.work.machine_of(document),
+            lambda: server.work.programs_beside(document, server.folders),
+            with_definition=params.context.include_declaration,
+        )
 
     @feature(types.TEXT_DOCUMENT_DOCUMENT_HIGHLIGHT)
     def on_highlight(params: types.DocumentHighlightParams) -> list[types.DocumentHighlight]:
-        from nctakt.editor.navigation import references  # noqa: PLC0415 - when it is asked for
+        from nctakt.editor.navigation import highlights  # noqa: PLC0415 - when it is asked for
 
         document = server.document(params.text_document.uri)
         if document is None:
             return []
-        found = references(document, params.position, with_definition=True)
-        return [types.DocumentHighlight(area.range) for area in found]
+        found = highlights(document, params.position, server.work.machine_of(document))
+        return [types.DocumentHighlight(area) for area in found]
 
     @feature(types.TEXT_DOCUMENT_PREPARE_RENAME)
     def on_prepare_rename(params: types.PrepareRenameParams) -> types.Range | None:
         from nctakt.editor.navigation import can_rename, found_at, renamed_part  # noqa: PLC0415 - when it is asked for
 
         document = server.document(params.text_document.uri)
-        item = None if document is None else found_at(document, params.position)
-        if document is None or item is None or not can_rename(item.symbol):
+        if document is None:
+            return None
+        item = found_at(document, params.position, server.work.machine_of(document))
+        if item is None or not can_rename(item.symbol):
             return None
         return document.range(item.line, *renamed_part(document, item))
 
@@ -252,8 +266,13 @@ def register(server: Server) -> None:
         document = server.document(params.text_document.uri)
         if document is None:
             return None
-        loaded = server.work.machine_of(document)
-        return rename(document, params.position, params.new_name, loaded)
+        return rename(
+            document,
+            params.position,
+            params.new_name,
+            server.work.machine_of(document),
+            lambda: server.work.programs_beside(document, server.folders),
+        )
 
     @feature(types.TEXT_DOCUMENT_DOCUMENT_SYMBOL)
     def on_symbols(params: types.DocumentSymbolParams) -> list[types.DocumentSymbol]:
@@ -270,7 +289,7 @@ def register(server: Server) -> None:
 
         found = []
         query = params.query.casefold()
-        for document in _all_documents(server):
+        for document in server.work.programs(server.folders):
             for symbol in _flat(document_symbols(document)):
                 if query in symbol.name.casefold():
                     area = types.Location(document.uri, symbol.selection_range)
@@ -282,7 +301,7 @@ def register(server: Server) -> None:
         from nctakt.editor.outline import folding_ranges  # noqa: PLC0415 - when it is asked for
 
         document = server.document(params.text_document.uri)
-        return [] if document is None or document.is_list else folding_ranges(document)
+        return [] if document is None else folding_ranges(document)
 
     @feature(types.TEXT_DOCUMENT_SELECTION_RANGE)
     def on_selection(params: types.SelectionRangeParams) -> list[types.SelectionRange] | None:
@@ -296,14 +315,12 @@ def register(server: Server) -> None:
     @feature(types.TEXT_DOCUMENT_FORMATTING)
     def on_formatting(params: types.DocumentFormattingParams) -> list[types.TextEdit] | None:
         document = server.document(params.text_document.uri)
-        if document is None or document.is_list:
-            return None
-        return _edits(document, 0, len(document.lines))
+        return None if document is None else _edits(document, 0, len(document.lines))
 
     @feature(types.TEXT_DOCUMENT_RANGE_FORMATTING)
     def on_range(params: types.DocumentRangeFormattingParams) -> list[types.TextEdit] | None:
         document = server.document(params.text_document.uri)
-        if document is None or document.is_list:
+        if document is None:
             return None
         last = min(params.range.end.line + (params.range.end.character > 0), len(document.lines))
         return _edits(document, params.range.start.line, max(last, params.range.start.line + 1))
@@ -332,7 +349,12 @@ def register(server: Server) -> None:
 def _edits(document: Document, first: int, last: int) -> list[types.TextEdit]:
     from nctakt.editor.formatting import format_lines  # noqa: PLC0415 - when it is asked for
 
-    new = format_lines(document.lines, first, last)
+    if document.is_list:
+        from nctakt.editor.list_lines import format_list  # noqa: PLC0415 - when it is asked for
+
+        new = format_list(document.lines, first, last)
+    else:
+        new = format_lines(document.lines, first, last)
     return [
         types.TextEdit(document.whole_lines(number, number), line)
         for number, line in enumerate(new, first)
@@ -345,39 +367,3 @@ def _flat(symbols: Sequence[types.DocumentSymbol]) -> list[types.DocumentSymbol]
     for symbol in symbols:
         flat += [symbol, *_flat(symbol.children or ())]
     return flat
-
-
-#: Files of the folders of the editor that are searched for symbols.
-_MAX_FILES = 200
-_SUFFIXES = (".nc", ".ncp", ".cnc", ".sub", ".cyc")
-
-
-def _all_documents(server: Server) -> list[Document]:
-    """Return the open programs, and those in the folders of the editor."""
-    documents = [item for item in server.work.documents.values() if not item.is_list]
-    known = {item.uri for item in documents}
-    for folder in server.workspace.folders.values():
-        root = path_of(folder.uri)
-        if root is None or not root.is_dir():
-            continue
-        paths = (path for path in sorted(root.rglob("*")) if path.suffix.lower() in _SUFFIXES)
-        for path in paths:
-            if len(documents) >= _MAX_FILES:
-                return documents
-            found = _from_disk(path)
-            if found is not None and found.uri not in known:
-                documents.append(found)
-    return documents
-
-
-def _from_disk(path: Path) -> Document | None:
-    from nctakt.base.failure import Failure  # noqa: PLC0415 - only a search needs them
-    from nctakt.base.text import decode_text  # noqa: PLC0415
-    from nctakt.editor.document import uri_of  # noqa: PLC0415
-    from nctakt.files.access import FileAccess  # noqa: PLC0415
-
-    try:
-        text = decode_text(FileAccess().read_bytes(path)).text
-    except Failure:
-        return None
-    return Document(uri_of(path), path, path.as_posix(), "nctakt", 0, split_text(text))

@@ -11,10 +11,12 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from lsprotocol.types import PositionEncodingKind
+
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
-from nctakt.editor.document import Document
+from nctakt.editor.document import Document, split_text, uri_of
 
 if TYPE_CHECKING:
     from nctakt.checking.check_memory import CheckMemory
@@ -25,8 +27,21 @@ if TYPE_CHECKING:
 # The modules of the check are loaded with the first one, beside the start of the server.
 
 
+#: Programs of the editor's folders that are searched, by the ends of their names.
+MAX_FILES = 200
+SUFFIXES = (".nc", ".ncp", ".cnc", ".sub", ".cyc")
+
 #: The modules of the answers to an editor.
-_ANSWERS = ("completion", "formatting", "hints", "hover", "navigation", "outline", "remedies")
+_ANSWERS = (
+    "colours",
+    "completion",
+    "formatting",
+    "hints",
+    "hover",
+    "navigation",
+    "outline",
+    "remedies",
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,6 +58,7 @@ class Workspace:
 
     def __init__(self) -> None:
         self.documents: dict[str, Document] = {}
+        self.encoding: PositionEncodingKind | str = PositionEncodingKind.Utf16
         self._paths: dict[Path, Document] = {}
         self._machines: dict[Path, LoadedMachine] = {}
         self._memory: CheckMemory | None = None
@@ -69,6 +85,41 @@ class Workspace:
         """Return the lines of an open file, ``None`` if it is not open."""
         document = self.at(path)
         return None if document is None else document.program_lines()
+
+    def programs_beside(self, document: Document, folders: Sequence[Path]) -> list[Document]:
+        """Return the programs of the same machine that are open or in the editor's folders."""
+        folder = self.machine_of(document).machine.configuration.folder
+        return [
+            program
+            for program in self.programs(folders)
+            if self.machine_of(program).machine.configuration.folder == folder
+        ]
+
+    def programs(self, folders: Sequence[Path]) -> list[Document]:
+        """Return the open programs, and those of the editor's folders, ``MAX_FILES`` at most."""
+        documents = [item for item in self.documents.values() if not item.is_list]
+        known = {_real(item.path) for item in documents if item.path is not None}
+        for folder in folders:
+            paths = (path for path in sorted(folder.rglob("*")) if path.suffix.lower() in SUFFIXES)
+            for path in paths:
+                if len(documents) >= MAX_FILES:
+                    return documents
+                program = None if _real(path) in known else self._from_disk(path)
+                if program is not None:
+                    documents.append(program)
+        return documents
+
+    def _from_disk(self, path: Path) -> Document | None:
+        """Return a file that is not open as a document; ``None`` for one that cannot be read."""
+        from nctakt.base.text import decode_text  # noqa: PLC0415 - as above
+        from nctakt.files.access import FileAccess  # noqa: PLC0415
+
+        try:
+            text = decode_text(FileAccess().read_bytes(path)).text
+        except Failure:
+            return None
+        lines, encoding = split_text(text), self.encoding
+        return Document(uri_of(path), path, path.as_posix(), "nctakt", 0, lines, encoding)
 
     # --- machines --------------------------------------------------------------------------------
 

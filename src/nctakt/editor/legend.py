@@ -1,0 +1,23 @@
+# SPDX-License-Identifier: MIT
+"""The types and modifiers of semantic tokens, which an editor is told at the start."""
+
+from __future__ import annotations
+
+from lsprotocol.types import SemanticTokensLegend
+
+TYPES = (
+    "comment",
+    "string",
+    "number",
+    "keyword",
+    "macro",
+    "function",
+    "variable",
+    "parameter",
+    "property",
+    "label",
+    "class",
+    "operator",
+)
+MODIFIERS = ("realtime", "decoder", "frozen", "defaultLibrary")
+LEGEND = SemanticTokensLegend(list(TYPES), list(MODIFIERS))

@@ -72,10 +72,12 @@ def _replay(name: str, anyway: bool, words: dict[str, Any]) -> int:
     if words["compiled"] is False:
         mode.use_plain()
     from nctakt.cli.tapes import check_unchanged, options_of  # noqa: PLC0415 - as above
-    from nctakt.run.tape import read_tape  # noqa: PLC0415
+    from nctakt.run.tape import path_of, read_tape  # noqa: PLC0415
 
     access = file_access(words["confined"])
     tape = read_tape(Path(name), access)
+    for list_name, text in tape.lists.items():
+        access.replace(path_of(list_name), text.encode("utf-8"))
     options = options_of(tape, name, words)
     print_diagnostics(check_unchanged(tape, anyway=anyway), options.language)
     return run_with(options, access)

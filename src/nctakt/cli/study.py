@@ -61,6 +61,9 @@ usage or unusable input, 3 an error of nctakt's own.
 @click.option("--scheduler", metavar="ADDRESS", help="Make the runs on a Dask cluster: tcp://…")
 @click.option("--sample", type=click.IntRange(1), metavar="COUNT", help="Take points by chance.")
 @click.option("--only", type=click.IntRange(0), metavar="NUMBER", help="Make one run, from 0.")
+@click.option(
+    "--record", metavar="FOLDER", help="Write a tape of each broken run, at most 100, for replay."
+)
 @click.option("--cover", is_flag=True, help="Try inputs until every branch of a cycle has run.")
 @click.option("--shrink", is_flag=True, help="Find the smallest change that breaks a run.")
 @click.option("--yes", is_flag=True, help="Start even what takes more than an hour.")
@@ -120,9 +123,11 @@ def _study(file: str, words: dict[str, Any]) -> int:
         from nctakt.files.output import write_file  # noqa: PLC0415 - few studies have one
 
         write_file(words["report"], result.report())
+    from nctakt.cli.study_commands import commands_of  # noqa: PLC0415 - as above
     from nctakt.cli.study_summary import summary  # noqa: PLC0415 - as above
 
-    for line in summary(study, result, file, words["language"]):
+    commands = commands_of(study, result, file, words)
+    for line in summary(study, result, file, commands, words["language"]):
         click.echo(line)
     print_diagnostics(progress.crashed(), words["language"])
     if words["shrink"] and result.broken:

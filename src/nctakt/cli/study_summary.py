@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 from nctakt.base.diagnostics import Language
 from nctakt.studies.bench import HELD, Row
@@ -30,8 +30,17 @@ _VERDICTS = {
 }
 
 
-def summary(study: Study, result: StudyResult, file: str, language: Language) -> Iterator[str]:
-    """Yield the lines of the summary; ``file``: the plan or program as the user named it."""
+def summary(
+    study: Study,
+    result: StudyResult,
+    file: str,
+    command: Callable[[int], str],
+    language: Language,
+) -> Iterator[str]:
+    """Yield the lines of the summary.
+
+    ``file``: the plan or program as the user named it, ``command`` shows a run by its number.
+    """
     runs, minimum, maximum, without, more = _TEXTS[language]
     names = _VERDICTS[language]
     counts = ", ".join(f"{count} {names[name]}" for name, count in result.counts.items() if count)
@@ -53,8 +62,7 @@ def summary(study: Study, result: StudyResult, file: str, language: Language) ->
         yield f"{row['run']}: {values_of}: {verdict}: {row['broken']}"
         number = row["run"]
         assert isinstance(number, int)
-        command = study.command(number)
-        yield f"    {command or f'nctakt study {file} --only {number}'}"
+        yield f"    {command(number)}"
     if len(shown) > MAX_SHOWN:
         yield f"… {len(shown) - MAX_SHOWN} {more}"
 

@@ -52,6 +52,7 @@ class FileAccess:
         self.folders = tuple(os.path.realpath(folder) for folder in folders)
         self._read: dict[Identity, tuple[Path, os.stat_result]] = {}
         self._written: dict[Identity, str] = {}
+        self._replaced: dict[str, bytes] = {}
 
     @property
     def read_files(self) -> list[Path]:
@@ -84,6 +85,10 @@ class FileAccess:
             file = Path(path).as_posix()
             raise Failure(diagnostic(FILE_OUTSIDE, file=file, folders=self.shown_folders))
 
+    def replace(self, path: Path, data: bytes) -> None:
+        """Let ``read_bytes`` return this content for a file, which need not be there."""
+        self._replaced[os.path.realpath(path)] = data
+
     def note(self, path: str | Path) -> None:
         """Note that a file is read; raises ``Failure`` (900913, 900917)."""
         self.check_admitted(path)
@@ -110,6 +115,11 @@ class FileAccess:
         folder (900501), unreadable (900503), read and written (900913), too long (900915), outside
         of the folders (900917).
         """
+        if self._replaced:
+            self.check_admitted(path)
+            data = self._replaced.get(os.path.realpath(path))
+            if data is not None:
+                return data
         file = self._opened(path, is_replaced=is_replaced)
         try:
             with file:

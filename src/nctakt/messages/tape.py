@@ -64,3 +64,11 @@ INPUT_NOT_POSSIBLE = error(
     tick=("the tick, counted from 0", "der Takt, ab 0 gezählt"),
     input=("the input", "die Eingabe"),
 )
+TAPE_CHANGES_LISTS = error(
+    901392,
+    en="the tape has other values of parameters than the lists: {files}",
+    de="das Band hat andere Parameterwerte als die Listen: {files}",
+    remedy_en="nctakt replay takes the values of the tape.",
+    remedy_de="nctakt replay nimmt die Werte des Bands.",
+    files=("the lists", "die Listen"),
+)

@@ -16,7 +16,7 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from nctakt.base.dataclass import dataclass
+from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Span
 from nctakt.base.failure import Failure
 from nctakt.base.text import decode_text
@@ -50,7 +50,8 @@ class Tape:
 
     ``words`` are those of the command that it was started with, ``texts`` its programs that are no
     files, by their names. ``checksums``: tick -> that of its events. ``ticks`` and ``state``: how
-    it ended. ``digests``: file -> SHA-256 in hexadecimal digits.
+    it ended. ``digests``: file -> SHA-256 in hexadecimal digits. ``lists``: the texts of lists that
+    were not read as they stand in their files, by the names of these.
     """
 
     words: Mapping[str, Any]
@@ -61,6 +62,7 @@ class Tape:
     ticks: int
     state: str
     digests: Mapping[str, str]
+    lists: Mapping[str, str] = field(default_factory=dict)
 
 
 def digest_of(path: Path) -> str | None:
@@ -106,6 +108,7 @@ class TapeWriter:
         words: Mapping[str, Any],
         texts: Mapping[str, str],
         has_plc: bool,
+        lists: Mapping[str, str] | None = None,
     ) -> None:
         self._write = write
         self._inputs = InputLines(write)
@@ -117,6 +120,7 @@ class TapeWriter:
                 "words": words,
                 "texts": texts,
                 "has_plc": has_plc,
+                **({"lists": lists} if lists else {}),
             }
         )
 
@@ -187,6 +191,10 @@ def read_tape(path: Path, access: FileAccess) -> Tape:
     return reader.tape(head, inputs, checksums)
 
 
+def _is_texts(value: object) -> bool:
+    return isinstance(value, dict) and all(isinstance(one, str) for one in value.values())
+
+
 class _Reader:
     """Reads the lines of one tape; raises ``Failure`` with the place of what is wrong."""
 
@@ -209,9 +217,8 @@ class _Reader:
                 writer=writer,
             )
             raise Failure(message)
-        texts = head.get("texts")
         is_whole = isinstance(head.get("words"), dict) and isinstance(head.get("has_plc"), bool)
-        has_texts = isinstance(texts, dict) and all(isinstance(one, str) for one in texts.values())
+        has_texts = _is_texts(head.get("texts")) and _is_texts(head.get("lists", {}))
         if not is_whole or not has_texts:
             raise self._invalid(1, "words, texts or has_plc is missing")
         return head
@@ -250,6 +257,7 @@ class _Reader:
             ticks,
             str(end["end"]),
             digests,
+            head.get("lists", {}),
         )
 
     def cut_off(self) -> None:

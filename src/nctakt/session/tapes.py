@@ -17,7 +17,7 @@ from nctakt.files.output import OutputFile
 from nctakt.lists.format.times import TimeLike, read_time
 from nctakt.messages import diagnostic
 from nctakt.messages.session import TAPE_NEEDS_SCHEDULE
-from nctakt.messages.tape import TAPE_FILES_CHANGED
+from nctakt.messages.tape import TAPE_CHANGES_LISTS, TAPE_FILES_CHANGED
 from nctakt.run.controller import Controller
 from nctakt.run.inputs import Input
 from nctakt.run.program_loader import NcText, name_of
@@ -113,6 +113,8 @@ def read_setup(path: str | Path, folders: Sequence[str | Path] = (), *, anyway: 
     changed = changed_files(tape)
     if changed and not anyway:
         raise Failure(diagnostic(TAPE_FILES_CHANGED, files=", ".join(changed)))
+    if tape.lists:
+        raise Failure(diagnostic(TAPE_CHANGES_LISTS, files=", ".join(tape.lists)))
     if words["rtconf"] is not None:
         raise Failure(diagnostic(TAPE_NEEDS_SCHEDULE, list=words["rtconf"]))
     programs: dict[int, list[str | Path | NcText]] = {1: []}

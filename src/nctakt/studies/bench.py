@@ -27,6 +27,7 @@ from nctakt.run.inputs import Input
 from nctakt.run.plc_view import AnyPlc
 from nctakt.run.program_loader import AnyProgram, LoadedProgram
 from nctakt.run.program_run import ProgramRun, RunOptions
+from nctakt.run.tape import TapeWriter
 from nctakt.schedule.open_schedule import RunSchedule
 from nctakt.studies.changed_lists import changed_machine
 from nctakt.studies.changed_schedule import ScheduleChanges, ScheduleFiles
@@ -143,7 +144,7 @@ class Bench:
 
     def __init__(self, plan: Plan, access: FileAccess | None = None) -> None:
         self.plan = plan
-        self._access = access = access or FileAccess()
+        self.access = access = access or FileAccess()
         folder = plan.machine or machine_of(plan.program, access).path
         self.machine = load_machine(folder, access=access)
         self._schedule_files = (
@@ -265,16 +266,24 @@ class Bench:
             return None
         return -(-(injected_us + window_us) // self.cycle_time_us) + 1
 
-    def begin(self, inputs: RunInputs, *, blocks: bool = False, why: bool = False) -> BegunRun:
+    def begin(
+        self,
+        inputs: RunInputs,
+        *,
+        blocks: bool = False,
+        why: bool = False,
+        tape: TapeWriter | None = None,
+    ) -> BegunRun:
         """Begin a run with these inputs.
 
-        ``blocks``: with the events of its blocks; ``why``: with the histories of its conditions.
+        ``blocks``: with the events of its blocks; ``why``: with the histories of its conditions;
+        ``tape``: records it.
         """
         machine = self._machine_with(inputs.parameters)
         schedule = self._schedule_of(inputs.schedule)
         lent = None if schedule is not None else self._parts.lend(machine)
         part = None if lent is None else lent.part
-        controller = Controller(machine, schedule, self._access, part)
+        controller = Controller(machine, schedule, self.access, part)
         program = self._program_of(inputs, controller)
         before = values_before(controller, self.signals, inputs.assignments)
         digest = Digest()
@@ -286,23 +295,24 @@ class Bench:
             after=self.plan.after,
             plc=self._plc(inputs),
             signals=self.signals,
-            sinks=(digest,),
+            sinks=(digest,) if tape is None else (digest, tape),
             blocks=blocks,
             why=why,
+            record=None if tape is None else tape.note,
         )
         return BegunRun(controller, controller.begin(options), inputs, before, digest, lent)
 
     def _controller(self, inputs: RunInputs) -> Controller:
         """Return a controller with the machine and the schedule of a run."""
         machine = self._machine_with(inputs.parameters)
-        return Controller(machine, self._schedule_of(inputs.schedule), self._access)
+        return Controller(machine, self._schedule_of(inputs.schedule), self.access)
 
     def _schedule_of(self, changes: ScheduleChanges) -> RunSchedule | None:
         """Return the schedule with these changes, read once; ``None`` without one."""
         if self._schedule_files is None:
             return None
         schedule = self._schedules.get(changes.key) or self._schedule_files.schedule(
-            changes, self._access
+            changes, self.access
         )
         self._schedules[changes.key] = schedule
         self._schedules.move_to_end(changes.key)
@@ -331,17 +341,24 @@ class Bench:
         is_unchanged = not values and not inputs.parameters
         if is_unchanged and self._loaded is not None:
             return self._loaded
+        source = NcText(str(self.plan.program), self.text_with(values))
+        if not is_unchanged:
+            return source
+        self._loaded = controller.load(source)
+        return self._loaded
+
+    def text_with(self, values: Mapping[str, float | str]) -> str:
+        """Return the text of the program in which the first assignments have these values.
+
+        Raises ``Failure`` (901313) for a variable that gets no plain number.
+        """
         text = self._text
         for name, value in values.items():
             pattern = rf"({re.escape(name)}[ \t]*=[ \t]*)[+-]?(?:\d+\.?\d*|\.\d+)"
             text, count = re.subn(pattern, rf"\g<1>{value!r}", text, count=1, flags=re.IGNORECASE)
             if count == 0:
                 raise Failure(diagnostic(UNKNOWN_PROGRAM_VARIABLE, name=name))
-        source = NcText(str(self.plan.program), text)
-        if not is_unchanged:
-            return source
-        self._loaded = controller.load(source)
-        return self._loaded
+        return text
 
     def _plc(self, inputs: RunInputs) -> AnyPlc | None:
         plc = None if self.plan.plc is None else load_plc(self.plan.plc)

@@ -26,25 +26,6 @@ _INDEX = re.compile(r"\[[^]]*\]")
 _END = re.compile(r"^[ \t]*Ende?\b", re.MULTILINE | re.IGNORECASE)
 
 
-class _ChangedFiles(FileAccess):
-    """Reads files in some of which entries are replaced: path -> name of the entry -> value."""
-
-    def __init__(self, changes: Mapping[Path, Mapping[str, str]]) -> None:
-        super().__init__()
-        self._changes = changes
-
-    def read_bytes(self, path: Path, *, is_replaced: bool = False) -> bytes:
-        """Return the content of a file with its changes."""
-        data = super().read_bytes(path, is_replaced=is_replaced)
-        changes = self._changes.get(path.resolve())
-        if not changes:
-            return data
-        text = decode_text(data).text
-        for name, value in changes.items():
-            text = with_entry(text, name, value)
-        return text.encode("utf-8")
-
-
 def with_entry(text: str, name: str, value: str) -> str:
     """Return the text of a list in which an entry has a value."""
     entry = re.compile(rf"^[ \t]*{re.escape(name)}[ \t]+\S+", re.MULTILINE)
@@ -62,18 +43,32 @@ def changed_machine(machine: Machine, values: Mapping[tuple[str, str], float | s
     Raises ``Failure`` for an unknown parameter (901312), and with what the lists report about a
     value that they do not take.
     """
-    changes: dict[Path, dict[str, str]] = {}
-    for (id_, owner), value in values.items():
-        parameter, kind = _parameter(id_, owner)
-        path = _list_of(machine, kind, id_, owner)
-        name = _INDEX.sub("[0]", parameter.path)
-        changes.setdefault(path.resolve(), {})[name] = entry_text(value)
-    changed = load_machine(machine.lists[0][1], access=_ChangedFiles(changes))
+    access = FileAccess()
+    for path, text in changed_texts(machine, values).items():
+        access.replace(path, text.encode("utf-8"))
+    changed = load_machine(machine.lists[0][1], access=access)
     before = [(one.id, one.text()) for one in machine.diagnostics]
     found = [one for one in changed.diagnostics if (one.id, one.text()) not in before]
     if found:
         raise Failure(*found)
     return changed
+
+
+def changed_texts(
+    machine: Machine, values: Mapping[tuple[str, str], float | str]
+) -> dict[Path, str]:
+    """Return the texts of the lists of a machine that change with these values.
+
+    Raises ``Failure`` for an unknown parameter (901312).
+    """
+    texts: dict[Path, str] = {}
+    for (id_, owner), value in values.items():
+        parameter, kind = _parameter(id_, owner)
+        path = _list_of(machine, kind, id_, owner)
+        name = _INDEX.sub("[0]", parameter.path)
+        before = texts.get(path) or decode_text(FileAccess().read_bytes(path)).text
+        texts[path] = with_entry(before, name, entry_text(value))
+    return texts
 
 
 def entry_text(value: float | str) -> str:

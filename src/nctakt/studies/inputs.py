@@ -136,9 +136,9 @@ def command_of(plan: Plan, inputs: RunInputs) -> str | None:
     if plan.plc is not None:
         words += ["--plc", str(plan.plc)]
     for name, value in inputs.assignments.items():
-        words += ["--set", f"{name}={_word(value)}"]
+        words += ["--set", f"{name}={word_of(value)}"]
     for time, name, value in inputs.stimuli:
-        words += ["--at", str(time).replace(" ", ""), f"{name}={_word(value)}"]
+        words += ["--at", str(time).replace(" ", ""), f"{name}={word_of(value)}"]
     for option, path in (
         ("--rtconf", inputs.schedule.rtconf or plan.rtconf),
         ("--load", inputs.schedule.load or plan.load),
@@ -154,7 +154,8 @@ def command_of(plan: Plan, inputs: RunInputs) -> str | None:
     return shlex.join(words)
 
 
-def _word(value: Amount) -> str:
+def word_of(value: Amount) -> str:
+    """Return a value as the words of a command have it."""
     if isinstance(value, str):
         return f'"{value}"'
     return str(int(value)) if value == int(value) else repr(value)

@@ -36,9 +36,9 @@ class ScheduleBench(Bench):
     def __init__(self, plan: Plan, access: FileAccess | None = None) -> None:
         assert plan.rtconf is not None
         self.plan = plan
-        self._access = access or FileAccess()
+        self.access = access or FileAccess()
         self._files = ScheduleFiles(plan.rtconf, plan.load, plan.system)
-        self._base = self._files.schedule(ScheduleChanges(), self._access)
+        self._base = self._files.schedule(ScheduleChanges(), self.access)
         self.cycle_time_us = self._base.configuration.cycle_time_us
 
     def check(self) -> None:
@@ -61,12 +61,12 @@ class ScheduleBench(Bench):
         """Raise ``Failure`` for an end of a dimension, the others as in list and load."""
         inputs = RunInputs()
         inputs.add(self.plan.dimensions[index], self.plan.dimensions[index].between(share), 1)
-        self._files.schedule(inputs.schedule, self._access)
+        self._files.schedule(inputs.schedule, self.access)
 
     def make(self, point: Sequence[Value]) -> FinishedRun:
         """Simulate the schedule with these values; raises ``Failure``."""
         inputs = inputs_of(self.plan, point, self.cycle_time_us)
-        model = self._files.schedule(inputs.schedule, self._access).model
+        model = self._files.schedule(inputs.schedule, self.access).model
         run = simulate(model, cycles_within(model, self.plan.until or DURATION), record=0)
         numbers = repr((model, run.tasks, run.windows, run.missed_suspensions, run.end))
         digest = hashlib.blake2b(numbers.encode(), digest_size=8).hexdigest()
@@ -98,7 +98,7 @@ class ScheduleBench(Bench):
     def texts(self, point: Sequence[Value]) -> tuple[str, str | None]:
         """Return the texts of list and load of a run; raises ``Failure``."""
         inputs = inputs_of(self.plan, point, self.cycle_time_us)
-        return self._files.texts(inputs.schedule, self._access)
+        return self._files.texts(inputs.schedule, self.access)
 
 
 def _failures(function: object, *words: object) -> list[Diagnostic]:

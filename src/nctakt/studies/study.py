@@ -15,6 +15,7 @@ from nctakt.studies.measures import MeasuredValue, function_measure
 from nctakt.studies.plan import Plan
 from nctakt.studies.plan_file import read_plan, read_tables
 from nctakt.studies.processes import rows_here, rows_of_processes
+from nctakt.studies.recording import record_run
 from nctakt.studies.report import report
 from nctakt.studies.results import RowStore, arrow_table, write_rows
 from nctakt.studies.schedule_bench import bench_of
@@ -193,6 +194,14 @@ class Study:
         """Return the smallest change from the unchanged run that breaks as a run does."""
         nominal = [dimension.rest_value for dimension in self.plan.dimensions]
         return shrink(self.bench, self.plan.point(number), nominal)
+
+    def record(self, number: int, path: str | Path) -> str:
+        """Write the tape of a run; return the command that replays it.
+
+        Of a schedule the list and its load are written instead. Raises ``Failure`` as the run, and
+        for files that cannot be written.
+        """
+        return record_run(self.bench, self.plan.point(number), Path(path))
 
     def command(self, number: int) -> str | None:
         """Return the command that makes a run alone; ``None`` if no option says its inputs."""

@@ -156,6 +156,11 @@ class ProgramRun:
         self._loaded: list[LoadedProgram] = []
         self.state: RunState | None = None
 
+    @property
+    def end(self) -> int:
+        """The tick at which its limit ends it."""
+        return self._end
+
     def _limit(self) -> int:
         """Return the maximum number of ticks of the run."""
         ticks, until = self._options.ticks, self._options.until

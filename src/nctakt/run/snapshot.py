@@ -9,11 +9,17 @@ Putting back takes a hundredth of the time that building the part anew takes.
 from __future__ import annotations
 
 import gc
+import operator
 from collections.abc import Callable, Iterator
 from typing import Any
 
+from nctakt.kernel.base.record import Record
+from nctakt.kernel.cycles.cycles import RealtimeCycle
+from nctakt.kernel.kernel import Kernel
 from nctakt.kernel.path.path import Path
 from nctakt.kernel.state import axes, control, path
+from nctakt.kernel.tick.command_queue import CommandQueue
+from nctakt.kernel.tick.loop_body import LoopBody
 from nctakt.nc.vocabulary.cells import CELL_BYTES
 from nctakt.run.realtime_part import RealtimePart
 
@@ -22,49 +28,89 @@ _ARRAYS = {**axes.ARRAYS, **path.ARRAYS, **control.ARRAYS}
 
 _KERNEL = "nctakt.kernel."
 
+#: The classes whose arrays are replaced by larger ones.
+_WITH_GROWING_ARRAYS = (CommandQueue, Kernel, LoopBody, Record)
+
 #: Containers in which objects of the realtime part stand.
 _CONTAINERS = (dict, list, tuple)
 
 
 class Snapshot:
-    """The state of a realtime part when it was taken.
+    """The state of a realtime part when it was taken, at first or again.
 
     Raises ``ValueError`` with a shared image or with stops, which are not part of it.
     """
 
     def __init__(self, realtime: RealtimePart) -> None:
-        kernel, record = realtime.kernel, realtime.record
+        self._realtime = realtime
+        self._copies: list[tuple[Callable[[Any, Any], None], Any, Any]] = []
+        self._growing: list[tuple[Any, list[bytearray]]] = []
+        self._paths: list[Path] = []
+        buffers: dict[int, bytearray] = {id(realtime.memory): realtime.memory}
+        for part in _parts(realtime.kernel):
+            kept = type(part).__new__(type(part))
+            for cls in type(part).__mro__:
+                if cls in _COPIERS:
+                    self._copies.append((_COPIERS[cls], part, kept))
+            arrays = list(_buffers_of(part))
+            buffers |= {id(buffer): buffer for buffer in arrays}
+            if isinstance(part, _WITH_GROWING_ARRAYS):
+                self._growing.append((part, arrays))
+            if isinstance(part, Path):
+                self._paths.append(part)
+        self._buffers = [(memoryview(one), bytearray(len(one))) for one in buffers.values()]
+        self._histories: list[tuple[memoryview, bytes]] = []
+        self._cycles = self._loaded_cycles()
+        self._take()
+
+    def _loaded_cycles(self) -> list[list[RealtimeCycle]]:
+        return [list(channel.manager.loaded) for channel in self._realtime.channels]
+
+    def take_again(self) -> bool:
+        """Take the present state instead; return False if there are other objects to keep now."""
+        cycles = self._loaded_cycles()
+        are_same = len(cycles) == len(self._cycles) and all(
+            len(one) == len(other) and all(map(operator.is_, one, other))
+            for one, other in zip(cycles, self._cycles, strict=True)
+        )
+        if not are_same or not all(
+            all(map(operator.is_, _buffers_of(part), arrays)) for part, arrays in self._growing
+        ):
+            return False
+        self._take()
+        return True
+
+    def _take(self) -> None:
+        kernel, record = self._realtime.kernel, self._realtime.record
         if kernel.image.is_attached or kernel.stops.is_watching:
             raise ValueError("a snapshot has neither a shared image nor stops")
         if record.row_count or record.event_count or record.probe_count:
             raise ValueError("the record has not been emptied")
-        self._copies: list[tuple[Callable[[Any, Any], None], Any, Any]] = []
-        buffers: dict[int, bytearray] = {id(realtime.memory): realtime.memory}
-        self._contents: list[tuple[memoryview, bytes]] = []
-        for part in _parts(kernel):
-            kept = type(part).__new__(type(part))
-            for cls in type(part).__mro__:
-                if cls in _COPIERS:
-                    self._copies.append((_COPIERS[cls], kept, part))
-                    _COPIERS[cls](part, kept)
-                if cls in _ARRAYS:
-                    for buffer in map(_buffer_of, _ARRAYS[cls](part)):
-                        buffers[id(buffer)] = buffer
-            if isinstance(part, Path):
-                rows, cells = path.history_of_path(part)
-                self._keep(memoryview(_buffer_of(rows))[: CELL_BYTES * cells])
-        for buffer in buffers.values():
-            self._keep(memoryview(buffer))
-
-    def _keep(self, buffer: memoryview) -> None:
-        self._contents.append((buffer, bytes(buffer)))
+        for copy, part, kept in self._copies:
+            copy(part, kept)
+        for buffer, content in self._buffers:
+            content[:] = buffer
+        self._histories = []
+        for one in self._paths:
+            rows, cells = path.history_of_path(one)
+            history = memoryview(_buffer_of(rows))[: CELL_BYTES * cells]
+            self._histories.append((history, bytes(history)))
 
     def put_back(self) -> None:
         """Put everything back as it was when the snapshot was taken."""
-        for copy, kept, part in self._copies:
+        for copy, part, kept in self._copies:
             copy(kept, part)
-        for buffer, content in self._contents:
+        for buffer, content in self._buffers:
             buffer[:] = content
+        for history, kept_rows in self._histories:
+            history[:] = kept_rows
+
+
+def _buffers_of(part: object) -> Iterator[bytearray]:
+    """Yield the memory of the arrays of an object."""
+    for cls in type(part).__mro__:
+        if cls in _ARRAYS:
+            yield from map(_buffer_of, _ARRAYS[cls](part))
 
 
 def _parts(root: object) -> Iterator[object]:

@@ -7,13 +7,11 @@ alone, so that rows are the same whoever makes them, in whatever order.
 
 from __future__ import annotations
 
-import hashlib
 import re
 from collections import OrderedDict
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
 from nctakt.files.access import FileAccess
@@ -23,25 +21,22 @@ from nctakt.messages.studies import UNKNOWN_PROGRAM_VARIABLE
 from nctakt.plc import load_plc
 from nctakt.project.machine_choice import machine_of
 from nctakt.run.controller import Controller, NcText
-from nctakt.run.inputs import Input
 from nctakt.run.plc_view import AnyPlc
 from nctakt.run.program_loader import AnyProgram, LoadedProgram
-from nctakt.run.program_run import ProgramRun, RunOptions
+from nctakt.run.program_run import RunOptions
 from nctakt.run.tape import TapeWriter
 from nctakt.schedule.open_schedule import RunSchedule
+from nctakt.studies.begun_run import BegunRun, Digest, FinishedRun
 from nctakt.studies.changed_lists import changed_machine
 from nctakt.studies.changed_schedule import ScheduleChanges, ScheduleFiles
 from nctakt.studies.dimension import Value
 from nctakt.studies.faults import FaultyPlc
 from nctakt.studies.inputs import RunInputs, inputs_of
 from nctakt.studies.measure_nodes import reaction_time
-from nctakt.studies.outcome import Outcome
 from nctakt.studies.plan import Plan
-from nctakt.studies.realtime_parts import MACHINES, LentPart, RealtimeParts
+from nctakt.studies.realtime_parts import MACHINES, RealtimeParts
+from nctakt.studies.window import Injection
 from nctakt.testing.queries import values_before
-from nctakt.trace.chunks import EventChunk
-from nctakt.trace.events import Event
-from nctakt.trace.sinks import TraceHeader
 
 #: Parameters of the lists that a run changes, with their values.
 Parameters = tuple[tuple[tuple[str, str], float | str], ...]
@@ -58,81 +53,6 @@ HELD, BROKEN, FAILED, CRASHED = "held", "broken", "failed", "crashed"
 
 #: The state of a run that was left as soon as its expectations were decided.
 DECIDED = "decided"
-
-
-class Digest:
-    """A sink that condenses a trace to a few digits: the same trace, the same digits."""
-
-    def __init__(self) -> None:
-        self._events = hashlib.blake2b(digest_size=8)
-        self._rows = hashlib.blake2b(digest_size=8)
-
-    def open(self, header: TraceHeader) -> None:
-        """Do nothing."""
-
-    def events(self, events: Sequence[Event]) -> None:
-        """Take events."""
-        assert isinstance(events, EventChunk)
-        self._events.update(events.data)
-
-    def rows(self, first_tick: int, rows: memoryview[float], width: int) -> None:
-        """Take the values of ticks."""
-        self._rows.update(rows)
-
-    def close(self) -> None:
-        """Do nothing."""
-
-    def text(self) -> str:
-        """Return the digits."""
-        self._events.update(self._rows.digest())
-        return self._events.hexdigest()
-
-
-@dataclass(frozen=True, slots=True)
-class FinishedRun:
-    """A run that was made: its outcome, its inputs, its digest."""
-
-    outcome: Outcome
-    inputs: RunInputs
-    digest: str
-
-
-class BegunRun:
-    """A run that has begun and can be ended where it is decided."""
-
-    def __init__(
-        self,
-        controller: Controller,
-        run: ProgramRun,
-        inputs: RunInputs,
-        before: Mapping[str, float],
-        digest: Digest,
-        lent: LentPart | None,
-    ) -> None:
-        self.controller = controller
-        self.run = run
-        self._inputs = inputs
-        self._before = before
-        self._digest = digest
-        self._lent = lent
-
-    def add(self, inputs: Sequence[Input]) -> None:
-        """Plan further inputs, behind those of their ticks that are planned already."""
-        self.controller.plan(inputs)
-
-    def finish(self, injected_us: int | None = None, end: int | None = None) -> FinishedRun:
-        """Go on up to tick ``end``, by default to the end of the run; return what was made."""
-        try:
-            self.run.advance(end)
-            if self.run.state is None:
-                self.run.interrupt()
-        finally:
-            self.run.close()
-        injected = None if injected_us is None else injected_us / 1e6
-        outcome = Outcome(self.run.result(), self._before, injected)
-        if self._lent is not None:
-            self._lent.give_back()
-        return FinishedRun(outcome, self._inputs, self._digest.text())
 
 
 class Bench:
@@ -156,6 +76,8 @@ class Bench:
         self._loaded: LoadedProgram | None = None
         self._machines: OrderedDict[Parameters, Machine] = OrderedDict()
         self._parts = RealtimeParts()
+        reactions = (expected.reaction for expected in plan.expectations)
+        self._reactions = tuple(one for one in reactions if one is not None)
         names = (name for measure in plan.measures for name in measure.node.signals())
         further = (name for expected in plan.expectations for name in expected.signals)
         self._names = tuple(dict.fromkeys([*names, *further]))
@@ -241,9 +163,8 @@ class Bench:
         broken = [one.text for one in plan.expectations if not one.is_met(outcome)]
         if not plan.speaks_of_errors:
             broken += dict.fromkeys(f"error {found.id}" for found in outcome.run.errors)
-        reactions = [one.reaction for one in plan.expectations if one.reaction is not None]
-        if reactions:
-            row[REACTION] = reaction_time(reactions[0], outcome)
+        if self._reactions:
+            row[REACTION] = reaction_time(self._reactions[0], outcome)
         return row | {
             "state": DECIDED if outcome.run.state == "interrupted" else outcome.run.state,
             "ticks": outcome.run.ticks,
@@ -257,14 +178,20 @@ class Bench:
         """Make the run with these values, up to where it is decided; raises ``Failure``."""
         injected_us = self.plan.injection_us(point)
         begun = self.begin(inputs_of(self.plan, point, self.cycle_time_us))
-        return begun.finish(injected_us, self.decided_after(injected_us))
+        return begun.finish(injected_us, self.injection(injected_us))
 
-    def decided_after(self, injected_us: int | None) -> int | None:
-        """Return the tick behind which an injection's run is decided; ``None``: at its end."""
+    def injection(self, injected_us: int | None) -> Injection | None:
+        """Return the injection at a time; ``None`` if its run is decided only at its end."""
         window_us = self.plan.window_us(self.cycle_time_us)
         if injected_us is None or window_us is None:
             return None
-        return -(-(injected_us + window_us) // self.cycle_time_us) + 1
+        return Injection(
+            injected_us,
+            -(-injected_us // self.cycle_time_us),
+            -(-(injected_us + window_us) // self.cycle_time_us) + 1,
+            self.cycle_time_us,
+            self._reactions,
+        )
 
     def begin(
         self,

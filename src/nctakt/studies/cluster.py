@@ -24,6 +24,7 @@ from nctakt.studies.bundle import Bundle, bundle
 from nctakt.studies.plan import Plan
 from nctakt.studies.processes import Block, in_blocks
 from nctakt.studies.schedule_bench import bench_of
+from nctakt.studies.shared_beginning import SharedBeginning, maker_of
 
 #: Blocks that wait on the cluster for each of its threads.
 AHEAD = 4
@@ -32,17 +33,17 @@ AHEAD = 4
 CONNECT_S = 20
 
 _lock = threading.Lock()
-_benches: dict[str, Bench] = {}
+_makers: dict[str, Bench | SharedBeginning] = {}
 
 
 def make_block(packed: Bundle, block: Block) -> list[Row]:
     """Make the runs of a block, on a worker, where the bench stays for the next block."""
     with _lock:
         key = packed.key
-        if key not in _benches:
+        if key not in _makers:
             folder = Path(tempfile.mkdtemp(prefix="nctakt-study-"))
-            _benches[key] = bench_of(packed.unpack(folder))
-        return [_benches[key].row(number) for number in block]
+            _makers[key] = maker_of(bench_of(packed.unpack(folder)), may_copy=False)
+        return [_makers[key].row(number) for number in block]
 
 
 def rows_of_cluster(plan: Plan, numbers: Iterable[int], address: str | Any) -> Iterator[list[Row]]:

@@ -21,6 +21,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from nctakt.studies.bench import Row, crashed_row
 from nctakt.studies.plan import Plan
 from nctakt.studies.schedule_bench import bench_of
+from nctakt.studies.shared_beginning import maker_of
 
 #: Runs that a worker makes between two answers.
 BLOCK = 50
@@ -37,9 +38,9 @@ def in_blocks(numbers: Iterable[int], size: int = BLOCK) -> Iterator[Block]:
 
 def rows_here(plan: Plan, numbers: Iterable[int]) -> Iterator[list[Row]]:
     """Yield the rows of runs, made in this process one after another."""
-    bench = bench_of(plan)
+    maker = maker_of(bench_of(plan), may_copy=False)
     for number in numbers:
-        yield [bench.row(number)]
+        yield [maker.row(number)]
 
 
 def rows_of_processes(plan: Plan, numbers: Iterable[int], count: int) -> Iterator[list[Row]]:

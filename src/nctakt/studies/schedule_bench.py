@@ -16,7 +16,8 @@ from nctakt.lists.format.times import Time
 from nctakt.schedule.findings import simulation_findings
 from nctakt.schedule.open_schedule import cycles_within
 from nctakt.schedule.simulate import simulate
-from nctakt.studies.bench import BROKEN, HELD, Bench, FinishedRun, Row
+from nctakt.studies.begun_run import FinishedRun
+from nctakt.studies.bench import BROKEN, HELD, Bench, Row
 from nctakt.studies.changed_schedule import ScheduleChanges, ScheduleFiles
 from nctakt.studies.dimension import Value
 from nctakt.studies.inputs import RunInputs, inputs_of

@@ -20,7 +20,7 @@ from nctakt.studies.report import report
 from nctakt.studies.results import RowStore, arrow_table, write_rows
 from nctakt.studies.schedule_bench import bench_of
 from nctakt.studies.search import Answer, search, shrink
-from nctakt.studies.shared_beginning import is_shared
+from nctakt.studies.shared_beginning import is_copied
 
 if TYPE_CHECKING:
     import pandas
@@ -172,8 +172,8 @@ class Study:
         missing = [number for number in numbers_due if number not in done] if done else numbers_due
         if executor is None:
             executor = rows_here
-            shares = is_shared(self.plan, self.bench.cycle_time_us)
-            if (processes > 1 or shares) and not self._has_functions:
+            copies = is_copied(self.plan, self.bench.cycle_time_us)
+            if (processes > 1 or copies) and not self._has_functions:
                 executor = lambda plan, left: rows_of_processes(plan, left, processes)  # noqa: E731
         rows: list[Row] = []
         for finished in executor(self.plan, missing):

@@ -16,7 +16,7 @@ import signal
 import sys
 
 from nctakt.studies.schedule_bench import bench_of
-from nctakt.studies.shared_beginning import SharedBeginning, is_shared
+from nctakt.studies.shared_beginning import maker_of
 
 
 def main() -> None:
@@ -25,8 +25,7 @@ def main() -> None:
     answers = os.fdopen(os.dup(1), "wb")
     os.dup2(2, 1)
     questions = sys.stdin.buffer
-    bench = bench_of(pickle.load(questions))
-    maker = SharedBeginning(bench) if is_shared(bench.plan, bench.cycle_time_us) else bench
+    maker = maker_of(bench_of(pickle.load(questions)), may_copy=True)
     gc.collect()
     gc.freeze()
     with contextlib.suppress(EOFError, BrokenPipeError):

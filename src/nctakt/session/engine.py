@@ -34,6 +34,7 @@ from nctakt.run.program_run import ProgramRun, RunOptions
 from nctakt.run.shared_image import SharedImage
 from nctakt.run.stimuli import Stimulus, as_inputs, read_stimulus
 from nctakt.run.tick_loop import TickLoop
+from nctakt.session.channel_states import ChannelState, channel_states
 from nctakt.session.decoders import DecoderState, decoder_state
 from nctakt.session.happened import MAX_EVENTS, Happened
 from nctakt.session.setup import Description, Inventory, Setup
@@ -119,12 +120,13 @@ class CycleState:
 
 @dataclass(frozen=True, slots=True)
 class Glance:
-    """Values of signals, the living cycles and what waits for the PLC, all before one tick."""
+    """Values of signals, living cycles, what waits for the PLC, and channels, before one tick."""
 
     tick: int
     values: tuple[float | bool | str, ...]
     cycles: tuple[CycleState, ...]
     waiting: tuple[tuple[int, TechnologyEntry | SpindleEntry], ...]
+    channels: tuple[ChannelState, ...]
 
 
 class Engine:
@@ -374,7 +376,8 @@ class Engine:
     def glance(self, names: Sequence[str]) -> Glance:
         """Return values, cycles and what waits, all of this tick; raises as ``read``."""
         values = tuple(self.read(names))
-        return Glance(self.tick, values, tuple(self.cycles()), tuple(self.waiting()))
+        channels = channel_states(self._machine)
+        return Glance(self.tick, values, tuple(self.cycles()), tuple(self.waiting()), channels)
 
     def happened(self) -> tuple[list[Event], int]:
         """Return the latest events that no slice has, and how many there were before them."""

@@ -360,6 +360,11 @@ class Spindles:
             if self.plc_state[spindle] == codes.WAITING
         ]
 
+    def latest_job(self, spindle: int) -> tuple[int, float, bool]:
+        """Return the M function of the latest job, 0 before the first, °/s, and if it is open."""
+        check_index(spindle, self.count, "spindle")
+        return self.function[spindle], self.commanded_v[spindle], self.is_open[spindle] != 0
+
     def acknowledge(self, spindle: int, serial: int) -> bool:
         """Acknowledge the job of this serial; return whether it waits."""
         check_index(spindle, self.count, "spindle")

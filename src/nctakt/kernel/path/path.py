@@ -119,6 +119,12 @@ class Path(PathAxes):
                 self.oldest = self.used
             self.ends[i] = self.history_rows[end + i]
 
+    def programmed_speed(self) -> float:
+        """Return the programmed speed of the current segment in mm/s, 0 without one."""
+        if not self.is_active or self.is_dwell:
+            return 0.0
+        return self.history_rows[self.row + rows.SPEED]
+
     def row_of(self, number: int) -> int:
         """Row of the segment with this running number."""
         return number % self.ring_size * self.width

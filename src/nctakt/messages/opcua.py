@@ -1,0 +1,16 @@
+# SPDX-License-Identifier: MIT
+"""Messages about the server for OPC UA."""
+
+from __future__ import annotations
+
+from nctakt.messages.catalogue import error
+
+SECURITY_FOLDER_NOT_USABLE = error(
+    901358,
+    en="the folder {folder} of certificate and users cannot be used: {reason}",
+    de="der Ordner {folder} mit Zertifikat und Benutzern ist nicht verwendbar: {reason}",
+    remedy_en="Name a folder that can be written, or mend or delete its files.",
+    remedy_de="Einen beschreibbaren Ordner nennen oder seine Dateien berichtigen oder löschen.",
+    folder=("the folder", "der Ordner"),
+    reason=("the reason", "der Grund"),
+)

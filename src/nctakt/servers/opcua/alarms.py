@@ -1,0 +1,293 @@
+# SPDX-License-Identifier: MIT
+"""Messages and alarms: what a program says, and what went wrong, until somebody acknowledges it.
+
+In: notices of the host, the error of each channel. Out: events of CncMessageType and CncAlarmType
+to all that subscribe. An alarm is active while its channel stands with that error; it stays until
+it is no longer active and somebody has acknowledged it.
+"""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Sequence
+from datetime import datetime
+from typing import TYPE_CHECKING, Any
+
+from asyncua import ua
+
+from nctakt.base.dataclass import dataclass, field
+from nctakt.base.diagnostics import Diagnostic, Severity, Text
+from nctakt.results.run import ProgramMessage
+from nctakt.servers.host import Host
+from nctakt.servers.notices import ServerNotice
+from nctakt.servers.opcua.events import Event, EventTypes, Field, SeenEvent, base_fields
+from nctakt.servers.opcua.machine_space import MachineSpace
+from nctakt.servers.opcua.nodes import standard
+from nctakt.servers.opcua.subscriptions import Subscriptions
+from nctakt.servers.opcua.types import CompanionTypes
+from nctakt.servers.opcua.values import Clock
+
+if TYPE_CHECKING:
+    from nctakt.servers.opcua.sessions import ClientSession
+
+#: Alarms that are kept at most; the oldest that is not active goes first.
+MAX_ALARMS = 1_000
+
+#: Severities of OPC UA, 1 … 1000.
+_SEVERITIES = {Severity.ERROR: 800, Severity.WARNING: 400, Severity.NOTE: 100}
+_MESSAGE_SEVERITY = 100
+
+#: Nodes of namespace 0: the server, its class of conditions; events around a refresh.
+_SERVER, _PROCESS_CLASS, _REFRESH_START, _REFRESH_END = 2253, 11164, 2787, 2788
+
+_KINDS = ua.VariantType
+
+
+def _state(en: str, de: str) -> Text:
+    return Text(en, de)
+
+
+_ENABLED = _state("Enabled", "Freigegeben")
+_ACTIVE = {True: _state("Active", "Aktiv"), False: _state("Inactive", "Inaktiv")}
+_ACKED = {
+    True: _state("Acknowledged", "Quittiert"),
+    False: _state("Unacknowledged", "Nicht quittiert"),
+}
+_PROCESS = _state("ProcessConditionClassType", "ProcessConditionClassType")
+
+
+@dataclass(slots=True, eq=False)
+class Alarm:
+    """An alarm; ``node``: its condition. ``channel``: its number, 0 for none.
+
+    ``event_ids``: those that a client may acknowledge it by, the latest last.
+    """
+
+    node: ua.NodeId
+    found: Diagnostic
+    channel: int
+    time: datetime
+    is_active: bool
+    is_acked: bool = False
+    comment: Any = None
+    user: str = ""
+    event_ids: list[bytes] = field(default_factory=list)
+
+    @property
+    def is_retained(self) -> bool:
+        """Whether somebody must still see it."""
+        return self.is_active or not self.is_acked
+
+
+class Alarms:
+    """The messages and alarms of a machine."""
+
+    def __init__(
+        self,
+        host: Host,
+        types: CompanionTypes,
+        machine: MachineSpace,
+        subscriptions: Subscriptions,
+        clock: Clock,
+        event_types: EventTypes,
+    ) -> None:
+        self._host = host
+        self._types = types
+        self._machine = machine
+        self._subscriptions = subscriptions
+        self._clock = clock
+        self._event_types = event_types
+        self._alarms: dict[ua.NodeId, Alarm] = {}
+        self._errors: dict[int, float] = {}
+        self._serial = 0
+        several = len(machine.channels) > 1
+        self.error_names = {
+            number: f"CH{number}.HLI.ERROR" if several else "HLI.ERROR"
+            for number in machine.channels
+        }
+
+    # --- what happens ---------------------------------------------------------------------------
+
+    def take(self, notice: ServerNotice) -> None:
+        """Tell a notice to those who subscribe."""
+        if notice.kind == "message" and notice.message is not None:
+            self._tell_message(notice.message)
+        elif notice.kind == "diagnostic" and notice.diagnostic is not None:
+            self._take_diagnostic(notice.diagnostic, notice.tick)
+        elif notice.kind in ("refused", "ended", "stopped"):
+            text = f"{notice.kind}: {notice.text}"
+            time = self._clock.time(notice.tick)
+            self._tell_event(0, Text(text, text), time, _MESSAGE_SEVERITY)
+
+    def _tell_message(self, message: ProgramMessage) -> None:
+        channel = message.channel or 1
+        tick = message.time_us // self._clock.cycle_time_us
+        text = Text(message.text, message.text)
+        self._tell_event(channel, text, self._clock.time(tick), _MESSAGE_SEVERITY)
+
+    def _take_diagnostic(self, found: Diagnostic, tick: int) -> None:
+        severity, time = _SEVERITIES[found.severity], self._clock.time(tick)
+        if found.severity is not Severity.ERROR:
+            text = Text(f"{found.id}: {found.text('en')}", f"{found.id}: {found.text('de')}")
+            self._tell_event(0, text, time, severity)
+            return
+        values = self._host.store.values
+        channels = [
+            number
+            for number, name in self.error_names.items()
+            if values.get(name, 0.0) == float(found.id)
+        ]
+        self._serial += 1
+        node = self._machine.id(f"Alarm.{found.id}.{self._serial}")
+        channel = channels[0] if channels else 0
+        alarm = Alarm(node, found, channel, time, is_active=bool(channels))
+        self._make_room()
+        self._alarms[node] = alarm
+        self._tell_alarm(alarm, time)
+
+    def _make_room(self) -> None:
+        while len(self._alarms) >= MAX_ALARMS:
+            idle = [one.node for one in self._alarms.values() if not one.is_active]
+            del self._alarms[(idle or list(self._alarms))[0]]
+
+    def look(self) -> None:
+        """Let alarms be over whose channel has that error no longer."""
+        values = self._host.store.values
+        for number, name in self.error_names.items():
+            error = float(values.get(name, 0.0))
+            if error == self._errors.get(number, 0.0):
+                continue
+            self._errors[number] = error
+            for alarm in list(self._alarms.values()):
+                if alarm.channel == number and alarm.is_active and alarm.found.id != error:
+                    alarm.is_active = False
+                    self._tell_alarm(alarm, self._clock.time(self._host.store.tick))
+
+    # --- events ---------------------------------------------------------------------------------
+
+    def _notifiers(self, channel: int) -> Sequence[ua.NodeId]:
+        own = self._machine.channels.get(channel)
+        above = (standard(_SERVER), self._machine.interface)
+        return above if own is None else (*above, own)
+
+    def _source(self, channel: int) -> tuple[ua.NodeId, str]:
+        own = self._machine.channels.get(channel)
+        if own is None:
+            return self._machine.interface, "CncInterface"
+        return own, f"Channel_{channel}"
+
+    def _event_id(self) -> bytes:
+        self._serial += 1
+        return hashlib.sha256(f"{self._clock.start} {self._serial}".encode()).digest()[:16]
+
+    def _tell_event(self, channel: int, text: Text, time: datetime, severity: int) -> None:
+        type_, event_id = self._types.type("CncMessageType"), self._event_id()
+        source, name = self._source(channel)
+        values = base_fields(type_, event_id, source, name, time, text, severity)
+        self._tell(Event(type_, event_id, values), channel)
+
+    def _tell_alarm(self, alarm: Alarm, time: datetime) -> None:
+        self._tell(self._event_of(alarm, time), alarm.channel)
+        if not alarm.is_retained:
+            self._alarms.pop(alarm.node, None)
+
+    def _event_of(self, alarm: Alarm, time: datetime) -> Event:
+        found, type_ = alarm.found, self._types.type("CncAlarmType")
+        event_id = self._event_id()
+        alarm.event_ids = [*alarm.event_ids, event_id][-100:]
+        source, name = self._source(alarm.channel)
+        severity = _SEVERITIES[found.severity]
+        text = Text(found.text("en"), found.text("de"))
+        remedy = Text(found.remedy("en"), found.remedy("de"))
+        cause = found.message.cause
+        place = "" if found.span is None else str(found.span)
+        values: dict[str, Field] = {
+            **base_fields(type_, event_id, source, name, time, text, severity),
+            "NodeId": (alarm.node, _KINDS.NodeId),
+            "ConditionClassId": (standard(_PROCESS_CLASS), _KINDS.NodeId),
+            "ConditionClassName": (_PROCESS, _KINDS.LocalizedText),
+            "ConditionName": (str(found.id), _KINDS.String),
+            "BranchId": (ua.NodeId(), _KINDS.NodeId),
+            "Retain": (alarm.is_retained, _KINDS.Boolean),
+            **_two_state("EnabledState", _ENABLED, is_true=True),
+            **_two_state("AckedState", _ACKED[alarm.is_acked], is_true=alarm.is_acked),
+            **_two_state("ActiveState", _ACTIVE[alarm.is_active], is_true=alarm.is_active),
+            "Quality": (ua.StatusCode(), _KINDS.StatusCode),
+            "LastSeverity": (severity, _KINDS.UInt16),
+            "Comment": (alarm.comment or ua.LocalizedText("", ""), _KINDS.LocalizedText),
+            "ClientUserId": (alarm.user, _KINDS.String),
+            "InputNode": (ua.NodeId(), _KINDS.NodeId),
+            "SuppressedOrShelved": (False, _KINDS.Boolean),
+            "AlarmIdentifier": (str(found.id), _KINDS.String),
+            "AuxParameters": ((remedy, cause, place), _KINDS.String),
+            "HelpSource": (f"nctakt explain {found.id}", _KINDS.String),
+        }
+        return Event(type_, event_id, values)
+
+    def _tell(self, event: Event, channel: int) -> None:
+        notifiers = self._notifiers(channel)
+        for subscription in self._subscriptions.subscriptions.values():
+            language = self._subscriptions.language_of(subscription)
+            seen = SeenEvent(event, language, self._event_types)
+            subscription.tell_event(seen, notifiers)
+
+    # --- answers of clients ---------------------------------------------------------------------
+
+    def answer(
+        self,
+        session: ClientSession,
+        node: ua.NodeId,
+        event_id: bytes,
+        comment: Any,
+        *,
+        is_acknowledged: bool,
+    ) -> int:
+        """Take a comment, or an acknowledgement with a comment; return the status."""
+        codes = ua.StatusCodes
+        alarm = self._alarms.get(node)
+        if alarm is None:
+            return int(codes.BadNodeIdUnknown)
+        if event_id not in alarm.event_ids:
+            return int(codes.BadEventIdUnknown)
+        if is_acknowledged and alarm.is_acked:
+            return int(codes.BadConditionBranchAlreadyAcked)
+        alarm.is_acked = alarm.is_acked or is_acknowledged
+        if comment is not None and comment.Text:
+            alarm.comment = comment
+        alarm.user = session.client
+        self._host.log.note(
+            "acknowledged" if is_acknowledged else "comment",
+            door="opcua",
+            client=session.client,
+            alarm=alarm.found.id,
+        )
+        self._tell_alarm(alarm, self._clock.time(self._host.store.tick))
+        return 0
+
+    def refresh(self, session: ClientSession, number: int, item: int | None) -> int:
+        """Tell all alarms that are not over once more to a subscription; return the status."""
+        subscription = self._subscriptions.subscriptions.get(number)
+        if subscription is None or subscription.session_id != session.session_id:
+            return int(ua.StatusCodes.BadSubscriptionIdInvalid)
+        if item is not None and item not in subscription.items:
+            return int(ua.StatusCodes.BadMonitoredItemIdInvalid)
+        time = self._clock.time(self._host.store.tick)
+        events = [self._around(_REFRESH_START, time)]
+        events += [self._event_of(alarm, time) for alarm in self._alarms.values()]
+        events.append(self._around(_REFRESH_END, time))
+        for event in events:
+            seen = SeenEvent(event, session.language, self._event_types)
+            for known in subscription.items.values():
+                if known.is_event and item in (None, known.id):
+                    subscription.tell_item(seen, known)
+        return 0
+
+    def _around(self, number: int, time: datetime) -> Event:
+        type_, event_id = standard(number), self._event_id()
+        nothing = Text("", "")
+        values = base_fields(type_, event_id, standard(_SERVER), "Server", time, nothing, 100)
+        return Event(type_, event_id, values)
+
+
+def _two_state(name: str, text: Text, *, is_true: bool) -> dict[str, Field]:
+    return {name: (text, _KINDS.LocalizedText), f"{name}/Id": (is_true, _KINDS.Boolean)}

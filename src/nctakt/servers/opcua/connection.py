@@ -1,0 +1,202 @@
+# SPDX-License-Identifier: MIT
+"""The connections of clients: bounded in what they may send at once and leave unread.
+
+In: bytes of clients. Out: requests to their session, responses. A client that breaks a limit is
+disconnected, and it stands in the log; nobody else notices.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import struct
+from typing import Any
+
+from asyncua import ua
+from asyncua.common.utils import Buffer, ServiceError
+from asyncua.server.binary_server_asyncio import BinaryServer, OPCUAProtocol
+from asyncua.server.uaprocessor import PublishRequestData, UaProcessor
+from asyncua.ua.ua_binary import header_from_binary, struct_from_binary
+
+from nctakt.servers.log import ServerLog
+from nctakt.servers.opcua.limits import Limits
+
+_PUBLISH = ua.NodeId(ua.ObjectIds.PublishRequest_Encoding_DefaultBinary)
+_TRANSFER = ua.NodeId(ua.ObjectIds.TransferSubscriptionsRequest_Encoding_DefaultBinary)
+_ACTIVATE = ua.NodeId(ua.ObjectIds.ActivateSessionRequest_Encoding_DefaultBinary)
+_REGISTER = (
+    ua.NodeId(ua.ObjectIds.RegisterServerRequest_Encoding_DefaultBinary),
+    ua.NodeId(ua.ObjectIds.RegisterServer2Request_Encoding_DefaultBinary),
+)
+
+#: The length of the header of a chunk, in bytes: three letters, one, and the length of it all.
+_HEADER = 8
+
+
+class Processor(UaProcessor):
+    """Answers the requests of one connection."""
+
+    def __init__(self, server: Any, transport: Any, limits: Any, own: Limits, client: str) -> None:
+        super().__init__(server, transport, limits)
+        self._own = own
+        self.client = client
+
+    async def _process_message(
+        self, typeid: ua.NodeId, requesthdr: Any, seqhdr: Any, body: Any
+    ) -> Any:
+        if typeid in _REGISTER:
+            raise ServiceError(ua.StatusCodes.BadServiceUnsupported)
+        if typeid not in (_PUBLISH, _TRANSFER) or self.session is None:
+            done = await super()._process_message(typeid, requesthdr, seqhdr, body)
+            if self.session is not None:
+                self.session.client = self.client
+            return done
+        if not self.session.is_activated():
+            raise ServiceError(ua.StatusCodes.BadSessionNotActivated)
+        self.session_last_activity = asyncio.get_running_loop().time()
+        self.session.touch()
+        if typeid == _TRANSFER:
+            params = struct_from_binary(ua.TransferSubscriptionsParameters, body)
+            response = ua.TransferSubscriptionsResponse()
+            response.Parameters.Results = await self.session.transfer(
+                params, self.forward_publish_response, self.get_publish_request
+            )
+            self.send_response(requesthdr.RequestHandle, seqhdr, response)
+            return True
+        params = struct_from_binary(ua.PublishParameters, body)
+        results = self.session.acknowledge(params.SubscriptionAcknowledgements)
+        self._take_request(PublishRequestData(requesthdr, seqhdr, results))
+        return True
+
+    def _take_request(self, request: PublishRequestData) -> None:
+        """Answer a publish request at once if something waits for it; else keep it."""
+        subscriptions = self.iserver.subscription_service.subscriptions
+        while self._publish_results_subs:
+            number = next(iter(self._publish_results_subs))
+            del self._publish_results_subs[number]
+            subscription = subscriptions.get(number)
+            if subscription is not None and subscription.publish(request):
+                return
+        if len(self._publish_requests) >= self._own.publish_requests:
+            self._evict_publish_request()
+        self._publish_requests.append(request)
+
+    def forward_publish_response(self, body: bytes, request: PublishRequestData) -> None:
+        """Answer a publish request with what is written already."""
+        data = self._connection.message_to_binary(
+            body, message_type=ua.MessageType.SecureMessage, request_id=request.seqhdr.RequestId
+        )
+        self._transport.write(data)
+
+    def send_response(
+        self, requesthandle: int, seqhdr: Any, response: Any, msgtype: Any = None
+    ) -> None:
+        """Answer a request; a client that reads nothing for too long is disconnected."""
+        super().send_response(
+            requesthandle, seqhdr, response, msgtype or ua.MessageType.SecureMessage
+        )
+
+
+class Connection(OPCUAProtocol):
+    """One connection; ``client``: its address as it stands in the log."""
+
+    def __init__(self, own: Limits, log: ServerLog, **words: Any) -> None:
+        super().__init__(**words)
+        self._own = own
+        self._log = log
+        self.client = ""
+        self._received = bytearray()
+
+    def connection_made(self, transport: asyncio.BaseTransport) -> None:
+        """Take a connection, unless there are too many."""
+        peer = transport.get_extra_info("peername") or ("", 0)
+        self.client = f"{peer[0]}:{peer[1]}"
+        if len(self.clients) >= self._own.connections:
+            self._log.refuse("opcua", peer[0], f"more than {self._own.connections} connections")
+            transport.close()
+            return
+        super().connection_made(transport)
+        self.processor = Processor(
+            self.iserver, self.transport, self.limits, self._own, self.client
+        )
+        self.processor.set_policies(self.policies)
+
+    def connection_lost(self, ex: BaseException | None) -> None:
+        """Forget a connection."""
+        if self.transport is not None:
+            super().connection_lost(ex)
+
+    def data_received(self, data: bytes) -> None:
+        """Take bytes; whole messages go to the processor."""
+        if self.transport is None or self.transport.is_closing():
+            return
+        if self.transport.get_write_buffer_size() > self._own.unsent_bytes:
+            self._break("it does not read its responses")
+            return
+        self._received += data
+        while len(self._received) >= _HEADER:
+            kind, _, size = struct.unpack_from("<3scI", self._received)
+            if kind not in (b"HEL", b"OPN", b"MSG", b"CLO", b"ERR"):
+                self._break("its messages are none of OPC UA")
+                return
+            if not _HEADER <= size <= self._own.message_bytes:
+                self._break(f"a message of {size} bytes")
+                return
+            if len(self._received) < size:
+                return
+            whole = bytes(self._received[:size])
+            del self._received[:size]
+            if not self._queue(whole):
+                return
+
+    def _queue(self, whole: bytes) -> bool:
+        buffer = Buffer(whole)
+        try:
+            self.messages.put_nowait((header_from_binary(buffer), buffer))
+        except asyncio.QueueFull:
+            self._break("too many requests wait")
+            return False
+        except Exception:  # noqa: BLE001 - the library reads what a client has sent
+            self._break("its messages are none of OPC UA")
+            return False
+        return True
+
+    async def _process_one_msg(self, header: Any, buf: Any) -> bool:
+        try:
+            return bool(await super()._process_one_msg(header, buf))
+        except Exception as error:  # noqa: BLE001 - whatever the library does not expect of a client
+            self._break(f"its message cannot be read ({type(error).__name__})")
+            return False
+
+    def _break(self, reason: str) -> None:
+        self._log.refuse("opcua", self.client.rpartition(":")[0], reason)
+        if self.transport is not None:
+            self.transport.abort()
+
+
+class Listener(BinaryServer):
+    """Takes connections."""
+
+    def __init__(self, own: Limits, log: ServerLog, **words: Any) -> None:
+        super().__init__(**words)
+        self._own = own
+        self._log = log
+
+    def _make_protocol(self) -> Connection:
+        return Connection(
+            self._own,
+            self._log,
+            iserver=self.iserver,
+            policies=self._policies,
+            clients=self.clients,
+            closing_tasks=self.closing_tasks,
+            limits=self.limits,
+        )
+
+    async def bind(self) -> asyncio.Server:
+        """Take the address, but no connection yet; raises ``OSError``."""
+        loop = asyncio.get_running_loop()
+        self._server = await loop.create_server(
+            self._make_protocol, self.hostname, self.port, start_serving=False
+        )
+        self.cleanup_task = loop.create_task(self._close_task_loop())
+        return self._server

@@ -1,0 +1,145 @@
+# SPDX-License-Identifier: MIT
+"""The door of OPC UA: a machine's session for HMIs, control systems and other clients.
+
+In: the host of all doors, an address. Out: a server with the companion model for CNC, its values,
+events, methods and past.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import ipaddress
+from collections.abc import Sequence
+from datetime import UTC, datetime, timedelta
+from pathlib import Path
+
+from asyncua import ua
+
+from nctakt.base.failure import Failure
+from nctakt.files.access import FileAccess
+from nctakt.servers.address import listen_at
+from nctakt.servers.host import Host
+from nctakt.servers.notices import Subscription
+from nctakt.servers.opcua import nodes as refs
+from nctakt.servers.opcua.alarms import Alarms
+from nctakt.servers.opcua.companion import CNC_URI
+from nctakt.servers.opcua.components import ProgramTexts
+from nctakt.servers.opcua.cycle_space import CycleSpace
+from nctakt.servers.opcua.events import EventTypes
+from nctakt.servers.opcua.history import History
+from nctakt.servers.opcua.limits import Limits
+from nctakt.servers.opcua.live_space import LiveSpace
+from nctakt.servers.opcua.machine_services import MachineServices
+from nctakt.servers.opcua.machine_space import OWN_URI, MachineSpace
+from nctakt.servers.opcua.methods import Methods
+from nctakt.servers.opcua.nodes import Nodes, standard
+from nctakt.servers.opcua.position import register_position
+from nctakt.servers.opcua.security import Security
+from nctakt.servers.opcua.server import CncServer
+from nctakt.servers.opcua.subscriptions import Subscriptions
+from nctakt.servers.opcua.types import CompanionTypes
+from nctakt.servers.opcua.values import Clock
+
+#: The port of OPC UA.
+PORT = 4840
+
+#: How often it is looked for new realtime cycles, in seconds.
+_CYCLES_S = 0.5
+
+
+def is_loopback(host: str) -> bool:
+    """Return whether an address is this computer's own, which nobody else reaches."""
+    with contextlib.suppress(ValueError):
+        return ipaddress.ip_address(host).is_loopback
+    return host == "localhost"
+
+
+class OpcuaDoor:
+    """OPC UA at an address; ``folder``: of certificate and users, for other addresses than this
+    computer's own. Raises ``Failure`` where that cannot be used.
+    """
+
+    def __init__(
+        self, host: Host, address: tuple[str, int], folder: Path, limits: Limits | None = None
+    ) -> None:
+        self._host = host
+        self._address = address
+        self._limits = limits or Limits()
+        self._security = None if is_loopback(address[0]) else Security(folder)
+        self._tasks: list[asyncio.Task[None]] = []
+        self._notices: Subscription | None = None
+
+    async def open(self) -> str:
+        """Serve clients from now on; return the address. Raises ``Failure``."""
+        host, limits = self._host, self._limits
+        self._server = server = CncServer(limits, host.log, self._security)
+        await server.init()
+        cnc, own = [await server.register_namespace(uri) for uri in (CNC_URI, OWN_URI)]
+        register_position(cnc)
+        internal = server.iserver
+        tick_us = host.cycle_time_us
+        start = datetime.now(UTC) - timedelta(microseconds=host.session.tick * tick_us)
+        clock = Clock(start, tick_us)
+        nodes = Nodes(internal.aspace)
+        self._space = space = LiveSpace(internal.aspace, host, clock)
+        self._subscriptions = Subscriptions(space, limits)
+        internal.subscription_service = internal.isession.subscription_service = self._subscriptions
+        types = CompanionTypes(nodes, cnc)
+        types.add_all()
+        machine = MachineSpace(nodes, types, space, host, own)
+        machine.add_all(ProgramTexts(_known_texts(host), self._read_text))
+        self._cycles = CycleSpace(nodes, machine, space)
+        self._alarms = Alarms(
+            host, types, machine, self._subscriptions, clock, EventTypes(internal.aspace)
+        )
+        nodes.refer(standard(ua.ObjectIds.Server), refs.HAS_NOTIFIER, machine.interface)
+        for channel in machine.channels.values():
+            nodes.refer(machine.interface, refs.HAS_EVENT_SOURCE, channel)
+        methods = Methods(nodes, machine, host, self._alarms)
+        history = History(space, host, limits)
+        internal.services = MachineServices(host, space, methods, history, limits)
+        await server.tell_limits()
+        await host.store.subscribe(self._alarms.error_names.values())
+        _, address = await listen_at("OPC UA", self._address, server.listen)
+        self._notices = host.notices.subscribe(lambda: None)
+        loop = asyncio.get_running_loop()
+        self._tasks = [loop.create_task(self._tell()), loop.create_task(self._look())]
+        self._unlisten = host.store.listen(lambda _: self._alarms.look())
+        if self._security is not None and self._security.made_password:
+            host.log.note("first user", door="opcua", folder=str(self._security.folder))
+        return f"opc.tcp://{address}/"
+
+    def _read_text(self, file: str) -> Sequence[str]:
+        """Return the lines of a program that was selected later; none if it cannot be read."""
+        try:
+            return FileAccess([]).read_lines(Path(file))
+        except (Failure, OSError):
+            return ()
+
+    async def _tell(self) -> None:
+        """Tell clients the notices of the host."""
+        assert self._notices is not None
+        while True:
+            self._alarms.take(await self._notices.next())
+
+    async def _look(self) -> None:
+        """Look for realtime cycles that have no node yet."""
+        while True:
+            with contextlib.suppress(Failure):
+                self._cycles.show(await self._host.ask(self._host.session.cycles))
+            await asyncio.sleep(_CYCLES_S)
+
+    async def close(self) -> None:
+        """Tell clients that it ends, and serve nobody any more."""
+        for task in self._tasks:
+            task.cancel()
+        if self._notices is not None:
+            self._host.notices.unsubscribe(self._notices)
+            self._unlisten()
+        self._subscriptions.stop()
+        await self._server.stop()
+
+
+def _known_texts(host: Host) -> dict[str, Sequence[str]]:
+    return dict(host.session.description.texts)

@@ -1,0 +1,145 @@
+# SPDX-License-Identifier: MIT
+"""The past of signals for clients: between two times, or at certain ones.
+
+In: requests with times, which are those of ticks. Out: values, at most so many in one answer; the
+rest by a continuation point. The session runs its past again for it and stays where it is.
+"""
+
+from __future__ import annotations
+
+import json
+from datetime import UTC, datetime
+from typing import Any
+
+from asyncua import ua
+
+from nctakt.base.failure import Failure
+from nctakt.servers.host import Host
+from nctakt.servers.opcua.limits import Limits
+from nctakt.servers.opcua.live_space import LiveSpace
+from nctakt.servers.opcua.values import Live
+
+
+class History:
+    """Answers requests for the past."""
+
+    def __init__(self, space: LiveSpace, host: Host, limits: Limits) -> None:
+        self._space = space
+        self._host = host
+        self._limits = limits
+
+    async def read(self, params: ua.HistoryReadParameters) -> list[ua.HistoryReadResult]:
+        """Return the past of each node of a request."""
+        details = params.HistoryReadDetails
+        results = []
+        for wanted in params.NodesToRead or ():
+            result = ua.HistoryReadResult()
+            try:
+                status = await self._read_one(details, wanted, result)
+            except Failure:
+                status = int(ua.StatusCodes.BadNoData)
+            result.StatusCode = ua.StatusCode(status)
+            results.append(result)
+        return results
+
+    async def _read_one(self, details: Any, wanted: Any, result: Any) -> int:
+        codes = ua.StatusCodes
+        live = self._space.live.get(wanted.NodeId)
+        if live is None or not live.signal:
+            known = wanted.NodeId in self._space.space
+            return int(codes.BadHistoryOperationUnsupported if known else codes.BadNodeIdUnknown)
+        if wanted.IndexRange:
+            return int(codes.BadIndexRangeInvalid)
+        if isinstance(details, ua.ReadRawModifiedDetails) and not details.IsReadModified:
+            return await self._raw(details, wanted.ContinuationPoint, live, result)
+        if isinstance(details, ua.ReadAtTimeDetails):
+            return await self._at_times(details.ReqTimes or [], live, result)
+        return int(codes.BadHistoryOperationUnsupported)
+
+    # --- between two times ----------------------------------------------------------------------
+
+    async def _raw(self, details: Any, point: bytes | None, live: Live, result: Any) -> int:
+        codes = ua.StatusCodes
+        latest = max(0, self._host.session.tick)
+        begin, end = self._tick(details.StartTime), self._tick(details.EndTime)
+        if sum(one is None for one in (begin, end)) + (not details.NumValuesPerNode) > 1:
+            return int(codes.BadInvalidTimestampArgument)
+        is_backward = begin is None or (end is not None and end < begin)
+        first, last = (end, begin) if is_backward else (begin, end)
+        low = max(0, 0 if first is None else first)
+        high = min(latest, latest if last is None else last + 1)
+        if point:
+            try:
+                low, high = _point(point, low, high)
+            except ValueError:
+                return int(codes.BadContinuationPointInvalid)
+        rows = min(details.NumValuesPerNode or self._limits.history_rows, self._limits.history_rows)
+        count = min(rows, high - low)
+        if count <= 0:
+            result.HistoryData = ua.HistoryData()
+            return int(codes.GoodNoData)
+        if is_backward:
+            part, rest = (high - count, high), (low, high - count)
+        else:
+            part, rest = (low, low + count), (low + count, high)
+        values = await self._look(live, *part)
+        if is_backward:
+            values.reverse()
+        data = ua.HistoryData()
+        data.DataValues = values
+        result.HistoryData = data
+        is_enough = details.NumValuesPerNode and count >= details.NumValuesPerNode
+        if rest[0] < rest[1] and not is_enough:
+            result.ContinuationPoint = json.dumps(rest).encode()
+        return 0
+
+    def _tick(self, moment: datetime | None) -> int | None:
+        """Return the first tick at a time or later; ``None`` for a time that is not given."""
+        if moment is None or moment.year <= 1601:
+            return None
+        aware = moment if moment.tzinfo is not None else moment.replace(tzinfo=UTC)
+        return self._space.clock.tick_at(aware)
+
+    async def _look(self, live: Live, first: int, end: int) -> list[ua.DataValue]:
+        """Return the values behind the ticks of a stretch, one for each tick."""
+        look = self._host.session.look
+        every, cells = await self._host.ask(look, first, end, [live.signal], end - first)
+        return [
+            self._value(live, float(cell), first + index * every)
+            for index, cell in enumerate(cells)
+        ]
+
+    def _value(self, live: Live, number: float, tick: int) -> ua.DataValue:
+        moment = self._space.clock.time(tick)
+        return ua.DataValue(
+            Value=ua.Variant(live.cast(number * live.factor), live.kind),
+            StatusCode=ua.StatusCode(),
+            SourceTimestamp=moment,
+            ServerTimestamp=moment,
+        )
+
+    # --- at certain times -----------------------------------------------------------------------
+
+    async def _at_times(self, times: list[datetime], live: Live, result: Any) -> int:
+        if len(times) > self._limits.history_rows:
+            return int(ua.StatusCodes.BadTooManyOperations)
+        latest = self._host.session.tick
+        data = ua.HistoryData()
+        for moment in times:
+            tick = self._tick(moment)
+            if tick is None or not 0 <= tick < latest:
+                status = ua.StatusCode(ua.StatusCodes.BadNoData)
+                data.DataValues.append(ua.DataValue(StatusCode=status, SourceTimestamp=moment))
+            else:
+                data.DataValues += await self._look(live, tick, tick + 1)
+        result.HistoryData = data
+        return 0
+
+
+def _point(content: bytes, low: int, high: int) -> tuple[int, int]:
+    """Return the stretch of a continuation point; raises ``ValueError`` for what is none."""
+    found = json.loads(content)
+    fits = isinstance(found, list) and len(found) == 2 and all(type(one) is int for one in found)
+    if not fits or not low <= found[0] <= found[1] <= high:
+        raise ValueError(content)
+    return found[0], found[1]

@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: MIT
+"""The values of a session's nodes, shared by all clients: what is monitored, and what is read once.
+
+In: frames of the host's store, answers of the session. Out: samples and data values. Only names
+that somebody monitors are subscribed; what is only read is asked for at that moment.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import struct
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+from asyncua import ua
+from asyncua.server.address_space import AddressSpace
+from asyncua.ua.ua_binary import variant_to_binary
+
+from nctakt.base.failure import Failure
+from nctakt.servers.host import Host
+from nctakt.servers.opcua.publishing import now_units
+from nctakt.servers.opcua.values import Clock, Live, Moment, Sample
+
+#: How old what is known of realtime cycles and channels may be, in seconds.
+_GLANCE_AGE_S = 0.02
+
+
+class LiveSpace:
+    """The address space with those nodes whose values are the session's; ``live``: by their IDs."""
+
+    def __init__(self, space: AddressSpace, host: Host, clock: Clock) -> None:
+        self.space = space
+        self.clock = clock
+        self.live: dict[ua.NodeId, Live] = {}
+        self._host = host
+        self._watched: dict[int, tuple[Live, int]] = {}
+        self._moment = Moment(0, {}, None)
+        self._glance_s = -1.0
+        self._asking: asyncio.Task[None] | None = None
+
+    def add(self, node: ua.NodeId, live: Live) -> None:
+        """Let a node show a value of the session."""
+        self.live[node] = live
+
+    def remove(self, node: ua.NodeId) -> None:
+        """Let a node be gone."""
+        self.live.pop(node, None)
+
+    # --- monitored values -----------------------------------------------------------------------
+
+    async def watch(self, lives: Sequence[Live]) -> None:
+        """Let the values of these nodes be here from now on, for one watcher more."""
+        for live in lives:
+            count = self._watched.get(id(live), (live, 0))[1]
+            self._watched[id(live)] = live, count + 1
+        names = {name: None for live in lives for name in live.names}
+        try:
+            await self._host.store.subscribe(names)
+        except Failure as failure:
+            self._host.log.error("opcua", reason=str(failure))
+        await self.refresh(lives)
+
+    def unwatch(self, live: Live) -> None:
+        """Let a node have one watcher less."""
+        _, count = self._watched.get(id(live), (live, 0))
+        if count > 1:
+            self._watched[id(live)] = live, count - 1
+        else:
+            self._watched.pop(id(live), None)
+
+    async def refresh(self, lives: Iterable[Live]) -> None:
+        """Take the latest values; look at cycles and channels where one needs it."""
+        store = self._host.store
+        needs_glance = any(live.needs_glance for live in lives)
+        loop = asyncio.get_running_loop()
+        if needs_glance and loop.time() - self._glance_s >= _GLANCE_AGE_S:
+            if self._asking is None:
+                self._asking = loop.create_task(self._ask_glance())
+            await asyncio.shield(self._asking)
+        elif store.frame is not self._moment.frame or store.values is not self._moment.values:
+            self._moment = Moment(store.tick, store.values, store.frame, self._moment.glance)
+
+    async def _ask_glance(self) -> None:
+        try:
+            glance = await self._host.ask(self._host.session.glance)
+        except Failure:
+            return  # the session has ended; what was seen last stays
+        finally:
+            self._asking = None
+        store = self._host.store
+        self._glance_s = asyncio.get_running_loop().time()
+        self._moment = Moment(store.tick, store.values, store.frame, glance)
+
+    def sample(self, live: Live) -> Sample:
+        """Return the value of a monitored node."""
+        return live.sample(self._moment, self.clock, now_units())
+
+    # --- values that are read once --------------------------------------------------------------
+
+    async def read(self, lives: Sequence[Live]) -> Moment:
+        """Return the moment at which to read these nodes, all of the same tick."""
+        await self.refresh(lives)
+        names = list(dict.fromkeys(name for live in lives for name in live.names))
+        moment = self._moment
+        if all(name in moment.values for name in names):
+            return moment
+        try:
+            glance = await self._host.ask(self._host.session.glance, *names)
+        except Failure:
+            return moment
+        own = dict(zip(names, glance.values, strict=True))
+        return Moment(glance.tick, own, moment.frame, glance)
+
+    # --- fixed values and attributes ------------------------------------------------------------
+
+    def check_attribute(self, node: ua.NodeId, attribute: int) -> int:
+        """Return why an attribute cannot be monitored as a status; 0 if it can."""
+        data = self.space.get(node)
+        codes = ua.StatusCodes
+        if data is None:
+            return int(codes.BadNodeIdUnknown)
+        found = data.attributes.get(ua.AttributeIds(attribute)) if 0 < attribute < 28 else None
+        if found is None:
+            return int(codes.BadAttributeIdInvalid)
+        if attribute == ua.AttributeIds.EventNotifier:
+            notifier = found.value.Value.Value if found.value is not None else 0
+            return 0 if notifier & 1 else int(codes.BadNotSupported)
+        return 0
+
+    def fixed_sample(self, node: ua.NodeId, attribute: int) -> Sample:
+        """Return the value of an attribute that is not the session's."""
+        shown = self.space.read_attribute_value(node, ua.AttributeIds(attribute))
+        return sample_of(shown, now_units())
+
+
+def sample_of(shown: Any, time_units: int) -> Sample:
+    """Return a data value of the library as a sample."""
+    status = int(shown.StatusCode.value) if shown.StatusCode is not None else 0
+    times = struct.pack("<qq", time_units, time_units)
+    if shown.Value is None:
+        wire = b"\x0e" + struct.pack("<I", status) + times
+        return Sample(None, status, b"", wire)
+    content = bytes(variant_to_binary(shown.Value))
+    return Sample(
+        shown.Value.Value, status, content, b"\x0f" + content + struct.pack("<I", status) + times
+    )

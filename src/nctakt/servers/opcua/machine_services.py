@@ -1,0 +1,26 @@
+# SPDX-License-Identifier: MIT
+"""What all sessions of clients share: the values, methods and past of a machine, the limits."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from nctakt.base.dataclass import dataclass
+from nctakt.servers.host import Host
+from nctakt.servers.opcua.history import History
+from nctakt.servers.opcua.limits import Limits
+from nctakt.servers.opcua.live_space import LiveSpace
+
+if TYPE_CHECKING:
+    from nctakt.servers.opcua.methods import Methods
+
+
+@dataclass(frozen=True, slots=True)
+class MachineServices:
+    """The services of one machine."""
+
+    host: Host
+    space: LiveSpace
+    methods: Methods
+    history: History
+    limits: Limits

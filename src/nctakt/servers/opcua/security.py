@@ -1,0 +1,168 @@
+# SPDX-License-Identifier: MIT
+"""Who may connect: on this computer anybody, from elsewhere only encrypted and with a password.
+
+In: the folder of the server's certificate and users. Out: both, made by the first start; whether a
+user's password is right. Passwords stand there as scrypt hashes; the first one, which the first
+start chooses, also in a file that its reader shall delete.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import hmac
+import os
+import secrets
+import socket
+import time
+from collections import deque
+from pathlib import Path
+from typing import Any
+
+from asyncua import ua
+from asyncua.crypto import cert_gen, uacrypto
+from asyncua.crypto.permission_rules import User, UserRole
+from cryptography import x509
+from cryptography.hazmat.primitives.serialization import Encoding
+from cryptography.x509.oid import ExtendedKeyUsageOID
+
+from nctakt.base.failure import Failure
+from nctakt.messages import diagnostic
+from nctakt.messages.opcua import SECURITY_FOLDER_NOT_USABLE
+
+#: The file names in the folder.
+CERTIFICATE, KEY, USERS, PASSWORD = "certificate.der", "key.pem", "users", "first-password.txt"
+
+#: The user that the first start makes.
+FIRST_USER = "operator"
+
+#: How long a certificate is valid, in days.
+_VALID_DAYS = 3650
+
+#: Cost of a hash: about 10 ms.
+_SCRYPT = {"n": 4096, "r": 8, "p": 1}
+
+#: Wrong passwords that all clients together may try in so many seconds.
+MAX_FAILURES, _FAILURE_S = 10, 60.0
+
+_PRIVATE = 0o600
+
+
+def application_uri() -> str:
+    """Return the name of this server's application, which its certificate has, too."""
+    return f"urn:{socket.gethostname()}:nctakt"
+
+
+class Security:
+    """Certificate and users in a folder; ``made_password``: this start has made the first user."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+        self.made_password = False
+        self._failures: deque[float] = deque()
+        try:
+            folder.mkdir(parents=True, exist_ok=True)
+            self.key = self._private_key()
+            self.certificate = self._own_certificate()
+            self._users = self._read_users()
+        except (OSError, ValueError, TypeError) as error:
+            found = diagnostic(SECURITY_FOLDER_NOT_USABLE, folder=str(folder), reason=str(error))
+            raise Failure(found) from error
+
+    # --- certificate ----------------------------------------------------------------------------
+
+    def _private_key(self) -> Any:
+        path = self.folder / KEY
+        if not path.exists():
+            content = cert_gen.dump_private_key_as_pem(cert_gen.generate_private_key())
+            _write_private(path, content)
+        return uacrypto.load_pem_private_key(path.read_bytes(), password=None, backend=None)
+
+    def _own_certificate(self) -> Any:
+        path, uri = self.folder / CERTIFICATE, application_uri()
+        if path.exists():
+            return x509.load_der_x509_certificate(path.read_bytes())
+        host = socket.gethostname()
+        certificate = cert_gen.generate_self_signed_app_certificate(
+            self.key,
+            f"nctakt@{host}",
+            {"organizationName": "nctakt"},
+            [x509.UniformResourceIdentifier(uri), x509.DNSName(host)],
+            [ExtendedKeyUsageOID.CLIENT_AUTH, ExtendedKeyUsageOID.SERVER_AUTH],
+            _VALID_DAYS,
+        )
+        path.write_bytes(certificate.public_bytes(Encoding.DER))
+        return certificate
+
+    # --- users ----------------------------------------------------------------------------------
+
+    def _read_users(self) -> dict[str, tuple[bytes, bytes]]:
+        path = self.folder / USERS
+        if not path.exists():
+            password = secrets.token_urlsafe(12)
+            salt = secrets.token_bytes(16)
+            line = f"{FIRST_USER}:{salt.hex()}:{_hash(password, salt).hex()}\n"
+            _write_private(path, line.encode())
+            _write_private(self.folder / PASSWORD, f"{password}\n".encode())
+            self.made_password = True
+        users = {}
+        for line in path.read_text(encoding="utf-8").splitlines():
+            if line.strip() and not line.startswith("#"):
+                name, salt_text, digest = line.split(":")
+                users[name] = bytes.fromhex(salt_text), bytes.fromhex(digest)
+        return users
+
+    def is_user(self, name: str | None, password: str | None) -> bool:
+        """Return whether a user's password is right; after too many wrong ones nobody's is."""
+        now = time.monotonic()
+        while self._failures and now - self._failures[0] > _FAILURE_S:
+            self._failures.popleft()
+        if len(self._failures) >= MAX_FAILURES:
+            return False
+        salt, digest = self._users.get(name or "", (b"", b""))
+        is_right = hmac.compare_digest(_hash(password or "", salt or b"none"), digest)
+        if not is_right:
+            self._failures.append(now)
+        return is_right
+
+    # --- the library's side ---------------------------------------------------------------------
+
+    def get_user(
+        self,
+        iserver: object,
+        username: str | None = None,
+        password: str | None = None,
+        certificate: object = None,
+    ) -> User | None:
+        """Return the user of a session, ``None`` for a wrong one."""
+        if not self.is_user(username, password):
+            return None
+        return User(role=UserRole.User, name=username)
+
+
+class Anybody:
+    """Lets anybody in: on this computer."""
+
+    @staticmethod
+    def get_user(
+        iserver: object,
+        username: str | None = None,
+        password: str | None = None,
+        certificate: object = None,
+    ) -> User:
+        """Return the user of a session."""
+        return User(role=UserRole.User)
+
+
+#: What clients may identify themselves with, on this computer and elsewhere.
+ANONYMOUS, NAMED = [ua.AnonymousIdentityToken], [ua.UserNameIdentityToken]
+
+
+def _hash(password: str, salt: bytes) -> bytes:
+    return hashlib.scrypt(password.encode(), salt=salt, **_SCRYPT)
+
+
+def _write_private(path: Path, content: bytes) -> None:
+    """Write a file that nobody else may read; raises ``OSError``."""
+    flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL
+    with os.fdopen(os.open(path, flags, _PRIVATE), "wb") as file:
+        file.write(content)

@@ -1,0 +1,150 @@
+# SPDX-License-Identifier: MIT
+"""The library's server with our services in place of its own: sessions, subscriptions, connections.
+
+In: the services of a machine, an address. Out: a server that listens there.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+from typing import Any
+
+from asyncua import Server, ua
+from asyncua.common.utils import ServiceError
+from asyncua.server.internal_server import InternalServer
+
+from nctakt.base.version import __version__
+from nctakt.servers.log import ServerLog
+from nctakt.servers.opcua.connection import Listener
+from nctakt.servers.opcua.limits import Limits
+from nctakt.servers.opcua.machine_services import MachineServices
+from nctakt.servers.opcua.security import ANONYMOUS, NAMED, Anybody, Security, application_uri
+from nctakt.servers.opcua.sessions import ClientSession
+
+#: The name that clients see.
+_NAME = "nctakt"
+
+# What the library tells of clients stands in our own log, with a limit of its rate.
+logging.getLogger("asyncua").setLevel(logging.CRITICAL + 1)
+
+
+class CncInternalServer(InternalServer):
+    """Makes our sessions; ``services``: set before the first client comes."""
+
+    def __init__(self, limits: Limits, users: Any) -> None:
+        super().__init__(users)
+        self.limits = limits
+        self.services: MachineServices | None = None
+        self.max_connections = limits.connections
+        self.max_pending_activation_seconds = limits.activation_s
+        self.allow_remote_admin = False
+
+    def create_session(self, name: Any, user: Any = None, external: bool = False) -> ClientSession:
+        """Return a new session of a client; raises ``ServiceError`` where there are too many."""
+        assert self.services is not None
+        if external and len(self._external_sessions) >= self.limits.sessions:
+            raise ServiceError(ua.StatusCodes.BadTooManySessions)
+        session = ClientSession(
+            self.services, self, self.aspace, self.subscription_service, name, external=external
+        )
+        session.client = f"{name[0]}:{name[1]}" if isinstance(name, tuple) else str(name)
+        return session
+
+
+class CncServer(Server):
+    """A server on one address; ``security``: ``None`` for this computer's own one."""
+
+    def __init__(self, limits: Limits, log: ServerLog, security: Security | None) -> None:
+        internal = CncInternalServer(limits, Anybody() if security is None else security)
+        super().__init__(iserver=internal)
+        self._own = limits
+        self._log = log
+        self.name = _NAME
+        self.product_uri = "urn:nctakt:product"
+        self.manufacturer_name = _NAME
+        self._application_uri = application_uri()
+        self.limits.max_message_size = limits.message_bytes
+        if security is None:
+            self.set_security_policy([ua.SecurityPolicyType.NoSecurity])
+            self.set_identity_tokens(ANONYMOUS)
+        else:
+            internal.certificate, internal.private_key = security.certificate, security.key
+            self.set_security_policy([ua.SecurityPolicyType.Basic256Sha256_SignAndEncrypt])
+            self.set_identity_tokens(NAMED)
+
+    async def tell_limits(self) -> None:
+        """Write into the address space what this server is, and what its limits are."""
+        capabilities = "Server_ServerCapabilities_"
+        operations = f"{capabilities}OperationLimits_"
+        calls = self._own.nodes_per_call
+        for name, value, kind in (
+            *(
+                (f"{operations}{word}", calls, ua.VariantType.UInt32)
+                for word in (
+                    "MaxNodesPerRead",
+                    "MaxNodesPerWrite",
+                    "MaxNodesPerMethodCall",
+                    "MaxNodesPerHistoryReadData",
+                    "MaxMonitoredItemsPerCall",
+                )
+            ),
+            (f"{capabilities}LocaleIdArray", ["en", "de"], ua.VariantType.String),
+            (f"{capabilities}MinSupportedSampleRate", self._own.min_interval_ms, None),
+            (f"{capabilities}MaxSessions", self._own.sessions, ua.VariantType.UInt32),
+            (f"{capabilities}MaxSubscriptions", self._own.subscriptions, ua.VariantType.UInt32),
+            (f"{capabilities}MaxMonitoredItems", self._own.items, ua.VariantType.UInt32),
+            (
+                f"{capabilities}MaxSubscriptionsPerSession",
+                self._own.subscriptions_per_session,
+                ua.VariantType.UInt32,
+            ),
+            (
+                f"{capabilities}MaxMonitoredItemsPerSubscription",
+                self._own.items_per_subscription,
+                ua.VariantType.UInt32,
+            ),
+            (
+                f"{capabilities}MaxMonitoredItemsQueueSize",
+                self._own.queue_size,
+                ua.VariantType.UInt32,
+            ),
+            (
+                "HistoryServerCapabilities_AccessHistoryDataCapability",
+                True,
+                ua.VariantType.Boolean,
+            ),
+            (
+                "HistoryServerCapabilities_MaxReturnDataValues",
+                self._own.history_rows,
+                ua.VariantType.UInt32,
+            ),
+        ):
+            number = getattr(ua.ObjectIds, name, None)
+            node = None if number is None else ua.NodeId(number)
+            if node is not None and node in self.iserver.aspace:
+                shown = ua.DataValue(ua.Variant(value, kind or ua.VariantType.Double))
+                await self.iserver.aspace.write_attribute_value(node, ua.AttributeIds.Value, shown)
+        build = self.get_node(ua.NodeId(ua.ObjectIds.Server_ServerStatus_BuildInfo_SoftwareVersion))
+        await build.write_value(__version__)
+
+    async def listen(self, host: str, port: int) -> asyncio.Server:
+        """Listen at an address; raises ``OSError``."""
+        listener = Listener(
+            self._own,
+            self._log,
+            internal_server=self.iserver,
+            hostname=host,
+            port=port,
+            limits=self.limits,
+        )
+        bound = await listener.bind()
+        host, port = bound.sockets[0].getsockname()[:2]
+        shown = f"[{host}]" if ":" in host else host
+        self.set_endpoint(f"opc.tcp://{shown}:{port}/")
+        await self._setup_server_nodes()
+        await self.iserver.start()
+        listener.set_policies(self._policies)
+        self.bserver = listener
+        await bound.start_serving()
+        return bound

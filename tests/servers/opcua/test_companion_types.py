@@ -12,10 +12,10 @@ pytest.importorskip("asyncua", reason="needs the extra [opcua]")
 
 from asyncua import ua
 from asyncua.server.internal_server import InternalServer
+from published_model import PublishedNode, node_set
 
 from nctakt.servers.opcua.nodes import Nodes
 from nctakt.servers.opcua.types import DATA_TYPES, CompanionTypes
-from tests.servers.opcua.published_model import PublishedNode, node_set
 
 pytestmark = pytest.mark.slow
 

@@ -11,7 +11,7 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Sequence
 from datetime import datetime
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from asyncua import ua
 
@@ -20,15 +20,13 @@ from nctakt.base.diagnostics import Diagnostic, Severity, Text
 from nctakt.results.run import ProgramMessage
 from nctakt.servers.host import Host
 from nctakt.servers.notices import ServerNotice
+from nctakt.servers.opcua.client import Client
 from nctakt.servers.opcua.events import Event, EventTypes, Field, SeenEvent, base_fields
 from nctakt.servers.opcua.machine_space import MachineSpace
 from nctakt.servers.opcua.nodes import standard
 from nctakt.servers.opcua.subscriptions import Subscriptions
 from nctakt.servers.opcua.types import CompanionTypes
 from nctakt.servers.opcua.values import Clock
-
-if TYPE_CHECKING:
-    from nctakt.servers.opcua.sessions import ClientSession
 
 #: Alarms that are kept at most; the oldest that is not active goes first.
 MAX_ALARMS = 1_000
@@ -200,7 +198,7 @@ class Alarms:
         text = Text(found.text("en"), found.text("de"))
         remedy = Text(found.remedy("en"), found.remedy("de"))
         cause = found.message.cause
-        place = "" if found.span is None else str(found.span)
+        position = "" if found.span is None else str(found.span)
         values: dict[str, Field] = {
             **base_fields(type_, event_id, source, name, time, text, severity),
             "NodeId": (alarm.node, _KINDS.NodeId),
@@ -219,7 +217,7 @@ class Alarms:
             "InputNode": (ua.NodeId(), _KINDS.NodeId),
             "SuppressedOrShelved": (False, _KINDS.Boolean),
             "AlarmIdentifier": (str(found.id), _KINDS.String),
-            "AuxParameters": ((remedy, cause, place), _KINDS.String),
+            "AuxParameters": ((remedy, cause, position), _KINDS.String),
             "HelpSource": (f"nctakt explain {found.id}", _KINDS.String),
         }
         return Event(type_, event_id, values)
@@ -235,7 +233,7 @@ class Alarms:
 
     def answer(
         self,
-        session: ClientSession,
+        session: Client,
         node: ua.NodeId,
         event_id: bytes,
         comment: Any,
@@ -264,7 +262,7 @@ class Alarms:
         self._tell_alarm(alarm, self._clock.time(self._host.store.tick))
         return 0
 
-    def refresh(self, session: ClientSession, number: int, item: int | None) -> int:
+    def refresh(self, session: Client, number: int, item: int | None) -> int:
         """Tell all alarms that are not over once more to a subscription; return the status."""
         subscription = self._subscriptions.subscriptions.get(number)
         if subscription is None or subscription.session_id != session.session_id:

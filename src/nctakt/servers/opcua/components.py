@@ -14,10 +14,10 @@ from asyncua import ua
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Span
+from nctakt.hli.plc_entries import TechnologyEntry
 from nctakt.kernel import codes
 from nctakt.lists.machine.axis_configuration import AxisConfiguration
 from nctakt.lists.machine.machine import ChannelConfiguration
-from nctakt.run.plc_view import TechnologyEntry
 from nctakt.servers.opcua.values import Moment, NotSupported, Value
 from nctakt.session.channel_states import SpindleState
 from nctakt.session.engine import Slice

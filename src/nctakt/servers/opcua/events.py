@@ -150,11 +150,11 @@ class EventTypes:
     def __init__(self, space: AddressSpace) -> None:
         self._space = space
 
-    def is_of(self, type_: ua.NodeId, wanted: ua.NodeId) -> bool:
+    def is_of(self, type_: ua.NodeId, requested: ua.NodeId) -> bool:
         """Return whether a type is another one, or below it."""
         has_subtype = ua.NodeId(ua.ObjectIds.HasSubtype)
         for _ in range(20):  # no type stands deeper
-            if type_ == wanted:
+            if type_ == requested:
                 return True
             bases = [
                 one.NodeId

@@ -32,26 +32,26 @@ class History:
         """Return the past of each node of a request."""
         details = params.HistoryReadDetails
         results = []
-        for wanted in params.NodesToRead or ():
+        for request in params.NodesToRead or ():
             result = ua.HistoryReadResult()
             try:
-                status = await self._read_one(details, wanted, result)
+                status = await self._read_one(details, request, result)
             except Failure:
                 status = int(ua.StatusCodes.BadNoData)
             result.StatusCode = ua.StatusCode(status)
             results.append(result)
         return results
 
-    async def _read_one(self, details: Any, wanted: Any, result: Any) -> int:
+    async def _read_one(self, details: Any, request: Any, result: Any) -> int:
         codes = ua.StatusCodes
-        live = self._space.live.get(wanted.NodeId)
+        live = self._space.live.get(request.NodeId)
         if live is None or not live.signal:
-            known = wanted.NodeId in self._space.space
+            known = request.NodeId in self._space.space
             return int(codes.BadHistoryOperationUnsupported if known else codes.BadNodeIdUnknown)
-        if wanted.IndexRange:
+        if request.IndexRange:
             return int(codes.BadIndexRangeInvalid)
         if isinstance(details, ua.ReadRawModifiedDetails) and not details.IsReadModified:
-            return await self._raw(details, wanted.ContinuationPoint, live, result)
+            return await self._raw(details, request.ContinuationPoint, live, result)
         if isinstance(details, ua.ReadAtTimeDetails):
             return await self._at_times(details.ReqTimes or [], live, result)
         return int(codes.BadHistoryOperationUnsupported)

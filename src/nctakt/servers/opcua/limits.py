@@ -28,10 +28,10 @@ class Limits:
     max_interval_ms: float = 3_600_000.0
     activation_s: float = 10.0
 
-    def interval_ms(self, wanted: float) -> float:
-        """Return the interval that a client gets: as wanted, in steps of the shortest one."""
-        if not wanted > 0.0:  # not a number, either
+    def interval_ms(self, requested: float) -> float:
+        """Return the interval that a client gets: as requested, in steps of the shortest one."""
+        if not requested > 0.0:  # not a number, either
             return self.default_interval_ms
         step = self.min_interval_ms
-        bounded = min(max(step, wanted), self.max_interval_ms)
+        bounded = min(max(step, requested), self.max_interval_ms)
         return round(bounded / step) * step

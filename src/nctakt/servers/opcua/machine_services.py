@@ -3,16 +3,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from nctakt.base.dataclass import dataclass
 from nctakt.servers.host import Host
 from nctakt.servers.opcua.history import History
 from nctakt.servers.opcua.limits import Limits
 from nctakt.servers.opcua.live_space import LiveSpace
-
-if TYPE_CHECKING:
-    from nctakt.servers.opcua.methods import Methods
+from nctakt.servers.opcua.methods import Methods
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,22 +7,20 @@ In: a call of a client. Out: its result, a status and for mistakes a text in the
 from __future__ import annotations
 
 from collections.abc import Awaitable, Callable
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from asyncua import ua
 
 from nctakt.base.failure import Failure
 from nctakt.servers.host import Busy, Host, Key
 from nctakt.servers.opcua import nodes as refs
+from nctakt.servers.opcua.alarms import Alarms
+from nctakt.servers.opcua.client import Client
 from nctakt.servers.opcua.machine_space import MachineSpace
 from nctakt.servers.opcua.nodes import Nodes, standard
 
-if TYPE_CHECKING:
-    from nctakt.servers.opcua.alarms import Alarms
-    from nctakt.servers.opcua.sessions import ClientSession
-
 #: Calls a method with its arguments; returns a status, and output arguments.
-Method = Callable[["ClientSession", list[Any]], Awaitable[tuple[int, list[ua.Variant]]]]
+Method = Callable[[Client, list[Any]], Awaitable[tuple[int, list[ua.Variant]]]]
 
 #: Methods of alarms in namespace 0: Acknowledge, AddComment, both ways to ask for all again.
 _ACKNOWLEDGE, _ADD_COMMENT, _REFRESH, _REFRESH_ITEM = 9111, 9029, 3875, 12912
@@ -55,21 +53,21 @@ class Methods:
                 nodes.refer(channel, refs.HAS_COMPONENT, node)
                 self._own[channel, node] = kinds, method
 
-    async def call(self, session: ClientSession, wanted: ua.CallMethodRequest) -> Any:
+    async def call(self, session: Client, request: ua.CallMethodRequest) -> Any:
         """Call a method of a client's request; return its result."""
         result = ua.CallMethodResult()
-        arguments = wanted.InputArguments or []
-        own = self._own.get((wanted.ObjectId, wanted.MethodId))
+        arguments = request.InputArguments or []
+        own = self._own.get((request.ObjectId, request.MethodId))
         codes = ua.StatusCodes
         if own is not None:
             kinds, method = own
-        elif wanted.MethodId in _STANDARD:
-            kinds = _STANDARD[wanted.MethodId]
-            method = self._standard(wanted)
+        elif request.MethodId in _STANDARD:
+            kinds = _STANDARD[request.MethodId]
+            method = self._standard(request)
         else:
             status = (
                 codes.BadMethodInvalid
-                if wanted.ObjectId in session.aspace
+                if request.ObjectId in session.aspace
                 else codes.BadNodeIdUnknown
             )
             result.StatusCode = ua.StatusCode(status)
@@ -97,23 +95,23 @@ class Methods:
     # --- channels -------------------------------------------------------------------------------
 
     def _selecting(self, number: int) -> Method:
-        async def select(session: ClientSession, words: list[Any]) -> tuple[int, list[ua.Variant]]:
+        async def select(session: Client, words: list[Any]) -> tuple[int, list[ua.Variant]]:
             program = str(words[0] or "")
             return await _done(session, self._host.select(program, number, "opcua", session.client))
 
         return select
 
     def _pressing(self, key: Key, number: int) -> Method:
-        async def press(session: ClientSession, _: list[Any]) -> tuple[int, list[ua.Variant]]:
+        async def press(session: Client, _: list[Any]) -> tuple[int, list[ua.Variant]]:
             return await _done(session, self._host.press(key, number, "opcua", session.client))
 
         return press
 
     # --- alarms ---------------------------------------------------------------------------------
 
-    def _standard(self, wanted: ua.CallMethodRequest) -> Method:
-        async def call(session: ClientSession, words: list[Any]) -> tuple[int, list[ua.Variant]]:
-            number = wanted.MethodId.Identifier
+    def _standard(self, request: ua.CallMethodRequest) -> Method:
+        async def call(session: Client, words: list[Any]) -> tuple[int, list[ua.Variant]]:
+            number = request.MethodId.Identifier
             if number == _REFRESH:
                 return self._alarms.refresh(session, words[0], None), []
             if number == _REFRESH_ITEM:
@@ -122,7 +120,7 @@ class Methods:
             is_acknowledged = number == _ACKNOWLEDGE
             return (
                 self._alarms.answer(
-                    session, wanted.ObjectId, event_id, comment, is_acknowledged=is_acknowledged
+                    session, request.ObjectId, event_id, comment, is_acknowledged=is_acknowledged
                 ),
                 [],
             )
@@ -142,7 +140,7 @@ def _argument(name: str, data_type: int = 12) -> ua.Argument:
     return ua.Argument(Name=name, DataType=standard(data_type), ValueRank=-1)
 
 
-async def _done(session: ClientSession, command: Awaitable[None]) -> tuple[int, list[ua.Variant]]:
+async def _done(session: Client, command: Awaitable[None]) -> tuple[int, list[ua.Variant]]:
     """Return what came of a command: for a refused one its reason in the client's language."""
     reason, status = "", 0
     try:

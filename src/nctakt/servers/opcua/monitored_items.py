@@ -35,27 +35,27 @@ class MonitoredItems:
         self, subscription: Subscription, params: ua.CreateMonitoredItemsParameters
     ) -> list[ua.MonitoredItemCreateResult]:
         """Monitor values and events from now on."""
-        made = [self._create_item(subscription, wanted) for wanted in params.ItemsToCreate]
-        items = [item for item, _ in made if item is not None]
+        pairs = [self._create_item(subscription, request) for request in params.ItemsToCreate]
+        items = [item for item, _ in pairs if item is not None]
         await self._space.watch([item.live for item in items if item.live is not None])
         for item in items:
             if item.mode != _DISABLED:
                 self._look(item)
-        return [result for _, result in made]
+        return [result for _, result in pairs]
 
     def _create_item(
-        self, subscription: Subscription, wanted: ua.MonitoredItemCreateRequest
+        self, subscription: Subscription, request: ua.MonitoredItemCreateRequest
     ) -> tuple[Item | None, ua.MonitoredItemCreateResult]:
         result = ua.MonitoredItemCreateResult()
-        node, attribute = wanted.ItemToMonitor.NodeId, int(wanted.ItemToMonitor.AttributeId)
-        parameters = wanted.RequestedParameters
+        node, attribute = request.ItemToMonitor.NodeId, int(request.ItemToMonitor.AttributeId)
+        parameters = request.RequestedParameters
         status = self._space.check_attribute(node, attribute)
         if (
             len(subscription.items) >= self._limits.items_per_subscription
             or self.count >= self._limits.items
         ):
             status = int(ua.StatusCodes.BadTooManyMonitoredItems)
-        if status == 0 and wanted.ItemToMonitor.IndexRange:
+        if status == 0 and request.ItemToMonitor.IndexRange:
             status = int(ua.StatusCodes.BadIndexRangeInvalid)
         if status == 0:
             is_value = attribute == ua.AttributeIds.Value
@@ -64,7 +64,7 @@ class MonitoredItems:
                 parameters.ClientHandle,
                 node,
                 attribute,
-                int(wanted.MonitoringMode),
+                int(request.MonitoringMode),
                 self._queue_size(parameters.QueueSize),
                 bool(parameters.DiscardOldest),
                 self._sampling_ms(subscription, parameters.SamplingInterval),
@@ -84,24 +84,24 @@ class MonitoredItems:
         result.RevisedQueueSize = item.queue_size
         return item, result
 
-    def _set_filter(self, item: Item, wanted: Any) -> int:
+    def _set_filter(self, item: Item, request: Any) -> int:
         if item.attribute == ua.AttributeIds.EventNotifier:
-            if not isinstance(wanted, ua.EventFilter) or not wanted.SelectClauses:
+            if not isinstance(request, ua.EventFilter) or not request.SelectClauses:
                 return int(ua.StatusCodes.BadEventFilterInvalid)
-            item.event_filter = wanted
+            item.event_filter = request
             return 0
-        return data_filter(item, wanted)
+        return data_filter(item, request)
 
-    def _queue_size(self, wanted: int) -> int:
-        return min(max(1, wanted), self._limits.queue_size)
+    def _queue_size(self, request: int) -> int:
+        return min(max(1, request), self._limits.queue_size)
 
-    def _sampling_ms(self, subscription: Subscription, wanted: float) -> float:
+    def _sampling_ms(self, subscription: Subscription, request: float) -> float:
         """Return the sampling interval: below 0 that of publishing, 0 the shortest."""
-        if wanted == 0.0:
+        if request == 0.0:
             return self._limits.min_interval_ms
-        if not wanted > 0.0:
+        if not request > 0.0:
             return float(subscription.data.RevisedPublishingInterval)
-        return self._limits.interval_ms(wanted)
+        return self._limits.interval_ms(request)
 
     def _pace(self, interval_ms: float) -> Pace:
         pace = self._paces.get(interval_ms)
@@ -129,10 +129,10 @@ class MonitoredItems:
     ) -> list[ua.MonitoredItemModifyResult]:
         """Give items other paces, queues and filters."""
         results = []
-        for wanted in params.ItemsToModify:
+        for request in params.ItemsToModify:
             result = ua.MonitoredItemModifyResult()
-            item = subscription.items.get(wanted.MonitoredItemId)
-            parameters = wanted.RequestedParameters
+            item = subscription.items.get(request.MonitoredItemId)
+            parameters = request.RequestedParameters
             if item is None:
                 result.StatusCode = ua.StatusCode(ua.StatusCodes.BadMonitoredItemIdInvalid)
                 results.append(result)

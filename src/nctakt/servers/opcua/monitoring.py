@@ -108,16 +108,16 @@ def overflown(wire: bytes) -> bytes:
     return wire[:at] + struct.pack("<I", status | OVERFLOW) + wire[at + 4 :]
 
 
-def data_filter(item: Item, wanted: Any) -> int:
+def data_filter(item: Item, requested: Any) -> int:
     """Set the filter of an item for values; return the status of the request."""
     codes = ua.StatusCodes
-    if wanted is None or is_null(wanted):
+    if requested is None or is_null(requested):
         item.trigger, item.deadband = _STATUS_VALUE, 0.0
         return 0
-    if not isinstance(wanted, ua.DataChangeFilter):
+    if not isinstance(requested, ua.DataChangeFilter):
         return int(codes.BadMonitoredItemFilterUnsupported)
-    deadband = float(wanted.DeadbandValue)
-    kind = int(wanted.DeadbandType)
+    deadband = float(requested.DeadbandValue)
+    kind = int(requested.DeadbandType)
     if kind:
         numeric = item.live is not None and item.live.kind == ua.VariantType.Double
         if not numeric or item.live is None:
@@ -131,11 +131,11 @@ def data_filter(item: Item, wanted: Any) -> int:
             deadband *= (high - low) / 100.0
         elif kind != _ABSOLUTE:
             return int(codes.BadDeadbandFilterInvalid)
-    item.trigger = int(wanted.Trigger)
+    item.trigger = int(requested.Trigger)
     item.deadband = deadband if kind else 0.0
     return 0
 
 
-def is_null(wanted: Any) -> bool:
+def is_null(requested: Any) -> bool:
     """Return whether a structure of a request is the null one."""
-    return isinstance(wanted, ua.ExtensionObject) and bool(wanted.TypeId == ua.NodeId())
+    return isinstance(requested, ua.ExtensionObject) and bool(requested.TypeId == ua.NodeId())

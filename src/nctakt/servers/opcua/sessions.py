@@ -61,15 +61,15 @@ class ClientSession(InternalSession):
 
     async def read(self, params: ua.ReadParameters) -> list[ua.DataValue]:
         """Return values, those of the session all of the same tick."""
-        wanted = params.NodesToRead or []
-        if len(wanted) > self.services.limits.nodes_per_call:
+        request = params.NodesToRead or []
+        if len(request) > self.services.limits.nodes_per_call:
             raise ServiceError(ua.StatusCodes.BadTooManyOperations)
         space = self.services.space
-        lives = [self._live(one) for one in wanted]
+        lives = [self._live(one) for one in request]
         moment = await space.read([live for live in lives if live is not None])
         return [
             self._attribute(one) if live is None else live.data_value(moment, space.clock)
-            for one, live in zip(wanted, lives, strict=True)
+            for one, live in zip(request, lives, strict=True)
         ]
 
     def _live(self, one: ua.ReadValueId) -> Live | None:
@@ -86,11 +86,11 @@ class ClientSession(InternalSession):
 
     async def write(self, params: ua.WriteParameters) -> list[ua.StatusCode]:
         """Write values of the session from the next tick on; nothing else can be written."""
-        wanted = params.NodesToWrite or []
-        if len(wanted) > self.services.limits.nodes_per_call:
+        request = params.NodesToWrite or []
+        if len(request) > self.services.limits.nodes_per_call:
             raise ServiceError(ua.StatusCodes.BadTooManyOperations)
         # all at once, so that they come into one tick
-        done = await asyncio.gather(*(self._write_one(one) for one in wanted))
+        done = await asyncio.gather(*(self._write_one(one) for one in request))
         return [ua.StatusCode(status) for status in done]
 
     async def _write_one(self, one: ua.WriteValue) -> int:

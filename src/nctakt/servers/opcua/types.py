@@ -169,7 +169,7 @@ class CompanionTypes:
             standard(22),
             DataTypeDefinition=(definition, ua.VariantType.ExtensionObject),
         )
-        for number, encoding, schema, description, namespace, uri, content, folder, place in (
+        for number, encoding, schema, description, namespace, uri, content, folder, location in (
             (
                 POSITION_BINARY,
                 "Default Binary",
@@ -199,7 +199,9 @@ class CompanionTypes:
             self._nodes.refer(self.id(POSITION), refs.HAS_ENCODING, self.id(number))
             self._text_variable(schema, self.name("CncSystems"), _DICTIONARY, content, 15)
             self._nodes.refer(standard(folder), refs.HAS_COMPONENT, self.id(schema))
-            self._text_variable(description, self.name("CncPositionDataType"), _DESCRIPTION, place)
+            self._text_variable(
+                description, self.name("CncPositionDataType"), _DESCRIPTION, location
+            )
             self._hang(schema, description, refs.HAS_COMPONENT)
             self._nodes.refer(self.id(number), refs.HAS_DESCRIPTION, self.id(description))
             own = self.name("NamespaceUri", is_standard=True)

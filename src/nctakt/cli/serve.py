@@ -12,6 +12,7 @@ import json
 import os
 import sys
 from collections.abc import Callable, Iterator, Mapping
+from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -31,6 +32,7 @@ from nctakt.files.output import OutputFile
 from nctakt.lists.machine.files import machine_folder
 from nctakt.messages import diagnostic
 from nctakt.messages.live import PAGE_NEEDS_FILES
+from nctakt.messages.opcua import OPCUA_LIBRARY_MISSING
 from nctakt.messages.servers import NO_DOOR
 
 if TYPE_CHECKING:
@@ -46,6 +48,7 @@ that has stopped, 2 wrong usage or unusable input, 3 an error of nctakt's own.
 \b
   nctakt serve --machine lists --ads
   nctakt serve part.nc --ads=0.0.0.0:48898 --record cell.tape
+  nctakt serve part.nc --opcua
 """
 
 
@@ -100,6 +103,19 @@ that has stopped, 2 wrong usage or unusable input, 3 an error of nctakt's own.
     help="Serve MTConnect agents [default address: 127.0.0.1:7878].",
 )
 @click.option("--mqtt", metavar="URL", help="Tell an MQTT broker: mqtt://HOST[:PORT][/ROOT].")
+    "--opcua",
+    metavar="HOST:PORT",
+    is_flag=False,
+    flag_value="127.0.0.1:4840",
+    help="Serve OPC UA [default address: 127.0.0.1:4840].",
+)
+@click.option(
+    "--opcua-folder",
+    metavar="DIR",
+    default="opcua",
+    help="Certificate and users of OPC UA for other addresses than this computer's own; the "
+    "first start makes them [default: opcua].",
+)
 @click.option(
     "--speed",
     type=click.FloatRange(0.01, 1000.0),
@@ -134,6 +150,8 @@ def command(
     ads: str | None,
     mtconnect: str | None,
     mqtt: str | None,
+    opcua: str | None,
+    opcua_folder: str,
     acknowledge: bool,
     speed: float,
     pace: str,
@@ -143,8 +161,8 @@ def command(
     **words: Any,
 ) -> int:
     """Let clients on the network find a controller: a session behind several doors."""
-    doors = {"ads": ads, "mtconnect": mtconnect, "mqtt": mqtt}
-    own = _Words(doors, acknowledge, speed, pace, tape, ready_file, log)
+    doors = {"ads": ads, "mtconnect": mtconnect, "mqtt": mqtt, "opcua": opcua}
+    own = _Words(doors, opcua_folder, acknowledge, speed, pace, tape, ready_file, log)
 
     def show(options: Options, access: FileAccess) -> int:
         return _serve(options, access, own)
@@ -158,6 +176,7 @@ class _Words:
     """The words that only this command has; ``doors``: the word of each option of a door."""
 
     doors: Mapping[str, str | None]
+    opcua_folder: str
     acknowledge: bool
     speed: float
     pace: str
@@ -224,13 +243,13 @@ def _doors(own: _Words) -> dict[str, DoorOpener]:
     doors: dict[str, DoorOpener] = {}
     for name, word in own.doors.items():
         if word is not None:
-            doors[name] = _DOORS[name](word)
+            doors[name] = _DOORS[name](word, own)
     if not doors:
         raise Failure(diagnostic(NO_DOOR))
     return doors
 
 
-def _ads(word: str) -> DoorOpener:
+def _ads(word: str, own: _Words) -> DoorOpener:
     from nctakt.servers.address import read_address  # noqa: PLC0415 - only where it is asked for
     from nctakt.servers.ads.server import PORT, AdsDoor  # noqa: PLC0415 - as above
 
@@ -238,7 +257,7 @@ def _ads(word: str) -> DoorOpener:
     return lambda host: AdsDoor(host, address)
 
 
-def _mtconnect(word: str) -> DoorOpener:
+def _mtconnect(word: str, own: _Words) -> DoorOpener:
     from nctakt.servers.address import read_address  # noqa: PLC0415 - only where it is asked for
     from nctakt.servers.mtconnect import PORT, MtconnectDoor  # noqa: PLC0415 - as above
 
@@ -246,7 +265,7 @@ def _mtconnect(word: str) -> DoorOpener:
     return lambda host: MtconnectDoor(host, address)
 
 
-def _mqtt(word: str) -> DoorOpener:
+def _mqtt(word: str, own: _Words) -> DoorOpener:
     from nctakt.servers.mqtt import MqttDoor  # noqa: PLC0415 - only where it is asked for
     from nctakt.servers.mqtt_requests import read_broker  # noqa: PLC0415 - as above
 
@@ -254,11 +273,22 @@ def _mqtt(word: str) -> DoorOpener:
     return lambda host: MqttDoor(host, broker)
 
 
+def _opcua(word: str, own: _Words) -> DoorOpener:
+    if find_spec("asyncua") is None:
+        raise Failure(diagnostic(OPCUA_LIBRARY_MISSING))
+    from nctakt.servers.address import read_address  # noqa: PLC0415 - only where it is asked for
+    from nctakt.servers.opcua.door import PORT, OpcuaDoor  # noqa: PLC0415 - as above
+
+    address = read_address("--opcua", word, PORT)
+    return lambda host: OpcuaDoor(host, address, Path(own.opcua_folder))
+
+
 #: The option of each door, and what its word opens.
-_DOORS: Mapping[str, Callable[[str], DoorOpener]] = {
+_DOORS: Mapping[str, Callable[[str, _Words], DoorOpener]] = {
     "ads": _ads,
     "mtconnect": _mtconnect,
     "mqtt": _mqtt,
+    "opcua": _opcua,
 }
 
 

@@ -6,11 +6,18 @@ from __future__ import annotations
 from nctakt.messages.catalogue import error
 
 SECURITY_FOLDER_NOT_USABLE = error(
-    901358,
+    901472,
     en="the folder {folder} of certificate and users cannot be used: {reason}",
     de="der Ordner {folder} mit Zertifikat und Benutzern ist nicht verwendbar: {reason}",
     remedy_en="Name a folder that can be written, or mend or delete its files.",
     remedy_de="Einen beschreibbaren Ordner nennen oder seine Dateien berichtigen oder löschen.",
     folder=("the folder", "der Ordner"),
     reason=("the reason", "der Grund"),
+)
+OPCUA_LIBRARY_MISSING = error(
+    901473,
+    en="nctakt serve --opcua needs the library asyncua, which is not installed",
+    de="nctakt serve --opcua braucht die Bibliothek asyncua, sie ist nicht installiert",
+    remedy_en='Install it: .venv/bin/pip install ".[opcua]"',
+    remedy_de='Installieren: .venv/bin/pip install ".[opcua]"',
 )

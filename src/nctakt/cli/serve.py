@@ -103,6 +103,7 @@ that has stopped, 2 wrong usage or unusable input, 3 an error of nctakt's own.
     help="Serve MTConnect agents [default address: 127.0.0.1:7878].",
 )
 @click.option("--mqtt", metavar="URL", help="Tell an MQTT broker: mqtt://HOST[:PORT][/ROOT].")
+@click.option(
     "--opcua",
     metavar="HOST:PORT",
     is_flag=False,

@@ -18,6 +18,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from types import TracebackType
 from typing import TYPE_CHECKING
 
+from nctakt.base.diagnostics import Text
 from nctakt.base.failure import Failure
 from nctakt.hli.layout import (
     AXIS,
@@ -396,9 +397,16 @@ def _types_of(functions: Mapping[int, TechnologyFunction]) -> bytearray:
 
 
 def _create(name: str, size: int) -> SharedMemory:
-    """Return new shared memory, all zero."""
+    """Return new shared memory, all zero.
+
+    Python's resource tracker knows names of ASCII without colon and line end; it would refuse
+    others behind their creation.
+    """
     from multiprocessing.shared_memory import SharedMemory  # noqa: PLC0415 - most runs have none
 
+    if not (name.isascii() and name.isprintable()) or ":" in name:
+        reason = Text("only ASCII characters, without colon", "nur ASCII-Zeichen ohne Doppelpunkt")
+        raise Failure(diagnostic(SHARED_MEMORY_NOT_AVAILABLE, name=repr(name), reason=reason))
     _start_tracker()
     try:
         return SharedMemory(name, create=True, size=size)

@@ -3,13 +3,14 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 
 import pytest
 from kernel_rig import DEMO, Rig
 
 from nctakt.base.failure import Failure
-from nctakt.kernel import codes
+from nctakt.kernel import codes, rows
 from nctakt.kernel.axes.axes import Axes
 from nctakt.kernel.axes.coordinates import Offsets
 from nctakt.kernel.axes.spindles import Spindles
@@ -84,6 +85,26 @@ ENTRANCES: dict[str, _Entrance] = {
     "path.segment_row": lambda rig, n: rig.channel.path.segment_row(n),
     "path members": lambda rig, n: KernelPath(rig.machine.axes, [0, n], 1000),
     "queue.row": lambda rig, n: rig.channel.queue.command(n),
+    "put cell": lambda rig, n: put(rig, rows.WRITE_VARIABLE, n, 1.0, 0),
+    "put read": lambda rig, n: put(rig, rows.READ, 1, n),
+    "put text": lambda rig, n: put(rig, rows.WRITE_TEXT, n, 0, 1, 1, 65),
+    "put text first": lambda rig, n: put(rig, rows.WRITE_TEXT, 0, n, 1, 1, 65),
+    "put text count": lambda rig, n: put(rig, rows.WRITE_TEXT, 0, 0, n, 1, 65),
+    "put text zeros": lambda rig, n: put(rig, rows.WRITE_TEXT, 0, 0, 1, n, 65),
+    "put character": lambda rig, n: put(rig, rows.WRITE_TEXT, 0, 0, 1, 1, n),
+    "put slot": lambda rig, n: put(rig, rows.DEFINE_CYCLE, n, 1),
+    "put timer": lambda rig, n: put(rig, rows.TIMER, n, 0),
+    "put spindle": lambda rig, n: put(rig, rows.SPINDLE, n, 3, 1.0, 0.0, 1, 0),
+    "put awaited spindle": lambda rig, n: put(rig, rows.AWAIT_SPINDLE, n),
+    "put fixed stop": lambda rig, n: put(rig, rows.FIXED_STOP, n, 1, 1, 1, 0, 1, 1),
+    "put offset axis": lambda rig, n: put(rig, rows.SET_OFFSET, n, 0, 1.0),
+    "put offset kind": lambda rig, n: put(rig, rows.SET_OFFSET, 0, n, 1.0),
+    "put origin": lambda rig, n: put(rig, rows.SET_ORIGIN, n, 1.0),
+    "put turn first": lambda rig, n: put(rig, rows.SET_TURN, n),
+    "put turn second": lambda rig, n: put(rig, rows.SET_TURN, 0, n, 1, *[0.0] * 9),
+    "put turn third": lambda rig, n: put(rig, rows.SET_TURN, 0, 1, n, *[0.0] * 9),
+    "put positions": lambda rig, n: put(rig, rows.POSITIONS, 1, n, 0),
+    "put positions axis": lambda rig, n: put(rig, rows.POSITIONS, 1, 1, n),
     "ahead.limit": lambda rig, n: rig.channel.queue.look_ahead.limits.limit(
         n, True, (1.0, 1.0), (1.0, 1.0)
     ),
@@ -91,6 +112,11 @@ ENTRANCES: dict[str, _Entrance] = {
         n, (1.0, 1.0), (1.0, 1.0)
     ),
 }
+
+
+def put(rig: Rig, kind: int, *arguments: float) -> None:
+    """Hand a command to the channel as the decoder does."""
+    rig.channel.put([kind, 0, 0, *arguments])
 
 
 @pytest.mark.parametrize("name", ENTRANCES)
@@ -192,6 +218,37 @@ def test_a_command_longer_than_a_row_is_refused() -> None:
         rig.channel.queue.put([1.0] * (rig.channel.queue.width + 1))
     with pytest.raises(ValueError, match="length of a command"):
         rig.channel.queue.put([])
+
+
+@pytest.mark.parametrize(
+    "kind", [0, rows.SEGMENT, rows.EMPTY_BLOCK + 1, -1, math.nan, math.inf, None]
+)
+def test_a_command_of_no_kind_is_refused(kind: int) -> None:
+    """None of them would be taken, or it would be taken for another one."""
+    rig = Rig()
+    with pytest.raises(ValueError, match="is not a kind of command"):
+        put(rig, kind, 1, 1)
+    with pytest.raises(ValueError, match="is not a kind of command"):
+        rig.channel.put([])
+
+
+@pytest.mark.parametrize("kind", range(rows.DWELL, rows.EMPTY_BLOCK + 1))
+def test_a_command_without_its_columns_is_refused(kind: int) -> None:
+    """The queue would fill them up with zeros, which are indices, too."""
+    with pytest.raises(ValueError, match=r"length of a command|is not a kind of command"):
+        Rig().channel.put([kind])
+
+
+@pytest.mark.parametrize("nothing", [None, "1", b"2", [], 1j])
+def test_a_command_of_other_things_is_refused(nothing: object) -> None:
+    """None, texts and the like are no numbers, in any column."""
+    for column in range(3):
+        arguments: list[object] = [1, 1.0, 0]
+        arguments[column] = nothing
+        with pytest.raises((TypeError, ValueError)):
+            put(Rig(), rows.WRITE_VARIABLE, *arguments)  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match="is not a kind of command"):
+        Rig().channel.put(None)  # type: ignore[arg-type]
 
 
 def test_more_ticks_than_an_integer_holds_are_no_end_in_the_past() -> None:

@@ -230,6 +230,6 @@ class QueueFeeder:
         elif isinstance(command, commands.LoopEnd):
             self._channel.queue.end_loop(row)
         else:
-            self._channel.queue.put(row)
+            self._channel.put(row)
         if row[rows.KIND] in rows.TIMED_KINDS:
             self._decoder.pass_time(command)

@@ -13,6 +13,7 @@ from nctakt.kernel.path.override cimport Overrides
 from nctakt.kernel.path.path cimport Path
 from nctakt.kernel.plc.panel cimport Panel
 from nctakt.kernel.plc.technology_slots cimport Hli
+from nctakt.kernel.tick.command_bounds cimport check_command
 from nctakt.kernel.tick.command_execution cimport CommandExecutor
 from nctakt.kernel.tick.command_queue cimport CommandQueue
 from nctakt.kernel.tick.wait_reasons cimport WaitReasons

@@ -21,6 +21,7 @@ from nctakt.kernel.path.lookahead import LookAhead
 from nctakt.kernel.path.override import Overrides
 from nctakt.kernel.path.path import Path
 from nctakt.kernel.plc.technology_slots import Hli
+from nctakt.kernel.tick.command_bounds import check_command
 from nctakt.kernel.tick.command_execution import CommandExecutor
 from nctakt.kernel.tick.command_queue import CommandQueue
 from nctakt.kernel.tick.wait_reasons import WaitReasons
@@ -82,6 +83,11 @@ class Channel:
             single_axes.assign_to_channel(self.path.members[i])
 
     # --- Python's side, between two runs --------------------------------------------------------
+
+    def put(self, command: list[float]) -> None:
+        """Queue a command of the decoder; raise ``ValueError`` for what no table has."""
+        check_command(self.executor, command)
+        self.queue.put(command)
 
     def take_answer(self) -> float:
         """Take the value that the decoder waits for; raise ``ValueError`` without one."""

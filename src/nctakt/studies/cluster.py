@@ -10,6 +10,7 @@ says so.
 from __future__ import annotations
 
 import contextlib
+import gc
 import tempfile
 import threading
 from collections.abc import Iterable, Iterator
@@ -36,13 +37,19 @@ _lock = threading.Lock()
 _makers: dict[str, Bench | SharedBeginning] = {}
 
 
-def make_block(packed: Bundle, block: Block) -> list[Row]:
+def received(packed: Bundle) -> Bundle:
+    """Return a bundle, on a worker, from where the others get it; made again if that is lost."""
+    return packed
+
+
+def make_block(packed: Bundle, key: str, block: Block) -> list[Row]:
     """Make the runs of a block, on a worker, where the bench stays for the next block."""
     with _lock:
-        key = packed.key
         if key not in _makers:
             folder = Path(tempfile.mkdtemp(prefix="nctakt-study-"))
             _makers[key] = maker_of(bench_of(packed.unpack(folder)), may_copy=False)
+            gc.collect()
+            gc.freeze()  # machine and program stay: nobody looks for garbage in them again
         return [_makers[key].row(number) for number in block]
 
 
@@ -63,7 +70,7 @@ def rows_of_cluster(plan: Plan, numbers: Iterable[int], address: str | Any) -> I
     except (OSError, ValueError) as error:
         raise _lost(address, error) from error
     try:
-        yield from _Blocks(client, packed).rows(in_blocks(numbers))
+        yield from _Blocks(client, packed).rows(numbers)
     except (
         OSError,
         distributed.comm.CommClosedError,
@@ -87,22 +94,28 @@ class _Blocks:
     def __init__(self, client: Any, packed: Bundle) -> None:
         self._client = client
         self._packed = packed
+        self._study = packed.key
+        self._received = client.submit(received, packed, key=f"nctakt-study-{self._study}")
         self._blocks: dict[Any, Block] = {}
 
-    def rows(self, blocks: Iterator[Block]) -> Iterator[list[Row]]:
+    def rows(self, numbers: Iterable[int]) -> Iterator[list[Row]]:
         """Yield the rows of each block."""
         import distributed  # noqa: PLC0415 - as above
 
         finished = distributed.as_completed()
-        for block in blocks:
+        threads = max(1, sum(self._client.nthreads().values()))
+        for block in in_blocks(numbers, threads):
             self._submit(block, finished)
-            if len(self._blocks) >= AHEAD * max(1, len(self._client.nthreads())):
+            if len(self._blocks) >= AHEAD * threads:
                 yield from self._take(finished)
+                threads = max(threads, len(self._client.nthreads()))
         while self._blocks:
             yield from self._take(finished)
 
     def _submit(self, block: Block, finished: Any) -> None:
-        future = self._client.submit(make_block, self._packed, block, retries=0)
+        future = self._client.submit(
+            make_block, self._received, self._study, block, pure=False, retries=0
+        )
         self._blocks[future.key] = block
         finished.add(future)
 

@@ -16,22 +16,28 @@ import queue
 import subprocess
 import sys
 import threading
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence, Sized
 
 from nctakt.studies.bench import Row, crashed_row
 from nctakt.studies.plan import Plan
 from nctakt.studies.schedule_bench import bench_of
 from nctakt.studies.shared_beginning import maker_of
 
-#: Runs that a worker makes between two answers.
-BLOCK = 50
+#: Runs that a worker makes between two answers, at most.
+BLOCK = 200
+
+#: Blocks for each worker, so that all end at about the same time.
+BLOCKS_OF_A_WORKER = 16
 
 Block = tuple[int, ...]
 
 
-def in_blocks(numbers: Iterable[int], size: int = BLOCK) -> Iterator[Block]:
-    """Yield numbers in blocks."""
+def in_blocks(numbers: Iterable[int], workers: int) -> Iterator[Block]:
+    """Yield numbers in blocks for so many workers."""
     iterator = iter(numbers)
+    size = BLOCK
+    if isinstance(numbers, Sized):
+        size = min(BLOCK, max(1, len(numbers) // (BLOCKS_OF_A_WORKER * workers)))
     while block := tuple(itertools.islice(iterator, size)):
         yield block
 
@@ -45,7 +51,7 @@ def rows_here(plan: Plan, numbers: Iterable[int]) -> Iterator[list[Row]]:
 
 def rows_of_processes(plan: Plan, numbers: Iterable[int], count: int) -> Iterator[list[Row]]:
     """Yield the rows of runs, made by ``count`` processes, in the order in which they finish."""
-    pool = _Pool(plan, in_blocks(numbers))
+    pool = _Pool(plan, in_blocks(numbers, count))
     threads = [threading.Thread(target=pool.serve, daemon=True) for _ in range(count)]
     for thread in threads:
         thread.start()

@@ -15,7 +15,10 @@ from datetime import UTC, datetime
 #: Seconds between two lines about the same refusal of the same client.
 REPEAT_S = 10.0
 
-#: Refusals that are remembered at most.
+#: Lines about clients of a host that come, and that go, in this time.
+MAX_VISITS = 20
+
+#: Kinds of lines that are counted at most.
 _MAX_REMEMBERED = 10_000
 
 
@@ -29,7 +32,7 @@ class ServerLog:
     ) -> None:
         self._write = write
         self._clock = clock
-        self._refused: dict[tuple[str, str, str], tuple[float, int]] = {}
+        self._counts: dict[tuple[str, str, str], tuple[float, int]] = {}
 
     def note(self, event: str, **words: object) -> None:
         """Tell what happened."""
@@ -39,20 +42,30 @@ class ServerLog:
         """Tell what went wrong in a server."""
         self._line("error", event, words)
 
+    def visit(self, event: str, door: str, host: str, **words: object) -> None:
+        """Tell that a client of a host has come or gone; not each one of a storm of them."""
+        repeated = self._unwritten((event, door, host), MAX_VISITS)
+        if repeated is not None:
+            self._line("info", event, {"door": door, "host": host, **words, **repeated})
+
     def refuse(self, door: str, client: str, reason: str, **words: object) -> None:
         """Tell that something of a client was refused."""
-        key = door, client, reason
+        repeated = self._unwritten((door, client, reason), 1)
+        if repeated is not None:
+            shown = {"door": door, "client": client, "reason": reason, **words, **repeated}
+            self._line("warning", "refused", shown)
+
+    def _unwritten(self, key: tuple[str, str, str], limit: int) -> dict[str, object] | None:
+        """Return how many lines like this were not written, ``None`` if this one is not either."""
         now = self._clock()
-        last, count = self._refused.get(key, (-REPEAT_S, 0))
-        if now - last < REPEAT_S:
-            self._refused[key] = last, count + 1
-            return
-        if len(self._refused) >= _MAX_REMEMBERED:
-            self._refused.clear()
-        self._refused[key] = now, 0
-        repeated = {"repeated": count} if count else {}
-        words_of_line = {"door": door, "client": client, "reason": reason, **words, **repeated}
-        self._line("warning", "refused", words_of_line)
+        begin, count = self._counts.get(key, (-REPEAT_S, 0))
+        if now - begin < REPEAT_S:
+            self._counts[key] = begin, count + 1
+            return {} if count < limit else None
+        if len(self._counts) >= _MAX_REMEMBERED:
+            self._counts.clear()
+        self._counts[key] = now, 1
+        return {"repeated": count - limit} if count > limit else {}
 
     def _line(self, level: str, event: str, words: dict[str, object]) -> None:
         if self._write is None:

@@ -8,19 +8,19 @@ in order is an ``AdsError``; values that are not here yet are ``Missing``.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from struct import Struct
+from struct import Struct, pack
 
 from nctakt.base.failure import Failure, error_text
 from nctakt.nc.vocabulary import strings
 from nctakt.servers.ads.clients import Client
-from nctakt.servers.ads.codes import AdsError, Error, Group, Transmission
-from nctakt.servers.ads.data import Readable
+from nctakt.servers.ads.codes import AdsError, Error, Group, State, Transmission
+from nctakt.servers.ads.data import Fixed, Readable
 from nctakt.servers.ads.frames import Frame
 from nctakt.servers.ads.limits import MAX_ANSWER
 from nctakt.servers.ads.notifications import Notifier
 from nctakt.servers.ads.objects import ADDRESS, Objects
 from nctakt.servers.ads.symbols import SymbolTable
-from nctakt.servers.ads.uploads import Uploads, symbol_entry, type_entry
+from nctakt.servers.ads.uploads import Uploads, handle_description, symbol_entry, type_entry
 from nctakt.servers.host import Busy, Host
 from nctakt.servers.store import Scalar
 
@@ -31,6 +31,10 @@ _ADDRESS = Struct("<III")
 _NOTIFICATION = Struct("<IIIIII16x")
 _NUMBER = Struct("<I")
 _RESULT = Struct("<II")
+
+
+#: What never changes while the server is there: version of the symbols; its state, that it runs.
+_CONSTANT: dict[int, bytes] = {Group.VERSION: b"\1", Group.DEVICE_DATA: pack("<HH", State.RUN, 0)}
 
 
 class Missing(Exception):
@@ -55,7 +59,6 @@ class Access:
             Group.UPLOAD_INFO: self._uploads.info,
             Group.UPLOAD_INFO_2: self._uploads.info_2,
             Group.TYPE_UPLOAD: lambda: self._uploads.types,
-            Group.VERSION: lambda: b"\1",
         }
 
     def log_refusal(self, client: Client, error: AdsError) -> None:
@@ -103,7 +106,12 @@ class Access:
             if size < item.size_bytes:
                 raise AdsError(Error.SIZE, f"{size} bytes are too few for {item.size_bytes}")
             return item
-        raise AdsError(Error.GROUP, f"group {group:#x}")
+        data = _CONSTANT.get(group)
+        if data is None:
+            raise AdsError(Error.GROUP, f"group {group:#x}")
+        if not data[offset : offset + size]:
+            raise AdsError(Error.OFFSET, f"nothing begins at {group:#x}, {offset:#x}")
+        return Fixed(data[offset : offset + size])
 
     async def present(self, read: Callable[[], bytes]) -> bytes:
         """Return what reads values, once they are here; raises ``AdsError``."""
@@ -121,7 +129,10 @@ class Access:
         """Return what a client asks for with data; raises ``AdsError`` and ``Missing``."""
         match group:
             case Group.HANDLE_BY_NAME:
-                return _NUMBER.pack(client.open_handle(self.symbols.find(_name(data))))
+                symbol = self.symbols.find(_name(data))
+                handle = _NUMBER.pack(client.open_handle(symbol))
+                described = handle + handle_description(symbol)
+                return described if len(described) <= size else handle
             case Group.VALUE_BY_NAME:
                 symbol = self.symbols.find(_name(data))
                 item = self.symbols.item(symbol.group, symbol.offset, symbol.type.size_bytes)

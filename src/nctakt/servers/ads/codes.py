@@ -75,6 +75,7 @@ class Group(IntEnum):
     SUM_READ_EX_2 = 0xF084
     SUM_ADD_NOTIFICATION = 0xF085
     SUM_DELETE_NOTIFICATION = 0xF086
+    DEVICE_DATA = 0xF100
 
 
 class State(IntEnum):

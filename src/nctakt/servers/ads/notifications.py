@@ -93,9 +93,9 @@ class Notifier:
         return handle
 
     def begin(self, client: Client, handle: int, values: Mapping[str, Scalar], tick: int) -> None:
-        """Send the first value of a notification, unless that has happened."""
+        """Send the first value of a notification; the others follow."""
         added = self._all.get(handle)
-        if added is not None and added.last is None:
+        if added is not None:
             added.last = added.item.read(values)
             self._send(added.series, [(handle, added.last)], tick)
 
@@ -130,6 +130,8 @@ class Notifier:
             self._plan(series, series.due + (late + 1) * series.period)
             samples = []
             for handle, one in series.members.items():
+                if one.last is None:
+                    continue  # its client does not know its handle yet
                 data = one.item.read(values)
                 if not one.sends_changes or data != one.last:
                     one.last = data

@@ -60,6 +60,7 @@ class AdsDoor:
         self.net_id = net_id or net_id_of(address[0])
         self.permitted = frozenset(permitted)
         self.connections: set[Connection] = set()
+        self.tasks: set[asyncio.Task[None]] = set()
         self._server: asyncio.Server | None = None
 
     async def open(self) -> str:
@@ -89,6 +90,8 @@ class AdsDoor:
         self._end_listening()
         for connection in tuple(self.connections):
             connection.end("closing")
+        if self.tasks:
+            await asyncio.wait(self.tasks, timeout=1.0)
         with contextlib.suppress(TimeoutError):
             await asyncio.wait_for(self._server.wait_closed(), 1.0)
 
@@ -114,7 +117,7 @@ class Connection(asyncio.Protocol):
         self._is_reading = True
         self._can_take = True
         self._transport: asyncio.Transport | None = None
-        self.peer = ""
+        self.peer = self._address = ""
 
     # --- the connection -------------------------------------------------------------------------
 
@@ -122,9 +125,10 @@ class Connection(asyncio.Protocol):
         """Begin; a connection beyond the limit ends at once."""
         self._transport = cast("asyncio.Transport", transport)
         address = transport.get_extra_info("peername") or ("", 0)
+        self._address = str(address[0])
         self.peer = f"{address[0]}:{address[1]}"
         if len(self._door.connections) >= MAX_CONNECTIONS:
-            self._log.refuse(DOOR, str(address[0]), "too many connections")
+            self._log.refuse(DOOR, self._address, "too many connections")
             self._transport.abort()
             self._transport = None
             return
@@ -133,21 +137,19 @@ class Connection(asyncio.Protocol):
         connected = transport.get_extra_info("socket")
         if connected is not None:
             connected.setsockopt(socket.SOL_SOCKET, socket.SO_KEEPALIVE, 1)
-        self._log.note("connected", door=DOOR, peer=self.peer)
+        self._log.visit("connected", DOOR, self._address, peer=self.peer)
 
     def connection_lost(self, exc: Exception | None) -> None:
-        """End: handles, notifications and requests on their way end with it."""
+        """End: handles and notifications end with it; a write that is whole is still done."""
         self._forget()
         if self._transport is not None:
             self._transport = None
-            self._log.note("disconnected", door=DOOR, peer=self.peer)
+            self._log.visit("disconnected", DOOR, self._address, peer=self.peer)
 
     def _forget(self) -> None:
         for client in self._clients.values():
             self._service.forget(client)
         self._clients.clear()
-        for task in self._tasks:
-            task.cancel()
         self._door.connections.discard(self)
 
     def end(self, reason: str) -> None:
@@ -155,7 +157,7 @@ class Connection(asyncio.Protocol):
         transport, self._transport = self._transport, None
         self._forget()
         if transport is not None:
-            self._log.note("disconnecting", door=DOOR, peer=self.peer, reason=reason)
+            self._log.visit("disconnected", DOOR, self._address, peer=self.peer, reason=reason)
             transport.close()
             if transport.get_write_buffer_size():
                 transport.abort()
@@ -180,7 +182,7 @@ class Connection(asyncio.Protocol):
                     if client.begins:
                         begins.append(client)
         except FrameError as error:
-            self._log.refuse(DOOR, self.peer, "not a frame of AMS", detail=str(error))
+            self._log.refuse(DOOR, self._address, "not a frame of AMS", detail=str(error))
             self._write(b"".join(answers))
             self.end("not a frame of AMS")
             return
@@ -218,8 +220,9 @@ class Connection(asyncio.Protocol):
         if isinstance(answer, bytes):
             return frame.answer(answer)
         task = self._door.host.loop.create_task(self._answer_later(client, frame, answer))
-        self._tasks.add(task)
-        task.add_done_callback(self._tasks.discard)
+        for tasks in (self._tasks, self._door.tasks):
+            tasks.add(task)
+            task.add_done_callback(tasks.discard)
         self._pace()
         return None
 
@@ -230,6 +233,8 @@ class Connection(asyncio.Protocol):
             self._service.access.log_refusal(client, error)
             data = frame.answer(b"", error.code)
         self._write(data)
+        if self._transport is None:
+            self._service.forget(client)
         self._service.begin_notifications(client)
         self._door.host.loop.call_soon(self._pace)
 

@@ -44,6 +44,12 @@ def symbol_entry(symbol: Symbol) -> bytes:
     return pack("<I", len(entry) + 4) + entry
 
 
+def handle_description(symbol: Symbol) -> bytes:
+    """Return what follows a handle for clients that leave room: size and type of its symbol."""
+    (length,), name = _names(symbol.type.name)
+    return pack("<IIH", symbol.type.size_bytes, 0, length) + name
+
+
 def type_entry(type_: DataType, name: str = "", offset: int = 0) -> bytes:
     """Return the entry of a data type; with a name that of a member at an offset."""
     is_plain = not type_.members and not type_.elements

@@ -1,0 +1,208 @@
+# SPDX-License-Identifier: MIT
+"""Requests of ADS as bytes, and connections without sockets for the tests of the server."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+from collections.abc import AsyncIterator, Mapping, Sequence
+from struct import pack, unpack_from
+from types import SimpleNamespace
+from typing import Any, cast
+
+from nctakt.base.failure import Failure
+from nctakt.lists.machine.machine import Machine, load_machine
+from nctakt.servers.ads.codes import Command, Group
+from nctakt.servers.ads.frames import REQUEST, Frame, FrameReader
+from nctakt.servers.ads.server import AdsDoor, Connection
+from nctakt.servers.host import Host
+from nctakt.servers.log import ServerLog
+from nctakt.session.listening import Frame as SessionFrame
+from nctakt.session.listening import Listener
+from nctakt.session.session import Session
+
+OWN, CLIENT = bytes((127, 0, 0, 1, 1, 1)), bytes((10, 0, 0, 9, 1, 1))
+
+
+class StandingSession:
+    """A session that stands: it takes writes, and shows them with the next ``tick``."""
+
+    def __init__(self, machine: Machine) -> None:
+        self.description = SimpleNamespace(cycle_time_us=machine.cycle_time_us)
+        self.is_playing = False
+        self.tick = 0
+        self.written: dict[str, float | bool | str] = {}
+        self.sources: list[str] = []
+        self._listener: Listener | None = None
+        self._signals: Sequence[str] = ()
+
+    def attach(self, listener: Listener, signals: Sequence[str] = ()) -> None:
+        """Give the first frame."""
+        self._listener, self._signals = listener, signals
+        self._give()
+
+    def detach(self, listener: Listener) -> None:
+        """Give no more."""
+        self._listener = None
+
+    def advance(self, ticks: int = 1) -> None:
+        """Run ticks."""
+        self.tick += ticks
+        self._give()
+
+    def _give(self) -> None:
+        values = {name: self.written.get(name, 0.0) for name in self._signals}
+        for name, value in values.items():
+            if name.endswith(("TEXT", "STRING")):
+                values[name] = value or ""
+        assert self._listener is not None
+        self._listener.give(
+            SessionFrame(self.tick, 1, "ready", None, None, values, {}, (), 0, (), (), 0)
+        )
+
+    def write_each(
+        self, requests: Sequence[tuple[Mapping[str, float | bool | str], str]]
+    ) -> list[Failure | int]:
+        """Take writes."""
+        for values, source in requests:
+            self.written.update(values)
+            self.sources.append(source)
+        return [self.tick] * len(requests)
+
+    def decoders(self) -> list[Any]:
+        """Return no open program."""
+        return []
+
+
+class Wire(asyncio.Transport):
+    """A transport without a socket: ``sent`` is what the server has sent."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.sent = bytearray()
+        self.is_closed = self.is_paused = False
+        self.unread = 0
+
+    def get_extra_info(self, name: str, default: Any = None) -> Any:
+        return ("10.0.0.9", 1) if name == "peername" else None
+
+    def set_write_buffer_limits(self, high: int | None = None, low: int | None = None) -> None:
+        pass
+
+    def get_write_buffer_size(self) -> int:
+        return self.unread
+
+    def write(self, data: Any) -> None:
+        self.sent += data
+
+    def close(self) -> None:
+        self.is_closed = True
+
+    def abort(self) -> None:
+        self.is_closed = True
+
+    def pause_reading(self) -> None:
+        self.is_paused = True
+
+    def resume_reading(self) -> None:
+        self.is_paused = False
+
+    def answers(self) -> list[Frame]:
+        """Take the frames that were sent."""
+        data, self.sent = bytes(self.sent), bytearray()
+        reader = FrameReader()
+        return list(reader.feed(data))
+
+
+class Bench:
+    """A server on a session that stands, with ``log``, its lines."""
+
+    def __init__(self, host: Host, session: StandingSession, door: AdsDoor, log: list[str]) -> None:
+        self.host = host
+        self.session = session
+        self.door = door
+        self.log = log
+
+    def connect(self) -> tuple[Connection, Wire]:
+        """Connect a client."""
+        wire, connection = Wire(), Connection(self.door)
+        connection.connection_made(wire)
+        return connection, wire
+
+    async def ask(self, connection: Connection, wire: Wire, request: bytes) -> Frame:
+        """Return the answer to a request."""
+        connection.data_received(request)
+        for _ in range(2000):
+            for answer in wire.answers():
+                if answer.command != Command.NOTIFICATION:
+                    return answer
+            await asyncio.sleep(0.001)
+        raise AssertionError("no answer")
+
+
+@contextlib.asynccontextmanager
+async def bench(**words: Any) -> AsyncIterator[Bench]:
+    """A server whose clients need no sockets."""
+    machine = load_machine()
+    session = StandingSession(machine)
+    log: list[str] = []
+    host = await Host(cast("Session", session), machine, ServerLog(log.append)).open()
+    door = AdsDoor(host, ("127.0.0.1", 0), OWN, **words)
+    await door.open()
+    try:
+        yield Bench(host, session, door, log)
+    finally:
+        await door.close()
+        await host.close()
+
+
+def request(
+    command: int, data: bytes = b"", *, port: int = 851, invoke: int = 1, source: int = 33000
+) -> bytes:
+    """A request as bytes."""
+    return Frame(OWN, port, CLIENT, source, command, REQUEST, 0, invoke, data).encode()
+
+
+def read(group: int, offset: int, size: int, **words: int) -> bytes:
+    """A read."""
+    return request(Command.READ, pack("<III", group, offset, size), **words)
+
+
+def write(group: int, offset: int, data: bytes, **words: int) -> bytes:
+    """A write."""
+    return request(Command.WRITE, pack("<III", group, offset, len(data)) + data, **words)
+
+
+def read_write(group: int, offset: int, size: int, data: bytes, **words: int) -> bytes:
+    """A read-write."""
+    head = pack("<IIII", group, offset, size, len(data))
+    return request(Command.READ_WRITE, head + data, **words)
+
+
+def by_name(name: str) -> bytes:
+    """What opens a handle."""
+    return read_write(Group.HANDLE_BY_NAME, 0, 4, name.encode() + b"\0")
+
+
+def notification(
+    group: int, offset: int, size: int, mode: int = 4, cycle: int = 0, **words: int
+) -> bytes:
+    """What adds a notification."""
+    data = pack("<IIIIII16x", group, offset, size, mode, 0, cycle)
+    return request(Command.ADD_NOTIFICATION, data, **words)
+
+
+def result(answer: Frame) -> int:
+    """The error of an answer."""
+    return int(answer.error or unpack_from("<I", answer.data)[0])
+
+
+def data_of(answer: Frame) -> bytes:
+    """The data of an answer to a read or a read-write."""
+    assert result(answer) == 0, hex(result(answer))
+    return answer.data[8:]
+
+
+def number_of(answer: Frame) -> int:
+    """The number that a read or a read-write has answered."""
+    return int.from_bytes(data_of(answer), "little")

@@ -2,8 +2,8 @@
 """Messages and alarms: what a program says, and what went wrong, until somebody acknowledges it.
 
 In: notices of the host, the error of each channel. Out: events of CncMessageType and CncAlarmType
-to all that subscribe. An alarm is active while its channel stands with that error; it stays until
-it is no longer active and somebody has acknowledged it.
+to all that subscribe. An alarm is active until its channel stands with that error no longer; it
+stays until somebody has acknowledged it, too.
 """
 
 from __future__ import annotations
@@ -65,7 +65,7 @@ class Alarm:
     found: Diagnostic
     channel: int
     time: datetime
-    is_active: bool
+    is_active: bool = True
     is_acked: bool = False
     comment: Any = None
     user: str = ""
@@ -96,7 +96,7 @@ class Alarms:
         self._clock = clock
         self._event_types = event_types
         self._alarms: dict[ua.NodeId, Alarm] = {}
-        self._errors: dict[int, float] = {}
+        self._errors: dict[int, int] = {}
         self._serial = 0
         several = len(machine.channels) > 1
         self.error_names = {
@@ -129,19 +129,17 @@ class Alarms:
             text = Text(f"{found.id}: {found.text('en')}", f"{found.id}: {found.text('de')}")
             self._tell_event(0, text, time, severity)
             return
-        values = self._host.store.values
-        channels = [
-            number
-            for number, name in self.error_names.items()
-            if values.get(name, 0.0) == float(found.id)
-        ]
         self._serial += 1
         node = self._machine.id(f"Alarm.{found.id}.{self._serial}")
-        channel = channels[0] if channels else 0
-        alarm = Alarm(node, found, channel, time, is_active=bool(channels))
+        alarm = Alarm(node, found, self._channel_of(found.id), time)
         self._make_room()
         self._alarms[node] = alarm
         self._tell_alarm(alarm, time)
+
+    def _channel_of(self, number: int) -> int:
+        """Return the channel that stands with an error of this number; 0: none yet."""
+        standing = [one for one, error in self._errors.items() if error == number]
+        return standing[0] if standing else 0
 
     def _make_room(self) -> None:
         while len(self._alarms) >= MAX_ALARMS:
@@ -149,15 +147,18 @@ class Alarms:
             del self._alarms[(idle or list(self._alarms))[0]]
 
     def look(self) -> None:
-        """Let alarms be over whose channel has that error no longer."""
+        """Give alarms the channel that stands with them; let them be over when it does not."""
         values = self._host.store.values
         for number, name in self.error_names.items():
-            error = float(values.get(name, 0.0))
-            if error == self._errors.get(number, 0.0):
+            error, before = int(values.get(name, 0.0)), self._errors.get(number, 0)
+            if error == before:
                 continue
             self._errors[number] = error
             for alarm in list(self._alarms.values()):
-                if alarm.channel == number and alarm.is_active and alarm.found.id != error:
+                is_its_own = alarm.channel in (0, number) and alarm.is_active
+                if is_its_own and alarm.found.id == error:
+                    alarm.channel = number
+                elif is_its_own and before == alarm.found.id:
                     alarm.is_active = False
                     self._tell_alarm(alarm, self._clock.time(self._host.store.tick))
 

@@ -61,11 +61,14 @@ class History:
     async def _raw(self, details: Any, point: bytes | None, live: Live, result: Any) -> int:
         codes = ua.StatusCodes
         latest = max(0, self._host.session.tick)
-        begin, end = self._tick(details.StartTime), self._tick(details.EndTime)
+        begin, end = _given(details.StartTime), _given(details.EndTime)
         if sum(one is None for one in (begin, end)) + (not details.NumValuesPerNode) > 1:
             return int(codes.BadInvalidTimestampArgument)
         is_backward = begin is None or (end is not None and end < begin)
-        first, last = (end, begin) if is_backward else (begin, end)
+        early, late = (end, begin) if is_backward else (begin, end)
+        clock = self._space.clock
+        first = None if early is None else clock.tick_at(early)
+        last = None if late is None else clock.tick_at(late, is_end=True)
         low = max(0, 0 if first is None else first)
         high = min(latest, latest if last is None else last + 1)
         if point:
@@ -93,13 +96,6 @@ class History:
             result.ContinuationPoint = json.dumps(rest).encode()
         return 0
 
-    def _tick(self, moment: datetime | None) -> int | None:
-        """Return the first tick at a time or later; ``None`` for a time that is not given."""
-        if moment is None or moment.year <= 1601:
-            return None
-        aware = moment if moment.tzinfo is not None else moment.replace(tzinfo=UTC)
-        return self._space.clock.tick_at(aware)
-
     async def _look(self, live: Live, first: int, end: int) -> list[ua.DataValue]:
         """Return the values behind the ticks of a stretch, one for each tick."""
         look = self._host.session.look
@@ -126,14 +122,22 @@ class History:
         latest = self._host.session.tick
         data = ua.HistoryData()
         for moment in times:
-            tick = self._tick(moment)
-            if tick is None or not 0 <= tick < latest:
+            given = _given(moment)
+            tick = -1 if given is None else self._space.clock.tick_at(given)
+            if not 0 <= tick < latest:
                 status = ua.StatusCode(ua.StatusCodes.BadNoData)
                 data.DataValues.append(ua.DataValue(StatusCode=status, SourceTimestamp=moment))
             else:
                 data.DataValues += await self._look(live, tick, tick + 1)
         result.HistoryData = data
         return 0
+
+
+def _given(moment: datetime | None) -> datetime | None:
+    """Return a time of a request with its zone; ``None`` for one that is not given."""
+    if moment is None or moment.year <= 1601:
+        return None
+    return moment if moment.tzinfo is not None else moment.replace(tzinfo=UTC)
 
 
 def _point(content: bytes, low: int, high: int) -> tuple[int, int]:

@@ -114,7 +114,7 @@ def data_filter(item: Item, requested: Any) -> int:
     if requested is None or is_null(requested):
         item.trigger, item.deadband = _STATUS_VALUE, 0.0
         return 0
-    if not isinstance(requested, ua.DataChangeFilter):
+    if not isinstance(requested, ua.uaprotocol_auto.DataChangeFilter):
         return int(codes.BadMonitoredItemFilterUnsupported)
     deadband = float(requested.DeadbandValue)
     kind = int(requested.DeadbandType)

@@ -105,10 +105,12 @@ class Clock:
         """Return the time at which a tick begins."""
         return self.start + timedelta(microseconds=tick * self.cycle_time_us)
 
-    def tick_at(self, moment: datetime) -> int:
-        """Return the first tick that begins at a time or later; negative before the start."""
-        distance = moment - self.start
-        return -(-(distance // timedelta(microseconds=1)) // self.cycle_time_us)
+    def tick_at(self, moment: datetime, *, is_end: bool = False) -> int:
+        """Return the first tick at a time or later, of an end the last one; below 0: before all."""
+        distance_us = (moment - self.start) // timedelta(microseconds=1)
+        if is_end:
+            return distance_us // self.cycle_time_us
+        return -(-distance_us // self.cycle_time_us)
 
 
 def units_of(moment: datetime) -> int:

@@ -1,0 +1,292 @@
+# SPDX-License-Identifier: MIT
+"""Clients that break rules of OPC UA, vanish, or read nothing: the others and the session go on."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import os
+import random
+import struct
+
+import pytest
+
+pytest.importorskip("asyncua", reason="needs the extra [opcua]")
+
+from asyncua import Client, ua
+from served import Served, until
+
+from nctakt.servers.opcua.limits import Limits
+
+pytestmark = pytest.mark.slow
+
+CHANNEL = "ns=3;s=CncChannelList.1"
+
+#: Broken conversations; 10,000 by NCTAKT_SEEDS.
+SEEDS = int(os.environ.get("NCTAKT_SEEDS", "150"))
+
+
+@pytest.fixture(scope="module")
+def served(tmp_path_factory):
+    """A server with small limits, whose session runs at the speed of the clock."""
+    limits = Limits(
+        connections=30,
+        sessions=8,
+        subscriptions_per_session=3,
+        items_per_subscription=20,
+        message_bytes=1 << 20,
+        unsent_bytes=1 << 16,
+        nodes_per_call=200,
+        activation_s=1.0,
+    )
+    one = Served(tmp_path_factory.mktemp("served"), limits=limits)
+    one.session.play(1.0)
+    yield one
+    one.close()
+
+
+@contextlib.asynccontextmanager
+async def connected(served):
+    """A client with its session, once there is room for one more."""
+
+    async def connect():
+        with contextlib.suppress(ua.UaError, OSError, asyncio.TimeoutError):
+            client = Client(served.url)
+            await client.connect()
+            return client
+        return None
+
+    client = await until(connect)
+    try:
+        yield client
+    finally:
+        with contextlib.suppress(Exception):
+            await client.disconnect()
+
+
+async def is_well(served):
+    """Let a new client read, and the session go on."""
+    async with connected(served) as client:
+        node = client.get_node(f"{CHANNEL}.Id")
+        assert await node.read_value() == 1
+    tick = served.session.tick
+    await until(lambda: served.session.tick > tick)
+    assert served.session.is_playing
+
+
+async def raw(served):
+    """Return reader and writer of a bare connection."""
+    host, _, port = served.url.removeprefix("opc.tcp://").rstrip("/").rpartition(":")
+    return await asyncio.open_connection(host, int(port))
+
+
+def hello(served):
+    """A Hello as the library writes it."""
+    url = served.url.encode()
+    body = struct.pack("<IIIIII", 0, 65535, 65535, 0, 0, len(url)) + url
+    return b"HELF" + struct.pack("<I", 8 + len(body)) + body
+
+
+def open_channel():
+    """An OpenSecureChannel without security, as it is defined."""
+    policy = b"http://opcfoundation.org/UA/SecurityPolicy#None"
+    head = struct.pack("<I", 0) + struct.pack("<i", len(policy)) + policy
+    head += struct.pack("<ii", -1, -1) + struct.pack("<II", 1, 1)
+    request = struct.pack("<BBH", 1, 0, 446) + b"\0\0" + struct.pack("<qII", 0, 1, 0)
+    request += struct.pack("<i", -1) + struct.pack("<I", 0) + b"\0\0\0"
+    request += struct.pack("<IIIi", 0, 0, 1, -1) + struct.pack("<I", 60000)
+    body = head + request
+    return b"OPNF" + struct.pack("<I", 8 + len(body)) + body
+
+
+async def send(served, content):
+    """Send bytes; return what the server answers until it is silent or closes."""
+    reader, writer = await raw(served)
+    answer = b""
+    with contextlib.suppress(OSError, asyncio.TimeoutError):
+        writer.write(content)
+        await writer.drain()
+        answer = await asyncio.wait_for(reader.read(4096), 0.2)
+    writer.close()
+    return answer
+
+
+def test_broken_messages_harm_nobody(served):
+    """Truncated, flipped, random bytes; lengths up to 2^32."""
+    conversation = hello(served) + open_channel()
+    chance = random.Random(1)
+
+    def broken(index):
+        content = bytearray(conversation)
+        kind = index % 4
+        if kind == 0:
+            return bytes(content[: chance.randrange(len(content))])
+        if kind == 1:
+            for _ in range(chance.randrange(1, 9)):
+                content[chance.randrange(len(content))] ^= 1 << chance.randrange(8)
+        elif kind == 2:
+            at = chance.randrange(len(content) - 4)
+            content[at : at + 4] = struct.pack("<I", chance.choice((0, 7, 8, 1 << 31, 0xFFFFFFFF)))
+        else:
+            content = bytearray(chance.randbytes(chance.randrange(1, 400)))
+        return bytes(content)
+
+    async def work():
+        assert (await send(served, hello(served))).startswith(b"ACKF")
+        for first in range(0, SEEDS, 10):
+            await asyncio.gather(*(send(served, broken(first + one)) for one in range(10)))
+        await is_well(served)
+
+    asyncio.run(work())
+    assert served.refusals()
+
+
+def test_a_storm_of_connections_and_idle_ones(served):
+    """More than the limit are closed; those that open no session are closed after a while."""
+
+    async def work():
+        async with connected(served) as client:
+            storm = [asyncio.create_task(raw(served)) for _ in range(60)]
+            pairs = [pair for pair in await asyncio.gather(*storm)]
+            assert await client.get_node(f"{CHANNEL}.Id").read_value() == 1
+            for reader, _ in pairs:
+                assert await asyncio.wait_for(reader.read(1), 20) == b""
+            for _, writer in pairs:
+                writer.close()
+        await is_well(served)
+
+    asyncio.run(work())
+    assert any("connections" in reason for reason in served.refusals())
+
+
+def test_limits_of_sessions_subscriptions_and_items_are_told(served):
+    """Each by its status; what is there already goes on."""
+
+    async def work():
+        async with connected(served) as client:
+            subscriptions = [await client.create_subscription(50, None) for _ in range(3)]
+            with pytest.raises(ua.uaerrors.BadTooManySubscriptions):
+                await client.create_subscription(50, None)
+            node = client.get_node(f"{CHANNEL}.Signals.BLOCK")
+            items = await subscriptions[0].subscribe_data_change([node] * 25)
+            refused = [one for one in items if isinstance(one, ua.StatusCode)]
+            assert [one.name for one in refused] == ["BadTooManyMonitoredItems"] * 5
+            with pytest.raises(ua.uaerrors.BadTooManyOperations):
+                await client.read_values([node] * 201)
+            clients = []
+            with pytest.raises((ua.uaerrors.BadTooManySessions, ConnectionError)):
+                for _ in range(9):
+                    clients.append(Client(served.url))
+                    await clients[-1].connect()
+            for one in clients:
+                with contextlib.suppress(Exception):
+                    await one.disconnect()
+            assert await node.read_value() is not None
+        await is_well(served)
+
+    asyncio.run(work())
+
+
+def test_wrong_items_and_foreign_subscriptions_are_refused(served):
+    """Unknown nodes, attributes, filters; the subscription of somebody else."""
+
+    async def work():
+        async with connected(served) as client, connected(served) as other:
+            subscription = await client.create_subscription(50, None)
+            foreign = await other.create_subscription(50, None)
+
+            async def status(node, attribute=13, filter_=None, number=None):
+                item = ua.MonitoredItemCreateRequest()
+                item.ItemToMonitor = ua.ReadValueId(ua.NodeId.from_string(node), attribute)
+                item.RequestedParameters.Filter = filter_
+                request = ua.CreateMonitoredItemsParameters()
+                request.SubscriptionId = number or subscription.subscription_id
+                request.ItemsToCreate = [item]
+                (answer,) = await client.uaclient.create_monitored_items(request)
+                return answer.StatusCode.name
+
+            assert await status("ns=3;s=nothing") == "BadNodeIdUnknown"
+            assert await status(f"{CHANNEL}.Id", 1000) == "BadAttributeIdInvalid"
+            assert await status(f"{CHANNEL}", 13) == "BadAttributeIdInvalid"
+            deadband = ua.DataChangeFilter(ua.DataChangeTrigger.StatusValue, 1, -1.0)
+            name = f"{CHANNEL}.ActFeedrate"
+            assert await status(name, filter_=deadband) == "BadDeadbandFilterInvalid"
+            assert await status(f"{CHANNEL}.ActProgramName", filter_=deadband) == (
+                "BadFilterNotAllowed"
+            )
+            with pytest.raises(ua.uaerrors.BadSubscriptionIdInvalid):
+                await status(name, number=foreign.subscription_id)
+        await is_well(served)
+
+    asyncio.run(work())
+
+
+def test_a_client_that_vanishes_in_a_write_leaves_nothing(served):
+    """The write acts or does not; its session and its subscriptions go."""
+
+    async def work():
+        for _ in range(5):
+            async with connected(served) as client:
+                task = asyncio.create_task(client.get_node(f"{CHANNEL}.V.E.VALUE").write_value(1.0))
+                await asyncio.sleep(0)
+                client.uaclient.protocol.transport.abort()
+                with contextlib.suppress(Exception, asyncio.CancelledError):
+                    await task
+        await is_well(served)
+        sessions = served.door._server.iserver._external_sessions
+        await until(lambda: not sessions)
+
+    asyncio.run(work())
+
+
+def test_who_reads_nothing_is_disconnected(served):
+    """A client that asks and asks without reading holds no memory and no other client."""
+
+    async def work():
+        async with connected(served) as client, connected(served) as quick:
+            protocol = client.uaclient.protocol
+            protocol.transport.pause_reading()
+            nodes = [
+                ua.ReadValueId(ua.NodeId.from_string(f"{CHANNEL}.ActProgramBlock"), attribute)
+                for attribute in (13, 1, 3, 4) * 50
+            ]
+            request = ua.ReadRequest()
+            request.Parameters.NodesToRead = nodes
+            node = quick.get_node(f"{CHANNEL}.Id")
+
+            async def ask():
+                with contextlib.suppress(Exception):
+                    protocol._send_request(request)
+                assert await node.read_value() == 1
+                return any("read its responses" in one for one in served.refusals())
+
+            await until(ask, 60)
+            protocol.transport.abort()
+        await is_well(served)
+
+    asyncio.run(work())
+
+
+def test_who_asks_for_no_publishing_keeps_the_latest(served):
+    """A slow reader's queue has its size, the latest values and a mark; its subscription ends."""
+
+    async def work():
+        async with connected(served) as client:
+            parameters = ua.CreateSubscriptionParameters(
+                RequestedPublishingInterval=10,
+                RequestedLifetimeCount=3,
+                RequestedMaxKeepAliveCount=1,
+                PublishingEnabled=True,
+            )
+            protocol = client.uaclient.protocol
+            request = ua.CreateSubscriptionRequest()
+            request.Parameters = parameters
+            data = await protocol.send_request(request)
+            answer = ua.ua_binary.struct_from_binary(ua.CreateSubscriptionResponse, data)
+            number = answer.Parameters.SubscriptionId
+            known = served.door._subscriptions.subscriptions
+            assert number in known
+            await until(lambda: number not in known)
+        await is_well(served)
+
+    asyncio.run(work())

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from pathlib import Path
 from threading import Thread
 
 import pytest
@@ -96,3 +97,31 @@ def test_a_debugger_at_a_pipe_attaches_at_a_port(session: Session) -> None:
         client.ask("disconnect")
     server.close()
     assert not session.is_over
+
+
+def test_messages_are_told_while_the_page_plays_and_the_debugger_pauses_it(
+    tmp_path: Path,
+) -> None:
+    """Each once, whoever lets it run; ``pause`` holds what the page has started."""
+    part = tmp_path / "told.nc"
+    part.write_text('G04 X0.1\n#MSG ["first"]\nG04 X0.1\n#MSG ["second"]\nG04 X3600\nM30\n')
+    with Session(str(part)) as session, DebugClient(session=lambda: session) as client:
+        client.ask("initialize")
+        client.ask("attach")
+        client.ask("configurationDone")
+        client.stopped()
+        session.play(20.0)
+        client.event("continued")
+        for text in ("first", "second"):
+            told = client.event("output", lambda body: body["category"] == "stdout")
+            assert text in told["output"]
+        client.ask("pause", threadId=1)
+        assert client.stopped()["reason"] == "pause"
+        assert not session.is_playing
+        session.back(10)
+        client.stopped()
+        session.step(20)
+        client.stopped()
+        client.ask("disconnect")
+        outputs = [one for one in client.events if one["event"] == "output"]
+        assert [one for one in outputs if one["body"]["category"] == "stdout"] == []

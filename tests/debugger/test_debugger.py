@@ -3,12 +3,17 @@
 
 from __future__ import annotations
 
+import threading
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
 from debug_client import DebugClient, Refused
+
+from nctakt.session import timeline
+from nctakt.session.session import Session
+from nctakt.session.workshop import RemoteEngine
 
 pytestmark = pytest.mark.slow
 
@@ -369,3 +374,54 @@ def test_the_console_completes(client: DebugClient) -> None:
     assert "back" in [
         one["label"] for one in client.ask("completions", text="", column=1)["targets"]
     ]
+
+
+def test_a_pause_ends_what_goes_back(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A search backward stops where it began; the console says that it was interrupted."""
+    part = tmp_path / "long.nc"
+    part.write_text("G04 X10\nG04 X10\nM30\n", "utf-8")
+    with DebugClient() as client:
+        client.ask("initialize")
+        client.ask("launch", program=str(part), stopOnEntry=True, until="8 s")
+        lines = {"source": {"path": str(part)}, "breakpoints": [{"line": 1, "hitCondition": "9"}]}
+        client.ask("setBreakpoints", **lines)
+        client.ask("configurationDone")
+        client.stopped()
+        client.go()
+        begun, goes_on = threading.Event(), threading.Event()
+        interrupt = Session.interrupt
+
+        def noted(session: Session) -> None:
+            interrupt(session)
+            goes_on.set()
+
+        monkeypatch.setattr(Session, "interrupt", noted)
+        search = RemoteEngine.search
+
+        def held(engine: RemoteEngine, end: int, stops: Any) -> list[int]:
+            begun.set()
+            assert goes_on.wait(20.0)
+            return search(engine, end, stops)
+
+        monkeypatch.setattr(timeline, "PART_TICKS", 100)
+        for command, arguments in (
+            ("reverseContinue", {"threadId": 1}),
+            ("evaluate", {"expression": "last V.E.COUNT", "context": "repl"}),
+        ):
+            begun.clear()
+            goes_on.clear()
+            with monkeypatch.context() as patch:
+                patch.setattr(RemoteEngine, "search", held)
+                number = client.send(command, **arguments)
+                assert begun.wait(20.0)
+                paused = client.send("pause", threadId=1)
+                answer = client.answer(number)
+                client.answer(paused)
+            if command == "evaluate":
+                assert not answer["success"]
+                assert "interrupted" in answer["message"]
+            else:
+                assert client.stopped()["reason"] == "pause"
+        assert client.ask("evaluate", expression="tick", context="repl")["result"].startswith(
+            "before tick 8000 "
+        )

@@ -66,6 +66,10 @@ _CAPABILITIES = (
 )
 
 
+#: Requests that end what is being done, such as a search backward.
+_ENDING = ("pause", "cancel", "terminate", "disconnect", "restart")
+
+
 class Adapter:
     """One client's debugger; ``folders``: the only ones whose files may be run.
 
@@ -117,6 +121,8 @@ class Adapter:
             return
         if message.get("command") == "cancel":
             self._note_cancelled(message.get("arguments"))
+        if message.get("command") in _ENDING and self._debuggee is not None:
+            self._debuggee.session.interrupt()
         if self._queue.qsize() >= MAX_REQUESTS:
             self._answer_failure(message, [diagnostic(TOO_MANY_REQUESTS, limit=MAX_REQUESTS)])
             return
@@ -224,6 +230,8 @@ class Adapter:
             self._relay.send(message)
         except Failure as failure:
             self._answer_failure(message, failure.diagnostics)
+            if self._requests is not None:
+                self._guarded(self._requests.follow)
         except Exception as error:  # noqa: BLE001 - the debugger goes on
             answer = _answer_to(message, is_success=False)
             answer["message"] = error_text(error)
@@ -343,7 +351,7 @@ class Adapter:
             session.close()
             raise
         note = () if configuration.note is None else (configuration.note,)
-        debuggee.tell_diagnostics([*note, *found])
+        debuggee.report.diagnostics([*note, *found])
         if session.description.is_over:
             debuggee.close()
             errors = [one for one in found if one.severity is Severity.ERROR]

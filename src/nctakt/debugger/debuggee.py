@@ -8,21 +8,21 @@ terminated. A run goes on in parts (``go_on``), so that requests are answered be
 from __future__ import annotations
 
 import time
-from collections import deque
 from collections.abc import Callable, Sequence
 from typing import Any
 
 from nctakt.base.dataclass import dataclass, field
-from nctakt.base.diagnostics import Diagnostic, Language, Severity
+from nctakt.base.diagnostics import Language
 from nctakt.base.failure import Failure, error_text
 from nctakt.debugger.breakpoints import Breakpoint, Breakpoints
 from nctakt.debugger.console import Console
 from nctakt.debugger.exceptions import ExceptionFilters, Raised
 from nctakt.debugger.places import Places
+from nctakt.debugger.report import Report, Tell
 from nctakt.debugger.scopes import Scopes
 from nctakt.debugger.sources import Sources
 from nctakt.debugger.values import Values
-from nctakt.lists.format.times import Time, time_stamp
+from nctakt.lists.format.times import Time
 from nctakt.messages import diagnostic
 from nctakt.messages.debugger import RUN_IS_ON
 from nctakt.results.summary import headline
@@ -34,16 +34,8 @@ from nctakt.session.stops import StopAt
 PART_S = 0.02
 FIRST_TICKS, MAX_TICKS = 2_000, 2_000_000
 
-#: A run reports its progress first after ``PROGRESS_S`` seconds, then at this interval.
-PROGRESS_S, PROGRESS_AGAIN_S = 1.0, 0.5
-
-#: Diagnostics that are kept to explain an error.
-MAX_DIAGNOSTICS = 1000
-
 #: Hits of breakpoints whose hit condition is not true that a search backward passes at most.
 MAX_PASSED = 1000
-
-Tell = Callable[[str, dict[str, Any]], None]
 
 
 @dataclass(slots=True)
@@ -55,7 +47,6 @@ class _Running:
     until: Sequence[StopAt] = ()
     end: int | None = None
     begin_s: float = field(default_factory=time.monotonic)
-    told_s: float = 0.0
     ticks: int = FIRST_TICKS
 
 
@@ -94,6 +85,14 @@ class Debuggee:
         self._owns = owns
         self._stops_at_end = stops_at_end
         self.sources = Sources(session.description.texts)
+        self.report = Report(
+            session,
+            self.sources,
+            language,
+            tell,
+            listens=not owns,
+            has_progress=abilities.has_progress,
+        )
         self.values = Values(session, session.inventory())
         self.scopes = Scopes(session, self.values, self.sources, language)
         self.console = Console(session, self.values, language)
@@ -101,9 +100,7 @@ class Debuggee:
         self._owners: list[Breakpoint] = []
         self._stops: list[StopAt] = []
         self._seen: tuple[int, int, bool] = (session.tick, session.branch, False)
-        self._diagnostics: deque[Diagnostic] = deque(maxlen=MAX_DIAGNOSTICS)
         self._running: _Running | None = None
-        self._progress = 0
         self._branch = session.branch
         self.raised: Raised | None = None
         self.is_over = False
@@ -115,11 +112,6 @@ class Debuggee:
     def is_running(self) -> bool:
         """Whether it is on its way."""
         return self._running is not None
-
-    @property
-    def diagnostics(self) -> Sequence[Diagnostic]:
-        """The latest diagnostics of the run."""
-        return tuple(self._diagnostics)
 
     def places(self, file: str) -> Places:
         """Return the places of a text where a breakpoint can be."""
@@ -152,6 +144,8 @@ class Debuggee:
         self._running = None
         if self._owns:
             self.session.close()
+        else:
+            self.report.close()
 
     # --- forward --------------------------------------------------------------------------------
 
@@ -202,16 +196,16 @@ class Debuggee:
             done = self.session.run(Time(end, is_in_ticks=True), until=until)
         except (Failure, RuntimeError) as error:
             text = error_text(error)
-            self._output("stderr", f"{text}\n")
+            self.report.output("stderr", f"{text}\n")
             self._stopped("pause", running.thread, text.partition("\n")[0])
             return
         took_s = time.monotonic() - begin_s
         running.ticks = (
             min(2 * running.ticks, MAX_TICKS) if took_s < PART_S else max(running.ticks // 2, 1)
         )
-        self._tell_news(done)
+        self.report.news(done)
         if not self._ends(running, done, [hit - others for hit in done.hits]):
-            self._tell_progress(running)
+            self.report.progress(running.begin_s)
 
     def _ends(self, running: _Running, done: Slice, hits: Sequence[int]) -> bool:
         """Stop where something is due; return whether it has stopped.
@@ -268,14 +262,18 @@ class Debuggee:
         where: dict[str, Any] = {}
         if breakpoint_.line:
             where = {"line": breakpoint_.line, "source": self.sources.source(breakpoint_.file)}
-        self._output("console", f"{self._time(self.session.tick - 1)}  {text}\n", **where)
+        time = self.report.time(self.session.tick - 1)
+        self.report.output("console", f"{time}  {text}\n", **where)
 
     # --- stopping -------------------------------------------------------------------------------
 
     def pause(self, thread: int) -> None:
-        """Stop between two ticks."""
+        """Stop between two ticks; another one's session that plays is paused."""
         if self._running is not None:
             self._stopped("pause", thread)
+        elif self.session.is_playing:
+            self.session.pause()
+            self.attend()
 
     def _raise(self, raised: Raised, thread: int) -> None:
         self.raised = raised
@@ -293,17 +291,13 @@ class Debuggee:
         where = ", ".join(self._name(one) for one in due)
         thread = self._thread_of(due[0], thread)
         numbers = [one.number for one in due]
-        self._stopped(reason, thread, f"{where}, {self._tick_word} {tick}", numbers)
+        self._stopped(reason, thread, f"{where}, {self.report.tick_word} {tick}", numbers)
 
     def _name(self, breakpoint_: Breakpoint) -> str:
         word = "Zeile" if self.language == "de" else "line"
         if breakpoint_.line:
             return f"{word} {breakpoint_.line}"
         return ", ".join(dict.fromkeys(stop.text for stop in breakpoint_.stops))
-
-    @property
-    def _tick_word(self) -> str:
-        return "Takt" if self.language == "de" else "tick"
 
     def _thread_of(self, breakpoint_: Breakpoint, thread: int) -> int:
         """Return the thread in which a breakpoint has held: a realtime cycle, or a channel."""
@@ -322,7 +316,7 @@ class Debuggee:
     def _stopped(
         self, reason: str, thread: int, text: str = "", numbers: Sequence[int] = ()
     ) -> None:
-        self._end_progress()
+        self.report.end_progress()
         self._running = None
         self._note_seen()
         self.scopes.forget()
@@ -340,7 +334,7 @@ class Debuggee:
     def _end(self) -> None:
         """Stand at the end of the run, or end the debugger with it."""
         text = headline(self.session.result(), self.language, None)
-        self._output("console", f"{text}\n")
+        self.report.output("console", f"{text}\n")
         if self._stops_at_end:
             self._stopped("end", 1, text)
         else:
@@ -348,7 +342,7 @@ class Debuggee:
 
     def finish(self) -> None:
         """End the debugger: tell how the run has ended, and that it is over."""
-        self._end_progress()
+        self.report.end_progress()
         self._running = None
         if not self.is_over:
             self.is_over = True
@@ -362,15 +356,13 @@ class Debuggee:
         """Tell what others have done with the session since it was looked at."""
         session = self.session
         before, self._seen = self._seen, (session.tick, session.branch, session.is_playing)
-        if before == self._seen:
-            return
-        if session.is_playing:
-            if not before[2]:
-                self.scopes.forget()
-                self._tell("continued", {"threadId": 1, "allThreadsContinued": True})
-            return
-        self._branch = session.branch
-        self._stopped("pause", 1, self.console.position())
+        if session.is_playing and not before[2]:
+            self.scopes.forget()
+            self._tell("continued", {"threadId": 1, "allThreadsContinued": True})
+        self.report.heard()
+        if before != self._seen and not session.is_playing:
+            self._branch = session.branch
+            self._stopped("pause", 1, self.console.position())
 
     def _note_seen(self) -> None:
         """Note where the session stands, as the client knows it."""
@@ -380,6 +372,9 @@ class Debuggee:
 
     def step_back(self, thread: int, *, is_tick: bool) -> None:
         """Go back to the block before, past those of called programs, or by a tick."""
+        self._travel(thread, lambda: self._step_back(thread, is_tick=is_tick))
+
+    def _step_back(self, thread: int, *, is_tick: bool) -> None:
         if is_tick or self.scopes.is_cycle(thread):
             self.session.back(1)
         else:
@@ -391,6 +386,17 @@ class Debuggee:
 
     def reverse(self, thread: int) -> None:
         """Go back to the last breakpoint, to the start without one."""
+        self._travel(thread, lambda: self._reverse(thread))
+
+    def _travel(self, thread: int, work: Callable[[], None]) -> None:
+        """Go back; where that is interrupted or fails, tell so and where it stands."""
+        try:
+            work()
+        except Failure as failure:
+            self.report.diagnostics(failure.diagnostics)
+            self.tell_travel("pause", thread)
+
+    def _reverse(self, thread: int) -> None:
         stopping = [one for one in self.breakpoints.all if not one.log and one.mistake is None]
         owners = [one for one in stopping for _ in one.stops]
         stops = [stop for one in stopping for stop in one.stops]
@@ -426,55 +432,7 @@ class Debuggee:
             self.breakpoints.forget_from(self.session.tick)
             self._note_branch()
             self._note_seen()
-            self._output("console", f"{self.console.position()}\n")
+            self.report.output("console", f"{self.console.position()}\n")
 
     def _note_branch(self) -> None:
         self._branch = self.session.branch
-
-    # --- telling --------------------------------------------------------------------------------
-
-    def _time(self, tick: int) -> str:
-        return time_stamp(tick * self.session.description.cycle_time_us)
-
-    def _tell_news(self, done: Slice) -> None:
-        """Tell messages of programs and diagnostics of a part of the way."""
-        for message in done.messages:
-            channel = f"CH{message.channel} " if message.channel else ""
-            self._output("stdout", f"{time_stamp(message.time_us)}  {channel}{message.text}\n")
-        self.tell_diagnostics(done.diagnostics)
-
-    def tell_diagnostics(self, diagnostics: Sequence[Diagnostic]) -> None:
-        """Tell diagnostics, and keep them to explain errors."""
-        self._diagnostics += diagnostics
-        for found in diagnostics:
-            where: dict[str, Any] = {}
-            if found.span is not None and found.span.line:
-                source = self.sources.source(found.span.file)
-                where = {"line": found.span.line, "column": found.span.column, "source": source}
-            category = "stderr" if found.severity is Severity.ERROR else "console"
-            self._output(category, f"{found.render(self.language)}\n", **where)
-
-    def _output(self, category: str, text: str, **where: Any) -> None:
-        self._tell("output", {"category": category, "output": text, **where})
-
-    def _tell_progress(self, running: _Running) -> None:
-        """Tell how far a long run is."""
-        now_s = time.monotonic()
-        if not self._abilities.has_progress or now_s - running.begin_s < PROGRESS_S:
-            return
-        if now_s - running.told_s < PROGRESS_AGAIN_S:
-            return
-        text = f"{self._tick_word} {self.session.tick} = {self._time(self.session.tick)}"
-        body = {"progressId": f"run-{self._progress}", "message": text}
-        if running.told_s:
-            self._tell("progressUpdate", body)
-        else:
-            title = "Lauf" if self.language == "de" else "Running"
-            self._progress += 1
-            body["progressId"] = f"run-{self._progress}"
-            self._tell("progressStart", {**body, "title": title, "cancellable": True})
-        running.told_s = now_s
-
-    def _end_progress(self) -> None:
-        if self._running is not None and self._running.told_s:
-            self._tell("progressEnd", {"progressId": f"run-{self._progress}"})

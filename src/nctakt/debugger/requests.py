@@ -172,7 +172,7 @@ class Requests:
         debuggee = self._debuggee
         if debuggee.raised is None:
             raise Failure(diagnostic(UNKNOWN_REFERENCE, what="exception", number=0))
-        return info(debuggee.raised, debuggee.diagnostics, debuggee.language)
+        return info(debuggee.raised, debuggee.report.kept, debuggee.language)
 
     # --- on the way -----------------------------------------------------------------------------
 
@@ -265,7 +265,13 @@ class Requests:
             return {"result": debuggee.values.evaluate(text, channel), "variablesReference": 0}
         if debuggee.is_running and debuggee.console.travels(text):
             debuggee.check_standing(text.split()[0])
-        answer = debuggee.console.run(text, channel)
+        tick = debuggee.session.tick
+        try:
+            answer = debuggee.console.run(text, channel)
+        except Failure:
+            if debuggee.session.tick != tick:  # interrupted on the way
+                self._then = lambda: debuggee.tell_travel("pause", channel)
+            raise
         if answer.until:
             stop = read_stop(answer.until)
             debuggee.check_stops([stop])

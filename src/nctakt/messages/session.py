@@ -40,6 +40,13 @@ CONTROLLER_LOST = error(
     remedy_de="Eine neue Sitzung öffnen; die Aufzeichnung ist noch da.",
     reason=("what happened to it", "was mit ihr geschah"),
 )
+INTERRUPTED = error(
+    901474,
+    en="interrupted before the end",
+    de="vor dem Ende unterbrochen",
+    remedy_en="Ask again, and wait until it has ended.",
+    remedy_de="Noch einmal anfordern und das Ende abwarten.",
+)
 TICK_NOT_REACHED = error(
     901154,
     en="tick {tick} lies outside this branch, which has reached tick {latest}",

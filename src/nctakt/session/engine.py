@@ -256,14 +256,15 @@ class Engine:
         hits = self._stop_builder.hits(self.tick - 1) if is_stopped else []
         return self._slice(first, hits, events=events or is_stopped or self._run.state is not None)
 
-    def search(self, end: int, stops: Sequence[StopAt]) -> list[int]:
-        """Run up to tick ``end``; return the ticks behind which a stop has held."""
-        self._watch(stops)
+    def search(self, end: int, stops: Sequence[StopAt]) -> tuple[list[int], int]:
+        """Run up to tick ``end``; return the ticks behind which a stop has held, and its tick."""
+        if stops != self._stops:
+            self._watch(stops)
         found = []
         while self._run.state is None and self.tick < end:
             if self._run.advance(end):
                 found.append(self.tick)
-        return found
+        return found, self.tick
 
     def _watch(self, stops: Sequence[StopAt]) -> None:
         """Watch these stops and no other ones from now on."""

@@ -14,6 +14,7 @@ from nctakt.base.dataclass import dataclass
 from nctakt.results.run import Run
 from nctakt.run.inputs import Input
 from nctakt.session.setup import Setup
+from nctakt.session.timeline import Poll, run_in_parts
 from nctakt.session.workshop import Workshop
 
 
@@ -25,14 +26,17 @@ class Past:
     inputs: tuple[Input, ...]
     tick: int
 
-    def explained(self) -> Run:
-        """Return the result with ``why``; raises ``Failure`` where the setup has mistakes."""
+    def explained(self, poll: Poll) -> Run:
+        """Return the result with ``why``; raises ``Failure`` where the setup has mistakes.
+
+        ``poll`` is called meanwhile, and may end it by an exception.
+        """
         workshop = Workshop()
         try:
             engine, _ = workshop.open(replace(self.setup, why=True))
             try:
                 engine.plan(self.inputs)
-                engine.run(self.tick)
+                run_in_parts(engine, self.tick, poll)
                 return cast("Run", engine.ask("result"))
             finally:
                 engine.close()

@@ -115,7 +115,7 @@ class Session:
     def _begin(self, setup: Setup, pace: str) -> None:
         if pace not in ("slice", "tick"):
             raise ValueError(pace)
-        self._story = Story(setup)
+        self._story = Story(setup, lambda: self._thread.poll())  # noqa: PLW0108 - there is none yet
         self._setup = setup
         self.description: Description = self._story.description
         self._slice_s = SLICE_S if pace == "slice" else self.description.cycle_time_us / 1e6
@@ -212,7 +212,7 @@ class Session:
 
     def step(self, ticks: int = 1) -> Slice:
         """Run this number of ticks, past any stop."""
-        return self._ask(self._pausing, self._story.step, ticks)
+        return self._ask(lambda: self._run_to(self._story.tick + ticks, []))
 
     def next_block(self) -> Slice:
         """Run until a block becomes current."""
@@ -221,12 +221,6 @@ class Session:
     def next_reaction(self) -> Slice:
         """Run until a branch of a realtime cycle fires."""
         return self._ask(self._run_to, None, [NEXT_REACTION])
-
-    def _pausing(self, method: Callable[..., Slice], *words: Any) -> Slice:
-        self._thread.clock = None
-        done = method(*words)
-        self._publish(done, at_once=True)
-        return done
 
     # --- back -----------------------------------------------------------------------------------
 
@@ -265,7 +259,13 @@ class Session:
 
     def _travel(self, method: Callable[..., Slice], *words: Any) -> Slice:
         self._thread.clock = None
-        return self._travelled(method(*words))
+        before = self._story.tick, self._story.branch
+        try:
+            return self._travelled(method(*words))
+        except Failure:
+            if before != (self._story.tick, self._story.branch):
+                self._travelled(self._story.latest)  # interrupted on the way
+            raise
 
     # --- the clock ------------------------------------------------------------------------------
 
@@ -286,11 +286,12 @@ class Session:
 
     def pause(self) -> Slice:
         """Stop between two ticks, also a ``run`` of another thread; return the latest slice."""
-        self._thread.is_interrupted = True
-        try:
-            return self._ask(self._pause)
-        finally:
-            self._thread.is_interrupted = False
+        self._thread.interrupt()
+        return self._ask(self._pause)
+
+    def interrupt(self) -> None:
+        """Let runs and steps of other threads end soon; travel and ``why`` raise 901474."""
+        self._thread.interrupt()
 
     def _pause(self) -> Slice:
         was_playing = self._thread.clock is not None
@@ -398,8 +399,8 @@ class Session:
 
         The past is run again for it. Raises ``Failure`` where the session has no ticks yet.
         """
-        past = self._ask(self._story.past)
-        report = past.explained().why
+        poll = self._thread.poller()
+        report = self._ask(self._story.past).explained(poll).why
         assert report is not None
         return report
 

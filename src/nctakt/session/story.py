@@ -22,7 +22,7 @@ from nctakt.session.engine import CycleState, Glance, Slice, joined
 from nctakt.session.past import Past
 from nctakt.session.setup import Description, Inventory, Setup
 from nctakt.session.stops import StopAt, read_stop
-from nctakt.session.timeline import Branch, Timeline
+from nctakt.session.timeline import Branch, Poll, Timeline
 from nctakt.trace.events import Event
 
 #: Rows that a look at a stretch of the session returns at most.
@@ -47,10 +47,11 @@ class Story:
 
     ``stops``: those at which it stops, in the order in which they were added. ``delay``: ticks
     after which functions and jobs of spindles are acknowledged as by a person; ``None``: not.
+    ``poll`` is called while the past is run again, and may end that by an exception.
     """
 
-    def __init__(self, setup: Setup) -> None:
-        self._timeline = Timeline(setup)
+    def __init__(self, setup: Setup, poll: Poll = lambda: None) -> None:
+        self._timeline = Timeline(setup, poll)
         self.description: Description = self._timeline.description
         self.stops: tuple[StopAt, ...] = ()
         self.delay: int | None = None
@@ -148,8 +149,15 @@ class Story:
     # --- back -----------------------------------------------------------------------------------
 
     def go_to(self, tick: int, branch: int | None = None) -> Slice:
-        """Stand before a tick that the session has reached; raises ``Failure`` (901154)."""
-        self._latest = self._timeline.go_to(tick, branch)
+        """Stand before a tick that the session has reached; raises ``Failure`` (901154).
+
+        Where it is interrupted it stands on the way.
+        """
+        try:
+            self._latest = self._timeline.go_to(tick, branch)
+        except BaseException:
+            self._latest = self._timeline.live.run(self.tick)
+            raise
         return self._latest
 
     def back(self, ticks: int = 1) -> Slice:

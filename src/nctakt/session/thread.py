@@ -15,7 +15,7 @@ from typing import ParamSpec, TypeVar
 
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
-from nctakt.messages.session import SESSION_IS_CLOSED
+from nctakt.messages.session import INTERRUPTED, SESSION_IS_CLOSED
 from nctakt.session.clock import FastClock, WallClock
 
 #: Commands that wait for the thread at most; whoever brings one more waits.
@@ -28,14 +28,15 @@ _T = TypeVar("_T")
 class SessionThread:
     """Does commands, and between them the slices that ``clock`` asks for.
 
-    ``run_slice`` runs one; without a clock nothing goes on by itself. ``is_interrupted``: whoever
-    runs in slices shall end between two of them.
+    ``run_slice`` runs one; without a clock nothing goes on by itself. ``interruptions`` counts the
+    calls of ``interrupt``: a command that was asked for before the last one shall end.
     """
 
     def __init__(self, run_slice: Callable[[WallClock | FastClock], None]) -> None:
         self._run_slice = run_slice
         self.clock: WallClock | FastClock | None = None
-        self.is_interrupted = False
+        self.interruptions = 0
+        self._asked_at = 0
         self.is_closed = False
         self._commands: queue.Queue[Callable[[], None] | None] = queue.Queue(MAX_COMMANDS)
         self._entry = threading.Lock()
@@ -56,6 +57,30 @@ class SessionThread:
                 return
             command()
 
+    def interrupt(self) -> None:
+        """Let whatever has been asked for so far end soon."""
+        self.interruptions += 1
+
+    @property
+    def is_interrupted(self) -> bool:
+        """Whether the command that runs shall end."""
+        return self.interruptions != self._asked_at
+
+    def poll(self) -> None:
+        """Raise ``Failure`` (901474) if the command that runs shall end."""
+        if self.is_interrupted:
+            raise Failure(diagnostic(INTERRUPTED))
+
+    def poller(self) -> Callable[[], None]:
+        """Return a function that does so once ``interrupt`` is called from now on."""
+        asked_at = self.interruptions
+
+        def poll() -> None:
+            if self.interruptions != asked_at:
+                raise Failure(diagnostic(INTERRUPTED))
+
+        return poll
+
     def ask(self, method: Callable[_P, _T], *words: _P.args, **keywords: _P.kwargs) -> _T:
         """Return what a method gives in this thread.
 
@@ -64,8 +89,10 @@ class SessionThread:
         if threading.current_thread() is self._thread:
             return method(*words, **keywords)
         answer: Future[_T] = Future()
+        asked_at = self.interruptions
 
         def command() -> None:
+            self._asked_at = asked_at
             try:
                 answer.set_result(method(*words, **keywords))
             except BaseException as error:  # noqa: BLE001 - whoever has asked gets it
@@ -78,14 +105,13 @@ class SessionThread:
         try:
             return answer.result()
         except KeyboardInterrupt:
-            self.is_interrupted = True
+            self.interrupt()
             answer.exception()  # the run stops between two slices
-            self.is_interrupted = False
             raise
 
     def close(self) -> None:
         """Do what has been asked for, then end."""
-        self.is_interrupted = True
+        self.interrupt()
         with self._entry:
             self.is_closed = True
         self._commands.put(None)

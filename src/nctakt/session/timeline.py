@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import bisect
 import contextlib
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from nctakt.base.dataclass import dataclass, field
@@ -18,7 +18,7 @@ from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
 from nctakt.messages.session import NO_SUCH_BRANCH, TICK_NOT_REACHED
 from nctakt.run.inputs import PLC, Input, in_order
-from nctakt.session.engine import Slice
+from nctakt.session.engine import Slice, joined
 from nctakt.session.parking import SPARSE_US, Cost, approach, surplus
 from nctakt.session.setup import Setup
 from nctakt.session.stops import StopAt
@@ -26,6 +26,11 @@ from nctakt.session.workshop import RemoteEngine, Workshop
 
 #: Ticks that are run again at a time while a stop is looked for backward.
 _SEARCHED_TICKS = 4096
+
+#: Ticks between two calls of ``poll`` while the past is run again.
+PART_TICKS = 10_000
+
+Poll = Callable[[], None]
 
 
 @dataclass(slots=True)
@@ -72,11 +77,13 @@ class _Parked:
 class Timeline:
     """The moments of a session, and the live controller that stands in one of them.
 
-    Raises ``Failure`` with the mistakes of the setup. ``branch``: the one that it is in.
+    Raises ``Failure`` with the mistakes of the setup. ``branch``: the one that it is in. ``poll``
+    is called while the past is run again, and may end that by an exception.
     """
 
-    def __init__(self, setup: Setup) -> None:
+    def __init__(self, setup: Setup, poll: Poll) -> None:
         self._setup = setup
+        self._poll = poll
         self._workshop = Workshop()
         try:
             self.live, self.description = self._workshop.open(setup)
@@ -225,9 +232,9 @@ class Timeline:
             for work in halves:
                 between = int(work / per_tick)
                 if first < between < tick:
-                    self._blocks = self.live.run(between).decoded
+                    self._blocks = run_in_parts(self.live, between, self._poll).decoded
                     self._park()
-        done = self.live.run(tick)
+        done = run_in_parts(self.live, tick, self._poll)
         self._blocks = done.decoded
         return done
 
@@ -248,9 +255,13 @@ class Timeline:
             engine, _ = self._workshop.open(self._setup)
         else:
             engine = nearest.engine.copy()
-        engine.plan(self._planned(target, engine.tick))
-        if engine.tick < tick:
-            engine.run(tick)
+        try:
+            engine.plan(self._planned(target, engine.tick))
+            if engine.tick < tick:
+                run_in_parts(engine, tick, self._poll)
+        except BaseException:
+            engine.close()
+            raise
         return engine
 
     def previous(self, stops: Sequence[StopAt]) -> int | None:
@@ -267,7 +278,7 @@ class Timeline:
                 begin = nearest.tick
             engine = self.trial(begin)
             try:
-                found = engine.search(end, once)
+                found = search_in_parts(engine, end, once, self._poll)
             finally:
                 engine.close()
             if found:
@@ -293,6 +304,29 @@ class Timeline:
         self._parked.clear()
         self.live.close()
         self._workshop.close()
+
+
+def run_in_parts(engine: RemoteEngine, end: int, poll: Poll) -> Slice:
+    """Run a controller to a tick; ``poll`` is called between two parts of the way."""
+    done = engine.run(min(end, engine.tick + PART_TICKS))
+    while done.tick < end and done.run_state is None:
+        poll()
+        done = joined(done, engine.run(min(end, done.tick + PART_TICKS)))
+    return done
+
+
+def search_in_parts(
+    engine: RemoteEngine, end: int, stops: Sequence[StopAt], poll: Poll
+) -> list[int]:
+    """Return the ticks up to ``end`` behind which a stop has held; ``poll`` as above."""
+    found: list[int] = []
+    while engine.tick < end:
+        poll()
+        before = engine.tick
+        found += engine.search(min(end, before + PART_TICKS), stops)
+        if engine.tick == before:
+            break  # the run is over
+    return found
 
 
 def _insert(inputs: list[Input], arriving: Sequence[Input]) -> None:

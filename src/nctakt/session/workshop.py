@@ -76,7 +76,8 @@ class RemoteEngine:
 
     def search(self, end: int, stops: Sequence[StopAt]) -> list[int]:
         """Search as ``Engine.search``."""
-        return cast("list[int]", self.ask("search", end, stops))
+        found, self.tick = cast("tuple[list[int], int]", self.ask("search", end, stops))
+        return found
 
     def plan(self, inputs: Sequence[Input]) -> None:
         """Plan as ``Engine.plan``."""

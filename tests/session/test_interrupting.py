@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: MIT
+"""Whatever takes long can be interrupted from another thread, and the session stays usable."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import pytest
+
+from nctakt import NcText
+from nctakt.base.failure import Failure
+from nctakt.session import timeline
+from nctakt.session.session import Session
+from nctakt.session.story import Story
+from nctakt.session.workshop import RemoteEngine
+
+pytestmark = pytest.mark.slow
+
+PROGRAM = """\
+#RT CYCLE [ID=1 SCOPE=PROG]
+  $IF V.E.VALUE > 0.5
+    V.E.COUNT += 1
+  $ENDIF
+#RT CYCLE END
+G04 X60
+M30
+"""
+
+
+@pytest.fixture(scope="module")
+def session() -> Iterator[Session]:
+    with Session(NcText("part.nc", PROGRAM)) as own:
+        own.step(2000)
+        yield own
+
+
+def interrupting(session: Session, method: Callable[..., Any], patch: Any, owner: Any) -> None:
+    """Let a method of the session's inside interrupt it when it has been called."""
+
+    def called(*words: Any, **keywords: Any) -> Any:
+        result = method(*words, **keywords)
+        session.interrupt()
+        return result
+
+    patch.setattr(timeline, "PART_TICKS", 100)
+    patch.setattr(owner, method.__name__, called)
+
+
+def test_a_search_backward_leaves_the_session_where_it_was(
+    session: Session, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    tick = session.tick
+    with monkeypatch.context() as patch:
+        interrupting(session, RemoteEngine.search, patch, RemoteEngine)
+        with pytest.raises(Failure) as failed:
+            session.back_to("V.E.COUNT > 5")
+    assert failed.value.diagnostics[0].id == 901474
+    assert session.tick == tick
+    assert session.back_to("V.E.COUNT > 5") is None
+
+
+def test_travel_and_its_explanation_end_on_the_way(
+    session: Session, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    tick = session.tick
+    with monkeypatch.context() as patch:
+        interrupting(session, RemoteEngine.run, patch, RemoteEngine)
+        with pytest.raises(Failure):
+            session.why()
+    session.go_to(0)
+    with monkeypatch.context() as patch:
+        interrupting(session, RemoteEngine.run, patch, RemoteEngine)
+        with pytest.raises(Failure):
+            session.go_to(1500)
+    assert 0 < session.tick < 1500
+    assert session.latest.tick == session.tick
+    session.go_to(tick)
+    assert session.tick == tick
+    assert session.why().select("1", None).render("en")
+
+
+def test_a_step_of_many_ticks_ends_between_two_slices(
+    session: Session, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    tick = session.tick
+    with monkeypatch.context() as patch:
+        interrupting(session, Story.run, patch, Story)
+        done = session.step(1_000_000)
+    assert tick < done.tick < tick + 1_000_000
+    assert session.step(3).tick == done.tick + 3

@@ -14,7 +14,8 @@ import pytest
 from nctakt.base.failure import Failure
 from nctakt.studies import processes
 from nctakt.studies.bench import Row
-from nctakt.studies.results import RowStore, read_rows
+from nctakt.studies.results import read_rows
+from nctakt.studies.row_store import RowStore
 from nctakt.studies.study import Study
 
 pytestmark = pytest.mark.slow

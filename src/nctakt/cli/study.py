@@ -23,7 +23,8 @@ from nctakt.cli.language import language_option
 from nctakt.cli.terminal import print_diagnostics
 
 if TYPE_CHECKING:
-    from nctakt.studies.study import Study
+    from nctakt.studies.row_store import RowStore
+    from nctakt.studies.study import Study, StudyResult
 
 #: Ending of the file with the rows while they are made, behind the name of the results.
 ROWS = ".rows"
@@ -93,13 +94,13 @@ def _study(file: str, words: dict[str, Any]) -> int:
         return _cover(study, words)
     if study.plan.goals and words["only"] is None:
         return _find(study, words)
-    if words["only"] is not None and words["only"] >= len(study):
-        raise click.UsageError(f"--only: the study has the runs 0 to {len(study) - 1}")
-    numbers = (
-        range(len(study)) if words["only"] is None else range(words["only"], words["only"] + 1)
-    )
-    count = min(words["processes"] or os.cpu_count() or 1, max(len(numbers) // 20, 1))
-    progress = StudyProgress(len(numbers), is_shown=not words["quiet"] and sys.stderr.isatty())
+    size, only = study.plan.size, words["only"]
+    if only is not None and only >= size:
+        raise click.UsageError(f"--only: the study has the runs 0 to {size - 1}")
+    numbers = range(size) if only is None else range(only, only + 1)
+    due = size if only is None else 1
+    count = min(words["processes"] or os.cpu_count() or 1, max(due // 20, 1))
+    progress = StudyProgress(due, is_shown=not words["quiet"] and sys.stderr.isatty())
     if not words["yes"]:
         progress.check_size(study, count)
     store = None if words["out"] is None else _store(study, words)
@@ -111,48 +112,57 @@ def _study(file: str, words: dict[str, Any]) -> int:
             executor=_executor(words),
             on_rows=progress.add,
         )
-    except KeyboardInterrupt:
         progress.close()
-        return _interrupted(len(numbers), store, words)
-    finally:
+        if words["out"] is not None:
+            result.save(words["out"])
+        _show(study, result, file, words)
+        print_diagnostics(progress.crashed(), words["language"])
+        is_met = bool(result)
+    except (KeyboardInterrupt, Failure) as error:
         progress.close()
+        return _interrupted(error, due, store, words)
     if store is not None:
-        result.save(words["out"])
         store.remove()
+    return EXIT_RAN if is_met else EXIT_NC_ERROR
+
+
+def _show(study: Study, result: StudyResult, file: str, words: dict[str, Any]) -> None:
+    """Show the summary, with ``--shrink`` the smallest change that breaks a run; write the report.
+
+    Raises ``Failure`` for files that cannot be written.
+    """
+    from nctakt.cli.study_commands import commands_of  # noqa: PLC0415 - as above
+    from nctakt.cli.study_summary import shrunk_lines, summary  # noqa: PLC0415 - as above
+
+    commands = commands_of(study, result, file, words)
     if words["report"] is not None:
         from nctakt.files.output import write_file  # noqa: PLC0415 - few studies have one
 
-        write_file(words["report"], result.report())
-    from nctakt.cli.study_commands import commands_of  # noqa: PLC0415 - as above
-    from nctakt.cli.study_summary import summary  # noqa: PLC0415 - as above
-
-    commands = commands_of(study, result, file, words)
+        write_file(words["report"], result.report(words["language"], commands))
     for line in summary(study, result, file, commands, words["language"]):
         click.echo(line)
-    print_diagnostics(progress.crashed(), words["language"])
-    if words["shrink"] and result.broken:
-        from nctakt.cli.study_summary import shrunk_lines  # noqa: PLC0415 - as above
-
+    if words["shrink"] and result.first_broken(1):
         for line in shrunk_lines(study, result, words["language"]):
             click.echo(line)
-    return EXIT_RAN if result else EXIT_NC_ERROR
 
 
 def _report(plan: str, results: str, words: dict[str, Any]) -> int:
     """Write the report of runs that are finished."""
-    from nctakt.files.output import write_file  # noqa: PLC0415 - as above
+    from nctakt.cli.study_commands import commands_of  # noqa: PLC0415 - as above
+    from nctakt.files.output import write_file  # noqa: PLC0415
     from nctakt.messages import diagnostic  # noqa: PLC0415
     from nctakt.messages.studies import OTHER_PLAN  # noqa: PLC0415
-    from nctakt.studies.plan_file import read_plan  # noqa: PLC0415
-    from nctakt.studies.report import report  # noqa: PLC0415
     from nctakt.studies.results import read_rows  # noqa: PLC0415
+    from nctakt.studies.study import Study, StudyResult  # noqa: PLC0415
 
-    study_plan, rows = read_plan(Path(plan)), read_rows(Path(results))
-    names = {dimension.name for dimension in study_plan.dimensions}
-    names |= {measure.name for measure in study_plan.measures}
+    study, rows = Study(plan), read_rows(Path(results))
+    names = {dimension.name for dimension in study.plan.dimensions}
+    names |= {measure.name for measure in study.plan.measures}
     if rows and not names <= set(rows[0]):
         raise Failure(diagnostic(OTHER_PLAN, folder=results))
-    write_file(words["report"] or str(Path(results).with_suffix(".html")), report(study_plan, rows))
+    result = StudyResult(study.plan, rows)
+    page = result.report(words["language"], commands_of(study, result, plan, words))
+    write_file(words["report"] or str(Path(results).with_suffix(".html")), page)
     return EXIT_RAN
 
 
@@ -192,23 +202,29 @@ def _executor(words: dict[str, Any]) -> Any:
     return lambda plan, numbers: rows_of_cluster(plan, numbers, address)
 
 
-def _interrupted(size: int, store: Any, words: dict[str, Any]) -> int:
-    """Say how many runs are kept."""
+def _interrupted(
+    error: KeyboardInterrupt | Failure, size: int, store: RowStore | None, words: dict[str, Any]
+) -> int:
+    """Say why a study has ended early, and how many runs are kept; raise what leaves none."""
     from nctakt.messages import diagnostic  # noqa: PLC0415 - few studies are interrupted
     from nctakt.messages.studies import STUDY_INTERRUPTED  # noqa: PLC0415
 
     if store is None:
-        raise KeyboardInterrupt
+        raise error
+    store.close()
     found = diagnostic(
         STUDY_INTERRUPTED, count=len(store.done), size=size, folder=store.path.as_posix()
     )
-    store.close()
+    if isinstance(error, Failure):
+        print_diagnostics([*error.diagnostics, found], words["language"])
+        return EXIT_USAGE
     print_diagnostics([found], words["language"])
     return EXIT_NC_ERROR
 
 
-def _store(study: Study, words: dict[str, Any]) -> Any:
-    from nctakt.studies.results import RowStore, check_target  # noqa: PLC0415 - as above
+def _store(study: Study, words: dict[str, Any]) -> RowStore:
+    from nctakt.studies.results import check_target  # noqa: PLC0415 - as above
+    from nctakt.studies.row_store import RowStore  # noqa: PLC0415
 
     check_target(Path(words["out"]))
     path = Path(words["out"] + ROWS)

@@ -7,6 +7,7 @@ the broken runs.
 
 from __future__ import annotations
 
+import itertools
 import shlex
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -43,10 +44,8 @@ def commands_of(
 
 def _numbers(result: StudyResult) -> Iterator[int]:
     """Yield the numbers of the runs that have a tape."""
-    broken = [row["run"] for row in result.broken if row["verdict"] == BROKEN]
-    for number in broken[:MAX_TAPES]:
-        assert isinstance(number, int)
-        yield number
+    broken = (int(row["run"] or 0) for row in result.rows if row["verdict"] == BROKEN)
+    return itertools.islice(broken, MAX_TAPES)
 
 
 def _again(file: str, words: dict[str, Any], number: int) -> str:

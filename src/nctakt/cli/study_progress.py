@@ -16,6 +16,9 @@ from nctakt.studies.study import Study
 #: Estimated time from which on a study has to be confirmed, in seconds.
 LONG_S = 3600.0
 
+#: Runs beyond which nobody counts.
+MAX_COUNTED = 10**30
+
 #: Wall-clock time between two lines, in seconds.
 _PERIOD_S = 2.0
 
@@ -41,7 +44,7 @@ class StudyProgress:
         study.bench.row(0)
         begin_s = time.perf_counter()
         study.bench.row(0)
-        estimate_s = (time.perf_counter() - begin_s) * self._size / cores
+        estimate_s = (time.perf_counter() - begin_s) * min(self._size, MAX_COUNTED) / cores
         if estimate_s > LONG_S:
             shown = _length(estimate_s)
             raise Failure(diagnostic(STUDY_TOO_LARGE, count=self._size, time=shown, cores=cores))

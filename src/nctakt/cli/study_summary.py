@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
+from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Language
 from nctakt.studies.bench import HELD, Row
 from nctakt.studies.each_tick import strip
@@ -43,28 +44,56 @@ def summary(
     """
     runs, minimum, maximum, without, more = _TEXTS[language]
     names = _VERDICTS[language]
-    counts = ", ".join(f"{count} {names[name]}" for name, count in result.counts.items() if count)
+    verdicts = result.counts
+    counts = ", ".join(f"{count} {names[name]}" for name, count in verdicts.items() if count)
     yield f"{file}: {len(result)} {runs}: {counts}"
-    for measure in study.plan.measures:
-        values = [value for value in result.column(measure.name) if isinstance(value, float | int)]
-        missing = result.missing(measure.name)
-        line = f"  {measure.name}"
-        if values:
-            line += f"  {minimum} {as_text(min(values))}  {maximum} {as_text(max(values))}"
-        yield line + (f"  {missing} {without}" if missing else "")
+    for name, span in spans_of(result).items():
+        line = f"  {name}"
+        if span.low is not None and span.high is not None:
+            line += f"  {minimum} {as_text(span.low)}  {maximum} {as_text(span.high)}"
+        if span.missing:
+            line += f"  {span.missing} {without}"
+            reason = study.reason(name, span.first_missing)
+            line += f" ({span.first_missing}: {reason})" if reason else ""
+        yield line
     if study.nominal is not None:
         name = next(one.name for one in study.plan.dimensions if one.is_each_tick)
         yield from strip(result.rows, study.nominal, name)
-    shown = [row for row in result.rows if row["verdict"] != HELD]
-    for row in shown[:MAX_SHOWN]:
+    for row in result.first_broken(MAX_SHOWN):
         values_of = ", ".join(f"{one.name} = {row[one.name]}" for one in study.plan.dimensions)
         verdict = names[str(row["verdict"])]
         yield f"{row['run']}: {values_of}: {verdict}: {row['broken']}"
         number = row["run"]
         assert isinstance(number, int)
         yield f"    {command(number)}"
-    if len(shown) > MAX_SHOWN:
-        yield f"… {len(shown) - MAX_SHOWN} {more}"
+    left = len(result) - verdicts[HELD] - MAX_SHOWN
+    if left > 0:
+        yield f"… {left} {more}"
+
+
+@dataclass(slots=True)
+class Span:
+    """The least and the greatest number of a measure, and the runs that have no value."""
+
+    low: float | None = None
+    high: float | None = None
+    missing: int = 0
+    first_missing: int = 0
+
+
+def spans_of(result: StudyResult) -> dict[str, Span]:
+    """Return the span of each measure, from one pass over the rows."""
+    spans = {measure.name: Span() for measure in result.plan.measures}
+    for row in result.rows:
+        for name, span in spans.items():
+            value = row[name]
+            if value is None:
+                span.first_missing = span.first_missing if span.missing else int(row["run"] or 0)
+                span.missing += 1
+            elif not isinstance(value, str):
+                span.low = value if span.low is None else min(span.low, value)
+                span.high = value if span.high is None else max(span.high, value)
+    return spans
 
 
 def answer_lines(study: Study, answer: Answer, language: Language) -> Iterator[str]:

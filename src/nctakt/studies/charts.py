@@ -56,13 +56,13 @@ def axis_of(values: Sequence[float], name: str) -> Axis:
     return Axis(low, high, name)
 
 
-def histogram(values: Sequence[float], name: str) -> str:
-    """Return how often a measure has which value."""
+def histogram(values: Sequence[float], name: str, unit: str) -> str:
+    """Return how often a measure has which value; ``unit``: the name of what is counted."""
     across = axis_of(values, name)
     counts = [0] * BARS
     for value in values:
         counts[min(int(across.share(value) * BARS), BARS - 1)] += 1
-    up = Axis(0, max(counts), "runs")
+    up = Axis(0, max(counts), unit)
     bars = []
     for number, count in enumerate(counts):
         left, right = _x_at(number / BARS), _x_at((number + 1) / BARS)

@@ -1,19 +1,20 @@
 # SPDX-License-Identifier: MIT
 """The report of a study: one HTML page with its pictures, without network and without scripts.
 
-In: a plan and its rows. Out: the page: verdicts, a histogram of each measure, each measure over
-each input, heat maps over pairs of inputs, the strip of an each-tick study, sensitivities, the
-broken runs.
+In: a plan and its rows. Out: the page in English or German: verdicts, a histogram of each measure,
+each measure over each input, heat maps over pairs of inputs, the strip of an each-tick study,
+sensitivities, the broken runs with the commands that show them.
 """
 
 from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from html import escape
 from typing import Any
 
+from nctakt.base.diagnostics import Language
 from nctakt.base.version import __version__
 from nctakt.studies import charts
 from nctakt.studies.bench import HELD, REACTION, Row
@@ -35,54 +36,190 @@ figure { margin: 0; padding: 8px; border: 1px solid #d8dee6; border-radius: 6px 
 figcaption { font-size: 13px; color: #52606d }
 svg text { font: 11px system-ui, sans-serif; fill: #333 }
 table { border-collapse: collapse; font-size: 13px } td, th { padding: 3px 10px; text-align: left;
-  border-bottom: 1px solid #e3e8ee } .broken { color: #c0392b } .held { color: #2f6f9f }
+  border-bottom: 1px solid #e3e8ee } .broken { color: #c0392b } code { font-size: 12px }
+.held { color: #2f6f9f }
 """
 
 
-def report(plan: Plan, rows: Sequence[Row]) -> str:
-    """Return the page."""
-    title = f"Study of {plan.program.name}"
-    parts = [f"<h1>{escape(title)}</h1>", _verdicts(plan, rows)]
-    for heading, pictures in (
-        ("Each tick", _strips(plan, rows)),
-        ("Measures", _histograms(plan, rows)),
-        ("Measures over inputs", _scatters(plan, rows)),
-        ("Pairs of inputs", _heat_maps(plan, rows)),
-        ("Sensitivities", _tornadoes(plan, rows)),
-    ):
-        shown = list(itertools.islice(pictures, MAX_PICTURES))
-        if shown:
-            parts.append(f'<h2>{heading}</h2><div class="charts">{"".join(shown)}</div>')
-    parts.append(_broken(plan, rows))
-    return (
-        f'<!doctype html><html lang="en"><head><meta charset="utf-8"><title>{escape(title)}</title>'
-        f"<style>{_STYLE}</style></head><body>{''.join(parts)}"
-        f"<p><small>nctakt {__version__}</small></p></body></html>\n"
-    )
+#: Runs from which pictures are made; of more, evenly spread ones.
+MAX_RUNS = 100_000
+
+_TEXTS = {
+    "en": {
+        "title": "Study of {}", "each_tick": "Each tick", "measures": "Measures",
+        "scatters": "Measures over inputs", "pairs": "Pairs of inputs",
+        "sensitivities": "Sensitivities", "runs": "runs", "held": "{} held", "broken": "{} did not",
+        "strip": "red: the expectations did not hold for an injection then", "in_s": "{} in s",
+        "without": "{} without", "over": "{} over {}", "mean": "mean of {} over {} and {}",
+        "depends": "how much {} depends on each input", "table": "Runs that did not hold",
+        "more": "… and {} more", "sample": "Pictures of {} of the runs, evenly spread.",
+        "run": "run", "reason": "broken", "command": "shown by",
+        "PAWN, median": "PAWN, median", "rank correlation": "rank correlation",
+    },
+    "de": {
+        "title": "Studie von {}", "each_tick": "Jeder Takt", "measures": "Messgrößen",
+        "scatters": "Messgrößen über Eingängen", "pairs": "Paare von Eingängen",
+        "sensitivities": "Empfindlichkeiten", "runs": "Läufe", "held": "{} erfüllt",
+        "broken": "{} nicht",
+        "strip": "rot: die Erwartungen waren bei einem Eingriff zu dieser Zeit nicht erfüllt",
+        "in_s": "{} in s", "without": "{} ohne", "over": "{} über {}",
+        "mean": "Mittelwert von {} über {} und {}",
+        "depends": "wie stark {} von jedem Eingang abhängt", "table": "Nicht erfüllte Läufe",
+        "more": "… und {} weitere", "sample": "Bilder aus {} der Läufe, gleichmäßig verteilt.",
+        "run": "Lauf", "reason": "verletzt", "command": "zu sehen mit",
+        "PAWN, median": "PAWN, Median", "rank correlation": "Rangkorrelation",
+    },
+}  # fmt: skip
+
+
+def report(
+    plan: Plan,
+    rows: Sequence[Row],
+    language: Language = "en",
+    command: Callable[[int], str] | None = None,
+) -> str:
+    """Return the page; ``command`` shows a run by its number."""
+    return _Report(plan, rows, language).page(command)
 
 
 def _figure(picture: str, caption: str) -> str:
     return f"<figure>{picture}<figcaption>{escape(caption)}</figcaption></figure>"
 
 
-def _verdicts(plan: Plan, rows: Sequence[Row]) -> str:
-    held = sum(row["verdict"] == HELD for row in rows)
-    expected = "".join(f"<li>{escape(one.text)}</li>" for one in plan.expectations)
-    return (
-        f'<p>{len(rows)} runs: <span class="held">{held} held</span>, '
-        f'<span class="broken">{len(rows) - held} did not</span>.</p><ul>{expected}</ul>'
-    )
+class _Report:
+    """Makes the parts of a page; few of many rows are in memory."""
 
+    def __init__(self, plan: Plan, rows: Sequence[Row], language: Language) -> None:
+        self._plan = plan
+        self._texts = _TEXTS[language]
+        self._language = language
+        self._count = len(rows)
+        self._held = 0
+        self._broken: list[Row] = []
+        self._rows: list[Row] = []
+        step = -(-len(rows) // MAX_RUNS)
+        for number, row in enumerate(rows):
+            is_held = row["verdict"] == HELD
+            self._held += is_held
+            if not is_held and len(self._broken) < MAX_ROWS:
+                self._broken.append(row)
+            if number % step == 0:
+                self._rows.append(row)
+        names = [measure.name for measure in plan.measures]
+        has_reaction = self._rows and REACTION in self._rows[0]
+        self._names = [*names, REACTION] if has_reaction else names
 
-def _names(plan: Plan, rows: Sequence[Row]) -> list[str]:
-    """Return the measures, and the reaction time where there is one."""
-    names = [measure.name for measure in plan.measures]
-    return [*names, REACTION] if rows and REACTION in rows[0] else names
+    def _text(self, key: str, *words: object) -> str:
+        return self._texts[key].format(*words)
 
+    def page(self, command: Callable[[int], str] | None) -> str:
+        """Return the page."""
+        title = self._text("title", self._plan.program.name)
+        parts = [f"<h1>{escape(title)}</h1>", self._verdicts()]
+        for key, pictures in (
+            ("each_tick", self._strips()),
+            ("measures", self._histograms()),
+            ("scatters", self._scatters()),
+            ("pairs", self._heat_maps()),
+            ("sensitivities", self._tornadoes()),
+        ):
+            shown = list(itertools.islice(pictures, MAX_PICTURES))
+            if shown:
+                heading = self._text(key)
+                parts.append(f'<h2>{heading}</h2><div class="charts">{"".join(shown)}</div>')
+        parts.append(self._table(command))
+        head = f'<meta charset="utf-8"><title>{escape(title)}</title><style>{_STYLE}</style>'
+        return (
+            f'<!doctype html><html lang="{self._language}"><head>{head}</head>'
+            f"<body>{''.join(parts)}<p><small>nctakt {__version__}</small></p></body></html>\n"
+        )
 
-def _numbers(rows: Sequence[Row], *names: str) -> list[Row]:
-    """Return the rows in which all these columns are finite numbers."""
-    return [row for row in rows if all(_is_number(row.get(name)) for name in names)]
+    def _verdicts(self) -> str:
+        expected = "".join(f"<li>{escape(one.text)}</li>" for one in self._plan.expectations)
+        held = self._text("held", self._held)
+        broken = self._text("broken", self._count - self._held)
+        rest = ""
+        if len(self._rows) < self._count:
+            rest = f"<p>{self._text('sample', len(self._rows))}</p>"
+        return (
+            f"<p>{self._count} {self._text('runs')}: "
+            f'<span class="held">{held}</span>, <span class="broken">{broken}</span>.</p>'
+            f"<ul>{expected}</ul>{rest}"
+        )
+
+    def _numbers(self, *names: str) -> list[Row]:
+        """Return the rows in which all these columns are finite numbers."""
+        return [row for row in self._rows if all(_is_number(row.get(name)) for name in names)]
+
+    def _strips(self) -> Iterator[str]:
+        for dimension in self._plan.dimensions:
+            own = self._numbers(dimension.name)
+            if dimension.is_each_tick and own:
+                name = self._text("in_s", dimension.name)
+                picture = charts.strip(_column(own, dimension.name), _held(own), name)
+                yield _figure(picture, self._text("strip"))
+
+    def _histograms(self) -> Iterator[str]:
+        for name in self._names:
+            own = self._numbers(name)
+            if own:
+                missing = len(self._rows) - len(own)
+                caption = f"{name}: {len(own)} {self._text('runs')}"
+                caption += f", {self._text('without', missing)}" if missing else ""
+                picture = charts.histogram(_column(own, name), name, self._text("runs"))
+                yield _figure(picture, caption)
+
+    def _scatters(self) -> Iterator[str]:
+        for measure, dimension in itertools.product(self._names, self._plan.dimensions):
+            names = (dimension.name, measure)
+            own = self._numbers(*names)
+            if own:
+                x, y = (_column(own, name) for name in names)
+                caption = self._text("over", measure, names[0])
+                yield _figure(charts.scatter(x, y, _held(own), names), caption)
+
+    def _heat_maps(self) -> Iterator[str]:
+        pairs = list(itertools.combinations(self._plan.dimensions, 2))
+        for (first, second), measure in itertools.product(pairs, self._names):
+            names = (first.name, second.name, measure)
+            own = self._numbers(*names)
+            if own:
+                x, y, values = (_column(own, name) for name in names)
+                caption = self._text("mean", measure, first.name, second.name)
+                yield _figure(charts.heat_map(x, y, values, names), caption)
+
+    def _tornadoes(self) -> Iterator[str]:
+        for measure in self._names:
+            names = [one.name for one in self._plan.dimensions]
+            own = self._numbers(measure, *names)
+            values = _column(own, measure)
+            if len(own) < MIN_RUNS or min(values) == max(values):
+                continue
+            varied = [name for name in names if len(dict.fromkeys(_column(own, name))) > 1]
+            shares, method = sensitivities([_column(own, name) for name in varied], values)
+            pairs = list(zip(varied, shares, strict=True))
+            picture = charts.bars(pairs, self._text(method))
+            yield _figure(picture, self._text("depends", measure))
+
+    def _table(self, command: Callable[[int], str] | None) -> str:
+        """Return the table of the runs that did not hold."""
+        if not self._broken:
+            return ""
+        names = [*(one.name for one in self._plan.dimensions), *self._names]
+        heads = [self._text("run"), *names, self._text("reason")]
+        heads += [] if command is None else [self._text("command")]
+        lines = []
+        for row in self._broken:
+            cells = [as_text(row.get(name)) for name in ("run", *names, "broken")]
+            texts = [f"<td>{escape(cell)}</td>" for cell in cells]
+            if command is not None:
+                texts.append(f"<td><code>{escape(command(int(row['run'] or 0)))}</code></td>")
+            lines.append(f"<tr>{''.join(texts)}</tr>")
+        head = "".join(f"<th>{escape(name)}</th>" for name in heads)
+        left = self._count - self._held - len(self._broken)
+        rest = f"<p>{self._text('more', left)}</p>" if left else ""
+        table = f"<table><tr>{head}</tr>{''.join(lines)}</table>"
+        return f"<h2>{self._text('table')}</h2>{table}{rest}"
 
 
 def _is_number(value: object) -> bool:
@@ -95,56 +232,6 @@ def _column(rows: Sequence[Row], name: str) -> list[float]:
 
 def _held(rows: Sequence[Row]) -> list[bool]:
     return [row["verdict"] == HELD for row in rows]
-
-
-def _strips(plan: Plan, rows: Sequence[Row]) -> Iterator[str]:
-    for dimension in plan.dimensions:
-        if dimension.is_each_tick and rows:
-            name = f"{dimension.name} in s"
-            picture = charts.strip(_column(rows, dimension.name), _held(rows), name)
-            yield _figure(picture, "red: the expectations did not hold for an injection then")
-
-
-def _histograms(plan: Plan, rows: Sequence[Row]) -> Iterator[str]:
-    for name in _names(plan, rows):
-        own = _numbers(rows, name)
-        if own:
-            missing = len(rows) - len(own)
-            caption = f"{name}: {len(own)} runs" + (f", {missing} without" if missing else "")
-            yield _figure(charts.histogram(_column(own, name), name), caption)
-
-
-def _scatters(plan: Plan, rows: Sequence[Row]) -> Iterator[str]:
-    for measure, dimension in itertools.product(_names(plan, rows), plan.dimensions):
-        names = (dimension.name, measure)
-        own = _numbers(rows, *names)
-        if own:
-            x, y = (_column(own, name) for name in names)
-            yield _figure(charts.scatter(x, y, _held(own), names), f"{measure} over {names[0]}")
-
-
-def _heat_maps(plan: Plan, rows: Sequence[Row]) -> Iterator[str]:
-    pairs = itertools.combinations(plan.dimensions, 2)
-    for (first, second), measure in itertools.product(list(pairs), _names(plan, rows)):
-        names = (first.name, second.name, measure)
-        own = _numbers(rows, *names)
-        if own:
-            x, y, values = (_column(own, name) for name in names)
-            caption = f"mean of {measure} over {first.name} and {second.name}"
-            yield _figure(charts.heat_map(x, y, values, names), caption)
-
-
-def _tornadoes(plan: Plan, rows: Sequence[Row]) -> Iterator[str]:
-    for measure in _names(plan, rows):
-        names = [one.name for one in plan.dimensions]
-        own = _numbers(rows, measure, *names)
-        values = _column(own, measure)
-        if len(own) < MIN_RUNS or min(values) == max(values):
-            continue
-        varied = [name for name in names if len(dict.fromkeys(_column(own, name))) > 1]
-        shares, method = sensitivities([_column(own, name) for name in varied], values)
-        picture = charts.bars(list(zip(varied, shares, strict=True)), method)
-        yield _figure(picture, f"how much {measure} depends on each input")
 
 
 def sensitivities(
@@ -188,18 +275,3 @@ def _ranks(values: Sequence[float]) -> list[float]:
         for _, index in own:
             ranks[index] = sum(position for position, _ in own) / len(own)
     return ranks
-
-
-def _broken(plan: Plan, rows: Sequence[Row]) -> str:
-    """Return the table of the runs that did not hold."""
-    own = [row for row in rows if row["verdict"] != HELD]
-    if not own:
-        return ""
-    names = ["run", *(one.name for one in plan.dimensions), *_names(plan, rows), "broken"]
-    head = "".join(f"<th>{escape(name)}</th>" for name in names)
-    lines = "".join(
-        "<tr>" + "".join(f"<td>{escape(as_text(row.get(name)))}</td>" for name in names) + "</tr>"
-        for row in own[:MAX_ROWS]
-    )
-    rest = f"<p>… and {len(own) - MAX_ROWS} more</p>" if len(own) > MAX_ROWS else ""
-    return f"<h2>Runs that did not hold</h2><table><tr>{head}</tr>{lines}</table>{rest}"

@@ -3,21 +3,27 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from nctakt.base.diagnostics import Language
+from nctakt.base.failure import Failure
 from nctakt.studies.bench import BROKEN, CRASHED, FAILED, HELD, Bench, Row, columns_of
 from nctakt.studies.each_tick import Nominal, nominal_run, with_span
 from nctakt.studies.inputs import command_of, inputs_of
 from nctakt.studies.measures import MeasuredValue, function_measure
+from nctakt.studies.outcome import NotMeasuredError
 from nctakt.studies.plan import Plan
 from nctakt.studies.plan_file import read_plan, read_tables
 from nctakt.studies.processes import rows_here, rows_of_processes
+from nctakt.studies.python_measure import PythonMeasure
 from nctakt.studies.recording import record_run
 from nctakt.studies.report import report
-from nctakt.studies.results import RowStore, arrow_table, write_rows
+from nctakt.studies.results import arrow_table, write_rows
+from nctakt.studies.row_store import RowStore
 from nctakt.studies.schedule_bench import bench_of
 from nctakt.studies.search import Answer, search, shrink
 from nctakt.studies.shared_beginning import is_copied
@@ -40,7 +46,7 @@ class StudyResult:
 
     def __repr__(self) -> str:
         counts = ", ".join(f"{count} {verdict}" for verdict, count in self.counts.items() if count)
-        first = self.broken[:1]
+        first = self.first_broken(1)
         shown = f"; first run {first[0]['run']}: {first[0]['broken']}" if first else ""
         return f"<StudyResult of {len(self.rows)} runs: {counts or 'none'}{shown}>"
 
@@ -53,8 +59,14 @@ class StudyResult:
     @property
     def counts(self) -> dict[str, int]:
         """The number of runs by their verdict: held, broken, failed, crashed."""
-        verdicts = [row["verdict"] for row in self.rows]
-        return {verdict: verdicts.count(verdict) for verdict in (HELD, BROKEN, FAILED, CRASHED)}
+        counts = dict.fromkeys((HELD, BROKEN, FAILED, CRASHED), 0)
+        for row in self.rows:
+            counts[str(row["verdict"])] += 1
+        return counts
+
+    def first_broken(self, count: int) -> list[Row]:
+        """Return the first rows of the runs that did not meet all expectations, at most so many."""
+        return list(itertools.islice((r for r in self.rows if r["verdict"] != HELD), count))
 
     @property
     def broken(self) -> list[Row]:
@@ -83,9 +95,12 @@ class StudyResult:
 
         return polars.DataFrame(self.to_arrow())
 
-    def report(self) -> str:
-        """Return the report: an HTML page that needs no network."""
-        return report(self.plan, self.rows)
+    def report(self, language: Language = "en", command: Callable[[int], str] | None = None) -> str:
+        """Return the report: an HTML page that needs no network.
+
+        ``command``: shows a run by its number, as ``Study.command`` does.
+        """
+        return report(self.plan, self.rows, language, command)
 
     def save(self, path: str | Path) -> None:
         """Write the rows to a .parquet, .csv or .jsonl file; raises ``Failure``."""
@@ -168,8 +183,8 @@ class Study:
         """
         self.bench  # noqa: B018 - checks the names
         numbers_due: Iterable[int] = range(len(self)) if numbers is None else numbers
-        done = set() if store is None else store.done
-        missing = [number for number in numbers_due if number not in done] if done else numbers_due
+        done = () if store is None else store.done
+        missing = (number for number in numbers_due if number not in done) if done else numbers_due
         if executor is None:
             executor = rows_here
             copies = is_copied(self.plan, self.bench.cycle_time_us)
@@ -183,8 +198,9 @@ class Study:
                 store.add(finished)
             if on_rows is not None:
                 on_rows(finished)
-        rows = sorted(rows, key=lambda row: int(row["run"] or 0)) if store is None else store.rows()
-        return StudyResult(self.plan, rows)
+        if store is not None:
+            return StudyResult(self.plan, store.rows())
+        return StudyResult(self.plan, sorted(rows, key=lambda row: int(row["run"] or 0)))
 
     def find(self) -> list[Answer]:
         """Return the answer to each goal of the plan (``find``); raises ``Failure`` as ``run``."""
@@ -194,6 +210,17 @@ class Study:
         """Return the smallest change from the unchanged run that breaks as a run does."""
         nominal = [dimension.rest_value for dimension in self.plan.dimensions]
         return shrink(self.bench, self.plan.point(number), nominal)
+
+    def reason(self, measure: str, number: int) -> str:
+        """Return why a Python function has no value in a run, which is made again; else nothing."""
+        own = next(one for one in self.plan.measures if one.name == measure)
+        if not isinstance(own.node, PythonMeasure):
+            return ""
+        try:
+            own.measured(self.bench.make(self.plan.point(number)).outcome)
+        except (NotMeasuredError, Failure) as error:
+            return next(iter(str(error).splitlines()), "")
+        return ""
 
     def record(self, number: int, path: str | Path) -> str:
         """Write the tape of a run; return the command that replays it.

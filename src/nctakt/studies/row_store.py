@@ -1,0 +1,260 @@
+# SPDX-License-Identifier: MIT
+"""The rows of a study while its runs are made, and in the order of their runs afterwards.
+
+They stand in ``NAME.rows``: a line that says of which plan, then a line per run, each written at
+once, so that whatever ends the process loses no finished run. Which runs are finished takes a bit
+of memory for each. Rows that came out of order are sorted in parts of bounded size, to a file
+``NAME.rows.sorted``, so that a study may have more rows than memory holds.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import hashlib
+import heapq
+import itertools
+import json
+import os
+from collections.abc import Iterable, Iterator, Sequence
+from pathlib import Path
+from typing import Any, BinaryIO, overload
+
+from nctakt.base.failure import Failure
+from nctakt.files.access import FileAccess
+from nctakt.lists.machine.machine import load_machine
+from nctakt.messages import diagnostic
+from nctakt.messages.files import FILE_NOT_WRITABLE
+from nctakt.messages.studies import OTHER_PLAN
+from nctakt.project.machine_choice import machine_of
+from nctakt.run.tape import digest_of
+from nctakt.studies.bench import Row
+from nctakt.studies.plan import Plan
+from nctakt.studies.results import checked_row, unreadable
+
+#: Bytes of rows that are kept in memory as they are; more stay in their file.
+MAX_KEPT = 16 << 20
+
+#: Bytes of rows that are sorted at a time, and the most parts: each is a file that is open.
+MAX_SORTED, MAX_PARTS = 64 << 20, 500
+
+
+def fingerprint(plan: Plan) -> str:
+    """Return digits that change with the plan, its program, its PLC and its lists."""
+    files = [plan.program, *plan.files]
+    if not plan.is_schedule:
+        machine = load_machine(plan.machine or machine_of(plan.program, FileAccess()).path)
+        files += [path for _, path in machine.lists]
+    digests = [digest_of(path) for path in files]
+    return hashlib.sha256(f"{plan!r}{digests}".encode()).hexdigest()
+
+
+class RowStore:
+    """The rows of a study in a file, line by line; ``done`` are the numbers of finished runs.
+
+    ``resumes``: go on with the rows that are there. Raises ``Failure``: rows of another plan
+    (901309), a file that cannot be written (900507).
+    """
+
+    def __init__(self, path: Path, plan: Plan, *, resumes: bool) -> None:
+        self.path = path
+        self.done = RunNumbers()
+        self._is_sorted = True
+        self._last = -1
+        head = json.dumps({"study": fingerprint(plan)})
+        length = self._read(head) if resumes else 0
+        try:
+            flags = os.O_RDWR | os.O_CREAT | getattr(os, "O_BINARY", 0)
+            self._file = os.open(path, flags, 0o666)
+            os.ftruncate(self._file, length)
+            os.lseek(self._file, length, os.SEEK_SET)
+        except OSError as error:
+            raise _unwritable(self.path, error) from error
+        if not length:
+            self._write(head + "\n")
+
+    def _read(self, head: str) -> int:
+        """Note the finished runs; return the length of what is whole, in bytes."""
+        if not self.path.exists():
+            return 0
+        length = 0
+        try:
+            with self.path.open("rb") as file:
+                for number, line in enumerate(file):
+                    if not line.endswith(b"\n"):
+                        break
+                    if number == 0 and line.decode("utf-8", "replace").rstrip() != head:
+                        raise Failure(diagnostic(OTHER_PLAN, folder=self.path.as_posix()))
+                    if number:
+                        self._note(int(checked_row(json.loads(line))["run"] or 0))
+                    length += len(line)
+        except (OSError, ValueError) as error:
+            raise unreadable(self.path, error) from error
+        return length
+
+    def _note(self, number: int) -> None:
+        self._is_sorted &= number > self._last
+        self._last = number
+        self.done.add(number)
+
+    def add(self, rows: Iterable[Row]) -> None:
+        """Keep rows; raises ``Failure`` (900507) if there is no room for them."""
+        texts = []
+        for row in rows:
+            number = row["run"]
+            assert isinstance(number, int)
+            self._note(number)
+            texts.append(json.dumps(row, ensure_ascii=False) + "\n")
+        self._write("".join(texts))
+
+    def _write(self, text: str) -> None:
+        data = text.encode("utf-8")
+        try:
+            while data:
+                data = data[os.write(self._file, data) :]
+        except OSError as error:
+            raise _unwritable(self.path, error) from error
+
+    def rows(self) -> StoredRows:
+        """Return the rows so far, in the order of their runs.
+
+        Raises ``Failure`` (900507) if there is no room to sort them.
+        """
+        path = self.path
+        if not self._is_sorted and path.stat().st_size > MAX_KEPT:
+            path = _sorted_path(self.path)
+            try:
+                _sort(self.path, path)
+            except OSError as error:
+                path.unlink(missing_ok=True)
+                raise _unwritable(path, error) from error
+        return StoredRows(path, len(self.done))
+
+    def close(self) -> None:
+        """Close the file, which stays."""
+        _sorted_path(self.path).unlink(missing_ok=True)
+        if self._file >= 0:
+            with contextlib.suppress(OSError):
+                os.close(self._file)
+            self._file = -1
+
+    def remove(self) -> None:
+        """Close and remove the file."""
+        self.close()
+        self.path.unlink(missing_ok=True)
+
+
+class StoredRows(Sequence[Row]):
+    """The rows of a file in the order of their runs; few of them in memory, if they are many."""
+
+    def __init__(self, path: Path, count: int) -> None:
+        self._path = path
+        self._count = count
+        self._rows: list[Row] | None = None
+        if path.stat().st_size <= MAX_KEPT:
+            self._rows = sorted(self._lines(), key=lambda row: int(row["run"] or 0))
+
+    def __len__(self) -> int:
+        return self._count
+
+    def __iter__(self) -> Iterator[Row]:
+        return iter(self._lines() if self._rows is None else self._rows)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Sequence) and list(self) == list(other)
+
+    __hash__ = None  # type: ignore[assignment]
+
+    @overload
+    def __getitem__(self, index: int) -> Row: ...
+
+    @overload
+    def __getitem__(self, index: slice) -> list[Row]: ...
+
+    def __getitem__(self, index: int | slice) -> Row | list[Row]:
+        if self._rows is not None:
+            return self._rows[index]
+        if isinstance(index, slice):
+            return list(itertools.islice(self, *index.indices(self._count)))
+        number = range(self._count)[index]
+        return next(itertools.islice(self, number, None))
+
+    def _lines(self) -> Iterator[Row]:
+        with self._path.open("rb") as file:
+            next(file, None)
+            for line in file:
+                if line.endswith(b"\n"):
+                    yield json.loads(line)
+
+
+class RunNumbers:
+    """A set of numbers of runs, a bit for each."""
+
+    def __init__(self) -> None:
+        self._bits = bytearray()
+        self._count = 0
+
+    def add(self, number: int) -> None:
+        """Add a number from 0 on."""
+        index, bit = number >> 3, 1 << (number & 7)
+        if index >= len(self._bits):
+            self._bits.extend(bytes(index - len(self._bits) + 1))
+        self._count += not self._bits[index] & bit
+        self._bits[index] |= bit
+
+    def __contains__(self, number: int) -> bool:
+        index = number >> 3
+        return index < len(self._bits) and bool(self._bits[index] & 1 << (number & 7))
+
+    def __len__(self) -> int:
+        return self._count
+
+
+def _sorted_path(path: Path) -> Path:
+    return path.with_name(f"{path.name}.sorted")
+
+
+def _unwritable(path: Path, error: OSError) -> Failure:
+    reason = error.strerror or str(error)
+    return Failure(diagnostic(FILE_NOT_WRITABLE, file=path.as_posix(), reason=reason))
+
+
+def _run_of(line: Any) -> int:
+    """Return the number of the run of a line, which stands first in it."""
+    return int(line[: line.index(b",")].rpartition(b":")[2])
+
+
+def _sort(source: Path, target: Path) -> None:
+    """Write the lines of a file in the order of their runs, behind its first line.
+
+    Parts that fit in memory are sorted and written one behind another, then merged.
+    """
+    parts = target.with_name(f"{target.name}.parts")
+    try:
+        with source.open("rb") as file, parts.open("wb") as sorted_parts:
+            head = next(file)
+            spans = []
+            size = max(MAX_SORTED, source.stat().st_size // MAX_PARTS)
+            while lines := file.readlines(size):
+                lines = [line for line in lines if line.endswith(b"\n")]
+                lines.sort(key=_run_of)
+                begin = sorted_parts.tell()
+                sorted_parts.writelines(lines)
+                spans.append((begin, sorted_parts.tell()))
+        with contextlib.ExitStack() as stack:
+            merged = stack.enter_context(target.open("wb"))
+            merged.write(head)
+            files = (stack.enter_context(parts.open("rb")) for _ in spans)
+            streams = [_span(file, *span) for file, span in zip(files, spans, strict=True)]
+            ordered: Iterator[bytes] = heapq.merge(*streams, key=_run_of)
+            merged.writelines(ordered)
+    finally:
+        parts.unlink(missing_ok=True)
+
+
+def _span(file: BinaryIO, begin: int, end: int) -> Iterator[bytes]:
+    """Yield the lines of a part of a file."""
+    file.seek(begin)
+    while begin < end:
+        line = file.readline()
+        begin += len(line)
+        yield line

@@ -160,7 +160,7 @@ def _report(plan: str, results: str, words: dict[str, Any]) -> int:
     names |= {measure.name for measure in study.plan.measures}
     if rows and not names <= set(rows[0]):
         raise Failure(diagnostic(OTHER_PLAN, folder=results))
-    result = StudyResult(study.plan, rows)
+    result = StudyResult(study.plan, rows, study.nominal)
     page = result.report(words["language"], commands_of(study, result, plan, words))
     write_file(words["report"] or str(Path(results).with_suffix(".html")), page)
     return EXIT_RAN

@@ -117,8 +117,16 @@ def heat_map(
     return _chart(across, up, "".join(cells), caption)
 
 
-def strip(times: Sequence[float], held: Sequence[bool], name: str) -> str:
-    """Return a bar over time that is red where an injection did not hold."""
+def strip(
+    times: Sequence[float],
+    held: Sequence[bool],
+    name: str,
+    blocks: Sequence[tuple[float, str]] = (),
+) -> str:
+    """Return a bar over time that is red where an injection did not hold.
+
+    ``blocks``: the begin of each block of the program, and its line.
+    """
     across = axis_of(times, name)
     width = max((_x_at(1) - _x_at(0)) / len(times), 0.6)
     marks = "".join(
@@ -126,7 +134,22 @@ def strip(times: Sequence[float], held: Sequence[bool], name: str) -> str:
         f'height="40" fill="{HELD_COLOUR if good else BROKEN_COLOUR}"/>'
         for time, good in zip(times, held, strict=True)
     )
-    return _svg(110, marks + _across(across, 66))
+    return _svg(110, marks + _block_marks(across, blocks) + _across(across, 66))
+
+
+def _block_marks(across: Axis, blocks: Sequence[tuple[float, str]]) -> str:
+    """Return a mark for each block that begins in the range, and its line where there is room."""
+    parts = []
+    right = 0.0
+    for time, label in blocks:
+        if across.low <= time <= across.high:
+            x = _x_at(across.share(time))
+            parts.append(f'<line x1="{x:.2f}" y1="14" x2="{x:.2f}" y2="20" stroke="#555"/>')
+            width = 7.0 * len(label)
+            if x - width / 2 > right:
+                parts.append(f'<text x="{x:.2f}" y="11" text-anchor="middle">{label}</text>')
+                right = x + width / 2 + 2
+    return "".join(parts)
 
 
 def bars(shares: Sequence[tuple[str, float]], name: str) -> str:

@@ -18,6 +18,7 @@ from nctakt.base.diagnostics import Language
 from nctakt.base.version import __version__
 from nctakt.studies import charts
 from nctakt.studies.bench import HELD, REACTION, Row
+from nctakt.studies.each_tick import Nominal
 from nctakt.studies.measures import as_text
 from nctakt.studies.plan import Plan
 
@@ -49,7 +50,8 @@ _TEXTS = {
         "title": "Study of {}", "each_tick": "Each tick", "measures": "Measures",
         "scatters": "Measures over inputs", "pairs": "Pairs of inputs",
         "sensitivities": "Sensitivities", "runs": "runs", "held": "{} held", "broken": "{} did not",
-        "strip": "red: the expectations did not hold for an injection then", "in_s": "{} in s",
+        "in_s": "{} in s",
+        "strip": "red: the expectations did not hold for an injection then; above: lines",
         "without": "{} without", "over": "{} over {}", "mean": "mean of {} over {} and {}",
         "depends": "how much {} depends on each input", "table": "Runs that did not hold",
         "more": "… and {} more", "sample": "Pictures of {} of the runs, evenly spread.",
@@ -61,7 +63,7 @@ _TEXTS = {
         "scatters": "Messgrößen über Eingängen", "pairs": "Paare von Eingängen",
         "sensitivities": "Empfindlichkeiten", "runs": "Läufe", "held": "{} erfüllt",
         "broken": "{} nicht",
-        "strip": "rot: die Erwartungen waren bei einem Eingriff zu dieser Zeit nicht erfüllt",
+        "strip": "rot: Erwartungen bei einem Eingriff dann nicht erfüllt; darüber: Zeilen",
         "in_s": "{} in s", "without": "{} ohne", "over": "{} über {}",
         "mean": "Mittelwert von {} über {} und {}",
         "depends": "wie stark {} von jedem Eingang abhängt", "table": "Nicht erfüllte Läufe",
@@ -77,9 +79,13 @@ def report(
     rows: Sequence[Row],
     language: Language = "en",
     command: Callable[[int], str] | None = None,
+    nominal: Nominal | None = None,
 ) -> str:
-    """Return the page; ``command`` shows a run by its number."""
-    return _Report(plan, rows, language).page(command)
+    """Return the page; ``command`` shows a run by its number.
+
+    ``nominal``: the unchanged run of an each-tick study, whose blocks the strip has.
+    """
+    return _Report(plan, rows, language, nominal).page(command)
 
 
 def _figure(picture: str, caption: str) -> str:
@@ -89,8 +95,14 @@ def _figure(picture: str, caption: str) -> str:
 class _Report:
     """Makes the parts of a page; few of many rows are in memory."""
 
-    def __init__(self, plan: Plan, rows: Sequence[Row], language: Language) -> None:
+    def __init__(
+        self, plan: Plan, rows: Sequence[Row], language: Language, nominal: Nominal | None
+    ) -> None:
         self._plan = plan
+        self._blocks: list[tuple[float, str]] = []
+        if nominal is not None:
+            tick_s = nominal.cycle_time_us / 1e6
+            self._blocks = [(tick * tick_s, str(line)) for tick, line, _ in nominal.blocks]
         self._texts = _TEXTS[language]
         self._language = language
         self._count = len(rows)
@@ -156,7 +168,7 @@ class _Report:
             own = self._numbers(dimension.name)
             if dimension.is_each_tick and own:
                 name = self._text("in_s", dimension.name)
-                picture = charts.strip(_column(own, dimension.name), _held(own), name)
+                picture = charts.strip(_column(own, dimension.name), _held(own), name, self._blocks)
                 yield _figure(picture, self._text("strip"))
 
     def _histograms(self) -> Iterator[str]:

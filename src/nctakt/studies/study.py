@@ -40,8 +40,9 @@ Executor = Callable[[Plan, Iterable[int]], Iterator[list[Row]]]
 class StudyResult:
     """The rows of a study in the order of its runs; true if all runs met all expectations."""
 
-    def __init__(self, plan: Plan, rows: Sequence[Row]) -> None:
+    def __init__(self, plan: Plan, rows: Sequence[Row], nominal: Nominal | None = None) -> None:
         self.plan = plan
+        self.nominal = nominal
         self.rows = rows
 
     def __repr__(self) -> str:
@@ -100,7 +101,7 @@ class StudyResult:
 
         ``command``: shows a run by its number, as ``Study.command`` does.
         """
-        return report(self.plan, self.rows, language, command)
+        return report(self.plan, self.rows, language, command, self.nominal)
 
     def save(self, path: str | Path) -> None:
         """Write the rows to a .parquet, .csv or .jsonl file; raises ``Failure``."""
@@ -199,8 +200,9 @@ class Study:
             if on_rows is not None:
                 on_rows(finished)
         if store is not None:
-            return StudyResult(self.plan, store.rows())
-        return StudyResult(self.plan, sorted(rows, key=lambda row: int(row["run"] or 0)))
+            return StudyResult(self.plan, store.rows(), self.nominal)
+        rows.sort(key=lambda row: int(row["run"] or 0))
+        return StudyResult(self.plan, rows, self.nominal)
 
     def find(self) -> list[Answer]:
         """Return the answer to each goal of the plan (``find``); raises ``Failure`` as ``run``."""

@@ -13,7 +13,7 @@ from typing import NamedTuple
 import pytest
 
 PACKAGE = "node-opcua-nodesets"
-FILE = Path("node_modules") / PACKAGE / "nodesets" / "Opc.Ua.CNC.NodeSet.xml"
+FILE = f"{PACKAGE}/nodesets/Opc.Ua.CNC.NodeSet.xml"
 _XML = "{http://opcfoundation.org/UA/2011/03/UANodeSet.xsd}"
 
 
@@ -27,25 +27,31 @@ class PublishedNode(NamedTuple):
     fields: list[tuple[str, str]]
 
 
+def installed(package: str, folder: Path) -> Path:
+    """Return the folder of Node modules with a package; skip the test where npm cannot fetch it.
+
+    NCTAKT_NODE_MODULES names a folder that has it already.
+    """
+    own = os.environ.get("NCTAKT_NODE_MODULES")
+    if own and (Path(own) / package).is_dir():
+        return Path(own)
+    npm = shutil.which("npm")
+    if npm is None:
+        pytest.skip(f"npm is not installed: {package} cannot be fetched")
+    (folder / "package.json").write_text("{}", encoding="utf-8")
+    command = [npm, "install", "--no-audit", "--no-fund", "--ignore-scripts", package]
+    try:
+        done = subprocess.run(command, cwd=folder, capture_output=True, timeout=120, check=False)
+    except subprocess.TimeoutExpired:
+        pytest.skip(f"npm could not fetch {package} in time")
+    if done.returncode or not (folder / "node_modules" / package).is_dir():
+        pytest.skip(f"npm could not fetch {package}")
+    return folder / "node_modules"
+
+
 def node_set(folder: Path) -> dict[str, PublishedNode]:
     """Return the published nodes by their IDs; skip the test where npm cannot fetch them."""
-    own = os.environ.get("NCTAKT_NODE_MODULES")
-    path = Path(own) / FILE if own else folder / FILE
-    if not path.is_file():
-        npm = shutil.which("npm")
-        if npm is None:
-            pytest.skip("npm is not installed: the published node set cannot be fetched")
-        (folder / "package.json").write_text("{}", encoding="utf-8")
-        command = [npm, "install", "--no-audit", "--no-fund", "--ignore-scripts", PACKAGE]
-        try:
-            done = subprocess.run(
-                command, cwd=folder, capture_output=True, timeout=120, check=False
-            )
-        except subprocess.TimeoutExpired:
-            pytest.skip("npm could not fetch the published node set in time")
-        if done.returncode or not path.is_file():
-            pytest.skip("npm could not fetch the published node set")
-    return _read(path)
+    return _read(installed(PACKAGE, folder) / FILE)
 
 
 def _read(path: Path) -> dict[str, PublishedNode]:

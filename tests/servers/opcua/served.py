@@ -85,7 +85,7 @@ class Served:
 
     def refusals(self) -> list[str]:
         """Return the reasons for which clients were refused something."""
-        return [line["reason"] for line in self.lines if line["event"] == "refused"]
+        return [line.get("reason", "") for line in self.lines if line["event"] == "refused"]
 
     def close(self) -> None:
         """End it."""

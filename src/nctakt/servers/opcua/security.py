@@ -19,10 +19,10 @@ from pathlib import Path
 from typing import Any
 
 from asyncua import ua
-from asyncua.crypto import cert_gen, uacrypto
+from asyncua.crypto import cert_gen
 from asyncua.crypto.permission_rules import User, UserRole
 from cryptography import x509
-from cryptography.hazmat.primitives.serialization import Encoding
+from cryptography.hazmat.primitives.serialization import Encoding, load_pem_private_key
 from cryptography.x509.oid import ExtendedKeyUsageOID
 
 from nctakt.base.failure import Failure
@@ -75,7 +75,7 @@ class Security:
         if not path.exists():
             content = cert_gen.dump_private_key_as_pem(cert_gen.generate_private_key())
             _write_private(path, content)
-        return uacrypto.load_pem_private_key(path.read_bytes(), password=None, backend=None)
+        return load_pem_private_key(path.read_bytes(), password=None)
 
     def _own_certificate(self) -> Any:
         path, uri = self.folder / CERTIFICATE, application_uri()

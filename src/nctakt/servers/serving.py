@@ -29,7 +29,7 @@ DoorOpener = Callable[[Host], Door]
 CLOSING_S = 5.0
 
 #: How long a thread may compute while the loop or the session is due, in seconds.
-_SWITCH_S = 0.0005
+_SWITCH_S = 0.00005
 
 
 async def serve(
@@ -67,10 +67,13 @@ async def serve(
                 await asyncio.wait_for(door.close(), CLOSING_S)
             except Exception as error:  # noqa: BLE001 - the other doors must close as well
                 log.error("close", door=name, reason=error_text(error) or repr(error))
+        late, worst_s = session.lateness
+        missed = host.missed_frames
         with contextlib.suppress(Failure):
             await host.ask(session.pause)
         await host.close()
-        log.note("closed", tick=session.tick)
+        lateness = {"late_slices": late, "worst_lateness_ms": round(worst_s * 1000, 3)}
+        log.note("closed", tick=session.tick, missed_frames=missed, **lateness)
 
 
 class _EndSignal:

@@ -11,7 +11,7 @@ import contextlib
 import json
 import os
 import sys
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -33,7 +33,7 @@ from nctakt.lists.machine.files import machine_folder
 from nctakt.messages import diagnostic
 from nctakt.messages.live import PAGE_NEEDS_FILES
 from nctakt.messages.opcua import OPCUA_LIBRARY_MISSING
-from nctakt.messages.servers import NO_DOOR
+from nctakt.messages.servers import INVALID_NET_ID, NO_DOOR, PAGE_WITHOUT_PROGRAM
 
 if TYPE_CHECKING:
     from nctakt.servers.serving import DoorOpener
@@ -96,6 +96,25 @@ that has stopped, 2 wrong usage or unusable input, 3 an error of nctakt's own.
     help="Serve ADS [default address: 127.0.0.1:48898].",
 )
 @click.option(
+    "--ads-net-id",
+    metavar="NETID",
+    help="NetId of the ADS server [default: that of its address, as 127.0.0.1.1.1].",
+)
+@click.option(
+    "--ads-permit",
+    "ads_permitted",
+    metavar="NETID",
+    multiple=True,
+    help="Serve ADS to this NetId only; may be repeated [default: all].",
+)
+@click.option(
+    "--live",
+    metavar="HOST:PORT",
+    is_flag=False,
+    flag_value="127.0.0.1:8765",
+    help="Show the run on a page in the browser [default address: 127.0.0.1:8765].",
+)
+@click.option(
     "--mtconnect",
     metavar="HOST:PORT",
     is_flag=False,
@@ -149,6 +168,9 @@ that has stopped, 2 wrong usage or unusable input, 3 an error of nctakt's own.
 )
 def command(
     ads: str | None,
+    ads_net_id: str | None,
+    ads_permitted: tuple[str, ...],
+    live: str | None,
     mtconnect: str | None,
     mqtt: str | None,
     opcua: str | None,
@@ -163,7 +185,10 @@ def command(
 ) -> int:
     """Let clients on the network find a controller: a session behind several doors."""
     doors = {"ads": ads, "mtconnect": mtconnect, "mqtt": mqtt, "opcua": opcua}
-    own = _Words(doors, opcua_folder, acknowledge, speed, pace, tape, ready_file, log)
+    net_ids = ads_net_id, ads_permitted
+    own = _Words(
+        doors, live, net_ids, opcua_folder, acknowledge, speed, pace, tape, ready_file, log
+    )
 
     def show(options: Options, access: FileAccess) -> int:
         return _serve(options, access, own)
@@ -174,9 +199,14 @@ def command(
 
 @dataclass(frozen=True, slots=True)
 class _Words:
-    """The words that only this command has; ``doors``: the word of each option of a door."""
+    """The words that only this command has; ``doors``: the word of each option of a door.
+
+    ``net_ids``: that of the ADS server, and those of its clients.
+    """
 
     doors: Mapping[str, str | None]
+    live: str | None
+    net_ids: tuple[str | None, tuple[str, ...]]
     opcua_folder: str
     acknowledge: bool
     speed: float
@@ -198,8 +228,13 @@ def _serve(options: Options, access: FileAccess, own: _Words) -> int:
     from nctakt.servers.serving import serve  # noqa: PLC0415
     from nctakt.session.session import Session  # noqa: PLC0415
 
-    doors = _doors(own)
     request = read_request(options, access)
+    folders = options.confined or served_folders(options)
+    doors = _doors(own)
+    if own.live is not None:
+        doors["live"] = _page(options, own, folders, own.live)
+    if not doors:
+        raise Failure(diagnostic(NO_DOOR))
     if options.machine_note is not None and not options.quiet:
         print_diagnostics([options.machine_note], options.language)
     machine = load_machine(options.machine, access=access)
@@ -222,7 +257,7 @@ def _serve(options: Options, access: FileAccess, own: _Words) -> int:
                 at=request.stimuli,
                 wait_for_start=options.wait_for_start,
                 acknowledges=not own.acknowledge,
-                folders=options.confined or served_folders(options),
+                folders=folders,
                 pace=own.pace,
                 stays=True,
             )
@@ -245,8 +280,6 @@ def _doors(own: _Words) -> dict[str, DoorOpener]:
     for name, word in own.doors.items():
         if word is not None:
             doors[name] = _DOORS[name](word, own)
-    if not doors:
-        raise Failure(diagnostic(NO_DOOR))
     return doors
 
 
@@ -255,7 +288,48 @@ def _ads(word: str, own: _Words) -> DoorOpener:
     from nctakt.servers.ads.server import PORT, AdsDoor  # noqa: PLC0415 - as above
 
     address = read_address("--ads", word, PORT)
-    return lambda host: AdsDoor(host, address)
+    given, permitted = own.net_ids
+    net_id = None if given is None else _net_id(given)
+    clients = [_net_id(text) for text in permitted]
+    return lambda host: AdsDoor(host, address, net_id, clients)
+
+
+def _net_id(text: str) -> bytes:
+    """Return the bytes of a NetId; raises ``Failure`` (901476)."""
+    from nctakt.servers.ads.frames import read_net_id  # noqa: PLC0415 - only where it is asked for
+
+    found = read_net_id(text)
+    if found is None:
+        raise Failure(diagnostic(INVALID_NET_ID, text=text))
+    return found
+
+
+def _page(options: Options, own: _Words, folders: Sequence[str], word: str) -> DoorOpener:
+    """Return what opens the page; raises ``Failure`` (901477) without a program."""
+    from nctakt.live.server import check_library  # noqa: PLC0415 - only where it is asked for
+
+    check_library()
+    from nctakt.live.document import Checker  # noqa: PLC0415 - as above
+    from nctakt.live.door import PageDoor  # noqa: PLC0415
+    from nctakt.servers.address import read_address  # noqa: PLC0415
+
+    address = read_address("--live", word, _PAGE_PORT)
+    programs: dict[int, list[str]] = {1: list(options.programs)}
+    for number, program in options.others:
+        programs.setdefault(int(number), []).append(program)
+    if not any(programs.values()):
+        raise Failure(diagnostic(PAGE_WITHOUT_PROGRAM))
+    checker = Checker(options.machine, folders)
+    return lambda host: PageDoor(
+        host.session,
+        programs,
+        checker,
+        address,
+        options.language,
+        acknowledges=not own.acknowledge,
+        has_plc=options.plc is not None,
+        tell_error=lambda found: print_diagnostics([found], options.language),
+    )
 
 
 def _mtconnect(word: str, own: _Words) -> DoorOpener:
@@ -283,6 +357,9 @@ def _opcua(word: str, own: _Words) -> DoorOpener:
     address = read_address("--opcua", word, PORT)
     return lambda host: OpcuaDoor(host, address, Path(own.opcua_folder))
 
+
+#: The port of the page.
+_PAGE_PORT = 8765
 
 #: The option of each door, and what its word opens.
 _DOORS: Mapping[str, Callable[[str, _Words], DoorOpener]] = {

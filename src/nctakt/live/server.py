@@ -118,3 +118,10 @@ def serve(
         show_welcome_message=False,
         uvicorn_logging_level="critical",
     )
+
+
+def end_page() -> None:
+    """Let ``serve``, which runs in another thread, return."""
+    from nicegui import app  # noqa: PLC0415 - only the page needs it
+
+    app.shutdown()

@@ -212,11 +212,15 @@ class SharedSession:
 
     def close(self) -> None:
         """End the session."""
+        self.leave()
+        self.session.close()
+
+    def leave(self) -> None:
+        """Look at the session no more; it goes on."""
         self._is_closed = True
         self._wake.set()
         self._thread.join()
         self.explainer.close()
-        self.session.close()
 
     # --- the thread -----------------------------------------------------------------------------
 

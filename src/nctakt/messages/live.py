@@ -49,3 +49,10 @@ MESSAGE_NOT_READABLE = warning(
     "melden.",
     reason=("the reason", "der Grund"),
 )
+SESSION_IS_SHARED = error(
+    901475,
+    en="the page shares this run with other clients, so it cannot begin it anew",
+    de="die Seite teilt diesen Lauf mit anderen Clients, sie kann ihn nicht neu beginnen",
+    remedy_en="Save the program; it runs when it is selected again.",
+    remedy_de="Das Programm speichern; es läuft, wenn es erneut angewählt wird.",
+)

@@ -66,3 +66,18 @@ MQTT_NOT_INSTALLED = error(
     remedy_en='Install it: pip install "nctakt[mqtt]"',
     remedy_de='Installieren: pip install "nctakt[mqtt]"',
 )
+INVALID_NET_ID = error(
+    901476,
+    en="{text} is not a NetId",
+    de="{text} ist keine NetId",
+    remedy_en="Write six numbers from 0 to 255 with points between them, such as 5.1.204.160.1.1.",
+    remedy_de="Sechs Zahlen von 0 bis 255 mit Punkten dazwischen schreiben, etwa 5.1.204.160.1.1.",
+    text=("the text", "der Text"),
+)
+PAGE_WITHOUT_PROGRAM = error(
+    901477,
+    en="--live shows a program, and none is named",
+    de="--live zeigt ein Programm, und keines ist genannt",
+    remedy_en="Name the program that the page shows.",
+    remedy_de="Das Programm nennen, das die Seite zeigt.",
+)

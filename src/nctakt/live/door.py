@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: MIT
+"""The live page as one of the doors of ``nctakt serve``: the operator's, in the browser.
+
+In: the session that clients share, its programs. Out: the page's address until the servers end. The
+page commands the session as any client does, and cannot begin it anew.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import threading
+from collections.abc import Callable, Mapping, Sequence
+from concurrent.futures import Future
+
+from nctakt.base.diagnostics import Diagnostic, Language
+from nctakt.base.failure import Failure
+from nctakt.live.document import Checker, Document
+from nctakt.live.server import end_page, serve, usable_port
+from nctakt.live.shared import SharedSession
+from nctakt.live.texts import Texts
+from nctakt.messages import diagnostic
+from nctakt.messages.live import SESSION_IS_SHARED
+from nctakt.session.session import Session
+
+
+class PageDoor:
+    """The page of a session at an address; ``programs``: by channel, at least one."""
+
+    def __init__(
+        self,
+        session: Session,
+        programs: Mapping[int, Sequence[str]],
+        checker: Checker,
+        address: tuple[str, int],
+        language: Language,
+        *,
+        acknowledges: bool,
+        has_plc: bool,
+        tell_error: Callable[[Diagnostic], None],
+    ) -> None:
+        self._session = session
+        self._address = address
+        self._language: Language = language
+        self._acknowledges = acknowledges
+        self._has_plc = has_plc
+        self._tell_error = tell_error
+        self._documents = {
+            number: [Document(program, checker) for program in own]
+            for number, own in programs.items()
+            if own
+        }
+        self._address_told: Future[str] = Future()
+        self._shared: SharedSession | None = None
+        self._thread: threading.Thread | None = None
+
+    async def open(self) -> str:
+        """Show the page; return its address. Raises ``Failure`` (901161)."""
+        address = self._address[0], usable_port(*self._address)
+        channel = next(iter(self._documents))
+        file = self._documents[channel][0].file
+        self._shared = shared = await asyncio.to_thread(
+            lambda: SharedSession(
+                self._open_once(), file, acknowledges=self._acknowledges, channel=channel
+            )
+        )
+        self._thread = threading.Thread(
+            target=self._serve, args=(shared, address), name="nctakt page", daemon=True
+        )
+        self._thread.start()
+        return await asyncio.wrap_future(self._address_told)
+
+    def _open_once(self) -> Callable[[str | None, bool], Session]:
+        """Return what gives the session once; then it raises ``Failure`` (901380)."""
+        sessions = [self._session]
+
+        def open_session(program: str | None, acknowledges: bool) -> Session:
+            if not sessions:
+                raise Failure(diagnostic(SESSION_IS_SHARED))
+            return sessions.pop()
+
+        return open_session
+
+    def _serve(self, shared: SharedSession, address: tuple[str, int]) -> None:
+        try:
+            serve(
+                shared,
+                self._documents,
+                Texts(self._language),
+                address,
+                has_plc=self._has_plc,
+                opens_browser=False,
+                tell=self._address_told.set_result,
+                tell_error=self._tell_error,
+            )
+        except BaseException as error:  # noqa: BLE001 - whoever opens the door gets it
+            if not self._address_told.done():
+                self._address_told.set_exception(error)
+
+    async def close(self) -> None:
+        """Let the page end; the session stays."""
+        end_page()
+        if self._thread is not None:
+            await asyncio.to_thread(self._thread.join, 3.0)
+        if self._shared is not None:
+            await asyncio.to_thread(self._shared.leave)

@@ -12,7 +12,7 @@ import pytest
 
 pytestmark = pytest.mark.slow
 
-colours = pytest.importorskip("nctakt.editor.colours", reason="pygls is not installed")
+legend = pytest.importorskip("nctakt.editor.legend", reason="pygls is not installed")
 document = pytest.importorskip("nctakt.editor.document")
 
 FOLDER = Path(__file__).parents[2] / "editors" / "vscode"
@@ -25,7 +25,7 @@ def test_the_extension_has_what_the_server_names() -> None:
     commands = {item["command"] for item in contributed["commands"]}
     assert {"nctakt.run", "nctakt.debug", "nctakt.live", "nctakt.why"} <= commands
     modifiers = {item["id"] for item in contributed["semanticTokenModifiers"]}
-    assert modifiers <= set(colours.MODIFIERS)
+    assert modifiers <= set(legend.MODIFIERS)
     languages = {item["id"]: item.get("extensions", []) for item in contributed["languages"]}
     assert languages == {"nctakt": [".nctakt"], document.LIST_LANGUAGE: []}
     source = (FOLDER / "src" / "extension.ts").read_text("utf-8")

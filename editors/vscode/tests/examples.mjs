@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The grammar over all programs below a folder: each line has colours, none is marked as invalid.
+// The grammar over all programs below some folders: each line has colours, none is marked as invalid.
 
 import { readdirSync, readFileSync } from "node:fs";
 import { createRequire } from "node:module";
@@ -23,11 +23,14 @@ const registry = new textmate.Registry({
   },
 });
 const grammar = await registry.loadGrammar("source.nctakt");
-const files = readdirSync(process.argv[2], { recursive: true }).filter((name) => /\.(nc|sub|cyc)$/i.test(name));
+const files = process.argv
+  .slice(2)
+  .flatMap((folder) => readdirSync(folder, { recursive: true }).map((name) => path.join(folder, name)))
+  .filter((name) => /\.(nc|sub|cyc)$/i.test(name));
 let wrong = 0;
 for (const name of files) {
   let state = textmate.INITIAL;
-  const lines = readFileSync(path.join(process.argv[2], name), "utf8").split(/\r?\n/);
+  const lines = readFileSync(name, "utf8").split(/\r?\n/);
   lines.forEach((line, index) => {
     const result = grammar.tokenizeLine(line, state);
     state = result.ruleStack;

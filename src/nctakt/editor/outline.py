@@ -115,7 +115,7 @@ def folding_ranges(document: Document) -> list[FoldingRange]:
         if item.last > item.first
     ]
     starts = [number for number, line in enumerate(document.lines) if line.lstrip().startswith("%")]
-    for first, following in zip(starts, [*starts[1:], len(document.lines)], strict=True):
+    for first, following in pairwise([*starts, len(document.lines)]):
         if following - 1 > first:
             folds.append(FoldingRange(first, following - 1))
     folds += _comment_groups(document.lines)

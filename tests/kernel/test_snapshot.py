@@ -5,18 +5,23 @@ from __future__ import annotations
 
 import random
 import sys
+from collections.abc import Hashable
 from pathlib import Path
+from typing import Any
 
 import pytest
 from program_generator import program
 from random_seeds import all_seeds
 
 from nctakt.base.mode import is_compiled
+from nctakt.decoder.cycles.builder import CycleDefinition
+from nctakt.decoder.cycles.kept_cycles import KeptCycles
 from nctakt.kernel.cycles.cycles import CycleManager
 from nctakt.lists.machine.machine import Machine, load_machine
 from nctakt.plc import load_plc
 from nctakt.run.controller import Controller, NcText
 from nctakt.run.machine_names import names_of_machine
+from nctakt.run.program_loader import LoadedProgram
 from nctakt.run.realtime_part import RealtimePart
 from nctakt.run.snapshot import Snapshot
 from nctakt.studies.bench import Digest
@@ -34,7 +39,9 @@ def part_of(machine: Machine) -> RealtimePart:
     return RealtimePart(machine, names_of_machine(machine).layout)
 
 
-def digest(source: NcText | Path, part: RealtimePart | None, seed: int = 0) -> tuple[str, ...]:
+def digest(
+    source: NcText | Path | LoadedProgram, part: RealtimePart | None, seed: int = 0
+) -> tuple[str, ...]:
     """What a run on this part does: its events, all default signals, the memory at its end."""
     chance = random.Random(seed)
     trace = Digest()
@@ -55,9 +62,9 @@ def digest(source: NcText | Path, part: RealtimePart | None, seed: int = 0) -> t
     return run.state, str(run.ticks), trace.text(), bytes(memory).hex(), *findings
 
 
-def plc_of(source: NcText | Path) -> object:
+def plc_of(source: NcText | Path | LoadedProgram) -> Any:
     """The PLC of a folder of ``runs``."""
-    if isinstance(source, NcText):
+    if not isinstance(source, Path):
         return None
     plc = test_runs.settings(source.parent).get("plc")
     return None if plc is None else load_plc(source.parent / plc)
@@ -66,9 +73,9 @@ def plc_of(source: NcText | Path) -> object:
 def sources() -> list[NcText | Path]:
     """Random programs, and those of ``runs`` that need no lists of their own."""
     found: list[NcText | Path] = [
-        NcText(f"p{seed}.nc", program(seed)) for seed in all_seeds(compiled=25, plain=4)
+        NcText(f"p{seed}.nc", program(seed)) for seed in all_seeds(compiled=10, plain=2)
     ]
-    folders = test_runs.FOLDERS if is_compiled() else test_runs.FOLDERS[::8]
+    folders = test_runs.FOLDERS[:: 2 if is_compiled() else 12]
     for name in folders:
         files = sorted((RUNS / name).glob("*.nc"))
         if "machine" not in test_runs.settings(RUNS / name):
@@ -86,6 +93,28 @@ def test_a_part_put_back_runs_as_a_new_one() -> None:
         alone = digest(source, None, number)
         start_up.put_back()
         assert digest(source, part, number) == alone, source
+
+
+def test_kept_cycles_run_as_new_ones() -> None:
+    """Trees of cycles that an earlier run has built and run are as if built anew."""
+    part = part_of(DEMO)
+    start_up = Snapshot(part)
+    found = []
+
+    class Counting(KeptCycles):
+        def find(self, key: Hashable) -> CycleDefinition | None:
+            found.append(super().find(key))
+            return found[-1]
+
+    for seed in all_seeds(compiled=10, plain=2):
+        part.kept_cycles = Counting()
+        loaded = Controller(DEMO).load(NcText(f"p{seed}.nc", program(seed)))
+        alone = digest(loaded, None, seed)
+        for _ in range(2):
+            start_up.put_back()
+            assert digest(loaded, part, seed) == alone, seed
+    assert any(one is not None for one in found)
+    assert any(one is None for one in found)
 
 
 @pytest.mark.parametrize("seed", range(3))

@@ -14,7 +14,8 @@ from nctakt.base.diagnostics import Span
 from nctakt.decoder.blocks.block_decoder import BlockDecoder
 from nctakt.decoder.blocks.user_errors import user_error
 from nctakt.decoder.compensation import Compensation
-from nctakt.decoder.cycles.builder import SCOPES, CycleBuilder, CycleDefinition
+from nctakt.decoder.cycles.builder import SCOPES, CycleDefinition
+from nctakt.decoder.cycles.kept_cycles import CyclePlace, built_cycle
 from nctakt.decoder.fast.handover import PlainBlocks
 from nctakt.decoder.flow.calls import Calls, has_return
 from nctakt.decoder.flow.computed_blocks import is_literal, with_computed_numbers
@@ -407,8 +408,8 @@ class ProgramDecoder:
                 id=identity,
             )
         serial, first_probe = self._next_cycle()
-        builder = CycleBuilder(self._values, first_probe)
-        built = builder.build(statement, serial, identity or 0, _SCOPE_NAMES[scope])
+        place = CyclePlace(serial, first_probe, identity or 0, _SCOPE_NAMES[scope])
+        built = built_cycle(self._values, statement, place)
         self._keep_cycle(built)
         starts = not statement.definition_only
         self._uncertain_axes.define_cycle(

@@ -217,6 +217,7 @@ class AssembledMachine:
             lambda: self._moving_axes(channel),
             self.channels[channel].path.history_size,
             self.poll,
+            self.realtime.kept_cycles,
         )
 
     def _moving_axes(self, channel: int) -> tuple[str, ...]:

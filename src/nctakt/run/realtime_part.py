@@ -7,6 +7,8 @@ In: ``Machine`` and the layout of its memory. Out: ``RealtimePart``. It knows no
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from nctakt.decoder.axis_limits import history_blocks, look_ahead, single_axes
 from nctakt.kernel import cells
 from nctakt.kernel.axes.axes import Axes
@@ -22,6 +24,9 @@ from nctakt.lists.machine.machine import Machine
 from nctakt.nc.vocabulary.variable_table import Layout, Location
 from nctakt.run.spindle_setup import channel_spindles
 
+if TYPE_CHECKING:
+    from nctakt.decoder.cycles.kept_cycles import KeptCycles
+
 #: The assumed execution time of an elementary instruction, in ns (RC-503).
 INSTRUCTION_COST_NS = 10
 
@@ -33,10 +38,14 @@ DEFAULT_DIAGNOSIS_LEVEL = 3.0
 
 
 class RealtimePart:
-    """Memory, axes, channels and kernel of one machine, as they are at start-up."""
+    """Memory, axes, channels and kernel of one machine, as they are at start-up.
+
+    ``kept_cycles``: cycles of earlier runs on it, where one run follows another.
+    """
 
     def __init__(self, configuration: Machine, layout: Layout) -> None:
         self._configuration = configuration
+        self.kept_cycles: KeptCycles | None = None
         self.memory = bytearray(8 * layout.size)
         self.cells = memoryview(self.memory).cast("d")
         self.record = Record(self.memory)

@@ -8,11 +8,11 @@ Putting back takes a hundredth of the time that building the part anew takes.
 
 from __future__ import annotations
 
-import gc
 import operator
 from collections.abc import Callable, Iterator
 from typing import Any
 
+from nctakt.base.held_objects import held_objects
 from nctakt.kernel.base.record import Record
 from nctakt.kernel.cycles.cycles import RealtimeCycle
 from nctakt.kernel.kernel import Kernel
@@ -31,9 +31,6 @@ _KERNEL = "nctakt.kernel."
 #: The classes whose arrays are replaced by larger ones.
 _WITH_GROWING_ARRAYS = (CommandQueue, Kernel, LoopBody, Record)
 
-#: Containers in which objects of the realtime part stand.
-_CONTAINERS = (dict, list, tuple)
-
 
 class Snapshot:
     """The state of a realtime part when it was taken, at first or again.
@@ -47,7 +44,7 @@ class Snapshot:
         self._growing: list[tuple[Any, list[bytearray]]] = []
         self._paths: list[Path] = []
         buffers: dict[int, bytearray] = {id(realtime.memory): realtime.memory}
-        for part in _parts(realtime.kernel):
+        for part in held_objects(realtime.kernel, _KERNEL):
             kept = type(part).__new__(type(part))
             for cls in type(part).__mro__:
                 if cls in _COPIERS:
@@ -111,21 +108,6 @@ def _buffers_of(part: object) -> Iterator[bytearray]:
     for cls in type(part).__mro__:
         if cls in _ARRAYS:
             yield from map(_buffer_of, _ARRAYS[cls](part))
-
-
-def _parts(root: object) -> Iterator[object]:
-    """Yield an object of the realtime part and all that it holds, each once."""
-    seen = {id(root)}
-    waiting = [root]
-    while waiting:
-        part = waiting.pop()
-        if not isinstance(part, _CONTAINERS):
-            yield part
-        for held in gc.get_referents(part):
-            is_part = isinstance(held, _CONTAINERS) or type(held).__module__.startswith(_KERNEL)
-            if is_part and id(held) not in seen:
-                seen.add(id(held))
-                waiting.append(held)
 
 
 def _buffer_of(array: Any) -> bytearray:

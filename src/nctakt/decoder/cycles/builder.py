@@ -106,7 +106,8 @@ _PROBES_OF_A_CONDITION = 3
 class CycleBuilder:
     """Builds one cycle; ``first_probe``: its number in the probe rows.
 
-    The numbers behind it belong to its conditions, ``$ELSE`` included.
+    The numbers behind it belong to its conditions, ``$ELSE`` included. ``is_repeatable``: what is
+    built depends on the statement and on the units alone, and nothing is reported or registered.
     """
 
     def __init__(self, values: Values, first_probe: int) -> None:
@@ -119,6 +120,7 @@ class CycleBuilder:
             self._leaf, compare_texts=self._texts.compare, macro=values.no_macro
         )
         self._actions = ActionBuilder(values, self._builder)
+        self.is_repeatable = True
         self._conditions = 0
         self._statements = 0
         self._first_probe = first_probe
@@ -134,6 +136,7 @@ class CycleBuilder:
         slots = self._values.environment.parameters.realtime_cycles.buffers
         size = memory_bytes(statement, slots)
         probes = 1 + _PROBES_OF_A_CONDITION * self._conditions
+        self.is_repeatable = self.is_repeatable and not self._frozen and not self._texts.steps
         cycle = RealtimeCycle(body, serial, events, probes, size)
         cycle.probe = self._first_probe
         return CycleDefinition(
@@ -190,6 +193,7 @@ class CycleBuilder:
             cost = command_steps(command, self._names)
             built.append(cycle_statement(self._values, self._builder, command, cost))
         self._statements += len(commands)
+        self.is_repeatable = self.is_repeatable and not commands
         for word in words:
             if isinstance(word, tree.BracketCommand):
                 built.append(self._actions.build(word))
@@ -220,6 +224,7 @@ class CycleBuilder:
 
     def _user_error(self, error: tree.UserError) -> Statement:
         """``#ERROR`` of a cycle (RC-402)."""
+        self.is_repeatable = False
         error_parts = parts(error)
         identity = self._builder.build(error_parts.identity).node
         reaction = self._builder.build(error_parts.reaction).node

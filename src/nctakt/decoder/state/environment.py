@@ -7,6 +7,7 @@ Immutable except for the values in memory.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Span
@@ -19,6 +20,9 @@ from nctakt.lists.machine.axis_configuration import AxisConfiguration
 from nctakt.lists.machine.channel_configuration import ChannelParameters
 from nctakt.nc.outline import ProgramText
 from nctakt.nc.vocabulary.variable_table import NameTable
+
+if TYPE_CHECKING:
+    from nctakt.decoder.cycles.kept_cycles import KeptCycles
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,7 +40,7 @@ class DecoderEnvironment:
     ``controller_data``: data behind V.G and V.S. ``living_cycles``: cycles left by earlier
     programs. ``moving_axes``: returns the names of the axes in independent motion.
     ``history_size``: the number of blocks in the history of the path. ``poll`` is called while the
-    decoder works.
+    decoder works. ``kept_cycles``: cycles of earlier runs, if runs follow each other.
     """
 
     names: NameTable
@@ -62,6 +66,7 @@ class DecoderEnvironment:
     moving_axes: Callable[[], tuple[str, ...]]
     history_size: int
     poll: Callable[[], None]
+    kept_cycles: KeptCycles | None = None
 
 
 class DecodeError(Exception):

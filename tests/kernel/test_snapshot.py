@@ -14,8 +14,7 @@ from program_generator import program
 from random_seeds import all_seeds
 
 from nctakt.base.mode import is_compiled
-from nctakt.decoder.cycles.builder import CycleDefinition
-from nctakt.decoder.cycles.kept_cycles import KeptCycles
+from nctakt.decoder.state.kept_trees import KeptTrees
 from nctakt.kernel.cycles.cycles import CycleManager
 from nctakt.lists.machine.machine import Machine, load_machine
 from nctakt.plc import load_plc
@@ -101,8 +100,8 @@ def test_kept_cycles_run_as_new_ones() -> None:
     start_up = Snapshot(part)
     found = []
 
-    class Counting(KeptCycles):
-        def find(self, key: Hashable) -> CycleDefinition | None:
+    class Counting(KeptTrees):
+        def find(self, key: Hashable) -> object | None:
             found.append(super().find(key))
             return found[-1]
 

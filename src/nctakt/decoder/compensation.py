@@ -15,20 +15,25 @@ corner (G238) is held as a whole, because its last motion determines where both 
 
 from __future__ import annotations
 
-import re
 from collections import deque
 from collections.abc import Callable, Generator, Iterator
 from dataclasses import replace
+from functools import cached_property
 from typing import NoReturn
 
 from nctakt.base.diagnostics import Span
-from nctakt.base.source_ids import NO_SOURCE, unpack
 from nctakt.decoder.blocks.path_motion import PathMotion
 from nctakt.decoder.contour import rows as contour_rows
 from nctakt.decoder.contour.tool_path import ToolPath
 from nctakt.decoder.fast.compensated_lines import CompensatedLines
 from nctakt.decoder.fast.handover import PlainRun
-from nctakt.decoder.pending_motion import PendingMotion, at_tool, block_length, share_of_contour
+from nctakt.decoder.pending_motion import (
+    PendingMotion,
+    at_tool,
+    block_length,
+    plain_span,
+    share_of_contour,
+)
 from nctakt.decoder.state.arcs import PLANES, SAME_POINT_MM, Arc
 from nctakt.decoder.state.commands import Answer, Command, ProgramEnd, Segment, waits
 from nctakt.decoder.state.environment import DecodeError
@@ -63,8 +68,6 @@ MAX_BETWEEN = 1000
 #: Maximum number of motions in a contour with G238, all of which are held.
 MAX_CLOSED = 200
 
-_COMMENT = re.compile(r"[;(].*")
-
 #: A piece of the tool path: start, end, kind, centre, angle (``ToolPath.taken``).
 _Piece = tuple[float, ...]
 
@@ -80,13 +83,17 @@ class Compensation:
         self._path = path
         self._state = values.state.path
         self._pass_time = pass_time
-        self.tool = ToolPath()
         self._motions: deque[PendingMotion] = deque()
         self._spans: deque[tuple[int, Span]] = deque(maxlen=2 * contour_rows.REACH + 2)
         self._between = 0
         self._distance = 0.0
         self._at: tuple[float, float] | None = None
         self.is_releasing = False
+
+    @cached_property
+    def tool(self) -> ToolPath:
+        """The path of the tool's centre, made for the first contour."""
+        return ToolPath()
 
     def compensate(self, commands: Generator[Command, Answer]) -> Generator[Command, Answer]:
         """Yield the commands of a program with its contours compensated; raises ``DecodeError``."""
@@ -386,7 +393,9 @@ class Compensation:
         if number == before.number:
             return
         for passed in range(max(before.number + 1, number - contour_rows.REACH), number):
-            self._spans.append((passed, self._span_of(lines.source_of(passed), file)))
+            self._spans.append(
+                (passed, plain_span(lines.source_of(passed), file, self._environment.line_text))
+            )
         motions = [lines.motion_of(axis) for axis in range(lines.count)]
         segment = replace(
             before.segment,
@@ -400,7 +409,7 @@ class Compensation:
             deviation=0.0 if lines.stops else lines.deviation,
             limits_jerk=lines.limits_jerk,
         )
-        span = self._span_of(lines.source, file)
+        span = plain_span(lines.source, file, self._environment.line_text)
         self._spans.append((number, span))
         self._motions[0] = replace(
             before,
@@ -413,14 +422,6 @@ class Compensation:
         self._at = (self.tool.at_x, self.tool.at_y)
         if self._state.compensation.mode == DEPART_WITHOUT_MOTION:
             self._state.compensation.end = self.tool.beside_end()
-
-    def _span_of(self, source: int, file: str) -> Span:
-        """Return the span of a plain block up to the end of its line, without a comment."""
-        if source == NO_SOURCE:
-            return Span(file, 1, 1, 2)
-        _, line, column = unpack(source)
-        text = self._environment.line_text(Span(file, line, column, column + 1))
-        return Span(file, line, column, len(_COMMENT.sub("", text).rstrip()) + 1)
 
     # --- commands out ----------------------------------------------------------------------------
 

@@ -3,14 +3,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import re
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Message, Span
+from nctakt.base.source_ids import NO_SOURCE, unpack
 from nctakt.decoder.state.commands import Command, Segment
 from nctakt.kernel.base import arithmetic
 from nctakt.lists.machine.axis_configuration import AxisConfiguration
+
+_COMMENT = re.compile(r"[;(].*")
 
 
 @dataclass(slots=True)
@@ -74,3 +78,12 @@ def block_length(
             rise = segment.target[index] - segment.start[index]
             first2 += rise * rise
     return arithmetic.square_root(first2) + sum(lengths[1:])
+
+
+def plain_span(source: int, file: str, line_text: Callable[[Span], str]) -> Span:
+    """Return the span of a plain block up to the end of its line, without a comment."""
+    if source == NO_SOURCE:
+        return Span(file, 1, 1, 2)
+    _, line, column = unpack(source)
+    text = line_text(Span(file, line, column, column + 1))
+    return Span(file, line, column, len(_COMMENT.sub("", text).rstrip()) + 1)

@@ -25,7 +25,7 @@ from nctakt.nc.vocabulary.variable_table import Layout, Location
 from nctakt.run.spindle_setup import channel_spindles
 
 if TYPE_CHECKING:
-    from nctakt.decoder.cycles.kept_cycles import KeptCycles
+    from nctakt.decoder.state.kept_trees import KeptTrees
 
 #: The assumed execution time of an elementary instruction, in ns (RC-503).
 INSTRUCTION_COST_NS = 10
@@ -45,7 +45,7 @@ class RealtimePart:
 
     def __init__(self, configuration: Machine, layout: Layout) -> None:
         self._configuration = configuration
-        self.kept_cycles: KeptCycles | None = None
+        self.kept_cycles: KeptTrees | None = None
         self.memory = bytearray(8 * layout.size)
         self.cells = memoryview(self.memory).cast("d")
         self.record = Record(self.memory)

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections import OrderedDict
 
-from nctakt.decoder.cycles.kept_cycles import KeptCycles
+from nctakt.decoder.state.kept_trees import KeptTrees
 from nctakt.lists.machine.machine import Machine
 from nctakt.run.machine_names import names_of_machine
 from nctakt.run.realtime_part import RealtimePart
@@ -24,7 +24,7 @@ class LentPart:
 
     def __init__(self, part: RealtimePart, shelf: list[LentPart]) -> None:
         self.part = part
-        part.kept_cycles = KeptCycles()
+        part.kept_cycles = KeptTrees()
         self._start_up = Snapshot(part)
         self._shelf = shelf
 

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Generator
+from functools import cached_property
 from typing import Protocol
 
 from nctakt.base.dataclass import dataclass
@@ -33,7 +34,9 @@ from nctakt.nc.source import LineReader
 class PendingContour(Protocol):
     """The compensated contour of a program, possibly none (``compensation.py``)."""
 
-    tool: ToolPath
+    @property
+    def tool(self) -> ToolPath:
+        """The path of the tool's centre."""
 
     def can_export(self) -> bool:
         """Return whether plain blocks may continue it; true without a contour."""
@@ -60,17 +63,25 @@ class PlainBlocks:
         self._state = values.state
         self._uncertain_axes = uncertain_axes
         self._technology = technology
-        parameters = self._environment.parameters
-        self._scanner = plain_scanner(parameters)
+        self._scanner = plain_scanner(self._environment.parameters)
         self._contour = contour
-        count = len(self._environment.axes)
-        self._compensated = CompensatedLines(contour.tool, count)
-        self._plain_lines = PlainLines(self._scanner, count, self._compensated)
-        self._plain_lines.max_blocks = max_blocks
-        self._plain_lines.rapid_stops_exactly = parameters.exact_stop_after_g00
+        self._max_blocks = max_blocks
         self._lines: LineReader | None = None
         self._file = ""
         self._run = PlainRun(0, 0, self)
+
+    @cached_property
+    def _compensated(self) -> CompensatedLines:
+        """The lines of a compensated contour, made for the first plain block."""
+        return CompensatedLines(self._contour.tool, len(self._environment.axes))
+
+    @cached_property
+    def _plain_lines(self) -> PlainLines:
+        """The lines, made for the first plain block."""
+        lines = PlainLines(self._scanner, len(self._environment.axes), self._compensated)
+        lines.max_blocks = self._max_blocks
+        lines.rapid_stops_exactly = self._environment.parameters.exact_stop_after_g00
+        return lines
 
     def decode(self, reader: SectionReader, blocks: int) -> Generator[Command, Answer, int]:
         """Decode the plain blocks that follow; return ``blocks`` after them.

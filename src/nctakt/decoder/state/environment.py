@@ -22,7 +22,7 @@ from nctakt.nc.outline import ProgramText
 from nctakt.nc.vocabulary.variable_table import NameTable
 
 if TYPE_CHECKING:
-    from nctakt.decoder.cycles.kept_cycles import KeptCycles
+    from nctakt.decoder.state.kept_trees import KeptTrees
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,7 +66,7 @@ class DecoderEnvironment:
     moving_axes: Callable[[], tuple[str, ...]]
     history_size: int
     poll: Callable[[], None]
-    kept_cycles: KeptCycles | None = None
+    kept_cycles: KeptTrees | None = None
 
 
 class DecodeError(Exception):

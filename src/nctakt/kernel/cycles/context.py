@@ -38,13 +38,14 @@ class Context:
         hli: Hli,
         timers: Timers,
         single_axes: SingleAxes,
+        spindles: Spindles,
     ) -> None:
         self.cells = memoryview(memory).cast("d")
         self.record = record
         self.hli = hli
         self.timers = timers
         self.single_axes = single_axes
-        self.spindles = Spindles(memory, 0, 0, record, 1000)
+        self.spindles = spindles
         self.tick = 0
         self.serial = 0
         self.run = 0
@@ -105,9 +106,10 @@ def context_of(memory: bytearray) -> Context:
 
 
 @cache
-def _without_machine() -> tuple[Hli, Timers, SingleAxes]:
-    """Slots, timers and axes that no expression reaches: the same for all such contexts."""
+def _without_machine() -> tuple[Hli, Timers, SingleAxes, Spindles]:
+    """What no expression reaches: slots, timers, axes, spindles; the same for all of them."""
     own = bytearray(8 * (cells.PANEL_CELLS + cells.TIMERS))
     record = Record(own, row_capacity=1, event_capacity=1, probe_capacity=1)
     single_axes = SingleAxes(Axes(own, 0, 0), record, 1000)
-    return Hli(Panel(own, 0)), Timers(own, cells.PANEL_CELLS, 1000), single_axes
+    timers, spindles = Timers(own, cells.PANEL_CELLS, 1000), Spindles(own, 0, 0, record, 1000)
+    return Hli(Panel(own, 0)), timers, single_axes, spindles

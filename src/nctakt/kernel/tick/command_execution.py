@@ -51,7 +51,7 @@ class CommandExecutor:
         self.edge_probe = EdgeProbe(
             queue.path, hli, record, memory, first_cell + cells.CHANNEL_MEAS_DELTA
         )
-        self.context = Context(memory, record, hli, timers, single_axes)
+        self.context = Context(memory, record, hli, timers, single_axes, manager.spindles)
         self.program_timers = timers
         self.waiting = 0
         self.taken_source = 0

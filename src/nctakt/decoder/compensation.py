@@ -393,9 +393,8 @@ class Compensation:
         if number == before.number:
             return
         for passed in range(max(before.number + 1, number - contour_rows.REACH), number):
-            self._spans.append(
-                (passed, plain_span(lines.source_of(passed), file, self._environment.line_text))
-            )
+            span = plain_span(lines.source_of(passed), file, self._environment.line_text)
+            self._spans.append((passed, span))
         motions = [lines.motion_of(axis) for axis in range(lines.count)]
         segment = replace(
             before.segment,

@@ -9,6 +9,7 @@ two files. Others hold the direction of imports, and keep clocks and chance out.
 from __future__ import annotations
 
 import ast
+import functools
 import re
 import runpy
 from collections.abc import Iterator
@@ -78,6 +79,7 @@ def declarations(module: str) -> dict[str, Declared]:
     return found
 
 
+@functools.lru_cache(4)  # a file's tests stand together
 def tree_of(path: Path) -> ast.Module:
     """The syntax tree of a Python file."""
     return ast.parse(path.read_text("utf-8"))
@@ -310,14 +312,16 @@ def test_types_fit_the_module(path: Path) -> None:
 # --- determinism --------------------------------------------------------------------------------
 
 
-def imports(path: Path) -> Iterator[str]:
+@functools.cache
+def imports(path: Path) -> tuple[str, ...]:
     """The modules that a file imports, those of ``from package import module`` too."""
+    found: list[str] = []
     for node in ast.walk(tree_of(path)):
         if isinstance(node, ast.Import):
-            yield from (alias.name for alias in node.names)
+            found += (alias.name for alias in node.names)
         elif isinstance(node, ast.ImportFrom) and node.module is not None:
-            yield node.module
-            yield from (f"{node.module}.{alias.name}" for alias in node.names)
+            found += (node.module, *(f"{node.module}.{alias.name}" for alias in node.names))
+    return tuple(found)
 
 
 #: The files of a session that pace and show what others decide; none of them makes a result.
@@ -701,13 +705,11 @@ def identifiers(tree: ast.Module) -> Iterator[tuple[str, int]]:
             yield node.name, node.lineno
 
 
-@pytest.mark.parametrize("layer", LAYERS)
-def test_names_say_what_they_hold(layer: str) -> None:
+def test_names_say_what_they_hold() -> None:
     """No name is one of the words that may mean anything; bounds are ``max`` and ``min``."""
     found = [
         f"{path.relative_to(PACKAGE)}:{line}: {name}"
         for path in SOURCES
-        if path.relative_to(PACKAGE).as_posix().startswith((f"{layer}/", f"{layer}.py"))
         for name, line in identifiers(tree_of(path))
         if name.strip("_") in VAGUE_NAMES or SUPERLATIVE.match(name)
     ]

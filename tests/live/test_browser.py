@@ -3,6 +3,7 @@
 
 import re
 from collections.abc import Iterator
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
@@ -11,7 +12,8 @@ import pytest
 from nctakt.cli import main
 from tests.live.driving import BROWSER, chromium, opened, served
 
-pytest.importorskip("nicegui", reason="the live page needs NiceGUI")
+if find_spec("nicegui") is None:  # its import takes long, and only the page's process needs it
+    pytest.skip("the live page needs NiceGUI", allow_module_level=True)
 playwright = pytest.importorskip("playwright.sync_api", reason="driving a browser needs Playwright")
 expect = playwright.expect
 

@@ -9,6 +9,7 @@ import time
 import urllib.error
 import urllib.request
 from collections.abc import Iterator
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
@@ -19,7 +20,8 @@ from nctakt.live import track
 from nctakt.live.shared import MAX_LOG, SharedSession
 from tests.live.driving import BROWSER, chromium, opened, served
 
-pytest.importorskip("nicegui", reason="the live page needs NiceGUI")
+if find_spec("nicegui") is None:  # its import takes long, and only the page's process needs it
+    pytest.skip("the live page needs NiceGUI", allow_module_level=True)
 client = pytest.importorskip("websockets.sync.client", reason="strangers need websockets")
 
 pytestmark = pytest.mark.slow

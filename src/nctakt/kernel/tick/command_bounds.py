@@ -13,7 +13,7 @@ from nctakt.kernel.base.bounds import check_index, check_range
 from nctakt.kernel.tick.command_execution import CommandExecutor
 
 #: How many columns a command of each kind has at least; a segment is prepared by the queue.
-_LEAST_LENGTH = {
+_MIN_LENGTH = {
     rows.DWELL: rows.DWELL_TICKS + 1,
     rows.DEFINE_CYCLE: rows.CYCLE_STARTS + 1,
     rows.CONTROL_CYCLE: rows.CONTROL_IDENTITY + 1,
@@ -54,9 +54,9 @@ _LEAST_LENGTH = {
 def check_command(executor: CommandExecutor, command: list[Any]) -> None:
     """Raise ``ValueError`` unless what becomes an index in a tick lies in its table."""
     kind = command[0] if command else None
-    if kind not in _LEAST_LENGTH:
+    if kind not in _MIN_LENGTH:
         raise ValueError(f"{kind} is not a kind of command")
-    check_range(len(command), _LEAST_LENGTH[kind], executor.queue.width, "length of a command")
+    check_range(len(command), _MIN_LENGTH[kind], executor.queue.width, "length of a command")
     axes = executor.path.axes.count
     cell_count = len(executor.cells)
     if kind == rows.WRITE_VARIABLE:

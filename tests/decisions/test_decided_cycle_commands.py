@@ -8,7 +8,7 @@ import math
 import pytest
 from decided import numbers, perform, told
 
-from nctakt.run.controller import Controller
+from nctakt.run.controller import Controller, NcText
 
 
 def test_g01_needs_a_feed_of_this_run() -> None:
@@ -87,3 +87,23 @@ def test_two_sides_are_compared(operator: str, ticks: list[int], right: str) -> 
     assert numbers(run) == []
     written = [line.split() for line in told(run, "written")]
     assert [int(words[0]) for words in written if words[2] == "V.E.VALUE1"] == ticks
+
+
+@pytest.mark.parametrize(
+    ("statement", "more"),
+    [
+        ("V.E.COUNT += 1", 1),
+        ("M100", 2),
+        ("$IF V.E.COUNT > 1\n$ENDIF", 2),
+    ],
+)
+def test_room_for_all_that_a_cycle_can_record_in_a_tick(statement: str, more: int) -> None:
+    """RC-603: each statement may be an event, and what it puts out another one."""
+    found: list[int] = []
+    for count in (1, 4):
+        body = f"{statement}\n" * count
+        Controller().run(
+            NcText("part.nc", f"#RT CYCLE [ID=1]\n{body}#RT CYCLE END\nM30"),
+            on_cycle=lambda _name, definition: found.append(definition.cycle.events),
+        )
+    assert found[1] - found[0] == 3 * more

@@ -270,7 +270,8 @@ def test_a_bytes_value_of_half_a_cell_is_refused() -> None:
 
 def test_rows_of_an_image_that_leave_it_are_refused() -> None:
     """Byte, kind, cell and size of each variable."""
-    kernel = Rig().machine.kernel
+    machine = Rig().machine
+    kernel, count = machine.kernel, len(machine.memory) // 8
     units = kernel.image.units if hasattr(kernel.image, "units") else None
     for row in (
         (64, 7, 0, 8, True),
@@ -278,6 +279,8 @@ def test_rows_of_an_image_that_leave_it_are_refused() -> None:
         (0, 9, 0, 8, True),
         (0, 7, -1, 8, True),
         (0, 7, 10**9, 8, True),
+        (0, 7, count, 8, True),
+        (0, 8, count - 1, 9, True),
         (0, 7, 0, 9, True),
         (0, 8, 0, 65, True),
     ):

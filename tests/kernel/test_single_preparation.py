@@ -230,6 +230,25 @@ def jerk_limited(axes: int = 2) -> LookAhead:
     return ahead
 
 
+@pytest.mark.parametrize(("is_rounded", "speed"), [(True, 50.0), (False, 1e300)])
+def test_a_straight_segment_behind_a_rounding_takes_three_ticks(
+    is_rounded: bool, speed: float
+) -> None:
+    """0.15 mm in 3 ms; without a rounding nothing limits the speed where nothing turns."""
+    ahead = jerk_limited()
+    both = segments(2)
+    row = rows.segment_width(2)
+    for at in (0, row):
+        both[at + rows.LENGTH] = 0.15
+        both[at + rows.SPEED] = both[at + rows.MAX_SPEED] = 100.0
+        both[at + rows.ACCELERATION], both[at + rows.JERK] = LIMIT_A, 1e5
+    ahead.corner.entering[0] = ahead.corner.leaving[0] = 1.0
+    ahead.corner.set_steps()
+    ahead.corner.last_is_rounded = is_rounded
+    ahead.jerk.join(both, 0, row)
+    assert both[rows.CORNER_SPEED] == pytest.approx(speed)
+
+
 def test_from_a_line_into_an_arc_the_jerk_of_the_step_is_used_up() -> None:
     """v²/r begins within a tick: it takes v²/r·(3/4 + share of the shortest segment)/T of it."""
     ahead = jerk_limited()

@@ -365,6 +365,28 @@ def test_a_rounding_is_made_where_it_fits_and_saves_time(
     assert rounding.round(both, 0, row, 3) == 0
 
 
+def test_a_rounding_that_is_taken_back_leaves_both_segments_as_they_were() -> None:
+    """Each column of both, but for the command that the second one continues."""
+    ahead = jerk_limited()
+    rounding: Any = ahead.rounding
+    both = segments(2)
+    row = rows.segment_width(2)
+    both[row + rows.JERK] = 1e5
+    for column in (rows.LENGTH, rows.SPEED, rows.ACCELERATION, rows.START, rows.START + 3):
+        both[column], both[row + column] = 10.0 + column, 200.0 + column
+    kept = list(both)
+    ahead.corner.last_deviation = 0.1
+    rounding.rounding_half = rounding.rounding_speed = rounding.saves_time = lambda *_: 1.0
+    rounding.limit_rounding = lambda *_: None
+    rounding.put_rounding = lambda *_: None
+    assert rounding.round(both, 0, row, 3) == 1
+    for i in range(2 * row):
+        both[i] = -1.0
+    rounding.restore(both, 0, row)
+    kept[row + rows.PREDECESSOR] = 3.0
+    assert list(both) == kept
+
+
 def test_on_a_rounding_the_turn_takes_its_part_of_acceleration_and_jerk() -> None:
     """v²·step/half and v³·step/half² of the axis, each with 2 % left over."""
     ahead = jerk_limited()

@@ -54,6 +54,46 @@ $WHILE P1 < 3
   P1 += 1
 $ENDWHILE
 M30
+; --- words of structures from other languages
+$FOR P1 = 1, 10, 1
+$NEXT ; error 900107 "$NEXT"
+$WHILE P1 < 3
+  P1 += 1
+$WEND ; error 900107 "$WEND"
+#VAR
+  V.P.A = 3
+#END VAR ; error 20509 "#END VAR"
+#RTCYCLE [ID=1 SCOPE=PROG] ; error 20509 "#RTCYCLE"
+  $IF EGDE V.E.COUNT > 5 ; error 20392 "'EGDE' does not say how often"
+    V.E.COUNT = 1
+  $ELSEIF V.E.COUNT > 7
+    V.E.COUNT = 2
+  $ENDIF
+  $IF RISING V.E.COUNT > 5 ; error 20392 "'RISING' does not say how often"
+    V.E.COUNT = 1
+  $ENDIF
+#RT CYCLE_END ; error 20509 "#RT CYCLE_END"
+#RT CYCLE [ID=2 SCOPE=PROG]
+  V.E.COUNT = 1
+#END RT CYCLE ; error 20509 "#END RT CYCLE"
+$IF P1 === 3 ; error 900101 "'===' is not an operator"
+$ENDIF
+$GOTO 100 ; error 900114 "100 needs the sign"
+N100: G01 X1 F100
+RETURN ; error 20797 "BASIC, for the end of a subprogram"
+WAIT 5 ; error 20797 "BASIC, for a dwell"
+STOP ; error 20797 "BASIC, for a halt"
+END ; error 20797 "BASIC, for the end of a program"
+G01 X10
+M30
+; --- names, units, steps
+VE.COUNT = 3 ; error 20797 "VE.COUNT is not a variable"
+V,E.COUNT = 3 ; error 20797 "V,E.COUNT is not a variable"
+++P1 ; error 20797 "++P1"
+G01 X10mm F100 ; error 20797 "values have no unit"
+G01 F500mm/min ; error 20797 "values have no unit"
+G01 X1
+M30
 ; --- values
 G01 X1,5 F1000 ; error 20797 "1,5 is not a number"
 P1 = 1,5 ; error 20797 "1,5 is not a number"

@@ -87,7 +87,9 @@ def check_program(
     for name, span in calls:
         path = find_program(name, folders, access)
         if path is None:
-            found.append(missing(name, folders, access, span, source.line_of(span)))
+            lost = missing(name, folders, access, span, source.line_of(span))
+            if not any(item.message is lost.message and item.span == lost.span for item in found):
+                found.append(lost)
         else:
             called[path] = None
     marked = None if memory is None else memory.scripts.of(source.lines)

@@ -34,7 +34,7 @@ from nctakt.messages.nc_text import (
     TEXT_NOT_CLOSED,
     UNKNOWN_CONTROL_WORD,
 )
-from nctakt.messages.slips import BODY_BEHIND_CONDITION, SURPLUS_WORD
+from nctakt.messages.slips import BODY_BEHIND_CONDITION, SURPLUS_WORD, UNIT_BEHIND_VALUE
 from nctakt.nc.parse.lexer import without_comments
 
 _REPLACE = Text("Write {new}", "{new} schreiben")
@@ -97,7 +97,7 @@ def _remedies(
     written = line[span.column - 1 : span.end_column - 1]
     uri = document.uri
     new = _right_word(item)
-    if item.message is SURPLUS_WORD:
+    if item.message in (SURPLUS_WORD, UNIT_BEHIND_VALUE):
         title = _REMOVE.get(language).format(old=written)
         yield title, [TextEdit(area, "")], uri
     elif item.message is BODY_BEHIND_CONDITION:

@@ -53,6 +53,25 @@ MISSPELT_FREQUENCY = error(
     found=_FOUND,
     replacement=_REPLACEMENT,
 )
+UNIT_BEHIND_VALUE = error(
+    20797,
+    known_as=(901478,),
+    en="{found} stands behind a value: values have no unit",
+    de="{found} steht hinter einem Wert: Werte haben keine Einheit",
+    remedy_en="Remove {found}; G70 and G71 choose inch or mm, G94 and G95 the unit of F.",
+    remedy_de="{found} entfernen; G70 und G71 wählen Zoll oder mm, G94 und G95 die Einheit von F.",
+    found=_FOUND,
+)
+POINT_MISSING_IN_NAME = error(
+    20797,
+    known_as=(901479,),
+    en="{found} is not a variable: points divide the parts of its name",
+    de="{found} ist keine Variable: Punkte trennen die Teile ihres Namens",
+    remedy_en="Write {replacement}",
+    remedy_de="{replacement} schreiben.",
+    found=_FOUND,
+    replacement=_REPLACEMENT,
+)
 SURPLUS_WORD = error(
     20797,
     known_as=(901167,),

@@ -24,7 +24,23 @@ _SECOND_PART = re.compile(r"\s+(IF|FOR|WHILE|DO|SWITCH)(?!\w)", re.IGNORECASE)
 _DIVIDED = ("$ELSE", "$END")
 #: How similar a word or command must be to open or close what the similar one does.
 _SIMILARITY = 0.75
-_OTHER_SPELLINGS = ("$ELIF",)
+#: Words of other languages.
+_OTHER_WORDS = {
+    "$ELIF": "$ELSEIF",
+    "$FI": "$ENDIF",
+    "$NEXT": "$ENDFOR",
+    "$WEND": "$ENDWHILE",
+    "$ESAC": "$ENDSWITCH",
+}
+#: Ends of ``#`` structures, without blanks and ``_``.
+_OTHER_ENDS = {
+    **dict.fromkeys(
+        ("ENDRTCYCLE", "RTCYCLEEND", "RTENDCYCLE", "ENDCYCLE", "ENDRT"), ("RT", "CYCLE", "END")
+    ),
+    "ENDVAR": ("ENDVAR",),
+    "VAREND": ("ENDVAR",),
+    "ENDCOMMENT": ("COMMENT", "END"),
+}
 
 
 def control_word(
@@ -41,10 +57,10 @@ def control_word(
     if second is not None:
         text.pos = second.end()
         word += second[1].upper()
-    suggestion = close_names(word, names, 0.0)[0]
+    suggestion = _OTHER_WORDS.get(word) or close_names(word, names, 0.0)[0]
     written = shown(text.text[start : text.pos])
     error = BlockError(UNKNOWN_CONTROL_WORD, start, text.pos, word=written, suggestion=suggestion)
-    if not close_names(word, (suggestion,), _SIMILARITY) and word not in _OTHER_SPELLINGS:
+    if not close_names(word, (suggestion,), _SIMILARITY) and word not in _OTHER_WORDS:
         raise error
     structures.block_error(text, error)
     return suggestion
@@ -57,16 +73,24 @@ def structure_command(
     structures: StructureStack,
 ) -> tuple[Name, ...]:
     """Return the words of a command, in place of misspelt ones those of a structure."""
+    end = _OTHER_ENDS.get("".join(word.name for word in words).replace("_", ""))
+    if end is not None:
+        return _meant(text, words, end, structures)
     for meant in known:
         written = words[: len(meant)]
         if close_names(" ".join(word.name for word in written), (" ".join(meant),), _SIMILARITY):
-            start = text.text.index("#")
-            span = replace(text.span(start, start + 1), end_column=written[-1].span.end_column)
-            nearest = "#" + " ".join(meant)
-            error = BlockError(
-                UNKNOWN_COMMAND, 0, 0, span, word=shown(text.text_of(span)), nearest=nearest
-            )
-            structures.block_error(text, error)
-            named = zip(written, meant, strict=False)
-            return (*(replace(word, name=name) for word, name in named), *words[len(meant) :])
+            return (*_meant(text, written, meant, structures), *words[len(meant) :])
     return tuple(words)
+
+
+def _meant(
+    text: BlockText, written: Sequence[Name], meant: tuple[str, ...], structures: StructureStack
+) -> tuple[Name, ...]:
+    """Report words of a command; return those that are meant, at the same places."""
+    start = text.text.index("#")
+    span = replace(text.span(start, start + 1), end_column=written[-1].span.end_column)
+    nearest = "#" + " ".join(meant)
+    error = BlockError(UNKNOWN_COMMAND, 0, 0, span, word=shown(text.text_of(span)), nearest=nearest)
+    structures.block_error(text, error)
+    last = len(written) - 1
+    return tuple(replace(written[min(n, last)], name=name) for n, name in enumerate(meant))

@@ -195,7 +195,7 @@ def _declaration_line(
     frame = structures.top
     assert isinstance(frame, VariablesFrame)
     if first == "#" and text.text[text.pos + 1 :].lstrip().upper().startswith(
-        ("ENDVAR", "COMMENT")
+        ("ENDVAR", "END VAR", "END_VAR", "COMMENT")
     ):
         return False
     if first in ("#", "$", "%") or (frame.failed_lines and not _declares(text)):

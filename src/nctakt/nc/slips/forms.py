@@ -23,11 +23,13 @@ from nctakt.messages.slips import (
     LETTER_IN_NUMBER,
     MISSPELT_FREQUENCY,
     OPERATOR_OF_OTHER_LANGUAGE,
+    POINT_MISSING_IN_NAME,
     ROUND_BRACKETS,
     SEPARATOR_IN_FOR,
     SIGN_MISSING_BEFORE_WORD,
     STEP_OPERATOR,
     SURPLUS_WORD,
+    UNIT_BEHIND_VALUE,
     WORD_FOR_CYCLE_COMMAND,
     WORD_INSIDE_BRACKETS,
 )
@@ -49,6 +51,8 @@ _OPERATORS = {
     "<>": "!=",
     ":=": "=",
     "%": "MOD",
+    "===": "==",
+    "!==": "!=",
 }
 _CYCLE_COMMANDS = {
     "DEL": "DELETE",
@@ -60,6 +64,15 @@ _CYCLE_COMMANDS = {
     "ABORT": "ABORT ACTION",
 }
 _FREQUENCIES = ("ONCE", "EDGE", "ALWAYS")
+_OTHER_FREQUENCIES = {
+    "RISING": "EDGE",
+    "POSEDGE": "EDGE",
+    "R_TRIG": "EDGE",
+    "TRIGGER": "EDGE",
+    "FIRST": "ONCE",
+    "EVERY": "ALWAYS",
+    "CYCLIC": "ALWAYS",
+}
 _DECLARED = r"(?:P\w+|Vs?\.\w+(?:\.\w+|\[[^\]]*\])*)"
 _HEAD = r"^\s*(?:/\d*\s*)?(?:N\d+\s*:?\s*)?"
 _CONDITION = r"[$#](?:IF|ELSEIF|WHILE|UNTIL|ENDDO)\b"
@@ -75,7 +88,8 @@ def _bracketed(match: re.Match[str]) -> str:
 
 
 def _frequency(match: re.Match[str]) -> str:
-    return close_names(match["wrong"].upper(), _FREQUENCIES, 0.0)[0]
+    word = match["wrong"].upper()
+    return _OTHER_FREQUENCIES.get(word) or close_names(word, _FREQUENCIES, 0.0)[0]
 
 
 def _comment(match: re.Match[str]) -> str:
@@ -114,7 +128,7 @@ FORM_SLIPS: tuple[FormSlip, ...] = tuple(
             OPERATOR_OF_OTHER_LANGUAGE,
             _operator,
         ),
-        (r"(?P<wrong>=>|=<|<>|:=)", OPERATOR_OF_OTHER_LANGUAGE, _operator),
+        (r"(?P<wrong>=>|=<|<>|:=|[=!]==)", OPERATOR_OF_OTHER_LANGUAGE, _operator),
         (r"[\w\]]\s*(?P<wrong>%)\s*[\w\[]", OPERATOR_OF_OTHER_LANGUAGE, _operator),
         (
             rf"(?P<wrong>(?P<name>{_DECLARED})\s*(?P<sign>[+-])(?P=sign))",
@@ -122,13 +136,31 @@ FORM_SLIPS: tuple[FormSlip, ...] = tuple(
             r"\g<name> \g<sign>= 1",
         ),
         (
+            rf"{_HEAD}(?P<wrong>(?P<sign>[+-])(?P=sign)\s*(?P<name>{_DECLARED}))",
+            STEP_OPERATOR,
+            r"\g<name> \g<sign>= 1",
+        ),
+        (
+            r"(?<![\w.])(?P<wrong>(?P<begin>Vs?)[,\-]?(?P<space>E|P|L|S|CH|CYC|RTA|RTG|A|G)"
+            r"(?P<rest>\.\w+(?:\.\w+)*))",
+            POINT_MISSING_IN_NAME,
+            r"\g<begin>.\g<space>\g<rest>",
+        ),
+        (
+            r"\d(?P<wrong>\s?(?:mm(?:/(?:min|s))?|m/min|in(?:ch)?|rpm|U/min|deg|ms|s|°))(?![\w.])",
+            UNIT_BEHIND_VALUE,
+            "",
+        ),
+        (r"\$GOTO\s+(?P<wrong>\d+)", SIGN_MISSING_BEFORE_WORD, r"N\g<wrong>"),
+        (
             rf"{_CONDITION}.*?(?<![=<>!+\-*/:])(?P<wrong>=)(?!=)",
             EQUALS_IN_CONDITION,
             "==",
         ),
         (rf"{_HEAD}{_DECLARED}\s*(?P<wrong>==)", COMPARISON_AS_ASSIGNMENT, "="),
         (
-            r"\$IF\s+(?P<wrong>EDG|EDGES?|ON|ONES?|ONC|ALWAY|ALLWAYS|ALWYAS)\b.*$",
+            r"\$(?:IF|ELSEIF)\s+(?P<wrong>EDG|EDGES|EGDE|EDEG|EGE|EDGEE|ON|ONES?|ONC|ONEC|ALWAY"
+            rf"|ALLWAYS|ALWYAS|{'|'.join(_OTHER_FREQUENCIES)})\b.*$",
             MISSPELT_FREQUENCY,
             _frequency,
         ),

@@ -12,6 +12,7 @@ import re
 from nctakt.base.diagnostics import Text
 
 _FANUC, _HEIDENHAIN, _SINUMERIK = "Fanuc", "Heidenhain", "Sinumerik"
+_BASIC = "BASIC"
 
 _TOOL_LENGTH = Text("tool length compensation", "Werkzeuglängenkorrektur")
 _TOOL_WORDS = Text(
@@ -226,6 +227,30 @@ OTHER_CONTROLS: tuple[tuple[re.Pattern[str], str, Text, Text], ...] = tuple(
                 "Write G54 … G59 or G159=7; G53 takes them out.",
                 "G54 … G59 oder G159=7 schreiben; G53 wählt sie ab.",
             ),
+        ),
+        (
+            r"(?<![\w#])(?P<wrong>\$?RETURN)(?!\w)",
+            _BASIC,
+            Text("the end of a subprogram", "das Ende eines Unterprogramms"),
+            Text("Write M17.", "M17 schreiben."),
+        ),
+        (
+            r"(?<![\w#])(?P<wrong>\$?(?:END|EXIT))\s*$",
+            _BASIC,
+            Text("the end of a program", "das Programmende"),
+            _END_WORDS,
+        ),
+        (
+            r"(?<![\w])(?P<wrong>[$#]?(?:STOP|PAUSE))\s*$",
+            _BASIC,
+            Text("a halt of the program", "einen Halt des Programms"),
+            Text("Write M00.", "M00 schreiben."),
+        ),
+        (
+            r"(?<![\w#])(?P<wrong>\$?(?:WAIT|DELAY|SLEEP))\s+[\d.]+.*$",
+            _BASIC,
+            Text("a dwell", "eine Verweilzeit"),
+            Text("Write #TIME 0.5 with the seconds.", "#TIME 0.5 mit den Sekunden schreiben."),
         ),
     )
 )

@@ -58,6 +58,7 @@ class RunOptions:
     """What a run is made of; ``Controller.run`` explains each.
 
     ``programs``: number of the channel, from 1 -> its programs, one after another.
+    ``statistics``: with the counts of cycles, functions and effects of a schedule in the result.
     """
 
     programs: Mapping[int, Sequence[AnyProgram]]
@@ -82,6 +83,7 @@ class RunOptions:
     stays: bool = False
     record: InputListener | None = None
     replay: Tape | None = None
+    statistics: bool = True
 
     def check(self) -> None:
         """Check the types of the options; raises ``Failure``."""
@@ -201,7 +203,7 @@ class ProgramRun:
             signals = with_condition_signals(signals, programs, self._machine)
         memory = (self._memory,) if self._memory else ()
         self._loop.recording.open(
-            [*options.sinks, *memory, self._statistics],
+            [*options.sinks, *memory, *([self._statistics] if options.statistics else [])],
             signals,
             options.record_writes and (bool(options.sinks) or options.memory_trace),
             options.why,

@@ -34,6 +34,7 @@ from nctakt.studies.faults import FaultyPlc
 from nctakt.studies.inputs import RunInputs, inputs_of
 from nctakt.studies.measure_nodes import reaction_time
 from nctakt.studies.plan import Plan
+from nctakt.studies.python_measure import PythonMeasure
 from nctakt.studies.realtime_parts import MACHINES, RealtimeParts
 from nctakt.studies.window import Injection
 from nctakt.testing.queries import values_before
@@ -76,6 +77,7 @@ class Bench:
         self._loaded: LoadedProgram | None = None
         self._machines: OrderedDict[Parameters, Machine] = OrderedDict()
         self._parts = RealtimeParts()
+        self._asks_all = any(isinstance(one.node, PythonMeasure) for one in plan.measures)
         reactions = (expected.reaction for expected in plan.expectations)
         self._reactions = tuple(one for one in reactions if one is not None)
         names = (name for measure in plan.measures for name in measure.node.signals())
@@ -225,6 +227,7 @@ class Bench:
             sinks=(digest,) if tape is None else (digest, tape),
             blocks=blocks,
             why=why,
+            statistics=why or schedule is not None or self._asks_all,
             record=None if tape is None else tape.note,
         )
         return BegunRun(controller, controller.begin(options), inputs, before, digest, lent)

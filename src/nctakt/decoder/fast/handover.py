@@ -25,7 +25,7 @@ from nctakt.decoder.state.commands import Answer, Command
 from nctakt.decoder.state.uncertain_axes import UncertainAxes
 from nctakt.decoder.values.variables import Values
 from nctakt.kernel.tick.command_queue import CommandQueue
-from nctakt.nc.fast.plain_lines import EMPTY, PLAIN
+from nctakt.nc.fast.plain_lines import EMPTY, PLAIN, PlainScanner
 from nctakt.nc.inspection import plain_scanner
 from nctakt.nc.outline import SectionReader
 from nctakt.nc.source import LineReader
@@ -63,12 +63,16 @@ class PlainBlocks:
         self._state = values.state
         self._uncertain_axes = uncertain_axes
         self._technology = technology
-        self._scanner = plain_scanner(self._environment.parameters)
         self._contour = contour
         self._max_blocks = max_blocks
         self._lines: LineReader | None = None
         self._file = ""
         self._run = PlainRun(0, 0, self)
+
+    @cached_property
+    def _scanner(self) -> PlainScanner:
+        """What tells plain lines from others, made for the first line of a long program."""
+        return plain_scanner(self._environment.parameters)
 
     @cached_property
     def _compensated(self) -> CompensatedLines:

@@ -19,6 +19,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from nctakt.base.dataclass import dataclass
+from nctakt.base.diagnostics import Severity
 from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN
 from nctakt.cli.file_options import CONFINE_OPTION
@@ -33,6 +34,8 @@ from nctakt.lists.machine.files import machine_folder
 from nctakt.messages import diagnostic
 from nctakt.messages.live import PAGE_NEEDS_FILES
 from nctakt.messages.opcua import OPCUA_LIBRARY_MISSING
+from nctakt.messages.real_schedule import SPEED_OF_REAL_SCHEDULE
+from nctakt.messages.scheduled_runs import OPTION_WITHOUT_SCHEDULE
 from nctakt.messages.servers import INVALID_NET_ID, NO_DOOR, PAGE_WITHOUT_PROGRAM
 
 if TYPE_CHECKING:
@@ -137,6 +140,18 @@ that has stopped, 2 wrong usage or unusable input, 3 an error of nctakt's own.
     "first start makes them [default: opcua].",
 )
 @click.option(
+    "--rtconf",
+    metavar="FILE",
+    help="Run interpolation, decoder and PLC by this scheduling list on the clock (Linux).",
+)
+@click.option("--load", metavar="FILE.toml", help="The PLC's thread and times of --rtconf.")
+@click.option(
+    "--os",
+    "system",
+    type=click.Choice(["rtx", "vxworks", "intime", "linux"]),
+    help="Operating system of --rtconf [default: rtx].",
+)
+@click.option(
     "--speed",
     type=click.FloatRange(0.01, 1000.0),
     default=1.0,
@@ -220,6 +235,11 @@ def _serve(options: Options, access: FileAccess, own: _Words) -> int:
     """Open the session and serve it; raises ``Failure`` for what cannot be used."""
     if STANDARD_INPUT in (*options.programs, *(program for _, program in options.others)):
         raise Failure(diagnostic(PAGE_NEEDS_FILES))
+    if options.rtconf is None and (options.load or options.system):
+        option = "--load" if options.load else "--os"
+        raise Failure(diagnostic(OPTION_WITHOUT_SCHEDULE, option=option))
+    if options.rtconf is not None and own.speed != 1.0:
+        raise Failure(diagnostic(SPEED_OF_REAL_SCHEDULE))
     choose_mode(options)
     import asyncio  # noqa: PLC0415 - no other command needs it
 
@@ -227,6 +247,7 @@ def _serve(options: Options, access: FileAccess, own: _Words) -> int:
     from nctakt.servers.log import ServerLog  # noqa: PLC0415 - as above
     from nctakt.servers.serving import serve  # noqa: PLC0415
     from nctakt.session.session import Session  # noqa: PLC0415
+    from nctakt.session.setup import Setup  # noqa: PLC0415
 
     request = read_request(options, access)
     folders = options.confined or served_folders(options)
@@ -248,21 +269,23 @@ def _serve(options: Options, access: FileAccess, own: _Words) -> int:
                 stack.enter_context(OutputFile(file, option, access))
     with contextlib.ExitStack() as stack:
         log = ServerLog(stack.enter_context(_log_writer(own.log)))
-        session = stack.enter_context(
-            Session(
-                channels={1: request.programs, **request.channels},
-                machine=options.machine,
-                plc=options.plc,
-                set=request.assignments,
-                at=request.stimuli,
-                wait_for_start=options.wait_for_start,
-                acknowledges=not own.acknowledge,
-                folders=folders,
-                pace=own.pace,
-                stays=True,
-            )
+        setup = Setup(
+            {1: request.programs, **request.channels},
+            options.machine,
+            options.plc,
+            set=request.assignments,
+            at=request.stimuli,
+            wait_for_start=options.wait_for_start,
+            acknowledges=not own.acknowledge,
+            folders=folders,
+            stays=True,
+            rtconf=options.rtconf,
+            load=options.load,
+            system=options.system,
         )
-        print_diagnostics(session.description.diagnostics, options.language)
+        session = stack.enter_context(Session.of_setup(setup, own.pace))
+        lowest = Severity.ERROR if options.quiet else Severity.NOTE
+        print_diagnostics(session.description.diagnostics, options.language, lowest)
         if session.is_over:
             return EXIT_NC_ERROR
         speed = own.speed
@@ -270,7 +293,7 @@ def _serve(options: Options, access: FileAccess, own: _Words) -> int:
         try:
             asyncio.run(serve(session, machine, log, doors, speed=speed, ready=ready))
         finally:
-            _save(session, own.tape)
+            _end(session, options, own.tape)
     return EXIT_RAN
 
 
@@ -371,7 +394,7 @@ _DOORS: Mapping[str, Callable[[str, _Words], DoorOpener]] = {
 
 
 def served_folders(options: Options) -> tuple[str, ...]:
-    """Return the folders whose files clients may select: of the programs and of the machine.
+    """Return the folders whose files clients may select: of programs, machine and schedule.
 
     Without a program the working directory is one of them.
     """
@@ -380,6 +403,8 @@ def served_folders(options: Options) -> tuple[str, ...]:
     if options.machine is not None:
         machine = Path(machine_folder(options.machine))
         folders[str(machine if machine.is_dir() else machine.parent)] = None
+    schedule = (options.rtconf, options.load)
+    folders.update((str(Path(file).parent), None) for file in schedule if file is not None)
     return tuple(folders)
 
 
@@ -410,7 +435,10 @@ def _ready_teller(file: str | None) -> Callable[[Mapping[str, str]], None]:
     return tell
 
 
-def _save(session: Session, tape: str | None) -> None:
-    """Write the tape, if one is wanted; raises ``Failure`` where it cannot be written."""
+def _end(session: Session, options: Options, tape: str | None) -> None:
+    """Show the table of a real schedule; write the tape; raises ``Failure`` where it cannot be."""
+    table = session.schedule_table(options.language)
+    if table:
+        click.echo(table, nl=False)
     if tape is not None:
         session.save(tape)

@@ -111,7 +111,64 @@ static PyObject *remove_name(PyObject *module, PyObject *arguments)
     Py_RETURN_NONE;
 }
 
+/* Wait for a moment of CLOCK_MONOTONIC without the interpreter's lock; when it came to an end. */
+static PyObject *wait_until(PyObject *module, PyObject *argument)
+{
+    (void)module;
+    int64_t moment = PyLong_AsLongLong(argument), now;
+    if (moment == -1 && PyErr_Occurred())
+        return NULL;
+    struct timespec time = {moment / 1000000000LL, moment % 1000000000LL};
+    Py_BEGIN_ALLOW_THREADS
+    while (moment > 0 && clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &time, NULL) == EINTR) {
+    }
+    now = clock_ns(CLOCK_MONOTONIC);
+    Py_END_ALLOW_THREADS
+    return PyLong_FromLongLong(now);
+}
+
+/* Let the calling thread have a class and a processor; the error of the system, 0 for none. */
+static PyObject *place_thread(PyObject *module, PyObject *arguments)
+{
+    (void)module;
+    int priority, cpu;
+    if (!PyArg_ParseTuple(arguments, "ii", &priority, &cpu))
+        return NULL;
+    int error = cpu > 0 && cpu <= CPU_SETSIZE ? use_cpu(cpu) : 0;
+    int refused = use_fifo(priority);
+    return PyLong_FromLong(error ? error : refused);
+}
+
+static PyObject *open_name(PyObject *module, PyObject *arguments)
+{
+    (void)module;
+    const char *name;
+    if (!PyArg_ParseTuple(arguments, "s", &name))
+        return NULL;
+    sem_t *semaphore = sem_open(name, 0);
+    if (semaphore == SEM_FAILED)
+        return PyErr_SetFromErrnoWithFilename(PyExc_OSError, name);
+    return PyCapsule_New(semaphore, "nctakt.semaphore", NULL);
+}
+
+/* Give a semaphore that was opened; how many of its posts nobody had taken before. */
+static PyObject *post(PyObject *module, PyObject *capsule)
+{
+    (void)module;
+    sem_t *semaphore = PyCapsule_GetPointer(capsule, "nctakt.semaphore");
+    int waiting = 0;
+    if (semaphore == NULL)
+        return NULL;
+    if (sem_getvalue(semaphore, &waiting) != 0 || sem_post(semaphore) != 0)
+        return PyErr_SetFromErrno(PyExc_OSError);
+    return PyLong_FromLong(waiting);
+}
+
 static PyMethodDef methods[] = {
+    {"wait_until", wait_until, METH_O, "Wait for a moment of the monotonic clock in ns."},
+    {"place_thread", place_thread, METH_VARARGS, "Set class and processor of this thread."},
+    {"open", open_name, METH_VARARGS, "Open a named semaphore; OSError."},
+    {"post", post, METH_O, "Give an opened semaphore; its count before."},
     {"spawn", spawn, METH_VARARGS, "Start the scheduler over an area; its process ID."},
     {"create", create, METH_VARARGS, "Make a named semaphore that must not exist; OSError."},
     {"remove", remove_name, METH_VARARGS, "Remove a named semaphore; OSError."},

@@ -3,6 +3,8 @@
 
 from mmap import mmap
 
+class Semaphore: ...
+
 AREA_SIZE: int
 TASK_SIZE: int
 ENTRY_SIZE: int
@@ -15,3 +17,18 @@ def create(name: str, /) -> None:
 
 def remove(name: str, /) -> None:
     """Remove a named semaphore; raises ``OSError``."""
+
+def open(name: str, /) -> Semaphore:
+    """Open a named semaphore for ``post``; raises ``OSError``."""
+
+def post(semaphore: Semaphore, /) -> int:
+    """Give a semaphore; return how many of its posts nobody had taken before."""
+
+def wait_until(moment_ns: int, /) -> int:
+    """Wait for a moment of the monotonic clock, without the interpreter's lock; return the time."""
+
+def place_thread(priority: int, cpu: int, /) -> int:
+    """Give the calling thread a priority of SCHED_FIFO (0: ordinary) and a CPU (0: any).
+
+    Return the system's error, 0 for none.
+    """

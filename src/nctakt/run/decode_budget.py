@@ -38,3 +38,36 @@ class DecodeBudget:
     def can_begin(self) -> bool:
         """Whether the decoder may begin another block now."""
         return self._ran and self._left_ns >= 0
+
+
+class StepBudget(DecodeBudget):
+    """A number of commands that the decoder may give now, whatever time that takes.
+
+    A decoder on a real clock gets one command after another; a tape says how many it got.
+    """
+
+    def __init__(self) -> None:
+        super().__init__(0)
+        self.steps = 0
+
+    def grant(self, time_ns: int) -> None:
+        """Allow this number of commands, and no more that were left."""
+        self.steps = time_ns
+
+    def spend(self, blocks: int) -> None:
+        """Count a command."""
+        self.steps -= 1
+
+    def forgive(self) -> None:
+        """Allow the next program nothing that was left."""
+        self.steps = 0
+
+    @property
+    def is_paid(self) -> bool:
+        """Whether a command can be queued: always."""
+        return True
+
+    @property
+    def can_begin(self) -> bool:
+        """Whether the decoder may give another command."""
+        return self.steps > 0

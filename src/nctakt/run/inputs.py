@@ -30,13 +30,28 @@ if TYPE_CHECKING:
 #: The kinds of inputs.
 WRITE, ACKNOWLEDGE, ACKNOWLEDGE_SPINDLE, AXIS = "write", "ack", "ack_spindle", "axis"
 IMAGE, SELECT = "image", "select"
+#: What a schedule on a real clock has decided: a channel had so many further commands decoded, a
+#: thread was still busy when it was due, the tick was lost.
+DECODED, OVERFLOWED, LOST = "decoded", "overflowed", "lost"
 
-#: Where inputs come from; ``HLI``: a PLC in another process.
-API, STIMULI, PLC, HLI = "api", "stimuli", "plc", "hli"
+#: Where inputs come from; ``HLI``: a PLC in another process, ``SCHEDULE``: a real clock.
+API, STIMULI, PLC, HLI, SCHEDULE = "api", "stimuli", "plc", "hli", "schedule"
 
 #: The order of the sources within a tick, by the first word of their names: tape and stimuli, PLCs,
 #: the servers, persons; others come last. Of two that write one value the later one wins.
-SOURCE_ORDER = (STIMULI, HLI, PLC, "automatic", "ads", "opcua", "mqtt", "page", "debugger", API)
+SOURCE_ORDER = (
+    SCHEDULE,
+    STIMULI,
+    HLI,
+    PLC,
+    "automatic",
+    "ads",
+    "opcua",
+    "mqtt",
+    "page",
+    "debugger",
+    API,
+)
 
 #: A tick that no run reaches.
 NEVER = 1 << 62
@@ -107,6 +122,7 @@ class Inputs:
         self._listener: InputListener | None = None
         self._noted: Cells = []
         self.on_select: Callable[[int, str], None] | None = None
+        self.on_schedule: Callable[[str, tuple[int, ...]], None] | None = None
         self._image: Callable[[], SharedImage | None] = _no_image
         self._image_changes: tuple[int, list[tuple[str, str]]] = (-1, [])
 
@@ -171,6 +187,14 @@ class Inputs:
                 and 0 <= index < self._channels[channel].context.spindles.count
             ):
                 pass
+            case "decoded", (int() as channel, int() as steps) if (
+                0 <= channel < len(self._channels) and steps >= 0
+            ):
+                pass
+            case ("overflowed", (int() as thread,)) if thread >= 0:
+                pass
+            case "lost", ():
+                pass
             case "select", (int() as channel, str()) if 0 <= channel < len(self._channels):
                 pass
             case "image", (str() as name, str() as digits) if self._fits_image(name, digits):
@@ -231,6 +255,8 @@ class Inputs:
                 if written is None:
                     raise ValueError(name)
                 written.put(str(name), str(digits))
+            case "decoded" | "overflowed" | "lost":
+                self.schedule(planned.kind, *map(int, values))
             case "axis":
                 kind, axis, position, speed, mode, direction = values
                 self.request_axis(
@@ -253,6 +279,12 @@ class Inputs:
         self._tell(source, SELECT, channel, name)
         if self.on_select is not None:
             self.on_select(channel, name)
+
+    def schedule(self, kind: str, *values: int) -> None:
+        """Let the schedule of the coming tick have this, as a real clock has decided it."""
+        self._tell(SCHEDULE, kind, *values)
+        if self.on_schedule is not None:
+            self.on_schedule(kind, values)
 
     def acknowledge(
         self, channel: int, is_realtime: bool, slot: int, serial: int, name: str

@@ -80,13 +80,7 @@ class ScheduledRun:
         self._overflows: dict[int, list[int]] = {}
         self._reported: set[str] = set()
         self._budgets = [DecodeBudget(schedule.load.block) for _ in machine.channels]
-        machine.registry.name_threads([task.name for task in schedule.model.tasks])
-        for channel in machine.channels:
-            channel.is_paced = True
-        if _sends_late(machine.configuration):
-            machine.axes.send_late()
-        if machine.kernel.tick or schedule.model.cycle % NS_PER_US:
-            raise ValueError("a schedule begins with the first tick, of whole microseconds")
+        follow_schedule(machine, schedule)
 
     def budget(self, channel: int) -> DecodeBudget:
         """Return the decode time of a channel; channels count from 0."""
@@ -117,6 +111,9 @@ class ScheduledRun:
         for run in runs:
             run.channel.hli.acknowledges_itself = not has_plc and share.plc_calls > 0
 
+    def end_tick(self) -> None:
+        """Do nothing: no clock measures the tick."""
+
     def findings(self) -> list[Diagnostic]:
         """Return what went wrong in the schedule so far, each finding once."""
         findings = [*self._overflow_errors(), *self._simulated_findings()]
@@ -139,6 +136,17 @@ class ScheduledRun:
             if task.error_on_overflow:
                 first = ticks[0] * tick_us
                 yield diagnostic(THREAD_OVERFLOWED, thread=task.name, count=len(ticks), time=first)
+
+
+def follow_schedule(machine: AssembledMachine, schedule: RunSchedule) -> None:
+    """Let a machine's ticks follow a schedule from the first one on."""
+    machine.registry.name_threads([task.name for task in schedule.model.tasks])
+    for channel in machine.channels:
+        channel.is_paced = True
+    if _sends_late(machine.configuration):
+        machine.axes.send_late()
+    if machine.kernel.tick or schedule.model.cycle % NS_PER_US:
+        raise ValueError("a schedule begins with the first tick, of whole microseconds")
 
 
 def _sends_late(machine: Machine) -> bool:

@@ -20,8 +20,11 @@ from nctakt.run.inputs import (
     ACKNOWLEDGE,
     ACKNOWLEDGE_SPINDLE,
     AXIS,
+    DECODED,
     IMAGE,
     INPUT_WIDTH,
+    LOST,
+    OVERFLOWED,
     SELECT,
     WRITE,
     Cells,
@@ -40,6 +43,9 @@ _SHAPES: Mapping[str, tuple[tuple[type, ...], ...]] = {
     AXIS: ((int,), (int,), (float, int), (float, int), (int,), (int,)),
     IMAGE: ((str,), (str,)),
     SELECT: ((int,), (str,)),
+    DECODED: ((int,), (int,)),
+    OVERFLOWED: ((int,),),
+    LOST: (),
 }
 
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import functools
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Protocol
 
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.kernel import codes
@@ -20,10 +20,30 @@ from nctakt.run.plc_view import AnyPlc, PlcView
 from nctakt.run.recording import Recording
 
 if TYPE_CHECKING:
-    from nctakt.run.scheduled_run import ScheduledRun
+    from nctakt.run.decode_budget import DecodeBudget
+    from nctakt.schedule.open_schedule import RunSchedule
+    from nctakt.schedule.ticks import Share
 
 #: Ticks of the compiled part without a pause, in which Python acts on Ctrl-C.
 TICKS_AT_ONCE = 100_000
+
+
+class TickShares(Protocol):
+    """What a schedule gives decoder, interpolation and PLC, tick by tick."""
+
+    schedule: RunSchedule
+
+    def budget(self, channel: int) -> DecodeBudget:
+        """Return the decode time of a channel; channels count from 0."""
+
+    def prepare(self, runs: Sequence[ChannelRun], *, has_plc: bool) -> Share:
+        """Let the decoders work before the next tick; return the shares of the threads in it."""
+
+    def end_tick(self) -> None:
+        """Note that a tick is done, with the PLC's call behind it."""
+
+    def findings(self) -> list[Diagnostic]:
+        """Return what went wrong in the schedule so far, each finding once."""
 
 
 class TickLoop:
@@ -38,17 +58,16 @@ class TickLoop:
         self,
         machine: AssembledMachine,
         report: Callable[[Diagnostic], None],
-        scheduled_run: ScheduledRun | None,
+        scheduled_run: TickShares | None,
     ) -> None:
         self.machine = machine
         self.channels = [
             ChannelRun(machine, index, report) for index in range(len(machine.channels))
         ]
         self.recording = Recording(machine, report, functools.partial(is_reported, self.channels))
-        self.scheduled_run = scheduled_run
+        self.scheduled_run: TickShares | None = None
         if scheduled_run is not None:
-            for index, channel in enumerate(self.channels):
-                channel.budget = scheduled_run.budget(index)
+            self.follow(scheduled_run)
         self.plc: AnyPlc | None = None
         self.has_plc = False
         self._kernel = machine.kernel
@@ -57,6 +76,12 @@ class TickLoop:
     def tick(self) -> int:
         """The number of ticks since start-up."""
         return self._kernel.tick
+
+    def follow(self, shares: TickShares) -> None:
+        """Let a schedule give decoder, interpolation and PLC their time, before any program."""
+        self.scheduled_run = shares
+        for index, channel in enumerate(self.channels):
+            channel.budget = shares.budget(index)
 
     def connect(self, plc: AnyPlc | None, *, has_plc: bool) -> None:
         """Let this PLC run after each tick; without any, functions acknowledge themselves."""
@@ -89,6 +114,8 @@ class TickLoop:
         if self.plc is not None and self._kernel.tick == due and reason != codes.FULL:
             for _ in range(plc_calls):
                 self.plc.cycle(PlcView(self.machine))
+        if self.scheduled_run is not None:
+            self.scheduled_run.end_tick()
         return bool(self._kernel.is_stopped)
 
     def reset(self, channels: Sequence[ChannelRun]) -> None:

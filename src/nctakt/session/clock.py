@@ -59,6 +59,31 @@ class WallClock:
         """Take what the slice has cost: nothing follows from it."""
 
 
+class ScheduleClock:
+    """The NC interrupts of a real schedule pace the session: each slice takes as long as it lasts.
+
+    ``cycle_time_us``: the length of a tick.
+    """
+
+    speed: float | None = 1.0
+
+    def __init__(self, first_tick: int, cycle_time_us: int) -> None:
+        self._tick = first_tick
+        self._ticks = max(1, int(SLICE_S * 1e6) // cycle_time_us)
+
+    def wait_s(self, now_s: float) -> float:
+        """Return 0: the schedule waits."""
+        return 0.0
+
+    def next_tick(self, now_s: float) -> int:
+        """Return the tick up to which the next slice runs."""
+        return self._tick + self._ticks
+
+    def note(self, ticks: int, took_s: float) -> None:
+        """Take how far the slice has come."""
+        self._tick += ticks
+
+
 class FastClock:
     """As fast as possible, in slices short enough for those who watch."""
 
@@ -84,3 +109,29 @@ class FastClock:
             self._ticks = min(2 * self._ticks, MAX_SLICE_TICKS)
         elif took_s > longest:
             self._ticks = max(self._ticks // 2, 1)
+
+
+#: What paces a session.
+AnyClock = WallClock | ScheduleClock | FastClock
+
+
+class Pacing:
+    """How a session paces itself; ``pace``: by ``slice`` or by ``tick``, else ``ValueError``.
+
+    ``has_schedule``: a real schedule gives the ticks their time.
+    """
+
+    def __init__(self, pace: str, cycle_time_us: int, *, has_schedule: bool) -> None:
+        if pace not in ("slice", "tick"):
+            raise ValueError(pace)
+        self._cycle_time_us = cycle_time_us
+        self._slice_s = SLICE_S if pace == "slice" else cycle_time_us / 1e6
+        self._has_schedule = has_schedule
+
+    def clock(self, speed: float | None, first_tick: int, now_s: float) -> AnyClock:
+        """Return the clock of a speed; ``None``: as fast as possible."""
+        if self._has_schedule:
+            return ScheduleClock(first_tick, self._cycle_time_us)
+        if speed is None:
+            return FastClock(first_tick)
+        return WallClock(speed, first_tick, self._cycle_time_us, now_s, self._slice_s)

@@ -37,6 +37,7 @@ from nctakt.run.tick_loop import TickLoop
 from nctakt.session.channel_states import ChannelState, channel_states
 from nctakt.session.decoders import DecoderState, decoder_state
 from nctakt.session.happened import MAX_EVENTS, Happened
+from nctakt.session.schedules import EngineSchedule
 from nctakt.session.setup import Description, Inventory, Setup
 from nctakt.session.stops import StopAt, StopBuilder
 from nctakt.trace.events import Event
@@ -136,6 +137,8 @@ class Engine:
         access = FileAccess([Path(folder) for folder in setup.folders])
         configuration = load_machine(setup.machine, access=access)
         self._diagnostics = list(configuration.diagnostics)
+        self._schedule = EngineSchedule(setup, access)
+        configuration = self._schedule.scheduled(configuration, self._diagnostics)
         self._machine = machine = AssembledMachine(configuration, access)
         machine.report = self._diagnostics.append
         self._signals = machine.signals()
@@ -150,6 +153,7 @@ class Engine:
         self._listed: list[int | str] = []
         self._told_diagnostics = self._told_messages = 0
         plc = None if setup.plc is None else load_plc(setup.plc)
+        self._schedule.follow(self._loop, plc, self._diagnostics.append)
         stimuli = [read_stimulus(stimulus) for stimulus in setup.at]
         self._run = ProgramRun(
             self._loop,
@@ -184,6 +188,10 @@ class Engine:
             self._planned(stimuli, setup.inputs),
             self._run.state is not None,
         )
+
+    def schedule(self, request: str, *words: str) -> str | None:
+        """Carry out a request of the session to a real schedule; ``None`` without one."""
+        return self._schedule.carry_out(request, *words)
 
     def _planned(self, stimuli: Sequence[Stimulus], inputs: Sequence[Input]) -> list[Input]:
         """Return the inputs that are planned before the first tick."""

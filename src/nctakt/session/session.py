@@ -14,6 +14,7 @@ from pathlib import Path
 from types import TracebackType
 from typing import Any, Self
 
+from nctakt.base.diagnostics import Language
 from nctakt.base.failure import Failure, error_text
 from nctakt.hli.plc_entries import SpindleEntry, TechnologyEntry
 from nctakt.lists.format.times import TimeLike
@@ -23,7 +24,7 @@ from nctakt.run.inputs import API, Input
 from nctakt.run.program_loader import NcText
 from nctakt.run.stimuli import StimulusLike
 from nctakt.session.audience import Audience
-from nctakt.session.clock import SLICE_S, FastClock, WallClock
+from nctakt.session.clock import AnyClock, FastClock, Pacing, WallClock
 from nctakt.session.decoders import DecoderState
 from nctakt.session.engine import CycleState, Glance, Slice, joined
 from nctakt.session.listening import Listener
@@ -108,24 +109,26 @@ class Session:
         ``Failure`` for a tape that cannot be read, or whose programs and lists have changed, unless
         it shall run ``anyway``.
         """
+        return cls.of_setup(read_setup(tape, folders, anyway=anyway), pace)
+
+    @classmethod
+    def of_setup(cls, setup: Setup, pace: str = "slice") -> Self:
+        """Return a session of a setup."""
         session = cls.__new__(cls)
-        session._begin(read_setup(tape, folders, anyway=anyway), pace)
+        session._begin(setup, pace)
         return session
 
     def _begin(self, setup: Setup, pace: str) -> None:
-        if pace not in ("slice", "tick"):
-            raise ValueError(pace)
         self._story = Story(setup, lambda: self._thread.poll())  # noqa: PLW0108 - there is none yet
         self._setup = setup
         self.description: Description = self._story.description
-        self._slice_s = SLICE_S if pace == "slice" else self.description.cycle_time_us / 1e6
+        has_schedule = setup.rtconf is not None
+        self._pacing = Pacing(pace, self.description.cycle_time_us, has_schedule=has_schedule)
         self._audience = Audience(self._story)
         self._thread = SessionThread(self._run_slice)
         self._ask = self._thread.ask
 
-    # --- slices ---------------------------------------------------------------------------------
-
-    def _run_slice(self, clock: WallClock | FastClock) -> None:
+    def _run_slice(self, clock: AnyClock) -> None:
         begin_s = time.monotonic()
         end = clock.next_tick(begin_s)
         try:
@@ -138,8 +141,6 @@ class Session:
         except (Failure, RuntimeError) as error:
             self._thread.clock = None
             self._audience.tell("refused", error_text(error))
-
-    # --- where it stands ------------------------------------------------------------------------
 
     @property
     def tick(self) -> int:
@@ -277,12 +278,8 @@ class Session:
         self._ask(self._play, speed)
 
     def _play(self, speed: float | None) -> None:
-        tick = self._story.tick
-        if speed is None:
-            self._thread.clock = FastClock(tick)
-        else:
-            cycle_us = self.description.cycle_time_us
-            self._thread.clock = WallClock(speed, tick, cycle_us, time.monotonic(), self._slice_s)
+        self._story.restart_schedule()
+        self._thread.clock = self._pacing.clock(speed, self._story.tick, time.monotonic())
 
     def pause(self) -> Slice:
         """Stop between two ticks, also a ``run`` of another thread; return the latest slice."""
@@ -438,6 +435,10 @@ class Session:
         """
         inputs, ticks = self._ask(lambda: (self._story.tape(), self._story.branch.latest))
         save_tape(path, self._setup, inputs, ticks)
+
+    def schedule_table(self, language: Language) -> str:
+        """Return the table of a real schedule up to here; empty without one."""
+        return self._ask(self._story.schedule_table, language)
 
     # --- listening ------------------------------------------------------------------------------
 

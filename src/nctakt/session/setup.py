@@ -22,8 +22,9 @@ class Setup:
     ``programs``: number of the channel, from 1 -> its programs. ``machine``: a folder, ``None`` for
     the demo machine. ``plc``: a Python file. ``acknowledges``: technology functions acknowledge
     themselves where there is no PLC; else whoever watches the session does it. ``folders``: the
-    only ones whose files may be read, where there are any. ``inputs``: those of a tape. ``why`` and
-    the rest as in ``Controller.run``.
+    only ones whose files may be read, where there are any. ``inputs``: those of a tape. ``rtconf``:
+    a scheduling list by which the controller's threads run on a real clock, with its ``load`` and
+    the name of its operating system. ``why`` and the rest as in ``Controller.run``.
     """
 
     programs: Mapping[int, Sequence[str | Path | NcText]]
@@ -40,6 +41,9 @@ class Setup:
     why: bool = False
     stays: bool = False
     inputs: Sequence[Input] = ()
+    rtconf: str | None = None
+    load: str | None = None
+    system: str | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -11,7 +11,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import cast
 
-from nctakt.base.diagnostics import Diagnostic
+from nctakt.base.diagnostics import Diagnostic, Language
 from nctakt.base.failure import Failure
 from nctakt.hli.plc_entries import SpindleEntry, TechnologyEntry
 from nctakt.lists.format.times import TimeLike, read_time
@@ -304,6 +304,14 @@ class Story:
             return cast("Run", engine.ask("result"))
         finally:
             engine.close()
+
+    def restart_schedule(self) -> None:
+        """Let a real schedule begin anew behind a pause."""
+        self._timeline.restart_schedule()
+
+    def schedule_table(self, language: Language) -> str:
+        """Return the table of a real schedule; empty without one."""
+        return self._timeline.schedule_table(language)
 
     def tape(self) -> list[Input]:
         """Return the inputs of this branch, the PLC's too, in the order of their ticks."""

@@ -24,6 +24,7 @@ from nctakt.run.program_loader import NcText, name_of
 from nctakt.run.stimuli import parse_assignment
 from nctakt.run.tape import Tape, TapeWriter, changed_files, name_on_tape, read_tape
 from nctakt.run.tape_words import words_of
+from nctakt.session.schedules import schedule_of_setup
 from nctakt.session.setup import Setup
 
 
@@ -38,7 +39,7 @@ def save_tape(path: str | Path, setup: Setup, inputs: Sequence[Input], ticks: in
     for program in _programs(setup):
         if not isinstance(program, NcText):
             access.note(program)
-    controller = Controller(setup.machine, access=access)
+    controller = Controller(setup.machine, schedule_of_setup(setup, access), access)
     replayed = Tape({}, texts, has_plc, tuple(inputs), {}, ticks, "", {})
     with OutputFile(path, "tape", access) as file:
         writer = TapeWriter(file.write, _words(setup), texts, has_plc)
@@ -87,9 +88,9 @@ def _words(setup: Setup) -> dict[str, Any]:
         "wait_for_start": setup.wait_for_start,
         "blocks": True,
         "stays": setup.stays,
-        "rtconf": None,
-        "load": None,
-        "system": None,
+        "rtconf": setup.rtconf,
+        "load": setup.load,
+        "system": setup.system,
         "confined": [str(folder) for folder in setup.folders],
     }
 

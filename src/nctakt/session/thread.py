@@ -16,7 +16,7 @@ from typing import ParamSpec, TypeVar
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
 from nctakt.messages.session import INTERRUPTED, SESSION_IS_CLOSED
-from nctakt.session.clock import FastClock, WallClock
+from nctakt.session.clock import AnyClock
 
 #: Commands that wait for the thread at most; whoever brings one more waits.
 MAX_COMMANDS = 1000
@@ -32,9 +32,9 @@ class SessionThread:
     calls of ``interrupt``: a command that was asked for before the last one shall end.
     """
 
-    def __init__(self, run_slice: Callable[[WallClock | FastClock], None]) -> None:
+    def __init__(self, run_slice: Callable[[AnyClock], None]) -> None:
         self._run_slice = run_slice
-        self.clock: WallClock | FastClock | None = None
+        self.clock: AnyClock | None = None
         self.interruptions = 0
         self._asked_at = 0
         self.is_closed = False

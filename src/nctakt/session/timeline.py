@@ -12,14 +12,18 @@ import bisect
 import contextlib
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from typing import cast
 
 from nctakt.base.dataclass import dataclass, field
+from nctakt.base.diagnostics import Language
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
+from nctakt.messages.real_schedule import REAL_SCHEDULE_HAS_NO_PAST
 from nctakt.messages.session import NO_SUCH_BRANCH, TICK_NOT_REACHED
-from nctakt.run.inputs import PLC, Input, in_order
+from nctakt.run.inputs import PLC, SCHEDULE, Input, in_order
 from nctakt.session.engine import Slice, joined
 from nctakt.session.parking import SPARSE_US, Cost, approach, surplus
+from nctakt.session.schedules import CLOSE, RESTART, TABLE
 from nctakt.session.setup import Setup
 from nctakt.session.stops import StopAt
 from nctakt.session.workshop import RemoteEngine, Workshop
@@ -90,13 +94,15 @@ class Timeline:
         except BaseException:
             self._workshop.close()
             raise
+        # a controller with threads cannot be copied
+        self._can_copy = self._workshop.can_copy and setup.rtconf is None
         self._cost = Cost()
         self.branch = Branch(1, None, 0, list(self.description.inputs))
         self.branches = [self.branch]
         self._plc: dict[int, list[Input]] = {1: []}
         self._parked: list[_Parked] = []
         self._blocks = 0
-        if self._workshop.can_copy:
+        if self._can_copy:
             self._park()
 
     @property
@@ -115,8 +121,11 @@ class Timeline:
             if self._setup.plc is not None:
                 news = [one for one in done.inputs if one.tick > branch.latest]
                 self._plc[branch.number] += [one for one in news if one.source == PLC]
+            if self._setup.rtconf is not None:
+                clock = (one for one in done.inputs if one.source == SCHEDULE)
+                self._plc[branch.number] += clock
             branch.latest = done.tick
-        if self._workshop.can_copy and self._is_far_from_parked():
+        if self._can_copy and self._is_far_from_parked():
             self._park()
         return done
 
@@ -180,7 +189,7 @@ class Timeline:
         if target is self.branch and tick == self.tick:
             return self.live.run(tick)
         is_forward = target is self.branch and tick > self.tick
-        if self._workshop.can_copy and self.tick == self.branch.latest:
+        if self._can_copy and self.tick == self.branch.latest:
             with contextlib.suppress(Failure):  # one that is gone is left behind
                 self._park()  # so that the way back to the front is short
         nearest = self._nearest(target, tick)
@@ -203,6 +212,7 @@ class Timeline:
 
     def _wake(self, branch: Branch, nearest: _Parked | None) -> None:
         """Let a copy of a parked controller be the live one, with the inputs of a branch."""
+        self._refuse_on_real_schedule()
         if nearest is None:
             fresh, _ = self._workshop.open(self._setup)
             blocks = 0
@@ -211,6 +221,10 @@ class Timeline:
         self.live.close()
         self.live, self._blocks = fresh, blocks
         fresh.plan(self._planned(branch, fresh.tick))
+
+    def _refuse_on_real_schedule(self) -> None:
+        if self._setup.rtconf is not None:
+            raise Failure(diagnostic(REAL_SCHEDULE_HAS_NO_PAST))
 
     def _planned(self, branch: Branch, tick: int) -> list[Input]:
         """Return the inputs of a branch from a tick on, with those that its PLC gave."""
@@ -226,7 +240,7 @@ class Timeline:
     def _approach(self, tick: int) -> Slice:
         """Run the live controller up to a tick; park on the way where that is dear."""
         first = self.tick
-        if self._workshop.can_copy:
+        if self._can_copy:
             per_tick = self._cost.of(1, 0) + self._cost.of(0, self._blocks) / max(first, 1)
             halves = approach(per_tick * first, per_tick * tick)
             for work in halves:
@@ -248,8 +262,9 @@ class Timeline:
         target = self.branch
         if not 0 <= tick <= target.latest:
             raise Failure(diagnostic(TICK_NOT_REACHED, tick=tick, latest=target.latest))
-        if self._workshop.can_copy and self.tick == tick:
+        if self._can_copy and self.tick == tick:
             return self.live.copy()
+        self._refuse_on_real_schedule()
         nearest = self._nearest(target, tick)
         if nearest is None:
             engine, _ = self._workshop.open(self._setup)
@@ -295,6 +310,15 @@ class Timeline:
         """Return the inputs of this branch, the PLC's too, in the order of their ticks."""
         return sorted(self._planned(self.branch, -1), key=lambda one: one.tick)
 
+    def restart_schedule(self) -> None:
+        """Let a real schedule begin anew behind a pause."""
+        if self._setup.rtconf is not None:
+            self.live.ask("schedule", RESTART)
+
+    def schedule_table(self, language: Language) -> str:
+        """Return the table of a real schedule; empty without one."""
+        return cast("str | None", self.live.ask("schedule", TABLE, language)) or ""
+
     # --- the end --------------------------------------------------------------------------------
 
     def close(self) -> None:
@@ -302,6 +326,9 @@ class Timeline:
         for parked in self._parked:
             parked.engine.close()
         self._parked.clear()
+        if self._setup.rtconf is not None:
+            with contextlib.suppress(Failure, RuntimeError):
+                self.live.ask("schedule", CLOSE)
         self.live.close()
         self._workshop.close()
 

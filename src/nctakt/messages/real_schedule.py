@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: MIT
+"""Messages about a controller whose own threads run by a scheduling list on a real clock."""
+
+from __future__ import annotations
+
+from nctakt.messages.catalogue import error, note, warning
+
+STEPS_BESIDE_TICKS = note(
+    901460,
+    en="decoder and PLC work between two ticks: a tick begins behind the block or PLC call at work",
+    de="Dekoder und SPS arbeiten zwischen zwei Takten: ein Takt beginnt nach ihrem Schritt",
+    remedy_en="The wake-up latency of the interpolation's thread shows what it costs.",
+    remedy_de="Was es kostet, zeigt die Aufwachverzögerung des Interpolations-Threads.",
+)
+THREADS_SHARED = note(
+    901461,
+    en="these threads share the work of another one with the same function: {threads}",
+    de="diese Threads teilen sich die Arbeit eines anderen mit derselben Funktion: {threads}",
+    remedy_en="Interpolation and decoder of a context each run in the first of their threads.",
+    remedy_de="Interpolation und Dekoder eines Kontexts laufen je im ersten ihrer Threads.",
+    threads=("the threads", "die Threads"),
+)
+THREADS_WITHOUT_WORK = note(
+    901462,
+    en="these threads have no work here and are not run: {threads}",
+    de="diese Threads haben hier keine Arbeit und laufen nicht: {threads}",
+    remedy_en="nctakt schedule run plays all threads, by the times of a load.",
+    remedy_de="nctakt schedule run spielt alle Threads, mit den Zeiten einer Last.",
+    threads=("the threads", "die Threads"),
+)
+THREAD_NOT_PLACED = warning(
+    901463,
+    en="thread {thread} has not the class or processor of the list: {reason}",
+    de="Thread {thread} hat nicht die Klasse oder den Prozessor der Liste: {reason}",
+    remedy_en="Give nctakt the right to use SCHED_FIFO and this processor.",
+    remedy_de="nctakt das Recht auf SCHED_FIFO und diesen Prozessor geben.",
+    thread=("the thread", "der Thread"),
+    reason=("the reason of the system", "der Grund des Systems"),
+)
+REAL_SCHEDULE_HAS_NO_PAST = error(
+    901464,
+    en="a session on a real schedule cannot go back",
+    de="eine Sitzung mit echtem Ablauf kann nicht zurück",
+    remedy_en="Record it, and live through the tape: nctakt replay repeats it.",
+    remedy_de="Sie aufzeichnen und das Band durchleben: nctakt replay wiederholt sie.",
+)
+SPEED_OF_REAL_SCHEDULE = error(
+    901465,
+    en="--speed and --rtconf must not be used together: the list gives the clock",
+    de="--speed und --rtconf schließen sich aus: die Liste gibt die Uhr vor",
+    remedy_en="Omit --speed.",
+    remedy_de="--speed weglassen.",
+)

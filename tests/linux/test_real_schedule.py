@@ -79,6 +79,18 @@ M30
 SIGNALS = ["X.ACS.ACT_POS", "BLOCK", "V.E.VALUE"]
 
 
+PLC_FILE = """\
+class Counting:
+    def __init__(self):
+        self.calls = 0
+
+    def cycle(self, hli):
+        self.calls += 1
+        hli.write("V.E.VALUE1", self.calls)
+        hli.acknowledge_all()
+"""
+
+
 class CountingPlc:
     """A PLC that counts its calls and acknowledges everything."""
 
@@ -237,7 +249,9 @@ def test_a_tick_that_begins_too_late_is_lost(tmp_path: Path) -> None:
 def test_a_session_runs_by_the_list_and_cannot_go_back(tmp_path: Path) -> None:
     """Clients write while it runs; its tape repeats it; 901464 for the way back."""
     path = list_file(tmp_path)
-    setup = Setup({1: [PROGRAM]}, stays=True, rtconf=str(path))
+    plc = tmp_path / "plc.py"
+    plc.write_text(PLC_FILE)
+    setup = Setup({1: [PROGRAM]}, plc=plc, stays=True, rtconf=str(path))
     with Session.of_setup(setup) as session:
         session.play()
         with session.listen() as listener:
@@ -254,9 +268,10 @@ def test_a_session_runs_by_the_list_and_cannot_go_back(tmp_path: Path) -> None:
             session.back(10)
         assert caught.value.diagnostics[0].id == 901464
         session.save(tmp_path / "run.tape")
-        position = session.read("X.ACS.ACT_POS")
+        position, count = session.read("X.ACS.ACT_POS", "V.E.VALUE1")
     tape = read_tape(tmp_path / "run.tape", FileAccess())
-    assert {one.source for one in tape.inputs} == {SCHEDULE, "api"}
+    assert {one.source for one in tape.inputs} == {SCHEDULE, "plc", "api"}
     controller = Controller(schedule=open_schedule(path))
-    controller.run(PROGRAM, replay=tape, ticks=tape.ticks)
-    assert [controller.signal("X.ACS.ACT_POS")] == position
+    controller.run(PROGRAM, replay=tape, ticks=tape.ticks, stays=True)
+    assert controller.signal("X.ACS.ACT_POS") == position
+    assert controller.read("V.E.VALUE1") == count != 0

@@ -161,7 +161,7 @@ class ScheduleThreads:
         """Place this thread, start the others, and let the first cycle begin soon."""
         if not self._cycle:
             self._before = _Placement()
-            self.place(self._own)
+            self.assign(self._own)
             for thread in self._threads:
                 thread.start()
         self._anchor = self.now() + _LEAD
@@ -175,7 +175,7 @@ class ScheduleThreads:
         """Return the time of the monotonic clock in ns."""
         return self._processes.wait_until(0)
 
-    def place(self, task: PlannedTask) -> None:
+    def assign(self, task: PlannedTask) -> None:
         """Give the calling thread class and processor of a task."""
         priority = task.priority if self._plan.is_fifo else 0
         error = self._processes.place_thread(priority, task.task.cpu)
@@ -294,7 +294,7 @@ class _Worker:
             self._thread.join()
 
     def _live(self) -> None:
-        self._owner.place(self.task)
+        self._owner.assign(self.task)
         while True:
             self._wake.acquire()
             if self._is_over:

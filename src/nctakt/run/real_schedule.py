@@ -80,7 +80,7 @@ class RealSchedule:
         self._tick = -1
         self._share = Share((), False, (), 0)
         self._overflows: dict[int, list[int]] = {}
-        self._told = 0
+        self._reported = 0
         self._switch_s = 0.0
         steps = dict(self._steps())
         for found in self._limits(steps):
@@ -180,7 +180,7 @@ class RealSchedule:
         settle(runs, self._budgets, has_plc=has_plc)
         plc_calls = 1 if self._roles.plc is None else 0
         self._share = Share((), is_lost, tuple(busy), plc_calls)
-        self._tell_refusals()
+        self._report_refusals()
         return self._share
 
     def _prepare_process(self) -> None:
@@ -189,12 +189,12 @@ class RealSchedule:
         sys.setswitchinterval(_SWITCH_S)
         gc.freeze()
 
-    def _tell_refusals(self) -> None:
-        for number, error in self._threads.refusals[self._told :]:
+    def _report_refusals(self) -> None:
+        for number, error in self._threads.refusals[self._reported :]:
             task = self.schedule.model.tasks[number]
             reason = os.strerror(error)
             self._report(diagnostic(THREAD_NOT_PLACED, thread=task.name, reason=reason))
-        self._told = len(self._threads.refusals)
+        self._reported = len(self._threads.refusals)
 
     def end_tick(self) -> None:
         """Note that the tick is done."""

@@ -118,12 +118,12 @@ class Timeline:
         self._blocks = done.decoded
         branch = self.branch
         if done.tick > branch.latest:
-            if self._setup.plc is not None:
+            if self._setup.rtconf is not None:  # nothing is run again
+                own = (PLC, SCHEDULE)
+                self._plc[branch.number] += [one for one in done.inputs if one.source in own]
+            elif self._setup.plc is not None:
                 news = [one for one in done.inputs if one.tick > branch.latest]
                 self._plc[branch.number] += [one for one in news if one.source == PLC]
-            if self._setup.rtconf is not None:
-                clock = (one for one in done.inputs if one.source == SCHEDULE)
-                self._plc[branch.number] += clock
             branch.latest = done.tick
         if self._can_copy and self._is_far_from_parked():
             self._park()

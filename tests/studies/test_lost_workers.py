@@ -3,15 +3,21 @@
 
 from __future__ import annotations
 
+import contextlib
+import json
 import os
 import signal
 import subprocess
+import sys
+import time
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
 
 from nctakt.base.failure import Failure
+from nctakt.cli import main, study_progress
 from nctakt.studies import processes
 from nctakt.studies.bench import Row
 from nctakt.studies.results import read_rows
@@ -126,15 +132,33 @@ def test_rows_are_read_back(tmp_path: Path, name: str) -> None:
     assert [row["digest"] for row in rows] == [row["digest"] for row in done.rows]
 
 
-@pytest.mark.slow
+def schedule(folder: Path) -> Study:
+    """A study of a schedule with files of its own, and a measure of a user's."""
+    (folder / "own.py").write_text("def cycles(simulation):\n    return simulation.cycles\n")
+    (folder / "load.toml").write_text("[functions]\ntask_rnd = 500\n")
+    (folder / "rtconf.lis").write_text(
+        "interrupt_source 2 # timer\ncycle_time 2000\ntime_slice 500\nwindows_time 500\n"
+        "thread[0].name GEO\nthread[0].cycle 2000\nthread[0].priority 115\n"
+        "thread[0].function[0].name task_int\nthread[0].function[1].name task_rnd\nEnd\n"
+    )
+    return Study(
+        rtconf=str(folder / "rtconf.lis"),
+        load=str(folder / "load.toml"),
+        until="20 ms",
+        vary=[{"load_entry": "functions.task_rnd", "from": 10, "to": 100, "step": 1}],
+        measure={"own": f"python {folder / 'own.py'}:cycles", "response": "response of GEO"},
+    )
+
+
 @pytest.mark.filterwarnings("ignore")
 def test_a_cluster_yields_the_same_rows_and_survives_kills(tmp_path: Path) -> None:
     """Dask workers on this machine, one of them killed: the rows of one process, byte for byte."""
     distributed = pytest.importorskip("distributed")
     from nctakt.studies.cluster import rows_of_cluster  # noqa: PLC0415 - an extra
 
-    plan = study(tmp_path, count=400)
-    expected = plan.run().rows
+    plan = study(tmp_path, count=200)
+    plan.run().save(tmp_path / "one.csv")
+    plan.run(processes=4).save(tmp_path / "four.csv")
     with distributed.LocalCluster(
         n_workers=2, threads_per_worker=1, dashboard_address=None
     ) as cluster:
@@ -147,5 +171,73 @@ def test_a_cluster_yields_the_same_rows_and_survives_kills(tmp_path: Path) -> No
                 os.kill(pid, signal.SIGKILL)
 
         executor = lambda p, n: rows_of_cluster(p, n, cluster)  # noqa: E731
-        assert plan.run(executor=executor, on_rows=kill).rows == expected
+        plan.run(executor=executor, on_rows=kill).save(tmp_path / "cluster.csv")
         assert killed
+        own = schedule(tmp_path)
+        assert own.run(executor=executor).rows == own.run().rows
+    files = [(tmp_path / f"{name}.csv").read_bytes() for name in ("one", "four", "cluster")]
+    assert files[0] == files[1] == files[2]
+
+
+@pytest.fixture
+def scheduler(tmp_path: Path) -> Iterator[tuple[str, subprocess.Popen[bytes]]]:
+    """The address and the process of a Dask scheduler with one worker."""
+    pytest.importorskip("distributed")
+    file = tmp_path / "scheduler.json"
+    dask = [sys.executable, "-m", "dask"]
+    with contextlib.ExitStack() as stack:
+        started = []
+        for words in (
+            ["scheduler", "--host", "127.0.0.1", "--port", "0", "--scheduler-file", str(file)],
+            ["worker", "--scheduler-file", str(file), "--nthreads", "1"],
+        ):
+            process = subprocess.Popen(
+                [*dask, *words, "--no-dashboard"], cwd=tmp_path, stderr=subprocess.DEVNULL
+            )
+            stack.callback(process.wait)
+            stack.callback(process.kill)
+            started.append(process)
+            deadline = time.monotonic() + 60
+            while not file.exists():
+                assert time.monotonic() < deadline
+                time.sleep(0.05)
+        yield json.loads(file.read_text())["address"], started[0]
+
+
+@pytest.mark.skipif(os.name == "nt", reason="needs kill -9")
+@pytest.mark.filterwarnings("ignore")
+def test_a_killed_scheduler_keeps_what_is_finished(
+    tmp_path: Path,
+    scheduler: tuple[str, subprocess.Popen[bytes]],
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    """The message names it, a note how many runs are kept; ``--resume`` makes the others."""
+    from nctakt.studies import cluster  # noqa: PLC0415 - an extra
+
+    study(tmp_path)
+    (tmp_path / "plan.toml").write_text(
+        'program = "part.nc"\nuntil = "0.2 s"\n'
+        '[[vary]]\nvariable = "V.E.VALUE"\nfrom = 1\nto = 500\nstep = 1\n'
+    )
+    address, process = scheduler
+    out = tmp_path / "rows.csv"
+    words = ["study", str(tmp_path / "plan.toml"), "--out", str(out), "--quiet"]
+
+    def kill(self: study_progress.StudyProgress, rows: list[Row]) -> None:
+        process.kill()
+
+    with monkeypatch.context() as patch:
+        patch.setattr(cluster, "CONNECT_S", 3)
+        patch.setattr(study_progress.StudyProgress, "add", kill)
+        assert main([*words, "--scheduler", address]) == 2
+    told = capsys.readouterr().err
+    assert "901316" in told
+    assert "901310" in told
+    kept = len(out.with_suffix(".csv.rows").read_bytes().splitlines()) - 1
+    assert 0 < kept < 500
+    assert f"{kept} of 500" in told
+    assert main([*words, "--resume", "-j", "2"]) == 0
+    resumed = out.read_bytes()
+    assert main([*words, "-j", "2"]) == 0
+    assert out.read_bytes() == resumed

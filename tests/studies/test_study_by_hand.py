@@ -126,12 +126,44 @@ def test_a_violation_shrinks_to_the_smallest_change(program: Path) -> None:
 
 
 def test_a_search_finds_the_worst_case(program: Path) -> None:
-    """The largest rest position is that of the latest stop."""
-    pytest.importorskip("optuna")
+    """The largest rest position is that of the latest stop: 100 mm/s times 560 ms."""
     plan = study(program, **{"from": "500 ms", "to": "560 ms", "step": "1 tick"})
-    worst = search(plan.bench, Goal("maximize", "rest", 40)).rows[0]
-    late = [row for row in plan.run().rows if row["stop"] >= FIRST_LATE]
-    assert worst["stop"] in [row["stop"] for row in late]
+    worst = search(plan.bench, Goal("maximize", "rest", 61)).rows[0]  # each point of the grid
+    assert worst["stop"] == 0.56
+    assert worst["rest"] == pytest.approx(56.0)
+
+
+def test_a_search_finds_the_first_late_tick(program: Path) -> None:
+    """The stop that rests nearest to 55.1 mm, among 901: by optuna, then by halving steps."""
+    pytest.importorskip("optuna")
+    plan = Study(
+        program=str(program),
+        until="1 s",
+        vary=[
+            {"time_of": "V.E.TRIGGER = 1", "name": "stop", "from": "0 s", "to": "900 ms",
+             "step": "1 tick"}
+        ],
+        measure={"rest": "max X", "miss": "(rest - 55.1) * (rest - 55.1)"},
+        expect=["rest < 55.05"],
+        find={"minimize": "miss", "budget": 90},
+    )  # fmt: skip
+    (answer,) = plan.find()
+    assert answer.rows[0]["stop"] == FIRST_LATE
+    assert answer.runs <= 90
+
+
+def test_a_search_without_any_value_is_told(program: Path) -> None:
+    """901393 instead of an answer."""
+    plan = Study(
+        program=str(program),
+        vary=[{"variable": "V.E.VALUE", "from": 0, "to": 1}],
+        measure={"late": "time of M100"},
+        find={"minimize": "late", "budget": 3},
+    )
+    pytest.importorskip("optuna")
+    (answer,) = plan.find()
+    assert answer.finding is not None
+    assert answer.finding.id == 901393
 
 
 def test_processes_yield_the_same_rows(program: Path) -> None:

@@ -184,6 +184,15 @@ UNKNOWN_THREAD = error(
     name=("the name", "der Name"),
     nearest=("the nearest one", "der nächste"),
 )
+NOTHING_MEASURED = warning(
+    901393,
+    en="{measure} has no value in any of the {count} runs of the search",
+    de="{measure} hat in keinem der {count} Läufe der Suche einen Wert",
+    remedy_en="Run the plan without find: its summary says why.",
+    remedy_de="Den Plan ohne find ausführen: seine Zusammenfassung nennt den Grund.",
+    measure=("the measure", "die Messgröße"),
+    count=("the number of runs", "die Zahl der Läufe"),
+)
 RUN_WITHOUT_TRACE = error(
     901350,
     en="the run has no trace in memory",

@@ -7,19 +7,24 @@ after another, since each decides about the next; the same plan makes the same r
 
 from __future__ import annotations
 
+import itertools
+import math
 from collections.abc import Callable, Sequence
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
-from nctakt.messages.studies import EXTRA_MISSING, NO_BOUNDARY
+from nctakt.messages.studies import EXTRA_MISSING, NO_BOUNDARY, NOTHING_MEASURED
 from nctakt.studies.bench import HELD, Bench, Row
 from nctakt.studies.dimension import Dimension, Value
 from nctakt.studies.plan import Goal
 
 #: Halvings of a dimension without a step: a millionth of a millionth of its span.
 MAX_HALVINGS = 40
+
+#: The share of a search's budget that looks everywhere; the rest goes on from the best point.
+WIDE_SHARE = 0.6
 
 
 @dataclass(frozen=True, slots=True)
@@ -101,36 +106,81 @@ def _value(dimension: Dimension, share: int, last: int) -> Value:
 
 
 def _worst(bench: Bench, goal: Goal, runs: _Runs) -> Answer:
-    """Look for the smallest or largest value of a measure by optuna's tree of Parzen estimators."""
+    """Look for the smallest or largest value of a measure.
+
+    Where the budget is enough for the whole grid, each point is tried. Else optuna's tree of Parzen
+    estimators looks for the region, and steps of halving length from the best point for the rest.
+    """
+    dimensions = bench.plan.dimensions
+    sign = 1.0 if goal.word == "minimize" else -1.0
+
+    def measured(numbers: Sequence[float]) -> float:
+        point = [dimension_value(one, n) for one, n in zip(dimensions, numbers, strict=True)]
+        value = runs.row(point)[goal.measure]
+        return sign * value if isinstance(value, float | int) else math.inf
+
+    if 0 < math.prod(one.count for one in dimensions) <= goal.budget:
+        best: Sequence[float] = min(
+            itertools.product(*(range(one.count) for one in dimensions)), key=measured
+        )
+    else:
+        best = _by_optuna(bench, goal, measured)
+        best = _by_steps(dimensions, best, measured, lambda: runs.count < goal.budget)
+    row = runs.row([dimension_value(one, n) for one, n in zip(dimensions, best, strict=True)])
+    found = None
+    if not isinstance(row[goal.measure], float | int):
+        found = diagnostic(NOTHING_MEASURED, measure=goal.measure, count=runs.count)
+    return Answer(goal, (row,), runs.count, found)
+
+
+def _by_optuna(
+    bench: Bench, goal: Goal, measured: Callable[[Sequence[float]], float]
+) -> Sequence[float]:
+    """Return the best point of a share of the budget; raises ``Failure`` (901311)."""
     try:
         import optuna  # noqa: PLC0415 - an extra that few plans need
     except ImportError as error:
         raise Failure(diagnostic(EXTRA_MISSING, package="optuna", extra="studies")) from error
     optuna.logging.set_verbosity(optuna.logging.ERROR)
-    plan = bench.plan
-    sign = 1.0 if goal.word == "minimize" else -1.0
+    dimensions = bench.plan.dimensions
+    names = [str(number) for number in range(len(dimensions))]
 
-    def measured(trial: optuna.Trial) -> float:
-        point = [_suggested(trial, dimension) for dimension in plan.dimensions]
-        value = runs.row(point)[goal.measure]
-        return sign * value if isinstance(value, float | int) else float("inf")
+    def objective(trial: optuna.Trial) -> float:
+        return measured(
+            [
+                trial.suggest_int(name, 0, one.count - 1)
+                if one.count
+                else trial.suggest_float(name, 0.0, 1.0)
+                for name, one in zip(names, dimensions, strict=True)
+            ]
+        )
 
-    sampler = optuna.samplers.TPESampler(seed=plan.seed)
-    study = optuna.create_study(sampler=sampler)
-    study.optimize(measured, n_trials=goal.budget)
-    best = [dimension_value(one, study.best_params[one.name]) for one in plan.dimensions]
-    return Answer(goal, (runs.row(best),), runs.count)
+    study = optuna.create_study(sampler=optuna.samplers.TPESampler(seed=bench.plan.seed))
+    study.optimize(objective, n_trials=max(1, round(goal.budget * WIDE_SHARE)))
+    return [study.best_params[name] for name in names]
 
 
-def _suggested(trial: object, dimension: Dimension) -> Value:
-    """Return the value that a trial takes: a number on the grid, or a share of the way."""
-    suggest_int: Callable[..., int] = trial.suggest_int  # type: ignore[attr-defined]
-    suggest_float: Callable[..., float] = trial.suggest_float  # type: ignore[attr-defined]
-    if dimension.count:
-        number = suggest_int(dimension.name, 0, dimension.count - 1)
-    else:
-        number = suggest_float(dimension.name, 0.0, 1.0)  # type: ignore[assignment]
-    return dimension_value(dimension, number)
+def _by_steps(
+    dimensions: Sequence[Dimension],
+    best: Sequence[float],
+    measured: Callable[[Sequence[float]], float],
+    has_budget: Callable[[], bool],
+) -> Sequence[float]:
+    """Return the best point that steps from a point find, each half as long as the one before."""
+    least = measured(best)
+    for halving in range(1, MAX_HALVINGS):
+        steps = [max(1.0, one.count // 2**halving) if one.count else 0.5**halving
+                 for one in dimensions]  # fmt: skip
+        is_better = True
+        while is_better and has_budget():
+            is_better = False
+            for index, step in itertools.product(range(len(best)), (1.0, -1.0)):
+                number = best[index] + step * steps[index]
+                last = dimensions[index].count - 1 if dimensions[index].count else 1.0
+                other = [*best[:index], min(max(number, 0.0), last), *best[index + 1 :]]
+                if has_budget() and measured(other) < least:
+                    best, least, is_better = other, measured(other), True
+    return best
 
 
 def dimension_value(dimension: Dimension, number: float) -> Value:

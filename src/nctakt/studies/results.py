@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     import pyarrow
 
 #: Rows in one group of a Parquet file.
-GROUP = 100_000
+GROUP = 50_000
 
 
 def check_target(path: Path) -> None:

@@ -167,7 +167,7 @@ def _by_steps(
     has_budget: Callable[[], bool],
 ) -> Sequence[float]:
     """Return the best point that steps from a point find, each half as long as the one before."""
-    least = measured(best)
+    lowest = measured(best)
     for halving in range(1, MAX_HALVINGS):
         steps = [max(1.0, one.count // 2**halving) if one.count else 0.5**halving
                  for one in dimensions]  # fmt: skip
@@ -178,8 +178,8 @@ def _by_steps(
                 number = best[index] + step * steps[index]
                 last = dimensions[index].count - 1 if dimensions[index].count else 1.0
                 other = [*best[:index], min(max(number, 0.0), last), *best[index + 1 :]]
-                if has_budget() and measured(other) < least:
-                    best, least, is_better = other, measured(other), True
+                if has_budget() and measured(other) < lowest:
+                    best, lowest, is_better = other, measured(other), True
     return best
 
 

@@ -153,6 +153,10 @@ def test_names_lead_to_definitions_and_uses_and_can_be_changed(in_editor: Run) -
             types.ReferenceParams(**at("P1 = 200", "P1"), context=types.ReferenceContext(True))
         )
         assert places(used) == [7, 9, 16]
+        lit = await client.text_document_document_highlight_async(
+            types.DocumentHighlightParams(**at("P1 = 200", "P1"))
+        )
+        assert [item.range.start.line for item in lit] == [7, 9, 16]
         edit = await client.text_document_rename_async(
             types.RenameParams(**at("XV.P.SIZE", "SIZE"), new_name="LENGTH")
         )

@@ -104,3 +104,22 @@ def test_a_program_without_a_name_folds(server: Server) -> None:
     assert [(fold.start_line, fold.end_line) for fold in outline.folding_ranges(document)] == [
         (0, 2)
     ]
+
+
+def test_a_file_that_is_open_by_two_names_is_still_open_when_one_is_closed(
+    server: Server, tmp_path: Path
+) -> None:
+    """A link and its file are one: the other one goes on to count."""
+    path, link = tmp_path / "sub.nc", tmp_path / "link.nc"
+    path.write_text("M17\n")
+    link.symlink_to(path)
+    first, second = (
+        Document(own.as_uri(), own, str(own), "nctakt", 0, ["X1", "M17", ""])
+        for own in (path, link)
+    )
+    server.work.open(first)
+    server.work.open(second)
+    server.work.close(second.uri)
+    assert server.work.lines_of(path) == ["X1", "M17"]
+    server.work.close(first.uri)
+    assert server.work.lines_of(path) is None

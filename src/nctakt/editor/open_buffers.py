@@ -47,7 +47,8 @@ class OpenBuffers(FileAccess):
 
     def is_outdated(self) -> bool:
         """Return whether a file that was read as a whole has changed since."""
-        return any(self._stamp(path) != stamp for path, stamp in self._noted.items())
+        noted = list(self._noted.items())  # a check beside this thread may note another one
+        return any(self._stamp(path) != stamp for path, stamp in noted)
 
     def _stamp(self, path: Path) -> _Stamp:
         lines = self._buffers(path)

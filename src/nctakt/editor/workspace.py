@@ -74,8 +74,13 @@ class Workspace:
         document = self.documents.pop(uri, None)
         if document is not None and self._memory is not None:
             self._memory.forget(document.name)
-        if document is not None and document.path is not None:
-            self._paths.pop(_real(document.path), None)
+        if document is None or document.path is None:
+            return
+        path = _real(document.path)
+        self._paths.pop(path, None)
+        for other in self.documents.values():
+            if other.path is not None and _real(other.path) == path:
+                self._paths[path] = other  # the same file by another name
 
     def at(self, path: Path) -> Document | None:
         """Return the open document of a file."""

@@ -186,4 +186,5 @@ def test_enumerations_and_the_structure_are_equal(space, published):
         else:
             names = [(field.Name, "Double") for field in definition.Fields]
             assert names == one.fields
+            assert not any(field.IsOptional for field in definition.Fields)
             assert definition.DefaultEncodingId == ua.NodeId(5001, INDEX)

@@ -125,6 +125,7 @@ def test_values_are_those_of_the_session(served):
         assert await value("CncSpindleList.S.CmdSpeed") == pytest.approx(1000)
         assert await value("CncSpindleList.S.ActTurnDirection") == 1
         assert await value("CncSpindleList.S.ActStatus") == 1
+        assert await value("CncAxisList.X.IsVirtual") is True
         assert await value("CncChannelList.1.ActProgramStatus") == 1
         assert await value("CncChannelList.1.ActProgramName") == "part.nc"
         block = await value("CncChannelList.1.ActProgramBlock")

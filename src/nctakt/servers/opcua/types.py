@@ -153,7 +153,12 @@ class CompanionTypes:
     def _add_position(self) -> None:
         """Add the structure of a position, its encodings, and the type of its variables."""
         fields = [
-            ua.StructureField(Name=name, DataType=standard(DATA_TYPES["Double"]), ValueRank=SCALAR)
+            ua.StructureField(
+                Name=name,
+                DataType=standard(DATA_TYPES["Double"]),
+                ValueRank=SCALAR,
+                IsOptional=False,
+            )
             for name in POSITION_FIELDS
         ]
         definition = ua.StructureDefinition(

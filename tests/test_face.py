@@ -5,6 +5,7 @@ import ast
 import doctest
 import json
 import pydoc
+import shutil
 import subprocess
 import sys
 import textwrap
@@ -51,6 +52,50 @@ def test_a_plain_run_imports_what_it_needs(tmp_path: Path) -> None:
     imported = {line.rpartition("|")[2].strip() for line in done.stderr.splitlines()}
     assert "nctakt.kernel.kernel" in imported
     assert not imported & NOT_FOR_A_PLAIN_RUN
+
+
+#: What is not there where nobody has asked for an extra.
+OF_EXTRAS = (
+    "aiomqtt", "asyncua", "distributed", "hypothesis", "matplotlib", "nicegui", "optuna", "pandas",
+    "polars", "pyarrow", "pygls", "pytest", "SALib", "scipy", "vcd", "watchfiles",
+)  # fmt: skip
+
+#: Commands, and their exit codes there: done, or the library that is missing is named.
+IN_A_BARE_INSTALLATION = (
+    (["run", "crossing.nc", "--quiet"], 0),
+    (["run", "crossing.nc", "--quiet", "--plot", "crossing.png"], 2),
+    (["study", "studies/stop.toml"], 1),
+    (["study", "studies/stop.toml", "--scheduler", "tcp://127.0.0.1:1"], 2),
+    (["live", "crossing.nc"], 2),
+    (["serve", "crossing.nc", "--opcua"], 2),
+    (["serve", "crossing.nc", "--mqtt", "mqtt://127.0.0.1"], 2),
+    (["lsp"], 2),
+    (["coverage", "reactions.nc"], 0),
+    (["why", "reactions.nc"], 0),
+)
+
+
+def test_a_bare_installation_needs_no_library_of_an_extra(tmp_path: Path) -> None:
+    """A missing library is told with the command that installs it, never by a traceback."""
+    shutil.copytree(EXAMPLES, tmp_path, dirs_exist_ok=True)
+    words = [words for words, _ in IN_A_BARE_INSTALLATION]
+    code = (
+        "import json, sys\n"
+        f"sys.modules.update(dict.fromkeys({OF_EXTRAS!r}))\n"
+        "from nctakt.cli import main\n"
+        f"codes = [main(words) for words in {words!r}]\n"
+        "print('\\n' + json.dumps(codes))\n"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code],
+        cwd=tmp_path,
+        check=True,
+        capture_output=True,
+        encoding="utf-8",
+        stdin=subprocess.DEVNULL,
+    )
+    assert json.loads(done.stdout.splitlines()[-1]) == [code for _, code in IN_A_BARE_INSTALLATION]
+    assert done.stderr.count("pip install") == 6
 
 
 @pytest.mark.parametrize("name", nctakt.__all__)

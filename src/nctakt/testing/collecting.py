@@ -16,7 +16,8 @@ from nctakt.plc import load_plc
 from nctakt.run.controller import Controller, NcText
 from nctakt.testing.coverage import note_coverage, session_coverage
 from nctakt.testing.expectations import Script, read_script
-from nctakt.testing.queries import NcRun, configured_machine, values_before
+from nctakt.testing.machine_under_test import configured_machine
+from nctakt.testing.queries import NcRun, values_before
 from nctakt.testing.verdict import differences
 
 

@@ -74,7 +74,7 @@ def pytest_terminal_summary(
     terminalreporter: pytest.TerminalReporter, config: pytest.Config
 ) -> None:
     """Tell which machines the tests had that no test and no entry of pytest's names."""
-    from nctakt.testing.reported_machines import REPORTED_MACHINES  # noqa: PLC0415 - see above
+    from nctakt.testing.machine_under_test import REPORTED_MACHINES  # noqa: PLC0415 - see above
 
     for text in config.stash.get(REPORTED_MACHINES, {}):
         terminalreporter.write_line(f"nctakt: {text}")
@@ -83,7 +83,7 @@ def pytest_terminal_summary(
 @pytest.fixture
 def machine(request: pytest.FixtureRequest) -> Machine:
     """The machine under test: ``nctakt_machine``, else that of the project around the test."""
-    from nctakt.testing.queries import configured_machine  # noqa: PLC0415 - see above
+    from nctakt.testing.machine_under_test import configured_machine  # noqa: PLC0415 - see above
 
     return configured_machine(request.config, request.path)
 

@@ -10,49 +10,24 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import NOTHING
 from nctakt.base.failure import Failure
-from nctakt.files.access import FileAccess
 from nctakt.lists.format.times import Time, TimeLike, read_time
-from nctakt.lists.machine.files import machine_folder
-from nctakt.lists.machine.machine import Machine, load_machine
 from nctakt.messages import diagnostic
 from nctakt.messages.command_line import RUN_NOT_ENDED
 from nctakt.messages.inputs import NO_BRANCH_IN_LINE
 from nctakt.plc import AnyPlc, load_plc
-from nctakt.project.machine_choice import machine_of, machine_of_environment
 from nctakt.results.run import Run
 from nctakt.run.controller import Controller, NcText
 from nctakt.run.stimuli import StimulusLike
-from nctakt.testing.reported_machines import REPORTED_MACHINES
 from nctakt.trace.events import Event, number_text
-
-if TYPE_CHECKING:
-    import pytest
 
 #: The name of a program that a test has as text.
 TEXT_NAME = "program.nc"
 
 _CYCLE_KINDS = ("M", "H")
-
-
-def configured_machine(config: pytest.Config, test: Path) -> Machine:
-    """Return the machine of a test or an NC file.
-
-    That of ``NCTAKT_MACHINE``, of ``nctakt_machine`` (relative to the root of the tests), else the
-    one on which ``nctakt run`` runs a program there.
-    """
-    name = config.getini("nctakt_machine")
-    if name and machine_of_environment() is None:
-        return load_machine(machine_folder(name, config.rootpath))
-    choice = machine_of(test, FileAccess())
-    note = choice.note()
-    if note is not None:
-        config.stash.setdefault(REPORTED_MACHINES, {})[note.text()] = None
-    return load_machine(choice.path)
 
 
 def run_program(

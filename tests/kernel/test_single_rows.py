@@ -14,7 +14,7 @@ import pytest
 from kernel_rig import Rig
 
 from nctakt.base import mode
-from nctakt.kernel import codes, rows
+from nctakt.kernel import cells, codes, rows
 from nctakt.kernel.axes.trajectory import Trajectories
 from nctakt.kernel.base import arithmetic
 from nctakt.kernel.path import geometry
@@ -27,8 +27,11 @@ from nctakt.kernel.path.jerk_profile import JerkProfile
 from nctakt.kernel.path.override import Overrides
 from nctakt.kernel.path.path import Path as KernelPath
 from nctakt.kernel.path.segment_limits import SegmentLimits
+from nctakt.kernel.plc.interface_image import InterfaceImage
+from nctakt.kernel.tick.command_execution import CommandExecutor
 from nctakt.kernel.tick.command_queue import CommandQueue
 from nctakt.kernel.tick.stops import Turns
+from nctakt.kernel.tick.wait_reasons import WaitReasons
 
 pytestmark = pytest.mark.skipif(mode.is_compiled(), reason="compiled methods cannot be called")
 
@@ -342,3 +345,101 @@ def test_on_the_way_back_an_acceleration_fades_in_front_of_a_rounding(
     )
     History.take_over(history, 0, 200)
     assert (history.goal.carried_a, history.goal.carried_j) == (carried_a, 10.0 * carried_a)
+
+
+@pytest.mark.parametrize(("kind", "word"), [(rows.POSITIONS, "axis"), (rows.FLUSH, "")])
+def test_only_a_position_request_waits_for_axes(kind: int, word: str) -> None:
+    """Another command's columns mean something else."""
+    row = [0.0] * 100
+    row[rows.KIND] = kind
+    single_axes = SimpleNamespace(request_state=lambda *_: 1, requested_axis=2)
+    waits: Any = SimpleNamespace(
+        queue=SimpleNamespace(rows=row),
+        executor=SimpleNamespace(context=SimpleNamespace(single_axes=single_axes)),
+    )
+    assert WaitReasons._of_command(waits, 0) == (word, 2 if word else 0)
+
+
+@pytest.mark.parametrize(("jerk", "more"), [(0.0, 0.0), (200.0, 6.0 * 50.0 / 200.0)])
+def test_braking_from_now_on_takes_longer_with_a_limit_of_the_jerk(
+    jerk: float, more: float
+) -> None:
+    """v²/2a, and v·a/j until the acceleration is there and gone."""
+    row = [0.0] * 200
+    row[rows.ACCELERATION], row[rows.JERK] = 50.0, jerk
+    path: Any = SimpleNamespace(history_rows=row, row=0, speed_v=6.0)
+    assert KernelPath.braking_distance(path) == pytest.approx(36.0 / 100.0 + more)
+
+
+@pytest.mark.parametrize(("words", "is_same"), [([1, 2], 1), ([1, 3], 0), ([5, 6], 0)])
+def test_any_word_that_a_plc_has_changed_is_noticed(words: list[int], is_same: int) -> None:
+    """One of them or all of them; what the CNC writes in front of them does not count."""
+    image: Any = SimpleNamespace(
+        first_input_word=1, word_count=3, image_words=[9, *words], published_words=[0, 1, 2]
+    )
+    assert InterfaceImage.is_as_published(image) == is_same
+
+
+@pytest.mark.parametrize("name", ["feed_hold", "single_block", "backward_motion", "probe"])
+def test_a_key_of_the_panel_is_down_where_its_cell_is_not_zero(name: str) -> None:
+    """Each key has a cell of its own, and 0 there means that nobody presses it."""
+    rig = Rig()
+    panel = rig.channel.panel
+    cell = panel.first_cell + getattr(cells, f"PANEL_{name.upper()}")
+    for value in (0.0, 1.0, 0.0):
+        panel.cells[cell] = value
+        panel.latch()
+        assert bool(getattr(panel, name)) == (value != 0.0)
+
+
+@pytest.mark.parametrize(
+    ("head", "started", "speed_v", "is_started"),
+    [
+        (3, 5, 0.0, True),
+        (5, 5, 0.0, True),
+        (6, 5, 0.0, False),
+        (6, 5, 1.0, True),
+        (0, -1, 0.0, False),
+    ],
+)
+def test_what_the_path_has_begun_is_not_held_back(
+    head: int, started: int, speed_v: float, is_started: bool
+) -> None:
+    """MO-6: single block stops in front of what lies behind the newest segment that has begun."""
+    asked: list[bool] = []
+
+    def permits_block(_line: int, _moves: bool, started: bool) -> int:
+        asked.append(started)
+        return 1
+
+    executor: Any = SimpleNamespace(
+        queue=SimpleNamespace(rows=[0.0] * 10, head=head, started=started),
+        path=SimpleNamespace(speed_v=speed_v, continues_block=lambda: 0),
+        panel=SimpleNamespace(permits_block=permits_block),
+        is_motion=lambda _row: True,
+    )
+    assert CommandExecutor.enter_block(executor, 0) == 1
+    assert asked == [is_started]
+
+
+@pytest.mark.parametrize(("factor", "end_v"), [(0.5, 10.0), (1.2, 12.0), (2.0, 15.0)])
+def test_an_override_above_one_lets_the_end_of_an_arc_grow(factor: float, end_v: float) -> None:
+    """MO-5: as far as the axes allow."""
+    surveyed: list[tuple[float, float]] = []
+    arc: Any = SimpleNamespace(
+        prepared_v=10.0,
+        max_end_v=15.0,
+        next_feed_v=0.0,
+        survey=lambda *speeds: surveyed.append(speeds),
+    )
+    ArcSpeed.look_ahead(arc, 0, 1.0, 5.0, factor, factor, -1.0)
+    assert surveyed == [(15.0, end_v)]
+
+
+def test_only_a_function_that_was_put_out_is_waited_for() -> None:
+    """RC-403: another one may wait at the same time."""
+    rig = Rig()
+    section = rig.channel.hli.program
+    assert section.issue(100, 0, 1000) > 0
+    assert section.is_waiting(100) == 1
+    assert section.is_waiting(101) == 0

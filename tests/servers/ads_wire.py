@@ -51,10 +51,7 @@ class StandingSession:
         self._give()
 
     def _give(self) -> None:
-        values = {name: self.written.get(name, 0.0) for name in self._signals}
-        for name, value in values.items():
-            if name.endswith(("TEXT", "STRING")):
-                values[name] = value or ""
+        values = dict(zip(self._signals, self.read(*self._signals), strict=True))
         assert self._listener is not None
         self._listener.give(
             SessionFrame(self.tick, 1, "ready", None, None, values, {}, (), 0, (), (), 0)
@@ -68,6 +65,11 @@ class StandingSession:
             self.written.update(values)
             self.sources.append(source)
         return [self.tick] * len(requests)
+
+    def read(self, *names: str) -> list[float | bool | str]:
+        """Return values."""
+        texts = ("TEXT", "STRING")
+        return [self.written.get(name, "" if name.endswith(texts) else 0.0) for name in names]
 
     def decoders(self) -> list[Any]:
         """Return no open program."""

@@ -173,7 +173,7 @@ def test_a_flood_of_requests_is_read_no_faster_than_it_can_be_answered() -> None
                 if not wire.is_paused:
                     break
             assert not wire.is_paused
-            assert len(wire.answers()) > 200
+            assert len(wire.answers()) >= 50
 
     asyncio.run(live())
 

@@ -383,3 +383,29 @@ def test_who_does_not_take_notifications_is_disconnected() -> None:
         assert not wire.is_paused
 
     with_bench(act)
+
+
+def test_values_that_nobody_reads_any_more_are_let_go(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Reading all there is once costs the session nothing for ever; beyond a limit it is asked."""
+    monkeypatch.setattr("nctakt.servers.store.MAX_BORROWED", 12)
+
+    async def act(found: Bench) -> None:
+        one, wire = found.connect()
+        store, access = found.host.store, found.door.service.access
+        (first,) = access.symbols.item(VARIABLES, 0, 8).names
+        found.session.written[first] = 3.0
+        assert data_of(await found.ask(one, wire, read(VARIABLES, 0, 8))) == pack("<d", 3)
+        assert len(store.values) == 1
+        await found.ask(one, wire, notification(VARIABLES, 0, 8, 3))
+        for symbol in access.symbols.symbols.values():
+            get = read(symbol.group, symbol.offset, symbol.type.size_bytes)
+            assert result(await found.ask(one, wire, get)) == 0, symbol
+        assert len(store.values) <= 12
+        await access.release()
+        await access.release()
+        await asyncio.sleep(0)
+        assert set(store.values) == {first}
+        get = read_write(Group.VALUE_BY_NAME, 0, 80, b"V.E.LIST\0")
+        assert data_of(await found.ask(one, wire, get)) == bytes(80)
+
+    with_bench(act)

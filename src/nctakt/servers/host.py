@@ -28,6 +28,9 @@ from nctakt.session.session import Session
 #: Writes that wait for the session at most; one more is refused.
 MAX_WRITES = 10_000
 
+#: Writes that the session takes at once: between two batches ticks go on.
+MAX_BATCH = 100
+
 #: How long a client waits for its write to be latched at most, in seconds: a session may pause.
 LATCHING_S = 1.0
 
@@ -166,7 +169,8 @@ class Host:
         """Hand the writes of all clients to the session, together those that wait together."""
         try:
             while self._writes:
-                writes, self._writes = self._writes, []
+                writes = self._writes[:MAX_BATCH]
+                del self._writes[:MAX_BATCH]
                 requests = [(values, source) for values, source, _ in writes]
                 answers: Sequence[Failure | int]
                 try:

@@ -17,6 +17,9 @@ from nctakt.session.listening import Frame
 #: The type of values.
 Scalar = float | bool | str
 
+#: Values that are borrowed at most: each frame brings all of them.
+MAX_BORROWED = 5000
+
 #: Lets the session tell these values from now on.
 Subscriber = Callable[[Sequence[str]], Awaitable[None]]
 
@@ -28,6 +31,7 @@ class Store:
         self._subscribe = subscribe
         self._log = log
         self._names: dict[str, None] = {}
+        self._borrowed: dict[str, None] = {}
         self._lock = asyncio.Lock()
         self._listeners: list[Callable[[Frame], None]] = []
         self.values: Mapping[str, Scalar] = {}
@@ -55,19 +59,35 @@ class Store:
         values = self.values
         return all(name in values for name in names)
 
-    async def subscribe(self, names: Iterable[str]) -> None:
+    async def subscribe(self, names: Iterable[str], *, is_borrowing: bool = False) -> None:
         """Let the values of these names be here from now on; raises ``Failure`` for unknown ones.
 
-        The names are those of the session (``Catalogue.find(...).name``).
+        The names are those of the session (``Catalogue.find(...).name``). What is borrowed goes
+        when ``keep_borrowed`` does not name it.
         """
         asked_for = dict.fromkeys(names)
         if self.has(asked_for):
             return
         async with self._lock:
-            missing = [name for name in asked_for if name not in self._names]
+            known = {**self._names, **self._borrowed}
+            missing = [name for name in asked_for if name not in known]
             if missing:
-                await self._subscribe([*self._names, *missing])
-                self._names.update(dict.fromkeys(missing))
+                await self._subscribe([*known, *missing])
+            own = self._borrowed if is_borrowing else self._names
+            own.update((name, None) for name in asked_for if name not in self._names)
+
+    async def keep_borrowed(self, names: Iterable[str]) -> None:
+        """Let only these of the borrowed values come from now on."""
+        async with self._lock:
+            kept = {name: None for name in names if name in self._borrowed}
+            if len(kept) < len(self._borrowed):
+                await self._subscribe([*self._names, *kept])
+                self._borrowed = kept
+
+    def can_borrow(self, names: Iterable[str]) -> bool:
+        """Return whether there is room for these names among the borrowed ones."""
+        new = sum(name not in self._borrowed for name in names)
+        return len(self._borrowed) + new <= MAX_BORROWED
 
     async def read(self, *names: str) -> list[Scalar]:
         """Return values, all of the same tick; raises ``Failure`` for an unknown name."""

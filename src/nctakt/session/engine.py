@@ -252,6 +252,17 @@ class Engine:
         self._machine.inputs.add(inputs)
         self._expected.clear()
 
+    def post_each(self, groups: Sequence[Sequence[Input]]) -> list[tuple[Diagnostic, ...] | None]:
+        """Add groups of inputs as ``post``; return for each why it was refused, or ``None``."""
+        answers: list[tuple[Diagnostic, ...] | None] = []
+        for group in groups:
+            try:
+                self.post(group)
+                answers.append(None)
+            except Failure as failure:
+                answers.append(tuple(failure.diagnostics))
+        return answers
+
     def run(self, end: int, stops: Sequence[StopAt] = (), events: bool = True) -> Slice:
         """Run up to tick ``end``, to the first tick in which a stop holds, or to the run's end.
 

@@ -209,13 +209,12 @@ class Story:
         answers: list[Failure | int],
     ) -> bool:
         """Write for several clients; ``answers``: why one is refused, or its tick."""
-        begins = False
-        for values, source in requests:
-            try:
-                begins = self.write(values, source) or begins
-                answers.append(self.tick)
-            except Failure as failure:
-                answers.append(failure)
+        groups = [
+            [Input(self.tick, source, WRITE, pair) for pair in values.items()]
+            for values, source in requests
+        ]
+        begins, refused = self._timeline.post_each(groups)
+        answers += [self.tick if failure is None else failure for failure in refused]
         return begins
 
     def select(self, program: str, channel: int, source: str) -> bool:

@@ -162,6 +162,25 @@ class Timeline:
         """
         arriving = [one._replace(tick=max(one.tick, self.tick)) for one in inputs]
         self.live.post(arriving)
+        return self._keep(arriving)
+
+    def post_each(self, groups: Sequence[Sequence[Input]]) -> tuple[bool, list[Failure | None]]:
+        """Post groups of inputs for the next tick, of which some may be refused.
+
+        Returns whether a branch has begun, and for each group why it was refused, or ``None``.
+        """
+        answers = self.live.ask("post_each", groups)
+        kept = [
+            one
+            for group, answer in zip(groups, answers, strict=True)
+            if answer is None
+            for one in group
+        ]
+        begins = self._keep(kept) if kept else False
+        return begins, [None if answer is None else Failure(*answer) for answer in answers]
+
+    def _keep(self, arriving: Sequence[Input]) -> bool:
+        """Note inputs that the live controller has; return whether a branch has begun."""
         branch = self.branch
         begins = self.tick < branch.latest
         if begins:

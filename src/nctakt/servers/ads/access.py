@@ -7,8 +7,9 @@ in order is an ``AdsError``; values that are not here yet are ``Missing``.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from struct import Struct, pack
+from typing import TypeVar
 
 from nctakt.base.failure import Failure, error_text
 from nctakt.nc.vocabulary import strings
@@ -23,6 +24,8 @@ from nctakt.servers.ads.symbols import SymbolTable
 from nctakt.servers.ads.uploads import Uploads, handle_description, symbol_entry, type_entry
 from nctakt.servers.host import Busy, Host
 from nctakt.servers.store import Scalar
+
+_T = TypeVar("_T")
 
 #: The name of the protocol in log and tape.
 DOOR = "ads"
@@ -54,6 +57,7 @@ class Access:
         self.symbols = SymbolTable(host.machine, host.catalogue)
         self.objects = Objects(host.catalogue)
         self._uploads = Uploads(self.symbols)
+        self._once: Mapping[str, Scalar] | None = None
         self._infos: dict[int, Callable[[], bytes]] = {
             Group.UPLOAD: lambda: self._uploads.symbols,
             Group.UPLOAD_INFO: self._uploads.info,
@@ -80,16 +84,46 @@ class Access:
             raise AdsError(Error.SIZE, f"{size} bytes")
         return self.value(self.resolve(client, group, offset, size))
 
+    async def fetch(self, names: Iterable[str], read: Callable[[], _T]) -> _T:
+        """Return what reads values that were missing, now that they are here.
+
+        Where too many are borrowed they are here for this once. Raises ``AdsError``.
+        """
+        store = self._host.store
+        try:
+            if store.can_borrow(names):
+                await store.subscribe(names, is_borrowing=True)
+                return read()
+            listed = list(names)
+            values = await self._host.ask(self._host.session.read, *listed)
+        except Failure as failure:
+            raise AdsError(Error.NOT_READY, error_text(failure)) from failure
+        self._once = {**store.values, **dict(zip(listed, values, strict=True))}
+        try:
+            return read()
+        finally:
+            self._once = None
+
+    @property
+    def _values(self) -> Mapping[str, Scalar]:
+        return self._host.store.values if self._once is None else self._once
+
+    async def release(self) -> None:
+        """Let values go that nobody has read for a while, and no notification sends."""
+        used = [name for item in self.symbols.used_items() for name in item.names]
+        used += [name for item in self.notifier.items() for name in item.names]
+        await self._host.store.keep_borrowed(used)
+
     def value(self, item: Readable) -> bytes:
         """Return the bytes of values; raises ``Missing``."""
         try:
-            return item.read(self._host.store.values)
+            return item.read(self._values)
         except KeyError:
             raise Missing(item.names) from None
 
     def check_present(self, names: Iterable[str]) -> None:
         """Raise ``Missing`` unless all values are here."""
-        absent = [name for name in names if name not in self._host.store.values]
+        absent = [name for name in names if name not in self._values]
         if absent:
             raise Missing(absent)
 
@@ -119,11 +153,7 @@ class Access:
             return read()
         except Missing as missing:
             names = missing.names
-        try:
-            await self._host.store.subscribe(names)
-        except Failure as failure:
-            raise AdsError(Error.NOT_READY, error_text(failure)) from failure
-        return read()
+        return await self.fetch(names, read)
 
     def read_write(self, client: Client, group: int, offset: int, size: int, data: bytes) -> bytes:
         """Return what a client asks for with data; raises ``AdsError`` and ``Missing``."""

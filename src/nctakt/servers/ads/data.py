@@ -52,9 +52,22 @@ class Leaf:
 
 
 class Item:
-    """Bytes of one or several values, from ``leaves`` whose offsets count from the first byte."""
+    """Bytes of one or several values, from ``leaves`` whose offsets count from the first byte.
 
-    __slots__ = ("_bytes", "_convert", "_get", "_pack", "_seen", "leaves", "names", "size_bytes")
+    ``is_used``: it was read since somebody has set it to false.
+    """
+
+    __slots__ = (
+        "_bytes",
+        "_convert",
+        "_get",
+        "_pack",
+        "_seen",
+        "is_used",
+        "leaves",
+        "names",
+        "size_bytes",
+    )
 
     def __init__(self, leaves: Sequence[Leaf], size_bytes: int) -> None:
         self.leaves = tuple(leaves)
@@ -79,6 +92,7 @@ class Item:
                 convert(value) for convert, value in zip(converters, values, strict=True)
             ]
         self._seen: object = None
+        self.is_used = True
         self._bytes = b""
 
     def read(self, values: Mapping[str, Scalar]) -> bytes:
@@ -93,7 +107,7 @@ class Item:
             packed = self._pack(*self._convert(got))
         except (struct.error, ValueError, OverflowError):  # beyond its type, or no number
             packed = self._pack(*map(_clamped, self.leaves, got))
-        self._seen, self._bytes = values, packed
+        self._seen, self._bytes, self.is_used = values, packed, True
         return packed
 
     def write(self, data: bytes) -> dict[str, Scalar]:

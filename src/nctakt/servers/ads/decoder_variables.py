@@ -243,7 +243,7 @@ class DecoderVariables:
         if item.size_bytes > MAX_BYTES:
             raise AdsError(Error.SIZE, f"{item.size_bytes} bytes, more than {MAX_BYTES}")
         try:
-            await self._host.store.subscribe(item.names)
+            await self._host.store.subscribe(item.names, is_borrowing=True)
         except Failure as failure:
             raise AdsError(Error.NOT_READY, error_text(failure)) from failure
         return item.read(self._host.store.values)

@@ -9,7 +9,7 @@ the machine time since then.
 from __future__ import annotations
 
 import heapq
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from itertools import count
 from struct import Struct
 
@@ -91,6 +91,11 @@ class Notifier:
         series.members[handle] = self._all[handle] = added
         client.notifications.add(handle)
         return handle
+
+    def items(self) -> Iterator[Readable]:
+        """Yield what is sent."""
+        for one in self._all.values():
+            yield one.item
 
     def begin(self, client: Client, handle: int, values: Mapping[str, Scalar], tick: int) -> None:
         """Send the first value of a notification; the others follow."""

@@ -15,6 +15,7 @@ import time
 from collections.abc import Collection
 from typing import cast
 
+from nctakt.base.failure import Failure
 from nctakt.servers.address import listen_at
 from nctakt.servers.ads.access import DOOR
 from nctakt.servers.ads.clients import Client
@@ -36,6 +37,9 @@ PORT = TCP_PORT
 
 #: 100 ns from 1601, where FILETIME begins, to 1970.
 _FILETIME_1970 = 116_444_736_000_000_000
+
+#: How often values that nobody has read since the last time are let go, in seconds.
+RELEASE_S = 30.0
 
 #: Where addresses that stand for all of a machine are reached from itself.
 _EVERYWHERE = ("0.0.0.0", "::")
@@ -71,6 +75,7 @@ class AdsDoor:
         notifier = Notifier(host.cycle_time_us, filetime - passed)
         self.service = Service(host, notifier)
         self._end_listening = host.store.listen(self._take_frame)
+        self._releasing = host.loop.create_task(self._release())
         loop = host.loop
         self._server, shown = await listen_at(
             "ADS",
@@ -82,11 +87,19 @@ class AdsDoor:
     def _take_frame(self, frame: SessionFrame) -> None:
         self.service.notifier.take(frame.values, frame.tick)
 
+    async def _release(self) -> None:
+        """Let values go that are read no more."""
+        while True:
+            await asyncio.sleep(RELEASE_S)
+            with contextlib.suppress(Failure):  # the session has ended
+                await self.service.access.release()
+
     async def close(self) -> None:
         """Disconnect all clients."""
         if self._server is None:
             return
         self._server.close()
+        self._releasing.cancel()
         self._end_listening()
         for connection in tuple(self.connections):
             connection.end("closing")

@@ -14,7 +14,6 @@ from struct import Struct, pack
 from struct import error as StructError
 from typing import Any
 
-from nctakt.base.failure import Failure, error_text
 from nctakt.base.version import __version__
 from nctakt.servers.ads.access import Access, Missing
 from nctakt.servers.ads.clients import Client
@@ -96,11 +95,9 @@ class Service:
     async def _after_subscribing(self, client: Client, frame: Frame, names: Iterable[str]) -> bytes:
         """Let the values that a request reads be here, then answer it."""
         try:
-            await self._host.store.subscribe(names)
-        except Failure as failure:
-            error = AdsError(Error.NOT_READY, error_text(failure))
+            answer = await self.access.fetch(names, partial(self.answer, client, frame))
+        except AdsError as error:
             return self._refused(client, frame.command, error)
-        answer = self.answer(client, frame)
         return answer if isinstance(answer, bytes) else await answer
 
     # --- device ---------------------------------------------------------------------------------

@@ -243,6 +243,13 @@ class SymbolTable:
             self._items[key] = found
         return found
 
+    def used_items(self) -> list[Item]:
+        """Return the ranges that were read since the last call."""
+        used = [item for item in self._items.values() if item.is_used]
+        for item in used:
+            item.is_used = False
+        return used
+
     def _new_item(self, group: int, offset: int, size_bytes: int) -> Item:
         starts, leaves = self._starts[group], self._leaves[group]
         first = bisect.bisect_left(starts, offset)

@@ -145,3 +145,25 @@ def test_an_error_that_nobody_expects_breaks(plan: Path, capsys: Captured) -> No
     assert "1 held, 1 broken" in capsys.readouterr().out
     plan.write_text(plan.read_text().replace("X at end < 4.5", "count of error 120000 = 0"))
     assert main(["study", str(plan), "--quiet"]) == 0
+
+
+def test_answers_come_with_their_commands(plan: Path, capsys: Captured) -> None:
+    """The run before and the run behind a switch-over; in German with German words."""
+    plan.write_text(PLAN + '[[find]]\nboundary = "V.E.VALUE"\n')
+    assert main(["study", str(plan), "--quiet", "--lang", "de"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert lines[1].endswith("V.E.VALUE = 4, end = 4: erfüllt")
+    assert lines[2] == f"    nctakt run {plan.with_name('part.nc')} --set V.E.VALUE=4"
+    assert lines[3].endswith("V.E.VALUE = 5, end = 5: verletzt")
+    folder = plan.with_name("tapes")
+    assert main(["study", str(plan), "--quiet", "--record", str(folder)]) == 0
+    assert len(list(folder.glob("boundary-V.E.VALUE-*.tape"))) == 2
+
+
+@pytest.mark.parametrize(
+    "words", [["--each-tick", "V.E.VALUE=1"], ["--until", "1 s"], ["--resume"], ["--expect", "a"]]
+)
+def test_options_without_effect_are_refused(plan: Path, capsys: Captured, words: list[str]) -> None:
+    """What a plan has as an entry, and ``--resume`` without results."""
+    assert main(["study", str(plan), "--quiet", *words]) == 2
+    assert words[0] in capsys.readouterr().err

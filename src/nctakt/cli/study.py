@@ -89,7 +89,10 @@ def _study(file: str, words: dict[str, Any]) -> int:
     """Make the runs; raises ``Failure`` for what cannot be used."""
     from nctakt.cli.study_progress import StudyProgress  # noqa: PLC0415 - needs the controller
 
+    _check_words(file, words)
     study = _read(file, words)
+    if words["cover"] and study.plan.is_schedule:
+        raise click.UsageError("--cover needs a program: a schedule has no realtime cycles")
     if words["cover"]:
         return _cover(study, words)
     if study.plan.goals and words["only"] is None:
@@ -146,6 +149,22 @@ def _show(study: Study, result: StudyResult, file: str, words: dict[str, Any]) -
             click.echo(line)
 
 
+def _check_words(file: str, words: dict[str, Any]) -> None:
+    """Raise ``click.UsageError`` for options that would have no effect."""
+    if words["resume"] and words["out"] is None:
+        raise click.UsageError("--resume needs --out, with the results to go on with")
+    if not _is_plan(file):
+        return
+    for name in ("each_tick", "expect", "machine", "plc", "until"):
+        if words[name]:
+            option = name.replace("_", "-")
+            raise click.UsageError(f"--{option} belongs to a program; a plan has it as an entry")
+
+
+def _is_plan(file: str) -> bool:
+    return Path(file).suffix.casefold() == ".toml"
+
+
 def _report(plan: str, results: str, words: dict[str, Any]) -> int:
     """Write the report of runs that are finished."""
     from nctakt.cli.study_commands import commands_of  # noqa: PLC0415 - as above
@@ -185,7 +204,7 @@ def _find(study: Study, words: dict[str, Any]) -> int:
 
     answers = study.find()
     for answer in answers:
-        for line in answer_lines(study, answer, words["language"]):
+        for line in answer_lines(study, answer, words["record"], words["language"]):
             click.echo(line)
         if answer.finding is not None:
             print_diagnostics([answer.finding], words["language"])
@@ -238,7 +257,7 @@ def _read(file: str, words: dict[str, Any]) -> Study:
     changes: dict[str, Any] = {}
     if words["sample"] is not None:
         changes = {"method": "random", "count": words["sample"]}
-    if Path(file).suffix.casefold() == ".toml":
+    if _is_plan(file):
         return Study(file, **changes)
     entries: dict[str, Any] = {"program": file, "expect": list(words["expect"]), **changes}
     entries |= {key: words[key] for key in ("machine", "plc", "until") if words[key] is not None}

@@ -3,11 +3,13 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterator
+from pathlib import Path
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Language
-from nctakt.studies.bench import HELD, Row
+from nctakt.studies.bench import FAILED, HELD, Row
 from nctakt.studies.each_tick import strip
 from nctakt.studies.measures import as_text
 from nctakt.studies.search import Answer
@@ -96,12 +98,23 @@ def spans_of(result: StudyResult) -> dict[str, Span]:
     return spans
 
 
-def answer_lines(study: Study, answer: Answer, language: Language) -> Iterator[str]:
-    """Yield the lines of the answer to a goal."""
+def answer_lines(
+    study: Study, answer: Answer, folder: str | None, language: Language
+) -> Iterator[str]:
+    """Yield the lines of the answer to a goal; write tapes of its runs to a folder, if named.
+
+    Raises ``Failure`` for files that cannot be written.
+    """
     runs = _TEXTS[language][0]
     yield f"{answer.goal.word} {answer.goal.measure} ({answer.runs} {runs})"
-    for row in answer.rows:
+    for number, (row, point) in enumerate(zip(answer.rows, answer.points, strict=True)):
         yield f"  {_values(study, row, language)}"
+        command = study.command(point)
+        if folder is not None and row["verdict"] != FAILED:
+            name = f"{answer.goal.word}-{answer.goal.measure}-{number}.tape"
+            command = study.record(point, Path(folder) / re.sub(r"[^\w.-]", "_", name))
+        if command is not None:
+            yield f"    {command}"
 
 
 def shrunk_lines(study: Study, result: StudyResult, language: Language) -> Iterator[str]:

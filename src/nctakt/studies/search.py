@@ -31,11 +31,12 @@ WIDE_SHARE = 0.6
 class Answer:
     """The answer to a goal: the run before and the run behind a switch-over, or the worst one.
 
-    ``runs``: how many were made. ``finding``: why there is no answer.
+    ``points``: the values of each; ``runs``: how many were made. ``finding``: why there is none.
     """
 
     goal: Goal
     rows: tuple[Row, ...]
+    points: tuple[tuple[Value, ...], ...]
     runs: int
     finding: Diagnostic | None = None
 
@@ -78,24 +79,27 @@ def _boundary(bench: Bench, goal: Goal, runs: _Runs) -> Answer:
     dimension = dimensions[number]
     point = [one.between(0.0) for one in dimensions]
 
-    def row_at(share: int, count: int) -> Row:
-        point[number] = _value(dimension, share, count)
-        return runs.row(point)
+    def point_at(share: int) -> tuple[Value, ...]:
+        return (*point[:number], _value(dimension, share, last), *point[number + 1 :])
+
+    def row_at(share: int) -> Row:
+        return runs.row(point_at(share))
 
     low, high = 0, dimension.count - 1 if dimension.count else 1 << MAX_HALVINGS
     last = high
-    at_low, at_high = row_at(low, last), row_at(high, last)
+    at_low, at_high = row_at(low), row_at(high)
     if at_low["verdict"] == at_high["verdict"]:
         found = diagnostic(NO_BOUNDARY, low=at_low[dimension.name], high=at_high[dimension.name])
-        return Answer(goal, (at_low, at_high), runs.count, found)
+        ends = (point_at(low), point_at(high))
+        return Answer(goal, (at_low, at_high), ends, runs.count, found)
     while high - low > 1:
         middle = (low + high) // 2
-        row = row_at(middle, last)
+        row = row_at(middle)
         if row["verdict"] == at_low["verdict"]:
             low, at_low = middle, row
         else:
             high, at_high = middle, row
-    return Answer(goal, (at_low, at_high), runs.count)
+    return Answer(goal, (at_low, at_high), (point_at(low), point_at(high)), runs.count)
 
 
 def _value(dimension: Dimension, share: int, last: int) -> Value:
@@ -126,11 +130,12 @@ def _worst(bench: Bench, goal: Goal, runs: _Runs) -> Answer:
     else:
         best = _by_optuna(bench, goal, measured)
         best = _by_steps(dimensions, best, measured, lambda: runs.count < goal.budget)
-    row = runs.row([dimension_value(one, n) for one, n in zip(dimensions, best, strict=True)])
+    point = tuple(dimension_value(one, n) for one, n in zip(dimensions, best, strict=True))
+    row = runs.row(point)
     found = None
     if not isinstance(row[goal.measure], float | int):
         found = diagnostic(NOTHING_MEASURED, measure=goal.measure, count=runs.count)
-    return Answer(goal, (row,), runs.count, found)
+    return Answer(goal, (row,), (point,), runs.count, found)
 
 
 def _by_optuna(
@@ -205,7 +210,7 @@ def shrink(bench: Bench, point: Sequence[Value], nominal: Sequence[Value]) -> An
 
         current[index] = _nearest_broken(current[index], nominal[index], dimension, breaks)
         smallest = runs.row(current)
-    return Answer(Goal("boundary", "", 0), (smallest,), runs.count)
+    return Answer(Goal("boundary", "", 0), (smallest,), (tuple(current),), runs.count)
 
 
 def _nearest_broken(

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 from nctakt.base.diagnostics import Language
 from nctakt.base.failure import Failure
 from nctakt.studies.bench import BROKEN, CRASHED, FAILED, HELD, Bench, Row, columns_of
+from nctakt.studies.dimension import Value
 from nctakt.studies.each_tick import Nominal, nominal_run, with_span
 from nctakt.studies.inputs import command_of, inputs_of
 from nctakt.studies.measures import MeasuredValue, function_measure
@@ -35,6 +36,10 @@ if TYPE_CHECKING:
 
 #: Makes the rows of runs by their numbers, in any order.
 Executor = Callable[[Plan, Iterable[int]], Iterator[list[Row]]]
+
+
+#: The most runs whose numbers are listed before the first of them is made.
+MAX_LISTED = 1_000_000
 
 
 class StudyResult:
@@ -183,9 +188,11 @@ class Study:
         ``on_rows`` is called with new ones. Raises ``Failure`` for unknown names, before any run.
         """
         self.bench  # noqa: B018 - checks the names
-        numbers_due: Iterable[int] = range(len(self)) if numbers is None else numbers
+        numbers_due: Iterable[int] = range(self.plan.size) if numbers is None else numbers
         done = () if store is None else store.done
-        missing = (number for number in numbers_due if number not in done) if done else numbers_due
+        missing: Iterable[int] = (number for number in numbers_due if number not in done)
+        if self.plan.size <= MAX_LISTED:
+            missing = list(missing)
         if executor is None:
             executor = rows_here
             copies = is_copied(self.plan, self.bench.cycle_time_us)
@@ -224,18 +231,24 @@ class Study:
             return next(iter(str(error).splitlines()), "")
         return ""
 
-    def record(self, number: int, path: str | Path) -> str:
-        """Write the tape of a run; return the command that replays it.
+    def record(self, run: int | Sequence[Value], path: str | Path) -> str:
+        """Write the tape of a run, by its number or its values; return the command that replays it.
 
         Of a schedule the list and its load are written instead. Raises ``Failure`` as the run, and
         for files that cannot be written.
         """
-        return record_run(self.bench, self.plan.point(number), Path(path))
+        return record_run(self.bench, self._point(run), Path(path))
 
-    def command(self, number: int) -> str | None:
-        """Return the command that makes a run alone; ``None`` if no option says its inputs."""
-        inputs = inputs_of(self.plan, self.plan.point(number), self.bench.cycle_time_us)
+    def command(self, run: int | Sequence[Value]) -> str | None:
+        """Return the command that makes a run alone, by its number or its values.
+
+        ``None`` if no option says its inputs.
+        """
+        inputs = inputs_of(self.plan, self._point(run), self.bench.cycle_time_us)
         return command_of(self.plan, inputs)
+
+    def _point(self, run: int | Sequence[Value]) -> Sequence[Value]:
+        return self.plan.point(run) if isinstance(run, int) else run
 
 
 __all__ = ["Study", "StudyResult"]

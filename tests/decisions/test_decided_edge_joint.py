@@ -73,3 +73,13 @@ def test_a_reset_ends_the_measuring() -> None:
     run = perform("G00 X60\nM30", controller, at=PROBE)
     assert run.state == "ended"
     assert told(run, "probe") == []
+
+
+def test_no_edge_is_found_on_the_way_back() -> None:
+    """MO-7: the probe is looked at where the block goes forward."""
+    switched = [(500, "BACKWARD_MOTION", 1.0), (700, "PROBE", 1.0), (710, "PROBE", 0.0)]
+    switched.append((900, "BACKWARD_MOTION", 0.0))
+    stimuli = [Stimulus(f"{time} ms", f"HLI.{name}", value) for time, name, value in switched]
+    run = perform(f"G00 X-50\n{BLOCK}M30", machine(5.0), at=stimuli)
+    assert numbers(run) == [50891]
+    assert told(run, "probe") == []

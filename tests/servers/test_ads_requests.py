@@ -329,8 +329,11 @@ def test_variables_of_the_decoder_class_by_name_and_handle() -> None:
         assert unpack("<d", await ask(0x10005, b"V.RTA.ACS.ACT_POS\0")) == (0.0,)
         put = write(DECODER, 0x10006, b"V.RTA.ACS.ACT_POS\0" + bytes(8), port=552)
         assert result(await found.ask(one, wire, put)) == Error.ACCESS
-        missing = read_write(DECODER, 0x48, 8, b"V.P.NOTHING\0", port=552)
-        assert result(await found.ask(one, wire, missing)) == Error.SYMBOL
+        for name in (b"V.P.NOTHING\0", b"V.A.ABS.X\0"):  # no program is open
+            missing = read_write(DECODER, 0x48, 8, name, port=552)
+            assert result(await found.ask(one, wire, missing)) == Error.SYMBOL
+        assert int.from_bytes(await ask(0x44, b"V.A\0"), "little") > 10
+        assert unpack("<5I", await ask(0x4C, b"V.A.ABS.X\0"))[1:] == (8, 1, 8, 0)
 
     with_bench(act)
 

@@ -102,3 +102,18 @@ def test_a_value_from_outside_is_a_change_that_no_cycle_has_written(session: Ses
     assert changed.hits == (0,)
     assert session.run(until=["changes V.E.COUNT", "written V.E.COUNT"]).hits == (0, 1)
     session.go_to(0, 1)
+
+
+def test_system_variables_are_those_of_the_decoder() -> None:
+    """V.G and V.A as a program would read them where its decoder is, in the program's unit."""
+    program = NcText("part.nc", "G92 X5\nG01 X25.4 F600\nG70\nG01 X2 F10\n#FLUSH WAIT\nM30")
+    with Session(program) as session:
+        session.step(2)
+        (state,) = session.decoders()
+        system = {one.name: one.values[0] for one in state.system}
+        assert system["V.G.MASS_MM"] == 1.0
+        assert system["V.A.PROG.X"] == pytest.approx(2.0)
+        assert system["V.A.BZP.X"] == pytest.approx(5.0 / 25.4)
+        assert {"V.A.+SWE.X", "V.A.ACS.ABS.Y", "V.G.NP_AKT.V.Z"} <= system.keys()
+        session.run()
+        assert session.decoders() == []

@@ -51,16 +51,16 @@ class QueueFeeder:
         self._channel = machine.channels[program.channel]
         self._report = report
         self._number = machine.registry.add_program(program.text.source.file)
-        self._environment = machine.environment(
+        self.environment = machine.environment(
             program.subprogram, report, skip_levels, program.channel, marks_blocks
         )
-        self._environment.offsets.adopt(machine.axes.offsets)
+        self.environment.offsets.adopt(machine.axes.offsets)
         start = program.parameters.program_start
         state = state_at_program_start(start, machine.positions(program.channel))
         state.call_stack.scopes = Scopes(machine.controller_data[program.channel].kept)
         registry = machine.registry
         self._decoder = ProgramDecoder(
-            self._environment,
+            self.environment,
             state,
             registry.next_cycle,
             partial(registry.keep, channel=machine.number_in_names(program.channel)),
@@ -157,7 +157,7 @@ class QueueFeeder:
         """Report an error of decoding; the channel stops after the commands that are queued."""
         self.fatal_error = error
         self._report(error)
-        source = 0 if error.span is None else self._environment.source_id(error.span)
+        source = 0 if error.span is None else self.environment.source_id(error.span)
         self._put(commands.GiveUp(source, 0, error.id), 0)
         self._channel.decoder_open = False
 
@@ -168,7 +168,7 @@ class QueueFeeder:
         if isinstance(command, commands.LoadCycle):
             self._load(command)
             return
-        if self._environment.marks_blocks:
+        if self.environment.marks_blocks:
             mark = commands.wait_mark(command)
             if mark is not None:
                 self._put(mark, 0)

@@ -7,12 +7,16 @@ decoder works ahead of the path: what it shows is later in the program than the 
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from typing import NoReturn
 
 from nctakt.base.dataclass import dataclass
-from nctakt.base.diagnostics import Span
+from nctakt.base.diagnostics import Message, Span
+from nctakt.decoder.state.environment import DecoderEnvironment
 from nctakt.decoder.state.modal_state import ModalState
 from nctakt.decoder.state.program_variables import ProgramVariable, Scopes, Variables
+from nctakt.decoder.values.system_values import SystemValues
+from nctakt.nc.tree import Expression
 
 #: Elements of an array that are shown.
 MAX_ELEMENTS = 1000
@@ -43,7 +47,8 @@ class DecoderFrame:
 class DecoderState:
     """The decoder of a channel; ``frames`` from the main program on.
 
-    ``program``: V.P, ``kept``: V.S, ``cycle``: V.CYC of the innermost cycle, ``parameters``: P1 …
+    ``program``: V.P, ``kept``: V.S, ``cycle``: V.CYC of the innermost cycle, ``parameters``: P1 …,
+    ``system``: V.G and V.A as the decoder would read them now.
     """
 
     channel: int
@@ -52,9 +57,10 @@ class DecoderState:
     kept: tuple[DecoderVariable, ...]
     cycle: tuple[DecoderVariable, ...]
     parameters: Mapping[int, float]
+    system: tuple[DecoderVariable, ...]
 
 
-def decoder_state(channel: int, state: ModalState) -> DecoderState:
+def decoder_state(channel: int, state: ModalState, environment: DecoderEnvironment) -> DecoderState:
     """Return what there is to see of a decoder."""
     stack = state.call_stack
     scopes = stack.scopes
@@ -70,7 +76,25 @@ def decoder_state(channel: int, state: ModalState) -> DecoderState:
         _innermost("S", scopes),
         _innermost("CYC", scopes),
         dict(sorted(state.parameters.items())),
+        tuple(_system(state, environment)),
     )
+
+
+def _system(state: ModalState, environment: DecoderEnvironment) -> Iterator[DecoderVariable]:
+    """Yield V.G and V.A."""
+    for row, axis, value in SystemValues(environment, state, _fail, _no_index).present():
+        name = f"V.{row.family}.{row.path}"
+        yield DecoderVariable(f"{name}.{axis}" if axis else name, row.type, (), 1, (value,))
+
+
+def _fail(message: Message, span: Span | None, **values: object) -> NoReturn:
+    """Raise: a value that is only looked at has no mistakes."""
+    raise AssertionError(message)
+
+
+def _no_index(index: Expression) -> float:
+    """Raise: what is only looked at has no index."""
+    raise AssertionError(index)
 
 
 def _innermost(family: str, scopes: Scopes) -> tuple[DecoderVariable, ...]:

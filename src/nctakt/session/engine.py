@@ -419,7 +419,7 @@ class Engine:
     def decoders(self) -> list[DecoderState]:
         """Return the decoders that have a program open."""
         return [
-            decoder_state(number, channel.feeder.state)
+            decoder_state(number, channel.feeder.state, channel.feeder.environment)
             for number, channel in enumerate(self._loop.channels, start=1)
             if channel.feeder is not None
         ]

@@ -22,6 +22,7 @@ from nctakt.messages.offsets import UNKNOWN_ZERO_OFFSET
 from nctakt.nc.tree import Expression, Variable
 from nctakt.nc.vocabulary.functions import FEED_PER_REVOLUTION, FEED_SHARE, INVERSE_TIME_FEED
 from nctakt.nc.vocabulary.resolution import path_text
+from nctakt.nc.vocabulary.system_names import ROWS, SystemRow
 from nctakt.nc.vocabulary.system_variables import SystemVariable
 from nctakt.nc.vocabulary.variable_table import Location
 
@@ -46,7 +47,25 @@ class SystemValues:
         if system.kind == "channel":
             return self._of_channel(system.subject)
         axis = self._axis_index(variable, system)
-        value = self._of_axis(variable, system, axis)
+        value = self._of_axis(system.subject, axis)
+        if value is None:
+            groups = self._environment.offsets.zero_groups
+            value = groups.get(self._group(variable, system), {}).get(axis, 0.0)
+        return self._in_units(value, axis)
+
+    def present(self) -> Iterator[tuple[SystemRow, str, float]]:
+        """Yield each variable with its axis, if it has one, and its value; no numbered offsets."""
+        for row in ROWS:
+            if not row.has_axis:
+                yield row, "", self._of_channel(row.path)
+                continue
+            for axis, index in self._environment.axis_numbers.items():
+                value = self._of_axis(row.path, index)
+                if value is not None:
+                    yield row, axis, self._in_units(value, index)
+
+    def _in_units(self, value: float, axis: int) -> float:
+        """Return a value of an axis in the program's unit."""
         is_linear = self._environment.axes[axis].is_linear
         return value / self._state.length_unit_mm if is_linear else value
 
@@ -54,11 +73,11 @@ class SystemValues:
         """Return the cell of an axis' actual position."""
         return self._cell(self._axis_index(variable, system))
 
-    def _of_axis(self, variable: Variable, system: SystemVariable, index: int) -> float:
-        """Return the value of an axis in mm or degrees."""
+    def _of_axis(self, subject: str, index: int) -> float | None:
+        """Return the value of an axis in mm or degrees; ``None`` for one of a numbered offset."""
         axis = self._environment.axes[index]
         offsets = self._environment.offsets
-        match system.subject:
+        match subject:
             case "ABS":
                 return offsets.inside(self._state.positions)[index]
             case "PROG" | "MENT":
@@ -80,7 +99,7 @@ class SystemValues:
                 return axis.modulo_range
             case "NP_AKT.V":
                 return offsets.value(index, codes.ZERO_OFFSET)
-        return offsets.zero_groups.get(self._group(variable, system), {}).get(index, 0.0)
+        return None
 
     def _of_channel(self, subject: str) -> float:
         state = self._state

@@ -2,8 +2,9 @@
 """The variables of the decoder class: by name, by handle, with descriptions (AD-5).
 
 In: group, offset and data of a request. Out: its answer. Variables of the machine come from the
-latest values; V.P, V.L, V.S and V.CYC belong to the decoder's open programs, so the session is
-asked. Structures are resolved into their elements; an array of numbers or texts can be taken whole.
+latest values; V.P, V.L, V.S, V.CYC, V.G and V.A belong to the decoder's open programs, so the
+session is asked. Structures are resolved into their elements; an array of numbers or texts can be
+taken whole.
 """
 
 from __future__ import annotations
@@ -18,6 +19,7 @@ from nctakt.lists.declared.variables import SCALARS
 from nctakt.lists.machine.variables import Node
 from nctakt.nc.vocabulary import strings
 from nctakt.nc.vocabulary.strings import encode
+from nctakt.nc.vocabulary.system_names import ROWS
 from nctakt.run.machine_names import prefix_of
 from nctakt.servers.ads.codes import AdsError, Error
 from nctakt.servers.ads.data import NUMERIC, Item, Leaf
@@ -44,7 +46,7 @@ _AXIS_STEP = 0x10000
 _NUMBER = Struct("<I")
 
 #: Families that only programs have.
-_OF_PROGRAMS = ("V.P.", "V.L.", "V.S.", "V.CYC.")
+_OF_PROGRAMS = ("V.P.", "V.L.", "V.S.", "V.CYC.", "V.G.", "V.A.")
 
 
 @dataclass(frozen=True, slots=True)
@@ -110,6 +112,14 @@ class DecoderVariables:
             value = catalogue.find(f"{prefix}{name}")
             size = SCALARS[value.type].size_bytes
             yield Described(name, (value.name,), value.type, size, is_writable=False)
+        for row in ROWS:
+            if row.path.startswith("NP["):
+                continue  # a numbered offset
+            axes = [f".{axis.name}" for axis in channel.axes] if row.has_axis else [""]
+            for axis in axes:
+                name = f"V.{row.family}.{row.path}{axis}"
+                size = SCALARS[row.type].size_bytes
+                yield Described(name, (name,), row.type, size, is_writable=False)
 
     # --- requests -------------------------------------------------------------------------------
 
@@ -151,6 +161,8 @@ class DecoderVariables:
                 return _NUMBER.pack(self._handle(channel, self._full(channel, axis, data)[0]))
             case 0x47:
                 one, indices, _ = self._of_handle(channel, data)
+                if one.name.startswith(_OF_PROGRAMS):
+                    return await self._of_program(channel, one.name)
                 return await self._read(one.item(indices))
             case 0x48:
                 return await self._by_name(channel, self._full(channel, axis, data)[0])
@@ -285,6 +297,7 @@ def _variables_of(state: DecoderState) -> Iterator[DecoderVariable]:
     yield from state.program
     yield from state.kept
     yield from state.cycle
+    yield from state.system
     for frame in state.frames[-1:]:
         yield from frame.variables
 

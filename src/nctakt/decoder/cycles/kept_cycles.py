@@ -23,22 +23,20 @@ class CyclePlace:
     scope: str
 
 
-def built_cycle(
-    values: Values, statement: tree.RealtimeCycle, place: CyclePlace
-) -> CycleDefinition:
+def built_cycle(values: Values, statement: tree.RealtimeCycle, at: CyclePlace) -> CycleDefinition:
     """Return the cycle of a definition: a kept one if it would be built just so."""
     environment, state = values.environment, values.state
     kept = environment.kept_cycles
     key = (
         id(statement), id(environment.names), environment.source_id(statement.span),
-        place.serial, place.first_probe, place.identity, place.scope,
+        at.serial, at.first_probe, at.identity, at.scope,
         state.length_unit_mm, state.inch,
     )  # fmt: skip
     found = None if kept is None else kept.find(key)
     if isinstance(found, CycleDefinition):
         return found
-    builder = CycleBuilder(values, place.first_probe)
-    built = builder.build(statement, place.serial, place.identity, place.scope)
+    builder = CycleBuilder(values, at.first_probe)
+    built = builder.build(statement, at.serial, at.identity, at.scope)
     if kept is not None and builder.is_repeatable:
         kept.keep(key, built, built.cycle)
     return built

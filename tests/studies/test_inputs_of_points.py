@@ -71,7 +71,7 @@ def test_unknown_parameters_are_told(tmp_path: Path) -> None:
 
 def test_values_that_a_list_does_not_take_are_told(tmp_path: Path) -> None:
     """A study does not run with another value than that of its row."""
-    vary = {"parameter": "P-AXIS-00008", "of": "X", "values": [-5]}
+    vary = {"parameter": "P-AXIS-00008", "of": "X", "values": [1000, -5]}
     with pytest.raises(Failure) as raised:
         rows(tmp_path, vary)
     assert "a_max" in raised.value.diagnostics[0].text()

@@ -108,22 +108,21 @@ class Bench:
                 measure.check()
             except Failure as failure:
                 found += failure.diagnostics
-        for index, dimension in enumerate(self.plan.dimensions):
-            try:
-                point = [one.between(0.0) for one in self.plan.dimensions]
-                single = Plan(
-                    self.plan.program, None, None, (dimension,), (), (),
-                )  # fmt: skip
-                self._check_inputs(inputs_of(single, [point[index]], self.cycle_time_us))
-            except Failure as failure:
-                found += failure.diagnostics
+        for dimension in self.plan.dimensions:
+            for value in dimension.probes():
+                inputs = RunInputs()
+                inputs.add(dimension, value, self.cycle_time_us)
+                try:
+                    self._check_inputs(inputs)
+                except Failure as failure:
+                    found += failure.diagnostics
         try:
             self._plc(RunInputs())
             self._check_inputs(RunInputs(dict(self.plan.assignments), list(self.plan.stimuli)))
         except Failure as failure:
             found += failure.diagnostics
         if found:
-            raise Failure(*found)
+            raise Failure(*{one.text(): one for one in found}.values())
 
     def _check_inputs(self, inputs: RunInputs) -> None:
         controller = self._controller(inputs)

@@ -32,6 +32,9 @@ Value = float | int | str
 #: The highest time of a dimension that goes on to the end of the unchanged run, in microseconds.
 END_OF_RUN = 1 << 60
 
+#: The most values of a list that are checked before any run.
+MAX_PROBES = 50
+
 #: Steps of a dimension beyond which nobody counts.
 MAX_STEPS = 1e18
 
@@ -98,6 +101,10 @@ class Dimension:
     def rest_value(self) -> Value:
         """The value of the unchanged run."""
         return self.between(0.0) if self.nominal is None else self.nominal
+
+    def probes(self) -> tuple[Value, ...]:
+        """Return the values that are checked before any run: the listed ones, or both ends."""
+        return self.values[:MAX_PROBES] or (self.between(0.0), self.between(1.0))
 
     def between(self, share: float) -> Value:
         """Return the value at a share of the way, 0 … 1; on the grid where there is one."""

@@ -19,7 +19,7 @@ from nctakt.schedule.simulate import simulate
 from nctakt.studies.begun_run import FinishedRun
 from nctakt.studies.bench import BROKEN, HELD, Bench, Row
 from nctakt.studies.changed_schedule import ScheduleChanges, ScheduleFiles
-from nctakt.studies.dimension import Value
+from nctakt.studies.dimension import Dimension, Value
 from nctakt.studies.inputs import RunInputs, inputs_of
 from nctakt.studies.plan import Plan
 from nctakt.studies.schedule_measures import ScheduleOutcome, numbers_of
@@ -52,16 +52,16 @@ class ScheduleBench(Bench):
             found += _failures(measure.check)
         for number in (number for node in nodes for number in numbers_of(node)):
             found += _failures(number.check, base)
-        for index in range(len(plan.dimensions)):
-            for share in (0.0, 1.0):
-                found += _failures(self._check_dimension, index, share)
+        for dimension in plan.dimensions:
+            for value in dimension.probes():
+                found += _failures(self._check_value, dimension, value)
         if found:
             raise Failure(*{one.text(): one for one in found}.values())
 
-    def _check_dimension(self, index: int, share: float) -> None:
-        """Raise ``Failure`` for an end of a dimension, the others as in list and load."""
+    def _check_value(self, dimension: Dimension, value: Value) -> None:
+        """Raise ``Failure`` for a value that list or load do not take, the others as they stand."""
         inputs = RunInputs()
-        inputs.add(self.plan.dimensions[index], self.plan.dimensions[index].between(share), 1)
+        inputs.add(dimension, value, self.cycle_time_us)
         self._files.schedule(inputs.schedule, self.access)
 
     def make(self, point: Sequence[Value]) -> FinishedRun:

@@ -16,7 +16,7 @@ from pathlib import Path
 
 from asyncua import ua
 
-from nctakt.base.failure import Failure
+from nctakt.base.failure import Failure, error_text
 from nctakt.files.access import FileAccess
 from nctakt.servers.address import listen_at
 from nctakt.servers.host import Host
@@ -102,7 +102,7 @@ class OpcuaDoor:
         await server.tell_limits()
         await host.store.subscribe(self._alarms.error_names.values())
         _, address = await listen_at("OPC UA", self._address, server.listen)
-        self._notices = host.notices.subscribe(lambda: None)
+        self._subscribe()
         loop = asyncio.get_running_loop()
         self._tasks = [loop.create_task(self._tell()), loop.create_task(self._look())]
         self._unlisten = host.store.listen(lambda _: self._alarms.look())
@@ -117,11 +117,19 @@ class OpcuaDoor:
         except (Failure, OSError):
             return ()
 
+    def _subscribe(self) -> None:
+        """Hear the notices of the host, once more if there were more than could be told."""
+        self._notices = self._host.notices.subscribe(self._subscribe)
+
     async def _tell(self) -> None:
         """Tell clients the notices of the host."""
-        assert self._notices is not None
         while True:
-            self._alarms.take(await self._notices.next())
+            assert self._notices is not None
+            notice = await self._notices.next()
+            try:
+                self._alarms.take(notice)
+            except Exception as error:  # noqa: BLE001 - the next notice must not be lost
+                self._host.log.error("opcua", reason=error_text(error) or repr(error))
 
     async def _look(self) -> None:
         """Look for realtime cycles that have no node yet."""

@@ -16,7 +16,7 @@ from asyncua import ua
 from asyncua.server.address_space import AddressSpace
 from asyncua.ua.ua_binary import variant_to_binary
 
-from nctakt.base.failure import Failure
+from nctakt.base.failure import Failure, error_text
 from nctakt.servers.host import Host
 from nctakt.servers.opcua.publishing import now_units
 from nctakt.servers.opcua.values import Clock, Live, Moment, Sample
@@ -57,7 +57,7 @@ class LiveSpace:
         try:
             await self._host.store.subscribe(names)
         except Failure as failure:
-            self._host.log.error("opcua", reason=str(failure))
+            self.report(failure)
         await self.refresh(lives)
 
     def unwatch(self, live: Live) -> None:
@@ -94,6 +94,10 @@ class LiveSpace:
     def sample(self, live: Live) -> Sample:
         """Return the value of a monitored node."""
         return live.sample(self._moment, self.clock, now_units())
+
+    def report(self, error: Exception) -> None:
+        """Tell in the log what went wrong."""
+        self._host.log.error("opcua", reason=error_text(error) or repr(error))
 
     # --- values that are read once --------------------------------------------------------------
 

@@ -198,6 +198,10 @@ class MonitoredItems:
             pace.stop()
             del self._paces[item.interval_ms]
 
+    def report(self, error: Exception) -> None:
+        """Tell in the log what went wrong while items were sampled."""
+        self._space.report(error)
+
     def stop(self) -> None:
         """Sample no more."""
         for pace in self._paces.values():
@@ -220,7 +224,10 @@ class Pace:
         while True:
             due_s = max(due_s + self._interval_s, loop.time() - self._interval_s)
             await asyncio.sleep(due_s - loop.time())
-            await self._service.look_at(list(self.items.values()))
+            try:
+                await self._service.look_at(list(self.items.values()))
+            except Exception as error:  # noqa: BLE001 - the items of the other clients go on
+                self._service.report(error)
 
     def stop(self) -> None:
         self._task.cancel()

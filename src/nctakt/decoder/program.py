@@ -408,8 +408,8 @@ class ProgramDecoder:
                 id=identity,
             )
         serial, first_probe = self._next_cycle()
-        place = CyclePlace(serial, first_probe, identity or 0, _SCOPE_NAMES[scope])
-        built = built_cycle(self._values, statement, place)
+        origin = CyclePlace(serial, first_probe, identity or 0, _SCOPE_NAMES[scope])
+        built = built_cycle(self._values, statement, origin)
         self._keep_cycle(built)
         starts = not statement.definition_only
         self._uncertain_axes.define_cycle(

@@ -6,6 +6,7 @@ from __future__ import annotations
 import asyncio
 import json
 from collections.abc import Awaitable, Callable
+from pathlib import Path
 
 import pytest
 
@@ -16,6 +17,7 @@ from nctakt.servers.address import read_address, shown_address
 from nctakt.servers.host import Host
 from nctakt.servers.log import ServerLog
 from nctakt.servers.notices import Notices, ServerNotice
+from nctakt.servers.serving import EndSignal
 from nctakt.session.session import Session
 
 pytestmark = pytest.mark.slow
@@ -136,7 +138,7 @@ def test_who_does_not_take_notices_is_dropped() -> None:
 
     async def act() -> None:
         dropped: list[str] = []
-        notices = Notices()
+        notices = Notices(ServerLog(None))
         slow = notices.subscribe(lambda: dropped.append("slow"), limit=2)
         quick = notices.subscribe(lambda: dropped.append("quick"), limit=3)
         for tick in range(3):
@@ -146,6 +148,56 @@ def test_who_does_not_take_notices_is_dropped() -> None:
         assert [(await quick.next()).tick for _ in range(3)] == [0, 1, 2]
 
     asyncio.run(act())
+
+
+def test_notices_by_the_thousand_at_once_do_not_end_the_servers() -> None:
+    """Only a controller that has stopped does; a broken listener stands in the log."""
+
+    async def act(host: Host) -> None:
+        def fail(_: object) -> None:
+            raise KeyError("door")
+
+        host.notices.listen(fail)
+        end = EndSignal(host)
+        for tick in range(2000):
+            host.notices.tell(ServerNotice("ended", tick, ""))
+        with pytest.raises(TimeoutError):
+            await asyncio.wait_for(end.wait(), 0.01)
+        host.notices.tell(ServerNotice("refused", 2000, "a slice has failed"))
+        with pytest.raises(Failure, match="a slice has failed"):
+            await asyncio.wait_for(end.wait(), 30.0)
+
+    assert "notice" in [line["event"] for line in in_host(act)]
+
+
+def test_whoever_writes_while_the_session_breaks_gets_an_answer() -> None:
+    """An error of nctakt's own reaches all that wait, and later writes are done."""
+
+    async def act(host: Host) -> None:
+        write_each = host.session.write_each
+
+        def fail(_: object) -> list[Failure | int]:
+            raise RuntimeError("broken")
+
+        host.session.write_each = fail  # type: ignore[method-assign]
+        writes = [host.write({"V.E.COUNT": number}, "ads", "plc") for number in range(2)]
+        found = await asyncio.wait_for(asyncio.gather(*writes, return_exceptions=True), 30.0)
+        assert [str(error) for error in found] == ["broken", "broken"]
+        host.session.write_each = write_each  # type: ignore[method-assign]
+        assert await host.write({"V.E.COUNT": 1}, "ads", "plc") == 0
+
+    in_host(act)
+
+
+def test_a_log_outlives_a_text_that_cannot_be_encoded(tmp_path: Path) -> None:
+    """A lone surrogate in a name of a client is written as its escape; the next line follows."""
+    file = tmp_path / "log.jsonl"
+    with file.open("w", encoding="utf-8") as stream:
+        log = ServerLog(stream.write)
+        log.refuse("mqtt", "broker", "no V.E.\udc80")
+        log.refuse("mqtt", "broker", "größer")
+    reasons = [json.loads(line)["reason"] for line in file.read_text("utf-8").splitlines()]
+    assert reasons == ["no V.E.\udc80", "größer"]
 
 
 def test_a_refusal_that_comes_again_is_told_with_its_number() -> None:

@@ -15,6 +15,7 @@ from xml.etree import ElementTree
 import pytest
 
 from nctakt.lists.machine.machine import load_machine
+from nctakt.results.run import ProgramMessage
 from nctakt.run.machine_names import names_of_machine
 from nctakt.run.program_loader import NcText
 from nctakt.servers.catalogue import Catalogue
@@ -22,6 +23,7 @@ from nctakt.servers.host import Host
 from nctakt.servers.log import ServerLog
 from nctakt.servers.mtconnect import HEARTBEAT_MS, MtconnectDoor, escaped
 from nctakt.servers.mtconnect_device import data_items, describe_device
+from nctakt.servers.notices import ServerNotice
 from nctakt.session.session import Session
 
 pytestmark = pytest.mark.slow
@@ -150,6 +152,35 @@ def test_what_an_agent_must_not_send_is_refused() -> None:
         assert door is not None
 
     assert at_the_door(act) == ["an unknown command", "a line is too long"]
+
+
+def test_an_agent_that_asks_and_never_reads_is_disconnected() -> None:
+    """Neither texts nor answers to its pings wait without a limit."""
+
+    async def act(host: Host, door: MtconnectDoor, agent: Agent) -> None:
+        await agent.until(lambda: agent.values.get("avail") == "AVAILABLE")
+        (client,) = door._clients
+        for _ in range(1001):  # nothing is sent meanwhile
+            client._queue("* PONG 10000")
+        async with asyncio.timeout(30.0):
+            while door._clients:
+                await asyncio.sleep(0.01)
+
+    assert at_the_door(act) == ["reads too slowly"]
+
+
+def test_many_texts_at_once_do_not_end_what_an_agent_hears() -> None:
+    """The door hears the notices of a thousand ticks at once, and those after them."""
+
+    async def act(host: Host, door: MtconnectDoor, agent: Agent) -> None:
+        await agent.until(lambda: agent.values.get("avail") == "AVAILABLE")
+        message = ProgramMessage(0, "last")
+        for tick in range(1001):
+            host.notices.tell(ServerNotice("ended", tick, ""))
+        host.notices.tell(ServerNotice("message", 1001, "last", message=message))
+        await agent.until(lambda: agent.values["message"] == "|last")
+
+    at_the_door(act)
 
 
 @pytest.mark.parametrize(

@@ -74,11 +74,11 @@ class Host:
         self.machine = machine
         self.catalogue = Catalogue(names_of_machine(machine))
         self.log = log
-        self.notices = Notices()
+        self.notices = Notices(log)
         self.store = Store(self._subscribe, log)
         self.cycle_time_us = session.description.cycle_time_us
         self._executor = ThreadPoolExecutor(1, "nctakt servers")
-        self._writes: list[tuple[Mapping[str, Scalar], str, asyncio.Future[Failure | int]]] = []
+        self._writes: list[tuple[Mapping[str, Scalar], str, asyncio.Future[Exception | int]]] = []
         self._latching: list[tuple[int, asyncio.Future[None]]] = []
         self._writer: asyncio.Task[None] | None = None
         self._feed: Feed | None = None
@@ -146,15 +146,16 @@ class Host:
         if len(self._writes) >= MAX_WRITES:
             self.log.refuse(door, client, "too many writes wait")
             raise Busy
-        answer: asyncio.Future[Failure | int] = self.loop.create_future()
+        answer: asyncio.Future[Exception | int] = self.loop.create_future()
         self._writes.append((dict(values), f"{door} {client}", answer))
         if self._writer is None:
             self._writer = self.loop.create_task(self._write_all())
         answered = await answer
+        if isinstance(answered, int):
+            return answered
         if isinstance(answered, Failure):
             self.refuse(answered, door, client)
-            raise answered
-        return answered
+        raise answered
 
     async def latched(self, tick: int) -> None:
         """Return once all can read what was written for a tick, at once if the session stands."""
@@ -172,11 +173,11 @@ class Host:
                 writes = self._writes[:MAX_BATCH]
                 del self._writes[:MAX_BATCH]
                 requests = [(values, source) for values, source, _ in writes]
-                answers: Sequence[Failure | int]
+                answers: Sequence[Exception | int]
                 try:
                     answers = await self.ask(self.session.write_each, requests)
-                except Failure as failure:
-                    answers = [failure for _ in writes]
+                except Exception as error:  # noqa: BLE001 - whoever waits for an answer gets it
+                    answers = [error for _ in writes]
                 for (_, _, answer), refused in zip(writes, answers, strict=True):
                     if not answer.done():  # whose client has gone
                         answer.set_result(refused)

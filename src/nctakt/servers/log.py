@@ -72,7 +72,13 @@ class ServerLog:
             return
         moment = datetime.now(UTC).isoformat(timespec="milliseconds")
         line = {"time": moment, "level": level, "event": event, **words}
+        text = json.dumps(line, ensure_ascii=False, default=str)
         try:
-            self._write(json.dumps(line, ensure_ascii=False, default=str) + "\n")
+            self._write(escaped(text) + "\n")
         except (OSError, ValueError):
             self._write = None  # a full disk ends the log, not the servers
+
+
+def escaped(document: str) -> str:
+    """Return a JSON document in which surrogates, which have no UTF-8, are escapes of JSON."""
+    return document.encode("utf-8", "backslashreplace").decode("utf-8")

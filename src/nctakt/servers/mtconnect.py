@@ -18,7 +18,7 @@ from nctakt.base.version import __version__
 from nctakt.servers.address import listen_at
 from nctakt.servers.host import Host
 from nctakt.servers.mtconnect_device import data_items, describe_device
-from nctakt.servers.notices import ServerNotice, Subscription
+from nctakt.servers.notices import ServerNotice
 from nctakt.session.listening import Frame
 
 #: The port that agents try where none is named.
@@ -31,6 +31,9 @@ HEARTBEAT_MS = 10_000
 MAX_CLIENTS = 64
 _MAX_LINE = 1024
 _MAX_WAITING = 1000
+
+#: How long an agent may take for its last line when the door closes, in seconds.
+_LEAVING_S = 1.0
 
 #: The version of the protocol, and of the standard whose data items are sent.
 _SHDR_VERSION, _MTCONNECT_VERSION = "2.0", "2.0"
@@ -49,8 +52,7 @@ class MtconnectDoor:
         self._clients: dict[_Client, asyncio.Task[None]] = {}
         self._server: asyncio.Server | None = None
         self._stop_listening: Callable[[], None] = _nothing
-        self._notices: Subscription | None = None
-        self._reader: asyncio.Task[None] | None = None
+        self._stop_hearing: Callable[[], None] = _nothing
 
     async def open(self) -> str:
         """Let agents connect; return the address. Raises ``Failure``."""
@@ -62,23 +64,23 @@ class MtconnectDoor:
             lambda name, port: asyncio.start_server(self._serve, name, port, limit=_MAX_LINE),
         )
         self._stop_listening = host.store.listen(self._take)
-        self._notices = host.notices.subscribe(lambda: None)
-        self._reader = asyncio.create_task(self._read_notices(self._notices))
+        self._stop_hearing = host.notices.listen(self._hear)
         return shown
 
     async def close(self) -> None:
         """Tell the agents that the device is not available any more."""
         self._stop_listening()
-        self._stop_listening = _nothing
-        if self._notices is not None:
-            self._host.notices.unsubscribe(self._notices)
-        if self._reader is not None:
-            self._reader.cancel()
+        self._stop_hearing()
+        self._stop_listening = self._stop_hearing = _nothing
         if self._server is not None:
             self._server.close()
         served = dict(self._clients)
         for client in served:
             client.leave()
+        if served:
+            await asyncio.wait(served.values(), timeout=_LEAVING_S)
+        for client in served:
+            client.abort()
         await asyncio.gather(*served.values(), return_exceptions=True)
 
     async def _serve(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
@@ -115,12 +117,11 @@ class MtconnectDoor:
         store = self._host.store
         return {item.key: item.show(store.values, store.frame) for item in self._items}
 
-    async def _read_notices(self, notices: Subscription) -> None:
+    def _hear(self, notice: ServerNotice) -> None:
         """Send messages of programs and diagnostics to all agents."""
-        while True:
-            for line in _lines_of(await notices.next()):
-                for client in tuple(self._clients):
-                    client.put(line)
+        for line in _lines_of(notice):
+            for client in tuple(self._clients):
+                client.put(line)
 
 
 class _Client:
@@ -154,11 +155,14 @@ class _Client:
 
     def put(self, line: str) -> None:
         """Let a line be sent; an agent that leaves too many unread is disconnected."""
+        self._queue(f"{_now()}|{line}")
+
+    def _queue(self, line: str) -> None:
         if len(self._lines) >= _MAX_WAITING:
             self._host.log.refuse(_DOOR, self.name, "reads too slowly")
             self.abort()
             return
-        self._lines.append(f"{_now()}|{line}")
+        self._lines.append(line)
         self._changed.set()
 
     async def converse(self, reader: asyncio.StreamReader) -> None:
@@ -178,10 +182,10 @@ class _Client:
             await self._changed.wait()
             self._changed.clear()
             while self._lines:
-                self._writer.write(f"{self._lines.popleft()}\n".encode())
+                self._writer.write(f"{self._lines.popleft()}\n".encode(errors="replace"))
                 await self._writer.drain()
             for line in self._changes():
-                self._writer.write(line.encode())
+                self._writer.write(line.encode(errors="replace"))
             await self._writer.drain()
 
     def _changes(self) -> Iterator[str]:
@@ -200,7 +204,7 @@ class _Client:
 
     async def _answer(self, reader: asyncio.StreamReader) -> None:
         """Answer pings; whoever has sent one goes on doing so, or has gone."""
-        while True:
+        while not self._writer.is_closing():
             seconds = 2.0 * HEARTBEAT_MS / 1000.0 if self._pinged else None
             try:
                 line = await asyncio.wait_for(reader.readline(), seconds)
@@ -215,10 +219,10 @@ class _Client:
             words = line.split()
             if words[:2] == [b"*", b"PING"]:
                 self._pinged = True
-                self._lines.append(f"* PONG {HEARTBEAT_MS}")
-                self._changed.set()
+                self._queue(f"* PONG {HEARTBEAT_MS}")
             elif words:
                 self._host.log.refuse(_DOOR, self.name, "an unknown command")
+                await asyncio.sleep(0)  # the lines of one client do not hold up the others
 
     def leave(self) -> None:
         """Tell the agent that the device is not available, and end the connection."""
@@ -227,9 +231,8 @@ class _Client:
         self._writer.close()
 
     def abort(self) -> None:
-        """End the connection at once."""
-        with contextlib.suppress(OSError, RuntimeError):
-            self._writer.close()
+        """End the connection at once, whatever the agent has not read."""
+        self._writer.transport.abort()
 
 
 def _lines_of(notice: ServerNotice) -> Iterator[str]:

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Notices for clients: what may not be left out; who cannot take them is disconnected.
 
-In: notices, messages and diagnostics of the session. Out: each of them to each subscriber, in a
-queue with a limit.
+In: notices, messages and diagnostics of the session. Out: each of them to each listener at
+once, and to each subscriber in a queue with a limit.
 """
 
 from __future__ import annotations
@@ -13,7 +13,9 @@ from typing import Literal
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic
+from nctakt.base.failure import error_text
 from nctakt.results.run import ProgramMessage
+from nctakt.servers.log import ServerLog
 from nctakt.session.listening import NoticeKind
 
 #: Notices that wait for a subscriber at most.
@@ -59,10 +61,17 @@ class Subscription:
 
 
 class Notices:
-    """The subscribers of notices."""
+    """Those who hear notices: subscribers, each with a queue, and listeners, which never wait."""
 
-    def __init__(self) -> None:
+    def __init__(self, log: ServerLog) -> None:
+        self._log = log
         self._subscriptions: list[Subscription] = []
+        self._listeners: list[Callable[[ServerNotice], None]] = []
+
+    def listen(self, listener: Callable[[ServerNotice], None]) -> Callable[[], None]:
+        """Call a function with each notice, in the loop; return one that ends it."""
+        self._listeners.append(listener)
+        return lambda: self._listeners.remove(listener)
 
     def subscribe(self, drop: Callable[[], None], limit: int = MAX_WAITING) -> Subscription:
         """Let a client have all notices from now on; ``drop`` disconnects it."""
@@ -77,6 +86,11 @@ class Notices:
 
     def tell(self, notice: ServerNotice) -> None:
         """Give all a notice."""
+        for listener in tuple(self._listeners):
+            try:
+                listener(notice)
+            except Exception as error:  # noqa: BLE001 - one door's mistake must not hit the others
+                self._log.error("notice", reason=error_text(error))
         for subscription in tuple(self._subscriptions):
             subscription.put(notice)
             if subscription.is_dropped:

@@ -48,7 +48,7 @@ async def serve(
     """
     sys.setswitchinterval(_SWITCH_S)
     host = await Host(session, machine, log).open()
-    end = _EndSignal(host)
+    end = EndSignal(host)
     opened: list[tuple[str, Door]] = []
     try:
         addresses: dict[str, str] = {}
@@ -76,7 +76,7 @@ async def serve(
         log.note("closed", tick=session.tick, missed_frames=missed, **lateness)
 
 
-class _EndSignal:
+class EndSignal:
     """Waits for SIGTERM, Ctrl-C or the end of the controller."""
 
     def __init__(self, host: Host) -> None:
@@ -90,20 +90,16 @@ class _EndSignal:
             except (NotImplementedError, RuntimeError, ValueError):  # Windows, or another thread
                 with contextlib.suppress(ValueError):
                     signal.signal(number, lambda *_: loop.call_soon_threadsafe(self._end.set))
-        self._watch = loop.create_task(self._watch_controller())
+        host.notices.listen(self._watch_controller)
 
-    async def _watch_controller(self) -> None:
+    def _watch_controller(self, notice: ServerNotice) -> None:
         """End when a slice has failed: the session goes on no more."""
-        subscription = self._host.notices.subscribe(self._end.set)
-        while True:
-            notice = await subscription.next()
-            if notice.kind in ("refused", "closed") and not self._host.session.is_playing:
-                self._reason = notice.text
-                self._end.set()
+        if notice.kind in ("refused", "closed") and not self._host.session.is_playing:
+            self._reason = notice.text
+            self._end.set()
 
     async def wait(self) -> None:
         """Return when it shall end; raises ``Failure`` if the controller has stopped."""
         await self._end.wait()
-        self._watch.cancel()
         if self._reason:
             raise Failure(diagnostic(CONTROLLER_STOPPED, reason=self._reason))

@@ -10,17 +10,16 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import ipaddress
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from datetime import UTC, datetime, timedelta
 from pathlib import Path
 
 from asyncua import ua
 
-from nctakt.base.failure import Failure, error_text
+from nctakt.base.failure import Failure
 from nctakt.files.access import FileAccess
 from nctakt.servers.address import listen_at
 from nctakt.servers.host import Host
-from nctakt.servers.notices import Subscription
 from nctakt.servers.opcua import nodes as refs
 from nctakt.servers.opcua.alarms import Alarms
 from nctakt.servers.opcua.companion import CNC_URI
@@ -68,7 +67,7 @@ class OpcuaDoor:
         self._limits = limits or Limits()
         self._security = None if is_loopback(address[0]) else Security(folder)
         self._tasks: list[asyncio.Task[None]] = []
-        self._notices: Subscription | None = None
+        self._unlisten: list[Callable[[], None]] = []
 
     async def open(self) -> str:
         """Serve clients from now on; return the address. Raises ``Failure``."""
@@ -102,10 +101,11 @@ class OpcuaDoor:
         await server.tell_limits()
         await host.store.subscribe(self._alarms.error_names.values())
         _, address = await listen_at("OPC UA", self._address, server.listen)
-        self._subscribe()
-        loop = asyncio.get_running_loop()
-        self._tasks = [loop.create_task(self._tell()), loop.create_task(self._look())]
-        self._unlisten = host.store.listen(lambda _: self._alarms.look())
+        self._tasks = [asyncio.get_running_loop().create_task(self._look())]
+        self._unlisten = [
+            host.notices.listen(self._alarms.take),
+            host.store.listen(lambda _: self._alarms.look()),
+        ]
         if self._security is not None and self._security.made_password:
             host.log.note("first user", door="opcua", folder=str(self._security.folder))
         return f"opc.tcp://{address}/"
@@ -116,20 +116,6 @@ class OpcuaDoor:
             return FileAccess([]).read_lines(Path(file))
         except (Failure, OSError):
             return ()
-
-    def _subscribe(self) -> None:
-        """Hear the notices of the host, once more if there were more than could be told."""
-        self._notices = self._host.notices.subscribe(self._subscribe)
-
-    async def _tell(self) -> None:
-        """Tell clients the notices of the host."""
-        while True:
-            assert self._notices is not None
-            notice = await self._notices.next()
-            try:
-                self._alarms.take(notice)
-            except Exception as error:  # noqa: BLE001 - the next notice must not be lost
-                self._host.log.error("opcua", reason=error_text(error) or repr(error))
 
     async def _look(self) -> None:
         """Look for realtime cycles that have no node yet."""
@@ -142,9 +128,8 @@ class OpcuaDoor:
         """Tell clients that it ends, and serve nobody any more."""
         for task in self._tasks:
             task.cancel()
-        if self._notices is not None:
-            self._host.notices.unsubscribe(self._notices)
-            self._unlisten()
+        while self._unlisten:
+            self._unlisten.pop()()
         self._subscriptions.stop()
         await self._server.stop()
 

@@ -195,6 +195,22 @@ def test_a_broker_that_is_not_there_is_told(port: int) -> None:
         asyncio.run(live(session))
 
 
+def test_no_request_ends_the_door(port: int) -> None:
+    """A number beyond all types, and a text without UTF-8, have an answer as any other request."""
+
+    async def act(host: Host, door: MqttDoor, client: Client) -> None:
+        await client.until(lambda: "status" in client.latest)
+        huge = '{"values": {"V.E.COUNT": 1' + "0" * 400 + "}}"
+        for request in (huge, '{"values": {"V.E.\\udc80": 1}, "id": "\\udc81"}', "{}"):
+            await client.client.publish("cell/write", request, 1)
+        await client.until(lambda: len(client.answers) == 3)
+        assert [answer["ok"] for answer in client.answers] == [False, False, False]
+        assert "too large" in client.answers[0]["text"]
+        assert client.answers[1]["id"] == "\udc81"
+
+    at_the_broker(port, act)
+
+
 @pytest.mark.parametrize(
     ("url", "broker"),
     [

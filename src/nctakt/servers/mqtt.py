@@ -14,12 +14,13 @@ import json
 import os
 from typing import TYPE_CHECKING, Any
 
-from nctakt.base.failure import Failure
+from nctakt.base.failure import Failure, error_text
 from nctakt.messages import diagnostic
 from nctakt.messages.servers import BROKER_NOT_REACHED, MQTT_NOT_INSTALLED
 from nctakt.servers.address import shown_address
 from nctakt.servers.hli_values import parts_of
 from nctakt.servers.host import Busy, Host
+from nctakt.servers.log import escaped
 from nctakt.servers.mqtt_requests import PASSWORD, USER, Broker, key_of, read_request, values_of
 from nctakt.servers.notices import ServerNotice, Subscription
 from nctakt.servers.store import Scalar
@@ -101,6 +102,8 @@ class MqttDoor:
                 await self._serve(client)
             except lost as error:
                 self._host.log.error("disconnected", door=_DOOR, reason=str(error))
+            except Exception as error:  # noqa: BLE001 - one request must not end the door
+                self._host.log.error("disconnected", door=_DOOR, reason=error_text(error))
             finally:
                 if is_connected:
                     is_connected = False
@@ -231,4 +234,4 @@ def _notice_words(notice: ServerNotice) -> dict[str, Any]:
 
 
 def _json(**words: Any) -> str:
-    return json.dumps(words, ensure_ascii=False)
+    return escaped(json.dumps(words, ensure_ascii=False))

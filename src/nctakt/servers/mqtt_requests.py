@@ -71,12 +71,15 @@ def values_of(request: Mapping[str, Any]) -> dict[str, Scalar]:
     values = request.get("values")
     if not isinstance(values, dict) or not values:
         raise ValueError('write {"values": {"V.E.NAME": 1}}')
+    found: dict[str, Scalar] = {}
     for name, value in values.items():
         if not isinstance(value, int | float | str):
             raise ValueError(f"{name} needs a number, true, false or a text")
-    return {
-        name: value if isinstance(value, str) else float(value) for name, value in values.items()
-    }
+        try:
+            found[name] = value if isinstance(value, str) else float(value)
+        except OverflowError:
+            raise ValueError(f"{name}: the number is too large") from None
+    return found
 
 
 def key_of(request: Mapping[str, Any]) -> tuple[Key, int]:

@@ -14,6 +14,7 @@ from hypothesis import strategies
 from nctakt.base.failure import Failure
 from nctakt.studies.study import Study
 from tests.random_seeds import examples
+from tests.studies.test_schedule_studies import RTCONF
 
 BASE: dict[str, Any] = {
     "machine": "demo",
@@ -44,6 +45,22 @@ VARIED: list[dict[str, Any]] = [
     {"parameter": "P-AXIS-00008", "of": "X", "values": [1000]},
     {"program_variable": "V.P.WAY", "from": 1, "to": 2},
 ]
+OF_SCHEDULE: list[dict[str, Any]] = [
+    {"load_entry": "functions.task_rnd", "from": 100, "to": 900},
+    {"load_entry": "interrupt.phase", "each_phase": True, "name": "phase"},
+    {"parameter": "P-RTCF-00010 of BACKGROUND", "values": [105, 116]},
+    {"parameter": "P-RTCF-00002", "values": [2000]},
+    {"rtconf": "list", "values": ["rtconf.lis"]},
+    {"load": "file", "values": ["load.toml"]},
+]
+SCHEDULE: dict[str, Any] = {
+    "rtconf": "rtconf.lis",
+    "load": "load.toml",
+    "os": "rtx",
+    "until": "10 ms",
+    "measure": {"way": "slack of GEO", "own": "p99 response of BACKGROUND", "all": "overflows"},
+    "expect": ["way > 5 us"],
+}
 GOALS: list[dict[str, Any]] = [
     {"boundary": "V.E.VALUE", "budget": 3},
     {"minimize": "way", "budget": 2},
@@ -78,8 +95,12 @@ junk = strategies.recursive(
 @strategies.composite
 def plans(draw: Any) -> dict[str, Any]:
     """A plan that is right but for one to three entries."""
-    tables = {key: value for key, value in BASE.items() if draw(strategies.booleans())}
-    varied = draw(strategies.lists(strategies.sampled_from(VARIED), max_size=2, unique_by=str))
+    is_schedule = draw(strategies.integers(0, 3)) == 0
+    base = SCHEDULE if is_schedule else BASE
+    tables = {key: value for key, value in base.items() if draw(strategies.booleans())}
+    tables |= {"rtconf": "rtconf.lis"} if is_schedule else {"program": "part.nc"}
+    kinds = strategies.sampled_from(OF_SCHEDULE if is_schedule else VARIED)
+    varied = draw(strategies.lists(kinds, max_size=2, unique_by=str))
     tables["vary"] = [dict(entry) for entry in varied]
     if draw(strategies.booleans()):
         tables["find"] = [dict(draw(strategies.sampled_from(GOALS)))]
@@ -106,6 +127,8 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     (folder / "part.nc").write_text("V.P.WAY = 1\nM8\nG01 X[V.P.WAY] F6000\nM30\n")
     (folder / "plc.py").write_text("from nctakt import Plc\n\n\nclass Own(Plc):\n    pass\n")
     (folder / "course.csv").write_text("time,V.E.VALUE\n0 s,5\n")
+    (folder / "rtconf.lis").write_text(RTCONF)
+    (folder / "load.toml").write_text("[functions]\ntask_rnd = 500\n")
     (folder / "own.py").write_text("number = 5\n\n\ndef measured(run):\n    return {}['no']\n")
     return folder
 
@@ -117,13 +140,13 @@ def test_a_plan_is_refused_with_messages_or_its_runs_are_made(
     monkeypatch.chdir(folder)
 
     @hypothesis.settings(
-        max_examples=examples(40), deadline=None, database=None, derandomize=True,
+        max_examples=examples(30), deadline=None, database=None, derandomize=True,
         suppress_health_check=list(hypothesis.HealthCheck),
     )  # fmt: skip
     @hypothesis.given(plans())
     def check(tables: dict[str, Any]) -> None:
         try:
-            study = Study(**{"program": "part.nc", **tables})
+            study = Study(**tables)
             if len(study.plan.goals) and all(goal.budget < 9 for goal in study.plan.goals):
                 study.find()
             result = study.run(numbers=range(min(study.plan.size, 3)))

@@ -32,6 +32,7 @@ class Store:
         self._log = log
         self._names: dict[str, None] = {}
         self._borrowed: dict[str, None] = {}
+        self._held: dict[str, int] = {}
         self._lock = asyncio.Lock()
         self._listeners: list[Callable[[Frame], None]] = []
         self.values: Mapping[str, Scalar] = {}
@@ -66,22 +67,44 @@ class Store:
         when ``keep_borrowed`` does not name it.
         """
         asked_for = dict.fromkeys(names)
-        if self.has(asked_for):
-            return
+        if not self.has(asked_for):
+            async with self._lock:
+                await self._let_come(asked_for)
+        own = self._borrowed if is_borrowing else self._names
+        own.update((name, None) for name in asked_for if name not in self._names)
+
+    async def _let_come(self, names: Iterable[str]) -> None:
+        """Subscribe those of these names that do not come yet; raises ``Failure``."""
+        known = {**self._names, **dict.fromkeys(self._held), **self._borrowed}
+        missing = [name for name in names if name not in known]
+        if missing:
+            await self._subscribe([*known, *missing])
+
+    async def hold(self, names: Iterable[str]) -> None:
+        """Let these values be here until they are released as often; raises as ``subscribe``."""
+        asked_for = list(names)
         async with self._lock:
-            known = {**self._names, **self._borrowed}
-            missing = [name for name in asked_for if name not in known]
-            if missing:
-                await self._subscribe([*known, *missing])
-            own = self._borrowed if is_borrowing else self._names
-            own.update((name, None) for name in asked_for if name not in self._names)
+            await self._let_come(dict.fromkeys(asked_for))
+            for name in asked_for:
+                self._held[name] = self._held.get(name, 0) + 1
+
+    async def release(self, names: Iterable[str]) -> None:
+        """Let values come no more that nobody else holds, has subscribed or borrowed."""
+        async with self._lock:
+            for name in names:
+                count = self._held.pop(name, 0) - 1
+                if count > 0:
+                    self._held[name] = count
+            await self._subscribe(
+                list({**self._names, **dict.fromkeys(self._held), **self._borrowed})
+            )
 
     async def keep_borrowed(self, names: Iterable[str]) -> None:
         """Let only these of the borrowed values come from now on."""
         async with self._lock:
             kept = {name: None for name in names if name in self._borrowed}
             if len(kept) < len(self._borrowed):
-                await self._subscribe([*self._names, *kept])
+                await self._subscribe(list({**self._names, **dict.fromkeys(self._held), **kept}))
                 self._borrowed = kept
 
     def can_borrow(self, names: Iterable[str]) -> bool:

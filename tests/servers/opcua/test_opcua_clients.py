@@ -354,3 +354,24 @@ def test_limits_are_told(served):
         assert answer.RevisedPublishingInterval == 50.0
 
     run(served, work)
+
+
+def test_only_what_is_monitored_costs(served):
+    """The session tells a value while somebody monitors it, and no longer."""
+    served.session.pause()
+    name = "A.OVERRIDE.VEL.TOTAL"
+    store = served.host.store
+
+    async def work(client):
+        subscription = await client.create_subscription(50, Heard())
+        node = client.get_node(f"{CHANNEL}.Signals.{name}")
+        assert await node.read_value() == 100
+        assert name not in store.values
+        items = await subscription.subscribe_data_change([node, node])
+        assert name in store.values
+        await subscription.unsubscribe(items[0])
+        assert name in store.values
+        await subscription.unsubscribe(items[1])
+        await until(lambda: name not in store.values)
+
+    run(served, work)

@@ -24,6 +24,9 @@ from nctakt.servers.opcua.values import Clock, Live, Moment, Sample
 #: How old what is known of realtime cycles and channels may be, in seconds.
 _GLANCE_AGE_S = 0.02
 
+#: How long values that nobody watches any more still come, in seconds.
+_RELEASE_S = 1.0
+
 
 class LiveSpace:
     """The address space with those nodes whose values are the session's; ``live``: by their IDs."""
@@ -37,6 +40,8 @@ class LiveSpace:
         self._moment = Moment(0, {}, None)
         self._glance_s = -1.0
         self._asking: asyncio.Task[None] | None = None
+        self._unheld: list[str] = []
+        self._releasing: asyncio.Task[None] | None = None
 
     def add(self, node: ua.NodeId, live: Live) -> None:
         """Let a node show a value of the session."""
@@ -50,12 +55,14 @@ class LiveSpace:
 
     async def watch(self, lives: Sequence[Live]) -> None:
         """Let the values of these nodes be here from now on, for one watcher more."""
+        names: list[str] = []
         for live in lives:
             count = self._watched.get(id(live), (live, 0))[1]
             self._watched[id(live)] = live, count + 1
-        names = {name: None for live in lives for name in live.names}
+            if count == 0:
+                names += live.names
         try:
-            await self._host.store.subscribe(names)
+            await self._host.store.hold(names)
         except Failure as failure:
             self.report(failure)
         await self.refresh(lives)
@@ -65,8 +72,20 @@ class LiveSpace:
         _, count = self._watched.get(id(live), (live, 0))
         if count > 1:
             self._watched[id(live)] = live, count - 1
-        else:
-            self._watched.pop(id(live), None)
+        elif self._watched.pop(id(live), None) is not None:
+            self._unheld += live.names
+            if self._releasing is None:
+                self._releasing = asyncio.get_running_loop().create_task(self._release())
+
+    async def _release(self) -> None:
+        """Let what nobody watches any more come no more: all of it at once, a little later."""
+        await asyncio.sleep(_RELEASE_S)
+        self._releasing = None
+        names, self._unheld = self._unheld, []
+        try:
+            await self._host.store.release(names)
+        except Failure as failure:
+            self.report(failure)
 
     async def refresh(self, lives: Iterable[Live]) -> None:
         """Take the latest values; look at cycles and channels where one needs it."""

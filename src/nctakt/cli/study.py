@@ -103,7 +103,11 @@ def _study(file: str, words: dict[str, Any]) -> int:
     numbers = range(size) if only is None else range(only, only + 1)
     due = size if only is None else 1
     count = min(words["processes"] or os.cpu_count() or 1, max(due // 20, 1))
-    progress = StudyProgress(due, is_shown=not words["quiet"] and sys.stderr.isatty())
+    progress = StudyProgress(
+        due,
+        is_shown=not words["quiet"] and sys.stderr.isatty(),
+        language=words["language"],
+    )
     if not words["yes"]:
         progress.check_size(study, count)
     store = None if words["out"] is None else _store(study, words)

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import time
 
-from nctakt.base.diagnostics import Diagnostic
+from nctakt.base.diagnostics import Diagnostic, Language, Text
 from nctakt.base.failure import Failure
 from nctakt.cli.terminal import complain
 from nctakt.messages import diagnostic
@@ -19,6 +19,11 @@ LONG_S = 3600.0
 #: Runs beyond which nobody counts.
 MAX_COUNTED = 10**30
 
+_LINES = {
+    "en": "{} of {} runs, {} per second, {} broken, {} left",
+    "de": "{0} von {1} Läufen, {2} je Sekunde, {3} verletzt, noch {4}",
+}
+
 #: Wall-clock time between two lines, in seconds.
 _PERIOD_S = 2.0
 
@@ -26,8 +31,9 @@ _PERIOD_S = 2.0
 class StudyProgress:
     """Counts the rows of a study of ``size`` runs as they come."""
 
-    def __init__(self, size: int, *, is_shown: bool) -> None:
+    def __init__(self, size: int, *, is_shown: bool, language: Language = "en") -> None:
         self._size = size
+        self._language: Language = language
         self._is_shown = is_shown
         self._begin_s = self._shown_s = time.monotonic()
         self._count = 0
@@ -59,10 +65,8 @@ class StudyProgress:
             self._shown_s = now_s
             rate = self._count / (now_s - self._begin_s)
             rest = _length((self._size - self._count) / rate)
-            complain(
-                f"{self._count} of {self._size} runs, {rate:.0f} per second, "
-                f"{self._broken} broken, {rest} left"
-            )
+            counts = (self._count, self._size, f"{rate:.0f}", self._broken)
+            complain(_LINES[self._language].format(*counts, rest.get(self._language)))
 
     def crashed(self) -> list[Diagnostic]:
         """Return a warning (901308) for each run whose process ended by itself."""
@@ -73,9 +77,19 @@ class StudyProgress:
         self._is_shown = False
 
 
-def _length(seconds: float) -> str:
+def _length(seconds: float) -> Text:
     """Return a length of time in a unit that suits it."""
-    for unit, name in ((31_557_600, "years"), (86_400, "days"), (3600, "hours"), (60, "minutes")):
-        if seconds >= 2 * unit:
-            return f"{seconds / unit:.0f} {name}"
-    return f"{seconds:.0f} seconds"
+    for unit, en, de in _UNITS:
+        if seconds >= 2 * unit or unit == 1:
+            return Text(f"{seconds / unit:.0f} {en}", f"{seconds / unit:.0f} {de}")
+    raise AssertionError
+
+
+#: Seconds in each unit of a length of time.
+_UNITS = (
+    (31_557_600, "years", "Jahre"),
+    (86_400, "days", "Tage"),
+    (3600, "hours", "Stunden"),
+    (60, "minutes", "Minuten"),
+    (1, "seconds", "Sekunden"),
+)

@@ -60,7 +60,7 @@ def summary(
         yield line
     if study.nominal is not None:
         name = next(one.name for one in study.plan.dimensions if one.is_each_tick)
-        yield from strip(result.rows, study.nominal, name)
+        yield from strip(result.rows, study.nominal, name, language)
     for row in result.first_broken(MAX_SHOWN):
         values_of = ", ".join(f"{one.name} = {row[one.name]}" for one in study.plan.dimensions)
         verdict = names[str(row["verdict"])]

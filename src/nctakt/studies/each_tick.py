@@ -13,6 +13,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from nctakt.base.dataclass import dataclass
+from nctakt.base.diagnostics import Language
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
 from nctakt.messages.studies import NOT_AN_INJECTION
@@ -25,6 +26,11 @@ _INJECTION = re.compile(r"(?P<assignment>.*=.*?)(?:\s+for\s+(?P<time>\S.*))?")
 
 #: Marks of a strip: all ticks of it held, some did not, none did.
 MARKS = ("·", "x", "X")
+
+_HEADS = {
+    "en": "  line  from          to            held   longest reaction",
+    "de": " Zeile  von           bis           erfüllt   längste Reaktion",
+}
 
 #: Characters of a strip.
 WIDTH = 60
@@ -75,12 +81,14 @@ def with_span(plan: Plan, nominal: Nominal) -> Plan:
     return replace(plan, dimensions=tuple(settled(one) for one in plan.dimensions))
 
 
-def strip(rows: Sequence[Row], nominal: Nominal, name: str) -> Iterator[str]:
+def strip(
+    rows: Sequence[Row], nominal: Nominal, name: str, language: Language = "en"
+) -> Iterator[str]:
     """Yield the lines of the strip; ``name``: the column with the time of the injection."""
     ticks = [round(float(row[name] or 0) * 1e6) // nominal.cycle_time_us for row in rows]
     starts = [start for start, _, _ in nominal.blocks]
     ends = [*starts[1:], nominal.ticks]
-    yield "  line  from          to            held   longest reaction"
+    yield _HEADS[language]
     for (start, line, text), end in zip(nominal.blocks, ends, strict=True):
         own = [row for row, tick in zip(rows, ticks, strict=True) if start <= tick < end]
         if not own:

@@ -150,3 +150,13 @@ def test_a_controller_can_be_confined(jobs: Path) -> None:
     assert controller.run("part.nc").state == "ended"
     with pytest.raises(Failure, match="900917"):
         controller.start(jobs.parent / "secret.nc")
+
+
+@pytest.mark.parametrize("is_confined", [False, True])
+def test_a_name_with_a_zero_character_is_that_of_no_file(tmp_path: Path, is_confined: bool) -> None:
+    """A client may ask for it: 900500, as for any file that is not there."""
+    access = FileAccess([tmp_path] if is_confined else [])
+    with pytest.raises(Failure) as caught:
+        access.read_lines(tmp_path / "a\0b.nc")
+    assert caught.value.diagnostics[0].id == 900500
+    assert "\0" not in str(caught.value)

@@ -167,6 +167,22 @@ def test_what_cannot_be_answered_has_its_error() -> None:
     assert {f"{error:#x}" for _, error in MISTAKES} <= {one.split()[0] for one in reasons if one}
 
 
+def test_an_error_of_our_own_has_an_answer_and_the_next_request_too() -> None:
+    """Nobody waits for ever, and nobody is told that it has been done."""
+
+    async def act(found: Bench) -> None:
+        def fail(_: object) -> list[int]:
+            raise RuntimeError("broken")
+
+        one, wire = found.connect()
+        found.session.write_each = fail  # type: ignore[assignment]
+        answer = await found.ask(one, wire, write(VARIABLES, 0, bytes(8)))
+        assert (answer.error, answer.data) == (Error.INTERNAL, b"")
+        assert result(await found.ask(one, wire, read(VARIABLES, 0, 8))) == 0
+
+    assert "request" in [json.loads(line)["event"] for line in with_bench(act)]
+
+
 def test_who_is_not_permitted_gets_the_error_of_symbols_and_stands_in_the_log_once() -> None:
     """A NetId that is not in the list: 0x710, told once (AD-6)."""
 

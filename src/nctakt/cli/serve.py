@@ -267,6 +267,8 @@ def _serve(options: Options, access: FileAccess, own: _Words) -> int:
         ):
             if file is not None:
                 stack.enter_context(OutputFile(file, option, access))
+    if own.ready_file is not None and Path(own.ready_file).is_file():
+        Path(own.ready_file).unlink()  # that of an earlier start: nobody is ready yet
     with contextlib.ExitStack() as stack:
         log = ServerLog(stack.enter_context(_log_writer(own.log)))
         setup = Setup(
@@ -416,8 +418,8 @@ def _log_writer(file: str | None) -> Iterator[Callable[[str], object] | None]:
     elif file == "-":
         yield lambda line: print(line, end="", file=sys.stderr, flush=True)
     else:
-        with Path(file).open("w", encoding="utf-8", buffering=1) as stream:
-            yield stream.write
+        with Path(file).open("wb", buffering=0) as stream:  # a full disk leaves nothing to flush
+            yield lambda line: stream.write(line.encode())
 
 
 def _ready_teller(file: str | None) -> Callable[[Mapping[str, str]], None]:

@@ -154,6 +154,8 @@ class FileAccess:
 
     def _opened(self, path: Path, *, is_replaced: bool = False) -> BinaryIO:
         """Open a file and note that it is read."""
+        if "\0" in str(path):  # no file has such a name
+            raise Failure(diagnostic(FILE_MISSING, file=str(path).replace("\0", "\\0")))
         self.check_admitted(path)
         try:
             file = path.open("rb")

@@ -99,7 +99,8 @@ class Worker:
 def main() -> None:
     """Serve the session whose address is the first word; the key comes by standard input."""
     key = sys.stdin.buffer.read(KEY_SIZE)
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is the session's to handle
+    for number in (signal.SIGINT, signal.SIGTERM):  # they may go to all processes of a group
+        signal.signal(number, signal.SIG_IGN)  # the session ends its workers itself
     if can_fork():
         signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # nobody waits for the copies
     worker = Worker(sys.argv[1], key)

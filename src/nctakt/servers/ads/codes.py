@@ -37,6 +37,7 @@ class Error(IntEnum):
     """The errors that clients get; those of a request as a whole stand in its header."""
 
     NONE = 0
+    INTERNAL = 0x1
     PORT_UNKNOWN = 0x6
     MACHINE_UNKNOWN = 0x7
     COMMAND_UNKNOWN = 0x8

@@ -16,6 +16,7 @@ from collections.abc import Collection
 from typing import cast
 
 from nctakt.base.failure import Failure
+from nctakt.base.failure import error_text
 from nctakt.servers.address import listen_at
 from nctakt.servers.ads.access import DOOR
 from nctakt.servers.ads.clients import Client
@@ -230,6 +231,8 @@ class Connection(asyncio.Protocol):
         except AdsError as error:
             self._service.access.log_refusal(client, error)
             return frame.answer(b"", error.code)
+        except Exception as error:  # noqa: BLE001 - no request ends the connection of its client
+            return self._broken(client, frame, error)
         if isinstance(answer, bytes):
             return frame.answer(answer)
         task = self._door.host.loop.create_task(self._answer_later(client, frame, answer))
@@ -245,11 +248,18 @@ class Connection(asyncio.Protocol):
         except AdsError as error:
             self._service.access.log_refusal(client, error)
             data = frame.answer(b"", error.code)
+        except Exception as error:  # noqa: BLE001 - whoever waits for an answer gets one
+            data = self._broken(client, frame, error)
         self._write(data)
         if self._transport is None:
             self._service.forget(client)
         self._service.begin_notifications(client)
         self._door.host.loop.call_soon(self._pace)
+
+    def _broken(self, client: Client, frame: Frame, error: Exception) -> bytes:
+        """Return the answer to a request in which an error of nctakt's own came up."""
+        self._log.error("request", door=DOOR, client=client.name, reason=error_text(error))
+        return frame.answer(b"", Error.INTERNAL)
 
     # --- what the client takes ------------------------------------------------------------------
 

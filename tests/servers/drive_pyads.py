@@ -126,7 +126,7 @@ def try_notifications(plc: pyads.Connection, connect: Connect) -> None:
     until(lambda: len(cyclic) >= 20)
     for handle in handles:
         plc.del_device_notification(*handle)
-    distances = {(b - a).total_seconds() for a, b in pairwise(cyclic[1:])}
+    distances = {round((b - a).total_seconds(), 4) for a, b in pairwise(cyclic[1:])}
     assert distances == {0.02}
 
 

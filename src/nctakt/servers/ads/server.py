@@ -42,6 +42,9 @@ _FILETIME_1970 = 116_444_736_000_000_000
 #: How often values that nobody has read since the last time are let go, in seconds.
 RELEASE_S = 30.0
 
+#: 100 ns in a millisecond; times begin at a whole one, since clients round to microseconds.
+_UNITS_PER_MS = 10_000
+
 #: Where addresses that stand for all of a machine are reached from itself.
 _EVERYWHERE = ("0.0.0.0", "::")
 
@@ -71,7 +74,7 @@ class AdsDoor:
     async def open(self) -> str:
         """Listen; return address and NetId. Raises ``Failure`` (901351)."""
         host = self.host
-        filetime = _FILETIME_1970 + time.time_ns() // 100
+        filetime = _FILETIME_1970 + time.time_ns() // 1_000_000 * _UNITS_PER_MS
         passed = host.store.tick * host.cycle_time_us * 10
         notifier = Notifier(host.cycle_time_us, filetime - passed)
         self.service = Service(host, notifier)

@@ -15,8 +15,7 @@ import time
 from collections.abc import Collection
 from typing import cast
 
-from nctakt.base.failure import Failure
-from nctakt.base.failure import error_text
+from nctakt.base.failure import Failure, error_text
 from nctakt.servers.address import listen_at
 from nctakt.servers.ads.access import DOOR
 from nctakt.servers.ads.clients import Client

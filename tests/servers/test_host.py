@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import asyncio
 import json
-from collections.abc import Awaitable, Callable
+from collections.abc import Awaitable, Callable, Sequence
 from pathlib import Path
 
 import pytest
@@ -18,6 +18,7 @@ from nctakt.servers.host import Host
 from nctakt.servers.log import ServerLog
 from nctakt.servers.notices import Notices, ServerNotice
 from nctakt.servers.serving import EndSignal
+from nctakt.servers.store import Store
 from nctakt.session.session import Session
 
 pytestmark = pytest.mark.slow
@@ -168,6 +169,30 @@ def test_notices_by_the_thousand_at_once_do_not_end_the_servers() -> None:
             await asyncio.wait_for(end.wait(), 30.0)
 
     assert "notice" in [line["event"] for line in in_host(act)]
+
+
+def test_a_value_that_goes_while_somebody_asks_for_it_comes_again() -> None:
+    """Letting values go takes a while: whoever needs one meanwhile gets it with later frames."""
+
+    async def act() -> None:
+        attached: list[list[str]] = []
+        used: list[str] = []
+
+        async def attach(names: Sequence[str]) -> None:
+            await asyncio.sleep(0)
+            attached.append(sorted(names))
+
+        store = Store(attach, ServerLog(None))
+        await store.subscribe("abc", is_borrowing=True)
+        store.values = dict.fromkeys("abc", 0.0)
+        going = asyncio.create_task(store.keep_borrowed(lambda: used))
+        await asyncio.sleep(0)
+        used.append("b")  # a notification of a value that was still here
+        asking = asyncio.create_task(store.subscribe("a"))
+        await asyncio.gather(going, asking)
+        assert attached[-1] == ["a", "b"]
+
+    asyncio.run(act())
 
 
 def test_whoever_writes_while_the_session_breaks_gets_an_answer() -> None:

@@ -67,11 +67,13 @@ class Store:
         when ``keep_borrowed`` does not name it.
         """
         asked_for = dict.fromkeys(names)
-        if not self.has(asked_for):
-            async with self._lock:
-                await self._let_come(asked_for)
-        own = self._borrowed if is_borrowing else self._names
-        own.update((name, None) for name in asked_for if name not in self._names)
+        own = {**self._names, **self._borrowed} if is_borrowing else self._names
+        if self.has(asked_for) and all(name in own for name in asked_for):
+            return
+        async with self._lock:  # a value that goes just now is here, but must come again
+            await self._let_come(asked_for)
+            own = self._borrowed if is_borrowing else self._names
+            own.update((name, None) for name in asked_for if name not in self._names)
 
     async def _let_come(self, names: Iterable[str]) -> None:
         """Subscribe those of these names that do not come yet; raises ``Failure``."""
@@ -99,13 +101,17 @@ class Store:
                 list({**self._names, **dict.fromkeys(self._held), **self._borrowed})
             )
 
-    async def keep_borrowed(self, names: Iterable[str]) -> None:
-        """Let only these of the borrowed values come from now on."""
+    async def keep_borrowed(self, used: Callable[[], Iterable[str]]) -> None:
+        """Let only those of the borrowed values come from now on that are used."""
         async with self._lock:
-            kept = {name: None for name in names if name in self._borrowed}
-            if len(kept) < len(self._borrowed):
+            kept = self._borrowed
+            while True:  # until nobody has begun to use one that is let go
+                asked_for = {name: None for name in used() if name in self._borrowed}
+                if asked_for == kept:
+                    break
+                kept = asked_for
                 await self._subscribe(list({**self._names, **dict.fromkeys(self._held), **kept}))
-                self._borrowed = kept
+            self._borrowed = kept
 
     def can_borrow(self, names: Iterable[str]) -> bool:
         """Return whether there is room for these names among the borrowed ones."""

@@ -110,8 +110,14 @@ class Access:
 
     async def release(self) -> None:
         """Let values go that nobody has read for a while, and no notification sends."""
-        used = [name for item in self.symbols.used_items() for name in item.names]
-        used += [name for item in self.notifier.items() for name in item.names]
+        read = dict.fromkeys(
+            name for item in self.symbols.used_items() for name in item.names
+        )  # asked once: each time tells what was read since the time before
+
+        def used() -> Iterable[str]:
+            sent = (name for item in self.notifier.items() for name in item.names)
+            return {**read, **dict.fromkeys(sent)}
+
         await self._host.store.keep_borrowed(used)
 
     def value(self, item: Readable) -> bytes:

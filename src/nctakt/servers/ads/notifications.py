@@ -101,8 +101,12 @@ class Notifier:
         """Send the first value of a notification; the others follow."""
         added = self._all.get(handle)
         if added is not None:
-            added.last = added.item.read(values)
-            self._send(added.series, [(handle, added.last)], tick)
+            try:
+                added.last = added.item.read(values)
+            except KeyError:  # its values come again soon, and then it is sent
+                added.last = b""
+            else:
+                self._send(added.series, [(handle, added.last)], tick)
 
     def delete(self, client: Client, handle: int) -> None:
         """End a notification; raises ``AdsError`` for one that the client does not have."""
@@ -137,7 +141,10 @@ class Notifier:
             for handle, one in series.members.items():
                 if one.last is None:
                     continue  # its client does not know its handle yet
-                data = one.item.read(values)
+                try:
+                    data = one.item.read(values)
+                except KeyError:
+                    continue  # its values come again soon
                 if not one.sends_changes or data != one.last:
                     one.last = data
                     samples.append((handle, data))

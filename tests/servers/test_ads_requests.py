@@ -25,7 +25,9 @@ from servers.ads_wire import (
 )
 
 from nctakt.servers.ads import limits
+from nctakt.servers.ads.clients import Client
 from nctakt.servers.ads.codes import Command, Error, Group, State
+from nctakt.servers.ads.data import Item, Leaf
 from nctakt.servers.ads.frames import HEADER, FrameError, FrameReader, read_net_id, shown_net_id
 
 VARIABLES, SIGNALS = 0x4040, 0x4043
@@ -378,6 +380,18 @@ def test_limits_hold_at_their_number(monkeypatch: pytest.MonkeyPatch) -> None:
         assert [result(await found.ask(one, wire, one_)) for one_ in asked] == [0, Error.BUSY]
 
     with_bench(act)
+
+
+def test_what_is_remembered_of_sum_commands_is_bounded() -> None:
+    """The largest ones are remembered one at a time."""
+    client = Client(CLIENT, 1, lambda _: None)
+    leaf = Leaf("V.E.COUNT", "UNS08", 0, 1, is_writable=True)
+    large = Item([leaf], 1)
+    large.leaves = (leaf,) * 65_536
+    for number in range(10):
+        client.keep_plan(bytes((number,)), large)
+        assert len(client.plans) <= 3
+    assert bytes((9,)) in client.plans
 
 
 def test_who_does_not_take_notifications_is_disconnected() -> None:

@@ -19,6 +19,9 @@ from nctakt.servers.ads.symbols import Symbol
 #: Sum commands of a client whose parts are remembered at most.
 _MAX_PLANS = 64
 
+#: Values in all of them together, unless it is a single one.
+_MAX_PLANNED = 200_000
+
 
 class Client:
     """One client; ``name``: NetId and port, as on the tape and in the log.
@@ -67,6 +70,7 @@ class Client:
 
     def keep_plan(self, parts: bytes, item: Item) -> None:
         """Remember what a sum command reads."""
-        if len(self.plans) >= _MAX_PLANS:
+        planned = len(item.leaves) + sum(len(plan.leaves) for plan in self.plans.values())
+        if len(self.plans) >= _MAX_PLANS or planned > _MAX_PLANNED:
             self.plans.clear()
         self.plans[parts] = item

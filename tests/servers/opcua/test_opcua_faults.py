@@ -17,6 +17,8 @@ from asyncua import Client, ua
 from served import Served, until
 
 from nctakt.servers.opcua.limits import Limits
+from nctakt.servers.opcua.monitoring import Item
+from nctakt.servers.opcua.values import Sample
 
 pytestmark = pytest.mark.slow
 
@@ -290,3 +292,13 @@ def test_who_asks_for_no_publishing_keeps_the_latest(served):
         await is_well(served)
 
     asyncio.run(work())
+
+
+def test_a_deadband_lets_a_number_follow_a_value_that_is_none():
+    """The distance to a value that is no number is not within any deadband."""
+    item = Item(1, 1, ua.NodeId(1), 13, 2, 10, True, 10.0, deadband=0.5)
+    samples = [
+        Sample(value, 0, struct.pack("<d", value), bytes(30))
+        for value in (5.0, 5.25, float("nan"), 5.0)
+    ]
+    assert [item.look(sample) for sample in samples] == [True, False, True, True]

@@ -77,7 +77,8 @@ class Item:
         if sample.content == last.content:
             return False
         if self.deadband > 0.0 and isinstance(sample.value, float):
-            return bool(abs(sample.value - last.value) > self.deadband)
+            # also from and to a value that is no number
+            return not abs(sample.value - last.value) <= self.deadband
         return True
 
     def put(self, content: bytes) -> None:

@@ -11,6 +11,7 @@ from typing import Any
 import pytest
 from debug_client import DebugClient, Refused
 
+from nctakt.debugger.debuggee import Debuggee
 from nctakt.session import timeline
 from nctakt.session.session import Session
 from nctakt.session.workshop import RemoteEngine
@@ -425,3 +426,39 @@ def test_a_pause_ends_what_goes_back(tmp_path: Path, monkeypatch: pytest.MonkeyP
         assert client.ask("evaluate", expression="tick", context="repl")["result"].startswith(
             "before tick 8000 "
         )
+
+
+def test_a_pause_between_two_searches_ends_what_goes_back(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It is not lost where a breakpoint has been found that is not due."""
+    part = tmp_path / "short.nc"
+    part.write_text("G04 X1\nG04 X1\nM30\n", "utf-8")
+    with DebugClient() as client:
+        client.ask("initialize")
+        client.ask("launch", program=str(part), stopOnEntry=True, until="1.5 s")
+        lines = {"source": {"path": str(part)}, "breakpoints": [{"line": 2, "hitCondition": "9"}]}
+        client.ask("setBreakpoints", **lines)
+        client.ask("configurationDone")
+        client.stopped()
+        client.go()
+        found, goes_on = threading.Event(), threading.Event()
+        interrupt = Session.interrupt
+
+        def noted(session: Session) -> None:
+            interrupt(session)
+            goes_on.set()
+
+        def not_due(*_words: Any) -> bool:
+            found.set()
+            assert goes_on.wait(20.0)
+            return False
+
+        monkeypatch.setattr(Session, "interrupt", noted)
+        monkeypatch.setattr(Debuggee, "_is_due_here", not_due)
+        client.send("reverseContinue", threadId=1)
+        assert found.wait(20.0)
+        client.send("pause", threadId=1)
+        assert client.stopped()["reason"] == "pause"
+        where = client.ask("evaluate", expression="tick", context="repl")["result"]
+        assert not where.startswith("before tick 0 ")

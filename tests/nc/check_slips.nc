@@ -124,3 +124,36 @@ BEGIN PGM TEST MM ; error 20797 "Heidenhain"
 Q1 = 5 ; error 20797 "Heidenhain, for a variable"
 R1 = 5 ; error 20797 "Sinumerik, for a variable"
 STOPRE ; error 20797 "Sinumerik"
+; --- curly brackets
+#RT CYCLE [ID=1 SCOPE=PROG] { ; error 20797 "{: curly brackets"
+  $IF EDGE V.E.COUNT > 5
+    M100
+  $ENDIF
+}
+#RT CYCLE [ID=2 SCOPE=PROG]
+{ ; error 20797 "{: curly brackets"
+  V.E.COUNT = 1
+}
+#RT CYCLE END
+$IF {V.E.COUNT > 5} ; error 900101 "{V.E.COUNT > 5}: curly brackets"
+M100
+$ENDIF
+; --- a body in curly brackets
+$IF V.E.COUNT > 5 { ; error 20797 "{: curly brackets"
+M100
+}
+G01 X10 F100
+; --- round brackets and none of the signs =
+#RT CYCLE (ID=1 SCOPE=PROG) ; error 20797 "(ID=1 SCOPE=PROG) is a comment"
+  V.E.COUNT = 1
+#RT CYCLE END
+#RT CYCLE [ID 2 SCOPE PROG] ; error 900208 "ID 2 SCOPE PROG: the sign ="
+  V.E.COUNT = 1
+#RT CYCLE END
+#RT CYCLE [ID=3 SCOPE PROG] ; error 21985 "SCOPE PROG: the sign ="
+  V.E.COUNT = 1
+#RT CYCLE END
+#RT CYCLE DELETE (ID=1) ; error 20797 "(ID=1) is a comment"
+; --- a condition with its body in one line
+$IF V.E.COUNT > 5 THEN M100 ; error 20797 "THEN M100: a condition ends with its line"
+G01 X10 F100

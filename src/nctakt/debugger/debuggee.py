@@ -391,7 +391,8 @@ class Debuggee:
     def _travel(self, thread: int, work: Callable[[], None]) -> None:
         """Go back; where that is interrupted or fails, tell so and where it stands."""
         try:
-            work()
+            with self.session.together():
+                work()
         except Failure as failure:
             self.report.diagnostics(failure.diagnostics)
             self.tell_travel("pause", thread)

@@ -267,7 +267,8 @@ class Requests:
             debuggee.check_standing(text.split()[0])
         tick = debuggee.session.tick
         try:
-            answer = debuggee.console.run(text, channel)
+            with debuggee.session.together():
+                answer = debuggee.console.run(text, channel)
         except Failure:
             if debuggee.session.tick != tick:  # interrupted on the way
                 self._then = lambda: debuggee.tell_travel("pause", channel)

@@ -34,7 +34,13 @@ from nctakt.messages.nc_text import (
     TEXT_NOT_CLOSED,
     UNKNOWN_CONTROL_WORD,
 )
-from nctakt.messages.slips import BODY_BEHIND_CONDITION, SURPLUS_WORD, UNIT_BEHIND_VALUE
+from nctakt.messages.slips import (
+    BODY_BEHIND_CONDITION,
+    BODY_BEHIND_THEN,
+    CURLY_BRACKETS,
+    SURPLUS_WORD,
+    UNIT_BEHIND_VALUE,
+)
 from nctakt.nc.parse.lexer import without_comments
 
 _REPLACE = Text("Write {new}", "{new} schreiben")
@@ -100,6 +106,13 @@ def _remedies(
     if item.message in (SURPLUS_WORD, UNIT_BEHIND_VALUE):
         title = _REMOVE.get(language).format(old=written)
         yield title, [TextEdit(area, "")], uri
+    elif item.message is CURLY_BRACKETS:
+        title = _REMOVE.get(language).format(old="{ }" if len(written) > 1 else written)
+        yield title, [TextEdit(area, written.strip("{} "))], uri
+    elif item.message is BODY_BEHIND_THEN:
+        indent = line[: len(line) - len(line.lstrip())]
+        lines = [f"{indent}  {new}", *([f"{indent}$ENDIF"] if "$ENDIF" in written.upper() else [])]
+        yield _replacement(language, "↵"), [TextEdit(area, "\n" + "\n".join(lines))], uri
     elif item.message is BODY_BEHIND_CONDITION:
         yield _replacement(language, "↵"), [_split_line(document, span.line - 1, line)], uri
     elif new:

@@ -81,6 +81,16 @@ SURPLUS_WORD = error(
     remedy_de="{found} entfernen; der Rumpf beginnt in der nächsten Zeile.",
     found=_FOUND,
 )
+BODY_BEHIND_THEN = error(
+    20797,
+    known_as=(901480,),
+    en="{found}: a condition ends with its line, without THEN",
+    de="{found}: eine Bedingung endet mit ihrer Zeile, ohne THEN",
+    remedy_en="Write {replacement} in the next line, and $ENDIF in the one behind it.",
+    remedy_de="{replacement} in die nächste Zeile schreiben, $ENDIF in die dahinter.",
+    found=_FOUND,
+    replacement=_REPLACEMENT,
+)
 BODY_BEHIND_CONDITION = error(
     20797,
     known_as=(901168,),
@@ -128,6 +138,26 @@ STEP_OPERATOR = error(
     known_as=(901172,),
     en="there is no operator as in {found}",
     de="einen Operator wie in {found} gibt es nicht",
+    remedy_en="Write {replacement}",
+    remedy_de="{replacement} schreiben.",
+    found=_FOUND,
+    replacement=_REPLACEMENT,
+)
+CURLY_BRACKETS = error(
+    20797,
+    known_as=(901481,),
+    en="{found}: curly brackets enclose neither a body nor a condition",
+    de="{found}: geschweifte Klammern umschließen weder Rumpf noch Bedingung",
+    remedy_en="Remove them; a body begins in the next line and ends with $ENDIF or #RT CYCLE END.",
+    remedy_de="Klammern entfernen; ein Rumpf beginnt in der nächsten Zeile und endet mit $ENDIF "
+    "oder #RT CYCLE END.",
+    found=_FOUND,
+)
+KEYWORDS_WITHOUT_EQUALS = error(
+    20797,
+    known_as=(901482,),
+    en="{found}: the sign = is missing between keyword and value",
+    de="{found}: zwischen Schlüsselwort und Wert fehlt das Zeichen =",
     remedy_en="Write {replacement}",
     remedy_de="{replacement} schreiben.",
     found=_FOUND,

@@ -127,6 +127,7 @@ class Session:
         self._audience = Audience(self._story)
         self._thread = SessionThread(self._run_slice)
         self._ask = self._thread.ask
+        self.together = self._thread.together
 
     def _run_slice(self, clock: AnyClock) -> None:
         begin_s = time.monotonic()

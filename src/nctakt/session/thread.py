@@ -9,8 +9,9 @@ from __future__ import annotations
 import queue
 import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from concurrent.futures import Future
+from contextlib import contextmanager
 from typing import ParamSpec, TypeVar
 
 from nctakt.base.failure import Failure
@@ -37,6 +38,7 @@ class SessionThread:
         self.clock: AnyClock | None = None
         self.interruptions = 0
         self._asked_at = 0
+        self._together = threading.local()
         self.is_closed = False
         self._commands: queue.Queue[Callable[[], None] | None] = queue.Queue(MAX_COMMANDS)
         self._entry = threading.Lock()
@@ -60,6 +62,18 @@ class SessionThread:
     def interrupt(self) -> None:
         """Let whatever has been asked for so far end soon."""
         self.interruptions += 1
+
+    @contextmanager
+    def together(self) -> Iterator[None]:
+        """Count the commands that this thread asks for inside as one, asked for at the beginning.
+
+        An interruption between two of them ends the second.
+        """
+        self._together.since = self.interruptions
+        try:
+            yield
+        finally:
+            del self._together.since
 
     @property
     def is_interrupted(self) -> bool:
@@ -89,7 +103,7 @@ class SessionThread:
         if threading.current_thread() is self._thread:
             return method(*words, **keywords)
         answer: Future[_T] = Future()
-        asked_at = self.interruptions
+        asked_at = getattr(self._together, "since", self.interruptions)
 
         def command() -> None:
             self._asked_at = asked_at

@@ -7,6 +7,8 @@ become diagnostics here: an error for each refused name, one note per program fo
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from nctakt.base.diagnostics import NOTHING, Message, Span
 from nctakt.messages import Collector
 from nctakt.messages.checked_blocks import ACCEPTED_WITHOUT_EFFECT, NOT_SIMULATED
@@ -47,6 +49,13 @@ class Findings:
         """Return the text that a span covers, cut to the length for a message."""
         text = self._source.line_of(span)[span.column - 1 : span.end_column - 1]
         return " ".join(text.split())[:40]
+
+    def behind(self, span: Span) -> tuple[str, Span]:
+        """Return the text behind a span in its line, and the span of that text."""
+        rest = self._source.line_of(span)[span.end_column - 1 :]
+        text = rest.strip()
+        begin = span.end_column + len(rest) - len(rest.lstrip())
+        return text, replace(span, column=begin, end_column=begin + len(text))
 
     def report_support(self, entry: Entry, span: Span, name: str = "") -> None:
         """Report a refused entry, and an accepted one once; ``name``: as the program writes it."""

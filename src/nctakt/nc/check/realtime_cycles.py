@@ -8,7 +8,9 @@ checks expressions and accesses, ``axis_commands.py`` single-axis commands.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
+from dataclasses import replace
 
 from nctakt.base.diagnostics import Span
 from nctakt.base.text import close_names
@@ -37,6 +39,7 @@ from nctakt.messages.checked_cycles import (
     UNKNOWN_KEYWORD_IN_CYCLE,
 )
 from nctakt.messages.nc_text import UNKNOWN_CYCLE_KEYWORD
+from nctakt.messages.slips import ROUND_BRACKETS
 from nctakt.nc.check.axis_commands import AxisCommandChecker
 from nctakt.nc.check.blocks import WordChecker
 from nctakt.nc.check.expressions import ValueChecker
@@ -71,6 +74,11 @@ from nctakt.nc.vocabulary.spindle_commands import split
 SCOPES = ("BLOCK", "PROG", "GLOBAL")
 END_ACTIONS = ("MOVE_ABORT", "MOVE_CONT")
 _TIMER_ACTIONS = ("START", "STOP", "READ", "CLEAR")
+
+_KEYWORDS_IN_COMMENT = re.compile(
+    r"^[A-Z ]*(?P<found>\((?P<inner>\s*(?:DEF\s+)?(?:ID|SCOPE|END_ACTION)\s*=[^()]*)\))",
+    re.IGNORECASE,
+)
 
 #: The highest ID of a realtime cycle.
 HIGHEST_ID = 2147483647
@@ -107,6 +115,9 @@ class CycleChecker:
         """Check ``#RT CYCLE … #RT CYCLE END``."""
         command = "#RT CYCLE DEF" if cycle.definition_only else "#RT CYCLE"
         self._enabled(cycle, command)
+        if not cycle.keywords and self._has_round_brackets(cycle):
+            self._statements(cycle.body)
+            return
         keywords = self._keywords(cycle.keywords, ("ID", "SCOPE", "END_ACTION"))
         scope = self._choice(keywords.get("SCOPE"), SCOPES)
         self._choice(keywords.get("END_ACTION"), END_ACTIONS)
@@ -122,11 +133,29 @@ class CycleChecker:
     def control(self, control: CycleControl) -> None:
         """Check ``#RT CYCLE START [ID=…]`` and the other management commands (RC-111)."""
         self._enabled(control, f"#RT CYCLE {control.action}")
+        if not control.keywords and self._has_round_brackets(control):
+            return
         keywords = self._keywords(control.keywords, ("ID",))
         if "ID" in keywords:
             self._identity(keywords["ID"], is_global=False)
         else:
             self._findings.report(CYCLE_COMMAND_WITHOUT_ID, control.span, action=control.action)
+
+    def _has_round_brackets(self, statement: Statement) -> bool:
+        """Return whether the keywords stand in a comment; report it."""
+        sign = replace(statement.span, end_column=statement.span.column + 1)
+        text, span = self._findings.behind(sign)
+        match = _KEYWORDS_IN_COMMENT.search(text)
+        if match is None:
+            return False
+        begin, end = (span.column + at for at in match.span("found"))
+        self._findings.report(
+            ROUND_BRACKETS,
+            replace(span, column=begin, end_column=end),
+            found=match["found"],
+            replacement=f"[{match['inner'].strip()}]",
+        )
+        return True
 
     def _enabled(self, statement: Statement, command: str) -> None:
         if not self._channel.realtime_cycles.enable:

@@ -15,11 +15,14 @@ from nctakt.base.text import close_names
 from nctakt.messages.slips import (
     ARGUMENTS_WITHOUT_BRACKETS,
     BODY_BEHIND_CONDITION,
+    BODY_BEHIND_THEN,
     COMMENT_OF_OTHER_LANGUAGE,
     COMPARISON_AS_ASSIGNMENT,
+    CURLY_BRACKETS,
     DECIMAL_COMMA,
     EQUALS_IN_CONDITION,
     FUNCTION_WITHOUT_BRACKETS,
+    KEYWORDS_WITHOUT_EQUALS,
     LETTER_IN_NUMBER,
     MISSPELT_FREQUENCY,
     OPERATOR_OF_OTHER_LANGUAGE,
@@ -112,6 +115,14 @@ FORM_SLIPS: tuple[FormSlip, ...] = tuple(
     for pattern, message, replacement in (
         (r"(?P<wrong>//(?P<text>.*))$", COMMENT_OF_OTHER_LANGUAGE, _comment),
         (r"(?P<wrong>/\*(?P<text>.*?)(?:\*/|$))", COMMENT_OF_OTHER_LANGUAGE, _comment),
+        (r"\$\w+\s*(?P<wrong>\{[^{}]*\})", CURLY_BRACKETS, ""),
+        (r"(?P<wrong>[{}])", CURLY_BRACKETS, ""),
+        (
+            r"#\s*RT\s+CYCLE\b[^\[]*\[.*?"
+            r"(?P<wrong>(?:ID|SCOPE)\s+\w+(?:\s+(?:ID|SCOPE)[\s=]\s*\w+)*)",
+            KEYWORDS_WITHOUT_EQUALS,
+            lambda match: re.sub(r"(?i)(ID|SCOPE)\s+", r"\1=", match["wrong"]),
+        ),
         (
             rf"{_HEAD}(?P<wrong>IF|ELSE|ELSEIF|ENDIF|WHILE|ENDWHILE|FOR|ENDFOR|GOTO|SWITCH|CASE"
             r"|ENDSWITCH|REPEAT|UNTIL|ENDDO|BREAK|CONTINUE)\b(?!\s*=).*$",
@@ -163,6 +174,11 @@ FORM_SLIPS: tuple[FormSlip, ...] = tuple(
             rf"|ALLWAYS|ALWYAS|{'|'.join(_OTHER_FREQUENCIES)})\b.*$",
             MISSPELT_FREQUENCY,
             _frequency,
+        ),
+        (
+            r"\$(?:IF|ELSEIF)\b.*\s(?P<wrong>THEN\s+(?P<body>\S.*?))\s*$",
+            BODY_BEHIND_THEN,
+            lambda match: re.sub(r"(?i)\s*\$ENDIF$", "", match["body"]),
         ),
         (r"\$(?:IF|ELSEIF)\b.*\s(?P<wrong>THEN)\b", SURPLUS_WORD, ""),
         (r"\$(?:WHILE|FOR)\b.*\s(?P<wrong>DO)\s*$", SURPLUS_WORD, ""),

@@ -21,16 +21,24 @@ from nctakt.messages.checked_blocks import (
     UNKNOWN_WORD,
     WORD_VALUE_MISSING,
 )
+from nctakt.messages.checked_cycles import INVALID_KEYWORD_VALUE
 from nctakt.messages.checked_values import NOT_A_VALUE
 from nctakt.messages.nc_text import (
+    CYCLE_BEGIN_END_MISMATCH,
     NAME_EXPECTED,
+    STRUCTURE_NOT_CLOSED,
     SYMBOL_EXPECTED,
     UNEXPECTED_TEXT,
     UNKNOWN_CONTROL_WORD,
     UNKNOWN_CYCLE_KEYWORD,
     VALUE_EXPECTED,
 )
-from nctakt.messages.slips import WORD_OF_OTHER_CONTROL
+from nctakt.messages.slips import (
+    BODY_BEHIND_THEN,
+    CURLY_BRACKETS,
+    KEYWORDS_WITHOUT_EQUALS,
+    WORD_OF_OTHER_CONTROL,
+)
 from nctakt.nc.slips.forms import FORM_SLIPS
 from nctakt.nc.slips.other_controls import OTHER_CONTROLS
 
@@ -70,7 +78,46 @@ def name_slips(diagnostics: Sequence[Diagnostic]) -> list[Diagnostic]:
         if slip is not None:
             explained[line] = None
         named.append(item if slip is None else slip)
-    return named
+    return _without_consequences(named)
+
+
+def _without_consequences(named: Sequence[Diagnostic]) -> list[Diagnostic]:
+    """Return the findings without those that follow from a slip told already."""
+    kept: list[Diagnostic] = []
+    unread: dict[tuple[str, int], None] = {}
+    opened: dict[tuple[str, int], None] = {}
+    files: dict[str, None] = {}
+    for item in named:
+        if item.span is None:
+            continue
+        line = (item.span.file, item.span.line)
+        if item.message is KEYWORDS_WITHOUT_EQUALS:
+            unread[line] = None
+        if item.message is BODY_BEHIND_THEN:
+            opened[line] = None
+        if item.message is CURLY_BRACKETS and _opens_brackets(item):
+            opened[line] = None
+            if item.source_line.strip().startswith("{"):
+                opened[item.span.file, item.span.line - 1] = None
+    for item in named:
+        if item.span is not None:
+            file, line = item.span.file, (item.span.file, item.span.line)
+            if item.message is CURLY_BRACKETS and _opens_brackets(item):
+                files[file] = None
+            elif item.message is CURLY_BRACKETS and file in files and item.values["found"] == "}":
+                continue
+            if item.message is INVALID_KEYWORD_VALUE and line in unread:
+                continue
+            if item.message in (STRUCTURE_NOT_CLOSED, CYCLE_BEGIN_END_MISMATCH) and line in opened:
+                continue
+        kept.append(item)
+    return kept
+
+
+def _opens_brackets(item: Diagnostic) -> bool:
+    """Return whether a line opens a curly bracket that it does not close."""
+    text = _before_comment(item.source_line)
+    return text.count("{") > text.count("}")
 
 
 def is_general(item: Diagnostic) -> bool:

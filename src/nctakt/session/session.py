@@ -126,8 +126,7 @@ class Session:
         self._pacing = Pacing(pace, self.description.cycle_time_us, has_schedule=has_schedule)
         self._audience = Audience(self._story)
         self._thread = SessionThread(self._run_slice)
-        self._ask = self._thread.ask
-        self.together = self._thread.together
+        self._ask, self.together = self._thread.ask, self._thread.together
 
     def _run_slice(self, clock: AnyClock) -> None:
         begin_s = time.monotonic()

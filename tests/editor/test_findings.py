@@ -23,7 +23,7 @@ pytestmark = pytest.mark.slow
 Run = Callable[..., None]
 
 #: Random edits; ``NCTAKT_SEEDS=10000`` makes as many.
-EDITS = 600
+EDITS = 5000
 
 PROGRAM = """\
 %MAIN
@@ -180,7 +180,7 @@ def test_random_edits_leave_the_findings_of_a_fresh_check(in_editor: Run) -> Non
             editor.type(uri, line, start, end, new)
             lines[line] = lines[line][:start] + new + lines[line][end:]
             text = "\n".join(lines)
-            if round_number % 20 == 0:
+            if round_number % 100 == 0:
                 assert shown(await editor.settled(uri)) == fresh(text), text
 
     in_editor(script)

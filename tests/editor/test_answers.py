@@ -261,6 +261,8 @@ def test_findings_have_remedies_that_can_be_applied(in_editor: Run) -> None:
         "V.E.COUNTT = 1\nM30\n": "V.E.COUNT = 1\nM30\n",
         "$IF P1 > 3 M100 $ENDIF\nM30\n": "$IF P1 > 3\n  M100\n$ENDIF\nM30\n",
         "$IF P1 > 3 THEN\n$ENDIF\nM30\n": "$IF P1 > 3 \n$ENDIF\nM30\n",
+        "$IF P1 > 3 THEN M100 $ENDIF\nM30\n": "$IF P1 > 3 \n  M100\n$ENDIF\nM30\n",
+        "$IF {P1 > 3}\n$ENDIF\nM30\n": "$IF P1 > 3\n$ENDIF\nM30\n",
         "$ELSIF\nM30\n": "$ELSEIF\nM30\n",
     }
 

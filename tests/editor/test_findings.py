@@ -22,8 +22,8 @@ pytestmark = pytest.mark.slow
 
 Run = Callable[..., None]
 
-#: Random edits; ``NCTAKT_SEEDS=10000`` makes as many.
-EDITS = 5000
+#: Random edits; ``NCTAKT_SEEDS=100000`` makes as many.
+EDITS = 10_000
 
 PROGRAM = """\
 %MAIN

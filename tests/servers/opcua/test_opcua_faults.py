@@ -8,6 +8,8 @@ import contextlib
 import os
 import random
 import struct
+import time
+from datetime import timedelta
 
 import pytest
 
@@ -18,6 +20,7 @@ from served import Served, until
 
 from nctakt.servers.opcua.limits import Limits
 from nctakt.servers.opcua.monitoring import Item
+from nctakt.servers.opcua.security import MAX_FAILURES, PASSWORD, Security
 from nctakt.servers.opcua.values import Sample
 
 pytestmark = pytest.mark.slow
@@ -40,6 +43,9 @@ def served(tmp_path_factory):
         unsent_bytes=1 << 16,
         nodes_per_call=200,
         activation_s=1.0,
+        history_nodes=5,
+        history_rows=100,
+        history_part=10,
     )
     one = Served(tmp_path_factory.mktemp("served"), limits=limits)
     one.session.play(1.0)
@@ -302,3 +308,111 @@ def test_a_deadband_lets_a_number_follow_a_value_that_is_none():
         for value in (5.0, 5.25, float("nan"), 5.0)
     ]
     assert [item.look(sample) for sample in samples] == [True, False, True, True]
+
+
+POSITION = ua.NodeId.from_string("ns=3;s=CncAxisList.X.PosDirect.ActPos")
+
+
+async def read_past(client, served, ticks, points):
+    """Read the first ticks of the session of one node for each continuation point."""
+    clock = served.door._space.clock
+    details = ua.ReadRawModifiedDetails()
+    details.IsReadModified = False
+    details.StartTime, details.EndTime = clock.time(0), clock.time(ticks - 1)
+    params = ua.HistoryReadParameters()
+    params.HistoryReadDetails = details
+    for point in points:
+        request = ua.HistoryReadValueId()
+        request.NodeId, request.ContinuationPoint = POSITION, point
+        params.NodesToRead.append(request)
+    return await client.uaclient.history_read(params)
+
+
+def test_an_answer_of_the_past_is_bounded_for_all_its_nodes(served):
+    """As many values as the limit in one answer; the rest by continuation points."""
+
+    async def work():
+        await until(lambda: served.session.tick > 100)
+        async with connected(served) as client:
+            points, counts, answers = [None] * 3, [0] * 3, 0
+            while any(one is not False for one in points):
+                asked = [index for index, one in enumerate(points) if one is not False]
+                found = await read_past(client, served, 80, [points[index] for index in asked])
+                sizes = [len(one.HistoryData.DataValues) for one in found]
+                assert sum(sizes) <= 100
+                for index, one, size in zip(asked, found, sizes, strict=True):
+                    assert one.StatusCode.is_good()
+                    counts[index] += size
+                    points[index] = one.ContinuationPoint or False
+                answers += 1
+            assert (counts, answers) == ([80] * 3, 3)
+            with pytest.raises(ua.uaerrors.BadTooManyOperations):
+                await read_past(client, served, 80, [None] * 6)
+            params = ua.HistoryReadParameters()
+            params.HistoryReadDetails = ua.ReadAtTimeDetails()
+            start = served.door._space.clock.start
+            params.HistoryReadDetails.ReqTimes = [start + timedelta(seconds=1)] * 101
+            request = ua.HistoryReadValueId()
+            request.NodeId = POSITION
+            params.NodesToRead = [request]
+            (answer,) = await client.uaclient.history_read(params)
+            assert answer.StatusCode.name == "BadTooManyOperations"
+        await is_well(served)
+
+    asyncio.run(work())
+
+
+def test_a_write_comes_between_the_parts_of_a_long_past(served, monkeypatch):
+    """The session runs the past again in parts; a write waits for one of them at most."""
+    look, write_each, done = served.session.look, served.session.write_each, []
+
+    def looked(first, end, *words):
+        limit_s = time.monotonic() + 20
+        while not done and served.host._writer is None and time.monotonic() < limit_s:
+            time.sleep(0.001)
+        done.append(end - first)
+        return look(first, end, *words)
+
+    def written(requests):
+        done.append("write")
+        return write_each(requests)
+
+    monkeypatch.setattr(served.session, "look", looked)
+    monkeypatch.setattr(served.session, "write_each", written)
+
+    async def work():
+        await until(lambda: served.session.tick > 100)
+        async with connected(served) as client, connected(served) as other:
+            node = other.get_node(f"{CHANNEL}.V.E.VALUE")
+            await asyncio.gather(read_past(client, served, 100, [None]), node.write_value(0.0))
+
+    asyncio.run(work())
+    assert done.count(10) == 10
+    assert done.index("write") <= 1
+
+
+def test_who_has_written_reads_what_was_written(served):
+    """A write is answered once a tick has latched it."""
+
+    async def work():
+        async with connected(served) as client:
+            node = client.get_node(f"{CHANNEL}.V.E.VALUE")
+            for value in (0.125, 0.25, 0.375, 0.5, 0.0):
+                await node.write_value(value)
+                assert await node.read_value() == value
+
+    asyncio.run(work())
+
+
+def test_wrong_passwords_lock_their_own_address_alone(tmp_path):
+    """Ten wrong ones lock an address, of IPv6 its network; other clients notice nothing."""
+    security = Security(tmp_path)
+    password = (tmp_path / PASSWORD).read_text("utf-8").strip()
+    for address in ("192.0.2.1", "2001:db8::1"):
+        for _ in range(MAX_FAILURES):
+            assert not security.is_user("operator", "wrong", address)
+        assert not security.is_user("operator", password, address)
+    for address in ("::ffff:192.0.2.1", "2001:db8::2"):
+        assert not security.is_user("operator", password, address)
+    for address in ("192.0.2.2", "2001:db8:0:1::1"):
+        assert security.is_user("operator", password, address)

@@ -1,17 +1,20 @@
 # SPDX-License-Identifier: MIT
 """The past of signals for clients: between two times, or at certain ones.
 
-In: requests with times, which are those of ticks. Out: values, at most so many in one answer; the
-rest by a continuation point. The session runs its past again for it and stays where it is.
+In: requests with times, which are those of ticks. Out: values, at most so many in one answer for
+all its nodes; the rest by continuation points. The session runs its past again for it, in short
+parts with the requests of other clients between them, and stays where it is.
 """
 
 from __future__ import annotations
 
+import asyncio
 import json
 from datetime import UTC, datetime
 from typing import Any
 
 from asyncua import ua
+from asyncua.common.utils import ServiceError
 
 from nctakt.base.failure import Failure
 from nctakt.servers.host import Host
@@ -27,22 +30,29 @@ class History:
         self._space = space
         self._host = host
         self._limits = limits
+        self._turn = asyncio.Lock()
 
     async def read(self, params: ua.HistoryReadParameters) -> list[ua.HistoryReadResult]:
-        """Return the past of each node of a request."""
+        """Return the past of each node of a request; raises ``ServiceError`` for too many nodes."""
         details = params.HistoryReadDetails
+        if len(params.NodesToRead or ()) > self._limits.history_nodes:
+            raise ServiceError(ua.StatusCodes.BadTooManyOperations)
         results = []
+        left = self._limits.history_rows
         for request in params.NodesToRead or ():
             result = ua.HistoryReadResult()
             try:
-                status = await self._read_one(details, request, result)
+                status = await self._read_one(details, request, left, result)
+                if isinstance(result.HistoryData, ua.HistoryData):
+                    left -= len(result.HistoryData.DataValues)
             except Failure:
                 status = int(ua.StatusCodes.BadNoData)
             result.StatusCode = ua.StatusCode(status)
             results.append(result)
         return results
 
-    async def _read_one(self, details: Any, request: Any, result: Any) -> int:
+    async def _read_one(self, details: Any, request: Any, left: int, result: Any) -> int:
+        """Read the past of a node, ``left`` values at most; return the status."""
         codes = ua.StatusCodes
         live = self._space.live.get(request.NodeId)
         if live is None or not live.signal:
@@ -51,14 +61,16 @@ class History:
         if request.IndexRange:
             return int(codes.BadIndexRangeInvalid)
         if isinstance(details, ua.ReadRawModifiedDetails) and not details.IsReadModified:
-            return await self._raw(details, request.ContinuationPoint, live, result)
+            return await self._raw(details, request.ContinuationPoint, live, left, result)
         if isinstance(details, ua.ReadAtTimeDetails):
-            return await self._at_times(details.ReqTimes or [], live, result)
+            return await self._at_times(details.ReqTimes or [], live, left, result)
         return int(codes.BadHistoryOperationUnsupported)
 
     # --- between two times ----------------------------------------------------------------------
 
-    async def _raw(self, details: Any, point: bytes | None, live: Live, result: Any) -> int:
+    async def _raw(
+        self, details: Any, point: bytes | None, live: Live, left: int, result: Any
+    ) -> int:
         codes = ua.StatusCodes
         latest = max(0, self._host.session.tick)
         begin, end = _given(details.StartTime), _given(details.EndTime)
@@ -76,9 +88,8 @@ class History:
                 low, high = _point(point, low, high)
             except ValueError:
                 return int(codes.BadContinuationPointInvalid)
-        rows = min(details.NumValuesPerNode or self._limits.history_rows, self._limits.history_rows)
-        count = min(rows, high - low)
-        if count <= 0:
+        count = min(details.NumValuesPerNode or left, left, high - low)
+        if low >= high:
             result.HistoryData = ua.HistoryData()
             return int(codes.GoodNoData)
         if is_backward:
@@ -97,13 +108,21 @@ class History:
         return 0
 
     async def _look(self, live: Live, first: int, end: int) -> list[ua.DataValue]:
-        """Return the values behind the ticks of a stretch, one for each tick."""
-        look = self._host.session.look
-        every, cells = await self._host.ask(look, first, end, [live.signal], end - first)
-        return [
-            self._value(live, float(cell), first + index * every)
-            for index, cell in enumerate(cells)
-        ]
+        """Return the values behind the ticks of a stretch, one for each tick.
+
+        At most one part of all requests waits for the session: a write comes before the next one.
+        """
+        look, step = self._host.session.look, self._limits.history_part
+        values: list[ua.DataValue] = []
+        for begin in range(first, end, step):
+            stop = min(end, begin + step)
+            async with self._turn:
+                every, cells = await self._host.ask(look, begin, stop, [live.signal], stop - begin)
+            values += [
+                self._value(live, float(cell), begin + index * every)
+                for index, cell in enumerate(cells)
+            ]
+        return values
 
     def _value(self, live: Live, number: float, tick: int) -> ua.DataValue:
         moment = self._space.clock.time(tick)
@@ -116,8 +135,8 @@ class History:
 
     # --- at certain times -----------------------------------------------------------------------
 
-    async def _at_times(self, times: list[datetime], live: Live, result: Any) -> int:
-        if len(times) > self._limits.history_rows:
+    async def _at_times(self, times: list[datetime], live: Live, left: int, result: Any) -> int:
+        if len(times) > left:
             return int(ua.StatusCodes.BadTooManyOperations)
         latest = self._host.session.tick
         data = ua.HistoryData()

@@ -20,7 +20,9 @@ class Limits:
     unacknowledged: int = 20
     publish_requests: int = 50
     nodes_per_call: int = 10_000
+    history_nodes: int = 100
     history_rows: int = 10_000
+    history_part: int = 500
     unsent_bytes: int = 16 * 1024 * 1024
     message_bytes: int = 4 * 1024 * 1024
     min_interval_ms: float = 10.0

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import hashlib
 import hmac
+import ipaddress
 import os
 import secrets
 import socket
@@ -41,8 +42,14 @@ _VALID_DAYS = 3650
 #: Cost of a hash: about 10 ms.
 _SCRYPT = {"n": 4096, "r": 8, "p": 1}
 
-#: Wrong passwords that all clients together may try in so many seconds.
+#: Wrong passwords that the clients of one address may try in so many seconds.
 MAX_FAILURES, _FAILURE_S = 10, 60.0
+
+#: Addresses whose wrong passwords are remembered; beyond, the one that failed first is forgotten.
+_MAX_ADDRESSES = 1000
+
+#: The bits of an address of IPv6 that name a network: whoever has one has all of its addresses.
+_NETWORK_BITS = 64
 
 _PRIVATE = 0o600
 
@@ -58,7 +65,7 @@ class Security:
     def __init__(self, folder: Path) -> None:
         self.folder = folder
         self.made_password = False
-        self._failures: deque[float] = deque()
+        self._failures: dict[str, deque[float]] = {}
         try:
             folder.mkdir(parents=True, exist_ok=True)
             self.key = self._private_key()
@@ -111,30 +118,34 @@ class Security:
                 users[name] = bytes.fromhex(salt_text), bytes.fromhex(digest)
         return users
 
-    def is_user(self, name: str | None, password: str | None) -> bool:
-        """Return whether a user's password is right; after too many wrong ones nobody's is."""
-        now = time.monotonic()
-        while self._failures and now - self._failures[0] > _FAILURE_S:
-            self._failures.popleft()
-        if len(self._failures) >= MAX_FAILURES:
+    def is_user(self, name: str | None, password: str | None, address: str) -> bool:
+        """Return whether a user's password is right; after too many wrong ones none is there."""
+        now, source = time.monotonic(), _network(address)
+        failures = self._failures.get(source, deque())
+        while failures and now - failures[0] > _FAILURE_S:
+            failures.popleft()
+        if len(failures) >= MAX_FAILURES:
             return False
         salt, digest = self._users.get(name or "", (b"", b""))
         is_right = hmac.compare_digest(_hash(password or "", salt or b"none"), digest)
         if not is_right:
-            self._failures.append(now)
+            failures.append(now)
+            if source not in self._failures and len(self._failures) >= _MAX_ADDRESSES:
+                del self._failures[next(iter(self._failures))]
+            self._failures[source] = failures
         return is_right
 
     # --- the library's side ---------------------------------------------------------------------
 
     def get_user(
         self,
-        iserver: object,
+        iserver: Any,
         username: str | None = None,
         password: str | None = None,
         certificate: object = None,
     ) -> User | None:
         """Return the user of a session, ``None`` for a wrong one."""
-        if not self.is_user(username, password):
+        if not self.is_user(username, password, iserver.asking):
             return None
         return User(role=UserRole.User, name=username)
 
@@ -159,6 +170,19 @@ ANONYMOUS, NAMED = [ua.AnonymousIdentityToken], [ua.UserNameIdentityToken]
 
 def _hash(password: str, salt: bytes) -> bytes:
     return hashlib.scrypt(password.encode(), salt=salt, **_SCRYPT)
+
+
+def _network(address: str) -> str:
+    """Return what stands for a client's address: of IPv6 its network, of others itself."""
+    try:
+        found = ipaddress.ip_address(address.partition("%")[0])
+    except ValueError:
+        return address
+    if found.version == 4:
+        return str(found)
+    if found.ipv4_mapped is not None:
+        return str(found.ipv4_mapped)
+    return str(ipaddress.ip_network((int(found), _NETWORK_BITS), strict=False))
 
 
 def _write_private(path: Path, content: bytes) -> None:

@@ -30,12 +30,16 @@ logging.getLogger("asyncua").setLevel(logging.CRITICAL + 1)
 
 
 class CncInternalServer(InternalServer):
-    """Makes our sessions; ``services``: set before the first client comes."""
+    """Makes our sessions; ``services``: set before the first client comes.
+
+    ``asking``: the address of the client whose password is looked at.
+    """
 
     def __init__(self, limits: Limits, users: Any) -> None:
         super().__init__(users)
         self.limits = limits
         self.services: MachineServices | None = None
+        self.asking = ""
         self.max_connections = limits.connections
         self.max_pending_activation_seconds = limits.activation_s
         self.allow_remote_admin = False
@@ -85,9 +89,13 @@ class CncServer(Server):
                     "MaxNodesPerRead",
                     "MaxNodesPerWrite",
                     "MaxNodesPerMethodCall",
-                    "MaxNodesPerHistoryReadData",
                     "MaxMonitoredItemsPerCall",
                 )
+            ),
+            (
+                f"{operations}MaxNodesPerHistoryReadData",
+                self._own.history_nodes,
+                ua.VariantType.UInt32,
             ),
             (f"{capabilities}LocaleIdArray", ["en", "de"], ua.VariantType.String),
             (f"{capabilities}MinSupportedSampleRate", self._own.min_interval_ms, None),

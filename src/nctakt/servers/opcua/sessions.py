@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The session of a client: what it reads, writes, calls and asks of the past.
 
-In: requests. Out: answers. A write of a client is an input of the controller: others see it, and
-the client itself, only once a tick has latched it.
+In: requests. Out: answers. A write of a client is an input of the controller: it is answered once a
+tick has latched it and all can read it, or at once if the session stands.
 """
 
 from __future__ import annotations
@@ -48,6 +48,7 @@ class ClientSession(InternalSession):
 
     def activate_session(self, params: Any, peer_certificate: bytes | None) -> Any:
         """Let the user in; the client's first language that is known is that of texts."""
+        self.iserver.asking = self.client.rpartition(":")[0]
         result = super().activate_session(params, peer_certificate)
         for locale in params.LocaleIds or ():
             word = str(locale).lower()[:2]
@@ -85,15 +86,22 @@ class ClientSession(InternalSession):
     # --- writing --------------------------------------------------------------------------------
 
     async def write(self, params: ua.WriteParameters) -> list[ua.StatusCode]:
-        """Write values of the session from the next tick on; nothing else can be written."""
+        """Write values of the session from the next tick on; nothing else can be written.
+
+        It returns once that tick is over, as far as ``Host.latched`` waits for it.
+        """
         request = params.NodesToWrite or []
         if len(request) > self.services.limits.nodes_per_call:
             raise ServiceError(ua.StatusCodes.BadTooManyOperations)
         # all at once, so that they come into one tick
         done = await asyncio.gather(*(self._write_one(one) for one in request))
-        return [ua.StatusCode(status) for status in done]
+        ticks = [tick for _, tick in done if tick is not None]
+        if ticks:
+            await self.services.host.latched(max(ticks))
+        return [ua.StatusCode(status) for status, _ in done]
 
-    async def _write_one(self, one: ua.WriteValue) -> int:
+    async def _write_one(self, one: ua.WriteValue) -> tuple[int, int | None]:
+        """Write a value; return the status, and the tick from which on it acts."""
         codes = ua.StatusCodes
         live = self.services.space.live.get(one.NodeId)
         if one.NodeId not in self.aspace:
@@ -112,16 +120,15 @@ class ClientSession(InternalSession):
             return self._refused(one, "wrong type", codes.BadTypeMismatch)
         value = variant.Value if live.to_session is None else live.to_session(variant.Value)
         try:
-            await self.services.host.write({live.write_name: value}, DOOR, self.client)
+            return 0, await self.services.host.write({live.write_name: value}, DOOR, self.client)
         except Failure:
-            return int(codes.BadOutOfRange)
+            return int(codes.BadOutOfRange), None
         except Busy:
-            return int(codes.BadTooManyOperations)
-        return 0
+            return int(codes.BadTooManyOperations), None
 
-    def _refused(self, one: ua.WriteValue, reason: str, status: int) -> int:
+    def _refused(self, one: ua.WriteValue, reason: str, status: int) -> tuple[int, None]:
         self.services.host.log.refuse(DOOR, self.client, f"write to {one.NodeId}: {reason}")
-        return int(status)
+        return int(status), None
 
     # --- methods and the past -------------------------------------------------------------------
 

@@ -9,6 +9,7 @@ import os
 import random
 import struct
 import time
+from dataclasses import replace
 from datetime import timedelta
 
 import pytest
@@ -402,6 +403,41 @@ def test_who_has_written_reads_what_was_written(served):
                 assert await node.read_value() == value
 
     asyncio.run(work())
+
+
+def test_values_cycles_and_channels_of_a_moment_are_of_one_tick(served, monkeypatch):
+    """The session goes on while it is looked at; the moment is that of the look all the same."""
+    host, glance, looks = served.host, served.session.glance, []
+
+    def looked(*names):
+        found = glance(*names)
+        limit_s = time.monotonic() + 20
+        while host.store.tick < found.tick + 5 and time.monotonic() < limit_s:
+            host.loop.call_soon_threadsafe(host.store.take, later(found.tick + 5))
+            time.sleep(0.001)
+        looks.append((found, names))
+        return found
+
+    def later(tick):
+        return replace(host.store.frame, tick=tick, values=dict.fromkeys(host.store.values, -1.0))
+
+    async def moments():
+        space = served.door._space
+        watched = [live for live in space.live.values() if live.needs_glance or live.signal][:20]
+        watched += [live for live in space.live.values() if live.needs_glance][:2]
+        first = await space.watch(watched)
+        second = await space.read(watched)
+        for live in watched:
+            space.unwatch(live)
+        return first, second
+
+    monkeypatch.setattr(served.session, "glance", looked)
+    found = asyncio.run_coroutine_threadsafe(moments(), host.loop).result(60)
+    for moment in found:
+        names, own = next((names, own) for own, names in looks if own is moment.glance)
+        assert moment.tick == own.tick
+        assert moment.values == dict(zip(names, own.values, strict=True))
+        assert moment.values
 
 
 def test_wrong_passwords_lock_their_own_address_alone(tmp_path):

@@ -260,7 +260,7 @@ def channel_components(
         return _WAITING if moment.values[hli["ARMED"]] else _PROGRAM_STOPPED
 
     def span(moment: Moment) -> Span:
-        found = None if moment.frame is None else moment.frame.blocks.get(number)
+        found = moment.blocks.get(number)
         if found is None:
             raise NotSupported(int(ua.StatusCodes.BadNoData))
         return found

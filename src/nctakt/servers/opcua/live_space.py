@@ -9,20 +9,26 @@ from __future__ import annotations
 
 import asyncio
 import struct
-from collections.abc import Iterable, Sequence
+from collections import deque
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 from asyncua import ua
 from asyncua.server.address_space import AddressSpace
 from asyncua.ua.ua_binary import variant_to_binary
 
+from nctakt.base.diagnostics import Span
 from nctakt.base.failure import Failure, error_text
 from nctakt.servers.host import Host
 from nctakt.servers.opcua.publishing import now_units
 from nctakt.servers.opcua.values import Clock, Live, Moment, Sample
+from nctakt.session.listening import Frame
 
 #: How old what is known of realtime cycles and channels may be, in seconds.
 _GLANCE_AGE_S = 0.02
+
+#: Ticks whose blocks are remembered: frames that come while a look at the session is under way.
+_REMEMBERED = 1000
 
 #: How long values that nobody watches any more still come, in seconds.
 _RELEASE_S = 1.0
@@ -37,8 +43,11 @@ class LiveSpace:
         self.live: dict[ua.NodeId, Live] = {}
         self._host = host
         self._watched: dict[int, tuple[Live, int]] = {}
-        self._moment = Moment(0, {}, None)
+        self._latest = Moment(0, {}, {})
+        self._glanced = Moment(0, {}, {})
         self._glance_s = -1.0
+        self._blocks: deque[tuple[int, Mapping[int, Span]]] = deque(maxlen=_REMEMBERED)
+        host.store.listen(self._remember)
         self._asking: asyncio.Task[None] | None = None
         self._unheld: list[str] = []
         self._releasing: asyncio.Task[None] | None = None
@@ -53,8 +62,11 @@ class LiveSpace:
 
     # --- monitored values -----------------------------------------------------------------------
 
-    async def watch(self, lives: Sequence[Live]) -> None:
-        """Let the values of these nodes be here from now on, for one watcher more."""
+    async def watch(self, lives: Sequence[Live]) -> Moment:
+        """Let the values of these nodes be here from now on, for one watcher more.
+
+        Return a moment that has them.
+        """
         names: list[str] = []
         for live in lives:
             count = self._watched.get(id(live), (live, 0))[1]
@@ -65,7 +77,7 @@ class LiveSpace:
             await self._host.store.hold(names)
         except Failure as failure:
             self.report(failure)
-        await self.refresh(lives)
+        return await self.refresh(lives)
 
     def unwatch(self, live: Live) -> None:
         """Let a node have one watcher less."""
@@ -87,32 +99,52 @@ class LiveSpace:
         except Failure as failure:
             self.report(failure)
 
-    async def refresh(self, lives: Iterable[Live]) -> None:
-        """Take the latest values; look at cycles and channels where one needs it."""
+    def _remember(self, frame: Frame) -> None:
+        self._blocks.append((frame.tick, frame.blocks))
+
+    async def refresh(self, lives: Sequence[Live]) -> Moment:
+        """Return a moment for nodes that somebody watches.
+
+        It is the latest; where one needs cycles and channels, that of the latest look at them.
+        """
         store = self._host.store
-        needs_glance = any(live.needs_glance for live in lives)
+        if not any(live.needs_glance for live in lives):
+            if store.values is not self._latest.values or store.tick != self._latest.tick:
+                blocks = {} if store.frame is None else store.frame.blocks
+                self._latest = Moment(store.tick, store.values, blocks)
+            return self._latest
         loop = asyncio.get_running_loop()
-        if needs_glance and loop.time() - self._glance_s >= _GLANCE_AGE_S:
+        for _ in range(2):  # the second time for nodes that were not yet watched the first time
+            is_fresh = loop.time() - self._glance_s < _GLANCE_AGE_S
+            values = self._glanced.values
+            if is_fresh and all(name in values for live in lives for name in live.names):
+                break
             if self._asking is None:
                 self._asking = loop.create_task(self._ask_glance())
             await asyncio.shield(self._asking)
-        elif store.frame is not self._moment.frame or store.values is not self._moment.values:
-            self._moment = Moment(store.tick, store.values, store.frame, self._moment.glance)
+        return self._glanced
 
     async def _ask_glance(self) -> None:
+        names = dict.fromkeys(name for live, _ in self._watched.values() for name in live.names)
         try:
-            glance = await self._host.ask(self._host.session.glance)
+            self._glanced = await self._glance(names)
         except Failure:
             return  # the session has ended; what was seen last stays
         finally:
             self._asking = None
-        store = self._host.store
         self._glance_s = asyncio.get_running_loop().time()
-        self._moment = Moment(store.tick, store.values, store.frame, glance)
 
-    def sample(self, live: Live) -> Sample:
-        """Return the value of a monitored node."""
-        return live.sample(self._moment, self.clock, now_units())
+    async def _glance(self, names: Iterable[str]) -> Moment:
+        """Ask the session for a moment with cycles and channels; raises ``Failure``."""
+        asked_for = list(names)
+        glance = await self._host.ask(self._host.session.glance, *asked_for)
+        values = dict(zip(asked_for, glance.values, strict=True))
+        known = (blocks for tick, blocks in reversed(self._blocks) if tick <= glance.tick)
+        return Moment(glance.tick, values, next(known, {}), glance)
+
+    def sample(self, live: Live, moment: Moment) -> Sample:
+        """Return the value of a monitored node at a moment."""
+        return live.sample(moment, self.clock, now_units())
 
     def report(self, error: Exception) -> None:
         """Tell in the log what went wrong."""
@@ -122,17 +154,14 @@ class LiveSpace:
 
     async def read(self, lives: Sequence[Live]) -> Moment:
         """Return the moment at which to read these nodes, all of the same tick."""
-        await self.refresh(lives)
-        names = list(dict.fromkeys(name for live in lives for name in live.names))
-        moment = self._moment
-        if all(name in moment.values for name in names):
-            return moment
+        names = dict.fromkeys(name for live in lives for name in live.names)
+        needs_glance = any(live.needs_glance for live in lives)
         try:
-            glance = await self._host.ask(self._host.session.glance, *names)
+            if needs_glance or not self._host.store.has(names):
+                return await self._glance(names)
         except Failure:
-            return moment
-        own = dict(zip(names, glance.values, strict=True))
-        return Moment(glance.tick, own, moment.frame, glance)
+            pass  # the session has ended; what was seen last stays
+        return await self.refresh(lives)
 
     # --- fixed values and attributes ------------------------------------------------------------
 

@@ -17,6 +17,7 @@ from nctakt.servers.opcua.limits import Limits
 from nctakt.servers.opcua.live_space import LiveSpace
 from nctakt.servers.opcua.monitoring import Item, data_filter
 from nctakt.servers.opcua.subscription import Subscription
+from nctakt.servers.opcua.values import Moment
 
 _DISABLED = ua.MonitoringMode.Disabled
 
@@ -37,10 +38,11 @@ class MonitoredItems:
         """Monitor values and events from now on."""
         pairs = [self._create_item(subscription, request) for request in params.ItemsToCreate]
         items = [item for item, _ in pairs if item is not None]
-        await self._space.watch([item.live for item in items if item.live is not None])
+        lives = [item.live for item in items if item.live is not None]
+        moment = await self._space.watch(lives)
         for item in items:
             if item.mode != _DISABLED:
-                self._look(item)
+                self._look(item, moment)
         return [result for _, result in pairs]
 
     def _create_item(
@@ -111,18 +113,19 @@ class MonitoredItems:
 
     async def look_at(self, items: Sequence[Item]) -> None:
         """Take samples of items, all of the same moment."""
-        await self._space.refresh([item.live for item in items if item.live is not None])
+        lives = [item.live for item in items if item.live is not None]
+        moment = await self._space.refresh(lives)
         for item in items:
             if item.mode != _DISABLED:
-                self._look(item)
+                self._look(item, moment)
 
-    def _look(self, item: Item) -> None:
+    def _look(self, item: Item, moment: Moment) -> None:
         if item.is_event:
             return
         if item.live is None:
             item.look(self._space.fixed_sample(item.node, item.attribute))
         else:
-            item.look(self._space.sample(item.live))
+            item.look(self._space.sample(item.live, moment))
 
     def modify(
         self, subscription: Subscription, params: ua.ModifyMonitoredItemsParameters

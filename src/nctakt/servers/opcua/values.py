@@ -16,9 +16,9 @@ from asyncua import ua
 from asyncua.ua.ua_binary import variant_to_binary
 
 from nctakt.base.dataclass import dataclass, field
+from nctakt.base.diagnostics import Span
 from nctakt.servers.store import Scalar
 from nctakt.session.engine import Glance
-from nctakt.session.listening import Frame
 
 #: A value of Python, of the type of its node.
 Value = Any
@@ -67,11 +67,15 @@ class NotSupported(Exception):
 
 @dataclass(frozen=True, slots=True)
 class Moment:
-    """A session at a tick; ``glance``: cycles and channels, once anybody has watched them."""
+    """A session at a tick, all of it of this one.
+
+    ``blocks``: the place of the current block of each channel. ``glance``: cycles and channels,
+    where somebody wants them.
+    """
 
     tick: int
     values: Mapping[str, Scalar]
-    frame: Frame | None
+    blocks: Mapping[int, Span]
     glance: Glance | None = None
 
     def number(self, name: str) -> float:

@@ -24,7 +24,7 @@ from servers.ads_wire import (
     write,
 )
 
-from nctakt.servers.ads import limits
+from nctakt.servers.ads import limits, symbols
 from nctakt.servers.ads.clients import Client
 from nctakt.servers.ads.codes import Command, Error, Group, State
 from nctakt.servers.ads.data import Item, Leaf
@@ -392,6 +392,23 @@ def test_what_is_remembered_of_sum_commands_is_bounded() -> None:
         client.keep_plan(bytes((number,)), large)
         assert len(client.plans) <= 3
     assert bytes((9,)) in client.plans
+
+
+def test_what_is_remembered_of_large_ranges_is_bounded(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Ranges that are read once are forgotten: all together have so many values at most."""
+    monkeypatch.setattr(symbols, "MAX_KEPT", 25)
+
+    async def act(found: Bench) -> None:
+        table = found.door.service.access.symbols
+        start = table.symbols["V.E.LIST"]
+        for count in range(1, 11):
+            item = table.item(start.group, start.offset, 8 * count)
+            assert len(item.leaves) == count
+            kept = list(table._items.values())
+            assert item in kept
+            assert sum(len(one.leaves) for one in kept) <= 25
+
+    with_bench(act)
 
 
 def test_who_does_not_take_notifications_is_disconnected() -> None:

@@ -29,8 +29,9 @@ VARIABLES, HLI, SIGNALS = 0x4040, 0x4042, 0x4043
 #: Variables begin at multiples of this offset.
 _ALIGNMENT = 8
 
-#: Ranges of bytes that are kept at most.
+#: Ranges of bytes that are kept at most, and values that they have together.
 _MAX_ITEMS = 20_000
+MAX_KEPT = 200_000
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,6 +79,7 @@ class SymbolTable:
         self._leaves: dict[int, list[Leaf]] = {VARIABLES: [], HLI: [], SIGNALS: []}
         self._ends = dict.fromkeys(self._leaves, 0)
         self._items: dict[tuple[int, int, int], Item] = {}
+        self._kept = 0
         self._add_variables(machine)
         for value in catalogue.values.values():
             if not value.name.partition("V.E.")[1] and not value.name.partition("V.CH.")[1]:
@@ -238,9 +240,12 @@ class SymbolTable:
         found = self._items.get(key)
         if found is None:
             found = self._new_item(group, offset, size_bytes)
-            if len(self._items) >= _MAX_ITEMS:
+            cost = len(found.leaves)
+            if len(self._items) >= _MAX_ITEMS or self._kept + cost > MAX_KEPT:
                 self._items.clear()
+                self._kept = 0
             self._items[key] = found
+            self._kept += cost
         return found
 
     def used_items(self) -> list[Item]:

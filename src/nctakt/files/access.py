@@ -25,6 +25,7 @@ from nctakt.messages.files import (
     FILE_OUTSIDE,
     FILE_TOO_LONG,
     FOLDER_INSTEAD_OF_FILE,
+    NOT_A_REGULAR_FILE,
     OUTPUT_IS_READ,
     OUTPUTS_ARE_ONE_FILE,
 )
@@ -158,6 +159,8 @@ class FileAccess:
             raise Failure(diagnostic(FILE_MISSING, file=str(path).replace("\0", "\\0")))
         self.check_admitted(path)
         try:
+            if self.folders and path.exists() and not (path.is_file() or path.is_dir()):
+                raise Failure(diagnostic(NOT_A_REGULAR_FILE, file=str(path)))  # it may never end
             file = path.open("rb")
         except FileNotFoundError as error:
             raise Failure(diagnostic(FILE_MISSING, file=str(path))) from error

@@ -21,6 +21,14 @@ FOLDER_INSTEAD_OF_FILE = error(
     remedy_de="Eine Datei aus dem Ordner nennen.",
     file=("the path as it was given", "der Pfad, wie angegeben"),
 )
+NOT_A_REGULAR_FILE = error(
+    901483,
+    en="{file} is no regular file but a pipe, a socket or a device",
+    de="{file} ist keine reguläre Datei, sondern eine Pipe, ein Socket oder ein Gerät",
+    remedy_en="Name a regular file: reading anything else may never end.",
+    remedy_de="Eine reguläre Datei nennen: Anderes zu lesen endet vielleicht nie.",
+    file=("the path as it was given", "der Pfad, wie angegeben"),
+)
 NEITHER_FOLDER_NOR_LIST = error(
     900502,
     en="{folder} is neither a folder nor a list",

@@ -7,7 +7,9 @@ the command line turns it into an exit code, a program that uses nctakt as a lib
 
 from __future__ import annotations
 
-from nctakt.base.diagnostics import Diagnostic
+from nctakt.base.diagnostics import Diagnostic, Language, Text
+
+_OWN_ERROR = Text("internal error of nctakt", "interner Fehler von nctakt")
 
 
 class Failure(Exception):
@@ -27,13 +29,13 @@ class Failure(Exception):
         self.diagnostics = diagnostics
 
 
-def error_text(error: Exception) -> str:
+def error_text(error: Exception, language: Language = "en") -> str:
     """Return an error as users read it: a ``Failure`` as it is, one of nctakt's own on one line.
 
     That of a controller's process has come with its traceback, and is the last line of it.
     """
     if isinstance(error, Failure):
-        return str(error)
+        return "\n".join(found.render(language) for found in error.diagnostics)
     lines = str(error).strip().splitlines() or [""]
     name = "" if len(lines) > 1 else f"{type(error).__name__}: "
-    return f"internal error of nctakt: {name}{lines[-1]}"
+    return f"{_OWN_ERROR.get(language)}: {name}{lines[-1]}"

@@ -115,7 +115,9 @@ class Host:
 
     def _take_notice(self, notice: Notice) -> None:
         self.log.note(notice.kind, tick=notice.tick, text=notice.text)
-        self.notices.tell(ServerNotice(notice.kind, notice.tick, notice.text))
+        self.notices.tell(
+            ServerNotice(notice.kind, notice.tick, notice.text, text_de=notice.text_de)
+        )
 
     def want_events(self) -> None:
         """Let frames have events from now on."""

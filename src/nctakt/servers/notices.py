@@ -27,7 +27,7 @@ class ServerNotice:
     """What clients must know.
 
     ``kind``: one of the session's, ``message`` of a program, ``diagnostic``, or ``closing``: the
-    servers end. ``tick``: behind which it happened.
+    servers end. ``tick``: behind which it happened. ``text_de``: its German where that differs.
     """
 
     kind: NoticeKind | Literal["message", "diagnostic", "closing"]
@@ -35,6 +35,7 @@ class ServerNotice:
     text: str
     message: ProgramMessage | None = None
     diagnostic: Diagnostic | None = None
+    text_de: str = ""
 
 
 class Subscription:

@@ -51,7 +51,8 @@ class Audience:
         """Hand out what a slice has done: to all at once, or to those whose time has come."""
         if done.differs is not None and not self._has_differed:
             self._has_differed = True
-            self.tell("refused", str(diagnostic(PLC_DIFFERS, tick=done.differs)))
+            found = diagnostic(PLC_DIFFERS, tick=done.differs)
+            self.tell("refused", str(found), found.render("de"))
         for listener in self._listeners:
             self._pending[id(listener)].append(done)
         due = [
@@ -93,9 +94,9 @@ class Audience:
                 )
             )
 
-    def tell(self, kind: NoticeKind, text: str = "") -> None:
+    def tell(self, kind: NoticeKind, text: str = "", text_de: str = "") -> None:
         """Give all listeners a notice; who has left too many unread listens no more."""
-        notice = Notice(kind, self._story.tick, text)
+        notice = Notice(kind, self._story.tick, text, text_de)
         for listener in list(self._listeners):
             listener.tell(notice)
             if listener.is_dropped:

@@ -53,11 +53,15 @@ class Frame:
 
 @dataclass(frozen=True, slots=True)
 class Notice:
-    """What a listener must know: at which tick, and what; ``text`` gives particulars."""
+    """What a listener must know: at which tick, and what; ``text`` gives particulars.
+
+    ``text_de``: the same in German, where that differs.
+    """
 
     kind: NoticeKind
     tick: int
     text: str = ""
+    text_de: str = ""
 
 
 class Listener:

@@ -140,7 +140,7 @@ class Session:
             self._publish(done, at_once=is_at_end)
         except (Failure, RuntimeError) as error:
             self._thread.clock = None
-            self._audience.tell("refused", error_text(error))
+            self._audience.tell("refused", error_text(error), error_text(error, "de"))
 
     @property
     def tick(self) -> int:

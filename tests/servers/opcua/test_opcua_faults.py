@@ -19,6 +19,9 @@ pytest.importorskip("asyncua", reason="needs the extra [opcua]")
 from asyncua import Client, ua
 from served import Served, until
 
+from nctakt.base.failure import Failure
+from nctakt.servers.notices import ServerNotice
+from nctakt.servers.opcua.alarms import notice_text
 from nctakt.servers.opcua.limits import Limits
 from nctakt.servers.opcua.monitoring import Item
 from nctakt.servers.opcua.security import MAX_FAILURES, PASSWORD, Security
@@ -452,3 +455,28 @@ def test_wrong_passwords_lock_their_own_address_alone(tmp_path):
         assert not security.is_user("operator", password, address)
     for address in ("192.0.2.2", "2001:db8:0:1::1"):
         assert security.is_user("operator", password, address)
+
+
+def test_what_the_session_tells_is_german_for_german_clients():
+    """Kind and particulars in both languages."""
+    told = [
+        notice_text(ServerNotice("ended", 1, "error")),
+        notice_text(ServerNotice("stopped", 1, "V.E.COUNT > 3")),
+        notice_text(ServerNotice("refused", 1, "no", text_de="nein")),
+    ]
+    assert [one.en for one in told] == ["ended: error", "stopped: V.E.COUNT > 3", "refused: no"]
+    assert [one.de for one in told] == [
+        "Ende: Fehler",
+        "angehalten: V.E.COUNT > 3",
+        "abgelehnt: nein",
+    ]
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="this system has no pipes with names")
+def test_a_pipe_in_a_served_folder_is_refused(served):
+    """Reading it would never end (901483); the session goes on."""
+    os.mkfifo(served.folder / "pipe.nc")
+    with pytest.raises(Failure) as caught:
+        served.session.select(served.folder / "pipe.nc")
+    assert caught.value.diagnostics[0].id == 901483
+    asyncio.run(is_well(served))

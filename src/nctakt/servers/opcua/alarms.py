@@ -51,6 +51,19 @@ _ACKED = {
     True: _state("Acknowledged", "Quittiert"),
     False: _state("Unacknowledged", "Nicht quittiert"),
 }
+_NOTICES = {
+    "refused": Text("refused", "abgelehnt"),
+    "ended": Text("ended", "Ende"),
+    "stopped": Text("stopped", "angehalten"),
+}
+#: How a run has ended, in German.
+_RUN_STATES = {
+    "ended": "Programmende",
+    "error": "Fehler",
+    "limit": "Grenze erreicht",
+    "reset": "Reset",
+    "interrupted": "abgebrochen",
+}
 _PROCESS = _state("ProcessConditionClassType", "ProcessConditionClassType")
 
 
@@ -113,9 +126,8 @@ class Alarms:
         elif notice.kind == "diagnostic" and notice.diagnostic is not None:
             self._take_diagnostic(notice.diagnostic, notice.tick)
         elif notice.kind in ("refused", "ended", "stopped"):
-            text = f"{notice.kind}: {notice.text}"
             time = self._clock.time(notice.tick)
-            self._tell_event(0, Text(text, text), time, _MESSAGE_SEVERITY)
+            self._tell_event(0, notice_text(notice), time, _MESSAGE_SEVERITY)
 
     def _tell_message(self, message: ProgramMessage) -> None:
         channel = message.channel or 1
@@ -286,6 +298,14 @@ class Alarms:
         nothing = Text("", "")
         values = base_fields(type_, event_id, standard(_SERVER), "Server", time, nothing, 100)
         return Event(type_, event_id, values)
+
+
+def notice_text(notice: ServerNotice) -> Text:
+    """Return what a notice of the session says."""
+    kind = _NOTICES[notice.kind]
+    state = _RUN_STATES.get(notice.text) if notice.kind == "ended" else None
+    german = notice.text_de or notice.text if state is None else state
+    return Text(f"{kind.en}: {notice.text}", f"{kind.de}: {german}")
 
 
 def _two_state(name: str, text: Text, *, is_true: bool) -> dict[str, Field]:

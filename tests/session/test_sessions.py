@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import shutil
+import sys
 import threading
 import time
 from collections.abc import Iterator
@@ -379,6 +381,13 @@ def test_the_slices_of_a_run_are_told_as_one(session: Session) -> None:
     assert (done.first_tick, done.tick) == (0, expected.ticks)
     assert list(done.events) == list(expected.events)
     assert [message.text for message in done.messages] == ["there"]
+
+
+def test_a_controller_that_cannot_start_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Nobody waits for a process that ends before it has reported."""
+    monkeypatch.setattr(sys, "executable", shutil.which("false") or "false")
+    with pytest.raises(Failure, match="901153"):
+        opened()
 
 
 def test_a_session_goes_back_without_copies_too(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -32,7 +32,6 @@ from nctakt.run.one_at_a_time import OneAtATime, alone
 from nctakt.run.plc_view import AnyPlc, PlcView, WatchedPlc
 from nctakt.run.program_loader import LoadedProgram, NcText
 from nctakt.run.program_run import ProgramRun, RunOptions
-from nctakt.run.recorded_schedule import RecordedSchedule, is_recorded
 from nctakt.run.shared_image import SharedImage
 from nctakt.run.stimuli import StimulusLike, as_inputs, read_stimulus
 from nctakt.run.tick_loop import TickLoop
@@ -391,8 +390,12 @@ class Controller:
         options.check()
         inputs = () if options.replay is None else options.replay.inputs
         scheduled = self._loop.scheduled_run
-        if scheduled is not None and is_recorded(inputs):
-            self._loop.follow(RecordedSchedule(self._machine, scheduled.schedule))
+        if scheduled is not None:
+            from nctakt.run import recorded_schedule  # noqa: PLC0415 - rare
+
+            if recorded_schedule.is_recorded(inputs):
+                shares = recorded_schedule.RecordedSchedule(self._machine, scheduled.schedule)
+                self._loop.follow(shares)
         has_image = self._image is not None and not self._image.is_closed
         if not has_image and any(one.kind == IMAGE for one in inputs):
             self.interface_image()

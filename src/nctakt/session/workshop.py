@@ -12,8 +12,10 @@ import secrets
 import subprocess
 import sys
 import threading
+import time
 from collections.abc import Sequence
-from multiprocessing.connection import Connection, Listener
+from multiprocessing import AuthenticationError
+from multiprocessing.connection import Client, Connection, Listener
 from pathlib import Path
 from typing import Any, cast
 
@@ -28,6 +30,12 @@ from nctakt.session.worker import BROKEN, KEY_SIZE, REFUSED, can_fork
 
 #: How long a new process may take to report, in seconds.
 START_S = 60.0
+
+#: How often a process that has not reported yet is looked at, in seconds.
+_LOOK_S = 0.1
+
+#: The name of a connection that only wakes; those of processes are numbers.
+_NOBODY = "nobody"
 
 
 class RemoteEngine:
@@ -127,27 +135,52 @@ class Workshop:
         with contextlib.suppress(OSError):
             process.stdin.write(self._key)
             process.stdin.close()
-        engine = RemoteEngine(self.accept(name), self, 0)
+        engine = RemoteEngine(self.accept(name, process), self, 0)
         try:
             return engine, cast("Description", engine.ask("open", setup))
         except Failure:
             engine.close()
             raise
 
-    def accept(self, name: str) -> Connection[Any, Any]:
-        """Return the connection of the process of this name, once it has reported."""
-        watchdog = threading.Timer(START_S, self._listener.close)
-        watchdog.daemon = True
-        watchdog.start()
+    def accept(
+        self, name: str, process: subprocess.Popen[bytes] | None = None
+    ) -> Connection[Any, Any]:
+        """Return the connection of the process of this name, once it has reported.
+
+        Raises ``Failure`` (901153) if it ends before, or does not report in time.
+        """
+        has_reported, is_given_up = threading.Event(), threading.Event()
+
+        def watch() -> None:
+            end_s = time.monotonic() + START_S
+            while not has_reported.wait(_LOOK_S):
+                if time.monotonic() > end_s or (process and process.poll() is not None):
+                    is_given_up.set()
+                    self._wake()
+                    return
+
+        threading.Thread(target=watch, name="nctakt start", daemon=True).start()
         try:
             while name not in self._waiting:
                 connection = self._listener.accept()
                 self._waiting[connection.recv()] = connection
+                if _NOBODY in self._waiting:
+                    self._waiting.pop(_NOBODY).close()
+                    if is_given_up.is_set():
+                        raise EOFError
         except (EOFError, OSError) as error:
             raise Failure(diagnostic(CONTROLLER_LOST, reason=str(error) or "EOF")) from error
         finally:
-            watchdog.cancel()
+            has_reported.set()
         return self._waiting.pop(name)
+
+    def _wake(self) -> None:
+        """Wake whoever waits for a process to report: closing the listener would not."""
+        with (
+            contextlib.suppress(OSError, EOFError, AuthenticationError),
+            Client(self._listener.address, authkey=self._key) as connection,
+        ):
+            connection.send(_NOBODY)
 
     @property
     def can_copy(self) -> bool:

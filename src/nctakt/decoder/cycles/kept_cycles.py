@@ -7,6 +7,8 @@ on its statement alone, and found again where the same statement is defined in t
 
 from __future__ import annotations
 
+from typing import cast
+
 from nctakt.base.dataclass import dataclass
 from nctakt.decoder.cycles.builder import CycleBuilder, CycleDefinition
 from nctakt.decoder.values.variables import Values
@@ -33,10 +35,11 @@ def built_cycle(values: Values, statement: tree.RealtimeCycle, at: CyclePlace) -
         state.length_unit_mm, state.inch,
     )  # fmt: skip
     found = None if kept is None else kept.find(key)
-    if isinstance(found, CycleDefinition):
-        return found
+    if isinstance(found, tuple):
+        return cast("CycleDefinition", found[0])
     builder = CycleBuilder(values, at.first_probe)
     built = builder.build(statement, at.serial, at.identity, at.scope)
     if kept is not None and builder.is_repeatable:
-        kept.keep(key, built, built.cycle)
+        # The definition holds its statement; the names, which the key has as well, stand beside it.
+        kept.keep(key, (built, environment.names), built.cycle)
     return built

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import asyncio
+import gc
 import socket
 import subprocess
 from pathlib import Path
@@ -56,3 +57,4 @@ def test_the_missing_library_is_told(
     monkeypatch.setitem(__import__("sys").modules, "pygls", None)
     assert main(["lsp"]) == EXIT_USAGE
     assert "pip install" in capsys.readouterr().err
+    assert gc.isenabled()

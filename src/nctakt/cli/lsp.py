@@ -46,18 +46,21 @@ def command(stdio: bool, port: int | None, host: str, language: Language) -> int
     """Check, explain, complete and format programs and lists in an editor."""
     gc.disable()  # what is imported stays
     try:
-        import pygls  # noqa: F401, PLC0415 - only this command needs it
-    except ImportError:
-        failure = Failure(diagnostic(EDITOR_LIBRARY_MISSING))
+        try:
+            import pygls  # noqa: F401, PLC0415 - only this command needs it
+        except ImportError as error:
+            raise Failure(diagnostic(EDITOR_LIBRARY_MISSING)) from error
+        from nctakt.editor import presentation  # noqa: PLC0415 - as above
+        from nctakt.editor.server import Server  # noqa: PLC0415
+
+        server = Server(language)
+        presentation.register(server)
+        gc.freeze()
+    except Failure as failure:
         print_diagnostics(failure.diagnostics, language)
         return EXIT_USAGE
-    from nctakt.editor import presentation  # noqa: PLC0415 - as above
-    from nctakt.editor.server import Server  # noqa: PLC0415
-
-    server = Server(language)
-    presentation.register(server)
-    gc.freeze()
-    gc.enable()
+    finally:
+        gc.enable()
     if port is not None and not stdio:
         server.start_tcp(host, port)
     else:

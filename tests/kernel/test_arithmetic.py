@@ -14,10 +14,11 @@ from fractions import Fraction
 import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
+from random_seeds import examples
 
 from nctakt.kernel.base import arithmetic
 
-often = settings(max_examples=300, deadline=None, derandomize=True, database=None)
+often = settings(max_examples=examples(300), deadline=None, derandomize=True, database=None)
 
 anything = st.floats()
 finite = st.floats(allow_nan=False, allow_infinity=False)

@@ -11,11 +11,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from kernel_rig import ACCELERATION, DEMO, RAPID, TICK_T, Rig, assert_within_limits
+from random_seeds import examples
 
 from nctakt.kernel import cells, codes, rows
 from nctakt.run.controller import Controller, NcText
 
-often = settings(max_examples=60, deadline=None, derandomize=True, database=None)
+often = settings(max_examples=examples(60), deadline=None, derandomize=True, database=None)
 
 
 def trapezoid(length: float, time: float, speed: float = RAPID) -> float:

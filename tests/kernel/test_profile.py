@@ -8,10 +8,11 @@ import math
 import pytest
 from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
+from random_seeds import examples
 
 from nctakt.kernel.path.trapezoid_profile import TrapezoidProfile
 
-often = settings(max_examples=300, deadline=None, derandomize=True, database=None)
+often = settings(max_examples=examples(300), deadline=None, derandomize=True, database=None)
 
 lengths = st.floats(1e-4, 1e4)
 some_speeds = st.one_of(st.just(0.0), st.floats(1e-3, 600.0))

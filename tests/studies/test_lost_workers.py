@@ -3,14 +3,9 @@
 
 from __future__ import annotations
 
-import contextlib
-import json
 import os
 import signal
 import subprocess
-import sys
-import time
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -179,36 +174,11 @@ def test_a_cluster_yields_the_same_rows_and_survives_kills(tmp_path: Path) -> No
     assert files[0] == files[1] == files[2]
 
 
-@pytest.fixture
-def scheduler(tmp_path: Path) -> Iterator[tuple[str, subprocess.Popen[bytes]]]:
-    """The address and the process of a Dask scheduler with one worker."""
-    pytest.importorskip("distributed")
-    file = tmp_path / "scheduler.json"
-    dask = [sys.executable, "-m", "dask"]
-    with contextlib.ExitStack() as stack:
-        started = []
-        for words in (
-            ["scheduler", "--host", "127.0.0.1", "--port", "0", "--scheduler-file", str(file)],
-            ["worker", "--scheduler-file", str(file), "--nthreads", "1"],
-        ):
-            process = subprocess.Popen(
-                [*dask, *words, "--no-dashboard"], cwd=tmp_path, stderr=subprocess.DEVNULL
-            )
-            stack.callback(process.wait)
-            stack.callback(process.kill)
-            started.append(process)
-            deadline = time.monotonic() + 60
-            while not file.exists():
-                assert time.monotonic() < deadline
-                time.sleep(0.05)
-        yield json.loads(file.read_text())["address"], started[0]
-
-
 @pytest.mark.skipif(os.name == "nt", reason="needs kill -9")
 @pytest.mark.filterwarnings("ignore")
 def test_a_killed_scheduler_keeps_what_is_finished(
     tmp_path: Path,
-    scheduler: tuple[str, subprocess.Popen[bytes]],
+    scheduler: tuple[str, int],
     monkeypatch: pytest.MonkeyPatch,
     capsys: pytest.CaptureFixture[str],
 ) -> None:
@@ -220,12 +190,12 @@ def test_a_killed_scheduler_keeps_what_is_finished(
         'program = "part.nc"\nuntil = "0.2 s"\n'
         '[[vary]]\nvariable = "V.E.VALUE"\nfrom = 1\nto = 500\nstep = 1\n'
     )
-    address, process = scheduler
+    address, pid = scheduler
     out = tmp_path / "rows.csv"
     words = ["study", str(tmp_path / "plan.toml"), "--out", str(out), "--quiet"]
 
     def kill(self: study_progress.StudyProgress, rows: list[Row]) -> None:
-        process.kill()
+        os.kill(pid, signal.SIGKILL)
 
     with monkeypatch.context() as patch:
         patch.setattr(cluster, "CONNECT_S", 3)

@@ -28,6 +28,10 @@ class Failure(Exception):
         super().__init__("\n".join(diagnostic.render() for diagnostic in diagnostics))
         self.diagnostics = diagnostics
 
+    def __reduce__(self) -> tuple[type[Failure], tuple[Diagnostic, ...]]:
+        """Return how to make it in another process."""
+        return type(self), self.diagnostics
+
 
 def error_text(error: Exception, language: Language = "en") -> str:
     """Return an error as users read it: a ``Failure`` as it is, one of nctakt's own on one line.

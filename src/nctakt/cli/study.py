@@ -60,6 +60,12 @@ usage or unusable input, 3 an error of nctakt's own.
     help="How many processes make runs [default: one per core].",
 )
 @click.option("--scheduler", metavar="ADDRESS", help="Make the runs on a Dask cluster: tcp://…")
+@click.option(
+    "--upload",
+    multiple=True,
+    metavar="FILE",
+    help="Send a module, a wheel (.whl) or another file to the workers of --scheduler.",
+)
 @click.option("--sample", type=click.IntRange(1), metavar="COUNT", help="Take points by chance.")
 @click.option("--only", type=click.IntRange(0), metavar="NUMBER", help="Make one run, from 0.")
 @click.option(
@@ -157,6 +163,8 @@ def _check_words(file: str, words: dict[str, Any]) -> None:
     """Raise ``click.UsageError`` for options that would have no effect."""
     if words["resume"] and words["out"] is None:
         raise click.UsageError("--resume needs --out, with the results to go on with")
+    if words["upload"] and words["scheduler"] is None:
+        raise click.UsageError("--upload needs --scheduler: this machine has the files")
     if not _is_plan(file):
         return
     for name in ("each_tick", "expect", "machine", "plc", "until"):
@@ -222,7 +230,8 @@ def _executor(words: dict[str, Any]) -> Any:
         return None
     from nctakt.studies.cluster import rows_of_cluster  # noqa: PLC0415 - as above
 
-    return lambda plan, numbers: rows_of_cluster(plan, numbers, address)
+    uploads = [Path(name) for name in words["upload"]]
+    return lambda plan, numbers: rows_of_cluster(plan, numbers, address, uploads)
 
 
 def _interrupted(

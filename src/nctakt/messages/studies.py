@@ -193,6 +193,25 @@ NOTHING_MEASURED = warning(
     measure=("the measure", "die Messgröße"),
     count=("the number of runs", "die Zahl der Läufe"),
 )
+UPLOAD_TOO_LARGE = error(
+    901484,
+    en="{file} is too large: at most {limit} MB of files go along with the runs",
+    de="{file} ist zu groß: mit den Läufen gehen höchstens {limit} MB an Dateien",
+    remedy_en="Have it on the workers beforehand, or send only the files that the runs need.",
+    remedy_de="Es vorher auf die Worker bringen oder nur die Dateien senden, die die Läufe "
+    "brauchen.",
+    file=("the file or folder", "die Datei oder der Ordner"),
+    limit=("the limit in MB", "die Grenze in MB"),
+)
+WORKER_UNFIT = error(
+    901485,
+    en="the worker {worker} cannot make the runs: {reason}",
+    de="der Worker {worker} kann die Läufe nicht machen: {reason}",
+    remedy_en="Install on it what is installed here, or send it along: --upload FILE.whl",
+    remedy_de="Dort dasselbe installieren wie hier oder es mitsenden: --upload DATEI.whl",
+    worker=("the worker", "der Worker"),
+    reason=("the reason", "der Grund"),
+)
 RUN_WITHOUT_TRACE = error(
     901350,
     en="the run has no trace in memory",

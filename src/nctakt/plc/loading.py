@@ -9,6 +9,7 @@ diagnostic with a traceback of the user's files only.
 
 from __future__ import annotations
 
+import contextlib
 import importlib.util
 import sys
 import traceback
@@ -46,7 +47,10 @@ def load_plc(path: str | Path) -> AnyPlc:
     ``PlcError``: no such file (900500), a folder (900501), not readable (900503), no class
     (900520), several classes (900521), an exception in the file (900522).
     """
-    path = Path(path)
+    return _loaded(Path(path))
+
+
+def _loaded(path: Path) -> _LoadedPlc:
     module = _load_module(path)
     candidates = _candidates(module)
     if not candidates:
@@ -64,6 +68,13 @@ def load_plc(path: str | Path) -> AnyPlc:
     except (Exception, SystemExit) as error:  # the user's code may raise what it likes
         raise _load_error(error, path) from error
     return _LoadedPlc(plc, path)
+
+
+def input_file_of(path: str | Path) -> Path | None:
+    """Return the file of the inputs of a PLC's file, ``None`` without; raises as ``load_plc``."""
+    from nctakt.plc.script import input_file  # noqa: PLC0415 - a PLC need not derive from ours
+
+    return input_file(_loaded(Path(path))._plc)
 
 
 class _LoadedPlc(WatchedPlc):
@@ -117,15 +128,25 @@ def _load_module(path: Path) -> ModuleType:
     module = importlib.util.module_from_spec(spec)
     before = sys.modules.get(name)
     sys.modules[name] = module  # data classes look their own module up
-    sys.path.insert(0, str(path.parent.resolve()))
     try:
-        spec.loader.exec_module(module)
+        with imports_beside(path):
+            spec.loader.exec_module(module)
     except (Exception, SystemExit) as error:  # the user's code may raise what it likes
         raise _load_error(error, path) from error
     finally:
-        sys.path.remove(str(path.parent.resolve()))
         _restore(name, before)
     return module
+
+
+@contextlib.contextmanager
+def imports_beside(path: Path) -> Iterator[None]:
+    """Let a user's file import the files beside it while it is loaded."""
+    folder = str(path.parent.resolve())
+    sys.path.insert(0, folder)
+    try:
+        yield
+    finally:
+        sys.path.remove(folder)
 
 
 def _restore(name: str, before: ModuleType | None) -> None:

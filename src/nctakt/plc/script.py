@@ -200,8 +200,8 @@ class Plc(WatchedPlc):
     def __new__(cls, *words: object, **keywords: object) -> Self:
         """Set up the state here, so that a user's ``__init__`` need not call that of this class."""
         plc = super().__new__(cls)
-        inputs = () if cls.inputs is None else read_inputs(cls._folder / cls.inputs)
-        plc._memory = _Memory(list(inputs))
+        path = input_file(plc)
+        plc._memory = _Memory([] if path is None else list(read_inputs(path)))
         return plc
 
     def begin_run(self, hli: PlcView) -> None:
@@ -306,6 +306,13 @@ class Plc(WatchedPlc):
             if seen.get(entry.key) != entry.stamp:
                 seen[entry.key] = entry.stamp
                 yield entry
+
+
+def input_file(plc: object) -> Path | None:
+    """Return the file of a PLC's inputs; ``None`` for a PLC without."""
+    if not isinstance(plc, Plc) or plc.inputs is None:
+        return None
+    return plc._folder / plc.inputs
 
 
 def _reason(mark: object) -> Text:

@@ -146,7 +146,8 @@ class Bench:
             finished = self.make(point)
         except Failure as failure:
             row |= {measure.name: None for measure in self.plan.measures}
-            texts = "; ".join(one.headline() for one in failure.diagnostics)
+            heads = (one.headline().splitlines() for one in failure.diagnostics)
+            texts = "; ".join(dict.fromkeys(head[0] for head in heads))
             return row | {"verdict": FAILED, "broken": texts, "seed": self.plan.seed, "digest": ""}
         return row | self.judge(finished)
 

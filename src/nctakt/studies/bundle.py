@@ -1,47 +1,76 @@
 # SPDX-License-Identifier: MIT
 """A plan with the files that it needs, for a machine that does not have them.
 
-In: a plan. Out: ``Bundle``, which can be sent; ``unpack`` writes its files to a folder and returns
-the plan with the paths there. Built-in machines are part of nctakt and stay where they are.
+In: a plan, and further files and wheels that a user sends along. Out: ``Bundle``, which can be
+sent; ``write`` puts its files into a folder, ``plan`` returns the plan with the paths there.
+Built-in machines are part of nctakt and stay where they are.
 """
 
 from __future__ import annotations
 
 import hashlib
+import io
+import pickle
+import zipfile
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
 from nctakt.base.dataclass import dataclass
+from nctakt.base.failure import Failure
+from nctakt.base.version import __version__
 from nctakt.files.access import FileAccess
 from nctakt.lists.machine.files import DEMO_FOLDER
+from nctakt.messages import diagnostic
+from nctakt.messages.files import FILE_NOT_READABLE
+from nctakt.messages.studies import EXTRA_MISSING, UPLOAD_TOO_LARGE
 from nctakt.project.machine_choice import machine_of
 from nctakt.studies.dimension import Dimension
 from nctakt.studies.plan import Plan
+from nctakt.studies.plan_files import files_of
 from nctakt.studies.python_measure import PythonMeasure
-from nctakt.studies.schedule_bench import bench_of
+from nctakt.studies.user_modules import MAX_BYTES, UserModules, files_below
+
+#: Folders of a wheel whose content is installed beside its packages.
+_LIBRARIES = ("purelib", "platlib")
 
 
 @dataclass(frozen=True, slots=True)
 class Bundle:
-    """``files``: absolute path -> content; ``built_in``: the name of a built-in machine, if any."""
+    """``files``: absolute path -> content; ``built_in``: the name of a built-in machine, if any.
 
-    plan: Plan
+    ``packed``: the plan, which may name functions of the modules. ``modules``: the first parts of
+    their names; ``folders``: where they are found; ``wheels``: name -> content. ``version``: of the
+    nctakt that has made it.
+    """
+
+    packed: bytes
     files: tuple[tuple[str, bytes], ...]
     built_in: str
+    modules: tuple[str, ...]
+    folders: tuple[str, ...]
+    wheels: tuple[tuple[str, bytes], ...]
+    version: str = __version__
 
     @property
     def key(self) -> str:
         """Digits that change with the plan and the files."""
-        text = repr((self.plan, self.files))
-        return hashlib.sha256(text.encode()).hexdigest()[:16]
+        return hashlib.sha256(pickle.dumps(self)).hexdigest()[:16]
 
-    def unpack(self, folder: Path) -> Plan:
-        """Write the files below a folder; return the plan with their paths there."""
+    def write(self, folder: Path) -> list[str]:
+        """Write the files below a folder; return the folders in which modules are found there."""
         for name, content in self.files:
             path = _below(folder, Path(name))
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_bytes(content)
-        plan = self.plan
+        found = [str(_below(folder, Path(name))) for name in self.folders]
+        for name, content in self.wheels:
+            found += _install(content, folder / "wheels" / name)
+        return found
+
+    def plan(self, folder: Path) -> Plan:
+        """Return the plan with the paths of its files below a folder."""
+        plan: Plan = pickle.loads(self.packed)
         machine = None if plan.machine is None else _below(folder, plan.machine)
         if self.built_in:
             machine = DEMO_FOLDER.parent / self.built_in
@@ -75,20 +104,74 @@ def _moved(dimension: Dimension, folder: Path) -> Dimension:
     return replace(dimension, values=values)
 
 
-def bundle(plan: Plan) -> Bundle:
-    """Return a plan with its files: program and what it calls, lists, PLC, series, measures."""
-    access = FileAccess()
-    bench_of(plan, access).check()
+def _install(content: bytes, folder: Path) -> list[str]:
+    """Put the files of a wheel into a folder; return the folders in which its modules are found."""
+    with zipfile.ZipFile(io.BytesIO(content)) as wheel:
+        wheel.extractall(folder)
+    libraries = (entry / name for entry in folder.glob("*.data") for name in _LIBRARIES)
+    return [str(folder), *(str(entry) for entry in libraries if entry.is_dir())]
+
+
+def bundle(plan: Plan, uploads: Sequence[Path] = ()) -> Bundle:
+    """Return a plan with its files: program and what it calls, lists, PLC, series, measures.
+
+    The modules of the user that they import go along. ``uploads``: further files, folders, modules
+    and wheels. Raises ``Failure``: a plan that cannot be used, an upload that cannot be read
+    (900500 …) or is too large (901484).
+    """
+    try:
+        import cloudpickle  # noqa: PLC0415 - comes with the extra
+    except ImportError as error:
+        raise Failure(diagnostic(EXTRA_MISSING, package="distributed", extra="cluster")) from error
+    needed = files_of(plan)
+    modules = needed.modules
+    files = [*needed.files, *modules.files]
+    names, folders, wheels = list(modules.names), list(modules.folders), []
+    for path in (path.resolve() for path in uploads):
+        if path.suffix == ".whl":
+            wheels.append((path.name, _wheel(path)))
+            names += _modules_in(wheels[-1][1])
+            continue
+        further = UserModules()
+        further.add_file(path)
+        files += [*(files_below(path) if path.is_dir() else [path]), *further.files]
+        names += further.names
+        folders += further.folders
     machine = None
     if not plan.is_schedule:
-        machine = (plan.machine or machine_of(plan.program, access).path).resolve()
+        machine = (plan.machine or machine_of(plan.program, FileAccess()).path).resolve()
     own = DEMO_FOLDER.parent.resolve()
     built_in = machine.name if machine is not None and machine.is_relative_to(own) else ""
-    files = list(access.read_files)
-    files += plan.files
+    access = FileAccess()
     contents = {
-        str(path.resolve()): path.read_bytes()
-        for path in files
-        if not path.resolve().is_relative_to(own)
+        str(path): access.read_bytes(path) for path in files if not path.is_relative_to(own)
     }
-    return Bundle(replace(plan, machine=machine), tuple(sorted(contents.items())), built_in)
+    if sum(map(len, contents.values())) > MAX_BYTES:
+        largest = max(contents, key=lambda name: len(contents[name]))
+        raise Failure(diagnostic(UPLOAD_TOO_LARGE, file=largest, limit=MAX_BYTES >> 20))
+    return Bundle(
+        cloudpickle.dumps(replace(plan, machine=machine)),
+        tuple(sorted(contents.items())),
+        built_in,
+        tuple(dict.fromkeys(names)),
+        tuple(dict.fromkeys(map(str, folders))),
+        tuple(wheels),
+    )
+
+
+def _wheel(path: Path) -> bytes:
+    """Return the content of a wheel; raises ``Failure`` for what is none."""
+    content = FileAccess().read_bytes(path)
+    if not zipfile.is_zipfile(io.BytesIO(content)):
+        reason = "not a wheel"
+        raise Failure(diagnostic(FILE_NOT_READABLE, file=path.as_posix(), reason=reason))
+    return content
+
+
+def _modules_in(wheel: bytes) -> list[str]:
+    """Return the first parts of the names of the modules in a wheel."""
+    with zipfile.ZipFile(io.BytesIO(wheel)) as archive:
+        entries = [Path(name).parts for name in archive.namelist()]
+    firsts = (entry[2] if entry[0].endswith(".data") and len(entry) > 2 else entry[0]
+              for entry in entries)  # fmt: skip
+    return [name.partition(".")[0] for name in firsts if not name.endswith((".dist-info", ".data"))]

@@ -11,21 +11,26 @@ from __future__ import annotations
 
 import contextlib
 import gc
+import importlib
+import sys
 import tempfile
 import threading
-from collections.abc import Iterable, Iterator
+from collections import OrderedDict
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
+from types import ModuleType
 from typing import Any
 
-from nctakt.base.failure import Failure
+from nctakt.base.failure import Failure, error_text
+from nctakt.base.version import __version__
 from nctakt.messages import diagnostic
-from nctakt.messages.studies import CLUSTER_LOST, EXTRA_MISSING
-from nctakt.studies.bench import Bench, Row, crashed_row
+from nctakt.messages.studies import CLUSTER_LOST, EXTRA_MISSING, WORKER_UNFIT
+from nctakt.studies.bench import Row, crashed_row
 from nctakt.studies.bundle import Bundle, bundle
 from nctakt.studies.plan import Plan
 from nctakt.studies.processes import Block, in_blocks
 from nctakt.studies.schedule_bench import bench_of
-from nctakt.studies.shared_beginning import SharedBeginning, maker_of
+from nctakt.studies.shared_beginning import maker_of
 
 #: Blocks that wait on the cluster for each of its threads.
 AHEAD = 4
@@ -33,8 +38,11 @@ AHEAD = 4
 #: How long to wait for the scheduler, in seconds.
 CONNECT_S = 20
 
+#: Studies that a worker is ready for; those used last.
+STATIONS = 4
+
 _lock = threading.Lock()
-_makers: dict[str, Bench | SharedBeginning] = {}
+_stations: OrderedDict[str, Station] = OrderedDict()
 
 
 def received(packed: Bundle) -> Bundle:
@@ -43,34 +51,106 @@ def received(packed: Bundle) -> Bundle:
 
 
 def make_block(packed: Bundle, key: str, block: Block) -> list[Row]:
-    """Make the runs of a block, on a worker, where the bench stays for the next block."""
+    """Make the runs of a block, on a worker, where the bench stays for the next block.
+
+    Raises ``Failure`` (901485) on a worker that cannot make runs as they would be made elsewhere.
+    """
     with _lock:
-        if key not in _makers:
-            folder = Path(tempfile.mkdtemp(prefix="nctakt-study-"))
-            _makers[key] = maker_of(bench_of(packed.unpack(folder)), may_copy=False)
-            gc.collect()
-            gc.freeze()  # machine and program stay: nobody looks for garbage in them again
-        return [_makers[key].row(number) for number in block]
+        station = _stations.get(key) or Station(packed)
+        _stations[key] = station
+        _stations.move_to_end(key)
+        if len(_stations) > STATIONS:
+            _stations.popitem(last=False)[1].close()
+        return station.rows(block)
 
 
-def rows_of_cluster(plan: Plan, numbers: Iterable[int], address: str | Any) -> Iterator[list[Row]]:
+class Station:
+    """What makes the runs of one study on a worker, with the modules of its user.
+
+    Other studies may have other modules of the same names: each block begins with its own.
+    """
+
+    _present: Station | None = None
+
+    def __init__(self, packed: Bundle) -> None:
+        if packed.version != __version__:
+            raise _unfit(f"nctakt {__version__}, not {packed.version}")
+        self._folder = tempfile.TemporaryDirectory(prefix="nctakt-study-")
+        folder = Path(self._folder.name)
+        self._names = packed.modules
+        self._folders = packed.write(folder)
+        self._modules: dict[str, ModuleType] = {}
+        self._enter()
+        try:
+            bench = bench_of(packed.plan(folder))
+            bench.check()
+        except (Failure, ImportError) as error:
+            raise _unfit(error_text(error)) from error
+        self._maker = maker_of(bench, may_copy=False)
+        gc.collect()
+        gc.freeze()  # machine and program stay: nobody looks for garbage in them again
+
+    def rows(self, block: Block) -> list[Row]:
+        """Return the rows of a block."""
+        self._enter()
+        return [self._maker.row(number) for number in block]
+
+    def close(self) -> None:
+        """Remove its files, and let its memory be found as garbage."""
+        self._folder.cleanup()
+        gc.unfreeze()
+
+    def _enter(self) -> None:
+        """Let imports find the modules of this study, and no other one's."""
+        before = Station._present
+        if before is self:
+            return
+        if before is not None:
+            before._leave()
+        Station._present = self
+        _taken(self._names)  # also what the worker has by itself under these names
+        sys.modules.update(self._modules)
+        sys.path[:0] = self._folders
+        importlib.invalidate_caches()
+
+    def _leave(self) -> None:
+        self._modules = _taken(self._names)
+        sys.path[:] = [path for path in sys.path if path not in self._folders]
+
+
+def _taken(names: Sequence[str]) -> dict[str, ModuleType]:
+    """Remove the modules of these names from those that are imported; return them."""
+    own = [name for name in sys.modules if name.partition(".")[0] in names]
+    return {name: sys.modules.pop(name) for name in own}
+
+
+def _unfit(reason: str) -> Failure:
+    import distributed  # noqa: PLC0415 - as below
+
+    return Failure(diagnostic(WORKER_UNFIT, worker=distributed.get_worker().address, reason=reason))
+
+
+def rows_of_cluster(
+    plan: Plan, numbers: Iterable[int], address: str | Any, uploads: Sequence[Path] = ()
+) -> Iterator[list[Row]]:
     """Yield the rows of runs, in the order in which they finish.
 
-    ``address``: of the scheduler, or a ``distributed`` cluster or client. Raises ``Failure``: no
-    package distributed (901311), no such scheduler or none any more (901316).
+    ``address``: of the scheduler, or a ``distributed`` cluster or client; ``uploads``: further
+    files, modules and wheels for the workers. Raises ``Failure``: no package distributed (901311),
+    no such scheduler or none any more (901316), a worker that cannot make the runs (901485).
     """
     try:
         import distributed  # noqa: PLC0415 - an extra
     except ImportError as error:
         raise Failure(diagnostic(EXTRA_MISSING, package="distributed", extra="cluster")) from error
-    packed = bundle(plan)
+    packed = bundle(plan, uploads)
     is_own = not isinstance(address, distributed.Client)
     try:
         client: Any = distributed.Client(address, timeout=CONNECT_S) if is_own else address
     except (OSError, ValueError) as error:
         raise _lost(address, error) from error
     try:
-        yield from _Blocks(client, packed).rows(numbers)
+        yield from _Blocks(client, plan, packed).rows(numbers)
     except (
         OSError,
         distributed.comm.CommClosedError,
@@ -91,9 +171,9 @@ def _lost(address: object, error: Exception) -> Failure:
 class _Blocks:
     """The blocks of a study on a cluster; only some of them wait there at a time."""
 
-    def __init__(self, client: Any, packed: Bundle) -> None:
+    def __init__(self, client: Any, plan: Plan, packed: Bundle) -> None:
         self._client = client
-        self._packed = packed
+        self._plan = plan
         self._study = packed.key
         self._received = client.submit(received, packed, key=f"nctakt-study-{self._study}")
         self._blocks: dict[Any, Block] = {}
@@ -129,7 +209,7 @@ class _Blocks:
             yield future.result()
         except distributed.scheduler.KilledWorker:
             if len(block) == 1:
-                yield [crashed_row(self._packed.plan, block[0])]
+                yield [crashed_row(self._plan, block[0])]
                 return
             for number in block:
                 self._submit((number,), finished)

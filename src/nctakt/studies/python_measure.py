@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from nctakt.base.dataclass import dataclass
+from nctakt.plc.loading import imports_beside
 from nctakt.studies.measure_nodes import Number
 from nctakt.studies.outcome import NotMeasuredError, Outcome
 
@@ -62,11 +63,15 @@ class PythonMeasure:
 
 @cache
 def loaded(file: Path, name: str) -> Callable[..., Number | None]:
-    """Return a function of a Python file; raises whatever the file raises."""
+    """Return a function of a Python file, which may import files beside it.
+
+    Raises whatever the file raises.
+    """
     spec = importlib.util.spec_from_file_location(f"nctakt_study_{file.stem}", file)
     if spec is None or spec.loader is None:
         raise ImportError(f"{file.name} is not a Python file")
     module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
+    with imports_beside(file):
+        spec.loader.exec_module(module)
     function: Callable[..., Number | None] = getattr(module, name)
     return function

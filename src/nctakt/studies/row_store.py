@@ -20,15 +20,13 @@ from pathlib import Path
 from typing import Any, BinaryIO, overload
 
 from nctakt.base.failure import Failure
-from nctakt.files.access import FileAccess
-from nctakt.lists.machine.machine import load_machine
 from nctakt.messages import diagnostic
 from nctakt.messages.files import FILE_NOT_WRITABLE
 from nctakt.messages.studies import OTHER_PLAN
-from nctakt.project.machine_choice import machine_of
 from nctakt.run.tape import digest_of
 from nctakt.studies.bench import Row
 from nctakt.studies.plan import Plan
+from nctakt.studies.plan_files import files_of
 from nctakt.studies.results import checked_row, unreadable
 
 #: Bytes of rows that are kept in memory as they are; more stay in their file.
@@ -39,11 +37,9 @@ MAX_SORTED, MAX_PARTS = 64 << 20, 500
 
 
 def fingerprint(plan: Plan) -> str:
-    """Return digits that change with the plan, its program, its PLC and its lists."""
-    files = [plan.program, *plan.files]
-    if not plan.is_schedule:
-        machine = load_machine(plan.machine or machine_of(plan.program, FileAccess()).path)
-        files += [path for _, path in machine.lists]
+    """Return digits that change with the plan and with all files that its runs depend on."""
+    needed = files_of(plan)
+    files = [*needed.files, *needed.modules.files]
     digests = [digest_of(path) for path in files]
     return hashlib.sha256(f"{plan!r}{digests}".encode()).hexdigest()
 

@@ -189,7 +189,7 @@ MODAL = [
 ]
 
 
-@each_seed(40, 10)
+@each_seed(20, 5)
 def test_both_ways_give_the_same_commands(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
     """Random programs: the rows of the queue are equal to the bit, and so are the diagnostics."""
     content = text(seed)
@@ -238,7 +238,7 @@ def test_the_queue_is_filled_as_far(seed: int, monkeypatch: pytest.MonkeyPatch) 
     assert rows(content, water) == short
 
 
-@each_seed(25, 5)
+@each_seed(12, 3)
 def test_both_ways_run_the_same(seed: int, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     """Whole runs: trace, events with their places, diagnostics, messages."""
     content = text(2000 + seed)
@@ -284,7 +284,7 @@ def contour(seed: int) -> str:
     return "\n".join(["#VAR", "V.P.A = 1", "#ENDVAR", *lines])
 
 
-@each_seed(40, 10)
+@each_seed(20, 5)
 def test_both_ways_give_the_same_contours(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
     """MO-9: random contours beside which the tool goes, with what interrupts them."""
     content = contour(seed)

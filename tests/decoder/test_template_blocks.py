@@ -146,7 +146,7 @@ def by_parser(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(Templates, "skip_known", lambda _self, _lines, index: index)
 
 
-@each_seed(40, 10)
+@each_seed(20, 5)
 def test_both_ways_give_the_same_commands(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
     """Random programs: the rows of the queue are equal to the bit, and so are the diagnostics."""
     text = content(seed)

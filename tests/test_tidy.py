@@ -24,7 +24,13 @@ ROOT = Path(__file__).parent.parent
 PACKAGE = ROOT / "src" / "nctakt"
 KERNEL = PACKAGE / "kernel"
 #: Modules of numbers: constants of C in what is compiled, and not compiled themselves.
-NUMBERS = ("decoder/contour/rows", "kernel/cells", "kernel/codes", "kernel/rows")
+NUMBERS = (
+    "decoder/contour/rows",
+    "kernel/cells",
+    "kernel/codes",
+    "kernel/kinematics/map_rows",
+    "kernel/rows",
+)
 #: The modules of the realtime part, relative to its folder and without an ending: ``path/path``.
 MODULES = sorted(
     path.relative_to(KERNEL).with_suffix("").as_posix()

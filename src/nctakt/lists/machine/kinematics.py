@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: MIT
+"""Kinematic transformations of a channel (P-CHAN-00262 ff.), as its list describes them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from nctakt.base.dataclass import dataclass
+
+#: The type of the universal kinematic.
+UNIVERSAL = 91
+#: Programming modes of the universal kinematic (P-CHAN-00288).
+POINT_VECTOR, DIRECT, CONFORMAL = 10, 12, 13
+#: Modes with two angles of an ideal chain, in the order of their rotary axes.
+CLASSIC_MODES = {14: "AB", 15: "BA", 16: "AC", 17: "CA", 18: "BC", 19: "CB"}
+PROGRAMMING_MODES = (POINT_VECTOR, DIRECT, CONFORMAL, *CLASSIC_MODES)
+
+Vector = tuple[float, float, float]
+
+
+@dataclass(frozen=True, slots=True)
+class KinematicAxis:
+    """An axis of the universal kinematic; ``direction`` of any length, ``point`` in mm."""
+
+    is_rotary: bool
+    direction: Vector
+    point: Vector
+
+
+@dataclass(frozen=True, slots=True)
+class UniversalKinematic:
+    """The chain of a kinematic of type 91; lengths in mm.
+
+    ``axes``: by their index in the channel. ``chain``: these indices from the workpiece to the
+    tool. ``programming_mode``: 0 where neither P-CHAN-00288 nor P-CHAN-00112 names one.
+    ``linkage``: three rows of a matrix and a shift between the linear axes and the chain; empty:
+    none.
+    """
+
+    zero_orientation: Vector
+    zero_position: Vector
+    is_rtcp: bool
+    programming_mode: int
+    axes: tuple[KinematicAxis, ...]
+    chain: tuple[int, ...]
+    linkage: tuple[Vector, ...] = ()
+
+    @property
+    def rotary(self) -> tuple[int, ...]:
+        """The indices of the rotary axes, in the order of the chain."""
+        return tuple(index for index in self.chain if self.axes[index].is_rotary)
+
+
+@dataclass(frozen=True, slots=True)
+class Kinematic:
+    """A kinematic that programs select by its ID.
+
+    ``parameters``: index of P-CHAN-00263 -> value in 0.1 µm or 1e-4°; missing ones are 0.
+    ``universal``: of type 91 only.
+    """
+
+    id: int
+    type: int
+    parameters: Mapping[int, float]
+    universal: UniversalKinematic | None = None

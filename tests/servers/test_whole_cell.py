@@ -160,6 +160,8 @@ async def operate(addresses):
     clicks: asyncio.Queue = asyncio.Queue()
 
     def watch(is_open):
+        from playwright.sync_api import expect  # noqa: PLC0415 - where there is a browser only
+
         with chromium() as browser:
             page = opened(browser, addresses["live"])
             loop.call_soon_threadsafe(is_open.set)
@@ -167,7 +169,10 @@ async def operate(addresses):
                 word, done = asyncio.run_coroutine_threadsafe(clicks.get(), loop).result()
                 if word is None:
                     return
-                page.get_by_test_id(word).click()
+                switch = page.get_by_test_id(word)
+                turned = "false" if switch.get_attribute("aria-checked") == "true" else "true"
+                switch.click()
+                expect(switch).to_have_attribute("aria-checked", turned)
                 loop.call_soon_threadsafe(done.set)
 
     is_open = asyncio.Event()

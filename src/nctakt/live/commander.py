@@ -26,6 +26,7 @@ class Commander:
         self.shared = shared
         self.texts = texts
         self._client = client
+        self._writing = asyncio.Lock()
         client.on_connect(self._arrive)
         client.on_disconnect(self._leave)
 
@@ -57,16 +58,15 @@ class Commander:
         for reason in reasons[:3]:
             ui.notify(reason, type="negative", multi_line=True, timeout=8000, close_button=True)
 
-    async def write(self, name: str, value: float | bool) -> None:
-        """Write a value unless it is there already."""
-        now = self.shared.snapshot.values.get(name)
-        if now is not None and float(now) == float(value):
-            return
-        if await self.do(lambda session: session.write({name: value}, PAGE)):
-            if not self.shared.snapshot.is_playing:
-                note = f"{name} = {plain_number(value)}: {self.texts['next_tick']}"
-                with self._client:
-                    ui.notify(note, timeout=2500)
+    async def write(self, name: str, value: float | bool) -> bool:
+        """Write a value, behind those that this browser has written before; return whether."""
+        async with self._writing:
+            is_done = await self.do(lambda session: session.write({name: value}, PAGE))
+        if is_done and not self.shared.snapshot.is_playing:
+            note = f"{name} = {plain_number(value)}: {self.texts['next_tick']}"
+            with self._client:
+                ui.notify(note, timeout=2500)
+        return is_done
 
     async def press(self, key: str) -> None:
         """Press a key of the operator's panel of the shown channel."""

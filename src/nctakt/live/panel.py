@@ -25,6 +25,9 @@ _MAX_AXES = 6
 #: Switches: their word, and the value of the HLI.
 SWITCHES = {"hold": "FEED_HOLD", "single": "SINGLE_BLOCK", "backward": "BACKWARD_MOTION"}
 
+#: Looks at the session for which a switch shows what a person wants, if no tick takes it over.
+_PATIENCE = 40
+
 _ALL = ""
 
 
@@ -45,6 +48,7 @@ class Panel:
         self._axes: list[str] = []
         self._is_panning = False
         self._switches: dict[str, Any] = {}
+        self._wished: dict[str, tuple[bool, int]] = {}
         with ui.element("div").classes("nc-card nc-flat") as self._positions:
             pass
         self._build_positions()
@@ -92,7 +96,8 @@ class Panel:
             with ui.element("div").classes("nc-switches"):
                 for word in SWITCHES:
                     switch = ui.switch(texts[word]).props(f"dense size=sm data-testid={word}")
-                    switch.on_value_change(partial(self._switched, word))
+                    # What a person turns; a value that is only shown commands nothing.
+                    switch.on("update:model-value", partial(self._switched, word), [None])
                     self._switches[word] = switch
             self._switches["backward"].tooltip(texts["no_history"])
             with ui.element("div").classes("nc-row"):
@@ -113,7 +118,7 @@ class Panel:
         prefix = f"{self._shared.prefix}HLI."
         for word, name in SWITCHES.items():
             value = bool(values.get(prefix + name, 0))
-            if self._switches[word].value != value:
+            if not self._awaits(word, value) and self._switches[word].value != value:
                 self._switches[word].set_value(value)
         has_history = bool(values.get(f"{prefix}HISTORY_SIZE", 0))
         if self._switches["backward"].enabled != has_history:
@@ -148,10 +153,23 @@ class Panel:
         await self._commander.write(name, wished)
 
     async def _switched(self, word: str, event: Any) -> None:
-        await self._set(word, bool(event.value))
+        await self._set(word, bool(event.args))
 
     async def _set(self, word: str, value: bool) -> None:
-        await self._commander.write(f"{self._shared.prefix}HLI.{SWITCHES[word]}", value)
+        """Set a switch; until a tick has taken it over, it shows what the person wants."""
+        self._wished[word] = (value, _PATIENCE)
+        name = f"{self._shared.prefix}HLI.{SWITCHES[word]}"
+        if not await self._commander.write(name, value):
+            self._wished.pop(word, None)
+
+    def _awaits(self, word: str, value: bool) -> bool:
+        """Return whether a switch waits for a tick that takes over what it shows."""
+        wished, looks = self._wished.get(word, (value, 0))
+        if wished == value or looks == 0:
+            self._wished.pop(word, None)
+            return False
+        self._wished[word] = (wished, looks - 1)
+        return True
 
     def _pan(self, event: Any) -> None:
         self._is_panning = event.args == "start"

@@ -82,7 +82,8 @@ class Variables:
         test = f"data-testid=variable-{row.name}"
         if row.field == "switch":
             switch = ui.switch().props(f"dense size=sm {test}")
-            switch.on_value_change(lambda event: self._write(row.name, bool(event.value)))
+            # What a person turns; a value that is only shown is not written.
+            switch.on("update:model-value", partial(self._turn, row.name), [None])
             return switch
         field = ui.number(step=1 if row.field == "integer" else None)
         field.props(f"dense outlined {test}").classes("nc-field")
@@ -135,9 +136,14 @@ class Variables:
     async def _write(self, name: str, value: float | bool) -> None:
         await self._commander.write(self._shared.prefix + name, value)
 
+    async def _turn(self, name: str, event: Any) -> None:
+        await self._write(name, bool(event.args))
+
     async def _commit(self, name: str, field: Any, _: Any = None) -> None:
+        """Write what stands in a field, unless a person has only visited it."""
         self._busy.discard(name)
-        if field.value is not None:
+        now = self._shared.snapshot.values.get(self._shared.prefix + name)
+        if field.value is not None and float(field.value) != now:
             await self._write(name, float(field.value))
 
     def _pan(self, name: str, event: Any) -> None:

@@ -221,7 +221,47 @@ CASES: list[tuple[type[Command], dict[str, object], int, dict[int, float]]] = [
         {rows.STOP_IS_OPTIONAL: 1},
     ),
     (commands.GiveUp, {"message": 11}, rows.GIVE_UP, {rows.GIVE_UP_MESSAGE: 11}),
+    (
+        commands.SendSignal,
+        {"signal": 5, "receivers": 6, "count": 2, "mask": 3, "values": (1.5, 2.5) + 10 * (0.0,)},
+        rows.SIGNAL,
+        {
+            rows.SIGNAL_NUMBER: 5,
+            rows.SIGNAL_RECEIVERS: 6,
+            rows.SIGNAL_COUNT: 2,
+            rows.SIGNAL_MASK: 3,
+            rows.SIGNAL_FIRST_VALUE: 1.5,
+            rows.SIGNAL_FIRST_VALUE + 1: 2.5,
+            rows.SIGNAL_FIRST_VALUE + 11: 0.0,
+        },
+    ),
+    (
+        commands.AwaitSignal,
+        {"signal": 5, "senders": 4, "overtakes": True},
+        rows.AWAIT_SIGNAL,
+        {rows.AWAITED_SIGNAL: 5, rows.AWAITED_SENDERS: 4, rows.AWAITED_OVERTAKES: 1},
+    ),
+    (
+        commands.RemoveSignals,
+        {"low": 5, "high": 9, "receivers": 4, "is_range": True},
+        rows.REMOVE_SIGNAL,
+        {
+            rows.REMOVED_LOW: 5,
+            rows.REMOVED_HIGH: 9,
+            rows.REMOVED_RECEIVERS: 4,
+            rows.REMOVED_IS_RANGE: 1,
+        },
+    ),
 ]
+
+#: Commands that never stand in the queue: segments are prepared in it, others wait in the decoder.
+_NOT_QUEUED = {
+    Command,
+    commands.Segment,
+    commands.DecoderWait,
+    commands.DecoderSignal,
+    commands.NextTick,
+}
 
 
 @pytest.mark.parametrize(
@@ -239,8 +279,8 @@ def test_arguments_stand_in_their_columns(
 
 
 def test_each_command_is_packed() -> None:
-    """All but segments, which are prepared in the queue."""
+    """Each that stands in the queue as a row."""
     declared = {
         one for one in vars(commands).values() if isinstance(one, type) and issubclass(one, Command)
     }
-    assert {case[0] for case in CASES} == declared - {Command, commands.Segment}
+    assert {case[0] for case in CASES} == declared - _NOT_QUEUED

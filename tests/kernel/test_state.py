@@ -23,9 +23,12 @@ MODULES = (axes, control, path)
 #: Fields that are assigned while the objects of a machine or of a cycle are built, and not later,
 #: though a field of another class that has their name is.
 BUILT = {
+    "Channel": {"signals"},
     "ChannelLane": {"channel"},
+    "ChannelSignals": {"named"},
     "CommandSpindle": {"direction"},
     "CompareTexts": {"count"},
+    "CommandExecutor": {"signals"},
     "Copy": {"count"},
     "Index": {"count"},
     "NumberValue": {"number"},

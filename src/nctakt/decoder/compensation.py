@@ -35,7 +35,7 @@ from nctakt.decoder.pending_motion import (
     share_of_contour,
 )
 from nctakt.decoder.state.arcs import PLANES, SAME_POINT_MM, Arc
-from nctakt.decoder.state.commands import Answer, Command, ProgramEnd, Segment, waits
+from nctakt.decoder.state.commands import Answer, Command, DecoderWait, ProgramEnd, Segment, waits
 from nctakt.decoder.state.environment import DecodeError
 from nctakt.decoder.state.packing import takes_time
 from nctakt.decoder.values.variables import Values
@@ -120,7 +120,7 @@ class Compensation:
         if isinstance(command, Segment) and self._state.compensation.is_active:
             yield from self._segment(command)
             return None
-        if self._motions and not isinstance(command, Segment | PlainRun):
+        if self._motions and not isinstance(command, Segment | PlainRun | DecoderWait):
             if not waits(command) and not isinstance(command, ProgramEnd):
                 self._hold(command)
                 return None

@@ -24,6 +24,7 @@ from nctakt.decoder.flow.hash_commands import HashCommands
 from nctakt.decoder.flow.macros import Macros
 from nctakt.decoder.flow.modal_calls import ModalCalls
 from nctakt.decoder.flow.realtime_loops import RealtimeLoops
+from nctakt.decoder.flow.signals import Signals
 from nctakt.decoder.state.call_stack import MAX_CALL_DEPTH, MAX_NESTING, CallFrame
 from nctakt.decoder.state.commands import (
     CONTROL_ACTIONS,
@@ -103,6 +104,7 @@ class ProgramDecoder:
         self._macros = Macros(environment, self._values.fail)
         self._hash_commands = HashCommands(self._values)
         self._loops = RealtimeLoops(self._values, self._block_decoder, self._statements)
+        self._signals = Signals(self._values, self._block_decoder.request)
         self._flow = Flow(self._values, self._statements, self._count_pass)
         self._call_stack = state.call_stack
         self._modal = ModalCalls(state.call_stack)
@@ -388,6 +390,8 @@ class ProgramDecoder:
                 yield from self._hash_commands.timer(statement, number)
             case tree.HashCommand() if [word.name for word in statement.words] == NO_MODAL:
                 self._modal.end()
+            case tree.HashCommand() if statement.words[0].name in ("SIGNAL", "WAIT"):
+                yield from self._signals.command(statement, number)
             case tree.HashCommand():
                 yield from self._hash_commands.command(statement, number)
             case tree.ProgramStart():

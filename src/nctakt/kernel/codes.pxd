@@ -9,6 +9,7 @@ cdef enum:
     FULL = 5
     START = 6
     RESET = 7
+    DEADLOCK = 8
     EMPTY = 0
     LOADED = 1
     DEFINED = 2
@@ -90,6 +91,16 @@ cdef enum:
     STANDING = 0
     TURNING = 1
     POSITIONING = 2
+    SIGNAL_CAPACITY = 256
+    SIGNAL_VALUES = 12
+    MAX_SIGNAL_CHANNEL = 30
+    ENDLESS_SIGNAL = -1
+    SIGNAL_ABSENT = 0
+    SIGNAL_THERE = 1
+    SIGNAL_OVERTAKES = 2
+    AT_REST = 0
+    STUCK = 1
+    AT_WORK = 2
     FREE = 0
     WAITING = 1
     ACKNOWLEDGED = 2

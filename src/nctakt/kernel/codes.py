@@ -18,7 +18,8 @@ from __future__ import annotations
     FULL,  # the record has no room for another tick
     START,
     RESET,
-) = range(8)
+    DEADLOCK,  # each running program waits for a signal that none of them can send
+) = range(9)
 
 # --- realtime cycles ------------------------------------------------------------------------------
 
@@ -132,6 +133,31 @@ SPINDLE_POSITION = 19
 
 #: What a spindle does.
 STANDING, TURNING, POSITIONING = range(3)
+
+# --- signals between channels ---------------------------------------------------------------------
+
+#: Number of signals that can be open at once in all channels together.
+SIGNAL_CAPACITY = 256
+#: Number of values that a signal can carry.
+SIGNAL_VALUES = 12
+#: Highest number of a channel that signals can name.
+MAX_SIGNAL_CHANNEL = 30
+#: A signal that is never used up.
+ENDLESS_SIGNAL = -1
+
+#: Whether the signals are there that a channel waits for.
+(
+    SIGNAL_ABSENT,
+    SIGNAL_THERE,
+    SIGNAL_OVERTAKES,  # another one of the same sender has to be taken before
+) = range(3)
+
+#: What a channel is at.
+(
+    AT_REST,  # no program runs
+    STUCK,  # its program waits for a signal, and nothing else moves it on
+    AT_WORK,
+) = range(3)
 
 # --- PLC ------------------------------------------------------------------------------------------
 

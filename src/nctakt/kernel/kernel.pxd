@@ -5,6 +5,7 @@ from nctakt.kernel cimport codes, rows
 from nctakt.kernel.axes.axes cimport Axes
 from nctakt.kernel.plc.axis_requests cimport AxisRequests
 from nctakt.kernel.tick.channel cimport Channel
+from nctakt.kernel.tick.signals cimport SignalBoard
 from nctakt.kernel.tick.stops cimport Stops
 from nctakt.kernel.plc.interface_image cimport InterfaceImage
 from nctakt.kernel.base.record cimport Record
@@ -12,6 +13,7 @@ from nctakt.kernel.axes.single_axes cimport SingleAxes
 
 cdef class Lane:
     cdef int needs_python(self) noexcept nogil
+    cdef int activity(self) noexcept nogil
     cdef Py_ssize_t event_bound(self) noexcept nogil
     cdef Py_ssize_t probe_bound(self) noexcept nogil
     cdef void begin_tick(self, long long tick) noexcept nogil
@@ -24,6 +26,8 @@ cdef class ChannelLane(Lane):
     cdef Lane others
     @cython.locals(reason=int)
     cdef int needs_python(self) noexcept nogil
+    @cython.locals(own=int)
+    cdef int activity(self) noexcept nogil
     cdef Py_ssize_t event_bound(self) noexcept nogil
     cdef Py_ssize_t probe_bound(self) noexcept nogil
     cdef void begin_tick(self, long long tick) noexcept nogil
@@ -39,6 +43,8 @@ cdef class Kernel:
     cdef readonly InterfaceImage image
     cdef Lane lane
     cdef readonly Stops stops
+    cdef readonly SignalBoard signals
+    cdef public bint ends_deadlock
     cdef readonly bint is_stopped
     cdef readonly long long tick
     cdef Py_ssize_t input_count

@@ -20,6 +20,7 @@ from nctakt.kernel.base.record import Record
 from nctakt.kernel.plc.axis_requests import AxisRequests
 from nctakt.kernel.plc.interface_image import InterfaceImage
 from nctakt.kernel.tick.channel import Channel
+from nctakt.kernel.tick.signals import SignalBoard
 from nctakt.kernel.tick.stops import Stops
 
 #: Ticks of one call at most, far from what an integer of 64 bits cannot hold.
@@ -35,6 +36,10 @@ class Lane:
     def needs_python(self) -> int:
         """First reason of a channel to return to Python, else ``codes.DONE``."""
         return codes.DONE
+
+    def activity(self) -> int:
+        """Highest activity of a channel: at rest, stuck, at work."""
+        return codes.AT_REST
 
     def event_bound(self) -> int:
         """Highest number of events in a tick."""
@@ -64,6 +69,10 @@ class ChannelLane(Lane):
         reason = self.channel.needs_python()
         return reason if reason else self.others.needs_python()
 
+    def activity(self) -> int:
+        own = self.channel.activity()
+        return own if own == codes.AT_WORK else max(own, self.others.activity())
+
     def event_bound(self) -> int:
         return self.channel.event_bound() + self.others.event_bound()
 
@@ -87,7 +96,10 @@ class ChannelLane(Lane):
 
 
 class Kernel:
-    """The realtime part of one machine."""
+    """The realtime part of one machine.
+
+    ``ends_deadlock``: ``run`` returns when each running program waits for another one's signal.
+    """
 
     def __init__(
         self,
@@ -103,9 +115,13 @@ class Kernel:
         self.requests = AxisRequests(single_axes)
         self.record = record
         self.image = InterfaceImage(memory, record)
+        self.signals = SignalBoard()
+        self.ends_deadlock = False
         lane = Lane()
         for number in range(len(channels), 0, -1):
             named = number if len(channels) > 1 else 0
+            channels[number - 1].set_signals(self.signals, number)
+            channels[number - 1].signals.named = named
             lane = ChannelLane(channels[number - 1], record, named, lane)
         self.lane = lane
         self.stops = Stops(memory, record)
@@ -169,6 +185,9 @@ class Kernel:
             reason = self.lane.needs_python()
             if reason:
                 return reason
+            if self.signals.has_waited and self.ends_deadlock:
+                if self.lane.activity() == codes.STUCK:
+                    return codes.DEADLOCK
             if not self.record.has_room(self.event_bound(), self.lane.probe_bound()):
                 return codes.FULL
             self.run_tick()

@@ -57,7 +57,10 @@ from __future__ import annotations
     MEASURE_END,  # the motion that looks for an edge is over
     CLEAR_HISTORY,  # #BACKWARD STORAGE CLEAR
     EMPTY_BLOCK,  # a block whose motion or dwell takes no tick
-) = range(1, 38)
+    SIGNAL,  # #SIGNAL SYN
+    AWAIT_SIGNAL,  # #WAIT SYN
+    REMOVE_SIGNAL,  # #SIGNAL REMOVE SYN
+) = range(1, 41)
 
 #: The kinds that take or may take time.
 TIMED_KINDS = frozenset(
@@ -76,6 +79,7 @@ TIMED_KINDS = frozenset(
         LOOP_END,
         FIXED_STOP_END,
         MEASURE_END,
+        AWAIT_SIGNAL,
     )
 )
 
@@ -195,6 +199,24 @@ def _arguments(count: int) -> range:
     MEASURE_HAS_VALUE,
     MEASURE_VALUE,
 ) = _arguments(5)
+(
+    SIGNAL_NUMBER,
+    SIGNAL_RECEIVERS,  # mask of channels (``tick/signals.py``), 0: all
+    SIGNAL_COUNT,  # how often it is taken, ``codes.ENDLESS_SIGNAL``
+    SIGNAL_MASK,  # which of its values are given
+    SIGNAL_FIRST_VALUE,  # the others follow
+) = _arguments(5)
+(
+    AWAITED_SIGNAL,
+    AWAITED_SENDERS,  # mask of channels, 0: a broadcast
+    AWAITED_OVERTAKES,  # 1: out of the order of its sender
+) = _arguments(3)
+(
+    REMOVED_LOW,
+    REMOVED_HIGH,
+    REMOVED_RECEIVERS,  # mask of channels, 0: broadcasts
+    REMOVED_IS_RANGE,  # 1: all signals with these numbers, 0: the oldest
+) = _arguments(4)
 
 # --- segments of the path -------------------------------------------------------------------------
 
@@ -356,7 +378,10 @@ FEED_MOTION, RAPID_MOTION = range(2)
     EVENT_ACKNOWLEDGED,  # function, number within the tick of its output (0: program), that tick
     EVENT_DROPPED,  # the same, of a function that a reset ends
     EVENT_WRITTEN_TEXT,  # cell and part of a text, its characters as below
-) = range(1, 40)
+    EVENT_SIGNAL_SENT,  # subject: number; receivers as in ``SIGNAL_RECEIVERS``, count, 1: with SYN
+    EVENT_SIGNAL_AWAITED,  # subject: number; senders, 0, 1: with SYN
+    EVENT_SIGNAL_TAKEN,  # subject: number; its sender, tick in which it was sent, 1: with SYN
+) = range(1, 43)
 
 #: A text that a cycle writes is recorded in parts. The column of the cell is the cell plus this
 #: number, twice for each earlier part and once more if another part follows.

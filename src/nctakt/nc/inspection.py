@@ -404,6 +404,7 @@ class Inspection:
             assert isinstance(call.name, StringLiteral)
             calls = self.local_calls if call.local else self.program.calls
             calls.append(Call(call.name.value, call.span))
+        self.program.signals += self._checker.take_signals()
         if self._watcher is not None:
             self._watcher.statement(statement)
 

@@ -140,12 +140,29 @@ class Call:
     span: Span
 
 
+@dataclass(frozen=True, slots=True)
+class SignalUse:
+    """A ``#SIGNAL`` or ``#WAIT`` as far as its numbers are constant.
+
+    ``number``: ``None`` where it is computed. ``channels``: receivers or senders, empty for all;
+    ``None`` where one is computed. ``is_wait``: of ``#WAIT``; ``line``: its
+    text.
+    """
+
+    is_wait: bool
+    number: int | None
+    channels: tuple[int, ...] | None
+    span: Span
+    line: str
+
+
 @dataclass(slots=True)
 class ProgramText:
     """A checked program file: ``main`` and the local subprograms by name.
 
     ``cycles``: its definitions of realtime cycles, if its statements are kept; ``calls``: its calls
-    of other files by a constant name; ``templates``: shapes of statements seen before.
+    of other files by a constant name; ``signals``: those that it sends and waits for;
+    ``templates``: shapes of statements seen before.
     """
 
     source: Source
@@ -153,6 +170,7 @@ class ProgramText:
     subprograms: dict[str, Section] = field(default_factory=dict)
     cycles: list[RealtimeCycle] = field(default_factory=list)
     calls: list[Call] = field(default_factory=list)
+    signals: list[SignalUse] = field(default_factory=list)
     templates: Templates = field(default_factory=Templates)
 
     def statements(self, section: Section, label: str | None = None) -> Iterator[Statement]:

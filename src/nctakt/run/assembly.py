@@ -26,6 +26,7 @@ from nctakt.messages.inputs import MISSPELLED_SIGNAL, NAMES_OF_DEMO_MACHINE, UNK
 from nctakt.messages.plc import STALE_ACKNOWLEDGEMENT
 from nctakt.nc.outline import ProgramText
 from nctakt.nc.vocabulary.variable_table import NameTable
+from nctakt.run.decoder_signals import SignalsOfChannel
 from nctakt.run.event_registry import EventRegistry
 from nctakt.run.inputs import API, Inputs
 from nctakt.run.machine_names import SignalCell, channel_names, names_of_machine, prefix_of
@@ -216,6 +217,7 @@ class AssembledMachine:
             self.registry.left_in(self.channels[channel].manager),
             lambda: self._moving_axes(channel),
             self.channels[channel].path.history_size,
+            SignalsOfChannel(self.kernel, self.channels, channel),
             self.poll,
             self.realtime.kept_cycles,
         )

@@ -55,6 +55,7 @@ from nctakt.messages.realtime import (
     UNKNOWN_CYCLE_ID,
     UNKNOWN_CYCLE_TIMER,
 )
+from nctakt.messages.signals import SIGNAL_OUT_OF_ORDER, TOO_MANY_SIGNALS
 from nctakt.messages.spindles import (
     CYCLE_ACTIONS_FULL,
     INVALID_SPINDLE_SPEED,
@@ -106,9 +107,11 @@ _MESSAGES = {
         PLC_INTERFACE_FULL,
         PLC_VALUE_NOT_FINITE,
         SPINDLE_BUSY,
+        SIGNAL_OUT_OF_ORDER,
         SPINDLE_JOB_HELD,
         TOO_MANY_CYCLES,
         TOO_MANY_FUNCTIONS_IN_TICK,
+        TOO_MANY_SIGNALS,
         UNKNOWN_CYCLE_ID,
         UNKNOWN_CYCLE_TIMER,
         WAITING_FOR_MAIN_SPINDLE,
@@ -167,6 +170,10 @@ def realtime_diagnostic(event: Event, machine: AssembledMachine) -> Diagnostic:
             manager = channel.manager
             free = manager.memory_limit - manager.memory_used
             values = {"needed": int(channel.executor.error_detail), "free": free}
+        case SIGNAL_OUT_OF_ORDER.id:
+            values = {"id": int(channel.executor.error_detail)}
+        case TOO_MANY_SIGNALS.id:
+            values = {"count": codes.SIGNAL_CAPACITY}
         case TOO_MANY_CYCLES.id:
             values = {"count": channel.manager.capacity}
         case INDEPENDENT_MOTION_REFUSED.id:

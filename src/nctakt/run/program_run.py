@@ -26,6 +26,7 @@ from nctakt.run import program_loader
 from nctakt.run.assembly import AssembledMachine, do_nothing
 from nctakt.run.channel_run import ChannelRun, worst_state
 from nctakt.run.condition_signals import with_condition_signals
+from nctakt.run.deadlocks import deadlock, never_sent
 from nctakt.run.inputs import NEVER
 from nctakt.run.plc_view import AnyPlc, PlcView, WatchedPlc
 from nctakt.run.program_loader import AnyProgram, LoadedProgram, ProgramErrors
@@ -193,6 +194,8 @@ class ProgramRun:
                 except ProgramErrors:
                     has_errors = True
         self._loaded = [program for own in loaded.values() for program in own]
+        if not self._options.stays and not has_errors:
+            self._diagnostics += never_sent(self._machine, self._loaded)
         self._open_recording(loaded)
         self._parts = iter(()) if has_errors else self._run_programs(loaded)
         self.state = "error" if has_errors else None
@@ -245,7 +248,12 @@ class ProgramRun:
             loop.make_ready(channels)
         for number, own in programs.items():
             loop.channels[number - 1].queue(own, waits_for_start=waits)
+        loop.ends_deadlock = not waits and not stays
         while self._proceed(channels) or stays:
+            if loop.is_deadlocked:
+                self._diagnostics += deadlock(self._machine, self._loaded)
+                self.state = "error"
+                return
             if loop.tick >= end:
                 self._diagnostics += wait_reasons(self._machine, loop.channels)
                 self.state = worst_state(channels, "limit")
@@ -301,6 +309,7 @@ class ProgramRun:
     def close(self) -> None:
         """Close the listeners; no program waits for START any more."""
         self._loop.recording.close()
+        self._loop.ends_deadlock = False
         for channel in self._loop.channels:
             channel.close()
         self._machine.registry.on_cycle = self._machine.inputs.on_select = None

@@ -72,6 +72,7 @@ class QueueFeeder:
         self._waiting: Command | None = None
         self._unloaded: commands.LoadCycle | None = None
         self._unpaid: Command | None = None
+        self._since = 0
         self._answer: tuple[Answer, ...] = ()
         self._budget = budget
         if budget is not None:
@@ -111,7 +112,13 @@ class QueueFeeder:
 
     def answer(self) -> None:
         """Take the answer of the realtime part, with which the decoder continues."""
-        self._answer = (self._channel.take_answer(),)
+        waiting = self._waiting
+        if isinstance(waiting, commands.DecoderSignal):
+            self._answer = (self._channel.signals.accept(self._machine.kernel.tick),)
+        else:
+            self._answer = (self._channel.take_answer(),)
+        if isinstance(waiting, commands.DecoderWait) and self._machine.kernel.tick > self._since:
+            self._decoder.pass_time(waiting)
         self._channel.decoder_open = True
         if self._budget is None:
             self.refill()
@@ -133,6 +140,7 @@ class QueueFeeder:
     def stop(self) -> None:
         """Stop decoding the program."""
         self._decoded.close()
+        self._channel.signals.give_up()
         self._channel.decoder_open = False
 
     def _next(self) -> None:
@@ -168,6 +176,9 @@ class QueueFeeder:
         if isinstance(command, commands.LoadCycle):
             self._load(command)
             return
+        if isinstance(command, commands.DecoderWait):
+            self._await(command)
+            return
         if self.environment.marks_blocks:
             mark = commands.wait_mark(command)
             if mark is not None:
@@ -185,6 +196,18 @@ class QueueFeeder:
         if commands.waits(command):
             self._waiting = command
             self._channel.decoder_open = False
+
+    def _await(self, command: commands.DecoderWait) -> None:
+        """Let the decoder wait for a signal or for the next tick; the queue goes on."""
+        self._since = self._machine.kernel.tick
+        if isinstance(command, commands.DecoderSignal):
+            self._channel.signals.await_signal(
+                command.source, self._since, command.signal, command.senders, command.overtakes
+            )
+        else:
+            self._channel.signals.await_tick(command.source)
+        self._waiting = command
+        self._channel.decoder_open = False
 
     def _load(self, command: commands.LoadCycle) -> bool:
         """Load a cycle into a slot; return False if the decoder has to wait for a free one."""

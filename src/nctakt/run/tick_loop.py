@@ -16,6 +16,7 @@ from nctakt.base.diagnostics import Diagnostic
 from nctakt.kernel import codes
 from nctakt.run.assembly import AssembledMachine
 from nctakt.run.channel_run import ChannelRun, is_reported
+from nctakt.run.inputs import NEVER
 from nctakt.run.plc_view import AnyPlc, PlcView
 from nctakt.run.recording import Recording
 
@@ -51,7 +52,8 @@ class TickLoop:
 
     ``plc``: a scripted PLC; ``has_plc``: something acknowledges technology functions, be it that
     script or a tape of one. ``scheduled_run``: the limited times of decoder, interpolation and PLC
-    under a schedule.
+    under a schedule. ``ends_deadlock``: ``advance`` returns with ``is_deadlocked`` when all
+    programs wait for each other's signals, and nobody outside can do anything about it.
     """
 
     def __init__(
@@ -70,6 +72,8 @@ class TickLoop:
             self.follow(scheduled_run)
         self.plc: AnyPlc | None = None
         self.has_plc = False
+        self.ends_deadlock = False
+        self.is_deadlocked = False
         self._kernel = machine.kernel
 
     @property
@@ -95,7 +99,8 @@ class TickLoop:
 
         Returns whether one of the kernel's stops has ended it.
         """
-        due = min(end, self.machine.inputs.apply_due(), self.tick + TICKS_AT_ONCE)
+        due_input = self.machine.inputs.apply_due()
+        due = min(end, due_input, self.tick + TICKS_AT_ONCE)
         if self.plc is not None:
             due = min(due, self.tick + 1)
         plc_calls = 1
@@ -106,8 +111,15 @@ class TickLoop:
             plc_calls, is_lost = share.plc_calls, share.is_lost
         self.machine.access.post_writes()
         self.machine.reserve()
+        self._kernel.ends_deadlock = (
+            self.ends_deadlock
+            and not self.has_plc
+            and due_input >= NEVER
+            and not self._kernel.image.is_attached
+        )
         reason = self._kernel.lose_tick() if is_lost else self._kernel.run(due - self.tick)
         self.recording.drain()
+        self.is_deadlocked = reason == codes.DEADLOCK
         if reason not in (codes.DONE, codes.FULL):
             for channel in self.channels:
                 channel.serve()

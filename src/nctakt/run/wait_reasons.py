@@ -16,6 +16,7 @@ from nctakt.hli.function_codes import function_name
 from nctakt.messages import diagnostic
 from nctakt.messages.command_line import WAITING_AT_RUN_LIMIT
 from nctakt.run.assembly import AssembledMachine
+from nctakt.run.deadlocks import awaited_text
 
 if TYPE_CHECKING:
     from nctakt.run.channel_run import ChannelRun
@@ -57,6 +58,10 @@ _REASONS = {
     "acknowledgement": Text(
         "the PLC's acknowledgement of {name}", "die Quittung der SPS für {name}"
     ),
+    "condition": Text(
+        "the condition of #WAIT FOR to be true", "eine wahre Bedingung von #WAIT FOR"
+    ),
+    "signal": Text("{name}", "{name}"),
     "axis": Text(
         "axis {name}, which moves independently", "Achse {name}, die sich unabhängig bewegt"
     ),
@@ -79,21 +84,21 @@ def wait_reason(machine: AssembledMachine, index: int) -> Diagnostic | None:
     if not word:
         return None
     text = _REASONS[word]
-    name = _name(machine, word, detail)
+    name = awaited_text(machine, index) if word == "signal" else _name(machine, word, detail)
     span = machine.files.span(source)
     line = "" if span is None else machine.files.line_at(span)
     return diagnostic(
         WAITING_AT_RUN_LIMIT,
         statement_span(span, line),
         line,
-        awaited=Text(text.en.format(name=name), text.de.format(name=name)),
+        awaited=Text(text.en.format(name=name.en), text.de.format(name=name.de)),
     )
 
 
-def _name(machine: AssembledMachine, word: str, detail: int) -> str:
+def _name(machine: AssembledMachine, word: str, detail: int) -> Text:
     """Return the name of the spindle, axis or function that the program waits for."""
     if word.startswith("spindle"):
-        return machine.registry.spindle(detail)
-    if word == "axis":
-        return machine.registry.axis(detail)
-    return function_name(detail)
+        name = machine.registry.spindle(detail)
+    else:
+        name = machine.registry.axis(detail) if word == "axis" else function_name(detail)
+    return Text(name, name)

@@ -180,6 +180,9 @@ class EventDecoder:
             rows.EVENT_TIMER: self._timer,
             rows.EVENT_ACKNOWLEDGED: self._answered("acknowledged"),
             rows.EVENT_DROPPED: self._answered("dropped"),
+            rows.EVENT_SIGNAL_SENT: self._signal_sent,
+            rows.EVENT_SIGNAL_AWAITED: self._signal_awaited,
+            rows.EVENT_SIGNAL_TAKEN: self._signal_taken,
         }
 
     def decode(self, data: bytes | memoryview) -> list[Event]:
@@ -344,6 +347,21 @@ class EventDecoder:
 
         return make
 
+    def _signal_sent(
+        self, number: int, receivers: float, _count: float, _level: float
+    ) -> tuple[str, str]:
+        return "signal", f"{number} sent {channels_text(int(receivers))}"
+
+    def _signal_awaited(
+        self, number: int, senders: float, _b: float, _level: float
+    ) -> tuple[str, str]:
+        return "signal", f"{number} awaited {channels_text(int(senders))}"
+
+    def _signal_taken(
+        self, number: int, sender: float, tick: float, _level: float
+    ) -> tuple[str, str]:
+        return "signal", f"{number} taken CH{int(sender)} {int(tick) * self._cycle_time_us}"
+
     def _program_end(self, number: int, _a: float, _b: float, _c: float) -> tuple[str, str]:
         return "end", self._names.program(number)
 
@@ -359,7 +377,20 @@ _WITHOUT_CYCLE = (
     rows.EVENT_OVERFLOW,
     rows.EVENT_RETRACED,
     rows.EVENT_LOOP,
+    rows.EVENT_SIGNAL_SENT,
+    rows.EVENT_SIGNAL_AWAITED,
+    rows.EVENT_SIGNAL_TAKEN,
 )
+
+
+def channels_of(mask: int) -> list[int]:
+    """Return the channels of a mask (``kernel/tick/signals.py``); none for a broadcast."""
+    return [channel for channel in range(1, codes.MAX_SIGNAL_CHANNEL + 1) if mask >> channel & 1]
+
+
+def channels_text(mask: int) -> str:
+    """Return the channels of a mask: ``CH2 CH3``, ``all`` for a broadcast."""
+    return " ".join(f"CH{channel}" for channel in channels_of(mask)) or "all"
 
 
 def _characters(number: int) -> str:

@@ -14,6 +14,7 @@ from nctakt.decoder.blocks.block_decoder import BlockDecoder
 from nctakt.decoder.flow.flow import Decoding
 from nctakt.decoder.state.commands import (
     Answer,
+    AwaitSignal,
     BlockMark,
     Command,
     EmptyBlock,
@@ -21,6 +22,7 @@ from nctakt.decoder.state.commands import (
     LoopEnd,
     LoopPass,
     Segment,
+    SendSignal,
     WriteVariable,
 )
 from nctakt.decoder.values.variables import Values
@@ -33,6 +35,9 @@ from nctakt.messages.backward import (
     RT_WHILE_WITHOUT_MOTION,
 )
 from nctakt.nc import tree
+
+#: The commands that a body can have.
+_OF_BODY = (Segment, WriteVariable, BlockMark, EmptyBlock, SendSignal, AwaitSignal)
 
 #: Maximum distance between start and end of a pass due to rounding, mm or degrees.
 CLOSE_ENOUGH = 1e-9
@@ -94,6 +99,6 @@ class RealtimeLoops:
                 command = next(decoded)
             except StopIteration:
                 return commands
-            if not isinstance(command, Segment | WriteVariable | BlockMark | EmptyBlock):
+            if not isinstance(command, _OF_BODY):
                 self._values.fail(NOT_ALLOWED_IN_RT_WHILE, loop.span, command="#RT WHILE")
             commands.append(command)

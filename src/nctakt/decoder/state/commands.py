@@ -397,6 +397,62 @@ class EmptyBlock(Command):
     """A motion of length 0 or a dwell of no tick, which an armed BLOCK cycle passes over."""
 
 
+@dataclass(frozen=True, slots=True)
+class SendSignal(Command):
+    """``#SIGNAL SYN`` with this number to the channels of a mask, 0: to all.
+
+    ``count``: how often it is taken, ``codes.ENDLESS_SIGNAL``. ``mask``: which of the values are
+    given.
+    """
+
+    signal: int
+    receivers: int
+    count: int
+    mask: int
+    values: tuple[float, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class AwaitSignal(Command):
+    """``#WAIT SYN`` for a signal from the channels of a mask, 0: a broadcast.
+
+    ``overtakes``: also one that its sender has sent behind others.
+    """
+
+    signal: int
+    senders: int
+    overtakes: bool
+
+
+@dataclass(frozen=True, slots=True)
+class RemoveSignals(Command):
+    """``#SIGNAL REMOVE SYN``: the oldest signal ``low``, or all of a range of numbers."""
+
+    low: int
+    high: int
+    receivers: int
+    is_range: bool
+
+
+@dataclass(frozen=True, slots=True)
+class DecoderWait(Command):
+    """The decoder waits, and nothing stands in the queue for it."""
+
+
+@dataclass(frozen=True, slots=True)
+class DecoderSignal(DecoderWait):
+    """``#WAIT``, as ``AwaitSignal``; the answer is a mask of values, and the values."""
+
+    signal: int
+    senders: int
+    overtakes: bool
+
+
+@dataclass(frozen=True, slots=True)
+class NextTick(DecoderWait):
+    """The decoder goes on when another tick has begun."""
+
+
 #: What the decoder gets back from a command that waits.
 Answer = float | tuple[float, ...] | None
 
@@ -432,6 +488,6 @@ def is_block(command: Command) -> bool:
 
 def waits(command: Command) -> bool:
     """Whether the decoder goes on only with an answer."""
-    return isinstance(command, ReadRealtime | PositionRequest | LoopEnd) or (
+    return isinstance(command, ReadRealtime | PositionRequest | LoopEnd | DecoderWait) or (
         isinstance(command, Flush) and command.waits
     )

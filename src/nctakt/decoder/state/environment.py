@@ -14,6 +14,7 @@ from nctakt.base.diagnostics import Diagnostic, Span
 from nctakt.decoder.state.call_stack import OpenCall
 from nctakt.decoder.state.controller_data import ControllerData
 from nctakt.decoder.state.offsets import ActiveOffsets
+from nctakt.decoder.state.signals import DecoderSignals
 from nctakt.decoder.state.uncertain_axes import LivingCycle
 from nctakt.lists.declared.tools import Tool
 from nctakt.lists.machine.axis_configuration import AxisConfiguration
@@ -39,7 +40,8 @@ class DecoderEnvironment:
     blocks of these levels are skipped. ``marks_blocks``: each block is marked.
     ``controller_data``: data behind V.G and V.S. ``living_cycles``: cycles left by earlier
     programs. ``moving_axes``: returns the names of the axes in independent motion.
-    ``history_size``: the number of blocks in the history of the path. ``poll`` is called while the
+    ``history_size``: the number of blocks in the history of the path. ``signals``:
+    those between the channels. ``poll`` is called while the
     decoder works. ``kept_cycles``: cycles of earlier runs, if runs follow each other.
     """
 
@@ -65,6 +67,7 @@ class DecoderEnvironment:
     living_cycles: tuple[LivingCycle, ...]
     moving_axes: Callable[[], tuple[str, ...]]
     history_size: int
+    signals: DecoderSignals
     poll: Callable[[], None]
     kept_cycles: KeptTrees | None = None
 

@@ -147,6 +147,7 @@ class ModalState:
     ``parameters``: P1, P2, … ``measures``: edge banding is on (G108). ``message_file``: the file of
     saved messages (#FILENAME). ``not_plain``: the active G functions that plain lines do not know,
     by group. ``monitored``: the axes at a fixed stop or on their way to it.
+    ``has_read_signal``: the last ``#SIGNAL READ`` has taken one.
     """
 
     motion: int
@@ -163,6 +164,7 @@ class ModalState:
     call_stack: CallStack = field(default_factory=CallStack)
     not_plain: dict[Group, int] = field(default_factory=dict)
     monitored: set[str] = field(default_factory=set)
+    has_read_signal: bool = False
 
     @property
     def rapid(self) -> bool:

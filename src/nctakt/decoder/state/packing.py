@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from nctakt.decoder.state.commands import (
     AwaitAcknowledge,
+    AwaitSignal,
     AwaitSpindle,
     BlockMark,
     ClearHistory,
@@ -31,7 +32,9 @@ from nctakt.decoder.state.commands import (
     ProgramStop,
     ProgramTimer,
     ReadRealtime,
+    RemoveSignals,
     Segment,
+    SendSignal,
     SetOffset,
     SetOrigin,
     SetTurn,
@@ -133,6 +136,15 @@ def pack(command: Command, reference: int = 0) -> list[float]:
             return [rows.PROGRAM_END, *head, reference]
         case ProgramStop():
             return [rows.PROGRAM_STOP, *head, command.is_optional]
+        case SendSignal():
+            row = [rows.SIGNAL, *head, command.signal, command.receivers, command.count]
+            return [*row, command.mask, *command.values]
+        case AwaitSignal():
+            row = [rows.AWAIT_SIGNAL, *head, command.signal, command.senders]
+            return [*row, command.overtakes]
+        case RemoveSignals():
+            row = [rows.REMOVE_SIGNAL, *head, command.low, command.high, command.receivers]
+            return [*row, command.is_range]
         case GiveUp():
             return [rows.GIVE_UP, *head, command.message]
     raise AssertionError(command)

@@ -111,6 +111,8 @@ class SystemValues:
                 return float(state.feed.feed_mode)
             case "FEEDRATE_SCALE":
                 return unit
+            case "SIGNAL_READ":
+                return float(state.has_read_signal)
             case "NP_DEFAULT":
                 return float(self._environment.offsets.default_group)
             case "FEEDRATE" if state.feed.feed_mode == INVERSE_TIME_FEED:

@@ -83,6 +83,18 @@ class Record:
         self.events[row + rows.EVENT_C] = c
         self.event_count += 1
 
+    def event_between_ticks(
+        self, kind: int, source: int, subject: int, a: float, b: float, c: float
+    ) -> None:
+        """Append an event of the tick that comes; for Python, which makes room for it."""
+        if self.event_count == self.event_capacity:
+            taken = bytes(memoryview(self.events))
+            self.event_capacity *= 2
+            self.events = memoryview(bytearray(2 * len(taken) + 8 * rows.EVENT_WIDTH)).cast("d")
+            for i, number in enumerate(memoryview(taken).cast("d")):
+                self.events[i] = number
+        self.event(kind, source, subject, a, b, c)
+
     def written(self, source: int, serial: int, cell: int, value: float) -> None:
         """Record the new value of a variable, where writes are recorded."""
         if self.records_writes:

@@ -14,9 +14,11 @@ from nctakt.kernel.plc.panel cimport Panel
 from nctakt.kernel.plc.technology_slots cimport Hli, Section
 from nctakt.kernel.tick.block_scope cimport BlockScope
 from nctakt.kernel.tick.channel cimport Channel
+from nctakt.kernel.tick.channel_signals cimport ChannelSignals
 from nctakt.kernel.tick.command_execution cimport CommandExecutor
 from nctakt.kernel.tick.command_queue cimport CommandQueue
 from nctakt.kernel.tick.loop_body cimport LoopBody
+from nctakt.kernel.tick.signals cimport SignalBoard
 
 cpdef copy_record(Record source, Record target)
 cpdef tuple arrays_of_record(Record part)
@@ -51,3 +53,6 @@ cpdef copy_command_queue(CommandQueue source, CommandQueue target)
 cpdef tuple arrays_of_command_queue(CommandQueue part)
 cpdef copy_loop_body(LoopBody source, LoopBody target)
 cpdef tuple arrays_of_loop_body(LoopBody part)
+cpdef copy_signal_board(SignalBoard source, SignalBoard target)
+cpdef tuple arrays_of_signal_board(SignalBoard part)
+cpdef copy_channel_signals(ChannelSignals source, ChannelSignals target)

@@ -24,9 +24,11 @@ from nctakt.kernel.plc.panel import Panel
 from nctakt.kernel.plc.technology_slots import Hli, Section
 from nctakt.kernel.tick.block_scope import BlockScope
 from nctakt.kernel.tick.channel import Channel
+from nctakt.kernel.tick.channel_signals import ChannelSignals
 from nctakt.kernel.tick.command_execution import CommandExecutor
 from nctakt.kernel.tick.command_queue import CommandQueue
 from nctakt.kernel.tick.loop_body import LoopBody
+from nctakt.kernel.tick.signals import SignalBoard
 
 Arrays = tuple[Any, ...]
 
@@ -169,6 +171,7 @@ def copy_counted(source: Counted, target: Counted) -> None:
 
 
 def copy_kernel(source: Kernel, target: Kernel) -> None:
+    target.ends_deadlock = source.ends_deadlock
     target.is_stopped = source.is_stopped
     target.tick = source.tick
     target.input_count = source.input_count
@@ -331,6 +334,40 @@ def arrays_of_loop_body(part: LoopBody) -> Arrays:
     return (part.rows,)
 
 
+def copy_signal_board(source: SignalBoard, target: SignalBoard) -> None:
+    target.count = source.count
+    target.received_mask = source.received_mask
+    target.taken_sender = source.taken_sender
+    target.taken_tick = source.taken_tick
+    target.blocking = source.blocking
+    target.has_waited = source.has_waited
+
+
+def arrays_of_signal_board(part: SignalBoard) -> Arrays:
+    return (
+        part.number,
+        part.sender,
+        part.receiver,
+        part.remaining,
+        part.level,
+        part.tick,
+        part.mask,
+        part.values,
+        part.received,
+    )
+
+
+def copy_channel_signals(source: ChannelSignals, target: ChannelSignals) -> None:
+    target.is_decoder_waiting = source.is_decoder_waiting
+    target.awaited_number = source.awaited_number
+    target.awaited_senders = source.awaited_senders
+    target.may_overtake = source.may_overtake
+    target.awaited_source = source.awaited_source
+    target.waiting_since = source.waiting_since
+    target.blocked_since = source.blocked_since
+    target.awaits_tick = source.awaits_tick
+
+
 #: Class -> what copies its state.
 COPIERS: MappingProxyType[type, Callable[..., None]] = MappingProxyType(
     {
@@ -355,6 +392,8 @@ COPIERS: MappingProxyType[type, Callable[..., None]] = MappingProxyType(
         CommandExecutor: copy_command_executor,
         CommandQueue: copy_command_queue,
         LoopBody: copy_loop_body,
+        SignalBoard: copy_signal_board,
+        ChannelSignals: copy_channel_signals,
     }
 )
 
@@ -373,5 +412,6 @@ ARRAYS: MappingProxyType[type, Callable[..., Arrays]] = MappingProxyType(
         CommandExecutor: arrays_of_command_executor,
         CommandQueue: arrays_of_command_queue,
         LoopBody: arrays_of_loop_body,
+        SignalBoard: arrays_of_signal_board,
     }
 )

@@ -13,6 +13,7 @@ from nctakt.kernel.path.override cimport Overrides
 from nctakt.kernel.path.path cimport Path
 from nctakt.kernel.plc.panel cimport Panel
 from nctakt.kernel.plc.technology_slots cimport Hli
+from nctakt.kernel.tick.channel_signals cimport ChannelSignals
 from nctakt.kernel.tick.command_bounds cimport check_command
 from nctakt.kernel.tick.command_execution cimport CommandExecutor
 from nctakt.kernel.tick.command_queue cimport CommandQueue
@@ -30,6 +31,7 @@ cdef class Channel:
     cdef readonly Panel panel
     cdef readonly CycleManager manager
     cdef readonly Context context
+    cdef readonly ChannelSignals signals
     cdef FixedStops fixed_stops
     cdef bint is_at_fixed_stop
     cdef EdgeProbe edge_probe
@@ -52,6 +54,9 @@ cdef class Channel:
     cdef Py_ssize_t event_bound(self) noexcept nogil
     @cython.locals(has_slot=bint)
     cdef int needs_python(self) noexcept nogil
+    @cython.locals(state=int)
+    cdef int can_accept(self) noexcept nogil
+    cdef int activity(self) noexcept nogil
     cdef int is_idle(self) noexcept nogil
     @cython.locals(is_empty=bint, can_go=bint)
     cdef void watch_queue(self, long long tick) noexcept nogil

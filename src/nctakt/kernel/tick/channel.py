@@ -24,6 +24,7 @@ from nctakt.kernel.plc.technology_slots import Hli
 from nctakt.kernel.tick.command_bounds import check_command
 from nctakt.kernel.tick.command_execution import CommandExecutor
 from nctakt.kernel.tick.command_queue import CommandQueue
+from nctakt.kernel.tick.signals import SignalBoard
 from nctakt.kernel.tick.wait_reasons import WaitReasons
 
 #: Commands that take time below which the kernel asks for more.
@@ -61,6 +62,7 @@ class Channel:
         self.panel = hli.panel
         self.manager = manager
         self.context = self.executor.context
+        self.signals = self.executor.signals
         self.fixed_stops = self.executor.fixed_stops
         self.is_at_fixed_stop = False
         self.edge_probe = self.executor.edge_probe
@@ -135,6 +137,8 @@ class Channel:
             return codes.PROGRAM_END
         if self.answer_ready:
             return codes.ANSWER
+        if self.signals.is_decoder_waiting and self.can_accept():
+            return codes.ANSWER
         if self.is_paced:
             return codes.DONE
         if self.decoder_open and self.wants_slot:
@@ -143,6 +147,26 @@ class Channel:
         if self.decoder_open and self.queue.timed_count < self.low_water:
             return codes.REFILL
         return codes.DONE
+
+    def can_accept(self) -> int:
+        """Return whether the decoder needs to wait for its signal no more.
+
+        One that would overtake another is an error when no ``#WAIT SYN`` before it can take that.
+        """
+        state = self.signals.decoder_state()
+        if state == codes.SIGNAL_OVERTAKES:
+            return self.is_idle()
+        return 1 if state == codes.SIGNAL_THERE else 0
+
+    def activity(self) -> int:
+        """Return whether the channel's program runs, and whether it can do anything by itself."""
+        if not self.panel.is_running or self.executor.is_stopped or self.executor.is_resetting:
+            return codes.AT_REST
+        if self.path.is_active or self.panel.backward_motion or self.executor.waiting != 0:
+            return codes.AT_WORK
+        if self.queue.head < self.queue.tail:
+            return codes.STUCK if self.signals.is_stuck() else codes.AT_WORK
+        return codes.STUCK if self.signals.is_decoder_waiting else codes.AT_WORK
 
     def is_idle(self) -> int:
         """Return whether nothing is queued or current, and no cycle waits for its block's end."""
@@ -166,6 +190,10 @@ class Channel:
     def begin_tick(self, tick: int) -> None:
         """Latch the PLC's answers and a reset; the CYCLE override is 100 % again (RC-305)."""
         self.context.begin(tick)
+        if self.signals.awaits_tick:
+            self.signals.awaits_tick = False
+            self.answer = 0.0
+            self.answer_ready = True
         if self.record.records_answers:
             self.hli.record_answers(self.record, codes.ACKNOWLEDGED, rows.EVENT_ACKNOWLEDGED)
         self.hli.latch()
@@ -422,6 +450,11 @@ class Channel:
         self.queue.started = -1
         self.queue.last_segment = -1
 
+    def set_signals(self, board: SignalBoard, number: int) -> None:
+        """Set the signals that all channels share; the channel's number, from 1."""
+        self.executor.set_signals(board, number)
+        self.signals = self.executor.signals
+
     def request_reset(self) -> None:
         """Request a reset, which begins with the next tick."""
         self.begin_reset()
@@ -435,6 +468,7 @@ class Channel:
         self.executor.error_message = 0
         self.executor.waiting = 0
         self.answer_ready = False
+        self.signals.reset()
         self.executor.program_ended = False
         self.panel.is_paused = False
 

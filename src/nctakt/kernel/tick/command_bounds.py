@@ -48,6 +48,9 @@ _MIN_LENGTH = {
     rows.MEASURE_END: rows.ARGUMENTS,
     rows.CLEAR_HISTORY: rows.ARGUMENTS,
     rows.EMPTY_BLOCK: rows.ARGUMENTS,
+    rows.SIGNAL: rows.SIGNAL_FIRST_VALUE + codes.SIGNAL_VALUES,
+    rows.AWAIT_SIGNAL: rows.AWAITED_OVERTAKES + 1,
+    rows.REMOVE_SIGNAL: rows.REMOVED_IS_RANGE + 1,
 }
 
 

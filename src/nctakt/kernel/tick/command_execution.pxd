@@ -11,6 +11,7 @@ from nctakt.kernel.plc.panel cimport Panel
 from nctakt.kernel.base.record cimport Record
 from nctakt.kernel.path.path cimport Path
 from nctakt.kernel.tick.block_scope cimport BlockScope
+from nctakt.kernel.tick.channel_signals cimport ChannelSignals
 from nctakt.kernel.tick.command_queue cimport CommandQueue
 from nctakt.kernel.axes.single_axes cimport SingleAxes
 from nctakt.kernel.base.timers cimport Timers
@@ -31,6 +32,7 @@ cdef class CommandExecutor:
     cdef readonly EdgeProbe edge_probe
     cdef readonly Context context
     cdef public Timers program_timers
+    cdef readonly ChannelSignals signals
     cdef int waiting
     cdef public long long taken_source
     cdef readonly bint program_ended
@@ -102,6 +104,8 @@ cdef class CommandExecutor:
     cdef void take_offset(self, Py_ssize_t row, int kind) noexcept nogil
     @cython.locals(program=cython.longlong, source=cython.longlong)
     cdef int take_program_end(self, long long tick, Py_ssize_t row) noexcept nogil
+    @cython.locals(outcome=int, source=cython.longlong)
+    cdef int take_signal(self, long long tick, Py_ssize_t row, int kind) noexcept nogil
     @cython.locals(
         source=cython.longlong, identity=double, reaction=double, keyword=double, text=double,
         value=double

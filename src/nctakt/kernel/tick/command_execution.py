@@ -19,7 +19,9 @@ from nctakt.kernel.path.edge_probe import EdgeProbe
 from nctakt.kernel.path.fixed_stops import FixedStops
 from nctakt.kernel.plc.technology_slots import Hli
 from nctakt.kernel.tick.block_scope import BlockScope
+from nctakt.kernel.tick.channel_signals import ChannelSignals
 from nctakt.kernel.tick.command_queue import CommandQueue
+from nctakt.kernel.tick.signals import SignalBoard
 
 
 class CommandExecutor:
@@ -53,6 +55,7 @@ class CommandExecutor:
         )
         self.context = Context(memory, record, hli, timers, single_axes, manager.spindles)
         self.program_timers = timers
+        self.signals = ChannelSignals(SignalBoard(), 1, queue, record)
         self.waiting = 0
         self.taken_source = 0
         self.program_ended = False
@@ -72,6 +75,10 @@ class CommandExecutor:
         self.context.spindles = spindles
         self.context.max_open_actions = max_open_actions
         self.manager.spindles = spindles
+
+    def set_signals(self, board: SignalBoard, number: int) -> None:
+        """Set the signals that all channels share; the channel's number, from 1."""
+        self.signals = ChannelSignals(board, number, self.queue, self.record)
 
     def take_commands(self, tick: int) -> None:
         """Take the commands of this tick; BLOCK cycles leave their block with them (RC-105)."""
@@ -194,6 +201,8 @@ class CommandExecutor:
             self.queue.timed_count -= 1
             if self.panel.stop_for_program(self.queue.rows[row + rows.STOP_IS_OPTIONAL] != 0.0):
                 self.record.event(rows.EVENT_PAUSED, int(self.queue.rows[row + rows.SOURCE]))
+        elif kind in (rows.SIGNAL, rows.AWAIT_SIGNAL, rows.REMOVE_SIGNAL):
+            return self.take_signal(tick, row, kind)
         elif kind == rows.GIVE_UP:
             self.queue.timed_count -= 1
             message = int(self.queue.rows[row + rows.GIVE_UP_MESSAGE])
@@ -436,6 +445,17 @@ class CommandExecutor:
         self.record.event(rows.EVENT_PROGRAM_END, source, program)
         self.program_ended = True
         self.waiting = rows.PROGRAM_END
+        return 1
+
+    def take_signal(self, tick: int, row: int, kind: int) -> int:
+        """Send, await or remove signals; return 0 while one is waited for."""
+        outcome = self.signals.take(tick, row, kind)
+        if outcome == 0:
+            return 0
+        self.queue.timed_count -= self.queue.time_units(row)
+        if outcome > 1:
+            source = int(self.queue.rows[row + rows.SOURCE])
+            self.report(source, outcome, self.signals.board.blocking)
         return 1
 
     def take_user_error(self, row: int, kind: int) -> None:

@@ -73,6 +73,7 @@ cdef class CommandQueue:
     cdef double braking_distance_in(self, Py_ssize_t row) noexcept nogil
     @cython.locals(end=Py_ssize_t, i=Py_ssize_t, k=Py_ssize_t, row=Py_ssize_t, kept=Py_ssize_t)
     cdef void repeat_body(self) noexcept nogil
+    @cython.locals(kind=int)
     cdef int time_units(self, Py_ssize_t row) noexcept nogil
     @cython.locals(last=cython.longlong, row=Py_ssize_t, remaining=double, limit_v=double)
     cdef double remaining_of_block(self, long long position) noexcept nogil

@@ -319,6 +319,8 @@ class CommandQueue:
             rows.LOOP_PASS,
             rows.CLEAR_HISTORY,
             rows.EMPTY_BLOCK,
+            rows.SIGNAL,
+            rows.REMOVE_SIGNAL,
         ):
             return 1
         return 0
@@ -370,6 +372,7 @@ class CommandQueue:
                 self.end_segment(row)
             else:
                 self.tail += 1
+                self.timed_count += self.time_units(row)
         row = self.tail % self.capacity * self.width
         for i in range(self.width):
             self.rows[row + i] = self.end_row[i]
@@ -380,10 +383,11 @@ class CommandQueue:
         return self.head % self.capacity * self.width
 
     def time_units(self, row: int) -> int:
-        """Number of commands that take time, of a segment or dwell: 0 or 1."""
+        """Number of commands that take time: 1 of a segment, dwell or ``#WAIT SYN``, else 0."""
         if self.rows[row + rows.KIND] == rows.SEGMENT:
             return 0 if self.rows[row + rows.SHAPE] == rows.ROUNDING else 1
-        return 1 if self.rows[row + rows.KIND] == rows.DWELL else 0
+        kind = int(self.rows[row + rows.KIND])
+        return 1 if kind in (rows.DWELL, rows.AWAIT_SIGNAL) else 0
 
     def remaining_of_block(self, position: int) -> float:
         """Remaining length or end speed of a block for ``Path.set_remaining``; 0 if unknown."""

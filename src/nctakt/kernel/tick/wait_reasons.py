@@ -52,8 +52,11 @@ class WaitReasons:
         if self.path.is_active:
             word, detail = self._of_path()
             return (word, int(self.path.history_rows[self.path.row + rows.SOURCE]), detail)
+        signals = self.executor.signals
+        if self.queue.head == self.queue.tail and signals.is_decoder_waiting:
+            return ("signal", signals.awaited_source, 0)
         if self.queue.head == self.queue.tail:
-            return ("", queued, 0)
+            return ("condition" if signals.awaits_tick else "", signals.awaited_source, 0)
         word, detail = self._of_command(row)
         return (word, queued, detail)
 
@@ -87,6 +90,8 @@ class WaitReasons:
             is_plc = self.executor.context.spindles.has_plc(spindle)
             word = "spindle acknowledged" if is_plc else "spindle"
             return (word, self.executor.context.spindles.first_number + spindle)
+        if kind == rows.AWAIT_SIGNAL:
+            return ("signal" if self.executor.signals.is_stuck() else "", 0)
         if kind == rows.MEASURE_END:
             return ("acknowledgement", self.executor.edge_probe.function)
         if kind == rows.POSITIONS and self.executor.context.single_axes.request_state(

@@ -44,8 +44,9 @@ from nctakt.nc.check.path_commands import check_path_command
 from nctakt.nc.check.program_variables import ProgramVariableChecker
 from nctakt.nc.check.realtime_cycles import CycleChecker
 from nctakt.nc.check.realtime_loops import LoopChecker
+from nctakt.nc.check.signals import SignalChecker
 from nctakt.nc.check.user_errors import UserErrorChecker
-from nctakt.nc.outline import labels_in
+from nctakt.nc.outline import SignalUse, labels_in
 from nctakt.nc.parse.open_structures import is_false
 from nctakt.nc.source import Source
 from nctakt.nc.tree import (
@@ -135,6 +136,7 @@ class Checker:
         self._calls = CallChecker(self._words, self._values, self._findings)
         self._program_variables = ProgramVariableChecker(self._values, self._findings)
         self._commands = CommandChecker(self._values, names, axes, self._findings)
+        self._signals = SignalChecker(self._values, axes, self._findings)
         self._macros = MacroExpander(names, self._macro)
         self._loops = 0
         self._switches = 0
@@ -163,6 +165,10 @@ class Checker:
     def take_calls(self) -> list[SubprogramCall]:
         """Return the calls by a constant name since the last call of this method."""
         return self._calls.take()
+
+    def take_signals(self) -> list[SignalUse]:
+        """Return what was sent or waited for since the last call of this method."""
+        return self._signals.take()
 
     def _macro(self, text: StringLiteral) -> Expression | None:
         """Return a placeholder number for a macro that is or may be defined, else ``None``."""
@@ -365,7 +371,7 @@ class Checker:
             return
         elif words == ["DELETE"]:
             self._program_variables.delete(command)
-        elif self._commands.command(command, words):
+        elif self._commands.command(command, words) or self._signals.command(command):
             pass
         elif entry.support is Support.SIMULATED:
             forms = forms_of(entry.name)

@@ -45,6 +45,16 @@ class Findings:
         """Add a diagnostic."""
         self._collector.report(message, span, self._source.line_of(span), **values)
 
+    def report_once(self, message: Message, span: Span) -> None:
+        """Add a note without values once per program."""
+        if str(message.id) not in self._reported:
+            self._reported[str(message.id)] = None
+            self.report(message, span)
+
+    def line_of(self, span: Span) -> str:
+        """Return the line of a span."""
+        return self._source.line_of(span)
+
     def written(self, span: Span) -> str:
         """Return the text that a span covers, cut to the length for a message."""
         text = self._source.line_of(span)[span.column - 1 : span.end_column - 1]

@@ -2,8 +2,8 @@
 """Realtime loops, ``#RT WHILE … #RT ENDWHILE``: the statements allowed in them.
 
 The realtime part repeats commands that were decoded once. A loop may therefore contain only motions
-with G00 to G03 and assignments to synchronous V.E variables, without waiting for the realtime part
-(22073).
+with G00 to G03, assignments to synchronous V.E variables, and signals with SYN, without waiting for
+the realtime part (22073).
 """
 
 from __future__ import annotations
@@ -14,12 +14,14 @@ from nctakt.lists.machine.channel_configuration import ChannelParameters
 from nctakt.messages.backward import NOT_ALLOWED_IN_RT_WHILE, RT_WHILE_NESTED
 from nctakt.messages.checked_cycles import REALTIME_CYCLES_OFF
 from nctakt.nc.check.findings import Findings
+from nctakt.nc.check.signals import is_in_block_order
 from nctakt.nc.tree import (
     Assignment,
     AxisWord,
     Block,
     BlockWord,
     Expression,
+    HashCommand,
     Number,
     RealtimeLoop,
     Statement,
@@ -69,6 +71,8 @@ class LoopChecker:
                 return False
             case Unreadable():
                 return False
+            case HashCommand() if is_in_block_order(statement):
+                return True
         self._refuse(statement)
         return False
 

@@ -17,6 +17,7 @@ from nctakt.messages.nc_text import BRACKET_NOT_CLOSED, NAME_EXPECTED, UNEXPECTE
 from nctakt.nc.parse.expressions import (
     CLOSING,
     COMMA,
+    EQUALS,
     OPENING,
     Item,
     expected,
@@ -25,6 +26,7 @@ from nctakt.nc.parse.expressions import (
     parse_items,
     parse_variable,
     quoted,
+    require,
     starts_value,
 )
 from nctakt.nc.parse.lexer import BlockError, BlockText
@@ -49,6 +51,7 @@ from nctakt.nc.vocabulary.operators import TEXT_FUNCTIONS
 CYCLE_ACTIONS = ("START", "HOLD", "CONTINUE", "ABORT ACTION", "DELETE")
 
 _HASH = re.compile(r"\s*#\s*")
+_SIGNAL_VALUE = re.compile(r"\s*([Pp])\s*\[")
 _WORD = re.compile(r"\s*([^\W\d]\w*)(?!\w|\s*=|\.\w)")
 
 Argument = Bracket | Keyword | Expression
@@ -89,10 +92,36 @@ def parse_arguments(text: BlockText, name: tuple[str, ...]) -> tuple[Argument, .
     if name == ("TIME",) and not text.at_end():
         # The only command whose brackets may be those of an expression: ``#TIME [P1] * 2``.
         arguments.append(parse_expression(text))
+    if name == ("WAIT", "FOR") and not text.at_end():
+        arguments.append(parse_expression(text))
     while not text.at_end():
         if text.match(COMMA) is None:
-            arguments.append(_components(text) if name[0] == "CS" else _argument(text))
+            arguments.append(_BRACKETS.get(name[0], _argument)(text))
     return tuple(arguments)
+
+
+def _signal(text: BlockText) -> Argument:
+    """Return the items of ``#SIGNAL`` and ``#WAIT``, where ``P[0]=`` is a keyword."""
+    if text.looking_at(OPENING) is None:
+        return _argument(text)
+    start = text.skip_blanks()
+    items = parse_items(text, 0, _signal_item)
+    return Bracket(text.span(start, text.pos), items)
+
+
+def _signal_item(text: BlockText, depth: int) -> Item:
+    match = text.looking_at(_SIGNAL_VALUE)
+    if match is None:
+        return parse_item(text, depth)
+    start = match.start(1)
+    text.pos = match.end(1)
+    text.match(OPENING)
+    index = parse_expression(text)
+    require(text, CLOSING, "]")
+    span = text.span(start, text.pos)
+    if text.match(EQUALS) is None:
+        return Keyword(span, "P", None, (index,))
+    return Keyword(span, "P", parse_expression(text), (index,))
 
 
 def _components(text: BlockText) -> Argument:
@@ -122,6 +151,14 @@ def _argument(text: BlockText) -> Argument:
         items = parse_items(text)
         return Bracket(text.span(start, text.pos), items)
     return parse_variable(text, whole_family=True) or parse_item(text)
+
+
+#: The readers of an argument of commands whose brackets have items of their own.
+_BRACKETS: dict[str, Callable[[BlockText], Argument]] = {
+    "CS": _components,
+    "SIGNAL": _signal,
+    "WAIT": _signal,
+}
 
 
 def only_bracket(command: RawCommand) -> tuple[Item, ...] | None:

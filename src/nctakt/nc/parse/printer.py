@@ -175,6 +175,8 @@ def _format_item(item: Keyword | Expression, *, glued: bool = True) -> str:
         return format_expression(item)
     if item.value is None:
         return item.name + (format_items(item.arguments) if item.arguments else "")
+    if item.arguments:
+        return f"{item.name}{format_items(item.arguments)}={format_expression(item.value)}"
     if glued and item.name in ("G", "M", "H") and _is_natural(item.value):
         return item.name + format_expression(item.value)
     return f"{item.name}={format_expression(item.value)}"

@@ -34,10 +34,16 @@ FORMS: dict[str, tuple[str, ...]] = {
     "#OVERRIDE": ("#OVERRIDE [FEED_FACT=50]", "#OVERRIDE [RAPID_FACT=50]"),
     "#PRESET": ("#PRESET X10",),
     "#PSET": ("#PSET X10",),
+    "#SIGNAL": ("#SIGNAL [ID=5 CH=2]", "#SIGNAL SYN [ID=5 COUNT=2 P[0]=1.5 CH=2 CH=3]"),
+    "#SIGNAL READ": ("#SIGNAL READ [ID=5 CH=1]", "#SIGNAL READ [ID=5 P[0]=V.P.VALUE CH=1]"),
+    "#SIGNAL REMOVE": ("#SIGNAL REMOVE [ID=5]", "#SIGNAL REMOVE SYN [IDMIN=5 IDMAX=9 CH=2]"),
     "#SLOPE": ("#SLOPE [TYPE=STEP]", "#SLOPE [TYPE=TRAPEZ]", "#SLOPE DEFAULT"),
     "#SUPPRESS OFFSETS": ("#SUPPRESS OFFSETS G00 X0",),
     "#TIME": ("#TIME 0.5", "#TIME P1"),
     "#TIMER": ("#TIMER START [ID=3]", "#TIMER STOP", "#TIMER READ", "#TIMER CLEAR"),
+    "#WAIT": ("#WAIT [ID=5 CH=1]", "#WAIT [ID=5 P[0]=V.P.VALUE CH=1]", "#WAIT SYN [ID=5 CH=1]"),
+    "#WAIT FOR": ("#WAIT FOR P1 == 1",),
+    "#WAIT INDP": ("#WAIT INDP [X, Y]", "#WAIT INDP ALL"),
 }
 
 

@@ -165,7 +165,14 @@ COMMANDS = table(
     ("#SEGMENTATION", REFUSED, "division of blocks", "Teilung von Sätzen"),
     ("#SET", REFUSED, "old settings", "alte Einstellungen"),
     ("#SHIFT", REFUSED, "shift", "Verschiebung"),
-    ("#SIGNAL", REFUSED, "signal between channels", "Signal zwischen Kanälen"),
+    ("#SIGNAL", SIMULATED, "signal between channels", "Signal zwischen Kanälen"),
+    (
+        "#SIGNAL READ",
+        SIMULATED,
+        "take a signal that is there, into V.G.SIGNAL_READ",
+        "vorhandenes Signal abholen, in V.G.SIGNAL_READ",
+    ),
+    ("#SIGNAL REMOVE", SIMULATED, "clear signals", "Signale löschen"),
     ("#SINGLE STEP", REFUSED, "single step", "Einzelschritt"),
     ("#SLOPE", SIMULATED, "profile of acceleration", "Beschleunigungsprofil"),
     ("#SPLINE", REFUSED, "spline", "Spline"),
@@ -207,7 +214,14 @@ COMMANDS = table(
     ("#VECTORVEL", REFUSED, "speed of the path", "Bahngeschwindigkeit"),
     ("#VOLCOMP", REFUSED, "volumetric compensation", "volumetrische Kompensation"),
     ("#VOLKOMP", REFUSED, "volumetric compensation", "volumetrische Kompensation"),
-    ("#WAIT", REFUSED, "wait for a signal or axes", "auf Signal oder Achsen warten"),
+    ("#WAIT", SIMULATED, "wait for a signal", "auf ein Signal warten"),
+    ("#WAIT FOR", SIMULATED, "wait for a condition", "auf eine Bedingung warten"),
+    (
+        "#WAIT INDP",
+        SIMULATED,
+        "wait for axes in independent motion",
+        "auf Achsen in unabhängiger Bewegung warten",
+    ),
     ("#WCS TO MCS", REFUSED, "conversion of positions", "Umrechnung von Positionen"),
 )
 

@@ -99,6 +99,13 @@ ROWS = (
         "mm per minute in an F of 1 (P-CHAN-00108)",
         "mm je Minute bei F1 (P-CHAN-00108)",
     ),
+    _channel(
+        "SIGNAL_READ",
+        "BOOLEAN",
+        "",
+        "whether the last #SIGNAL READ has taken a signal",
+        "ob das letzte #SIGNAL READ ein Signal abgeholt hat",
+    ),
     SystemRow(
         "G",
         "NP_DEFAULT",

@@ -1,0 +1,311 @@
+# SPDX-License-Identifier: MIT
+"""``#SIGNAL`` and ``#WAIT``: signals between channels, waits of the decoder.
+
+In: the tree of a command. Out: a ``SignalCommand``, shared by checker and decoder, and diagnostics
+for other forms. Values that are not constant are checked when they are decoded.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from nctakt.base.dataclass import dataclass
+from nctakt.base.diagnostics import Span
+from nctakt.base.text import close_names
+from nctakt.messages.checked_blocks import (
+    INVALID_COMMAND_FORM,
+    UNKNOWN_COMMAND_OPTION,
+    WORD_VALUE_MISSING,
+)
+from nctakt.messages.signals import (
+    AHEAD_TAKES_SIGNAL_EARLY,
+    INVALID_SIGNAL_CHANNEL,
+    INVALID_SIGNAL_NUMBER,
+    SIGNAL_FORM,
+    SIGNAL_NUMBER_MISSING,
+    SIGNAL_NUMBER_TWICE,
+    SIGNAL_TARGET,
+    WAIT_SYN_WITH_VALUES,
+)
+from nctakt.nc.check.expressions import ValueChecker
+from nctakt.nc.check.findings import Findings
+from nctakt.nc.outline import SignalUse
+from nctakt.nc.parse.expressions import END_OF_BLOCK
+from nctakt.nc.tree import (
+    Bracket,
+    Expression,
+    HashCommand,
+    Keyword,
+    Name,
+    Number,
+    Parameter,
+    Variable,
+)
+from nctakt.nc.vocabulary.command_forms import forms_of
+
+#: Highest number of a signal.
+MAX_SIGNAL = 2_147_483_647
+#: Highest number of a channel that signals can name.
+MAX_CHANNEL = 30
+#: Number of values that a signal can carry: P[0] … P[11].
+SIGNAL_VALUES = 12
+
+_ACTIONS = ("SIGNAL", "WAIT", "SIGNAL READ", "SIGNAL REMOVE")
+_KEYWORDS = {
+    "SIGNAL": ("ID", "COUNT", "P", "CH"),
+    "WAIT": ("ID", "P", "CH", "AHEAD"),
+    "SIGNAL READ": ("ID", "P", "CH"),
+    "SIGNAL REMOVE": ("ID", "IDMIN", "IDMAX", "CH"),
+}
+_ONCE = ("ID", "COUNT", "IDMIN", "IDMAX")
+
+
+@dataclass(frozen=True, slots=True)
+class SignalCommand:
+    """One command; ``action``: SIGNAL, WAIT, SIGNAL READ or SIGNAL REMOVE.
+
+    ``numbers``: the values of ID, IDMIN, IDMAX, COUNT; ``channels``: those of CH; ``parameters``:
+    index and value, or target, of each P.
+    """
+
+    action: str
+    is_synchronous: bool
+    numbers: dict[str, Expression]
+    channels: tuple[Expression, ...]
+    parameters: tuple[tuple[Expression, Expression], ...]
+    overtakes: bool
+    span: Span
+
+
+def action_of(command: HashCommand) -> str | None:
+    """Return the action of a command with signals; ``None`` for any other command."""
+    words = [word.name for word in command.words]
+    if words[:1] not in (["SIGNAL"], ["WAIT"]) or words[1:2] in (["FOR"], ["INDP"]):
+        return None
+    return " ".join(words[:2]) if words[1:2] in (["READ"], ["REMOVE"]) else words[0]
+
+
+def is_in_block_order(command: HashCommand) -> bool:
+    """Return whether it is ``#SIGNAL SYN`` or ``#WAIT SYN``."""
+    return action_of(command) in ("SIGNAL", "WAIT") and command.words[-1].name == "SYN"
+
+
+def signal_command(command: HashCommand) -> SignalCommand:
+    """Return the parsed command, whose form has been checked."""
+    action = action_of(command)
+    assert action is not None
+    numbers: dict[str, Expression] = {}
+    channels: list[Expression] = []
+    parameters: list[tuple[Expression, Expression]] = []
+    overtakes = False
+    for item in _items(command):
+        if not isinstance(item, Keyword):
+            continue
+        if item.name == "AHEAD":
+            overtakes = True
+        elif item.name == "CH" and item.value is not None:
+            channels.append(item.value)
+        elif item.name == "P" and item.value is not None and item.arguments:
+            index = item.arguments[0]
+            assert isinstance(index, Expression)
+            parameters.append((index, item.value))
+        elif item.value is not None:
+            numbers[item.name] = item.value
+    return SignalCommand(
+        action,
+        command.words[-1].name == "SYN",
+        numbers,
+        tuple(channels),
+        tuple(parameters),
+        overtakes,
+        command.span,
+    )
+
+
+def _items(command: HashCommand) -> Iterator[Keyword | Expression]:
+    for argument in command.arguments:
+        if isinstance(argument, Bracket):
+            yield from argument.items
+
+
+def constant(expression: Expression | None) -> int | None:
+    """Return a literal as a whole number; ``None`` for anything else."""
+    if isinstance(expression, Number) and expression.value == int(expression.value):
+        return int(expression.value)
+    return None
+
+
+class SignalChecker:
+    """Checks the commands of one program; ``uses``: what it sends and waits for."""
+
+    def __init__(self, values: ValueChecker, axes: tuple[str, ...], findings: Findings) -> None:
+        self._values = values
+        self._axes = axes
+        self._findings = findings
+        self._uses: list[SignalUse] = []
+
+    def take(self) -> list[SignalUse]:
+        """Return the uses since the last call of this method."""
+        taken, self._uses = self._uses, []
+        return taken
+
+    def command(self, command: HashCommand) -> bool:
+        """Check one of these commands; return false for any other."""
+        words = [word.name for word in command.words]
+        if words[0] not in ("SIGNAL", "WAIT"):
+            return False
+        if words == ["WAIT", "FOR"]:
+            self._condition(command)
+        elif words[:2] == ["WAIT", "INDP"]:
+            self._axes_of(command, words)
+        else:
+            self._signal(command)
+        return True
+
+    def _condition(self, command: HashCommand) -> None:
+        """Check ``#WAIT FOR <expression>``."""
+        if len(command.arguments) == 1 and isinstance(command.arguments[0], Expression):
+            self._values.block(command.arguments[0])
+        else:
+            self._misformed(command, "#WAIT FOR")
+
+    def _axes_of(self, command: HashCommand, words: list[str]) -> None:
+        """Check ``#WAIT INDP [X, Y]`` and ``#WAIT INDP ALL``."""
+        if words == ["WAIT", "INDP", "ALL"] and not command.arguments:
+            return
+        items = list(_items(command))
+        if words != ["WAIT", "INDP"] or len(command.arguments) != 1 or not items:
+            self._misformed(command, "#WAIT INDP")
+            return
+        for item in items:
+            if axis_name(item) not in self._axes:
+                written = self._findings.written(item.span)
+                self._option("#WAIT INDP", written, self._axes, item.span)
+
+    def _misformed(self, command: HashCommand, name: str) -> None:
+        forms = forms_of(name)
+        self._findings.report(INVALID_COMMAND_FORM, command.span, command=name, forms=forms)
+
+    def _signal(self, command: HashCommand) -> None:
+        action = action_of(command)
+        assert action in _ACTIONS
+        name = f"#{action}"
+        rest = command.words[len(action.split()) :]
+        wrong = next((word for word in rest if word.name != "SYN"), None)
+        if wrong is not None or len(rest) > 1:
+            span = (wrong or rest[-1]).span
+            self._form(name, self._findings.written(span), span)
+            return
+        if len(command.arguments) != 1 or not isinstance(command.arguments[0], Bracket):
+            arguments = command.arguments
+            found = self._findings.written(arguments[0].span) if arguments else END_OF_BLOCK
+            self._form(name, found, command.span)
+            return
+        if self._keywords(action, name, command) and self._meaning(action, name, command):
+            self._note_use(action, command)
+
+    def _form(self, name: str, found: object, span: Span) -> None:
+        self._findings.report(SIGNAL_FORM, span, command=name, found=found, forms=forms_of(name))
+
+    def _keywords(self, action: str, name: str, command: HashCommand) -> bool:
+        """Check each item in the brackets; return whether all are in order."""
+        seen: dict[str, None] = {}
+        is_right = True
+        for item in _items(command):
+            if not isinstance(item, Keyword) or item.name not in _KEYWORDS[action]:
+                written = self._findings.written(item.span)
+                self._option(name, written, _KEYWORDS[action], item.span)
+                is_right = False
+            elif item.name in _ONCE and item.name in seen:
+                self._findings.report(
+                    SIGNAL_NUMBER_TWICE, item.span, keyword=item.name, command=name
+                )
+                is_right = False
+            elif item.name == "AHEAD" and item.value is None:
+                self._findings.report_once(AHEAD_TAKES_SIGNAL_EARLY, item.span)
+            elif item.name == "P":
+                is_right &= self._parameter(action, name, item)
+            elif item.value is None:
+                self._findings.report(WORD_VALUE_MISSING, item.span, word=item.name)
+                is_right = False
+            else:
+                self._values.block(item.value)
+            if isinstance(item, Keyword):
+                seen[item.name] = None
+        return is_right
+
+    def _parameter(self, action: str, name: str, item: Keyword) -> bool:
+        """Check ``P[0]=value`` of a signal, or ``P[0]=target`` of a wait."""
+        if item.value is None or not item.arguments:
+            self._findings.report(WORD_VALUE_MISSING, item.span, word="P[0]")
+            return False
+        index = item.arguments[0]
+        assert isinstance(index, Expression)
+        self._values.block(index)
+        if action == "SIGNAL":
+            self._values.block(item.value)
+        elif isinstance(item.value, Variable | Parameter):
+            self._values.write(item.value)
+        else:
+            self._findings.report(SIGNAL_TARGET, item.value.span, command=name)
+            return False
+        return True
+
+    def _meaning(self, action: str, name: str, command: HashCommand) -> bool:
+        """Check what the items say together; return whether that is right."""
+        parsed = signal_command(command)
+        number = parsed.numbers.get("ID", parsed.numbers.get("IDMIN"))
+        if number is None:
+            self._findings.report(SIGNAL_NUMBER_MISSING, command.span, command=name)
+            return False
+        if parsed.is_synchronous and action == "SIGNAL READ":
+            self._findings.report(WAIT_SYN_WITH_VALUES, command.words[-1].span, command=name)
+            return False
+        if parsed.is_synchronous and action == "WAIT" and parsed.parameters:
+            self._findings.report(WAIT_SYN_WITH_VALUES, parsed.parameters[0][1].span, command=name)
+            return False
+        for value in (value for key, value in parsed.numbers.items() if key != "COUNT"):
+            if isinstance(value, Number) and constant(value) not in range(1, MAX_SIGNAL + 1):
+                self._findings.report(
+                    INVALID_SIGNAL_NUMBER, value.span, value=value.value, highest=MAX_SIGNAL
+                )
+                return False
+        for channel in parsed.channels:
+            if isinstance(channel, Number) and constant(channel) not in range(1, MAX_CHANNEL + 1):
+                self._findings.report(
+                    INVALID_SIGNAL_CHANNEL, channel.span, value=channel.value, highest=MAX_CHANNEL
+                )
+                return False
+        return True
+
+    def _note_use(self, action: str, command: HashCommand) -> None:
+        """Note what is sent or waited for."""
+        if action not in ("SIGNAL", "WAIT"):
+            return
+        parsed = signal_command(command)
+        numbers = [constant(channel) for channel in parsed.channels]
+        channels = tuple(number for number in numbers if number is not None)
+        is_known = len(channels) == len(numbers)
+        self._uses.append(
+            SignalUse(
+                action == "WAIT",
+                constant(parsed.numbers["ID"]),
+                channels if is_known else None,
+                command.span,
+                self._findings.line_of(command.span),
+            )
+        )
+
+    def _option(self, command: str, word: str, names: tuple[str, ...], span: Span) -> None:
+        near = close_names(word.upper(), names)
+        listed = ", ".join([*near, *(name for name in names if name not in near)])
+        self._findings.report(
+            UNKNOWN_COMMAND_OPTION, span, command=command, word=word, names=listed
+        )
+
+
+def axis_name(item: Keyword | Expression) -> str:
+    """Return the name of an axis that stands in brackets by itself, else an empty text."""
+    if isinstance(item, Keyword):
+        return "" if item.value is not None or item.arguments else item.name
+    return item.name if isinstance(item, Name) else ""

@@ -1,0 +1,6 @@
+%one
+N10 G04 0.005
+N20 #SIGNAL SYN [ID=1 CH=2]
+N30 #WAIT SYN [ID=2 CH=2]
+N40 #MSG ["both there"]
+N50 M30

@@ -334,7 +334,10 @@ def imports(path: Path) -> tuple[str, ...]:
 PACING = ("session/session.py", "session/thread.py", "session/listening.py", "session/workshop.py")
 
 #: The files that hand out the runs of a study; what a run yields does not depend on who makes it.
-HANDING_OUT = ("studies/processes.py", "studies/cluster.py", "studies/shared_beginning.py")
+HANDING_OUT = (
+    "studies/blocks.py", "studies/cluster.py", "studies/processes.py",
+    "studies/shared_beginning.py", "studies/worker_process.py",
+)  # fmt: skip
 
 
 #: The PLC of a user in a process of its own; the CNC sees none of it but its answers.

@@ -4,8 +4,9 @@
 from __future__ import annotations
 
 import os
+import shutil
 import signal
-import subprocess
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -13,11 +14,13 @@ import pytest
 
 from nctakt.base.failure import Failure
 from nctakt.cli import main, study_progress
-from nctakt.studies import processes
-from nctakt.studies.bench import Row
+from nctakt.studies import processes, worker_process
+from nctakt.studies.blocks import Blocks
 from nctakt.studies.results import read_rows
+from nctakt.studies.row_block import RowBlock
 from nctakt.studies.row_store import RowStore
 from nctakt.studies.study import Study
+from nctakt.studies.worker_process import WorkerProcess
 
 pytestmark = pytest.mark.slow
 
@@ -57,26 +60,62 @@ def test_a_run_that_ends_its_process_is_told(tmp_path: Path) -> None:
 
 def test_a_killed_worker_is_replaced(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """After kill -9 the rows are those of one process, in the same order."""
-    started: list[subprocess.Popen[bytes]] = []
-    start = processes._Pool._start
+    started: list[WorkerProcess] = []
+    begin = WorkerProcess.__init__
 
-    def noted(pool: processes._Pool) -> subprocess.Popen[bytes]:
-        worker = start(pool)
+    def noted(worker: WorkerProcess, *words: Any) -> None:
+        begin(worker, *words)
         started.append(worker)
-        return worker
 
-    monkeypatch.setattr(processes._Pool, "_start", noted)
+    monkeypatch.setattr(WorkerProcess, "__init__", noted)
     plan = study(tmp_path)
     expected = plan.run().rows
 
-    def kill(_rows: list[Row]) -> None:
+    def kill(_block: RowBlock) -> None:
         if len(started) == 1:
-            os.kill(started[0].pid, signal.SIGTERM if os.name == "nt" else signal.SIGKILL)
+            started[0].kill()
 
-    assert plan.run(
-        executor=lambda p, n: processes.rows_of_processes(p, n, 1), on_rows=kill
-    ).rows == (expected)
+    executor = lambda p, n: processes.rows_of_processes(p, n, 1)  # noqa: E731
+    assert plan.run(executor=executor, on_rows=kill).rows == expected
     assert len(started) == 2
+
+
+@pytest.mark.parametrize("is_copied", [False, True])
+def test_copies_and_new_processes_make_the_same_rows(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, is_copied: bool
+) -> None:
+    """Whether a worker is a copy of this process cannot be seen in its rows."""
+    if is_copied and not worker_process.can_copy():
+        pytest.skip("this process cannot be copied")
+    monkeypatch.setattr(processes, "can_copy", lambda: is_copied)
+    plan = study(tmp_path, count=30)
+    assert plan.run(processes=2).rows == plan.run().rows
+
+
+def test_a_worker_that_cannot_start_is_told(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Not once for each run, but as the end of the study (901486)."""
+    monkeypatch.setattr(processes, "can_copy", lambda: False)
+    plan = study(tmp_path, count=30)
+    monkeypatch.setattr(sys, "executable", shutil.which("false"))
+    with pytest.raises(Failure) as raised:
+        plan.run(processes=2)
+    assert [one.id for one in raised.value.diagnostics] == [901486]
+
+
+def test_blocks_are_as_long_as_they_should_be() -> None:
+    """So many runs as take the time of a block; few at the end, so that no worker waits."""
+    blocks = Blocks(range(5000), 4, block_s=0.2)
+    lengths, numbers = [], []
+    for block in blocks:
+        lengths.append(len(block))
+        numbers += block
+        blocks.note(0.001)
+    assert numbers == list(range(5000))
+    assert lengths[:3] == [20, 200, 200]
+    assert lengths[-8:-1] == [10] * 7
+    assert len(list(Blocks(iter(range(100)), 4, block_s=0.2))) == 5
 
 
 def test_what_is_finished_is_not_made_again(tmp_path: Path) -> None:
@@ -91,9 +130,7 @@ def test_what_is_finished_is_not_made_again(tmp_path: Path) -> None:
         file.write(b'{"run": 5, "V.E')
     again: list[int] = []
     store = RowStore(path, plan.plan, resumes=True)
-    done = plan.run(
-        store=store, on_rows=lambda rows: again.extend(int(row["run"] or 0) for row in rows)
-    )
+    done = plan.run(store=store, on_rows=lambda block: again.extend(block.numbers))
     store.close()
     assert again == [5, 6, 7]
     assert done.rows == whole
@@ -159,7 +196,7 @@ def test_a_cluster_yields_the_same_rows_and_survives_kills(tmp_path: Path) -> No
     ) as cluster:
         killed: list[int] = []
 
-        def kill(_rows: list[Row]) -> None:
+        def kill(_block: RowBlock) -> None:
             if not killed:
                 pid = next(iter(cluster.workers.values())).pid
                 killed.append(pid)
@@ -194,7 +231,7 @@ def test_a_killed_scheduler_keeps_what_is_finished(
     out = tmp_path / "rows.csv"
     words = ["study", str(tmp_path / "plan.toml"), "--out", str(out), "--quiet"]
 
-    def kill(self: study_progress.StudyProgress, rows: list[Row]) -> None:
+    def kill(self: study_progress.StudyProgress, block: RowBlock) -> None:
         os.kill(pid, signal.SIGKILL)
 
     with monkeypatch.context() as patch:

@@ -16,6 +16,7 @@ from nctakt.cli import main
 from nctakt.studies import row_store
 from nctakt.studies.bench import Row
 from nctakt.studies.results import write_rows
+from nctakt.studies.row_block import RowBlock
 from nctakt.studies.row_store import RowStore, RunNumbers
 from nctakt.studies.study import Study, StudyResult
 
@@ -63,11 +64,11 @@ def test_rows_are_sorted_in_parts(
     whole = Path(name).read_bytes()
     mixed = random.Random(1).sample(rows, len(rows))
     store = RowStore(Path("x.rows"), study.plan, resumes=False)
-    store.add(mixed[:100])
+    store.add(RowBlock(mixed[:100]))
     store.close()
     store = RowStore(Path("x.rows"), study.plan, resumes=True)
     assert len(store.done) == 100
-    store.add(mixed[100:])
+    store.add(RowBlock(mixed[100:]))
     stored = store.rows()
     assert len(stored) == 300
     assert (stored[7], stored[-1], stored[3:5]) == (rows[7], rows[-1], rows[3:5])

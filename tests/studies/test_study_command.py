@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from nctakt.cli import main, study_progress
-from nctakt.studies.bench import Row
+from nctakt.studies.row_block import RowBlock
 
 Captured = pytest.CaptureFixture[str]
 
@@ -84,8 +84,8 @@ def test_ctrl_c_keeps_what_is_finished(
     out.unlink()
     with monkeypatch.context() as patch:
 
-        def interrupt(self: study_progress.StudyProgress, rows: list[Row]) -> None:
-            if rows[0]["run"] == 2:
+        def interrupt(self: study_progress.StudyProgress, block: RowBlock) -> None:
+            if 2 in block.numbers:
                 raise KeyboardInterrupt
 
         patch.setattr(study_progress.StudyProgress, "add", interrupt)

@@ -10,7 +10,7 @@ from nctakt.base.failure import Failure
 from nctakt.cli.terminal import complain
 from nctakt.messages import diagnostic
 from nctakt.messages.studies import RUN_CRASHED, STUDY_TOO_LARGE
-from nctakt.studies.bench import CRASHED, HELD, Row
+from nctakt.studies.row_block import RowBlock
 from nctakt.studies.study import Study
 
 #: Estimated time from which on a study has to be confirmed, in seconds.
@@ -55,11 +55,11 @@ class StudyProgress:
             shown = _length(estimate_s)
             raise Failure(diagnostic(STUDY_TOO_LARGE, count=self._size, time=shown, cores=cores))
 
-    def add(self, rows: list[Row]) -> None:
+    def add(self, block: RowBlock) -> None:
         """Count rows; show a line now and then."""
-        self._count += len(rows)
-        self._broken += sum(row["verdict"] != HELD for row in rows)
-        self._crashed += [int(row["run"] or 0) for row in rows if row["verdict"] == CRASHED]
+        self._count += len(block)
+        self._broken += block.broken
+        self._crashed += block.crashed
         now_s = time.monotonic()
         if self._is_shown and now_s - self._shown_s >= _PERIOD_S:
             self._shown_s = now_s

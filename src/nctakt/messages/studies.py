@@ -212,6 +212,15 @@ WORKER_UNFIT = error(
     worker=("the worker", "der Worker"),
     reason=("the reason", "der Grund"),
 )
+WORKER_ENDED = error(
+    901486,
+    en="a process that should make runs ends before the first one, with exit code {code}",
+    de="ein Prozess für Läufe endet vor dem ersten Lauf, mit Exit-Code {code}",
+    remedy_en="Memory may be short: try fewer processes (-j 1); --resume keeps finished runs.",
+    remedy_de="Vielleicht reicht der Speicher nicht: weniger Prozesse (-j 1); --resume behält "
+    "fertige Läufe.",
+    code=("the exit code", "der Exit-Code"),
+)
 RUN_WITHOUT_TRACE = error(
     901350,
     en="the run has no trace in memory",

@@ -25,15 +25,19 @@ from nctakt.base.failure import Failure, error_text
 from nctakt.base.version import __version__
 from nctakt.messages import diagnostic
 from nctakt.messages.studies import CLUSTER_LOST, EXTRA_MISSING, WORKER_UNFIT
-from nctakt.studies.bench import Row, crashed_row
+from nctakt.studies.bench import crashed_row
+from nctakt.studies.blocks import Block, Blocks, MadeBlock, make_runs
 from nctakt.studies.bundle import Bundle, bundle
 from nctakt.studies.plan import Plan
-from nctakt.studies.processes import Block, in_blocks
+from nctakt.studies.row_block import RowBlock
 from nctakt.studies.schedule_bench import bench_of
 from nctakt.studies.shared_beginning import maker_of
 
-#: Blocks that wait on the cluster for each of its threads.
-AHEAD = 4
+#: Blocks that are on the cluster for each of its threads: one that is made, others that wait.
+AHEAD = 3
+
+#: How long a worker has a block, in seconds: so long that its way there and back counts little.
+BLOCK_S = 1.0
 
 #: How long to wait for the scheduler, in seconds.
 CONNECT_S = 20
@@ -50,7 +54,7 @@ def received(packed: Bundle) -> Bundle:
     return packed
 
 
-def make_block(packed: Bundle, key: str, block: Block) -> list[Row]:
+def make_block(packed: Bundle, key: str, block: Block) -> MadeBlock:
     """Make the runs of a block, on a worker, where the bench stays for the next block.
 
     Raises ``Failure`` (901485) on a worker that cannot make runs as they would be made elsewhere.
@@ -61,7 +65,7 @@ def make_block(packed: Bundle, key: str, block: Block) -> list[Row]:
         _stations.move_to_end(key)
         if len(_stations) > STATIONS:
             _stations.popitem(last=False)[1].close()
-        return station.rows(block)
+        return station.make(block)
 
 
 class Station:
@@ -90,10 +94,10 @@ class Station:
         gc.collect()
         gc.freeze()  # machine and program stay: nobody looks for garbage in them again
 
-    def rows(self, block: Block) -> list[Row]:
-        """Return the rows of a block."""
+    def make(self, block: Block) -> MadeBlock:
+        """Make the runs of a block."""
         self._enter()
-        return [self._maker.row(number) for number in block]
+        return make_runs(self._maker, block)
 
     def close(self) -> None:
         """Remove its files, and let its memory be found as garbage."""
@@ -132,7 +136,7 @@ def _unfit(reason: str) -> Failure:
 
 def rows_of_cluster(
     plan: Plan, numbers: Iterable[int], address: str | Any, uploads: Sequence[Path] = ()
-) -> Iterator[list[Row]]:
+) -> Iterator[RowBlock]:
     """Yield the rows of runs, in the order in which they finish.
 
     ``address``: of the scheduler, or a ``distributed`` cluster or client; ``uploads``: further
@@ -176,40 +180,46 @@ class _Blocks:
         self._plan = plan
         self._study = packed.key
         self._received = client.submit(received, packed, key=f"nctakt-study-{self._study}")
-        self._blocks: dict[Any, Block] = {}
+        self._asked: dict[Any, Block] = {}
 
-    def rows(self, numbers: Iterable[int]) -> Iterator[list[Row]]:
+    def rows(self, numbers: Iterable[int]) -> Iterator[RowBlock]:
         """Yield the rows of each block."""
         import distributed  # noqa: PLC0415 - as above
 
         finished = distributed.as_completed()
-        threads = max(1, sum(self._client.nthreads().values()))
-        for block in in_blocks(numbers, threads):
+        blocks = Blocks(numbers, self._threads(), BLOCK_S)
+        for block in blocks:
             self._submit(block, finished)
-            if len(self._blocks) >= AHEAD * threads:
-                yield from self._take(finished)
-                threads = max(threads, len(self._client.nthreads()))
-        while self._blocks:
-            yield from self._take(finished)
+            if len(self._asked) >= AHEAD * blocks.workers:
+                yield from self._take(finished, blocks)
+                blocks.workers = max(blocks.workers, self._threads())
+        while self._asked:
+            yield from self._take(finished, blocks)
+
+    def _threads(self) -> int:
+        threads: dict[str, int] = self._client.nthreads()
+        return max(1, sum(threads.values()))
 
     def _submit(self, block: Block, finished: Any) -> None:
         future = self._client.submit(
             make_block, self._received, self._study, block, pure=False, retries=0
         )
-        self._blocks[future.key] = block
+        self._asked[future.key] = block
         finished.add(future)
 
-    def _take(self, finished: Any) -> Iterator[list[Row]]:
+    def _take(self, finished: Any, blocks: Blocks) -> Iterator[RowBlock]:
         """Yield the rows of the next finished block; divide one that has cost workers."""
         import distributed  # noqa: PLC0415 - as above
 
         future = next(finished)
-        block = self._blocks.pop(future.key)
+        block = self._asked.pop(future.key)
         try:
-            yield future.result()
+            done = future.result()
+            blocks.note(done.run_s)
+            yield done.rows
         except distributed.scheduler.KilledWorker:
             if len(block) == 1:
-                yield [crashed_row(self._plan, block[0])]
+                yield RowBlock([crashed_row(self._plan, block[0])])
                 return
             for number in block:
                 self._submit((number,), finished)

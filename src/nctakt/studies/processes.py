@@ -9,50 +9,47 @@ process ends as well gets a row that says so. Nothing else can be lost.
 from __future__ import annotations
 
 import contextlib
-import itertools
-import os
-import pickle
+import gc
 import queue
-import subprocess
-import sys
 import threading
-from collections.abc import Iterable, Iterator, Sequence, Sized
+from collections import deque
+from collections.abc import Iterable, Iterator
 
-from nctakt.studies.bench import Row, crashed_row
+from nctakt.studies.bench import Bench, crashed_row
+from nctakt.studies.blocks import Block, Blocks
 from nctakt.studies.plan import Plan
+from nctakt.studies.row_block import RowBlock
 from nctakt.studies.schedule_bench import bench_of
 from nctakt.studies.shared_beginning import maker_of
+from nctakt.studies.worker_process import WorkerProcess, can_copy
 
-#: Runs that a worker makes between two answers, at most.
-BLOCK = 200
+#: How long a worker has a block, in seconds.
+BLOCK_S = 0.2
 
-#: Blocks for each worker, so that all end at about the same time.
-BLOCKS_OF_A_WORKER = 16
-
-Block = tuple[int, ...]
-
-
-def in_blocks(numbers: Iterable[int], workers: int) -> Iterator[Block]:
-    """Yield numbers in blocks for so many workers."""
-    iterator = iter(numbers)
-    size = BLOCK
-    if isinstance(numbers, Sized):
-        size = min(BLOCK, max(1, len(numbers) // (BLOCKS_OF_A_WORKER * workers)))
-    while block := tuple(itertools.islice(iterator, size)):
-        yield block
+#: Blocks that a worker has been asked for: one that it makes, one so that it need not wait.
+ASKED = 2
 
 
-def rows_here(plan: Plan, numbers: Iterable[int]) -> Iterator[list[Row]]:
+def rows_here(plan: Plan, numbers: Iterable[int]) -> Iterator[RowBlock]:
     """Yield the rows of runs, made in this process one after another."""
     maker = maker_of(bench_of(plan), may_copy=False)
     for number in numbers:
-        yield [maker.row(number)]
+        yield RowBlock([maker.row(number)])
 
 
-def rows_of_processes(plan: Plan, numbers: Iterable[int], count: int) -> Iterator[list[Row]]:
-    """Yield the rows of runs, made by ``count`` processes, in the order in which they finish."""
-    pool = _Pool(plan, in_blocks(numbers, count))
-    threads = [threading.Thread(target=pool.serve, daemon=True) for _ in range(count)]
+def rows_of_processes(
+    plan: Plan, numbers: Iterable[int], count: int, bench: Bench | None = None
+) -> Iterator[RowBlock]:
+    """Yield the rows of runs, made by ``count`` processes, in the order in which they finish.
+
+    ``bench``: of this process, which its copies share. Raises ``Failure`` if no process can be
+    started.
+    """
+    pool = _Pool(plan, Blocks(numbers, count, BLOCK_S))
+    workers: list[WorkerProcess | None] = [None] * count
+    if can_copy():
+        workers = list(pool.copies(bench or bench_of(plan), count))
+    threads = [threading.Thread(target=pool.serve, args=(one,), daemon=True) for one in workers]
     for thread in threads:
         thread.start()
     try:
@@ -62,7 +59,7 @@ def rows_of_processes(plan: Plan, numbers: Iterable[int], count: int) -> Iterato
             if isinstance(answer, BaseException):
                 raise answer
             working -= answer is None
-            if answer:
+            if answer is not None:
                 yield answer
     finally:
         pool.stop()
@@ -73,69 +70,87 @@ def rows_of_processes(plan: Plan, numbers: Iterable[int], count: int) -> Iterato
 class _Pool:
     """Hands out blocks to workers; each thread speaks with one worker at a time."""
 
-    def __init__(self, plan: Plan, blocks: Iterator[Block]) -> None:
+    def __init__(self, plan: Plan, blocks: Blocks) -> None:
         self._plan = plan
         self._blocks = blocks
+        self._next_blocks = iter(blocks)
         self._lock = threading.Lock()
-        self._workers: list[subprocess.Popen[bytes]] = []
+        self._workers: list[WorkerProcess] = []
         self._is_stopped = False
         #: Rows, an error, or ``None`` from each thread at its end; bounded, so is the memory.
-        self.answers: queue.Queue[list[Row] | BaseException | None] = queue.Queue(16)
+        self.answers: queue.Queue[RowBlock | BaseException | None] = queue.Queue(16)
 
-    def serve(self) -> None:
-        """Have blocks made until there is none left."""
-        worker: subprocess.Popen[bytes] | None = None
+    def copies(self, bench: Bench, count: int) -> Iterator[WorkerProcess]:
+        """Yield workers that are copies of this process."""
+        gc.collect()
+        gc.freeze()  # a copy shares the memory in which nobody looks for garbage
         try:
-            while (block := self._next()) is not None:
-                worker = self._serve_block(worker, block)
+            for _ in range(count):
+                worker = WorkerProcess.copied(bench, self._workers)
+                self._workers.append(worker)
+                yield worker
+        finally:
+            gc.unfreeze()
+
+    def serve(self, worker: WorkerProcess | None) -> None:
+        """Have blocks made until there is none left."""
+        asked: deque[Block] = deque()
+        try:
+            while True:
+                while len(asked) < ASKED and (block := self._next()) is not None:
+                    worker = worker or self._start()
+                    worker.ask(block)
+                    asked.append(block)
+                if worker is None or not asked:
+                    return
+                done = worker.answer()
+                block = asked.popleft()
+                if done is not None:
+                    self._put(done.rows)
+                    self._blocks.note(done.run_s)
+                    continue
+                worker.end()
+                worker = self._one_by_one(block)
+                for block in asked:
+                    worker = worker or self._start()
+                    worker.ask(block)
         except BaseException as error:  # noqa: BLE001 - goes to who waits for the rows
             self._put(error)
         finally:
             if worker is not None:
-                _end(worker)
+                worker.end()
             self._put(None)
 
-    def _serve_block(
-        self, worker: subprocess.Popen[bytes] | None, block: Block
-    ) -> subprocess.Popen[bytes] | None:
-        """Have a block made; return the worker that lives afterwards."""
-        worker = worker or self._start()
-        rows = _ask(worker, block)
-        if rows is not None:
-            self._put(rows)
-            return worker
-        _end(worker)
+    def _one_by_one(self, block: Block) -> WorkerProcess | None:
+        """Have the runs of a block made by new workers; return the one that is left."""
         worker = None
         for number in block:
             if self._is_stopped:
                 break
             worker = worker or self._start()
-            rows = _ask(worker, (number,))
-            if rows is None:
-                _end(worker)
+            worker.ask((number,))
+            done = worker.answer()
+            if done is None:
+                worker.end()
                 worker = None
-                rows = [crashed_row(self._plan, number)]
-            self._put(rows)
+                self._put(RowBlock([crashed_row(self._plan, number)]))
+            else:
+                self._put(done.rows)
         return worker
 
     def _next(self) -> Block | None:
         with self._lock:
-            return None if self._is_stopped else next(self._blocks, None)
+            return None if self._is_stopped else next(self._next_blocks, None)
 
-    def _start(self) -> subprocess.Popen[bytes]:
-        environment = {**os.environ, "OPENBLAS_NUM_THREADS": "1"}
-        worker = subprocess.Popen(
-            [sys.executable, "-m", "nctakt.studies.worker"],
-            stdin=subprocess.PIPE,
-            stdout=subprocess.PIPE,
-            env=environment,
-        )
+    def _start(self) -> WorkerProcess:
+        worker = WorkerProcess.started(self._plan)
         with self._lock:
             self._workers.append(worker)
-        _send(worker, self._plan)
+            if self._is_stopped:
+                worker.kill()
         return worker
 
-    def _put(self, answer: list[Row] | BaseException | None) -> None:
+    def _put(self, answer: RowBlock | BaseException | None) -> None:
         while not self._is_stopped:
             with contextlib.suppress(queue.Full):
                 self.answers.put(answer, timeout=0.2)
@@ -143,34 +158,7 @@ class _Pool:
 
     def stop(self) -> None:
         """End all workers."""
-        self._is_stopped = True
         with self._lock:
+            self._is_stopped = True
             for worker in self._workers:
                 worker.kill()
-
-
-def _send(worker: subprocess.Popen[bytes], value: object) -> None:
-    assert worker.stdin is not None
-    with contextlib.suppress(BrokenPipeError):
-        pickle.dump(value, worker.stdin)
-        worker.stdin.flush()
-
-
-def _ask(worker: subprocess.Popen[bytes], block: Sequence[int]) -> list[Row] | None:
-    """Return the rows of a block; ``None`` if the worker has ended."""
-    assert worker.stdout is not None
-    _send(worker, tuple(block))
-    try:
-        rows: list[Row] = pickle.load(worker.stdout)
-    except (EOFError, pickle.UnpicklingError):
-        return None
-    return rows
-
-
-def _end(worker: subprocess.Popen[bytes]) -> None:
-    """Close the pipes of a worker and wait until it has ended."""
-    for stream in (worker.stdin, worker.stdout):
-        assert stream is not None
-        with contextlib.suppress(OSError):
-            stream.close()
-    worker.wait()

@@ -15,7 +15,7 @@ import heapq
 import itertools
 import json
 import os
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any, BinaryIO, overload
 
@@ -28,6 +28,7 @@ from nctakt.studies.bench import Row
 from nctakt.studies.plan import Plan
 from nctakt.studies.plan_files import files_of
 from nctakt.studies.results import checked_row, unreadable
+from nctakt.studies.row_block import RowBlock
 
 #: Bytes of rows that are kept in memory as they are; more stay in their file.
 MAX_KEPT = 16 << 20
@@ -66,7 +67,7 @@ class RowStore:
         except OSError as error:
             raise _unwritable(self.path, error) from error
         if not length:
-            self._write(head + "\n")
+            self._write(f"{head}\n".encode())
 
     def _read(self, head: str) -> int:
         """Note the finished runs; return the length of what is whole, in bytes."""
@@ -92,18 +93,13 @@ class RowStore:
         self._last = number
         self.done.add(number)
 
-    def add(self, rows: Iterable[Row]) -> None:
+    def add(self, block: RowBlock) -> None:
         """Keep rows; raises ``Failure`` (900507) if there is no room for them."""
-        texts = []
-        for row in rows:
-            number = row["run"]
-            assert isinstance(number, int)
+        for number in block.numbers:
             self._note(number)
-            texts.append(json.dumps(row, ensure_ascii=False) + "\n")
-        self._write("".join(texts))
+        self._write(block.lines)
 
-    def _write(self, text: str) -> None:
-        data = text.encode("utf-8")
+    def _write(self, data: bytes) -> None:
         try:
             while data:
                 data = data[os.write(self._file, data) :]

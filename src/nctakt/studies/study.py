@@ -24,6 +24,7 @@ from nctakt.studies.python_measure import PythonMeasure
 from nctakt.studies.recording import record_run
 from nctakt.studies.report import report
 from nctakt.studies.results import arrow_table, write_rows
+from nctakt.studies.row_block import RowBlock
 from nctakt.studies.row_store import RowStore
 from nctakt.studies.schedule_bench import bench_of
 from nctakt.studies.search import Answer, search, shrink
@@ -35,7 +36,7 @@ if TYPE_CHECKING:
     import pyarrow
 
 #: Makes the rows of runs by their numbers, in any order.
-Executor = Callable[[Plan, Iterable[int]], Iterator[list[Row]]]
+Executor = Callable[[Plan, Iterable[int]], Iterator[RowBlock]]
 
 
 #: The most runs whose numbers are listed before the first of them is made.
@@ -179,7 +180,7 @@ class Study:
         numbers: Iterable[int] | None = None,
         store: RowStore | None = None,
         executor: Executor | None = None,
-        on_rows: Callable[[list[Row]], None] | None = None,
+        on_rows: Callable[[RowBlock], None] | None = None,
     ) -> StudyResult:
         """Make the runs, by default all, and return their rows in order.
 
@@ -197,17 +198,20 @@ class Study:
             executor = rows_here
             copies = is_copied(self.plan, self.bench.cycle_time_us)
             if (processes > 1 or copies) and not self._has_functions:
-                executor = lambda plan, left: rows_of_processes(plan, left, processes)  # noqa: E731
-        rows: list[Row] = []
-        for finished in executor(self.plan, missing):
+                executor = lambda plan, left: rows_of_processes(  # noqa: E731
+                    plan, left, processes, self.bench
+                )
+        blocks: list[RowBlock] = []
+        for block in executor(self.plan, missing):
             if store is None:
-                rows += finished
+                blocks.append(block)
             else:
-                store.add(finished)
+                store.add(block)
             if on_rows is not None:
-                on_rows(finished)
+                on_rows(block)
         if store is not None:
             return StudyResult(self.plan, store.rows(), self.nominal)
+        rows = [row for block in blocks for row in block.rows]
         rows.sort(key=lambda row: int(row["run"] or 0))
         return StudyResult(self.plan, rows, self.nominal)
 

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""A worker: a process that makes runs of a plan, asked over its standard input.
+"""A worker: a process that makes runs of a plan, asked over a pipe.
 
-In: the plan, then lists of numbers of runs, each pickled. Out: for each list its rows, pickled. A
-worker has one thread, so that it can copy itself, and it ends when its standard input does. What a
+In: where Python finds modules, the plan, then lists of numbers of runs, each pickled. Out: ``True``
+once it is ready, or the ``Failure`` that keeps it from that; then for each list its rows, pickled.
+A worker has one thread, so that it can copy itself, and it ends when nobody asks any more. What a
 user's PLC prints goes to standard error.
 """
 
@@ -14,25 +15,44 @@ import os
 import pickle
 import signal
 import sys
+from typing import IO
 
+from nctakt.base.failure import Failure
+from nctakt.studies.bench import Bench
+from nctakt.studies.blocks import make_runs
 from nctakt.studies.schedule_bench import bench_of
 from nctakt.studies.shared_beginning import maker_of
 
 
 def main() -> None:
     """Make runs until nobody asks for more."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # who has started it decides
     answers = os.fdopen(os.dup(1), "wb")
-    os.dup2(2, 1)
     questions = sys.stdin.buffer
-    maker = maker_of(bench_of(pickle.load(questions)), may_copy=True)
+    sys.path[:] = pickle.load(questions)
+    try:
+        bench = bench_of(pickle.load(questions))
+    except Failure as failure:
+        _answer(answers, failure)
+        return
     gc.collect()
-    gc.freeze()
+    gc.freeze()  # machine and program stay: nobody looks for garbage in them again
+    _answer(answers, True)
+    serve(bench, questions, answers)
+
+
+def serve(bench: Bench, questions: IO[bytes], answers: IO[bytes]) -> None:
+    """Answer lists of numbers with the rows of their runs until there is none any more."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # who has started it decides
+    os.dup2(2, 1)
+    maker = maker_of(bench, may_copy=True)
     with contextlib.suppress(EOFError, BrokenPipeError):
         while True:
-            rows = [maker.row(number) for number in pickle.load(questions)]
-            pickle.dump(rows, answers)
-            answers.flush()
+            _answer(answers, make_runs(maker, pickle.load(questions)))
+
+
+def _answer(answers: IO[bytes], value: object) -> None:
+    pickle.dump(value, answers)
+    answers.flush()
 
 
 if __name__ == "__main__":

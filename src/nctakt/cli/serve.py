@@ -439,8 +439,7 @@ def _ready_teller(file: str | None) -> Callable[[Mapping[str, str]], None]:
 
 def _end(session: Session, options: Options, tape: str | None) -> None:
     """Show the table of a real schedule; write the tape; raises ``Failure`` where it cannot be."""
-    table = session.schedule_table(options.language)
-    if table:
-        click.echo(table, nl=False)
+    with contextlib.suppress(Failure):  # a controller that is lost has told so
+        click.echo(session.schedule_table(options.language), nl=False)
     if tape is not None:
         session.save(tape)

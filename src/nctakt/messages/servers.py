@@ -40,6 +40,14 @@ CONTROLLER_STOPPED = error(
     remedy_de="Den Befehl neu starten; bitte melden, wenn der Grund nicht bei Ihnen liegt.",
     reason=("the reason", "der Grund"),
 )
+CONTROLLER_SILENT = error(
+    901486,
+    en="the controller did not answer within {seconds} s at the end, so its process was killed",
+    de="die Steuerung antwortete am Ende {seconds} s lang nicht, ihr Prozess wurde abgebrochen",
+    remedy_en="Look for an endless loop or a wait in the PLC; the tape ends before it.",
+    remedy_de="In der SPS nach einer Endlosschleife oder einem Warten suchen; das Band endet davor.",
+    seconds=("the time", "die Zeit"),
+)
 INVALID_BROKER = error(
     901450,
     en="--mqtt needs a broker as mqtt://HOST[:PORT][/ROOT], not {text}",

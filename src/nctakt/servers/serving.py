@@ -16,7 +16,7 @@ from collections.abc import Callable, Mapping
 from nctakt.base.failure import Failure, error_text
 from nctakt.lists.machine.machine import Machine
 from nctakt.messages import diagnostic
-from nctakt.messages.servers import CONTROLLER_STOPPED
+from nctakt.messages.servers import CONTROLLER_SILENT, CONTROLLER_STOPPED
 from nctakt.servers.host import Door, Host
 from nctakt.servers.log import ServerLog
 from nctakt.servers.notices import ServerNotice
@@ -27,6 +27,9 @@ DoorOpener = Callable[[Host], Door]
 
 #: How long a door may take to close, in seconds.
 CLOSING_S = 5.0
+
+#: How long the session may take to pause at the end, in seconds.
+PAUSING_S = 5.0
 
 #: How long a thread may compute while the loop or the session is due, in seconds.
 _SWITCH_S = 0.00005
@@ -44,7 +47,7 @@ async def serve(
     """Serve until a signal comes; ``ready`` gets the address of each door.
 
     Raises ``Failure`` for an address that cannot be used, and when the controller has stopped
-    (901354).
+    (901354), or does not answer at the end.
     """
     sys.setswitchinterval(_SWITCH_S)
     host = await Host(session, machine, log).open()
@@ -69,11 +72,23 @@ async def serve(
                 log.error("close", door=name, reason=error_text(error) or repr(error))
         late, worst_s = session.lateness
         missed = host.missed_frames
-        with contextlib.suppress(Failure):
-            await host.ask(session.pause)
+        answers = await _pauses(host)
         await host.close()
         lateness = {"late_slices": late, "worst_lateness_ms": round(worst_s * 1000, 3)}
         log.note("closed", tick=session.tick, missed_frames=missed, **lateness)
+    if not answers:
+        raise Failure(diagnostic(CONTROLLER_SILENT, seconds=f"{PAUSING_S:g}"))
+
+
+async def _pauses(host: Host) -> bool:
+    """Pause the session; return whether it answers. If not, its controller is killed."""
+    pausing = asyncio.ensure_future(host.ask(host.session.pause))
+    done, _ = await asyncio.wait((pausing,), timeout=PAUSING_S)
+    if not done:
+        host.session.abandon()
+    with contextlib.suppress(Failure):
+        await pausing
+    return bool(done)
 
 
 class EndSignal:

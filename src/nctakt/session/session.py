@@ -476,6 +476,10 @@ class Session:
 
     # --- the end --------------------------------------------------------------------------------
 
+    def abandon(self) -> None:
+        """Kill a controller that does not answer: whatever waits for it raises 901153."""
+        self._story.abandon()
+
     def close(self) -> None:
         """End the session and all its processes."""
         if self._thread.is_closed:

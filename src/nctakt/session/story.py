@@ -316,6 +316,10 @@ class Story:
         """Return the inputs of this branch, the PLC's too, in the order of their ticks."""
         return self._timeline.tape()
 
+    def abandon(self) -> None:
+        """Kill a controller that does not answer."""
+        self._timeline.abandon()
+
     def close(self) -> None:
         """End the session."""
         self._timeline.close()

@@ -340,6 +340,10 @@ class Timeline:
 
     # --- the end --------------------------------------------------------------------------------
 
+    def abandon(self) -> None:
+        """Kill a controller that does not answer; callable from any thread."""
+        self._workshop.abandon()
+
     def close(self) -> None:
         """Let all controllers end."""
         for parked in self._parked:

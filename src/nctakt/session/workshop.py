@@ -9,6 +9,7 @@ from __future__ import annotations
 import contextlib
 import os
 import secrets
+import signal
 import subprocess
 import sys
 import threading
@@ -41,22 +42,29 @@ _NOBODY = "nobody"
 class RemoteEngine:
     """A controller in another process, with the methods of ``Engine``.
 
-    Raises ``Failure`` as that does, and 901153 when its process is gone. ``tick``: where it stands.
+    Raises ``Failure`` as that does, and 901153 when its process is gone. ``tick``: where it stands;
+    ``process``: the number of its process.
     """
 
-    def __init__(self, connection: Connection[Any, Any], workshop: Workshop, tick: int) -> None:
+    def __init__(
+        self, connection: Connection[Any, Any], process: int, workshop: Workshop, tick: int
+    ) -> None:
         self._connection = connection
+        self.process = process
         self._workshop = workshop
         self.tick = tick
         self._listed: Sequence[str] = ()
 
     def ask(self, request: str, *words: Any) -> Any:
         """Return the answer to a request."""
+        self._workshop.asked = self
         try:
             self._connection.send((request, words))
             verdict, answer = self._connection.recv()
         except (EOFError, OSError) as error:
             raise Failure(diagnostic(CONTROLLER_LOST, reason=str(error) or "EOF")) from error
+        finally:
+            self._workshop.asked = None
         if verdict == REFUSED:
             raise Failure(*answer)
         if verdict == BROKEN:
@@ -66,8 +74,8 @@ class RemoteEngine:
     def copy(self) -> RemoteEngine:
         """Return a copy at the same tick, in a process of its own."""
         name = self._workshop.next_name()
-        self.ask("copy", name)
-        return RemoteEngine(self._workshop.accept(name), self._workshop, self.tick)
+        process = cast("int", self.ask("copy", name))
+        return RemoteEngine(self._workshop.accept(name), process, self._workshop, self.tick)
 
     def run(self, end: int, stops: Sequence[StopAt] = (), *, events: bool = True) -> Slice:
         """Run as ``Engine.run``."""
@@ -105,9 +113,13 @@ class RemoteEngine:
 
 
 class Workshop:
-    """Opens controllers in processes of their own; ``close`` ends them all."""
+    """Opens controllers in processes of their own; ``close`` ends them all.
+
+    ``asked``: the one that has been asked something and has not answered yet.
+    """
 
     def __init__(self) -> None:
+        self.asked: RemoteEngine | None = None
         self._key = secrets.token_bytes(KEY_SIZE)
         self._listener = Listener(authkey=self._key)
         self._count = 0
@@ -135,7 +147,7 @@ class Workshop:
         with contextlib.suppress(OSError):
             process.stdin.write(self._key)
             process.stdin.close()
-        engine = RemoteEngine(self.accept(name, process), self, 0)
+        engine = RemoteEngine(self.accept(name, process), process.pid, self, 0)
         try:
             return engine, cast("Description", engine.ask("open", setup))
         except Failure:
@@ -186,6 +198,13 @@ class Workshop:
     def can_copy(self) -> bool:
         """Whether a controller can be copied here."""
         return can_fork()
+
+    def abandon(self) -> None:
+        """Kill the process that does not answer: whoever has asked it gets 901153."""
+        asked = self.asked
+        if asked is not None:
+            with contextlib.suppress(OSError):  # it has ended just now
+                os.kill(asked.process, getattr(signal, "SIGKILL", signal.SIGTERM))
 
     def close(self) -> None:
         """Close the door, and wait for the first processes; the others end by themselves."""

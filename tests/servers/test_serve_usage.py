@@ -94,7 +94,7 @@ class Hangs(Plc):
 
 @pytest.mark.slow
 def test_a_controller_that_hangs_does_not_hold_up_the_end(tmp_path: Path) -> None:
-    """SIGTERM ends the command within seconds, with 902000, and the tape that there is."""
+    """SIGTERM ends the command within seconds, with 901507, and the tape that there is."""
     program, plc, ready, tape = (
         tmp_path / name for name in ("part.nc", "plc.py", "ready.json", "run.tape")
     )
@@ -117,5 +117,5 @@ def test_a_controller_that_hangs_does_not_hold_up_the_end(tmp_path: Path) -> Non
         process.send_signal(signal.SIGTERM)
         _, error = process.communicate(timeout=60)
     assert process.returncode == EXIT_USAGE
-    assert "902000" in error
+    assert "901507" in error
     assert main(["replay", str(tape), "--quiet"]) == 0

@@ -41,7 +41,7 @@ CONTROLLER_STOPPED = error(
     reason=("the reason", "der Grund"),
 )
 CONTROLLER_SILENT = error(
-    902000,
+    901507,
     en="the controller did not answer within {seconds} s at the end, so its process was killed",
     de="die Steuerung antwortete am Ende {seconds} s lang nicht, ihr Prozess wurde abgebrochen",
     remedy_en="Look for an endless loop or a wait in the PLC; the tape ends before it.",

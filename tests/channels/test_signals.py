@@ -19,6 +19,7 @@ from nctakt.kernel import codes
 from nctakt.lists.machine.machine import load_machine
 from nctakt.nc.check.signals import MAX_CHANNEL, SIGNAL_VALUES
 from nctakt.results.run import Run
+from nctakt.results.timeline_events import timeline_of
 from nctakt.run.controller import Controller, NcText
 
 MACHINE = load_machine(Path(__file__).parent.parent / "runs" / "two_channels" / "machine")
@@ -252,3 +253,48 @@ def test_wait_indp_waits_for_the_axes_that_cycles_move() -> None:
     (tick,) = [one.tick for one in found.events if one.kind == "message"]
     (end,) = [one.tick for one in found.events if one.text == "X done"]
     assert tick == end + 1
+
+
+def test_a_picture_has_a_lane_for_each_channel_and_an_arrow_for_each_signal() -> None:
+    """Channel 2 waits for 3 ms; its decoder's wait stands in a lane of its own."""
+    found = run(
+        ["G04 0.003", "#SIGNAL SYN [ID=1 CH=2]", "#WAIT [ID=2 CH=2]"],
+        ["#WAIT SYN [ID=1 CH=1]", "#SIGNAL SYN [ID=2 CH=1]"],
+    )
+    timeline = timeline_of(
+        found.events,
+        None,
+        cycle_time_us=1000,
+        first_tick=0,
+        ticks=found.ticks,
+        line_at=lambda _: "",
+    )
+    rows = {track.label: track.slices for track in timeline.of("channel")}
+    assert list(rows) == ["CH1", "CH1 decoder", "CH2"]
+    shown = {
+        label: [(one.name, one.begin_us, one.end_us) for one in own] for label, own in rows.items()
+    }
+    assert shown == {
+        "CH1": [("1 → CH2", 3000, 3000)],
+        "CH1 decoder": [("2 ← CH2", 0, 4000)],
+        "CH2": [("1 ← CH1", 0, 3000), ("2 → CH1", 3000, 3000)],
+    }
+    arrows = [
+        (one.name, one.sender, one.sent_us, one.receiver, one.taken_us) for one in timeline.signals
+    ]
+    assert arrows == [("1", "CH1", 3000, "CH2", 3000), ("2", "CH2", 3000, "CH1 decoder", 4000)]
+    programs = {
+        track.label: [(one.begin_us, one.end_us) for one in track.slices]
+        for track in timeline.of("program")
+    }
+    assert programs == {"CH1": [(0, 4000)], "CH2": [(0, 3000)]}
+
+
+def test_the_example_runs_as_its_comments_say() -> None:
+    """0.6 s, 0.4 s and a tick to channel 1, 0.6 s back: the message comes at 1.601 s."""
+    folder = Path(__file__).parents[2] / "examples" / "channels"
+    found = Controller(folder / "machine").run(
+        folder / "load.nc", channels={2: [folder / "unload.nc"]}
+    )
+    assert [one.tick for one in found.events if one.kind == "message"] == [1601]
+    assert found.state == "ended"

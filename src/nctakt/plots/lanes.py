@@ -50,8 +50,43 @@ class Lane:
     text: str = ""
 
 
+#: Kinds of tracks that ``lanes_of`` shows before the others, or as a part of them.
+_IN_FRONT = ("program", "channel", "block", "wait", "cycle", "condition", "reaction")
+
+
+@dataclass(frozen=True, slots=True)
+class Arrow:
+    """A signal from the lane ``sender`` to the lane ``receiver``, both by their index."""
+
+    begin_s: float
+    end_s: float
+    sender: int
+    receiver: int
+    name: str
+
+
+def arrows_of(timeline: Timeline) -> Iterator[Arrow]:
+    """Yield an arrow for each signal; the lanes of the channels are the first ones."""
+    rows = {track.label: row for row, track in enumerate(timeline.of("channel"))}
+    for signal in timeline.signals:
+        if signal.sender in rows and signal.receiver in rows:
+            yield Arrow(
+                signal.sent_us / 1e6,
+                signal.taken_us / 1e6,
+                rows[signal.sender],
+                rows[signal.receiver],
+                signal.name,
+            )
+
+
 def lanes_of(timeline: Timeline, language: Language) -> Iterator[Lane]:
     """Yield the lanes of a run."""
+    programs = {track.label: track for track in timeline.of("program")}
+    for track in timeline.of("channel"):
+        lane = _lane(track, language)
+        program = programs.get(track.label)
+        behind = () if program is None else _bars(program.slices, language)
+        yield Lane(lane.kind, lane.label, lane.bars, behind)
     for track in timeline.of("block", "wait"):
         yield _lane(track, language)
     for track in timeline.of("cycle"):
@@ -59,7 +94,7 @@ def lanes_of(timeline: Timeline, language: Language) -> Iterator[Lane]:
             yield _lane(track, language)
     yield from _branches(timeline, language)
     for track in timeline.tracks:
-        if track.kind not in ("block", "wait", "cycle", "condition", "reaction"):
+        if track.kind not in _IN_FRONT:
             yield _lane(track, language)
 
 
@@ -94,7 +129,7 @@ def _branches(timeline: Timeline, language: Language) -> Iterator[Lane]:
 
 def _lane(track: Track, language: Language) -> Lane:
     label = track.label
-    if track.kind not in ("axis", "spindle", "function"):
+    if track.kind not in ("axis", "spindle", "function", "channel") or not label:
         label = f"{kind_name(track.kind, language)} {label}".strip()
     return Lane(track.kind, label, _bars(track.slices, language))
 

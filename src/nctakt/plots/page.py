@@ -32,6 +32,8 @@ if TYPE_CHECKING:
 MAX_POINTS = 50_000
 #: Maximum number of bars of a lane; closer ones are joined.
 MAX_BARS = 10_000
+#: Maximum number of signals that are drawn as arrows.
+MAX_ARROWS = 5_000
 #: Maximum number of lanes.
 MAX_LANES = 200
 
@@ -151,6 +153,11 @@ class _Packer:
             "words": {key: text.get(self._language) for key, text in WORDS.items()},
             "path": None if scene.path is None else self._path(scene.path),
             "lanes": lanes,
+            "arrows": [
+                [arrow.begin_s, arrow.end_s, arrow.sender, arrow.receiver, self._text(arrow.name)]
+                for arrow in scene.arrows[:MAX_ARROWS]
+                if max(arrow.sender, arrow.receiver) < MAX_LANES
+            ],
             "panels": [self._panel(panel) for panel in scene.panels],
             "texts": list(self._texts),
         }

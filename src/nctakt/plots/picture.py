@@ -25,7 +25,7 @@ from nctakt.plots.motion import thinned
 from nctakt.plots.page import write_page
 from nctakt.plots.scene import Panel, Scene
 from nctakt.plots.sheet_path import draw_numbers, draw_plane, draw_space
-from nctakt.plots.style import FIRED, GRID, INK, LANE_COLOURS
+from nctakt.plots.style import ARROW, FIRED, GRID, INK, LANE_COLOURS
 from nctakt.plots.tool_path import MAX_MARKS
 
 ENDINGS = (".png", ".svg", ".html")
@@ -42,6 +42,8 @@ _MAX_LINES = 60
 #: Maximum number of lanes, and of bars in one; further lanes are counted, close bars joined.
 _MAX_LANES = 48
 _MAX_BARS = 600
+#: Maximum number of signals that are drawn as arrows.
+_MAX_ARROWS = 200
 #: Maximum number of characters of a reaction's line.
 _MAX_TEXT = 44
 #: Smallest part of the width in which the name of a block is written, for each character.
@@ -193,7 +195,7 @@ class _Sheet:
             spans = [(bar.begin_s, max(bar.end_s - bar.begin_s, shortest_s)) for bar in behind]
             axes.broken_barh(spans, (row - 0.38, 0.76), facecolors=colour, alpha=0.22)
             bars, _ = joined(lane.bars, _MAX_BARS, duration_s)
-            is_block = lane.kind in ("block", "cycle", "wait")
+            is_block = lane.kind in ("block", "cycle", "wait", "channel")
             height = 0.62 if is_block else 0.4
             moments = [bar.begin_s for bar in bars if bar.end_s - bar.begin_s < shortest_s]
             lasting = [bar for bar in bars if bar.end_s - bar.begin_s >= shortest_s]
@@ -213,6 +215,7 @@ class _Sheet:
                         middle, row, bar.name, fontsize=6, ha="center", va="center", color=INK
                     )
             self._draw_line_text(axes, row, lane)
+        self._draw_arrows(axes)
         axes.set_yticks(range(len(self._lanes)), [_label(lane) for lane in self._lanes])
         axes.set_ylim(max(len(self._lanes), 2) - 0.4, -0.6)
         _plain_look(axes)
@@ -226,6 +229,20 @@ class _Sheet:
             notes.append(self._text(_MORE_MARKS).format(count=scene.path.left_out))
         if notes:
             axes.set_title(" · ".join(notes), fontsize=7, loc="right", color="#6b7280")
+
+    def _draw_arrows(self, axes: Any) -> None:
+        """Draw the signals from channel to channel, each from its sending to its being taken."""
+        for arrow in self._scene.arrows[:_MAX_ARROWS]:
+            axes.annotate(
+                "",
+                (arrow.end_s, arrow.receiver),
+                (arrow.begin_s, arrow.sender),
+                arrowprops={"arrowstyle": "-|>", "color": ARROW, "linewidth": 0.9},
+            )
+            middle = (arrow.begin_s + arrow.end_s) / 2, (arrow.sender + arrow.receiver) / 2
+            axes.annotate(
+                arrow.name, middle, (3, 0), textcoords="offset points", fontsize=6, color=ARROW
+            )
 
     def _draw_line_text(self, axes: Any, row: int, lane: Lane) -> None:
         """Write the line of a reaction behind its lane."""

@@ -44,7 +44,10 @@ MAX_CHANGES = 100_000
 _PROCESSES: tuple[tuple[Text, tuple[TrackKind, ...]], ...] = (
     (
         PROGRAM,
-        ("block", "wait", "message", "error", "starved", "overflow", "paused", "end"),
+        (
+            *("program", "channel", "block", "wait", "message"),
+            *("error", "starved", "overflow", "paused", "end"),
+        ),
     ),
     (CYCLES, ("cycle", "condition", "reaction")),
     (FUNCTIONS, ("function",)),

@@ -15,7 +15,7 @@ from collections.abc import Iterator, Sequence
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Language, Text
 from nctakt.lists.machine.axis_configuration import AxisConfiguration
-from nctakt.plots.lanes import Lane, lanes_of, signal_lane
+from nctakt.plots.lanes import Arrow, Lane, arrows_of, lanes_of, signal_lane
 from nctakt.plots.motion import (
     ACCELERATION,
     DISTANCE_TO_GO,
@@ -98,7 +98,7 @@ class Panel:
 
 @dataclass(frozen=True, slots=True)
 class Scene:
-    """What a picture shows, times in s; ``notes``: what it leaves out."""
+    """What a picture shows, times in s; ``notes``: what it leaves out; ``arrows``: signals."""
 
     title: str
     begin_s: float
@@ -108,6 +108,7 @@ class Scene:
     lanes: tuple[Lane, ...]
     panels: tuple[Panel, ...]
     notes: tuple[str, ...]
+    arrows: tuple[Arrow, ...] = ()
 
 
 def scene_of(
@@ -153,6 +154,7 @@ def scene_of(
         tuple(lanes),
         (*panels, *further[:MAX_PANELS]),
         tuple(notes),
+        tuple(arrows_of(timeline)),
     )
 
 

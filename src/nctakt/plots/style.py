@@ -10,6 +10,7 @@ FIRED = ("reaction", "function", "error", "starved", "overflow")
 
 #: The colour of each kind of lane.
 LANE_COLOURS = {
+    "channel": "#b45309",
     "block": "#94a3b8",
     "wait": "#f59e0b",
     "cycle": "#0d9488",
@@ -26,6 +27,9 @@ LANE_COLOURS = {
     "end": "#6b7280",
     "signal": "#15803d",
 }
+
+#: Signals on their way from channel to channel.
+ARROW = "#15803d"
 
 FEED, RAPID = "#1f77b4", "#f28e2b"
 START, END = "#15803d", "#b91c1c"

@@ -126,7 +126,7 @@ const drawBars = (pen, bars, tint, alpha, y, height, named) => {
 
 const drawLanes = (pen, width) => {
   run.lanes.forEach((lane, index) => {
-    const y = lanesTop + index * LANE, isNamed = ["block", "wait", "cycle", "axis", "spindle", "message"].includes(lane.kind);
+    const y = lanesTop + index * LANE, isNamed = ["channel", "block", "wait", "cycle", "axis", "spindle", "message"].includes(lane.kind);
     pen.textBaseline = "middle"; pen.textAlign = "right"; pen.fillStyle = colour("--ink");
     const label = lane.number ? `(${lane.number}) ${lane.label}` : lane.label;
     pen.fillText(cut(pen, label, LEFT - 16), LEFT - 8, y + LANE / 2);
@@ -138,6 +138,26 @@ const drawLanes = (pen, width) => {
     drawBars(pen, lane.bars, lane.colour, isNamed ? 0.5 : 0.95, y, isNamed ? 14 : 9, isNamed);
     pen.restore();
   });
+};
+
+// Signals from the lane of their sender to that of their receiver.
+const drawArrows = (pen, width) => {
+  pen.save();
+  pen.beginPath(); pen.rect(LEFT, lanesTop, width - LEFT - RIGHT, run.lanes.length * LANE); pen.clip();
+  pen.strokeStyle = pen.fillStyle = colour("--arrow"); pen.lineWidth = 1.3;
+  for (const [begin, end, sender, receiver, name] of run.arrows) {
+    if (end < from || begin > to) continue;
+    const yOf = (lane) => lanesTop + (lane + 0.5) * LANE;
+    const x = xOf(begin), y = yOf(sender), toX = xOf(end), toY = yOf(receiver);
+    pen.beginPath(); pen.moveTo(x, y); pen.lineTo(toX, toY); pen.stroke();
+    const angle = Math.atan2(toY - y, toX - x);
+    pen.beginPath(); pen.moveTo(toX, toY);
+    for (const side of [0.4, -0.4]) pen.lineTo(toX - 8 * Math.cos(angle + side), toY - 8 * Math.sin(angle + side));
+    pen.fill();
+    pen.textAlign = "left"; pen.textBaseline = "middle";
+    pen.fillText(run.texts[name], (x + toX) / 2 + 5, (y + toY) / 2);
+  }
+  pen.restore();
 };
 
 // Lines through all panels where reactions begin, unless they would hide the curves.
@@ -168,6 +188,7 @@ const drawTime = () => {
   pen.fillText(words.time, width - 12, bottom + 2);
   drawMoments(pen, bottom);
   drawLanes(pen, width);
+  drawArrows(pen, width);
   run.panels.forEach((panel, index) => drawPanel(pen, panel, panelTop(index), width));
   if (drag && drag.kind === "range") {
     pen.fillStyle = colour("--chosen");

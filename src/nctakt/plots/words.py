@@ -13,6 +13,8 @@ MOTIONS = Text("axes and spindles", "Achsen und Spindeln")
 SIGNALS = Text("signals", "Signale")
 
 _KINDS: dict[TrackKind, Text] = {
+    "program": Text("program", "Programm"),
+    "channel": Text("channel", "Kanal"),
     "block": Text("block", "Satz"),
     "wait": Text("waits for", "wartet auf"),
     "cycle": Text("cycle", "Zyklus"),

@@ -15,6 +15,8 @@ from nctakt.base.diagnostics import Span
 
 #: The kinds of tracks, in the order in which they are shown.
 TrackKind = Literal[
+    "program",
+    "channel",
     "block",
     "wait",
     "cycle",
@@ -59,7 +61,7 @@ class Track:
     """The slices of one thing in the order of their begin; ``group``: the cycle of a reaction.
 
     ``text``: the source line of a condition or reaction. ``left_out``: older slices that were not
-    kept. Only slices of functions and of moments may overlap.
+    kept. Only slices of channels, of functions and of moments may overlap.
     """
 
     kind: TrackKind
@@ -72,13 +74,30 @@ class Track:
 
 
 @dataclass(frozen=True, slots=True)
+class TakenSignal:
+    """A signal from the channel ``sender`` to the channel ``receiver``, by the labels of their
+    tracks.
+    """
+
+    name: str
+    sender: str
+    sent_us: int
+    receiver: str
+    taken_us: int
+
+
+@dataclass(frozen=True, slots=True)
 class Timeline:
-    """The tracks of a run from ``begin_us`` to ``end_us``, by kind, then in order of appearance."""
+    """The tracks of a run from ``begin_us`` to ``end_us``, by kind, then in order of appearance.
+
+    ``signals``: those that were taken.
+    """
 
     begin_us: int
     end_us: int
     cycle_time_us: int
     tracks: tuple[Track, ...]
+    signals: tuple[TakenSignal, ...] = ()
 
     def of(self, *kinds: TrackKind) -> list[Track]:
         """Return the tracks of these kinds."""

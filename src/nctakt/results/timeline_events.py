@@ -14,6 +14,7 @@ from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Span
 from nctakt.results.timeline import KINDS, Slice, Timeline, Track, TrackKind
 from nctakt.results.timeline_branches import branch_tracks
+from nctakt.results.timeline_channels import ChannelTracks
 from nctakt.results.why import WhyReport
 from nctakt.trace.events import Event
 
@@ -60,7 +61,8 @@ def timeline_of(
     if why is not None:
         builder.replace_reactions(why)
     tracks = sorted(builder.tracks(), key=lambda track: KINDS.index(track.kind))
-    return Timeline(begin_us, end_us, cycle_time_us, tuple(tracks))
+    signals = tuple(builder.channels.taken)
+    return Timeline(begin_us, end_us, cycle_time_us, tuple(tracks), signals)
 
 
 @dataclass(slots=True)
@@ -93,6 +95,7 @@ class _Builder:
         self._seen: dict[str, None] = {}
         self._has_blocks = False
         self._histories: list[Track] = []
+        self.channels = ChannelTracks(begin_us)
 
     # --- events ---------------------------------------------------------------------------------
 
@@ -122,8 +125,12 @@ class _Builder:
             self._starve(event)
         elif kind in ("axis", "spindle", "spindle_reached"):
             self._move(event)
+        elif kind == "signal":
+            self.channels.signal(event, self._text(event.span))
         elif kind in _MOMENTS:
             self._moment(event)
+        if kind == "end":
+            self.channels.end(event)
 
     def _text(self, span: Span | None) -> str:
         return "" if span is None else self._line_at(span).strip()
@@ -262,6 +269,7 @@ class _Builder:
                 own.sort(key=lambda item: item.begin_us)
                 yield Track(kind, label.strip(), tuple(own), group, span, text)
         yield from self._histories
+        yield from self.channels.tracks(self._end_us)
 
 
 def _ended(item: _Open, end_us: int, *, is_open: bool = False) -> Slice:

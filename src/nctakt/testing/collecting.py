@@ -68,6 +68,10 @@ class NcItem(pytest.Item):
             plc=None if script.plc is None else load_plc(folder / script.plc),
             wait_for_start=script.waits_for_start,
             signals=list(start),
+            channels={
+                number: [folder / program for program in programs]
+                for number, programs in script.channels.items()
+            },
             why=session_coverage(self.config) is not None,
         )
         note_coverage(self.config, run)

@@ -8,6 +8,7 @@ several, separated by ``;``. An expectation behind a block is about its line.
     ; given: V.E.DOOR = 1 at 20ms     at a time of the run
     ; given: plc slow_plc.py          files and folders relative to the program
     ; given: machine ../machine       until 2s, after 100ms, start: it waits for HLI.START
+    ; given: channel 2 unload.nc      a program that runs in another channel meanwhile
 
     ; expect: fired                   an $IF of a realtime cycle; fired 17 line 5
     ; expect: M100                    a function; H7
@@ -66,6 +67,7 @@ _VALUE = re.compile(
     rf"(?:\s+within\s+(?P<within>[\d.]+))?(?:\s+at\s+(?P<at>end|{_TIME}))?\s*$",
     re.IGNORECASE,
 )
+_CHANNEL = re.compile(r"channel\s+(?P<number>\d{1,3})\s+(?P<path>\S.*)", re.IGNORECASE)
 _FILE = re.compile(r"(?P<what>plc|machine)\s+(?P<path>\S.*)", re.IGNORECASE)
 _LIMIT = re.compile(rf"(?P<what>until|after)\s+(?P<time>{_TIME})", re.IGNORECASE)
 _GIVEN_AT = re.compile(rf"(?P<assignment>.*=.*?)\s+at\s+(?P<time>{_TIME})", re.IGNORECASE)
@@ -104,6 +106,7 @@ class Script:
     until: Time | None = None
     after: TimeLike = 0
     waits_for_start: bool = False
+    channels: dict[int, list[str]] = field(default_factory=dict)
 
 
 def read_script(path: Path, text: str) -> Script:
@@ -272,6 +275,8 @@ def _give(script: Script, text: str) -> None:
         script.waits_for_start = True
     elif match := _FILE.fullmatch(text):
         setattr(script, match["what"].lower(), match["path"].strip())
+    elif match := _CHANNEL.fullmatch(text):
+        script.channels.setdefault(int(match["number"]), []).append(match["path"].strip())
     elif match := _LIMIT.fullmatch(text):
         setattr(script, match["what"].lower(), read_time(match["time"]))
     elif match := _GIVEN_AT.fullmatch(text):

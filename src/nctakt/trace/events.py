@@ -353,14 +353,15 @@ class EventDecoder:
         return "signal", f"{number} sent {channels_text(int(receivers))}"
 
     def _signal_awaited(
-        self, number: int, senders: float, _b: float, _level: float
+        self, number: int, senders: float, _b: float, level: float
     ) -> tuple[str, str]:
-        return "signal", f"{number} awaited {channels_text(int(senders))}"
+        return "signal", f"{number} awaited {channels_text(int(senders))}{_by(level)}"
 
     def _signal_taken(
-        self, number: int, sender: float, tick: float, _level: float
+        self, number: int, sender: float, tick: float, level: float
     ) -> tuple[str, str]:
-        return "signal", f"{number} taken CH{int(sender)} {int(tick) * self._cycle_time_us}"
+        sent_us = int(tick) * self._cycle_time_us
+        return "signal", f"{number} taken CH{int(sender)} {sent_us}{_by(level)}"
 
     def _program_end(self, number: int, _a: float, _b: float, _c: float) -> tuple[str, str]:
         return "end", self._names.program(number)
@@ -391,6 +392,11 @@ def channels_of(mask: int) -> list[int]:
 def channels_text(mask: int) -> str:
     """Return the channels of a mask: ``CH2 CH3``, ``all`` for a broadcast."""
     return " ".join(f"CH{channel}" for channel in channels_of(mask)) or "all"
+
+
+def _by(level: float) -> str:
+    """Return who waits, where it is not the interpolator."""
+    return "" if level else " decoder"
 
 
 def _characters(number: int) -> str:

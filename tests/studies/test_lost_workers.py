@@ -158,7 +158,7 @@ def test_rows_are_read_back(tmp_path: Path, name: str) -> None:
     )
     done = plan.run()
     done.save(tmp_path / name)
-    rows = read_rows(tmp_path / name)
+    rows = list(read_rows(tmp_path / name))
     assert [row["end"] for row in rows] == [row["end"] for row in done.rows]
     assert [row["late"] for row in rows] == [None, None]
     assert [row["digest"] for row in rows] == [row["digest"] for row in done.rows]

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from importlib.metadata import entry_points
 from pathlib import Path
@@ -10,8 +11,12 @@ from xml.etree import ElementTree
 
 import pytest
 
+from nctakt.base.failure import Failure
 from nctakt.cli import main
+from nctakt.messages.files import NOT_A_REGULAR_FILE
+from nctakt.studies.bench import Row
 from nctakt.studies.report import sensitivities
+from nctakt.studies.results import StreamedRows, read_rows, write_rows
 
 pytest_plugins = ["pytester"]
 
@@ -79,3 +84,29 @@ def test_a_study_is_a_test(pytester: pytest.Pytester, plan: Path) -> None:
     done = pytester.runpytest_inprocess(*words)
     done.assert_outcomes(failed=1)
     done.stdout.fnmatch_lines(["*first run 0: duration < 1.2 s*"])
+
+
+@pytest.mark.parametrize("name", ["rows.parquet", "rows.jsonl", "rows.csv"])
+def test_rows_of_a_file_are_read_again_and_again(tmp_path: Path, name: str) -> None:
+    """They are never all in memory: a report of many takes what pictures need."""
+    if name.endswith("parquet"):
+        pytest.importorskip("pyarrow")
+    made: list[Row] = [
+        {"run": number, "end": number / 8, "verdict": "held", "digest": f"d{number}"}
+        for number in range(50)
+    ]
+    write_rows(made, list(made[0]), tmp_path / name)
+    rows = read_rows(tmp_path / name)
+    assert isinstance(rows, StreamedRows)
+    assert (len(rows), rows, rows[-1], rows[3:5]) == (50, made, made[-1], made[3:5])
+    (tmp_path / name).write_bytes(b"run\n1\n")
+    with pytest.raises(Failure) as raised:
+        read_rows(tmp_path / name)
+    assert raised.value.diagnostics[0].id == 900503
+
+
+def test_rows_are_read_from_a_file_only(tmp_path: Path) -> None:
+    """A device or a pipe could be read once, and may never end (901483)."""
+    with pytest.raises(Failure) as raised:
+        read_rows(Path("/dev/zero" if os.name == "posix" else tmp_path / "none"))
+    assert raised.value.diagnostics[0].id in (900500, NOT_A_REGULAR_FILE.id)

@@ -141,3 +141,40 @@ def test_more_runs_than_anybody_counts(study: Study, capsys: pytest.CaptureFixtu
     assert main(["study", "plan.toml", "--quiet"]) == 2
     assert "901305" in capsys.readouterr().err
     assert main(["study", "plan.toml", "--quiet", "--sample", "3"]) == 0
+
+
+@pytest.mark.skipif(os.name == "nt", reason="no locks")
+def test_two_studies_that_write_one_file_are_told(study: Study) -> None:
+    """The second one ends before it takes anything away (900919)."""
+    path = Path("out.csv.rows")
+    store = RowStore(path, study.plan, resumes=False)
+    store.add(RowBlock(rows_of(3)))
+    before = path.read_bytes()
+    for resumes in (False, True):
+        with pytest.raises(Failure) as raised:
+            RowStore(path, study.plan, resumes=resumes)
+        assert raised.value.diagnostics[0].id == 900919
+    assert path.read_bytes() == before
+    store.close()
+    store = RowStore(path, study.plan, resumes=True)
+    assert len(store.done) == 3
+    store.remove()
+    assert not path.exists()
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="no copies of processes")
+def test_a_copy_of_the_process_does_not_hold_the_file(study: Study) -> None:
+    """A worker that goes on for a while must not keep the next study from resuming."""
+    path = Path("out.csv.rows")
+    store = RowStore(path, study.plan, resumes=False)
+    reader, writer = os.pipe()
+    child = os.fork()
+    if child == 0:
+        os.close(writer)
+        os.read(reader, 1)
+        os._exit(0)
+    store.close()
+    RowStore(path, study.plan, resumes=True).close()
+    os.close(writer)
+    os.close(reader)
+    os.waitpid(child, 0)

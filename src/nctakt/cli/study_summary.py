@@ -119,7 +119,7 @@ def answer_lines(
 
 def shrunk_lines(study: Study, result: StudyResult, language: Language) -> Iterator[str]:
     """Yield the smallest change that breaks as the first broken run does."""
-    number = result.broken[0]["run"]
+    number = result.first_broken(1)[0]["run"]
     assert isinstance(number, int)
     answer = study.shrink(number)
     runs = _TEXTS[language][0]

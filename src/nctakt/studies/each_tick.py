@@ -8,6 +8,7 @@ ticks the expectations held, the longest reaction.
 
 from __future__ import annotations
 
+import bisect
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
@@ -85,24 +86,41 @@ def strip(
     rows: Sequence[Row], nominal: Nominal, name: str, language: Language = "en"
 ) -> Iterator[str]:
     """Yield the lines of the strip; ``name``: the column with the time of the injection."""
-    ticks = [round(float(row[name] or 0) * 1e6) // nominal.cycle_time_us for row in rows]
     starts = [start for start, _, _ in nominal.blocks]
     ends = [*starts[1:], nominal.ticks]
+    blocks = [_Block() for _ in starts]
+    for row in rows:
+        tick = round(float(row[name] or 0) * 1e6) // nominal.cycle_time_us
+        number = bisect.bisect_right(starts, tick) - 1
+        if number >= 0 and tick < ends[number]:
+            blocks[number].add(row)
     yield _HEADS[language]
-    for (start, line, text), end in zip(nominal.blocks, ends, strict=True):
-        own = [row for row, tick in zip(rows, ticks, strict=True) if start <= tick < end]
-        if not own:
+    for own, (start, line, text), end in zip(blocks, nominal.blocks, ends, strict=True):
+        if not own.held:
             continue
-        held = sum(row["verdict"] == HELD for row in own)
-        times = [time for row in own if isinstance(time := row.get(REACTION), float)]
-        longest = f"{max(times):.6f} s" if times else "–"
+        longest = "–" if own.longest_s is None else f"{own.longest_s:.6f} s"
         first_s, last_s = (tick * nominal.cycle_time_us / 1e6 for tick in (start, end - 1))
         span = f"{first_s:.6f} s … {last_s:.6f} s"
-        yield f"{line:6}  {span}  {held}/{len(own)}  {longest}  {text.strip()}"
-        yield f"        {marks([row['verdict'] == HELD for row in own])}"
+        yield f"{line:6}  {span}  {sum(own.held)}/{len(own.held)}  {longest}  {text.strip()}"
+        yield f"        {marks(own.held)}"
 
 
-def marks(held: Sequence[bool]) -> str:
+class _Block:
+    """What the injections into a block did: whether each held, and the longest reaction."""
+
+    def __init__(self) -> None:
+        self.held = bytearray()
+        self.longest_s: float | None = None
+
+    def add(self, row: Row) -> None:
+        """Add an injection."""
+        self.held.append(row["verdict"] == HELD)
+        time_s = row.get(REACTION)
+        if isinstance(time_s, float):
+            self.longest_s = max(time_s, self.longest_s or 0.0)
+
+
+def marks(held: Sequence[int]) -> str:
     """Return a strip of at most ``WIDTH`` characters for verdicts in the order of their ticks."""
     count = min(len(held), WIDTH)
     text = ""

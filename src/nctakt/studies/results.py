@@ -11,23 +11,24 @@ import csv
 import io
 import itertools
 import json
+from abc import ABC, abstractmethod
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import IO, TYPE_CHECKING, Any, overload
 
 from nctakt.base.failure import Failure
 from nctakt.files.access import FileAccess
 from nctakt.files.output import OutputFile
 from nctakt.messages import diagnostic
-from nctakt.messages.files import FILE_NOT_READABLE
+from nctakt.messages.files import FILE_NOT_READABLE, NOT_A_REGULAR_FILE
 from nctakt.studies.bench import Row
 from nctakt.trace.arrow import load_pyarrow
 
 if TYPE_CHECKING:
     import pyarrow
 
-#: Rows in one group of a Parquet file.
-GROUP = 50_000
+#: Rows in one group of a Parquet file; rows that are read from one at a time.
+GROUP, READ_GROUP = 50_000, 5_000
 
 
 def check_target(path: Path) -> None:
@@ -68,16 +69,60 @@ def _groups(rows: Iterable[Row]) -> Iterator[list[Row]]:
         yield group
 
 
-def read_rows(path: Path) -> list[Row]:
-    """Return the rows of a file that ``write_rows`` has written.
+def read_rows(path: Path) -> StreamedRows:
+    """Return the rows of a file that ``write_rows`` has written; few of them are in memory.
 
     Raises ``Failure`` for a file that cannot be read (900500 …), without pyarrow (901311).
     """
-    data = FileAccess().read_bytes(path)
-    try:
-        return [checked_row(row) for row in _rows_of(data, path.suffix)]
-    except (ValueError, RecursionError, csv.Error) as error:  # of pyarrow, of UTF-8, of JSON
-        raise unreadable(path, error) from error
+    FileAccess().read_begin(path)
+    if not path.is_file():  # it could be read only once, and may never end
+        raise Failure(diagnostic(NOT_A_REGULAR_FILE, file=path.as_posix()))
+    return RowsOfFile(path)
+
+
+class StreamedRows(Sequence[Row], ABC):
+    """Rows that are read again whenever they are gone through."""
+
+    def __init__(self, count: int) -> None:
+        self._count = count
+
+    @abstractmethod
+    def __iter__(self) -> Iterator[Row]: ...
+
+    def __len__(self) -> int:
+        return self._count
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Sequence) and list(self) == list(other)
+
+    __hash__ = None  # type: ignore[assignment]
+
+    @overload
+    def __getitem__(self, index: int) -> Row: ...
+
+    @overload
+    def __getitem__(self, index: slice) -> list[Row]: ...
+
+    def __getitem__(self, index: int | slice) -> Row | list[Row]:
+        if isinstance(index, slice):
+            return [self[number] for number in range(self._count)[index]]
+        number = range(self._count)[index]
+        return next(itertools.islice(self, number, None))
+
+
+class RowsOfFile(StreamedRows):
+    """The rows of a file of results; raises ``Failure`` (900503) for what is none."""
+
+    def __init__(self, path: Path) -> None:
+        self._path = path
+        super().__init__(sum(1 for _ in self))
+
+    def __iter__(self) -> Iterator[Row]:
+        try:
+            with self._path.open("rb") as file:
+                yield from map(checked_row, _rows_of(file, self._path.suffix))
+        except (OSError, ValueError, RecursionError, csv.Error) as error:  # of pyarrow, UTF-8, JSON
+            raise unreadable(self._path, error) from error
 
 
 def unreadable(path: Path, error: Exception) -> Failure:
@@ -94,17 +139,20 @@ def checked_row(row: Any) -> Row:
     return row
 
 
-def _rows_of(data: bytes, suffix: str) -> list[Row]:
+def _rows_of(file: IO[bytes], suffix: str) -> Iterator[Any]:
+    """Yield the rows of an open file."""
     if suffix == ".parquet":
-        table = load_pyarrow("parquet").read_table(io.BytesIO(data))
-        rows: list[Row] = table.to_pylist()
-        return rows
-    if suffix == ".csv":
-        return [
-            {name: _cell(name, cell) for name, cell in row.items()}
-            for row in csv.DictReader(io.StringIO(data.decode("utf-8")))
-        ]
-    return [json.loads(line) for line in data.decode("utf-8").split("\n") if line]
+        parquet = load_pyarrow("parquet").ParquetFile(file)
+        for batch in parquet.iter_batches(READ_GROUP):
+            yield from batch.to_pylist()
+        return
+    with io.TextIOWrapper(file, "utf-8", newline="") as text:
+        if suffix == ".csv":
+            for row in csv.DictReader(text):
+                yield {name: _cell(name, cell) for name, cell in row.items()}
+        else:
+            for line in text:
+                yield json.loads(line)
 
 
 def _cell(name: str, text: str) -> float | str | None:

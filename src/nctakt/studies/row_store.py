@@ -12,23 +12,28 @@ from __future__ import annotations
 import contextlib
 import hashlib
 import heapq
-import itertools
 import json
 import os
-from collections.abc import Iterator, Sequence
+import weakref
+from collections.abc import Iterator
 from pathlib import Path
-from typing import Any, BinaryIO, overload
+from typing import Any, BinaryIO
 
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
-from nctakt.messages.files import FILE_NOT_WRITABLE
+from nctakt.messages.files import FILE_NOT_WRITABLE, OUTPUT_IN_USE
 from nctakt.messages.studies import OTHER_PLAN
 from nctakt.run.tape import digest_of
 from nctakt.studies.bench import Row
 from nctakt.studies.plan import Plan
 from nctakt.studies.plan_files import files_of
-from nctakt.studies.results import checked_row, unreadable
+from nctakt.studies.results import StreamedRows, checked_row, unreadable
 from nctakt.studies.row_block import RowBlock
+
+try:
+    import fcntl
+except ImportError:  # Windows
+    fcntl = None  # type: ignore[assignment]
 
 #: Bytes of rows that are kept in memory as they are; more stay in their file.
 MAX_KEPT = 16 << 20
@@ -58,21 +63,40 @@ class RowStore:
         self._is_sorted = True
         self._last = -1
         head = json.dumps({"study": fingerprint(plan)})
-        length = self._read(head) if resumes else 0
         try:
             flags = os.O_RDWR | os.O_CREAT | getattr(os, "O_BINARY", 0)
             self._file = os.open(path, flags, 0o666)
+        except OSError as error:
+            raise _unwritable(self.path, error) from error
+        _open_stores.add(self)
+        try:
+            self._lock()
+            length = self._read(head) if resumes else 0
             os.ftruncate(self._file, length)
             os.lseek(self._file, length, os.SEEK_SET)
         except OSError as error:
+            self.leave()
             raise _unwritable(self.path, error) from error
+        except Failure:
+            self.leave()
+            raise
         if not length:
             self._write(f"{head}\n".encode())
 
+    def _lock(self) -> None:
+        """Keep other studies from writing the same file; raises ``Failure`` (900919)."""
+        if fcntl is None:
+            return
+        try:
+            fcntl.flock(self._file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            is_ours = os.path.samestat(os.fstat(self._file), self.path.stat())
+        except (BlockingIOError, FileNotFoundError):
+            is_ours = False
+        if not is_ours:  # another study writes it, or has just finished and removed it
+            raise Failure(diagnostic(OUTPUT_IN_USE, file=self.path.as_posix()))
+
     def _read(self, head: str) -> int:
         """Note the finished runs; return the length of what is whole, in bytes."""
-        if not self.path.exists():
-            return 0
         length = 0
         try:
             with self.path.open("rb") as file:
@@ -124,6 +148,10 @@ class RowStore:
     def close(self) -> None:
         """Close the file, which stays."""
         _sorted_path(self.path).unlink(missing_ok=True)
+        self.leave()
+
+    def leave(self) -> None:
+        """Close the file as a copy of the process that has it does; others may then have it."""
         if self._file >= 0:
             with contextlib.suppress(OSError):
                 os.close(self._file)
@@ -131,44 +159,38 @@ class RowStore:
 
     def remove(self) -> None:
         """Close and remove the file."""
+        if fcntl is not None:  # while it is ours; elsewhere an open file cannot be removed
+            self.path.unlink(missing_ok=True)
         self.close()
-        self.path.unlink(missing_ok=True)
+        if fcntl is None:
+            self.path.unlink(missing_ok=True)
 
 
-class StoredRows(Sequence[Row]):
+#: The stores of this process that are open: its copies, which make runs, must not hold their locks.
+_open_stores: weakref.WeakSet[RowStore] = weakref.WeakSet()
+
+
+def _leave_stores() -> None:
+    for store in list(_open_stores):
+        store.leave()
+
+
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=_leave_stores)
+
+
+class StoredRows(StreamedRows):
     """The rows of a file in the order of their runs; few of them in memory, if they are many."""
 
     def __init__(self, path: Path, count: int) -> None:
+        super().__init__(count)
         self._path = path
-        self._count = count
         self._rows: list[Row] | None = None
         if path.stat().st_size <= MAX_KEPT:
             self._rows = sorted(self._lines(), key=lambda row: int(row["run"] or 0))
 
-    def __len__(self) -> int:
-        return self._count
-
     def __iter__(self) -> Iterator[Row]:
         return iter(self._lines() if self._rows is None else self._rows)
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, Sequence) and list(self) == list(other)
-
-    __hash__ = None  # type: ignore[assignment]
-
-    @overload
-    def __getitem__(self, index: int) -> Row: ...
-
-    @overload
-    def __getitem__(self, index: slice) -> list[Row]: ...
-
-    def __getitem__(self, index: int | slice) -> Row | list[Row]:
-        if self._rows is not None:
-            return self._rows[index]
-        if isinstance(index, slice):
-            return list(itertools.islice(self, *index.indices(self._count)))
-        number = range(self._count)[index]
-        return next(itertools.islice(self, number, None))
 
     def _lines(self) -> Iterator[Row]:
         with self._path.open("rb") as file:

@@ -61,14 +61,33 @@ CONFIGURATIONS = (
     ClampOffsets,
 )
 CENTRE = Path(__file__).parent.parent / "machines" / "centre"
+
+
+def _kinematic(place: str, id_: int) -> str:
+    """A universal kinematic with each of its entries."""
+    entries = ["number_of_axes 3", "linkage_mode 1", "type 91", "rtcp 1", f"id {id_}"]
+    entries += ["zero_orientation[2] 1", "param[0] 1"]
+    for i in range(3):
+        entries += [f"chain[{i}] {i}", f"axis[{i}].type 1", f"linkage[{i}][{i}] 1"]
+        entries.append(f"axis[{i}].orientation[{i}] 1")
+    return "".join(f"{place}.{entry}\n" for entry in entries)
+
+
+_CHANNEL_AXES = "".join(
+    f"gruppe[0].achse[{index}].bezeichnung {name}\n" for index, name in enumerate("XYZ")
+)
 #: Entries that the other machines do not have.
 RARE = {
     "hochlauf.lis": (
         "sda_mds[0] sda.lis\nachs_mds[0] axis.lis\nrtconf_lis rtconf.lis\nhand_mds hand.lis\n"
         "achs_kw[0] kw.lis\nhw_configuration_list hw.lis\nscene_mds[0] scene.lis\n"
-        "vol_comp[0].file_name vol.lis\nve_var[0] ve.lis\n"
+        "vol_comp[0].file_name vol.lis\nve_var[0] ve.lis\nwerkz_data[0] tools.lis\n"
     ),
-    "sda.lis": "g800_prog_file[0] g800.nc\n",
+    "sda.lis": "g800_prog_file[0] g800.nc\n"
+    + _CHANNEL_AXES
+    + _kinematic("trafo[0]", 91)
+    + _kinematic("kin_step[0].trafo[1]", 92),
+    "tools.lis": "wz[1].kinematic.param[0] 1\n",
     "axis.lis": "kopf.achs_nr 1\nvorsteuer.vs_v_faktor 1\nvorsteuer.vs_v_nenner 2\n",
     "ve.lis": (
         "anzahl_belegt 1\nstruct[0].name T\nstruct[0].element[0].name A\nvar[0].name V\n"

@@ -8,6 +8,7 @@ What they yield is in ``channel_configuration.py``; the tables of M and H functi
 from __future__ import annotations
 
 from nctakt.base.diagnostics import Text
+from nctakt.lists.declared.kinematics import KINEMATICS
 from nctakt.lists.declared.technology_functions import SPINDLE_FUNCTIONS, TECHNOLOGY, TOOL
 from nctakt.lists.format.parameter import MAX_UNS16, MAX_UNS32, Alias, Parameter, Value, ValueType
 from nctakt.lists.format.reader import ListDialect
@@ -459,6 +460,7 @@ CHANNEL = Schema(
     + TOOL
     + _PROGRAMS
     + _TOOLS
+    + KINEMATICS
     + _DEFAULTS
     + _REALTIME,
     ParameterTable("channel.tsv"),

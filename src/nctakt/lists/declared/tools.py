@@ -22,6 +22,7 @@ from nctakt.messages.folders import TOOL_ZERO_WITHOUT_DIMENSIONS, UNKNOWN_AXIS_I
 MAX_TOOLS = 201
 MAX_AXES = 32
 MAX_PARAMETERS = 60
+MAX_KINEMATIC_PARAMETERS = 75
 #: Lengths of the lists (0.1 µm, 0.0001 inch) per mm or inch.
 _LENGTH_UNITS = 10_000
 _MM_PER_INCH = 25.4
@@ -35,7 +36,9 @@ class Tool:
     ``valid``: programs may use it (P-TOOL-00005). ``axis_offsets``: index of an axis in the channel
     -> offset in mm, for rotary axes in degrees; only those that the list gives. ``parameters``:
     free values (P-TOOL-00007). ``spindle_number``: the logical number of the spindle that
-    holds the tool; 0: none.
+    holds the tool; 0: none. ``kinematic_id``: the kinematic that its selection preselects (P-TOOL-
+    00011); 0: none. ``kinematic_parameters``: index -> what is added to a parameter of the
+    kinematic of the first step, in 0.1 µm or 1e-4° (P-TOOL-00009).
     """
 
     number: int
@@ -46,10 +49,12 @@ class Tool:
     axis_offsets: Mapping[int, float]
     parameters: Mapping[int, float]
     spindle_number: int
+    kinematic_id: int
+    kinematic_parameters: Mapping[int, int]
 
 
 #: The tool of D0: no dimensions.
-NO_TOOL = Tool(0, False, 0, 0.0, 0.0, {}, {}, 0)
+NO_TOOL = Tool(0, False, 0, 0.0, 0.0, {}, {}, 0, 0, {})
 
 
 def _tool(
@@ -143,11 +148,31 @@ _SPINDLE = (
     ),
 )
 
+_KINEMATIC = (
+    _tool(
+        "P-TOOL-00009",
+        f"kinematic.param[0..{MAX_KINEMATIC_PARAMETERS - 1}]",
+        ValueType.SGN32,
+        0,
+        "Added to a parameter of the kinematic while the tool is active",
+        "Kommt zu einem Parameter der Kinematik hinzu, solange das Werkzeug aktiv ist",
+        unit=f"{_LENGTH}, 1e-4°",
+    ),
+    _tool(
+        "P-TOOL-00011",
+        "kin_id",
+        ValueType.UNS16,
+        0,
+        "Kinematic that the tool preselects; 0: none",
+        "Kinematik, die das Werkzeug vorwählt; 0: keine",
+    ),
+)
+
 TOOLS = Schema(
     "tools",
     Text("Tool list", "Werkzeugliste"),
     ListDialect(),
-    _DIMENSIONS + _SPINDLE,
+    _DIMENSIONS + _SPINDLE + _KINEMATIC,
     ParameterTable("tools.tsv"),
 )
 
@@ -212,4 +237,9 @@ def _tool_of(values: Values, number: int, linear: tuple[bool, ...], collector: C
         offsets,
         {index: values.real("wz[].param[]", number, index) for index in parameters},
         values.integer("wz[].log_ax_nr_spdl", number),
+        values.integer("wz[].kin_id", number),
+        {
+            index: values.integer("wz[].kinematic.param[]", number, index)
+            for index in values.indices("wz[].kinematic.param[]", number)
+        },
     )

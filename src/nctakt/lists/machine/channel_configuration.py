@@ -22,6 +22,8 @@ from nctakt.lists.declared.technology_functions import (
 from nctakt.lists.format.controller_numbers import bound_number
 from nctakt.lists.format.parameter import with_indices
 from nctakt.lists.format.values import Values
+from nctakt.lists.machine.kinematic_lists import transformations
+from nctakt.lists.machine.kinematics import Transformations
 from nctakt.messages import Collector
 from nctakt.messages.lists import (
     PARAMETER_OUT_OF_RANGE,
@@ -202,6 +204,7 @@ class ChannelParameters:
     context_geo: int
     context_sda: int
     context_com: int
+    transformations: Transformations
 
     def function(self, letter: str, number: int) -> TechnologyFunction:
         """Return a function that is defined; T is the same one for all tools."""
@@ -241,6 +244,7 @@ def channel_parameters(values: Values, collector: Collector) -> ChannelParameter
         values.integer("schedule.context.geo"),
         values.integer("schedule.context.sda"),
         values.integer("schedule.context.com"),
+        transformations(values, len(axes), collector),
     )
 
 

@@ -63,3 +63,19 @@ class Kinematic:
     type: int
     parameters: Mapping[int, float]
     universal: UniversalKinematic | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Transformations:
+    """The transformations of a channel.
+
+    ``default_ids``: those of both steps (P-CHAN-00032, P-CHAN-00264), 0 for none. ``steps``: the
+    usable kinematics of each step by their ID. ``orientation_mode``: the name in P-CHAN-00177.
+    ``tool_axis``, ``solution``: P-CHAN-00188 and P-CHAN-00189, of #TOOL ORI CS.
+    """
+
+    default_ids: tuple[int, int]
+    steps: tuple[Mapping[int, Kinematic], ...]
+    orientation_mode: str
+    tool_axis: int
+    solution: int

@@ -61,9 +61,7 @@ def read(folder: Path, entries: str, axes: str = AXES) -> tuple[Transformations,
     """Return the transformations of a list, and what is reported about it."""
     machine = machine_of(folder, entries, axes)
     found = [
-        f"{one.id} {one.entry}"
-        for one in machine.diagnostics
-        if one.message in KINEMATIC_MESSAGES
+        f"{one.id} {one.entry}" for one in machine.diagnostics if one.message in KINEMATIC_MESSAGES
     ]
     return machine.channels[0].parameters.transformations, found
 

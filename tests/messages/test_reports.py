@@ -73,7 +73,7 @@ ADDED = {
     "expected": {"found", "symbol"},
     "Finding": {"value", "word"},
     "get": {"said", "values"},
-    "warn": {"key"},
+    "warn_at": {"key"},
 }
 
 

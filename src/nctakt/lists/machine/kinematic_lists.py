@@ -77,9 +77,9 @@ def _step(
     for prefix, indices in _elements(values, step):
         element = _Element(values, prefix, indices, axis_count, collector)
         if element.id == 0:
-            element.warn(KINEMATIC_WITHOUT_ID, "id")
+            element.warn_at(KINEMATIC_WITHOUT_ID, "id")
         elif element.id in seen:
-            element.warn(KINEMATIC_GIVEN_TWICE, "id", id=element.id)
+            element.warn_at(KINEMATIC_GIVEN_TWICE, "id", id=element.id)
         else:
             seen.add(element.id)
             kinematic = element.kinematic()
@@ -125,7 +125,7 @@ class _Element:
         """Return the definition of a universal kinematic; ``None``, reported: it is defective."""
         count = self.number("number_of_axes")
         if not _MIN_AXES <= count <= min(MAX_CHAIN, self.axis_count) or count != int(count):
-            self.warn(
+            self.warn_at(
                 KINEMATIC_AXIS_COUNT,
                 "number_of_axes",
                 id=self.id,
@@ -137,7 +137,7 @@ class _Element:
         chain = tuple(self.number("chain[]", index) for index in range(int(count)))
         if sorted(chain) != list(range(int(count))):
             text = " ".join(f"{index:g}" for index in chain)
-            self.warn(KINEMATIC_CHAIN_INVALID, "chain[]", 0, id=self.id, chain=text, count=count)
+            self.warn_at(KINEMATIC_CHAIN_INVALID, "chain[]", 0, id=self.id, chain=text, count=count)
             return None
         kinematic = UniversalKinematic(
             self.vector("zero_orientation[]"),
@@ -168,7 +168,7 @@ class _Element:
         for index, axis in enumerate(kinematic.axes):
             given = self.number("axis[].type", index)
             if given != (_ROTARY if index >= _LINEAR_AXES else _LINEAR):
-                self.warn(
+                self.warn_at(
                     KINEMATIC_AXIS_TYPE,
                     "axis[].type",
                     index,
@@ -178,17 +178,17 @@ class _Element:
                 )
                 return False
             if _length(axis.direction) == 0.0:
-                self.warn(KINEMATIC_ZERO_DIRECTION, "axis[].orientation[]", index, 0, id=self.id)
+                self.warn_at(KINEMATIC_ZERO_DIRECTION, "axis[].orientation[]", index, 0, id=self.id)
                 return False
         if _length(kinematic.zero_orientation) == 0.0:
-            self.warn(KINEMATIC_ZERO_DIRECTION, "zero_orientation[]", 0, id=self.id)
+            self.warn_at(KINEMATIC_ZERO_DIRECTION, "zero_orientation[]", 0, id=self.id)
             return False
         directions = [axis.direction for axis in kinematic.axes[:_LINEAR_AXES]]
         if _are_dependent(*directions):
-            self.warn(KINEMATIC_DEPENDENT_AXES, "axis[].orientation[]", 0, 0, id=self.id)
+            self.warn_at(KINEMATIC_DEPENDENT_AXES, "axis[].orientation[]", 0, 0, id=self.id)
             return False
         if kinematic.linkage and _are_dependent(*kinematic.linkage[:_LINEAR_AXES]):
-            self.warn(KINEMATIC_DEPENDENT_AXES, "linkage[][]", 0, 0, id=self.id)
+            self.warn_at(KINEMATIC_DEPENDENT_AXES, "linkage[][]", 0, 0, id=self.id)
             return False
         return self.is_programmable(kinematic)
 
@@ -197,14 +197,14 @@ class _Element:
         mode = kinematic.programming_mode
         is_complete = mode == POINT_VECTOR or not kinematic.is_rtcp
         if mode not in PROGRAMMING_MODES and (mode > 0 or is_complete):
-            self.warn(KINEMATIC_PROGRAMMING_MODE, "programming_mode", id=self.id, value=mode)
+            self.warn_at(KINEMATIC_PROGRAMMING_MODE, "programming_mode", id=self.id, value=mode)
             return False
         if mode == POINT_VECTOR and self.axis_count < MAX_CHAIN:
             count = self.axis_count
-            self.warn(KINEMATIC_VECTOR_AXES, "programming_mode", id=self.id, count=count)
+            self.warn_at(KINEMATIC_VECTOR_AXES, "programming_mode", id=self.id, count=count)
             return False
         if is_complete and not _turns_tool(kinematic):
-            self.warn(KINEMATIC_ORIENTATION_AXES, "rtcp", id=self.id)
+            self.warn_at(KINEMATIC_ORIENTATION_AXES, "rtcp", id=self.id)
             return False
         return True
 
@@ -224,7 +224,7 @@ class _Element:
         x, y, z = self.vector(name, *further)
         return x / _UNITS_PER_MM, y / _UNITS_PER_MM, z / _UNITS_PER_MM
 
-    def warn(self, message: Message, name: str, *further: int, **values: object) -> None:
+    def warn_at(self, message: Message, name: str, *further: int, **values: object) -> None:
         """Report a message at an entry of this kinematic."""
         pattern = f"{self.prefix}.{name}"
         at = (*self.indices, *further)

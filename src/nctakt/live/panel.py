@@ -131,6 +131,8 @@ class Panel:
             shown = f"{self._texts['machine_error']} {error}"
         elif values.get(f"{prefix}ARMED") or values.get(f"{prefix}PAUSED"):
             shown = self._texts["armed"]
+        elif snapshot.awaited is not None:
+            shown = f"{self._texts['waits']} {snapshot.awaited.get(self._texts.language)}"
         if self._state.text != shown:
             self._state.set_text(shown)
 

@@ -315,6 +315,7 @@ class SharedSession:
             glance.waiting,
             operands,
             session.lateness[0],
+            glance.channels[self.channel - 1].awaited,
         )
         if is_playing:
             self.explainer.forget_wish()

@@ -109,6 +109,7 @@ _WORDS: dict[str, tuple[str, str]] = {
     "override_up": ("Override up by 5 %", "Override 5 % höher"),
     "override_down": ("Override down by 5 %", "Override 5 % tiefer"),
     "armed": ("waits for START", "wartet auf START"),
+    "waits": ("waits for", "wartet auf"),
     "machine_error": ("error", "Fehler"),
     "variables": ("V.E variables", "V.E-Variablen"),
     "search": ("Search", "Suchen"),

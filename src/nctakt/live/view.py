@@ -13,7 +13,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from nctakt.base.dataclass import dataclass
-from nctakt.base.diagnostics import Diagnostic, Language, Span
+from nctakt.base.diagnostics import Diagnostic, Language, Span, Text
 from nctakt.hli.plc_entries import SpindleEntry, TechnologyEntry
 from nctakt.live.event_words import event_words
 from nctakt.live.texts import Texts
@@ -67,6 +67,7 @@ class Snapshot:
     that the branch has reached. ``blocks`` and ``decoding``: number of the channel -> place of the
     current block, and of the decoder. ``operands``: name -> value of what conditions read, while
     the session stands. ``late``: slices that came late since the clock began.
+    ``awaited``: what the program of the shown channel waits for.
     """
 
     number: int
@@ -83,6 +84,7 @@ class Snapshot:
     waiting: Sequence[tuple[int, Entry]]
     operands: Mapping[str, float]
     late: int = 0
+    awaited: Text | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -83,16 +83,22 @@ def wait_reason(machine: AssembledMachine, index: int) -> Diagnostic | None:
     word, source, detail = machine.channels[index].waits.reason()
     if not word:
         return None
-    text = _REASONS[word]
-    name = awaited_text(machine, index) if word == "signal" else _name(machine, word, detail)
     span = machine.files.span(source)
     line = "" if span is None else machine.files.line_at(span)
-    return diagnostic(
-        WAITING_AT_RUN_LIMIT,
-        statement_span(span, line),
-        line,
-        awaited=Text(text.en.format(name=name.en), text.de.format(name=name.de)),
-    )
+    awaited = _awaited(machine, index, word, detail)
+    return diagnostic(WAITING_AT_RUN_LIMIT, statement_span(span, line), line, awaited=awaited)
+
+
+def awaited(machine: AssembledMachine, index: int) -> Text | None:
+    """Return what a channel's program waits for, ``None`` if it is at work."""
+    word, _, detail = machine.channels[index].waits.reason()
+    return _awaited(machine, index, word, detail) if word else None
+
+
+def _awaited(machine: AssembledMachine, index: int, word: str, detail: int) -> Text:
+    text = _REASONS[word]
+    name = awaited_text(machine, index) if word == "signal" else _name(machine, word, detail)
+    return Text(text.en.format(name=name.en), text.de.format(name=name.de))
 
 
 def _name(machine: AssembledMachine, word: str, detail: int) -> Text:

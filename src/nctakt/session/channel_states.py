@@ -4,7 +4,9 @@
 from __future__ import annotations
 
 from nctakt.base.dataclass import dataclass
+from nctakt.base.diagnostics import Text
 from nctakt.run.assembly import AssembledMachine
+from nctakt.run.wait_reasons import awaited
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,10 +24,14 @@ class SpindleState:
 
 @dataclass(frozen=True, slots=True)
 class ChannelState:
-    """A channel: the programmed speed of its current segment in mm/s (0: none), its spindles."""
+    """A channel: the programmed speed of its current segment in mm/s (0: none), its spindles.
+
+    ``awaited``: what its program waits for, ``None`` while it is at work.
+    """
 
     programmed_mm_s: float
     spindles: tuple[SpindleState, ...]
+    awaited: Text | None = None
 
 
 def channel_states(machine: AssembledMachine) -> tuple[ChannelState, ...]:
@@ -36,5 +42,7 @@ def channel_states(machine: AssembledMachine) -> tuple[ChannelState, ...]:
         for index, spindle in enumerate(assembled.parameters.spindles):
             function, speed_v, is_open = channel.context.spindles.latest_job(index)
             spindles.append(SpindleState(spindle.name, function, speed_v / 6.0, is_open))
-        found.append(ChannelState(channel.path.programmed_speed(), tuple(spindles)))
+        programmed_v = channel.path.programmed_speed()
+        reason = awaited(machine, assembled.index)
+        found.append(ChannelState(programmed_v, tuple(spindles), reason))
     return tuple(found)

@@ -176,3 +176,30 @@ def test_a_program_under_a_schedule_that_varies(folder: Path) -> None:
     )
     short, long = plan.run().column("time")
     assert long > short + 0.1
+
+
+def test_the_schedule_of_a_program_is_measured(folder: Path) -> None:
+    """Responses and slack as in a simulation of the list, beside the words of programs."""
+    (folder / "part.nc").write_text("G01 X1 F6000\nX2\nX3\nX4\nM30\n")
+    entries: dict[str, Any] = {
+        "rtconf": "rtconf.lis",
+        "load": "load.toml",
+        "vary": [{"load_entry": "functions.task_rnd", "values": [100, 300]}],
+        "measure": {
+            "slack": "slack of GEO",
+            "longest": "max response of GEO",
+            "late": "overflows of GEO",
+        },
+    }
+    measured = Study(
+        program="part.nc",
+        **{**entries, "measure": {**entries["measure"], "end": "X at end", "time": "duration"}},
+        expect=["slack > 0", "ended"],
+    ).run()
+    simulated = Study(**entries).run()
+    assert measured.column("end") == [4.0, 4.0]
+    for name in ("slack", "longest", "late"):
+        assert measured.column(name) == simulated.column(name)
+    with pytest.raises(Failure) as raised:
+        Study(program="part.nc", **{**entries, "measure": {"slack": "slack of GEOM"}}).run()
+    assert raised.value.diagnostics[0].id == 901391

@@ -31,7 +31,7 @@ from nctakt.run.inputs import NEVER
 from nctakt.run.plc_view import AnyPlc, PlcView, WatchedPlc
 from nctakt.run.program_loader import AnyProgram, LoadedProgram, ProgramErrors
 from nctakt.run.stimuli import StimulusLike, as_inputs, not_reached, read_stimulus
-from nctakt.run.tick_loop import TickLoop
+from nctakt.run.tick_loop import TickLoop, TickShares
 from nctakt.run.wait_reasons import wait_reasons
 from nctakt.trace.recorded import MemorySink
 from nctakt.trace.sinks import Sink
@@ -217,6 +217,11 @@ class ProgramRun:
     def texts(self) -> list[ProgramText]:
         """The texts of its programs, with the subprograms that have been called so far."""
         return [text for program in self._loaded for text in program.texts]
+
+    @property
+    def scheduled_run(self) -> TickShares | None:
+        """What gives decoder, interpolation and PLC their time; ``None`` without a schedule."""
+        return self._loop.scheduled_run
 
     def advance(self, end: int | None = None) -> bool:
         """Go on up to tick ``end``, by default to the end of the run.

@@ -26,6 +26,7 @@ from nctakt.run.decode_budget import DecodeBudget
 from nctakt.schedule.findings import simulation_findings
 from nctakt.schedule.model import NS_PER_US
 from nctakt.schedule.open_schedule import RunSchedule
+from nctakt.schedule.results import Simulation
 from nctakt.schedule.thread_roles import find_thread_roles
 from nctakt.schedule.ticks import Share, ThreadRoles, TickSchedule
 
@@ -121,10 +122,13 @@ class ScheduledRun:
         self._reported.update(finding.text("en") for finding in new)
         return new
 
+    def simulation(self) -> Simulation:
+        """Return the results of the schedule in the ticks so far."""
+        return self._ticks.simulation(self._machine.kernel.tick)
+
     def _simulated_findings(self) -> Iterator[Diagnostic]:
         """Yield the findings about the ticks so far, without overflows."""
-        schedule = self._ticks.simulation(self._machine.kernel.tick)
-        for finding in simulation_findings(schedule):
+        for finding in simulation_findings(self.simulation()):
             if finding.message is not THREAD_OVERFLOWED:
                 yield finding
 

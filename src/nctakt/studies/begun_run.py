@@ -15,6 +15,7 @@ from nctakt.base.dataclass import dataclass
 from nctakt.run.controller import Controller
 from nctakt.run.inputs import Input
 from nctakt.run.program_run import ProgramRun
+from nctakt.run.scheduled_run import ScheduledRun
 from nctakt.studies.inputs import RunInputs
 from nctakt.studies.outcome import Outcome
 from nctakt.studies.realtime_parts import LentPart
@@ -127,7 +128,9 @@ class BegunRun:
         finally:
             self.run.close()
         injected = None if injected_us is None else injected_us / 1e6
-        outcome = Outcome(self.run.result(), self.before, injected)
+        scheduled = self.run.scheduled_run
+        simulation = scheduled.simulation() if isinstance(scheduled, ScheduledRun) else None
+        outcome = Outcome(self.run.result(), self.before, injected, simulation)
         if self.lent is not None:
             self.lent.give_back()
         return FinishedRun(outcome, self._inputs, self.digest.text())

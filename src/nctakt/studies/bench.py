@@ -36,6 +36,7 @@ from nctakt.studies.measure_nodes import reaction_time
 from nctakt.studies.plan import Plan
 from nctakt.studies.python_measure import PythonMeasure
 from nctakt.studies.realtime_parts import MACHINES, RealtimeParts
+from nctakt.studies.schedule_measures import problems_of_numbers
 from nctakt.studies.window import Injection
 from nctakt.testing.queries import values_before
 
@@ -74,8 +75,9 @@ class Bench:
         self._schedules: OrderedDict[object, RunSchedule] = OrderedDict()
         text = plan.text
         self._text = "\n".join(access.read_lines(plan.program)) if text is None else text
-        self._loaded: LoadedProgram | None = None
         self._machines: OrderedDict[Parameters, Machine] = OrderedDict()
+        #: The program as it was checked for a machine.
+        self._loaded: dict[Parameters, LoadedProgram] = {}
         self._parts = RealtimeParts()
         self._asks_all = any(isinstance(one.node, PythonMeasure) for one in plan.measures)
         reactions = (expected.reaction for expected in plan.expectations)
@@ -108,6 +110,9 @@ class Bench:
                 measure.check()
             except Failure as failure:
                 found += failure.diagnostics
+        schedule = self._schedule_of(ScheduleChanges())
+        if schedule is not None:
+            found += problems_of_numbers(self.plan, schedule.model)
         for dimension in self.plan.dimensions:
             for value in dimension.probes():
                 inputs = RunInputs()
@@ -259,23 +264,23 @@ class Bench:
         self._machines[key] = machine
         self._machines.move_to_end(key)
         if len(self._machines) > MACHINES:
-            self._machines.popitem(last=False)
+            self._loaded.pop(self._machines.popitem(last=False)[0], None)
         return machine
 
     def _program_of(self, inputs: RunInputs, controller: Controller) -> AnyProgram:
-        """Return the program of a run: the unchanged one is checked once.
+        """Return the program of a run: the unchanged one is checked once for each machine.
 
         With program variables, their first assignments have these values.
         """
         values = inputs.program_variables
-        is_unchanged = not values and not inputs.parameters
-        if is_unchanged and self._loaded is not None:
-            return self._loaded
+        key = tuple(inputs.parameters.items())
+        if not values and key in self._loaded:
+            return self._loaded[key]
         source = NcText(str(self.plan.program), self.text_with(values))
-        if not is_unchanged:
+        if values:
             return source
-        self._loaded = controller.load(source)
-        return self._loaded
+        self._loaded[key] = controller.load(source)
+        return self._loaded[key]
 
     def text_with(self, values: Mapping[str, float | str]) -> str:
         """Return the text of the program in which the first assignments have these values.

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from typing import NamedTuple
+from typing import ClassVar, NamedTuple
 
 from nctakt.base.failure import Failure
 from nctakt.lists.format.times import Time, read_time
@@ -63,7 +63,12 @@ def _tokens(text: str) -> list[_Token]:
 
 
 class Reader:
-    """Reads one text; ``known``: measures that it may name. Raises ``NotAMeasureError``."""
+    """Reads one text; ``known``: measures that it may name. Raises ``NotAMeasureError``.
+
+    ``is_of_program``: its expectations may be those of NC comments as well.
+    """
+
+    is_of_program: ClassVar[bool] = True
 
     def __init__(self, text: str, known: Mapping[str, Node]) -> None:
         self._tokens = _tokens(text)

@@ -153,7 +153,7 @@ def read_expectation(
     except NotAMeasureError as error:
         reason = str(error)
     try:
-        if words is not Reader:
+        if not words.is_of_program:
             raise Failure(diagnostic(INVALID_STUDY_EXPECTATION, text=text, reason=reason))
         return Expectation(text, None, expectations.read_expectation(text))
     except Failure as failure:

@@ -4,8 +4,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from functools import cached_property
 
 from nctakt.results.run import Run
+from nctakt.schedule.analyse import Analysis, analyse
+from nctakt.schedule.results import Simulation
 from nctakt.testing.queries import NcRun
 from nctakt.testing.verdict import signal_of
 
@@ -18,16 +21,28 @@ class Outcome:
     """A run, with the values of its signals ``before`` its first tick.
 
     Times are seconds of the run. ``injected``: the time of the stimulus of an each-tick study.
+    ``simulation``: the schedule that the run went by, or that was simulated without one.
     """
 
     def __init__(
-        self, run: Run, before: Mapping[str, float], injected: float | None = None
+        self,
+        run: Run,
+        before: Mapping[str, float],
+        injected: float | None = None,
+        simulation: Simulation | None = None,
     ) -> None:
+        self.simulation = simulation
         self.run = run
         self.queries = NcRun(run, before)
         self.injected = injected
         self._before = before
         self._columns: dict[str, Sequence[float]] = {}
+
+    @cached_property
+    def analysis(self) -> Analysis:
+        """The analysis of its schedule."""
+        assert self.simulation is not None
+        return analyse(self.simulation.model)
 
     @property
     def duration(self) -> float:

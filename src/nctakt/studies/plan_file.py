@@ -46,7 +46,7 @@ from nctakt.studies.plan_reader import (
     is_value,
     one_of,
 )
-from nctakt.studies.schedule_measures import ScheduleReader
+from nctakt.studies.schedule_measures import ScheduledProgramReader, ScheduleReader
 
 _TOP = (
     "program", "machine", "plc", "rtconf", "load", "os", "method", "count", "seed", "until",
@@ -128,7 +128,8 @@ class _Reader(PlanReader):
                     self.wrong(key, tables[key], _WITH_PROGRAM)
         self._program, self._machine, self._rtconf = program or Path(), machine, rtconf
         is_schedule = "program" not in tables and "rtconf" in tables
-        self._words = ScheduleReader if is_schedule else Reader
+        if rtconf is not None:
+            self._words = ScheduleReader if is_schedule else ScheduledProgramReader
         measures = self._measures(tables.get("measure", {}))
         known = {measure.name: measure.node for measure in measures}
         method = self.choice(tables, "method", METHODS)

@@ -15,8 +15,8 @@ from nctakt.run.machine_names import names_of_machine
 from nctakt.run.realtime_part import RealtimePart
 from nctakt.run.snapshot import Snapshot
 
-#: Machines whose realtime parts are kept, of some megabytes each.
-MACHINES = 8
+#: Machines whose realtime parts are kept, of some eight megabytes each.
+MACHINES = 16
 
 
 class LentPart:

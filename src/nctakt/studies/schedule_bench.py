@@ -22,7 +22,7 @@ from nctakt.studies.changed_schedule import ScheduleChanges, ScheduleFiles
 from nctakt.studies.dimension import Dimension, Value
 from nctakt.studies.inputs import RunInputs, inputs_of
 from nctakt.studies.plan import Plan
-from nctakt.studies.schedule_measures import ScheduleOutcome, numbers_of
+from nctakt.studies.schedule_measures import ScheduleOutcome, problems_of_numbers
 
 #: How long a schedule is simulated unless the plan says it.
 DURATION = Time(1_000_000)
@@ -46,12 +46,9 @@ class ScheduleBench(Bench):
         """Raise ``Failure`` for names that list and load do not have."""
         found: list[Diagnostic] = []
         plan, base = self.plan, self._base.model
-        nodes = [measure.node for measure in plan.measures]
-        nodes += [expected.node for expected in plan.expectations if expected.node is not None]
         for measure in plan.measures:
             found += _failures(measure.check)
-        for number in (number for node in nodes for number in numbers_of(node)):
-            found += _failures(number.check, base)
+        found += problems_of_numbers(plan, base)
         for dimension in plan.dimensions:
             for value in dimension.probes():
                 found += _failures(self._check_value, dimension, value)

@@ -11,24 +11,28 @@ Times are seconds::
     windows share               of the processors on which it runs, 0 … 1; windows violations
     load of 1                   how much of processor 1 its threads need, 0 … 1
     cycles, duration            of the simulation
+
+A study of a program that runs under a schedule has these words beside its own, but for cycles and
+duration.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from functools import cached_property
 
 from nctakt.base.dataclass import dataclass
+from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
 from nctakt.base.text import nearest
 from nctakt.messages import diagnostic
 from nctakt.messages.studies import UNKNOWN_THREAD
-from nctakt.schedule.analyse import Analysis, analyse
+from nctakt.schedule.analyse import Analysis
 from nctakt.schedule.model import NS_PER_US, Model
 from nctakt.schedule.results import Simulation
 from nctakt.studies.measure_nodes import COMPARISONS, Binary, Node, Number
 from nctakt.studies.measure_text import NotAMeasureError, Reader
 from nctakt.studies.outcome import NotMeasuredError, Outcome
+from nctakt.studies.plan import Plan
 
 #: Counts of a thread, which can be summed over all.
 COUNTS = ("overflows", "lost", "jobs", "suspensions")
@@ -40,14 +44,11 @@ _WHOLE = ("cycles", "duration", "windows", "windows share", "windows violations"
 class ScheduleOutcome(Outcome):
     """A simulated schedule, as measures look at it."""
 
+    simulation: Simulation
+
     def __init__(self, simulation: Simulation) -> None:
         self.simulation = simulation
         self.queries = simulation  # type: ignore[assignment]
-
-    @cached_property
-    def analysis(self) -> Analysis:
-        """The analysis of its model."""
-        return analyse(self.simulation.model)
 
     @property
     def cycle_time_us(self) -> int:
@@ -64,14 +65,15 @@ class ScheduleNumber:
 
     def value(self, outcome: Outcome) -> Number:
         """Return the number, times in seconds; raises ``NotMeasuredError`` without a job."""
-        assert isinstance(outcome, ScheduleOutcome)
+        run = outcome.simulation
+        assert run is not None
         if self.name in COUNTS:
-            return self._count(outcome.simulation)
+            return self._count(run)
         if self.name == "load":
             return self._load(outcome.analysis)
         if self.name in _WHOLE:
-            return self._whole(outcome.simulation)
-        return self._time(outcome) / 1e9
+            return self._whole(run)
+        return self._time(run, outcome) / 1e9
 
     def signals(self) -> Iterator[str]:
         """Yield nothing."""
@@ -112,8 +114,7 @@ class ScheduleNumber:
                 return windows.total / (run.duration * (len(run.windows) - 1))
         return windows.violated
 
-    def _time(self, outcome: ScheduleOutcome) -> float:
-        run = outcome.simulation
+    def _time(self, run: Simulation, outcome: Outcome) -> float:
         index = self._task(run.model)
         numbers, analysis = run.tasks[index], None
         if self.name == "bound":
@@ -142,6 +143,8 @@ def _measured(time: int | None) -> int:
 class ScheduleReader(Reader):
     """Reads the text of a measure or an expectation of a schedule study."""
 
+    is_of_program = False
+
     def expectation(self) -> Node:
         """Return the comparison that the whole text is."""
         left = self._sum()
@@ -153,9 +156,10 @@ class ScheduleReader(Reader):
         return node
 
     def _named(self, name: str) -> Node:
+        return self._known.get(name) or self._schedule_number(name)
+
+    def _schedule_number(self, name: str) -> ScheduleNumber:
         word = name.lower()
-        if name in self._known:
-            return self._known[name]
         if word == "windows" and self._peek().text.lower() in ("share", "violations"):
             return ScheduleNumber(f"windows {self._take().text.lower()}")
         if word in _WHOLE:
@@ -176,6 +180,24 @@ class ScheduleReader(Reader):
         return token.text.strip('"')
 
 
+class ScheduledProgramReader(ScheduleReader):
+    """Reads the text of a study of a program that runs under a schedule: the words of both."""
+
+    is_of_program = True
+
+    def expectation(self) -> Node:
+        """Return the expectation that the whole text is."""
+        return Reader.expectation(self)
+
+    def _named(self, name: str) -> Node:
+        word, following = name.lower(), self._peek().text.lower()
+        is_counted = word in (*COUNTS, "windows") and following != "at"
+        is_timed = word in (*TIMES, "load") and following == "of"
+        if is_counted or is_timed or following == "response":
+            return self._known.get(name) or self._schedule_number(name)
+        return Reader._named(self, name)
+
+
 def _is_percentile(word: str) -> bool:
     try:
         return word.startswith("p") and 0 < float(word[1:]) <= 100
@@ -183,10 +205,23 @@ def _is_percentile(word: str) -> bool:
         return False
 
 
-def numbers_of(node: Node) -> Iterator[ScheduleNumber]:
-    """Yield the numbers that a measure or an expectation consists of."""
+def _numbers_of(node: Node) -> Iterator[ScheduleNumber]:
+    """Yield the numbers of schedules that a measure or an expectation consists of."""
     if isinstance(node, ScheduleNumber):
         yield node
     if isinstance(node, Binary):
-        yield from numbers_of(node.left)
-        yield from numbers_of(node.right)
+        yield from _numbers_of(node.left)
+        yield from _numbers_of(node.right)
+
+
+def problems_of_numbers(plan: Plan, model: Model) -> list[Diagnostic]:
+    """Return what is wrong with the threads and processors that measures and expectations name."""
+    nodes = [measure.node for measure in plan.measures]
+    nodes += [expected.node for expected in plan.expectations if expected.node is not None]
+    found: list[Diagnostic] = []
+    for number in (number for node in nodes for number in _numbers_of(node)):
+        try:
+            number.check(model)
+        except Failure as failure:
+            found += failure.diagnostics
+    return found

@@ -156,18 +156,21 @@ def test_each_built_in_machine_has_a_name(name: str) -> None:
 
 
 def test_five_axes() -> None:
-    """X, Y, Z, B within ±110° and C modulo 360°, and a program that moves them together."""
+    """X, Y, Z, C modulo 360° and A within ±110°, a head C A, and a program that moves them."""
     machine = load_machine("demo5")
-    assert [axis.name for axis in machine.axes] == ["X", "Y", "Z", "B", "C", "S"]
-    b, c = machine.axes[3:5]
-    assert (b.type, b.software_limit_low, b.software_limit_high) == (AxisType.ROTARY, -110, 110)
+    assert [axis.name for axis in machine.axes] == ["X", "Y", "Z", "C", "A", "S"]
+    c, a = machine.axes[3:5]
+    assert (a.type, a.software_limit_low, a.software_limit_high) == (AxisType.ROTARY, -110, 110)
     assert (c.is_modulo, c.modulo_range) == (True, 360)
+    transformations = machine.channels[0].parameters.transformations
+    assert (transformations.default_ids[0], list(transformations.steps[0])) == (91, [91])
+    assert machine.diagnostics == load_machine("demo").diagnostics == ()
     controller = Controller(machine)
-    run = controller.run(NcText("p.nc", "T1 D1\nM6\nS1000 M3\nG01 X10 B90 C450 F6000\nM9\nM30\n"))
+    run = controller.run(NcText("p.nc", "T1 D1\nM6\nS1000 M3\nG01 X10 A90 C450 F6000\nM9\nM30\n"))
     assert run.state == "ended", run.diagnostics
-    axes = [controller.read(f"V.RTA.ACS.ACT_POS.{name}") for name in "XBC"]
+    axes = [controller.read(f"V.RTA.ACS.ACT_POS.{name}") for name in "XAC"]
     assert axes == pytest.approx([10, 90, 90])
-    outside = controller.run(NcText("p.nc", "G00 B111\nM30\n"))
+    outside = controller.run(NcText("p.nc", "G00 A111\nM30\n"))
     assert outside.state == "error"
 
 

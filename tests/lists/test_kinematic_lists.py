@@ -167,3 +167,10 @@ def test_second_definition_of_an_id_is_ignored(tmp_path: Path) -> None:
     transformations, found = read(tmp_path, "\ntrafo[0].id 9\ntrafo[3].id 9\ntrafo[3].type 34\n")
     assert found == ["901487 trafo[3].id"]
     assert transformations.steps[0][9].type == 9
+
+
+def test_old_form_is_not_read(tmp_path: Path) -> None:
+    """``kinematik[91]`` is of old versions: told where it stands, and without effect."""
+    machine = machine_of(tmp_path, "\nkinematik[91].param[0] 5\nkinematik[91].rtcp 1\n")
+    assert machine.channels[0].parameters.transformations.steps[0] == {}
+    assert [one.id for one in machine.diagnostics if one.id in {900028, 900008}] == [900028]

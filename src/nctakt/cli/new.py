@@ -51,6 +51,7 @@ written, or a list cannot be read, 3 an internal error of nctakt.
 @click.argument("folder", metavar="DIR")
 @click.option(
     "--from",
+    "--like",
     "source",
     metavar="DIR",
     help="Write the lists of this machine, or of demo5, instead of the demo machine's.",

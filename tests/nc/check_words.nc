@@ -41,7 +41,7 @@ G97 ; note 900201 "G97"
 G165 ; note 900201 "G165"
 M02
 ; --- refused by name
-G33 Z1 ; error 900200 "G33 (thread cutting)"
+G310 Z1 ; error 900200 "G310 (interruptible block)"
 G08 X1 ; error 900200 "G08"
 G09 X1 ; error 900200 "G09"
 G41 G42 X1 ; error 20114 "G42"

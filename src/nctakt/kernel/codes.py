@@ -132,7 +132,21 @@ SPINDLE_FORWARD, SPINDLE_BACKWARD, SPINDLE_STOP = range(3, 6)
 SPINDLE_POSITION = 19
 
 #: What a spindle does.
-STANDING, TURNING, POSITIONING = range(3)
+(
+    STANDING,
+    TURNING,
+    POSITIONING,
+    COUPLED,  # tapping: its angle is that of the path
+) = range(4)
+
+#: What the threads of a path are at.
+(
+    WITHOUT_THREAD,
+    WITH_TAP,  # the spindle follows the path
+    THREAD_ENTRY,  # the path accelerates, from an angle of the spindle on
+    THREAD_CUT,  # the path is where the angle of the spindle says
+    THREAD_EXIT,  # the path brakes, or goes on into the next thread
+) = range(5)
 
 # --- signals between channels ---------------------------------------------------------------------
 

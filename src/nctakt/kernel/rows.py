@@ -235,6 +235,9 @@ def _arguments(count: int) -> range:
     IGNORES_OVERRIDE,  # 1: the operator's override has no effect (G166)
     FEED_SPINDLE,  # index of the spindle that the feed follows (G95), plus 1; 0: none
     FEED_SPINDLE_SPEED,  # degrees/s at which ``SPEED`` counts
+    THREAD,  # ``CUTTING`` or ``TAPPING``: coupled to the angle of that spindle; 0: not
+    THREAD_TURN,  # degrees of the spindle for each mm, negative of a tapping left-hand thread
+    THREAD_ANGLE,  # degrees: start angle of a cut thread; in the path: the spindle's at its start
     ARC_FIRST_AXIS,  # indices in the channel of the two axes of the plane
     ARC_SECOND_AXIS,
     ARC_FIRST_CENTRE,  # mm
@@ -282,7 +285,7 @@ def _arguments(count: int) -> range:
     ROUNDING_JERK,
     # positions of the axes in mm or degrees, four columns for each axis: all starts, then all …
     START,  # … targets, then where the curve ends, then the corner that a rounding rounds
-) = range(ARGUMENTS, ARGUMENTS + 51)
+) = range(ARGUMENTS, ARGUMENTS + 54)
 
 #: Pieces of an arc of 3° or more, of which the first and the last one are divided further: so many
 #: more there are for that, and at most so many in all.
@@ -303,10 +306,17 @@ POSITIONS_OF_AXIS = 4
 ) = range(6)
 
 #: A pace by itself: the columns of a segment from ``SPEED_OVERRIDE`` on; so many.
-PACE_WIDTH = 4
+PACE_WIDTH = 7
 
 #: Values of ``MOTION``.
 FEED_MOTION, RAPID_MOTION = range(2)
+
+#: Values of ``THREAD``.
+(
+    NO_THREAD,
+    CUTTING,  # the path follows the spindle (G33)
+    TAPPING,  # the spindle follows the path (G63, G331, G332)
+) = range(3)
 
 #: Values of ``SHAPE``.
 (

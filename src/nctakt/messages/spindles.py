@@ -107,7 +107,7 @@ M19_WITHOUT_SPEED = error(
 )
 M19_SPEED_ZERO = error(
     20007,
-    known_as=(900472, 50499, 60212),
+    known_as=(900472, 60212),
     en="M19 with speed 0: the spindle would never arrive",
     de="M19 mit der Drehzahl 0: die Spindel käme nie an",
     remedy_en="Give a speed above 0.",

@@ -63,6 +63,16 @@ from nctakt.messages.spindles import (
     SPINDLE_BUSY,
     SPINDLE_JOB_HELD,
 )
+from nctakt.messages.threads import (
+    TAP_SPINDLE_TURNING,
+    THREAD_CHAIN_TOO_FAST,
+    THREAD_LOST,
+    THREAD_REVERSED,
+    THREAD_SPINDLE_STOPPED,
+    THREAD_TOO_FAST,
+    THREAD_TOO_SHORT,
+    THREAD_WAY_TOO_SHORT,
+)
 from nctakt.messages.user_errors import INVALID_USER_ERROR_ID, INVALID_USER_ERROR_RC
 from nctakt.nc.vocabulary.axis_commands import REFUSALS
 from nctakt.run.assembly import AssembledMachine
@@ -109,6 +119,14 @@ _MESSAGES = {
         SPINDLE_BUSY,
         SIGNAL_OUT_OF_ORDER,
         SPINDLE_JOB_HELD,
+        TAP_SPINDLE_TURNING,
+        THREAD_CHAIN_TOO_FAST,
+        THREAD_LOST,
+        THREAD_REVERSED,
+        THREAD_SPINDLE_STOPPED,
+        THREAD_TOO_FAST,
+        THREAD_TOO_SHORT,
+        THREAD_WAY_TOO_SHORT,
         TOO_MANY_CYCLES,
         TOO_MANY_FUNCTIONS_IN_TICK,
         TOO_MANY_SIGNALS,
@@ -182,7 +200,16 @@ def realtime_diagnostic(event: Event, machine: AssembledMachine) -> Diagnostic:
             values = {"axis": machine.registry.axis(int(channel.executor.error_detail))}
             if message is AXIS_IN_INDEPENDENT_MOTION:
                 values["motion"] = _OWN_MOTIONS[channel.executor.axis_state]
-        case SPINDLE_JOB_HELD.id:
+        case (
+            SPINDLE_JOB_HELD.id
+            | TAP_SPINDLE_TURNING.id
+            | THREAD_CHAIN_TOO_FAST.id
+            | THREAD_LOST.id
+            | THREAD_REVERSED.id
+            | THREAD_SPINDLE_STOPPED.id
+            | THREAD_TOO_FAST.id
+            | THREAD_WAY_TOO_SHORT.id
+        ):
             values = {"spindle": machine.registry.spindle(int(channel.executor.error_detail))}
         case UNKNOWN_CYCLE_TIMER.id:
             values = {"timer": int(a)}
@@ -204,6 +231,7 @@ def realtime_diagnostic(event: Event, machine: AssembledMachine) -> Diagnostic:
             | CONTINUE_WITHOUT_EFFECT.id
             | BLOCK_CYCLE_NEVER_RAN.id
             | BLOCK_PASSED_OVER.id
+            | THREAD_TOO_SHORT.id
         ):
             values = {}
         case INVALID_USER_ERROR_ID.id | INVALID_USER_ERROR_RC.id | INVALID_SPINDLE_SPEED.id:

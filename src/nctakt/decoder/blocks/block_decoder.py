@@ -19,13 +19,14 @@ from nctakt.decoder.blocks.fixed_stops import (
     is_fixed_stop,
 )
 from nctakt.decoder.blocks.path_motion import CENTRE_WORDS, PathMotion, PathWords
-from nctakt.decoder.blocks.spindles import SpindleWords, names_of
+from nctakt.decoder.blocks.spindles import SpindleWords, is_revolutions, names_of
 from nctakt.decoder.blocks.technology_output import (
     BlockFunction,
     TechnologyOutputs,
     block_function,
     tool_function,
 )
+from nctakt.decoder.blocks.threads import ThreadMotion
 from nctakt.decoder.state.arcs import PLANES, SAME_POINT_MM
 from nctakt.decoder.state.commands import (
     Answer,
@@ -70,6 +71,8 @@ from nctakt.nc.vocabulary.functions import (
     PROGRAM_ENDS,
     PROGRAM_STOPS,
     REFERENCE_OFFSET,
+    TAPPING_FUNCTIONS,
+    THREADS,
     group_of,
 )
 from nctakt.nc.vocabulary.spindle_commands import split
@@ -108,7 +111,8 @@ class BlockDecoder:
         self._state = values.state
         self._is_linear = [axis.is_linear for axis in self._environment.axes]
         self._spindles = SpindleWords(values)
-        self.path = PathMotion(values, FeedRate(values, self._spindles))
+        threads = ThreadMotion(values, self._spindles)
+        self.path = PathMotion(values, FeedRate(values, self._spindles), threads)
         self.technology = TechnologyOutputs()
         self.has_motion = False
         self._spindle_names = names_of(self._environment.parameters.spindles)
@@ -181,8 +185,8 @@ class BlockDecoder:
             self._functions(numbers, content)
         rest: Sequence[tree.BlockWord] = block.words
         if DWELL in numbers:
-            rest = [word for word in rest if not _is_revolutions(word)]
-            content.dwell_s = yield from self._revolutions(block, number)
+            rest = [word for word in rest if not is_revolutions(word)]
+            content.dwell_s = yield from self._spindles.dwell_s(block, number)
         commands, words = split(rest, self._spindle_names)
         for word in words:
             if isinstance(word, tree.AxisWord):
@@ -221,7 +225,13 @@ class BlockDecoder:
             for function in COMPENSATIONS:
                 if function in numbers:
                     self.path.compensate(function, numbers[function])
+        if self._state.motion in THREADS and content.path.centre:
+            self.path.threads.pitches(content.path.centre)
+            content.path.centre = {}
         for command in commands:
+            if self._state.motion in TAPPING_FUNCTIONS:
+                yield from self.path.threads.speed(command, number)
+                continue
             content.functions += yield from self._spindles.functions(command, number)
         if DWELL in numbers and content.axes:
             content.dwell_s = content.axes.pop()[1]
@@ -257,17 +267,6 @@ class BlockDecoder:
             content.zero_group = ZERO_GROUPS.get(function, content.zero_group)
         content.is_reference = REFERENCE_OFFSET in numbers
         content.path.once = ONE_BLOCK.intersection(numbers)
-
-    def _revolutions(
-        self, block: tree.Block, number: int
-    ) -> Generator[Command, Answer, float | None]:
-        """Return the dwell time in s of ``G04 S10``, revolutions of the main spindle."""
-        for word in filter(_is_revolutions, block.words):
-            assert isinstance(word, tree.Word)
-            assert word.value is not None
-            count = yield from self._values.evaluate(word.value, number)
-            return self._spindles.revolutions_s(count, word.span)
-        return None
 
     def _additional(self, word: tree.Word, value: float, content: _BlockContent) -> None:
         """Process the value of a G function: the offset of G159, the radius of G163, the time of
@@ -341,6 +340,9 @@ class BlockDecoder:
     ) -> None:
         if word.name == "F":
             self.path.feed_rate.feed_word(value, word.span)
+            return
+        if word.name == "S.OFFSET":
+            self._state.thread.offset = value
             return
         if word.name == "R":
             self._state.path.radius = value * self._state.length_unit_mm
@@ -492,8 +494,3 @@ class BlockDecoder:
             yield Dwell(self._environment.source_id(span), number, count)
         else:
             yield from self._uncertain_axes.pass_over(self._environment.source_id(span), number)
-
-
-def _is_revolutions(word: tree.BlockWord) -> bool:
-    """Return whether a word of a block with G04 is its time in revolutions."""
-    return isinstance(word, tree.Word) and word.name == "S"

@@ -31,6 +31,7 @@ from nctakt.nc.vocabulary.functions import (
     FEED_SHARE,
     INVERSE_TIME_FEED,
     SPINDLE_STOP,
+    THREADS,
 )
 
 #: Maximum F of G194, %.
@@ -113,7 +114,10 @@ class FeedRate:
         is_exempt: bool,
         span: Span,
     ) -> tuple[float, FeedModifiers | None]:
-        """Return feed and modifiers of a block; ``is_exempt``: without overrides (G166)."""
+        """Return feed and modifiers of a block; ``is_exempt``: without overrides (G166).
+
+        Rapid motions and threads have no feed of their own: 0.
+        """
         rapid = self._state.rapid
         feed_state = self._state.feed
         override = 1.0
@@ -121,7 +125,10 @@ class FeedRate:
             override = feed_state.path_override[rapid]
             if feed_state.axis_overrides:
                 override *= self._min_axis_override(start, target, arc)
-        feed, spindle, spindle_v = (0.0, -1, 0.0) if rapid else self._feed(start, target, arc, span)
+        has_own_feed = rapid or self._state.motion in THREADS
+        feed, spindle, spindle_v = (
+            (0.0, -1, 0.0) if has_own_feed else self._feed(start, target, arc, span)
+        )
         if override == 1.0 and not is_exempt and spindle < 0:
             return feed, None
         return feed, FeedModifiers(override, is_exempt, spindle, spindle_v)
@@ -175,7 +182,7 @@ class FeedRate:
             if modal is None or modal.function == SPINDLE_STOP or modal.speed <= 0.0:
                 self._values.fail(FEED_PER_REVOLUTION_SPINDLE_STOPPED, span, spindle=spindle.name)
             feed = feed_state.per_revolution_mm * modal.speed / 60.0
-            if spindle.plc_controlled:
+            if spindle.plc_controlled or not feed_state.follows_spindle:
                 return feed, -1, 0.0
             return feed, index, modal.speed * DEGREES_PER_S
         self._values.fail(FEED_PER_REVOLUTION_WITHOUT_SPINDLE, span)

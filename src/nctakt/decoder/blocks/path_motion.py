@@ -13,8 +13,9 @@ from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Span
 from nctakt.decoder.blocks import segments
 from nctakt.decoder.blocks.feed import FeedRate
+from nctakt.decoder.blocks.threads import ThreadMotion
 from nctakt.decoder.state.arcs import PLANES, Arc, ArcError, arc_about, arc_of_radius, extremes
-from nctakt.decoder.state.commands import Answer, Command, Segment
+from nctakt.decoder.state.commands import Answer, Command, FeedModifiers, Segment
 from nctakt.decoder.values.variables import Values
 from nctakt.kernel import codes, rows
 from nctakt.messages.coordinate_systems import ARC_PLANE_ASKEW, WORD_IN_ROTATED_COORDINATE_SYSTEM
@@ -50,6 +51,8 @@ from nctakt.nc.vocabulary.functions import (
     EXACT_STOP_ONCE,
     MASKING_ON,
     NO_OVERRIDE,
+    THREAD_CUTTING,
+    THREADS,
     group_of,
 )
 
@@ -75,9 +78,10 @@ class PathWords:
 class PathMotion:
     """Makes the segments of one program; ``span``: the block of the last one."""
 
-    def __init__(self, values: Values, feed_rate: FeedRate) -> None:
+    def __init__(self, values: Values, feed_rate: FeedRate, threads: ThreadMotion) -> None:
         self._values = values
         self.feed_rate = feed_rate
+        self.threads = threads
         self._environment = values.environment
         self._state = values.state
         self.span: Span
@@ -88,6 +92,8 @@ class PathMotion:
         match group_of(function):
             case Group.MOTION:
                 self._state.motion = function
+                if function != THREAD_CUTTING:
+                    self._state.thread.offset = 0.0
             case Group.PLANE:
                 path.plane = function
             case Group.FEED:
@@ -146,10 +152,13 @@ class PathMotion:
         compensation.side = 1 if function == COMPENSATION_LEFT else -1
 
     def command(self, command: tree.HashCommand, number: int) -> Generator[Command, Answer]:
-        """Execute ``#CONTOUR MODE``, ``#SLOPE`` or ``#OVERRIDE``."""
+        """Execute ``#CONTOUR MODE``, ``#SLOPE``, ``#TURN`` or ``#OVERRIDE``."""
         path = self._state.path
         if command.words[0].name == "OVERRIDE":
             yield from self.feed_rate.override(keywords(command), number)
+            return
+        if command.words[0].name == "TURN":
+            yield from self.threads.settings(keywords(command), number)
             return
         if command.words[0].name == "SLOPE":
             path.limits_jerk = self._limits_jerk(keywords(command))
@@ -188,6 +197,9 @@ class PathMotion:
         is_exempt = NO_OVERRIDE in words.once
         feed, pace = self.feed_rate.of(start, target, arc, is_exempt, span)
         exact = self._stops_exactly(words)
+        if state.motion in THREADS:
+            feed, pace = self.threads.of(start, target, pace or FeedModifiers(), span)
+            exact = exact or not state.thread.chains
         self.span = span
         rounds = state.path.contouring or CONTOURING_ONCE in words.once
         return segments.segment(
@@ -198,7 +210,7 @@ class PathMotion:
             rows.RAPID_MOTION if state.rapid else rows.FEED_MOTION,
             feed,
             exact,
-            state.path.deviation if rounds and not exact else 0.0,
+            state.path.deviation if rounds and not exact and state.motion not in THREADS else 0.0,
             state.path.limits_jerk,
             None if arc is None else arc.row,
             pace,

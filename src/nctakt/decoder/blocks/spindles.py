@@ -90,6 +90,15 @@ class SpindleWords:
             command, number, (index, spindle, key), (function, speed, position, direction)
         )
 
+    def dwell_s(self, block: tree.Block, number: int) -> Generator[Command, Answer, float | None]:
+        """Return the dwell time in s of ``G04 S10``, revolutions of the main spindle."""
+        for word in filter(is_revolutions, block.words):
+            assert isinstance(word, tree.Word)
+            assert word.value is not None
+            count = yield from self.values.evaluate(word.value, number)
+            return self.revolutions_s(count, word.span)
+        return None
+
     def revolutions_s(self, count: float, span: Span) -> float:
         """Return the time in s of ``count`` revolutions of the main spindle at its programmed
         speed.
@@ -132,6 +141,11 @@ class SpindleWords:
 
     def _spindle(self, command: SpindleCommand) -> tuple[int, Spindle]:
         return find(self.values, command.name, command.span)
+
+
+def is_revolutions(word: tree.BlockWord) -> bool:
+    """Return whether a word of a block with G04 is its time in revolutions."""
+    return isinstance(word, tree.Word) and word.name == "S"
 
 
 def find(values: Values, name: str, span: Span) -> tuple[int, Spindle]:

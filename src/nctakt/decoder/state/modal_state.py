@@ -124,12 +124,14 @@ class FeedState:
     """The meaning of F (``feed_mode``), its values under G93, G95 and G194, and programmed
     overrides.
 
+    ``follows_spindle``: the feed under G95 follows the speed of the spindle as it is (#TURN).
     Overrides are factors for feed and rapid blocks, of the path and by axis index.
     """
 
     feed_mode: int = FEED_PER_MINUTE
     time_s: float = 0.0
     per_revolution_mm: float = 0.0
+    follows_spindle: bool = True
     share_pct: float = 0.0
     path_override: tuple[float, float] = (1.0, 1.0)
     axis_overrides: dict[int, tuple[float, float]] = field(default_factory=dict)
@@ -141,8 +143,27 @@ class FeedState:
 
 
 @dataclass(slots=True)
+class ThreadState:
+    """What threads take from blocks before: pitches in mm by their words, S of tapping in 1/min.
+
+    ``speed``: below 0 turns backward, 0: none yet. ``spindle``: its place in the channel, -1: the
+    main spindle. ``offset``: the start angle of cut threads in degrees, until another motion.
+    ``chains``: a thread goes on into the next block. ``has_noted_cutting``, ``has_noted_tapping``:
+    the notes on what was decided are given.
+    """
+
+    pitches: dict[str, float] = field(default_factory=dict)
+    speed: float = 0.0
+    spindle: int = -1
+    offset: float = 0.0
+    chains: bool = True
+    has_noted_cutting: bool = False
+    has_noted_tapping: bool = False
+
+
+@dataclass(slots=True)
 class ModalState:
-    """The modal state; ``motion``: G00 … G03; ``feed_mm_s``: under G94, 0 before the first F.
+    """The modal state; ``motion``: an active G function; ``feed_mm_s``: under G94, 0 before an F.
 
     ``parameters``: P1, P2, … ``measures``: edge banding is on (G108). ``message_file``: the file of
     saved messages (#FILENAME). ``not_plain``: the active G functions that plain lines do not know,
@@ -161,6 +182,7 @@ class ModalState:
     message_file: str = ""
     measures: bool = False
     feed: FeedState = field(default_factory=FeedState)
+    thread: ThreadState = field(default_factory=ThreadState)
     call_stack: CallStack = field(default_factory=CallStack)
     not_plain: dict[Group, int] = field(default_factory=dict)
     monitored: set[str] = field(default_factory=set)

@@ -40,6 +40,10 @@ cdef class Spindles:
     cdef long long[::1] done_tick
     cdef long long[::1] job
     cdef double[::1] reached_v
+    cdef double[::1] laps
+    cdef double[::1] bound_v
+    cdef double[::1] bound_a
+    cdef double[::1] bound_j
     cdef long long issued
     cdef long long version
     cdef readonly Py_ssize_t active_count
@@ -54,10 +58,21 @@ cdef class Spindles:
         self, Py_ssize_t spindle, long long source, long long serial
     ) noexcept nogil
     cdef void hand_over(self, Py_ssize_t spindle, long long done_tick) noexcept nogil
-    @cython.locals(end_v=double)
+    @cython.locals(end_v=double, limit_a=double, limit_j=double)
     cdef void plan(self, Py_ssize_t spindle, long long tick) noexcept nogil
     @cython.locals(direction=int, braking=double, remaining=double)
     cdef double remaining_angle(self, Py_ssize_t spindle) noexcept nogil
+    @cython.locals(turned=double)
+    cdef void count_laps(self, Py_ssize_t spindle, long long tick) noexcept nogil
+    @cython.locals(begin=double)
+    cdef double turned_by(self, Py_ssize_t spindle, long long tick) noexcept nogil
+    cdef int is_at_speed(self, Py_ssize_t spindle) noexcept nogil
+    cdef void bind(
+        self, Py_ssize_t spindle, double limit_v, double limit_a, double limit_j
+    ) noexcept nogil
+    cdef void couple(self, Py_ssize_t spindle) noexcept nogil
+    cdef void follow(self, Py_ssize_t spindle, double angle, double speed_v) noexcept nogil
+    cdef void uncouple(self, Py_ssize_t spindle) noexcept nogil
     @cython.locals(count=Py_ssize_t, spindle=Py_ssize_t)
     cdef Py_ssize_t open_count(self, long long owner) noexcept nogil
     cdef int is_busy(self, Py_ssize_t spindle) noexcept nogil
@@ -77,8 +92,10 @@ cdef class Spindles:
     cdef double plc_speed(self, Py_ssize_t spindle) noexcept nogil
     @cython.locals(spindle=Py_ssize_t)
     cdef void step(self, long long tick, int acknowledges_itself) noexcept nogil
-    @cython.locals(time_t=double, cell=Py_ssize_t)
+    @cython.locals(time_t=double)
     cdef void advance(self, Py_ssize_t spindle, long long tick) noexcept nogil
+    @cython.locals(cell=Py_ssize_t)
+    cdef void publish(self, Py_ssize_t spindle) noexcept nogil
     @cython.locals(stands=bint)
     cdef void arrive(self, Py_ssize_t spindle) noexcept nogil
     @cython.locals(number=Py_ssize_t, source=cython.longlong, serial=cython.longlong)

@@ -65,6 +65,10 @@ class Spindles:
         self.done_tick = memoryview(bytearray(size)).cast("q")
         self.job = memoryview(bytearray(size)).cast("q")
         self.reached_v = memoryview(bytearray(size)).cast("d")
+        self.laps = memoryview(bytearray(size)).cast("d")
+        self.bound_v = memoryview(bytearray(size)).cast("d")
+        self.bound_a = memoryview(bytearray(size)).cast("d")
+        self.bound_j = memoryview(bytearray(size)).cast("d")
         self.issued = 0
         self.version = 0
         self.active_count = 0
@@ -91,9 +95,9 @@ class Spindles:
 
     def is_ready(self, spindle: int, tick: int) -> int:
         """Return whether the spindle takes a job in this tick (else 60331)."""
-        return (
-            1 if self.taken_tick[spindle] != tick and self.plc_state[spindle] == codes.FREE else 0
-        )
+        if self.mode[spindle] == codes.COUPLED or self.taken_tick[spindle] == tick:
+            return 0
+        return 1 if self.plc_state[spindle] == codes.FREE else 0
 
     def command(
         self,
@@ -117,6 +121,8 @@ class Spindles:
             self.commanded_v[spindle] = speed_v
             return
         speed_v = min(speed_v, self.limit_v[spindle])
+        if self.bound_v[spindle] > 0.0:
+            speed_v = min(speed_v, self.bound_v[spindle])
         self.commanded_v[spindle] = 0.0 - speed_v if function == codes.SPINDLE_BACKWARD else speed_v
         self.plan(spindle, tick)
 
@@ -146,6 +152,14 @@ class Spindles:
         """Plan from the present state of a spindle to the goal of its job."""
         if self.mode[spindle] == codes.STANDING:
             self.active_count += 1
+        else:
+            self.count_laps(spindle, tick)
+        limit_a = self.limit_a[spindle]
+        limit_j = self.limit_j[spindle]
+        if self.bound_a[spindle] > 0.0:
+            limit_a = min(limit_a, self.bound_a[spindle])
+            if self.bound_j[spindle] > 0.0:
+                limit_j = min(limit_j, self.bound_j[spindle]) if limit_j > 0.0 else 0.0
         self.begin_position[spindle] = self.position[spindle]
         self.begin_tick[spindle] = tick
         if self.function[spindle] == codes.SPINDLE_POSITION and not self.is_held[spindle]:
@@ -156,8 +170,8 @@ class Spindles:
                 self.speed_v[spindle],
                 self.acceleration[spindle],
                 math.fabs(self.commanded_v[spindle]),
-                self.limit_a[spindle],
-                self.limit_j[spindle],
+                limit_a,
+                limit_j,
             )
             return
         self.mode[spindle] = codes.TURNING
@@ -169,8 +183,8 @@ class Spindles:
             end_v,
             self.speed_v[spindle],
             self.acceleration[spindle],
-            self.limit_a[spindle],
-            self.limit_j[spindle],
+            limit_a,
+            limit_j,
         )
 
     def remaining_angle(self, spindle: int) -> float:
@@ -194,6 +208,52 @@ class Spindles:
         elif direction == 0 and remaining > 180.0:
             remaining -= 360.0
         return braking + remaining
+
+    # --- threads --------------------------------------------------------------------------------
+
+    def count_laps(self, spindle: int, tick: int) -> None:
+        """Count the whole revolutions of the plan that ends with the tick before this one."""
+        self.plans.evaluate(spindle, (tick - self.begin_tick[spindle]) * self.cycle_t)
+        turned = self.begin_position[spindle] + self.plans.distance_d - self.position[spindle]
+        self.laps[spindle] += arithmetic.round_half_even(turned / 360.0)
+
+    def turned_by(self, spindle: int, tick: int) -> float:
+        """Angle at the end of a tick with all revolutions, in degrees.
+
+        ``plans.speed_v`` is the speed then.
+        """
+        self.plans.evaluate(spindle, (tick - self.begin_tick[spindle] + 1) * self.cycle_t)
+        begin = 360.0 * self.laps[spindle] + self.begin_position[spindle]
+        return begin + self.plans.distance_d
+
+    def is_at_speed(self, spindle: int) -> int:
+        """Return whether the spindle turns endlessly, at the speed that it was told."""
+        if self.mode[spindle] != codes.TURNING or self.is_open[spindle]:
+            return 0
+        return 1 if self.speed_v[spindle] == self.commanded_v[spindle] else 0
+
+    def bind(self, spindle: int, limit_v: float, limit_a: float, limit_j: float) -> None:
+        """Let the spindle change its speed only as an axis can follow it; 0: as it can itself."""
+        self.bound_v[spindle] = limit_v
+        self.bound_a[spindle] = limit_a
+        self.bound_j[spindle] = limit_j
+
+    def couple(self, spindle: int) -> None:
+        """Let the path turn the spindle, which stands."""
+        self.mode[spindle] = codes.COUPLED
+
+    def follow(self, spindle: int, angle: float, speed_v: float) -> None:
+        """Turn a coupled spindle to an angle, at a speed."""
+        self.position[spindle] = wrapped(angle)
+        self.speed_v[spindle] = speed_v
+        self.publish(spindle)
+
+    def uncouple(self, spindle: int) -> None:
+        """Leave a coupled spindle to itself, where it stands."""
+        self.mode[spindle] = codes.STANDING
+        self.speed_v[spindle] = 0.0
+        self.acceleration[spindle] = 0.0
+        self.publish(spindle)
 
     # --- the actions of realtime cycles ----------------------------------------------------------
 
@@ -293,7 +353,7 @@ class Spindles:
         if self.active_count == 0:
             return
         for spindle in range(self.count):
-            if self.mode[spindle] != codes.STANDING:
+            if self.mode[spindle] == codes.TURNING or self.mode[spindle] == codes.POSITIONING:
                 self.advance(spindle, tick)
             if self.plc_state[spindle] == codes.WAITING and self.done_tick[spindle] <= tick:
                 if acknowledges_itself:
@@ -308,6 +368,10 @@ class Spindles:
         self.acceleration[spindle] = self.plans.acceleration_a
         if time_t >= self.plans.duration_t(spindle) - 1e-12:
             self.arrive(spindle)
+        self.publish(spindle)
+
+    def publish(self, spindle: int) -> None:
+        """Write speed and position where cycles, traces and the PLC read them."""
         cell = self.first_cell + cells.SPINDLE_CELLS * spindle
         self.cells[cell + cells.SPINDLE_SPEED] = self.speed_v[spindle] / 6.0
         self.cells[cell + cells.SPINDLE_POSITION] = self.position[spindle]

@@ -3,7 +3,7 @@
 
 The programmed part is in the prepared speed already; P-CHAN-00056 bounds the others, as contour
 preparation counts with it. G166 leaves out operator's and programmed part; under G95 the speed
-follows the spindle's.
+follows the spindle's. While a thread is cut (G33) no part of it acts.
 """
 
 from __future__ import annotations
@@ -38,12 +38,14 @@ class Overrides:
     def factor(self, segments: memoryview[float], row: int) -> float:
         """Factor of a segment, and its override in percent in ``total_pct``."""
         pct = self.parts(segments[row + rows.IGNORES_OVERRIDE] != 0.0)
+        if segments[row + rows.THREAD] == rows.CUTTING:
+            pct = 100.0
         self.total_pct = pct
         if segments[row + rows.SPEED_OVERRIDE] == 0.0:
             return pct / 100.0
         self.total_pct = pct * segments[row + rows.SPEED_OVERRIDE]
         spindle = int(segments[row + rows.FEED_SPINDLE])
-        if spindle > 0:
+        if spindle > 0 and segments[row + rows.THREAD] != rows.TAPPING:
             speed_v = self.context.spindles.speed_v[spindle - 1]
             pct *= (speed_v if speed_v > 0.0 else 0.0 - speed_v) / segments[
                 row + rows.FEED_SPINDLE_SPEED

@@ -2,6 +2,7 @@
 # C types of segment_limits.py.
 cimport cython
 from nctakt.kernel cimport rows
+from nctakt.kernel.axes.spindles cimport Spindles
 from nctakt.kernel.base cimport arithmetic
 from nctakt.kernel.path cimport geometry
 from nctakt.kernel.path.arc_limits cimport ArcLimits
@@ -24,9 +25,14 @@ cdef class SegmentLimits:
     cdef double[::1] direction
     cdef double[::1] unused
     cdef readonly bint has_jerk_limit
+    cdef Spindles spindles
 
     @cython.locals(share=double)
     cdef double measure(self, double[::1] segments, Py_ssize_t row) noexcept nogil
+    @cython.locals(
+        spindle=Py_ssize_t, turn=double, limit_v=double, limit_a=double, limit_j=double
+    )
+    cdef void limit_tap(self, double[::1] segments, Py_ssize_t row) noexcept nogil
     @cython.locals(
         is_rapid=bint, start=Py_ssize_t, target=Py_ssize_t, limit_a=double, limit_j=double,
         i=Py_ssize_t, distance=double, part=double, slope_a=double, slope_j=double

@@ -13,6 +13,7 @@ are taken that are fastest over the arc from rest to rest.
 from __future__ import annotations
 
 from nctakt.kernel import rows
+from nctakt.kernel.axes.spindles import Spindles
 from nctakt.kernel.base import arithmetic
 from nctakt.kernel.base.bounds import check_index
 from nctakt.kernel.path import geometry
@@ -46,6 +47,7 @@ class SegmentLimits:
         self.direction = memoryview(bytearray(room)).cast("d")
         self.unused = memoryview(bytearray(room)).cast("d")
         self.has_jerk_limit = False
+        self.spindles: Spindles | None = None
 
     def limit(
         self,
@@ -83,8 +85,28 @@ class SegmentLimits:
             self.bound(segments, row)
         if segments[row + rows.HAS_JERK_LIMIT] > 0.0:
             self.limit_jerk(segments, row)
+        if segments[row + rows.THREAD] == rows.TAPPING:
+            self.limit_tap(segments, row)
         segments[row + rows.CORNER_SPEED] = 0.0
         return share
+
+    def limit_tap(self, segments: memoryview[float], row: int) -> None:
+        """Limit a line so that the spindle which turns with it keeps its own limits."""
+        if self.spindles is None:
+            return
+        spindle = int(segments[row + rows.FEED_SPINDLE])
+        spindle -= 1
+        turn = segments[row + rows.THREAD_TURN]
+        turn = turn if turn > 0.0 else 0.0 - turn
+        limit_v = self.spindles.limit_v[spindle] / turn
+        limit_a = self.spindles.limit_a[spindle] / turn
+        limit_j = self.spindles.limit_j[spindle] / turn
+        segments[row + rows.MAX_SPEED] = min(segments[row + rows.MAX_SPEED], limit_v)
+        segments[row + rows.ACCELERATION] = min(segments[row + rows.ACCELERATION], limit_a)
+        if segments[row + rows.JERK] > 0.0:
+            if limit_j > 0.0:
+                segments[row + rows.JERK] = min(segments[row + rows.JERK], limit_j)
+            self.stand_at_end(segments, row)
 
     def limit_jerk(self, segments: memoryview[float], row: int) -> None:
         """Limit acceleration and jerk for the jerk-limited slope."""

@@ -165,6 +165,10 @@ def arrays_of_spindles(part: Spindles) -> Arrays:
         part.done_tick,
         part.job,
         part.reached_v,
+        part.laps,
+        part.bound_v,
+        part.bound_a,
+        part.bound_j,
     )
 
 

@@ -17,6 +17,7 @@ from nctakt.kernel.path.override cimport Overrides
 from nctakt.kernel.path.path cimport Path
 from nctakt.kernel.path.path_axes cimport PathAxes
 from nctakt.kernel.path.segment_limits cimport SegmentLimits
+from nctakt.kernel.path.threads cimport Threads
 from nctakt.kernel.path.trapezoid_profile cimport TrapezoidProfile
 
 cpdef copy_arc_limits(ArcLimits source, ArcLimits target)
@@ -28,6 +29,7 @@ cpdef copy_corner(Corner source, Corner target)
 cpdef tuple arrays_of_corner(Corner part)
 cpdef tuple arrays_of_corner_rounding(CornerRounding part)
 cpdef copy_edge_probe(EdgeProbe source, EdgeProbe target)
+cpdef copy_threads(Threads source, Threads target)
 cpdef tuple arrays_of_edge_probe(EdgeProbe part)
 cpdef copy_fixed_stops(FixedStops source, FixedStops target)
 cpdef tuple arrays_of_fixed_stops(FixedStops part)

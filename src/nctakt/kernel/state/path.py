@@ -27,6 +27,7 @@ from nctakt.kernel.path.override import Overrides
 from nctakt.kernel.path.path import Path
 from nctakt.kernel.path.path_axes import PathAxes
 from nctakt.kernel.path.segment_limits import SegmentLimits
+from nctakt.kernel.path.threads import Threads
 from nctakt.kernel.path.trapezoid_profile import TrapezoidProfile
 
 Arrays = tuple[Any, ...]
@@ -302,6 +303,18 @@ def history_of_path(path: Path) -> tuple[Any, int]:
     return path.history_rows, count * path.width
 
 
+def copy_threads(source: Threads, target: Threads) -> None:
+    target.state = source.state
+    target.is_cutting = source.is_cutting
+    target.was_cut = source.was_cut
+    target.spindle = source.spindle
+    target.angle = source.angle
+    target.turn = source.turn
+    target.length_d = source.length_d
+    target.delay_t = source.delay_t
+    target.fault = source.fault
+
+
 #: Class -> what copies its state.
 COPIERS: MappingProxyType[type, Callable[..., None]] = MappingProxyType(
     {
@@ -320,6 +333,7 @@ COPIERS: MappingProxyType[type, Callable[..., None]] = MappingProxyType(
         Path: copy_path,
         PathAxes: copy_path_axes,
         SegmentLimits: copy_segment_limits,
+        Threads: copy_threads,
         TrapezoidProfile: copy_trapezoid_profile,
     }
 )

@@ -11,6 +11,7 @@ from nctakt.kernel.path.edge_probe cimport EdgeProbe
 from nctakt.kernel.path.fixed_stops cimport FixedStops
 from nctakt.kernel.path.override cimport Overrides
 from nctakt.kernel.path.path cimport Path
+from nctakt.kernel.path.threads cimport Threads
 from nctakt.kernel.plc.panel cimport Panel
 from nctakt.kernel.plc.technology_slots cimport Hli
 from nctakt.kernel.tick.channel_signals cimport ChannelSignals
@@ -35,6 +36,7 @@ cdef class Channel:
     cdef FixedStops fixed_stops
     cdef bint is_at_fixed_stop
     cdef EdgeProbe edge_probe
+    cdef Threads threads
     cdef Overrides overrides
     cdef readonly BackwardMotion backward
     cdef readonly WaitReasons waits
@@ -63,8 +65,14 @@ cdef class Channel:
     @cython.locals(i=Py_ssize_t)
     cdef void begin_tick(self, long long tick) noexcept nogil
     cdef void run_cycles(self) noexcept nogil
-    @cython.locals(factor=double, is_stopping=bint, has_time_left=int, total_pct=double)
+    @cython.locals(
+        factor=double, is_cutting=bint, is_stopping=bint, is_single=bint, has_time_left=int,
+        total_pct=double
+    )
     cdef void interpolate(self) noexcept nogil
+    @cython.locals(source=cython.longlong, warning=int)
+    cdef void settle_thread(self) noexcept nogil
+    cdef int begins_thread(self, Py_ssize_t row) noexcept nogil
     @cython.locals(cycle_pct=double, factor=double)
     cdef double override(self) noexcept nogil
     cdef void watch_stops(self) noexcept nogil

@@ -66,6 +66,7 @@ class Channel:
         self.fixed_stops = self.executor.fixed_stops
         self.is_at_fixed_stop = False
         self.edge_probe = self.executor.edge_probe
+        self.threads = self.executor.threads
         self.overrides = Overrides(self.context)
         self.backward = BackwardMotion(path, hli.panel, record, look_ahead, self.overrides)
         self.waits = WaitReasons(self.executor, self.overrides)
@@ -224,10 +225,11 @@ class Channel:
     def interpolate(self) -> None:
         """Advance the path by a tick with the present override (RC-305, MO-5)."""
         factor = self.override()
+        is_cutting = self.threads.is_cutting
         is_stopping = (
             self.executor.is_stopped
             or self.executor.is_resetting
-            or self.panel.feed_hold
+            or (self.panel.feed_hold and not is_cutting)
             or self.is_at_fixed_stop
         )
         if self.executor.is_looping and not self.path.is_retracing:
@@ -241,21 +243,35 @@ class Channel:
                 is_stopping = True
         self.publish_block()
         self.path.publish_overrides(self.panel.override_pct)
-        if self.path.is_single != self.panel.single_block:
-            self.path.set_single(self.panel.single_block)
-        if self.path.is_retracing or self.panel.backward_motion:
+        is_single = self.panel.single_block and not is_cutting
+        if self.path.is_single != is_single:
+            self.path.set_single(is_single)
+        if is_cutting:
+            has_time_left = self.threads.step(factor, is_stopping)
+        elif self.path.is_retracing or self.panel.backward_motion:
             has_time_left = self.step_back(factor, is_stopping)
             is_stopping = is_stopping or (self.panel.backward_motion and self.path.history_size > 0)
         else:
             has_time_left = self.path.step(factor, is_stopping)
         if has_time_left:
             self.pass_block_ends(is_stopping)
+        if self.threads.state != codes.WITHOUT_THREAD or self.path.is_retracing:
+            self.settle_thread()
         total_pct = arithmetic.round_half_even(self.total_pct)
         self.cells[self.first_cell + cells.CHANNEL_OVERRIDE_VEL_TOTAL] = total_pct
         if self.fixed_stops.count > 0 and not self.path.is_retracing:
             self.watch_stops()
         if (factor == 0.0 and not is_stopping) or self.has_warned_of_spindle:
             self.watch_spindle(factor)
+
+    def settle_thread(self) -> None:
+        """Turn the spindle of a tap with the path, end a thread, and report what broke it."""
+        source = int(self.path.history_rows[self.path.row + rows.SOURCE])
+        warning = self.threads.settle()
+        if warning:
+            self.record.event(rows.EVENT_ERROR, source, 0, warning)
+        if self.threads.fault:
+            self.executor.report_thread(source)
 
     def watch_spindle(self, factor: float) -> None:
         """Warn once for each stand that the path waits for a spindle (G95, 900819)."""
@@ -353,6 +369,8 @@ class Channel:
             row = position % self.queue.capacity * self.queue.width
             kind = int(self.queue.rows[row + rows.KIND])
             if kind == rows.SEGMENT:
+                if self.begins_thread(row):
+                    return
                 message = self.path.refusal(row, self.queue.rows)
                 if message:
                     if self.path.speed_v == 0.0:
@@ -362,6 +380,8 @@ class Channel:
                     is_stopping = 1
                 self.queue.started = position
                 self.path.begin(row, self.queue.rows, self.path.left_t)
+                if self.threads.state != codes.WITHOUT_THREAD:
+                    self.threads.chain()
                 if self.path.continues_block():
                     self.path.set_remaining(self.queue.remaining_of_block(position))
                 if self.path.left_t > 0.0:
@@ -371,6 +391,17 @@ class Channel:
             elif not self.queue.is_transparent(kind):
                 return
             position += 1
+
+    def begins_thread(self, row: int) -> int:
+        """Return whether a thread begins or ends between the current segment and that at ``row``.
+
+        The path stands there, so that the next tick decides when it goes on.
+        """
+        if self.path.speed_v > 0.0:
+            return 0
+        if self.queue.rows[row + rows.THREAD] != rows.NO_THREAD:
+            return 1
+        return 1 if self.threads.state != codes.WITHOUT_THREAD else 0
 
     def end_tick(self) -> None:
         """Answer what waits for the path to stand; end a reset; publish (RC-005, RC-007)."""
@@ -441,6 +472,7 @@ class Channel:
         for i in range(self.path.count):
             self.context.single_axes.reopen(self.path.members[i])
         self.path.abandon()
+        self.threads.clear()
         self.executor.give_up_loop()
         self.is_at_fixed_stop = False
         self.fixed_stops.clear()

@@ -5,6 +5,7 @@ from nctakt.kernel cimport cells, codes, rows
 from nctakt.kernel.cycles.cycles cimport CycleManager
 from nctakt.kernel.path.edge_probe cimport EdgeProbe
 from nctakt.kernel.path.fixed_stops cimport FixedStops
+from nctakt.kernel.path.threads cimport Threads
 from nctakt.kernel.plc.technology_slots cimport Hli
 from nctakt.kernel.cycles.context cimport Context
 from nctakt.kernel.plc.panel cimport Panel
@@ -31,6 +32,7 @@ cdef class CommandExecutor:
     cdef readonly FixedStops fixed_stops
     cdef readonly EdgeProbe edge_probe
     cdef readonly Context context
+    cdef Threads threads
     cdef public Timers program_timers
     cdef readonly ChannelSignals signals
     cdef int waiting
@@ -79,8 +81,14 @@ cdef class CommandExecutor:
         value=double, decoded_tick=double, reason=cython.longlong, cell=double
     )
     cdef void take_event(self, Py_ssize_t row, int kind) noexcept nogil
-    @cython.locals(is_current=bint, serial=cython.longlong, message=int, source=cython.longlong)
+    @cython.locals(
+        has_thread=bint, is_current=bint, serial=cython.longlong, message=int,
+        source=cython.longlong
+    )
     cdef int take_block(self, Py_ssize_t row) noexcept nogil
+    @cython.locals(may_begin=bint)
+    cdef int may_begin_thread(self, Py_ssize_t row) noexcept nogil
+    cdef void report_thread(self, long long source) noexcept nogil
     @cython.locals(slot=Py_ssize_t, message=int, source=cython.longlong)
     cdef int take_definition(self, long long tick, Py_ssize_t row) noexcept nogil
     @cython.locals(source=cython.longlong, identity=cython.longlong, action=int, message=int)

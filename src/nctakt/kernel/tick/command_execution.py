@@ -17,6 +17,7 @@ from nctakt.kernel.cycles.context import Context
 from nctakt.kernel.cycles.cycles import CycleManager
 from nctakt.kernel.path.edge_probe import EdgeProbe
 from nctakt.kernel.path.fixed_stops import FixedStops
+from nctakt.kernel.path.threads import Threads
 from nctakt.kernel.plc.technology_slots import Hli
 from nctakt.kernel.tick.block_scope import BlockScope
 from nctakt.kernel.tick.channel_signals import ChannelSignals
@@ -54,6 +55,7 @@ class CommandExecutor:
             queue.path, hli, record, memory, first_cell + cells.CHANNEL_MEAS_DELTA
         )
         self.context = Context(memory, record, hli, timers, single_axes, manager.spindles)
+        self.threads = Threads(queue.path, self.context)
         self.program_timers = timers
         self.signals = ChannelSignals(SignalBoard(), 1, queue, record)
         self.waiting = 0
@@ -75,6 +77,8 @@ class CommandExecutor:
         self.context.spindles = spindles
         self.context.max_open_actions = max_open_actions
         self.manager.spindles = spindles
+        self.threads.spindles = spindles
+        self.queue.look_ahead.limits.spindles = spindles
 
     def set_signals(self, board: SignalBoard, number: int) -> None:
         """Set the signals that all channels share; the channel's number, from 1."""
@@ -241,6 +245,9 @@ class CommandExecutor:
 
         BLOCK cycles that stood before it run with it, or once where it is over by now (RC-105).
         """
+        has_thread = self.queue.has_thread(row)
+        if has_thread and self.queue.head > self.queue.started and not self.may_begin_thread(row):
+            return 0
         self.queue.timed_count -= self.queue.time_units(row)
         if self.queue.head <= self.queue.started:
             is_current = self.queue.head == self.queue.started and self.path.is_active
@@ -258,8 +265,22 @@ class CommandExecutor:
         self.path.begin(row, self.queue.rows, 0.0)
         if self.path.continues_block():
             self.path.set_remaining(self.queue.remaining_of_block(self.queue.head))
+        if has_thread:
+            self.threads.begin()
         self.block_scope.move(self.queue, row, self.path.serial)
         return 1
+
+    def may_begin_thread(self, row: int) -> int:
+        """Return whether a thread may begin in this tick, or has to wait."""
+        may_begin = not self.panel.feed_hold and self.threads.may_begin(self.queue.rows, row)
+        if self.threads.fault:
+            self.report_thread(int(self.queue.rows[row + rows.SOURCE]))
+        return may_begin
+
+    def report_thread(self, source: int) -> None:
+        """Report what broke a thread: the channel stops."""
+        self.report(source, self.threads.fault, self.threads.spindle_number())
+        self.threads.fault = 0
 
     def take_definition(self, tick: int, row: int) -> int:
         """Define a realtime cycle."""

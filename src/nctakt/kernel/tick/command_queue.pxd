@@ -61,7 +61,8 @@ cdef class CommandQueue:
     ) noexcept nogil
     @cython.locals(row=Py_ssize_t)
     cpdef void continue_block(self) noexcept
-    @cython.locals(before=Py_ssize_t, limits_jerk=bint)
+    cdef int has_thread(self, Py_ssize_t row) noexcept nogil
+    @cython.locals(before=Py_ssize_t, thread=double, limits_jerk=bint)
     cdef int has_same_slope(self, Py_ssize_t number, Py_ssize_t row) noexcept nogil
     cdef Py_ssize_t next_row(self) except -1
     cdef int is_transparent(self, int kind) noexcept nogil

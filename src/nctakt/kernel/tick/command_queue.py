@@ -255,10 +255,25 @@ class CommandQueue:
             self.rows[target + i] = self.rows[row + i]
 
     def has_same_slope(self, number: int, row: int) -> int:
-        """Return whether two segments have one slope; else the path stops between them."""
+        """Return whether two segments have one slope; else the path stops between them.
+
+        It does so, too, where a thread begins or ends, and where a tap turns round.
+        """
         before = number % self.capacity * self.width
+        thread = self.rows[row + rows.THREAD]
+        if thread != self.rows[before + rows.THREAD]:
+            return 0
+        if thread == rows.TAPPING:
+            if self.rows[row + rows.THREAD_TURN] != self.rows[before + rows.THREAD_TURN]:
+                return 0
         limits_jerk = self.rows[row + rows.JERK] > 0.0
         return 1 if limits_jerk == (self.rows[before + rows.JERK] > 0.0) else 0
+
+    def has_thread(self, row: int) -> int:
+        """Return whether the command at ``row`` is a segment coupled with a spindle."""
+        if self.rows[row + rows.KIND] != rows.SEGMENT:
+            return 0
+        return 1 if self.rows[row + rows.THREAD] != rows.NO_THREAD else 0
 
     def next_row(self) -> int:
         """Row of the next command; there is room for a rounding in front of it."""

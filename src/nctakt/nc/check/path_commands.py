@@ -34,6 +34,17 @@ from nctakt.nc.vocabulary.command_forms import forms_of
 #: Bounds of programmed overrides, %, and their keywords: of feed blocks, of rapid ones.
 OVERRIDE_MIN_PCT, OVERRIDE_MAX_PCT = 0.1, 200.0
 OVERRIDE_FACTORS = ("FEED_FACT", "RAPID_FACT")
+#: Keywords of ``#TURN``.
+TURN_KEYWORDS = (
+    "ROT_FEED_CPL",
+    "TIME_IN_REV_CPL",
+    "TAPPING_ACT_POS",
+    "TAPPING_N_CYCLES",
+    "THREAD_CUT_ACT_SPEED",
+    "THREAD_CUT_N_CYCLES",
+    "THREAD_CUT_IGNORE_OV",
+    "THREAD_CHAIN",
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,6 +70,7 @@ FORMS = {
     "SLOPE": Form(names={"TYPE": ("STEP", "TRAPEZ")}),
     "SLOPE DEFAULT": Form(needs_bracket=False),
     "OVERRIDE": Form(numbers=OVERRIDE_FACTORS),
+    "TURN": Form(numbers=TURN_KEYWORDS),
 }
 
 

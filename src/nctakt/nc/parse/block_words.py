@@ -76,7 +76,7 @@ _ASSIGN = re.compile(r"\s*([-+*/]?=)(?!=)")
 _LETTERS = re.compile(r"\s*([^\W\d]+)")
 _NAMED = re.compile(r"\s*([^\W\d]+)(\d*)\s*=(?!=)")
 _NAMED_COMMAND = re.compile(r"\s*([^\W\d]+\d+)(?=\s*\[)")
-_SPINDLE_POSITION = re.compile(r"\s*(S\.POS)(?![^\W\d])", re.IGNORECASE)
+_OF_SPINDLE = re.compile(r"\s*(S\.(?:POS|OFFSET))(?![^\W\d])", re.IGNORECASE)
 _GLUED = re.compile(rf"(?:Vs?\.|@|P(?:\d|\[)|(?:{FUNCTION_NAMES})\s*\[)", re.IGNORECASE)
 #: A text that may hold names of macros between \" and \".
 _MACRO_TEXT = re.compile(r'\s*"((?:[^"\\]|\\"|\\(?!"))*)"')
@@ -250,9 +250,10 @@ def _called_name(text: BlockText) -> Expression:
 
 
 def _word(text: BlockText) -> BlockWord:
-    position = text.match(_SPINDLE_POSITION)
-    if position is not None:
-        return _make(text, "S.POS", position.start(1), _optional_value(text, equals=True))
+    of_spindle = text.match(_OF_SPINDLE)
+    if of_spindle is not None:
+        name = of_spindle[1].upper()
+        return _make(text, name, of_spindle.start(1), _optional_value(text, equals=True))
     named = text.match(_NAMED)
     if named is not None:
         return _named_word(text, named)

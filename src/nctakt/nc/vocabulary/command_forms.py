@@ -40,6 +40,7 @@ FORMS: dict[str, tuple[str, ...]] = {
     "#SLOPE": ("#SLOPE [TYPE=STEP]", "#SLOPE [TYPE=TRAPEZ]", "#SLOPE DEFAULT"),
     "#SUPPRESS OFFSETS": ("#SUPPRESS OFFSETS G00 X0",),
     "#TIME": ("#TIME 0.5", "#TIME P1"),
+    "#TURN": ("#TURN [ROT_FEED_CPL=0]", "#TURN [THREAD_CHAIN=0]"),
     "#TIMER": ("#TIMER START [ID=3]", "#TIMER STOP", "#TIMER READ", "#TIMER CLEAR"),
     "#WAIT": ("#WAIT [ID=5 CH=1]", "#WAIT [ID=5 P[0]=V.P.VALUE CH=1]", "#WAIT SYN [ID=5 CH=1]"),
     "#WAIT FOR": ("#WAIT FOR P1 == 1",),

@@ -195,6 +195,7 @@ COMMANDS = table(
     ("#TRAFO", REFUSED, "transformation", "Transformation"),
     ("#TRAFO OFF", ACCEPTED, "transformation off", "Transformation aus"),
     ("#TRANSFORM", REFUSED, "transformation", "Transformation"),
+    ("#TURN", SIMULATED, "feed, dwell and threads by the spindle", "Kopplung an die Spindel"),
     ("#TRANSVELMIN", REFUSED, "lowest speed between blocks", "kleinste Übergangsgeschwindigkeit"),
     (
         "#TRC",

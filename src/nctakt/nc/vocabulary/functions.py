@@ -38,6 +38,10 @@ from nctakt.nc.vocabulary.function_rows import (
 RAPID, LINE, ARC_CLOCKWISE, ARC_COUNTERCLOCKWISE = 0, 1, 2, 3
 ARCS = (ARC_CLOCKWISE, ARC_COUNTERCLOCKWISE)
 DWELL = 4
+THREAD_CUTTING = 33
+TAPPING_BY_FEED, TAPPING, TAP_RETRACTION = 63, 331, 332
+TAPPING_FUNCTIONS = (TAPPING_BY_FEED, TAPPING, TAP_RETRACTION)
+THREADS = (THREAD_CUTTING, *TAPPING_FUNCTIONS)
 CENTRE_FEED, CONTOUR_FEED = 10, 11
 PLANE_XY, PLANE_ZX, PLANE_YZ = 17, 18, 19
 LINEAR_TRANSITIONS, CIRCULAR_TRANSITIONS = 25, 26
@@ -75,11 +79,11 @@ G_FUNCTIONS: Mapping[int, GFunction] = by_number(
         plain(LINE, "straight line with feed", "Gerade mit Vorschub"),
         simulated(ARC_CLOCKWISE, "arc, clockwise", "Kreis im Uhrzeigersinn"),
         simulated(ARC_COUNTERCLOCKWISE, "arc, counter-clockwise", "Kreis gegen den Uhrzeigersinn"),
-        refused(33, "thread cutting", "Gewindeschneiden"),
-        refused(63, "tapping", "Gewindebohren"),
+        simulated(THREAD_CUTTING, "thread cutting", "Gewindeschneiden"),
+        simulated(TAPPING_BY_FEED, "tapping, pitch F / S", "Gewindebohren, Steigung F / S"),
         refused(303, "arc in space", "Kreis im Raum"),
-        refused(331, "tapping with pitch", "Gewindebohren mit Steigung"),
-        refused(332, "retraction from tapping", "Rückzug beim Gewindebohren"),
+        simulated(TAPPING, "tapping with pitch", "Gewindebohren mit Steigung"),
+        simulated(TAP_RETRACTION, "retraction from tapping", "Rückzug beim Gewindebohren"),
     ),
     group(
         None,

@@ -44,15 +44,8 @@ class FeedModifiers:
     @property
     def row(self) -> tuple[float, ...]:
         """What the realtime part needs of it: the columns from ``rows.SPEED_OVERRIDE`` on."""
-        return (
-            self.override,
-            self.is_exempt,
-            self.spindle + 1,
-            self.spindle_v,
-            self.thread,
-            self.turn,
-            self.angle,
-        )
+        pace = (self.override, self.is_exempt, self.spindle + 1, self.spindle_v)
+        return (*pace, self.thread, self.turn, self.angle)
 
 
 @dataclass(frozen=True, slots=True)

@@ -224,6 +224,18 @@ class Axes:
         self.has_moved = True
         self.publish()
 
+    def take_offset(self, queue: memoryview[float], row: int, kind: int) -> None:
+        """Set offset, origin or turn of a system: the cycles of this tick see it (MO-8)."""
+        if kind == rows.SET_TURN:
+            self.turn(queue, row)
+        elif kind == rows.SET_ORIGIN:
+            axis = int(queue[row + rows.ORIGIN_AXIS])
+            self.set_origin(axis, queue[row + rows.ORIGIN_VALUE])
+        else:
+            axis = int(queue[row + rows.OFFSET_AXIS])
+            offset = int(queue[row + rows.OFFSET_KIND])
+            self.set_offset(axis, offset, queue[row + rows.OFFSET_VALUE])
+
     def turn(self, queue: memoryview[float], row: int) -> None:
         """Turn the program's coordinate system as the command at ``row`` says (MO-8)."""
         self.turns.set(queue, row)

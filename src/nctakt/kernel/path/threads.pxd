@@ -22,6 +22,7 @@ cdef class Threads:
     cdef double turn
     cdef double length_d
     cdef double delay_t
+    cdef long long source
     cdef int fault
 
     @cython.locals(spindle=Py_ssize_t)
@@ -56,7 +57,7 @@ cdef class Threads:
     cdef int follow_spindle(self) noexcept nogil
     @cython.locals(row=Py_ssize_t, limit_a=double, limit_j=double)
     cdef double braking_d(self, double path_v) noexcept nogil
-    cdef int settle(self) noexcept nogil
+    cdef void settle(self) noexcept nogil
     @cython.locals(
         row=Py_ssize_t, is_tap=bint, turn=double,
         angle=double, spindle_v=double
@@ -65,5 +66,8 @@ cdef class Threads:
     @cython.locals(length_d=double, off=double)
     cdef void couple(self, double angle, double turn) noexcept nogil
     cdef void uncouple(self) noexcept nogil
+    cdef int stands_before(self, double thread) noexcept nogil
+    @cython.locals(fault=int)
+    cdef int take_fault(self) noexcept nogil
     cdef Py_ssize_t spindle_number(self) noexcept nogil
     cdef void clear(self) noexcept nogil

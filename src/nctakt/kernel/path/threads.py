@@ -25,7 +25,7 @@ class Threads:
 
     ``is_cutting``: the path follows a spindle. ``angle``: of the spindle, with all its revolutions,
     at the start of the block; ``turn``: degrees for each mm, negative backward. ``fault``: number
-    of the message about what broke the thread, 0 for nothing.
+    of the message about what broke the thread at ``source``, 0 for nothing.
     """
 
     def __init__(self, path: Path, context: Context) -> None:
@@ -40,6 +40,7 @@ class Threads:
         self.turn = 0.0
         self.length_d = 0.0
         self.delay_t = -1.0
+        self.source = 0
         self.fault = 0
 
     # --- the begin ------------------------------------------------------------------------------
@@ -47,6 +48,7 @@ class Threads:
     def may_begin(self, segments: memoryview[float], row: int) -> int:
         """Return whether the thread at ``row`` may begin in this tick, or has to wait."""
         self.fault = 0
+        self.source = int(segments[row + rows.SOURCE])
         spindle = int(segments[row + rows.FEED_SPINDLE])
         spindle -= 1
         self.spindle = spindle
@@ -55,7 +57,7 @@ class Threads:
         if self.spindles.is_resting(spindle):
             return 1
         if self.spindles.is_endless(spindle):
-            self.fault = 901484
+            self.fault = 901508
         return 0
 
     def is_due(self, segments: memoryview[float], row: int, spindle: int) -> int:
@@ -68,7 +70,7 @@ class Threads:
         sign = 1.0 if spindle_v > 0.0 else -1.0
         path_v = sign * spindle_v / segments[row + rows.THREAD_TURN]
         if path_v > segments[row + rows.MAX_SPEED] * 1.000000001:
-            self.fault = 901485
+            self.fault = 901509
         elif path_v * self.path.cycle_time_t < 1e-7:
             self.fault = 50206
         lead = spindle_v * self.lead_t(segments, row, path_v)
@@ -125,6 +127,7 @@ class Threads:
     def chain(self) -> None:
         """Go on into the thread that the path has just passed into, at the angle there."""
         row = self.path.row
+        self.source = int(self.path.history_rows[row + rows.SOURCE])
         if self.state == codes.WITH_TAP:
             self.path.history_rows[row + rows.THREAD_ANGLE] = self.angle
             return
@@ -177,7 +180,7 @@ class Threads:
             limit_a = self.path.history_rows[self.path.row + rows.ACCELERATION]
             allowed_d += limit_a * self.path.cycle_time_t * self.path.cycle_time_t
         if off_d > allowed_d or off_d < 0.0 - allowed_d:
-            self.fault = 51103 if self.was_cut else 901486
+            self.fault = 51103 if self.was_cut else 901510
             self.state = codes.THREAD_EXIT
             return
         self.state = codes.THREAD_CUT
@@ -194,7 +197,7 @@ class Threads:
         covered_d = (angle - self.angle) / self.turn
         path_v = self.spindles.plans.speed_v / self.turn
         if path_v < 0.0:
-            self.fault = 901487
+            self.fault = 901511
         need_d = self.braking_d(path_v) + path_v * self.path.cycle_time_t
         if self.fault or covered_d + need_d >= self.length_d:
             self.state = codes.THREAD_EXIT
@@ -219,15 +222,16 @@ class Threads:
 
     # --- behind the path's step -----------------------------------------------------------------
 
-    def settle(self) -> int:
-        """Turn a spindle that taps, or end the threads; return the number of a warning, or 0."""
+    def settle(self) -> None:
+        """Turn a spindle that taps, or end the threads; warn of one that had no speed."""
         if not self.is_cutting:
             self.turn_spindle()
-            return 0
+            return
         if self.path.is_active:
-            return 0
+            return
         self.clear()
-        return 0 if self.was_cut else 901488
+        if not self.was_cut:
+            self.context.record.event(rows.EVENT_ERROR, self.source, 0, 901512)
 
     def turn_spindle(self) -> None:
         """Turn the spindle to the angle that belongs to the path's length."""
@@ -253,7 +257,7 @@ class Threads:
     def couple(self, angle: float, turn: float) -> None:
         """Couple a resting spindle, whose angle has to be that at an end of the block."""
         if not self.spindles.is_resting(self.spindle):
-            self.fault = 901484
+            self.fault = 901508
             return
         self.state = codes.WITH_TAP
         if self.path.is_retracing:
@@ -262,7 +266,7 @@ class Threads:
                 angle += turn * length_d
             off = spindles.wrapped(angle - self.spindles.position[self.spindle] + 180.0) - 180.0
             if off > 1e-6 or off < -1e-6:
-                self.fault = 901486
+                self.fault = 901510
                 return
         self.spindles.couple(self.spindle)
 
@@ -272,6 +276,21 @@ class Threads:
             if self.spindles.mode[self.spindle] == codes.COUPLED:
                 self.spindles.uncouple(self.spindle)
             self.state = codes.WITHOUT_THREAD
+
+    def stands_before(self, thread: float) -> int:
+        """Return whether the path stands between a thread and the segment that follows.
+
+        The next tick decides when it goes on; ``thread``: that of the segment.
+        """
+        if self.path.speed_v > 0.0:
+            return 0
+        return 1 if thread != rows.NO_THREAD or self.state != codes.WITHOUT_THREAD else 0
+
+    def take_fault(self) -> int:
+        """Return the number of what broke the thread, once."""
+        fault = self.fault
+        self.fault = 0
+        return fault
 
     def spindle_number(self) -> int:
         """Number of the spindle in the machine."""

@@ -312,6 +312,7 @@ def copy_threads(source: Threads, target: Threads) -> None:
     target.turn = source.turn
     target.length_d = source.length_d
     target.delay_t = source.delay_t
+    target.source = source.source
     target.fault = source.fault
 
 

@@ -67,12 +67,9 @@ cdef class Channel:
     cdef void run_cycles(self) noexcept nogil
     @cython.locals(
         factor=double, is_cutting=bint, is_stopping=bint, is_single=bint, has_time_left=int,
-        total_pct=double
+        total_pct=double, number=Py_ssize_t
     )
     cdef void interpolate(self) noexcept nogil
-    @cython.locals(source=cython.longlong, warning=int)
-    cdef void settle_thread(self) noexcept nogil
-    cdef int begins_thread(self, Py_ssize_t row) noexcept nogil
     @cython.locals(cycle_pct=double, factor=double)
     cdef double override(self) noexcept nogil
     cdef void watch_stops(self) noexcept nogil

@@ -256,22 +256,16 @@ class Channel:
         if has_time_left:
             self.pass_block_ends(is_stopping)
         if self.threads.state != codes.WITHOUT_THREAD or self.path.is_retracing:
-            self.settle_thread()
+            self.threads.settle()
+        if self.threads.fault:
+            number = self.threads.spindle_number()
+            self.executor.report(self.threads.source, self.threads.take_fault(), number)
         total_pct = arithmetic.round_half_even(self.total_pct)
         self.cells[self.first_cell + cells.CHANNEL_OVERRIDE_VEL_TOTAL] = total_pct
         if self.fixed_stops.count > 0 and not self.path.is_retracing:
             self.watch_stops()
         if (factor == 0.0 and not is_stopping) or self.has_warned_of_spindle:
             self.watch_spindle(factor)
-
-    def settle_thread(self) -> None:
-        """Turn the spindle of a tap with the path, end a thread, and report what broke it."""
-        source = int(self.path.history_rows[self.path.row + rows.SOURCE])
-        warning = self.threads.settle()
-        if warning:
-            self.record.event(rows.EVENT_ERROR, source, 0, warning)
-        if self.threads.fault:
-            self.executor.report_thread(source)
 
     def watch_spindle(self, factor: float) -> None:
         """Warn once for each stand that the path waits for a spindle (G95, 900819)."""
@@ -369,7 +363,7 @@ class Channel:
             row = position % self.queue.capacity * self.queue.width
             kind = int(self.queue.rows[row + rows.KIND])
             if kind == rows.SEGMENT:
-                if self.begins_thread(row):
+                if self.threads.stands_before(self.queue.rows[row + rows.THREAD]):
                     return
                 message = self.path.refusal(row, self.queue.rows)
                 if message:
@@ -391,17 +385,6 @@ class Channel:
             elif not self.queue.is_transparent(kind):
                 return
             position += 1
-
-    def begins_thread(self, row: int) -> int:
-        """Return whether a thread begins or ends between the current segment and that at ``row``.
-
-        The path stands there, so that the next tick decides when it goes on.
-        """
-        if self.path.speed_v > 0.0:
-            return 0
-        if self.queue.rows[row + rows.THREAD] != rows.NO_THREAD:
-            return 1
-        return 1 if self.threads.state != codes.WITHOUT_THREAD else 0
 
     def end_tick(self) -> None:
         """Answer what waits for the path to stand; end a reset; publish (RC-005, RC-007)."""

@@ -86,9 +86,6 @@ cdef class CommandExecutor:
         source=cython.longlong
     )
     cdef int take_block(self, Py_ssize_t row) noexcept nogil
-    @cython.locals(may_begin=bint)
-    cdef int may_begin_thread(self, Py_ssize_t row) noexcept nogil
-    cdef void report_thread(self, long long source) noexcept nogil
     @cython.locals(slot=Py_ssize_t, message=int, source=cython.longlong)
     cdef int take_definition(self, long long tick, Py_ssize_t row) noexcept nogil
     @cython.locals(source=cython.longlong, identity=cython.longlong, action=int, message=int)
@@ -108,8 +105,6 @@ cdef class CommandExecutor:
         cell=Py_ssize_t, first=Py_ssize_t, count=Py_ssize_t, zeros=Py_ssize_t, i=Py_ssize_t
     )
     cdef void take_characters(self, Py_ssize_t row) noexcept nogil
-    @cython.locals(axis=Py_ssize_t, offset=int)
-    cdef void take_offset(self, Py_ssize_t row, int kind) noexcept nogil
     @cython.locals(program=cython.longlong, source=cython.longlong)
     cdef int take_program_end(self, long long tick, Py_ssize_t row) noexcept nogil
     @cython.locals(outcome=int, source=cython.longlong)

@@ -177,7 +177,7 @@ class CommandExecutor:
         elif kind == rows.PROGRAM_END:
             return self.take_program_end(tick, row)
         elif kind in (rows.SET_OFFSET, rows.SET_ORIGIN, rows.SET_TURN):
-            self.take_offset(row, kind)
+            self.path.axes.take_offset(self.queue.rows, row, kind)
         elif kind in (rows.USER_ERROR, rows.USER_VALUE, rows.USER_TEXT, rows.USER_STOP):
             self.take_user_error(row, kind)
         elif kind == rows.SPINDLE:
@@ -246,8 +246,9 @@ class CommandExecutor:
         BLOCK cycles that stood before it run with it, or once where it is over by now (RC-105).
         """
         has_thread = self.queue.has_thread(row)
-        if has_thread and self.queue.head > self.queue.started and not self.may_begin_thread(row):
-            return 0
+        if has_thread and self.queue.head > self.queue.started:
+            if self.panel.feed_hold or not self.threads.may_begin(self.queue.rows, row):
+                return 0
         self.queue.timed_count -= self.queue.time_units(row)
         if self.queue.head <= self.queue.started:
             is_current = self.queue.head == self.queue.started and self.path.is_active
@@ -269,18 +270,6 @@ class CommandExecutor:
             self.threads.begin()
         self.block_scope.move(self.queue, row, self.path.serial)
         return 1
-
-    def may_begin_thread(self, row: int) -> int:
-        """Return whether a thread may begin in this tick, or has to wait."""
-        may_begin = not self.panel.feed_hold and self.threads.may_begin(self.queue.rows, row)
-        if self.threads.fault:
-            self.report_thread(int(self.queue.rows[row + rows.SOURCE]))
-        return may_begin
-
-    def report_thread(self, source: int) -> None:
-        """Report what broke a thread: the channel stops."""
-        self.report(source, self.threads.fault, self.threads.spindle_number())
-        self.threads.fault = 0
 
     def take_definition(self, tick: int, row: int) -> int:
         """Define a realtime cycle."""
@@ -366,18 +355,6 @@ class CommandExecutor:
             self.characters[first + i] = int(self.queue.rows[row + rows.TEXT_CHARACTERS + i])
         for i in range(count, count + zeros):
             self.characters[first + i] = 0
-
-    def take_offset(self, row: int, kind: int) -> None:
-        """Set offset, origin or turn of a system: the cycles of this tick see it (MO-8)."""
-        if kind == rows.SET_TURN:
-            self.path.axes.turn(self.queue.rows, row)
-        elif kind == rows.SET_ORIGIN:
-            axis = int(self.queue.rows[row + rows.ORIGIN_AXIS])
-            self.path.axes.set_origin(axis, self.queue.rows[row + rows.ORIGIN_VALUE])
-        else:
-            axis = int(self.queue.rows[row + rows.OFFSET_AXIS])
-            offset = int(self.queue.rows[row + rows.OFFSET_KIND])
-            self.path.axes.set_offset(axis, offset, self.queue.rows[row + rows.OFFSET_VALUE])
 
     def take_loop(self, row: int) -> None:
         """Begin a realtime loop; without its condition it is skipped."""

@@ -21,6 +21,7 @@ from nctakt.nc.check.signals import MAX_CHANNEL, SIGNAL_VALUES
 from nctakt.results.run import Run
 from nctakt.results.timeline_events import timeline_of
 from nctakt.run.controller import Controller, NcText
+from nctakt.run.snapshot import Snapshot
 
 MACHINE = load_machine(Path(__file__).parent.parent / "runs" / "two_channels" / "machine")
 
@@ -63,6 +64,7 @@ def test_the_limits_of_checker_and_realtime_part_are_the_same() -> None:
         ("#SIGNAL READ SYN [ID=1]", [21344]),
         ("#SIGNAL [ID=P1 CH=2]", [20995]),
         ("#WAIT [ID=1 NOW CH=2]", [21220]),
+        ("#SIGNAL REMOVE [IDMIN=3 IDMAX=2]", [901530]),
         ("#WAIT FOR", [900233]),
         ("#WAIT INDP [Q]", [21220]),
     ],
@@ -298,3 +300,47 @@ def test_the_example_runs_as_its_comments_say() -> None:
     )
     assert [one.tick for one in found.events if one.kind == "message"] == [1601]
     assert found.state == "ended"
+
+
+def test_signals_and_waits_are_part_of_a_snapshot() -> None:
+    """Everything with SYN stands in the queues; put back, the ticks are the same again."""
+    controller = Controller(MACHINE)
+    controller.start(text("one", "G04 0.005", "#SIGNAL SYN [ID=1 CH=2]", "#WAIT SYN [ID=2 CH=2]"))
+    controller.start(
+        text("two", "#SIGNAL SYN [ID=3]", "#WAIT SYN [ID=1 CH=1]", "#SIGNAL SYN [ID=2 CH=1]"),
+        channel=2,
+    )
+    controller.step(2)
+    machine = controller._machine
+    kept = Snapshot(machine.realtime)
+    first = [str(event) for event in controller.step(4).events]
+    assert machine.kernel.signals.count == 2
+    kept.put_back()
+    assert machine.kernel.signals.count == 1
+    assert [str(event) for event in controller.step(4).events] == first
+    assert "CH2 signal 1 taken CH1 5000" in first
+
+
+def test_signals_wait_in_realtime_loops() -> None:
+    """Each pass sends and takes one: page 783727499 permits both with SYN, else 22073."""
+    lines = [
+        "V.RTG.LOOP.ENABLED = TRUE",
+        "#RT CYCLE [SCOPE=PROG]",
+        "$IF V.RTG.LOOP.COUNT >= 2",
+        "V.RTG.LOOP.ENABLED = FALSE",
+        "$ENDIF",
+        "#RT CYCLE END",
+        "G01 F6000",
+        "#RT WHILE",
+        "G02 X20 R10",
+        "#SIGNAL SYN [ID=3 CH=1]",
+        "G02 X0 R10",
+        "#WAIT SYN [ID=3 CH=1]",
+        "#RT ENDWHILE",
+    ]
+    found = Controller().run(text("one", *lines))
+    assert found.state == "ended", found.diagnostics
+    words = [one.text.split()[1] for one in found.events if one.kind == "signal"]
+    assert words == 3 * ["sent", "taken"]
+    lines[11] = "#WAIT [ID=3 CH=1]"
+    assert numbers(Controller().run(text("one", *lines))) == [22073]

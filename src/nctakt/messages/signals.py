@@ -7,8 +7,8 @@ from nctakt.messages.catalogue import error, note, warning
 
 SIGNAL_FORM = error(
     20998,
-    en="{command} needs SYN or brackets behind it, not {found}",
-    de="hinter {command} müssen SYN oder Klammern stehen, nicht {found}",
+    en="{command} needs SYN or brackets behind it; here is {found}",
+    de="hinter {command} müssen SYN oder Klammern stehen; hier steht {found}",
     remedy_en="Possible forms: {forms}",
     remedy_de="Mögliche Formen: {forms}",
     command=("the command", "der Befehl"),
@@ -79,6 +79,17 @@ INVALID_SIGNAL_COUNT = error(
     remedy_de="COUNT weglassen oder eine ganze Zahl in diesem Bereich wählen.",
     value=("the value of COUNT", "der Wert von COUNT"),
     highest=("the highest number", "die höchste Zahl"),
+    reaction=2,
+    clearing=3,
+)
+EMPTY_SIGNAL_RANGE = error(
+    901530,
+    en="IDMAX is {high}, less than IDMIN, which is {low}",
+    de="IDMAX ist {high}, kleiner als IDMIN mit {low}",
+    remedy_en="Program the lower number as IDMIN.",
+    remedy_de="Die kleinere Nummer als IDMIN programmieren.",
+    low=("the value of ID or IDMIN", "der Wert von ID oder IDMIN"),
+    high=("the value of IDMAX", "der Wert von IDMAX"),
     reaction=2,
     clearing=3,
 )

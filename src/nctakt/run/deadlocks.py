@@ -35,7 +35,9 @@ _SENT_BY_ENDED = Text(
 _BROADCAST = Text("a broadcast of signal {id}", "das Broadcast-Signal {id}")
 _ADDRESSED = Text("signal {id} of channel {channels}", "Signal {id} von Kanal {channels}")
 _TO_ALL = Text("as a broadcast", "als Broadcast")
-_TO_ONE = Text("from channel {sender} to channel {receiver}", "von Kanal {sender} an {receiver}")
+_TO_ONE = Text(
+    "from channel {sender} to channel {receiver}", "von Kanal {sender} an Kanal {receiver}"
+)
 
 
 def awaited_text(machine: AssembledMachine, index: int) -> Text:

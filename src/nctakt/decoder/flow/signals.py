@@ -23,6 +23,7 @@ from nctakt.decoder.values.variables import Values
 from nctakt.kernel import codes
 from nctakt.kernel.base import arithmetic
 from nctakt.messages.signals import (
+    EMPTY_SIGNAL_RANGE,
     INVALID_SIGNAL_CHANNEL,
     INVALID_SIGNAL_COUNT,
     INVALID_SIGNAL_NUMBER,
@@ -170,6 +171,8 @@ class Signals:
         high = low
         if is_range:
             high = yield from self._signal(parsed, number, "IDMAX")
+            if high < low:
+                self._values.fail(EMPTY_SIGNAL_RANGE, parsed.span, low=low, high=high)
         if parsed.is_synchronous:
             source = self._environment.source_id(parsed.span)
             yield RemoveSignals(source, number, low, high, receivers, is_range)

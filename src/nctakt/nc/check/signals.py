@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from nctakt.base.dataclass import dataclass
-from nctakt.base.diagnostics import Span
+from nctakt.base.diagnostics import Span, Text
 from nctakt.base.text import close_names
 from nctakt.messages.checked_blocks import (
     INVALID_COMMAND_FORM,
@@ -30,7 +30,6 @@ from nctakt.messages.signals import (
 from nctakt.nc.check.expressions import ValueChecker
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.outline import SignalUse
-from nctakt.nc.parse.expressions import END_OF_BLOCK
 from nctakt.nc.tree import (
     Bracket,
     Expression,
@@ -49,6 +48,8 @@ MAX_SIGNAL = 2_147_483_647
 MAX_CHANNEL = 30
 #: Number of values that a signal can carry: P[0] … P[11].
 SIGNAL_VALUES = 12
+
+_END_OF_BLOCK = Text("the end of the block", "das Satzende")
 
 _ACTIONS = ("SIGNAL", "WAIT", "SIGNAL READ", "SIGNAL REMOVE")
 _KEYWORDS = {
@@ -198,14 +199,15 @@ class SignalChecker:
             return
         if len(command.arguments) != 1 or not isinstance(command.arguments[0], Bracket):
             arguments = command.arguments
-            found = self._findings.written(arguments[0].span) if arguments else END_OF_BLOCK
-            self._form(name, found, command.span)
+            found = self._findings.written(arguments[0].span) if arguments else _END_OF_BLOCK
+            self._form(" ".join((name, *(word.name for word in rest))), found, command.span)
             return
         if self._keywords(action, name, command) and self._meaning(action, name, command):
             self._note_use(action, command)
 
     def _form(self, name: str, found: object, span: Span) -> None:
-        self._findings.report(SIGNAL_FORM, span, command=name, found=found, forms=forms_of(name))
+        forms = forms_of(name.removesuffix(" SYN"))
+        self._findings.report(SIGNAL_FORM, span, command=name, found=found, forms=forms)
 
     def _keywords(self, action: str, name: str, command: HashCommand) -> bool:
         """Check each item in the brackets; return whether all are in order."""

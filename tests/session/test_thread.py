@@ -7,6 +7,7 @@ import queue
 import threading
 import time
 from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -14,6 +15,7 @@ import pytest
 from nctakt import Failure, NcText, Session
 from nctakt.messages import diagnostic
 from nctakt.messages.session import CONTROLLER_LOST
+from nctakt.session import session as session_module
 from nctakt.session.story import Story
 from nctakt.session.thread import SessionThread
 
@@ -64,3 +66,37 @@ def test_a_controller_that_is_lost_while_it_is_read_ends_play_and_no_more(
         assert not session.is_playing
         assert [one.kind for one in listener.notices()] == ["refused"]
         assert session.step().tick == session.tick
+
+
+HANGING_PLC = """import time
+from pathlib import Path
+
+from nctakt.plc import Plc, at
+
+
+class Hangs(Plc):
+    @at("0.1s")
+    def wait(self, hli):
+        Path(__file__).with_suffix(".hangs").touch()
+        time.sleep(3600)
+"""
+
+
+@pytest.mark.slow
+def test_a_controller_that_hangs_does_not_hold_up_the_end(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It is killed after a time, and closing returns."""
+    monkeypatch.setattr(session_module, "CLOSING_S", 0.2)
+    plc = tmp_path / "plc.py"
+    plc.write_text(HANGING_PLC, "utf-8")
+    session = Session(NcText("p.nc", "G04 X60\nM30"), plc=str(plc))
+    session.play()
+    end_s = time.monotonic() + PATIENCE_S
+    while not plc.with_suffix(".hangs").exists():
+        assert time.monotonic() < end_s
+        time.sleep(0.01)
+    closing = threading.Thread(target=session.close, daemon=True)
+    closing.start()
+    closing.join(PATIENCE_S)
+    assert not closing.is_alive()

@@ -90,12 +90,12 @@ class Host:
         await self.ask(self.session.attach, feed)
         return self
 
-    async def close(self) -> None:
-        """Listen no more; the session stays open."""
+    async def close(self, *, answers: bool = True) -> None:
+        """Listen no more; the session stays open. ``answers``: it does what it is asked for."""
         feed, self._feed = self._feed, None
-        if feed is not None:
+        if feed is not None and answers:
             await self.ask(self.session.detach, feed)
-        self._executor.shutdown()
+        self._executor.shutdown(wait=answers, cancel_futures=not answers)
 
     # --- what the session tells -----------------------------------------------------------------
 

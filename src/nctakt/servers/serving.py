@@ -73,7 +73,7 @@ async def serve(
         late, worst_s = session.lateness
         missed = host.missed_frames
         answers = await _pauses(host)
-        await host.close()
+        await host.close(answers=answers)
         lateness = {"late_slices": late, "worst_lateness_ms": round(worst_s * 1000, 3)}
         log.note("closed", tick=session.tick, missed_frames=missed, **lateness)
     if not answers:
@@ -82,12 +82,14 @@ async def serve(
 
 async def _pauses(host: Host) -> bool:
     """Pause the session; return whether it answers. If not, its controller is killed."""
+    host.session.interrupt()  # what a client has asked for, such as a long past, ends soon
     pausing = asyncio.ensure_future(host.ask(host.session.pause))
     done, _ = await asyncio.wait((pausing,), timeout=PAUSING_S)
     if not done:
         host.session.abandon()
-    with contextlib.suppress(Failure):
-        await pausing
+        await asyncio.wait((pausing,), timeout=PAUSING_S)
+    with contextlib.suppress(Failure, asyncio.InvalidStateError):
+        pausing.result()
     return bool(done)
 
 

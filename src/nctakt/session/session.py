@@ -35,6 +35,9 @@ from nctakt.session.tapes import read_setup, save_tape
 from nctakt.session.thread import SessionThread
 from nctakt.trace.events import Event
 
+#: How long a controller may take for what it has begun when its session is closed, in seconds.
+CLOSING_S = 10.0
+
 
 class Session:
     """A run that one lives through: on any clock, with stops, forward and back.
@@ -481,10 +484,13 @@ class Session:
         self._story.abandon()
 
     def close(self) -> None:
-        """End the session and all its processes."""
+        """End the session and all its processes; a controller that does not answer is killed."""
         if self._thread.is_closed:
             return
         self._thread.close()
+        if not self._thread.join(CLOSING_S):
+            self._story.abandon()
+            self._thread.join(CLOSING_S)
         self._audience.tell("closed")
         self._story.close()
 

@@ -124,9 +124,13 @@ class SessionThread:
             raise
 
     def close(self) -> None:
-        """Do what has been asked for, then end."""
+        """Let it do what has been asked for, then end; ``join`` waits for that."""
         self.interrupt()
         with self._entry:
             self.is_closed = True
         self._commands.put(None)
-        self._thread.join()
+
+    def join(self, timeout_s: float) -> bool:
+        """Wait for its end up to a time in seconds; return whether it has come."""
+        self._thread.join(timeout_s)
+        return not self._thread.is_alive()

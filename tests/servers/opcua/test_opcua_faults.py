@@ -7,6 +7,7 @@ import asyncio
 import contextlib
 import os
 import random
+import socket
 import struct
 import time
 from dataclasses import replace
@@ -22,6 +23,7 @@ from served import Served, until
 from nctakt.base.failure import Failure
 from nctakt.servers.notices import ServerNotice
 from nctakt.servers.opcua.alarms import notice_text
+from nctakt.servers.opcua.companion import BINARY_SCHEMA
 from nctakt.servers.opcua.limits import Limits
 from nctakt.servers.opcua.monitoring import Item
 from nctakt.servers.opcua.security import MAX_FAILURES, PASSWORD, Security
@@ -258,12 +260,11 @@ def test_who_reads_nothing_is_disconnected(served):
         async with connected(served) as client, connected(served) as quick:
             protocol = client.uaclient.protocol
             protocol.transport.pause_reading()
-            nodes = [
-                ua.ReadValueId(ua.NodeId.from_string(f"{CHANNEL}.ActProgramBlock"), attribute)
-                for attribute in (13, 1, 3, 4) * 50
-            ]
+            own = protocol.transport.get_extra_info("socket")
+            own.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)  # little waits on the way
+            schema = ua.ReadValueId(ua.NodeId(BINARY_SCHEMA, 2), ua.AttributeIds.Value)
             request = ua.ReadRequest()
-            request.Parameters.NodesToRead = nodes
+            request.Parameters.NodesToRead = [schema] * 200  # more than 300 kB in one response
             node = quick.get_node(f"{CHANNEL}.Id")
 
             async def ask():

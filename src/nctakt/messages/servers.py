@@ -45,7 +45,7 @@ CONTROLLER_SILENT = error(
     en="the controller did not answer within {seconds} s at the end, so its process was killed",
     de="die Steuerung antwortete am Ende {seconds} s lang nicht, ihr Prozess wurde abgebrochen",
     remedy_en="Look for an endless loop or a wait in the PLC; the tape ends before it.",
-    remedy_de="In der SPS nach einer Endlosschleife oder einem Warten suchen; das Band endet davor.",
+    remedy_de="In der SPS nach einer Endlosschleife suchen; die Aufzeichnung endet davor.",
     seconds=("the time", "die Zeit"),
 )
 INVALID_BROKER = error(

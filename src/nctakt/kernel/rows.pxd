@@ -45,6 +45,7 @@ cdef enum:
     SIGNAL = 38
     AWAIT_SIGNAL = 39
     REMOVE_SIGNAL = 40
+    MODAL_MARK = 41
     DWELL_TICKS = 3
     CYCLE_SLOT = 3
     CYCLE_STARTS = 4
@@ -86,6 +87,7 @@ cdef enum:
     MARK_TICK = 3
     MARK_CALLS = 4
     MARK_DEPTH = 5
+    MODAL_NUMBER = 3
     WAIT_REASON = 3
     WAIT_CELL = 4
     TIMER_NUMBER = 3

@@ -60,7 +60,8 @@ from __future__ import annotations
     SIGNAL,  # #SIGNAL SYN
     AWAIT_SIGNAL,  # #WAIT SYN
     REMOVE_SIGNAL,  # #SIGNAL REMOVE SYN
-) = range(1, 41)
+    MODAL_MARK,  # other functions are in force from here on
+) = range(1, 42)
 
 #: The kinds that take or may take time.
 TIMED_KINDS = frozenset(
@@ -154,6 +155,7 @@ def _arguments(count: int) -> range:
     MARK_CALLS,  # number of the open calls (``run/event_registry.py``)
     MARK_DEPTH,  # how many programs are open, from 1
 ) = _arguments(3)
+(MODAL_NUMBER,) = _arguments(1)  # MODAL_MARK: number of what is in force
 (
     WAIT_REASON,  # ``decoder/state/commands.py``
     WAIT_CELL,  # the variable, 0 for none

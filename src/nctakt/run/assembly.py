@@ -208,6 +208,7 @@ class AssembledMachine:
             self.files.line_at,
             self.registry.add_user_text,
             self.registry.add_path,
+            self.registry.add_modal,
             max_speeds(self.configuration, channel),
             notice,
             subprogram,

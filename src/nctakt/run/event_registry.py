@@ -10,6 +10,7 @@ from nctakt.base.source_ids import SourceFiles, begins_at
 from nctakt.decoder.cycles.builder import CycleDefinition
 from nctakt.decoder.state.call_stack import OpenCall
 from nctakt.decoder.state.commands import UserMessage
+from nctakt.decoder.state.in_force import InForce
 from nctakt.decoder.state.uncertain_axes import LivingCycle
 from nctakt.kernel import codes
 from nctakt.kernel.cycles.cycles import CycleManager, RealtimeCycle
@@ -41,6 +42,8 @@ class EventRegistry:
         self._variable_texts: list[str] = []
         self._user_texts: list[str] = []
         self._paths: list[tuple[OpenCall, ...]] = [()]
+        self._modal: list[InForce | None] = [None]
+        self._modal_numbers: dict[InForce, int] = {}
         self._path_numbers: dict[tuple[OpenCall, ...], int] = {}
         self._spindles = spindles
         self._variable_numbers: dict[str, int] = {}
@@ -83,6 +86,10 @@ class EventRegistry:
     def path(self, number: int) -> tuple[OpenCall, ...]:
         """Return the programs that were open at a block, the main program first."""
         return self._paths[number]
+
+    def modal(self, number: int) -> InForce | None:
+        """Return what is in force in a channel, ``None`` before its first block."""
+        return self._modal[number]
 
     def program(self, number: int) -> str:
         """Return the file name of a program."""
@@ -179,6 +186,13 @@ class EventRegistry:
             self._path_numbers[path] = len(self._paths)
             self._paths.append(path)
         return self._path_numbers[path]
+
+    def add_modal(self, in_force: InForce) -> int:
+        """Register what is in force and return its number, the same each time."""
+        if in_force not in self._modal_numbers:
+            self._modal_numbers[in_force] = len(self._modal)
+            self._modal.append(in_force)
+        return self._modal_numbers[in_force]
 
     def add_program(self, name: str) -> int:
         """Register a program and return its number."""

@@ -5,8 +5,12 @@ from __future__ import annotations
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Text
+from nctakt.decoder.state.in_force import InForce
+from nctakt.kernel import codes
 from nctakt.run.assembly import AssembledMachine
 from nctakt.run.wait_reasons import awaited
+
+_ZERO_OFFSETS = 1 << codes.ZERO_OFFSET | 1 << codes.ADD_ZERO_OFFSET
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,10 +31,14 @@ class ChannelState:
     """A channel: the programmed speed of its current segment in mm/s (0: none), its spindles.
 
     ``awaited``: what its program waits for, ``None`` while it is at work.
+    ``in_force``: the functions and the tool of its current block, ``None`` before the first one.
+    ``zero_offsets``: of each axis in mm or degrees, G54 … and G92 together.
     """
 
     programmed_mm_s: float
     spindles: tuple[SpindleState, ...]
+    in_force: InForce | None = None
+    zero_offsets: tuple[float, ...] = ()
     awaited: Text | None = None
 
 
@@ -42,7 +50,11 @@ def channel_states(machine: AssembledMachine) -> tuple[ChannelState, ...]:
         for index, spindle in enumerate(assembled.parameters.spindles):
             function, speed_v, is_open = channel.context.spindles.latest_job(index)
             spindles.append(SpindleState(spindle.name, function, speed_v / 6.0, is_open))
+        in_force = machine.registry.modal(channel.executor.modal)
+        zero_offsets = tuple(
+            machine.axes.offsets.of(axis, _ZERO_OFFSETS) for axis in assembled.members
+        )
         programmed_v = channel.path.programmed_speed()
         reason = awaited(machine, assembled.index)
-        found.append(ChannelState(programmed_v, tuple(spindles), reason))
+        found.append(ChannelState(programmed_v, tuple(spindles), in_force, zero_offsets, reason))
     return tuple(found)

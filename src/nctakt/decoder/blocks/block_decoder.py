@@ -18,6 +18,7 @@ from nctakt.decoder.blocks.fixed_stops import (
     fixed_stop,
     is_fixed_stop,
 )
+from nctakt.decoder.blocks.in_force_marks import InForceMarks
 from nctakt.decoder.blocks.path_motion import CENTRE_WORDS, PathMotion, PathWords
 from nctakt.decoder.blocks.spindles import SpindleWords, is_revolutions, names_of
 from nctakt.decoder.blocks.technology_output import (
@@ -109,6 +110,7 @@ class BlockDecoder:
         self._values = values
         self._environment = values.environment
         self._state = values.state
+        self._in_force = InForceMarks(values.environment, values.state)
         self._is_linear = [axis.is_linear for axis in self._environment.axes]
         self._spindles = SpindleWords(values)
         threads = ThreadMotion(values, self._spindles)
@@ -145,6 +147,8 @@ class BlockDecoder:
         """
         self.has_motion = False
         content = yield from self._sort(block, number)
+        if self._environment.marks_blocks:
+            yield from self._in_force.of_block(block.span, number)
         if self._state.monitored:
             check_free(self._values, [word for word, _ in content.axes], content.stops)
         content.path.offset_kinds = kinds
@@ -269,9 +273,7 @@ class BlockDecoder:
         content.path.once = ONE_BLOCK.intersection(numbers)
 
     def _additional(self, word: tree.Word, value: float, content: _BlockContent) -> None:
-        """Process the value of a G function: the offset of G159, the radius of G163, the time of
-        G04.
-        """
+        """Process the offset of G159, the radius of G163 or the time of G04."""
         assert isinstance(word.value, tree.Number)
         function = word.value.value
         if function == ARC_RADIUS:
@@ -282,9 +284,7 @@ class BlockDecoder:
             self._zero_group(word, value, content)
 
     def _zero_group(self, word: tree.Word, value: float, content: _BlockContent) -> None:
-        """Select the zero offset with the number ``value``; raises ``DecodeError`` if there is
-        none.
-        """
+        """Select the zero offset with this number; raises ``DecodeError`` if there is none."""
         group = arithmetic.round_half_even(value)
         if not 0 <= group < MAX_GROUPS:
             self._values.fail(UNKNOWN_ZERO_OFFSET, word.span, group=value, highest=MAX_GROUPS - 1)

@@ -25,6 +25,7 @@ from nctakt.decoder.state.commands import (
     SendSignal,
     WriteVariable,
 )
+from nctakt.decoder.state.in_force import ModalMark
 from nctakt.decoder.values.variables import Values
 from nctakt.messages.backward import (
     NOT_ALLOWED_IN_RT_WHILE,
@@ -37,7 +38,7 @@ from nctakt.messages.backward import (
 from nctakt.nc import tree
 
 #: The commands that a body can have.
-_OF_BODY = (Segment, WriteVariable, BlockMark, EmptyBlock, SendSignal, AwaitSignal)
+_OF_BODY = (Segment, WriteVariable, BlockMark, ModalMark, EmptyBlock, SendSignal, AwaitSignal)
 
 #: Maximum distance between start and end of a pass due to rounding, mm or degrees.
 CLOSE_ENOUGH = 1e-9

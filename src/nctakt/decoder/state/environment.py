@@ -13,6 +13,7 @@ from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Span
 from nctakt.decoder.state.call_stack import OpenCall
 from nctakt.decoder.state.controller_data import ControllerData
+from nctakt.decoder.state.in_force import InForce
 from nctakt.decoder.state.offsets import ActiveOffsets
 from nctakt.decoder.state.signals import DecoderSignals
 from nctakt.decoder.state.uncertain_axes import LivingCycle
@@ -35,14 +36,14 @@ class DecoderEnvironment:
     returns the number of a span (``base/source_ids.py``). ``line_text``: returns the line of a
     span. ``max_spindle_speeds``: index -> maximum speed in degrees/s of the spindles that the CNC
     turns. ``text_id``: returns the number of a text for a user error, ``path_id`` that of the open
-    programs. ``warn``: receives findings that do not stop the program. ``subprogram``: returns the
-    text of a called file, by name, calling file and span; raises ``DecodeError``. ``skip_levels``:
-    blocks of these levels are skipped. ``marks_blocks``: each block is marked.
-    ``controller_data``: data behind V.G and V.S. ``living_cycles``: cycles left by earlier
-    programs. ``moving_axes``: returns the names of the axes in independent motion.
-    ``history_size``: the number of blocks in the history of the path. ``signals``:
-    those between the channels. ``poll`` is called while the
-    decoder works. ``kept_cycles``: cycles of earlier runs, if runs follow each other.
+    programs, ``modal_id`` that of what is in force. ``warn``: receives findings that do not stop
+    the program. ``subprogram``: returns the text of a called file, by name, calling file and span;
+    raises ``DecodeError``. ``skip_levels``: blocks of these levels are skipped. ``marks_blocks``:
+    each block is marked. ``controller_data``: data behind V.G and V.S. ``living_cycles``: cycles
+    left by earlier programs. ``moving_axes``: returns the names of the axes in independent motion.
+    ``history_size``: the number of blocks in the history of the path. ``signals``: those between
+    the channels. ``poll`` is called while the decoder works. ``kept_cycles``: cycles of earlier
+    runs, if runs follow each other.
     """
 
     names: NameTable
@@ -58,6 +59,7 @@ class DecoderEnvironment:
     line_text: Callable[[Span], str]
     text_id: Callable[[str], int]
     path_id: Callable[[tuple[OpenCall, ...]], int]
+    modal_id: Callable[[InForce], int]
     max_spindle_speeds: Mapping[int, float]
     warn: Callable[[Diagnostic], None]
     subprogram: Callable[[str, str, Span], ProgramText]

@@ -48,6 +48,7 @@ from nctakt.decoder.state.commands import (
     WriteText,
     WriteVariable,
 )
+from nctakt.decoder.state.in_force import ModalMark
 from nctakt.kernel import rows
 
 
@@ -108,6 +109,8 @@ def pack(command: Command, reference: int = 0) -> list[float]:
             return [rows.POSITIONS, *head, True, len(command.axes), *command.axes]
         case BlockMark():
             return [rows.BLOCK_MARK, *head, reference, command.calls, command.depth]
+        case ModalMark():
+            return [rows.MODAL_MARK, *head, command.modal]
         case WaitMark():
             return [rows.WAIT_MARK, *head, command.reason, command.cell]
         case ProgramTimer():

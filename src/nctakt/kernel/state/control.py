@@ -283,6 +283,7 @@ def arrays_of_channel(part: Channel) -> Arrays:
 
 
 def copy_command_executor(source: CommandExecutor, target: CommandExecutor) -> None:
+    target.modal = source.modal
     target.waiting = source.waiting
     target.taken_source = source.taken_source
     target.program_ended = source.program_ended

@@ -34,6 +34,7 @@ _MIN_LENGTH = {
     rows.SPINDLE: rows.JOB_TICKS + 1,
     rows.AWAIT_SPINDLE: rows.JOB_SPINDLE + 1,
     rows.BLOCK_MARK: rows.MARK_DEPTH + 1,
+    rows.MODAL_MARK: rows.MODAL_NUMBER + 1,
     rows.WAIT_MARK: rows.WAIT_CELL + 1,
     rows.TIMER: rows.TIMER_ACTION + 1,
     rows.SET_OFFSET: rows.OFFSET_VALUE + 1,

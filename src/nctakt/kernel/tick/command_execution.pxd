@@ -35,6 +35,7 @@ cdef class CommandExecutor:
     cdef Threads threads
     cdef public Timers program_timers
     cdef readonly ChannelSignals signals
+    cdef readonly int modal
     cdef int waiting
     cdef public long long taken_source
     cdef readonly bint program_ended

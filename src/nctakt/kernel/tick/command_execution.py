@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: MIT
 """What the commands of a channel's queue do when they are taken (RC-003, RC-004).
 
-``CommandExecutor.take_commands`` is the first phase of a channel's tick; ``channel.py`` has the
-others. The channel's cells (``cells.py``) stand from ``first_cell`` on.
+``take_commands`` is the first phase of a channel's tick, whose cells stand from ``first_cell`` on.
 """
 
 from __future__ import annotations
@@ -51,13 +50,13 @@ class CommandExecutor:
         self.manager = manager
         self.block_scope = BlockScope(manager, record)
         self.fixed_stops = FixedStops(queue.path, record)
-        self.edge_probe = EdgeProbe(
-            queue.path, hli, record, memory, first_cell + cells.CHANNEL_MEAS_DELTA
-        )
+        edge_cell = first_cell + cells.CHANNEL_MEAS_DELTA
+        self.edge_probe = EdgeProbe(queue.path, hli, record, memory, edge_cell)
         self.context = Context(memory, record, hli, timers, single_axes, manager.spindles)
         self.threads = Threads(queue.path, self.context)
         self.program_timers = timers
         self.signals = ChannelSignals(SignalBoard(), 1, queue, record)
+        self.modal = 0
         self.waiting = 0
         self.taken_source = 0
         self.program_ended = False
@@ -211,6 +210,8 @@ class CommandExecutor:
             self.queue.timed_count -= 1
             message = int(self.queue.rows[row + rows.GIVE_UP_MESSAGE])
             self.report(int(self.queue.rows[row + rows.SOURCE]), message, 0.0)
+        elif kind == rows.MODAL_MARK:
+            self.modal = int(self.queue.rows[row + rows.MODAL_NUMBER])
         elif kind in (rows.MESSAGE, rows.FREEZE, rows.BLOCK_MARK, rows.WAIT_MARK):
             self.take_event(row, kind)
         elif kind != rows.EMPTY_BLOCK:

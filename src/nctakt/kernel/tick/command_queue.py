@@ -326,6 +326,7 @@ class CommandQueue:
             rows.SPINDLE,
             rows.BLOCK_MARK,
             rows.WAIT_MARK,
+            rows.MODAL_MARK,
             rows.TIMER,
             rows.SET_OFFSET,
             rows.SET_ORIGIN,

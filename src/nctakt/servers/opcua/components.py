@@ -14,12 +14,13 @@ from asyncua import ua
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Span
+from nctakt.decoder.state.in_force import InForce
 from nctakt.hli.plc_entries import TechnologyEntry
 from nctakt.kernel import codes
 from nctakt.lists.machine.axis_configuration import AxisConfiguration
 from nctakt.lists.machine.machine import ChannelConfiguration
 from nctakt.servers.opcua.values import Moment, NotSupported, Value
-from nctakt.session.channel_states import SpindleState
+from nctakt.session.channel_states import ChannelState, SpindleState
 from nctakt.session.engine import Slice
 
 #: Reads a value of a moment.
@@ -75,13 +76,23 @@ def signal(name: str, unit: str = "", low: float = 0.0, high: float = 0.0) -> Sh
     return Shown(lambda moment: moment.values[name], (name,), False, unit, low, high, signal=name)
 
 
+def state_of(moment: Moment, number: int) -> ChannelState:
+    """Return the state of a channel, counted from 1."""
+    if moment.glance is None:
+        raise NotSupported(int(ua.StatusCodes.BadWaitingForInitialData))
+    return moment.glance.channels[number - 1]
+
+
 # --- axes -----------------------------------------------------------------------------------------
 
 
 def axis_components(
-    axis: AxisConfiguration, name: str, prefix: str, channel: ua.NodeId
+    axis: AxisConfiguration, name: str, prefix: str, index: int, number: int, channel: ua.NodeId
 ) -> Mapping[str, Shown | ShownPosition]:
-    """Return the components of an axis; ``prefix``: of the names of its channel's signals."""
+    """Return the components of an axis, the ``index``-th of channel ``number``.
+
+    ``prefix``: of the names of its channel's signals.
+    """
     state = f"{prefix}{name}.STATE"
     unit = "mm" if axis.is_linear else "°"
 
@@ -92,6 +103,9 @@ def axis_components(
         is_endless = moment.values[state] in (codes.CONTINUOUS_MOTION, codes.STOPPING)
         is_there = moment.values[command] == moment.values[target]
         return _IN_POSITION if is_there and not is_endless else _MOVING
+
+    def zero_offset(moment: Moment) -> float:
+        return state_of(moment, number).zero_offsets[index]
 
     low, high = axis.reachable
     position = ShownPosition(f"{prefix}{name}.ACS.CUR_POS", command, to_go, unit, low, high)
@@ -108,7 +122,7 @@ def axis_components(
         "IsRotational": fixed(not axis.is_linear),
         "PosDirect": position,
         "PosIndirect": position,
-        "ZeroOffset": NOT_MODELLED,
+        "ZeroOffset": Shown(zero_offset, (), True, unit, low, high),
     }
 
 
@@ -142,9 +156,7 @@ def spindle_components(
     speed, angle = f"{prefix}{name}.SPEED", f"{prefix}{name}.POSITION"
 
     def job(moment: Moment) -> SpindleState:
-        if moment.glance is None:
-            raise NotSupported(int(ua.StatusCodes.BadWaitingForInitialData))
-        return moment.glance.channels[number - 1].spindles[index]
+        return state_of(moment, number).spindles[index]
 
     def status(moment: Moment) -> int:
         actual, latest = moment.number(speed), job(moment)
@@ -280,9 +292,13 @@ def channel_components(
         ]
 
     def feed(moment: Moment) -> float:
-        if moment.glance is None:
-            raise NotSupported(int(ua.StatusCodes.BadWaitingForInitialData))
-        return moment.glance.channels[number - 1].programmed_mm_s * 60.0
+        return state_of(moment, number).programmed_mm_s * 60.0
+
+    def in_force(moment: Moment) -> InForce:
+        found = state_of(moment, number).in_force
+        if found is None:
+            raise NotSupported(int(ua.StatusCodes.BadNoData))
+        return found
 
     states = tuple(hli[word] for word in ("STATE", "PAUSED", "ARMED", "FEED_HOLD"))
     found: dict[str, Shown | ShownPosition] = {
@@ -303,9 +319,9 @@ def channel_components(
         "DryRunFeed": NOT_MODELLED,
         "FeedHold": _written(signal(hli["FEED_HOLD"])),
         "BlockMode": _written(signal(hli["SINGLE_BLOCK"])),
-        "ActGFunctions": NOT_MODELLED,
+        "ActGFunctions": Shown(lambda moment: list(in_force(moment).functions), (), True),
         "ActMFunctions": Shown(functions, (), True),
-        "ActModalOffsetFunction": NOT_MODELLED,
+        "ActModalOffsetFunction": Shown(lambda moment: in_force(moment).zero_offset, (), True),
         "ActJogIncrement": NOT_MODELLED,
         "ActOperationMode": fixed(_AUTOMATIC),
         "CmdOperationMode": fixed(_AUTOMATIC),
@@ -318,7 +334,7 @@ def channel_components(
         "ActProgramFile": Shown(lambda moment: span(moment).file),
         "ActProgramLine": Shown(lambda moment: str(span(moment).line)),
         "ActProgramBlock": Shown(lambda moment: texts.around(span(moment))),
-        "ToolId": NOT_MODELLED,
+        "ToolId": Shown(lambda moment: in_force(moment).tool, (), True),
     }
     for letter in TCP_AXES:
         axis = axes.get(letter)

@@ -132,13 +132,14 @@ class MachineSpace:
         session = self._host.session
         shown = channel_components(channel, axes, prefix, texts, lambda: session.latest)
         self._add_components(path, "CncChannelType", shown)
-        for name, axis in axes.items():
+        for index, (name, axis) in enumerate(axes.items()):
             own = f"CncAxisList.{prefix}{name}"
             axis_node = self._add_object(
                 own, self.name(f"{prefix}{name}"), "CncAxisType", self.id("CncAxisList")
             )
             self._nodes.refer(node, refs.HAS_COMPONENT, axis_node)
-            self._add_components(own, "CncAxisType", axis_components(axis, name, prefix, node))
+            shown = axis_components(axis, name, prefix, index, number, node)
+            self._add_components(own, "CncAxisType", shown)
         for index, spindle in enumerate(channel.spindles):
             name = spindle.spindle.name
             own = f"CncSpindleList.{prefix}{name}"

@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: MIT
+"""Marks in the queue where something else comes into force.
+
+In: the modal state behind the words of a block. Out: a mark where it has changed, so that whoever
+watches a run sees it from the tick on in which the block begins.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from nctakt.base.diagnostics import Span
+from nctakt.decoder.state.commands import Command
+from nctakt.decoder.state.environment import DecoderEnvironment
+from nctakt.decoder.state.in_force import InForce, ModalMark
+from nctakt.decoder.state.modal_state import ModalState
+
+
+class InForceMarks:
+    """Marks where something else is in force than in the block before."""
+
+    def __init__(self, environment: DecoderEnvironment, state: ModalState) -> None:
+        self._environment = environment
+        self._state = state
+        self._marked: InForce | None = None
+
+    def of_block(self, span: Span, number: int) -> Iterator[Command]:
+        """Yield a mark for a block if its words have changed anything."""
+        state = self._state
+        functions = (state.motion, *state.functions.values())
+        found = InForce(tuple(sorted(functions)), state.tool.number)
+        if found != self._marked:
+            self._marked = found
+            source = self._environment.source_id(span)
+            yield ModalMark(source, number, self._environment.modal_id(found))

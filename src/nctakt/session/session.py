@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: MIT
 """A session: one thread owns the story of a controller; everybody else asks it.
 
-In: commands from any thread, a clock. Out: slices and values as answers, frames and notices for
-those who listen. Between two slices the thread does what it was asked for.
+In: commands from any thread, a clock. Out: slices and values as answers, frames and notices.
 """
 
 from __future__ import annotations
@@ -11,7 +10,6 @@ import contextlib
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
-from types import TracebackType
 from typing import Any, Self
 
 from nctakt.base.diagnostics import Language
@@ -42,13 +40,12 @@ CLOSING_S = 10.0
 class Session:
     """A run that one lives through: on any clock, with stops, forward and back.
 
-    Each command may come from any thread; it returns when it has been done. ``programs``,
-    ``channels``, ``set``, ``at``, ``until``, ``after``, ``wait_for_start`` and ``skip`` are those
-    of ``Controller.run``; ``machine`` is a folder, ``plc`` a Python file. Without a PLC, functions
+    Any thread may command; a command returns when it has been done. ``programs``, ``channels``,
+    ``set``, ``at``, ``until``, ``after``, ``wait_for_start`` and ``skip`` are those of
+    ``Controller.run``; ``machine`` is a folder, ``plc`` a Python file. Without a PLC, functions
     acknowledge themselves unless ``acknowledges`` is false. ``folders``: the only ones whose files
     may be read. ``pace``: on the wall clock ``slice`` runs the ticks of 10 ms together, ``tick``
-    each at its own time. ``stays``: the run goes on after its programs, for those that are selected
-    (``select``), without a limit.
+    each at its own time. ``stays``: the run goes on after its programs, for selected ones.
 
     Raises ``Failure`` for what cannot be read, and for wrong names and values; programs with errors
     are a session that is over.
@@ -294,9 +291,8 @@ class Session:
         self._thread.interrupt()
 
     def _pause(self) -> Slice:
-        was_playing = self._thread.clock is not None
-        self._thread.clock = None
-        return self._story.with_events() if was_playing else self._story.latest
+        clock, self._thread.clock = self._thread.clock, None
+        return self._story.latest if clock is None else self._story.with_events()
 
     @property
     def speed(self) -> float | None:
@@ -480,7 +476,7 @@ class Session:
     # --- the end --------------------------------------------------------------------------------
 
     def abandon(self) -> None:
-        """Kill a controller that does not answer: whatever waits for it raises 901153."""
+        """Kill a controller that does not answer: who waits for it gets 901153."""
         self._story.abandon()
 
     def close(self) -> None:
@@ -497,12 +493,7 @@ class Session:
     def __enter__(self) -> Self:
         return self
 
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
+    def __exit__(self, *_: object) -> None:
         self.close()
 
     def __repr__(self) -> str:

@@ -102,6 +102,41 @@ def test_all_mandatory_components_are_there_with_a_value_or_not_supported(served
         assert statuses[name] == "Good"
 
 
+FUNCTIONS = """G01 X1 F6000
+G04 X0.05
+T1 G55 G91 G18 X1
+G04 X0.05
+G90 G92 X-3
+G04 X0.05
+M30
+"""
+
+
+def test_functions_offsets_and_the_tool_are_those_of_the_current_block(served):
+    """Not those of the block that the decoder is at, several blocks ahead."""
+    (served.folder / "functions.nc").write_text(FUNCTIONS, "utf-8")
+    restart(served, "functions.nc")
+    start = [1, 17, 71, 90, 162]
+    shown = []
+
+    async def work(client):
+        async def value(path):
+            return await client.get_node(f"ns=3;s={path}").read_value()
+
+        names = [f"CncChannelList.1.{name}" for name in ("ActGFunctions", "ToolId")]
+        names += ["CncChannelList.1.ActModalOffsetFunction", "CncAxisList.X.ZeroOffset"]
+        line = "CncChannelList.1.ActProgramLine"
+        while len(shown) < 3 and served.session.tick < 2000:
+            served.session.step(5)
+            if await value(line) == str(2 * len(shown) + 2):
+                shown.append([await value(name) for name in names])
+
+    run(served, work)
+    assert shown[0] == [start, 0, 53, 0.0]
+    assert shown[1] == [[1, 18, 55, 71, 91, 162], 1, 55, -50.0]
+    assert shown[2] == [[1, 18, 55, 71, 90, 162], 1, 55, -53.0]
+
+
 def test_values_are_those_of_the_session(served):
     """Positions with unit and range, feed, speed, program, states, turn direction."""
     restart(served)

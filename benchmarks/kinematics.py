@@ -15,8 +15,8 @@ from nctakt.base.mode import is_compiled
 from nctakt.decoder.kinematics.chain import Chain, Joint, ProgrammedAngles, X, Y, Z, map_values
 from nctakt.kernel.kinematics.maps import KinematicMaps
 
-REPEATS = 7
-CALLS = 200_000 if is_compiled() else 2_000
+REPEATS = 60 if is_compiled() else 5
+CALLS = 10_000 if is_compiled() else 2_000
 AXES = 5
 POINT = (1.0, 2.0, 150.0)
 

@@ -21,6 +21,7 @@ from nctakt.decoder.kinematics.chain import (
     map_values,
     unit,
 )
+from nctakt.kernel.kinematics import map_rows
 from nctakt.kernel.kinematics.maps import KinematicMaps
 
 AXES = 8
@@ -37,9 +38,15 @@ def doubles(values: Sequence[float]) -> memoryview:
 class Map:
     """The map of one chain, over lists."""
 
-    def __init__(self, chain: Chain, length: float = 0.0, axis_count: int = 6) -> None:
+    def __init__(
+        self, chain: Chain, length: float = 0.0, axis_count: int = 6, second: Chain | None = None
+    ) -> None:
         self.maps = KinematicMaps(AXES)
-        self.number = self.maps.add(map_values(chain, range(axis_count), length))
+        row = map_values(chain, range(axis_count), length)
+        if second is not None:
+            further = map_values(second, range(axis_count), 0.0)
+            row[map_rows.SECOND_STEP] = self.maps.add(further)
+        self.number = self.maps.add(row)
         self.axis_count = axis_count
 
     def forward(self, positions: Sequence[float], near: Sequence[float] = ()) -> list[float]:

@@ -85,6 +85,21 @@ def test_complete_there_and_back() -> None:
         check_back(chain, mapped, forward, near, seed, letters)
 
 
+def test_two_steps_there_and_back() -> None:
+    """A second step leads on from the results of the first one, and back before it."""
+    for seed in all_seeds(100, 15):
+        numbers = random.Random(seed)
+        chains = [random_chain(numbers, 2) for _ in range(2)]
+        mapped = Map(chains[0], 50.0, second=chains[1])
+        positions = random_positions(numbers)
+        between = Map(chains[0], 50.0).forward(positions)
+        forward = mapped.forward(positions)
+        assert forward == Map(chains[1]).forward(between), seed
+        if min(linear_spread(chain, positions) for chain in chains) > 0.2:
+            back = mapped.inverse(forward, positions)
+            assert np.allclose(back, positions, rtol=0.0, atol=10.0 * TOLERANCE_MM), seed
+
+
 def test_vector_there_and_back() -> None:
     """A vector of any length names the tool's direction; the way back reaches it."""
     for seed in all_seeds(300, 40):

@@ -102,7 +102,6 @@ def map_values(chain: Chain, members: Sequence[int], tool_length: float) -> list
     added to it.
     """
     row = [0.0] * map_rows.MAP_WIDTH
-    row[map_rows.KIND] = map_rows.CHAIN
     row[map_rows.SLOT] = members[0]
     row[map_rows.AXIS_COUNT] = len(members)
     length = tool_length if chain.uses_length else 0.0

@@ -15,14 +15,6 @@ VECTOR_X, VECTOR_Y, VECTOR_Z = range(3, 6)
 #: Components of three vectors, one after the other.
 FIRST_X, FIRST_Y, FIRST_Z, SECOND_X, SECOND_Y, SECOND_Z, THIRD_X, THIRD_Y, THIRD_Z = range(9)
 
-#: Kinds of maps.
-(
-    CHAIN,  # rigid motions of joints, from the workpiece to the tool
-    FACE,  # face machining: a plane on the face <-> a radius and the angle of the rotary axis
-    CYLINDER,  # lateral surface: a way around the cylinder <-> the angle of the rotary axis
-    TRIPOD,  # three struts of one length on carriages <-> a platform
-) = range(4)
-
 #: What the words of the rotary axes mean.
 (
     MACHINE_ANGLES,  # the positions of the rotary axes themselves
@@ -40,13 +32,13 @@ FIRST_X, FIRST_Y, FIRST_Z, SECOND_X, SECOND_Y, SECOND_Z, THIRD_X, THIRD_Y, THIRD
 
 #: Columns of every map.
 (
-    KIND,
     SLOT,  # number of the channel's first axis in the machine
     AXIS_COUNT,  # how many axes the channel has
     PROGRAMMING,  # ``MACHINE_ANGLES`` …
     JOINT_COUNT,
     LEADING_COUNT,  # rotary joints before the first linear one
     TRAILING_FIRST,  # the first of the rotary joints behind the last linear one
+    SECOND_STEP,  # number of the map that leads on from the results of this one; 0: none
     IS_SPLIT,  # 1: no rotary joint between two linear ones
     TOOL,  # three columns: the tool's tip with all axes at 0
     _TOOL_Y,

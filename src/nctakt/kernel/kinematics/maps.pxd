@@ -15,20 +15,30 @@ cdef class KinematicMaps:
     cdef double[::1] values
     cdef double[::1] columns
     cdef double[::1] linear
+    cdef double[::1] between
+    cdef double[::1] near_between
     cdef Orientation orientation
     cdef double x
     cdef double y
     cdef double z
 
-    @cython.locals(first=Py_ssize_t, count=Py_ssize_t, k=Py_ssize_t)
+    @cython.locals(row=Py_ssize_t, count=Py_ssize_t, k=Py_ssize_t, joint=Py_ssize_t)
     cdef int has_axis(self, Py_ssize_t number, Py_ssize_t axis) noexcept nogil
-    @cython.locals(row=Py_ssize_t, i=Py_ssize_t)
+    @cython.locals(row=Py_ssize_t, second=Py_ssize_t)
     cpdef void forward(
         self, Py_ssize_t number, double[::1] positions, double[::1] near, double[::1] results
     ) noexcept nogil
-    @cython.locals(row=Py_ssize_t, i=Py_ssize_t, answer=int)
+    @cython.locals(i=Py_ssize_t)
+    cdef void forward_step(
+        self, Py_ssize_t row, double[::1] positions, double[::1] near, double[::1] results
+    ) noexcept nogil
+    @cython.locals(row=Py_ssize_t, i=Py_ssize_t, answer=int, second=Py_ssize_t)
     cpdef int inverse(
         self, Py_ssize_t number, double[::1] positions, double[::1] near, double[::1] results
+    ) noexcept nogil
+    @cython.locals(i=Py_ssize_t, answer=int)
+    cdef int inverse_step(
+        self, Py_ssize_t row, double[::1] positions, double[::1] near, double[::1] results
     ) noexcept nogil
     @cython.locals(row=Py_ssize_t)
     cpdef int aim(

@@ -8,6 +8,8 @@ where no rotary joint lies between two linear ones its matrix is constant. Posit
 order of the channel's axes: the first three are those of the tip, those of the rotary axes stay
 what they are (RTCP) or say the tool's direction (complete).
 
+A map may lead on to that of a second step, whose axes are the results of the first one.
+
 Maps are kept by number, from 1 on, for as long as the machine lives: segments in the queue and in
 the history refer to them.
 """
@@ -15,8 +17,9 @@ the history refer to them.
 from __future__ import annotations
 
 from nctakt.kernel.base import arithmetic
-from nctakt.kernel.base.bounds import check_finite, check_range, check_size
+from nctakt.kernel.base.bounds import check_range, check_size
 from nctakt.kernel.kinematics import map_rows
+from nctakt.kernel.kinematics.map_checks import check_column, check_map
 from nctakt.kernel.kinematics.orientation import Orientation
 
 #: Maps that there is room for at first.
@@ -29,7 +32,7 @@ class KinematicMaps:
     """The maps of a machine of ``axis_count`` axes; ``used`` is the number of the next one.
 
     ``x``, ``y``, ``z`` hold the point that the joints move, ``columns`` the directions of the three
-    linear axes as the joints behind them turn them.
+    linear axes as the joints behind them turn them; ``between`` what lies between two steps.
     """
 
     def __init__(self, axis_count: int) -> None:
@@ -40,6 +43,9 @@ class KinematicMaps:
         self.values = memoryview(bytearray(8 * CAPACITY * map_rows.MAP_WIDTH)).cast("d")
         self.columns = memoryview(bytearray(8 * 9)).cast("d")
         self.linear = memoryview(bytearray(8 * 3)).cast("d")
+        room = 8 * max(1, axis_count)
+        self.between = memoryview(bytearray(room)).cast("d")
+        self.near_between = memoryview(bytearray(room)).cast("d")
         self.orientation = Orientation()
         self.x = 0.0
         self.y = 0.0
@@ -53,6 +59,7 @@ class KinematicMaps:
         check_range(len(values), map_rows.MAP_WIDTH, map_rows.MAP_WIDTH, "length of a map")
         row = [float(value) for value in values]
         check_map(row, self.axis_count)
+        check_column(row, map_rows.SECOND_STEP, 0, self.used - 1)
         for number in range(1, self.used):
             first = number * map_rows.MAP_WIDTH
             if [self.values[first + i] for i in range(map_rows.MAP_WIDTH)] == row:
@@ -74,11 +81,14 @@ class KinematicMaps:
 
     def has_axis(self, number: int, axis: int) -> int:
         """Return whether an axis of the channel belongs to map ``number``."""
-        first = number * map_rows.MAP_WIDTH + map_rows.JOINTS
-        count = int(self.values[number * map_rows.MAP_WIDTH + map_rows.JOINT_COUNT])
-        for k in range(count):
-            if self.values[first + k * map_rows.JOINT_WIDTH + map_rows.JOINT_AXIS] == axis:
-                return 1
+        while number > 0:
+            row = number * map_rows.MAP_WIDTH
+            count = int(self.values[row + map_rows.JOINT_COUNT])
+            for k in range(count):
+                joint = row + map_rows.JOINTS + k * map_rows.JOINT_WIDTH
+                if self.values[joint + map_rows.JOINT_AXIS] == axis:
+                    return 1
+            number = int(self.values[row + map_rows.SECOND_STEP])
         return 0
 
     def forward(
@@ -93,6 +103,21 @@ class KinematicMaps:
         Of two pairs of programmed angles the one is taken that is nearer to ``near``.
         """
         row = number * map_rows.MAP_WIDTH
+        second = int(self.values[row + map_rows.SECOND_STEP])
+        if second > 0:
+            self.forward_step(row, positions, near, self.between)
+            self.forward_step(second * map_rows.MAP_WIDTH, self.between, near, results)
+        else:
+            self.forward_step(row, positions, near, results)
+
+    def forward_step(
+        self,
+        row: int,
+        positions: memoryview[float],
+        near: memoryview[float],
+        results: memoryview[float],
+    ) -> None:
+        """``forward`` of one step."""
         for i in range(int(self.values[row + map_rows.AXIS_COUNT])):
             results[i] = positions[i]
         self.place_tip(row, positions)
@@ -117,6 +142,27 @@ class KinematicMaps:
         ``REACHED``, or why there is none; ``results`` are ``near`` then.
         """
         row = number * map_rows.MAP_WIDTH
+        second = int(self.values[row + map_rows.SECOND_STEP])
+        if second == 0:
+            return self.inverse_step(row, positions, near, results)
+        self.forward_step(row, near, near, self.near_between)
+        answer = self.inverse_step(
+            second * map_rows.MAP_WIDTH, positions, self.near_between, self.between
+        )
+        if answer == map_rows.REACHED:
+            return self.inverse_step(row, self.between, near, results)
+        for i in range(int(self.values[row + map_rows.AXIS_COUNT])):
+            results[i] = near[i]
+        return answer
+
+    def inverse_step(
+        self,
+        row: int,
+        positions: memoryview[float],
+        near: memoryview[float],
+        results: memoryview[float],
+    ) -> int:
+        """``inverse`` of one step."""
         for i in range(int(self.values[row + map_rows.AXIS_COUNT])):
             results[i] = positions[i]
         answer = map_rows.REACHED
@@ -145,7 +191,7 @@ class KinematicMaps:
         """Put what is programmed for a vector along the tool into the rotary places of ``results``.
 
         The vector leads from the tip to the clamp; of two solutions the one is taken that is nearer
-        to ``near``. Return ``REACHED``, or why there is none.
+        to ``near``. Return ``REACHED``, or why there is none; it is that of the first step.
         """
         row = number * map_rows.MAP_WIDTH
         self.orientation.start(vector, 0)
@@ -158,7 +204,10 @@ class KinematicMaps:
     def direction(
         self, number: int, positions: memoryview[float], results: memoryview[float]
     ) -> None:
-        """Put the vector from the tip to the clamp, of length 1, into ``results[0]`` … ``[2]``."""
+        """Put the vector from the tip to the clamp, of length 1, into ``results[0]`` … ``[2]``.
+
+        It is that of the first step.
+        """
         self.point_tool(number * map_rows.MAP_WIDTH, positions)
         results[map_rows.X] = self.orientation.x
         results[map_rows.Y] = self.orientation.y
@@ -428,34 +477,3 @@ class KinematicMaps:
             results[first_axis] = self.orientation.first
             results[second_axis] = self.orientation.second
         return answer
-
-
-def check_map(row: list[float], axis_count: int) -> None:
-    """Raise ``ValueError`` unless every index of a map is in range and every number finite."""
-    for value in row:
-        check_finite(value, "number of a map")
-    check_column(row, map_rows.SLOT, 0, axis_count - 1)
-    check_column(row, map_rows.AXIS_COUNT, map_rows.VECTOR_X, axis_count)
-    check_column(row, map_rows.KIND, map_rows.CHAIN, map_rows.CHAIN)
-    check_column(row, map_rows.PROGRAMMING, map_rows.MACHINE_ANGLES, map_rows.TWO_ANGLES)
-    if row[map_rows.PROGRAMMING] == map_rows.VECTOR:
-        check_column(row, map_rows.AXIS_COUNT, map_rows.VECTOR_Z + 1, axis_count)
-    places = int(row[map_rows.AXIS_COUNT])
-    check_column(row, map_rows.JOINT_COUNT, map_rows.VECTOR_X, map_rows.MAX_JOINTS)
-    count = int(row[map_rows.JOINT_COUNT])
-    check_column(row, map_rows.LEADING_COUNT, 0, count)
-    check_column(row, map_rows.TRAILING_FIRST, 0, count)
-    check_column(row, map_rows.FIRST_PLACE, 0, places - 1)
-    check_column(row, map_rows.SECOND_PLACE, 0, places - 1)
-    check_column(row, map_rows.FIRST_JOINT, 0, map_rows.MAP_WIDTH - map_rows.JOINT_WIDTH)
-    check_column(row, map_rows.SECOND_JOINT, 0, map_rows.MAP_WIDTH - map_rows.JOINT_WIDTH)
-    for k in range(count):
-        joint = map_rows.JOINTS + k * map_rows.JOINT_WIDTH
-        check_column(row, joint + map_rows.JOINT_MEMBER, 0, axis_count - 1)
-        last = places - 1 if row[joint + map_rows.JOINT_IS_ROTARY] else map_rows.Z
-        check_column(row, joint + map_rows.JOINT_AXIS, 0, last)
-
-
-def check_column(row: list[float], column: int, low: int, high: int) -> None:
-    """Raise ``ValueError`` unless a column of a map is an integer in ``low`` … ``high``."""
-    check_range(int(row[column]), low, high, "number of a map")

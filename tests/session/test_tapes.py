@@ -13,6 +13,8 @@ import pytest
 from nctakt import Failure, NcText
 from nctakt.cli import main
 from nctakt.session import Session
+from nctakt.session.growing_tape import GrowingTape
+from nctakt.session.setup import Setup
 
 pytestmark = pytest.mark.slow
 
@@ -215,3 +217,41 @@ def test_a_tape_of_a_schedule_is_refused() -> None:
     with pytest.raises(Failure) as caught, contextlib.closing(Session.of_tape("run.tape")):
         pass
     assert caught.value.diagnostics[0].id == 901149
+
+
+def test_a_growing_tape_is_whole_at_any_time(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """What is on it when the process is killed is replayed (901531); a full disk passes."""
+    setup = Setup({1: ["part.nc"]}, stays=True)
+    Path("run.growing.tape").write_text("of an earlier process", "utf-8")
+    with Session.of_setup(setup) as session:
+        tape = GrowingTape("run.tape", session, setup, {"part.nc": Path("part.nc")})
+        assert Path("run.growing.old.tape").read_text("utf-8") == "of an earlier process"
+        for value in (1, 2):
+            session.write({"V.E.VALUE": value})
+            session.step(10)
+            tape.look()
+        assert replayed("run.growing.tape", capsys)[1].startswith("note 901531: ")
+        lines = list(map(json.loads, Path("run.growing.tape").read_text("utf-8").splitlines()))
+        assert [line["tick"] for line in lines[1:-1]] == [0, 10]
+        assert lines[-1]["ticks"] == 20
+        session.back(10)
+        session.write({"V.E.VALUE": 7})  # another branch
+        session.step(5)
+        write = GrowingTape._write
+
+        def refuse(*_: object) -> None:
+            raise OSError(28, "No space left on device")
+
+        monkeypatch.setattr(GrowingTape, "_write", refuse)
+        with pytest.raises(OSError, match="No space"):
+            tape.look()
+        assert replayed("run.growing.tape", capsys)[0] == 0
+        monkeypatch.setattr(GrowingTape, "_write", write)
+        tape.look()
+        lines = list(map(json.loads, Path("run.growing.tape").read_text("utf-8").splitlines()))
+        assert [line["inputs"][0][3] for line in lines[1:-1]] == [1.0, 7.0]
+        assert lines[-1]["ticks"] == 15
+        tape.close()
+    assert not Path("run.growing.tape").exists()

@@ -15,7 +15,7 @@ import pytest
 from nctakt import Failure, NcText, Session
 from nctakt.messages import diagnostic
 from nctakt.messages.session import CONTROLLER_LOST
-from nctakt.session import session as session_module
+from nctakt.session import thread as thread_module
 from nctakt.session.story import Story
 from nctakt.session.thread import SessionThread
 
@@ -87,7 +87,7 @@ def test_a_controller_that_hangs_does_not_hold_up_the_end(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """It is killed after a time, and closing returns."""
-    monkeypatch.setattr(session_module, "CLOSING_S", 0.2)
+    monkeypatch.setattr(thread_module, "CLOSING_S", 0.2)
     plc = tmp_path / "plc.py"
     plc.write_text(HANGING_PLC, "utf-8")
     session = Session(NcText("p.nc", "G04 X60\nM30"), plc=str(plc))

@@ -137,7 +137,7 @@ class _Taping:
 
             self.writer = start_tape(options, request, file)
             self.sinks.append(self.writer)
-        if options.tape is not None:
+        if options.tape is not None and options.tape.has_checksums:
             from nctakt.run.tape import TapeComparison  # noqa: PLC0415 - as above
 
             self._comparison = TapeComparison(options.tape)
@@ -153,14 +153,15 @@ class _Taping:
 
     def tell(self, run: Run) -> int:
         """Tell whether a replay had the recorded events; the exit code of that."""
-        if self._comparison is None:
+        if self._options.tape is None:
             return EXIT_RAN
         from nctakt.cli.tapes import verdict  # noqa: PLC0415 - as above
 
         lowest = Severity.WARNING if self._options.quiet else Severity.NOTE
         found = verdict(self._comparison, run.ticks, run.cycle_time_us)
         print_diagnostics([found], self._options.language, lowest)
-        return EXIT_RAN if self._comparison.first is None else EXIT_NC_ERROR
+        has_differed = self._comparison is not None and self._comparison.first is not None
+        return EXIT_NC_ERROR if has_differed else EXIT_RAN
 
 
 def _open_trace(file: OutputFile | None) -> list[Sink]:

@@ -27,11 +27,13 @@ from nctakt.cli.language import language_option
 from nctakt.cli.request import STANDARD_INPUT, Options, read_request
 from nctakt.cli.running import choose_mode
 from nctakt.cli.settings import carry_out
+from nctakt.cli.tapes import inputs_of_run
 from nctakt.cli.terminal import print_diagnostics
 from nctakt.files.access import FileAccess
 from nctakt.files.output import OutputFile
 from nctakt.lists.machine.files import machine_folder
 from nctakt.messages import diagnostic
+from nctakt.messages.files import FILE_NOT_WRITABLE
 from nctakt.messages.live import PAGE_NEEDS_FILES
 from nctakt.messages.opcua import OPCUA_LIBRARY_MISSING
 from nctakt.messages.real_schedule import SPEED_OF_REAL_SCHEDULE
@@ -40,7 +42,9 @@ from nctakt.messages.servers import INVALID_NET_ID, NO_DOOR, PAGE_WITHOUT_PROGRA
 
 if TYPE_CHECKING:
     from nctakt.servers.serving import DoorOpener
+    from nctakt.session.growing_tape import GrowingTape
     from nctakt.session.session import Session
+    from nctakt.session.setup import Setup
 
 _EPILOG = """\b
 A line "ready" with the address of each door comes once clients can connect.
@@ -292,10 +296,13 @@ def _serve(options: Options, access: FileAccess, own: _Words) -> int:
             return EXIT_NC_ERROR
         speed = own.speed
         ready = _ready_teller(own.ready_file)
+        growing = None if own.tape is None else _growing(own.tape, session, setup, options, access)
         try:
-            asyncio.run(serve(session, machine, log, doors, speed=speed, ready=ready))
+            asyncio.run(serve(session, machine, log, doors, tape=growing, speed=speed, ready=ready))
         finally:
             _end(session, options, own.tape)
+            if growing is not None:
+                growing.close()
     return EXIT_RAN
 
 
@@ -435,6 +442,19 @@ def _ready_teller(file: str | None) -> Callable[[Mapping[str, str]], None]:
         sys.stdout.flush()
 
     return tell
+
+
+def _growing(
+    tape: str, session: Session, setup: Setup, options: Options, access: FileAccess
+) -> GrowingTape:
+    """Return the tape that grows meanwhile; raises ``Failure`` (900507) if it cannot be written."""
+    from nctakt.session.growing_tape import GrowingTape  # noqa: PLC0415 - the mode is chosen
+
+    try:
+        return GrowingTape(tape, session, setup, dict(inputs_of_run(options, access)))
+    except OSError as error:
+        reason = error.strerror or str(error)
+        raise Failure(diagnostic(FILE_NOT_WRITABLE, file=tape, reason=reason)) from error
 
 
 def _end(session: Session, options: Options, tape: str | None) -> None:

@@ -21,6 +21,7 @@ from nctakt.messages import diagnostic
 from nctakt.messages.tape import (
     REPLAY_AGREES,
     REPLAY_DIFFERS,
+    REPLAY_NOT_COMPARED,
     TAPE_FILES_CHANGED,
 )
 from nctakt.project.project_file import OWN_NAME, PYTHON_NAME
@@ -75,8 +76,13 @@ def check_unchanged(tape: Tape, *, anyway: bool) -> list[Diagnostic]:
     return [replace(found, is_lenient=True)]
 
 
-def verdict(comparison: TapeComparison, ticks: int, cycle_time_us: int) -> Diagnostic:
-    """Return whether the events were those of the tape, and the first difference (901074)."""
+def verdict(comparison: TapeComparison | None, ticks: int, cycle_time_us: int) -> Diagnostic:
+    """Return whether the events were those of the tape, and the first difference (901074).
+
+    ``None``: the tape has none to compare with (901531).
+    """
+    if comparison is None:
+        return diagnostic(REPLAY_NOT_COMPARED, ticks=ticks)
     if comparison.first is None:
         return diagnostic(REPLAY_AGREES, ticks=ticks)
     tick, events = comparison.first

@@ -55,6 +55,12 @@ REPLAY_AGREES = note(
     de="die Ereignisse aller {ticks} Takte sind die des aufgezeichneten Laufs",
     ticks=("the number of ticks", "die Anzahl der Takte"),
 )
+REPLAY_NOT_COMPARED = note(
+    901531,
+    en="the tape grew until its process was ended: {ticks} ticks, no events to compare with",
+    de="die Aufzeichnung wuchs bis zum Ende ihres Prozesses: {ticks} Takte, kein Vergleich möglich",
+    ticks=("the number of ticks", "die Anzahl der Takte"),
+)
 INPUT_NOT_POSSIBLE = error(
     901077,
     en="the recorded input of tick {tick} is not possible on this machine: {input}",

@@ -100,6 +100,15 @@ def unpack(cells: Cells) -> list[Input]:
     return found
 
 
+def pack(inputs: Iterable[Input]) -> Cells:
+    """Return inputs as cells."""
+    cells: Cells = []
+    for one in inputs:
+        values = one.values if one.kind == WRITE else (one.values, None)
+        cells += (one.tick, one.source, one.kind, *values)
+    return cells
+
+
 def _no_image() -> None:
     """Return no image: none has been attached."""
 

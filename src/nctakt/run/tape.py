@@ -51,7 +51,8 @@ class Tape:
     ``words`` are those of the command that it was started with, ``texts`` its programs that are no
     files, by their names. ``checksums``: tick -> that of its events. ``ticks`` and ``state``: how
     it ended. ``digests``: file -> SHA-256 in hexadecimal digits. ``lists``: the texts of lists that
-    were not read as they stand in their files, by the names of these.
+    were not read as they stand in their files, by the names of these. ``has_checksums``: not one
+    that grew until its process was ended (``session/growing_tape.py``).
     """
 
     words: Mapping[str, Any]
@@ -63,6 +64,7 @@ class Tape:
     state: str
     digests: Mapping[str, str]
     lists: Mapping[str, str] = field(default_factory=dict)
+    has_checksums: bool = True
 
 
 def digest_of(path: Path) -> str | None:
@@ -109,6 +111,8 @@ class TapeWriter:
         texts: Mapping[str, str],
         has_plc: bool,
         lists: Mapping[str, str] | None = None,
+        *,
+        has_checksums: bool = True,
     ) -> None:
         self._write = write
         self._inputs = InputLines(write)
@@ -121,6 +125,7 @@ class TapeWriter:
                 "texts": texts,
                 "has_plc": has_plc,
                 **({"lists": lists} if lists else {}),
+                **({} if has_checksums else {"checksums": False}),
             }
         )
 
@@ -141,7 +146,10 @@ class TapeWriter:
 
     def finish(self, state: str, ticks: int, files: Mapping[str, Path]) -> None:
         """Write the last line; ``files``: programs and lists by their names on the tape."""
-        digests = {name: digest_of(path) for name, path in files.items()}
+        self.end(state, ticks, {name: digest_of(path) for name, path in files.items()})
+
+    def end(self, state: str, ticks: int, digests: Mapping[str, str | None]) -> None:
+        """Write a last line; of several the last one counts."""
         self._line({"end": state, "ticks": ticks, "files": digests})
 
 
@@ -258,6 +266,7 @@ class _Reader:
             str(end["end"]),
             digests,
             head.get("lists", {}),
+            head.get("checksums") is not False,
         )
 
     def cut_off(self) -> None:

@@ -20,6 +20,7 @@ from nctakt.messages.servers import CONTROLLER_SILENT, CONTROLLER_STOPPED
 from nctakt.servers.host import Door, Host
 from nctakt.servers.log import ServerLog
 from nctakt.servers.notices import ServerNotice
+from nctakt.session.growing_tape import GrowingTape
 from nctakt.session.session import Session
 
 #: Makes a door of a host.
@@ -31,6 +32,9 @@ CLOSING_S = 5.0
 #: How long the session may take to pause at the end, in seconds.
 PAUSING_S = 5.0
 
+#: How often a tape grows, in seconds, and how long it waits where it could not.
+_GROWING_S, _RETRY_S = 1.0, 10.0
+
 #: How long a thread may compute while the loop or the session is due, in seconds.
 _SWITCH_S = 0.00005
 
@@ -41,10 +45,11 @@ async def serve(
     log: ServerLog,
     doors: Mapping[str, DoorOpener],
     *,
+    tape: GrowingTape | None = None,
     speed: float | None,
     ready: Callable[[Mapping[str, str]], None],
 ) -> None:
-    """Serve until a signal comes; ``ready`` gets the address of each door.
+    """Serve until a signal comes; ``ready`` gets the address of each door, ``tape`` grows.
 
     Raises ``Failure`` for an address that cannot be used, and when the controller has stopped
     (901354), or does not answer at the end.
@@ -53,6 +58,7 @@ async def serve(
     host = await Host(session, machine, log).open()
     end = EndSignal(host)
     opened: list[tuple[str, Door]] = []
+    growing: asyncio.Task[None] | None = None
     try:
         addresses: dict[str, str] = {}
         for name, opener in doors.items():
@@ -62,8 +68,12 @@ async def serve(
             log.note("open", door=name, address=addresses[name])
         await host.ask(session.play, speed)
         ready(addresses)
+        if tape is not None:
+            growing = host.loop.create_task(_grow(tape, log))
         await end.wait()
     finally:
+        if growing is not None:
+            growing.cancel()
         host.notices.tell(ServerNotice("closing", host.store.tick, ""))
         for name, door in reversed(opened):
             try:
@@ -78,6 +88,20 @@ async def serve(
         log.note("closed", tick=session.tick, missed_frames=missed, **lateness)
     if not answers:
         raise Failure(diagnostic(CONTROLLER_SILENT, seconds=f"{PAUSING_S:g}"))
+
+
+async def _grow(tape: GrowingTape, log: ServerLog) -> None:
+    """Let a tape grow; one that cannot, as on a full disk, begins anew later."""
+    while True:
+        wait_s = _GROWING_S
+        try:
+            await asyncio.to_thread(tape.look)
+        except Failure:
+            return  # the session has ended
+        except OSError as error:
+            log.error("tape", file=str(tape.path), reason=error_text(error))
+            wait_s = _RETRY_S
+        await asyncio.sleep(wait_s)
 
 
 async def _pauses(host: Host) -> bool:

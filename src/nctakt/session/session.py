@@ -33,9 +33,6 @@ from nctakt.session.tapes import read_setup, save_tape
 from nctakt.session.thread import SessionThread
 from nctakt.trace.events import Event
 
-#: How long a controller may take for what it has begun when its session is closed, in seconds.
-CLOSING_S = 10.0
-
 
 class Session:
     """A run that one lives through: on any clock, with stops, forward and back.
@@ -426,6 +423,10 @@ class Session:
         """Return the inputs of this branch, the PLC's too, in the order of their ticks."""
         return self._ask(self._story.tape)
 
+    def news(self, first: int) -> tuple[int, int, list[Input]]:
+        """Return branch, latest tick, and the inputs before it from tick ``first`` on."""
+        return self._ask(self._story.news, first)
+
     def save(self, path: str | Path) -> None:
         """Write this branch up to its latest tick as a tape for ``nctakt replay``.
 
@@ -481,14 +482,10 @@ class Session:
 
     def close(self) -> None:
         """End the session and all its processes; a controller that does not answer is killed."""
-        if self._thread.is_closed:
-            return
-        self._thread.close()
-        if not self._thread.join(CLOSING_S):
-            self._story.abandon()
-            self._thread.join(CLOSING_S)
-        self._audience.tell("closed")
-        self._story.close()
+        if not self._thread.is_closed:
+            self._thread.close(self._story.abandon)
+            self._audience.tell("closed")
+            self._story.close()
 
     def __enter__(self) -> Self:
         return self

@@ -316,6 +316,10 @@ class Story:
         """Return the inputs of this branch, the PLC's too, in the order of their ticks."""
         return self._timeline.tape()
 
+    def news(self, first: int) -> tuple[int, int, list[Input]]:
+        """Return branch, latest tick, and the inputs before it from tick ``first`` on."""
+        return self._timeline.news(first)
+
     def abandon(self) -> None:
         """Kill a controller that does not answer."""
         self._timeline.abandon()

@@ -35,14 +35,14 @@ def save_tape(path: str | Path, setup: Setup, inputs: Sequence[Input], ticks: in
     """
     access = FileAccess([Path(folder) for folder in setup.folders])
     has_plc = setup.plc is not None or not setup.acknowledges
-    texts = {one.name: one.text for one in _programs(setup) if isinstance(one, NcText)}
-    for program in _programs(setup):
+    texts = {one.name: one.text for one in programs_of(setup) if isinstance(one, NcText)}
+    for program in programs_of(setup):
         if not isinstance(program, NcText):
             access.note(program)
     controller = Controller(setup.machine, schedule_of_setup(setup, access), access)
     replayed = Tape({}, texts, has_plc, tuple(inputs), {}, ticks, "", {})
     with OutputFile(path, "tape", access) as file:
-        writer = TapeWriter(file.write, _words(setup), texts, has_plc)
+        writer = TapeWriter(file.write, words_of_setup(setup), texts, has_plc)
         run = controller.run(
             *setup.programs.get(1, ()),
             channels={number: own for number, own in setup.programs.items() if number > 1},
@@ -64,11 +64,12 @@ def save_tape(path: str | Path, setup: Setup, inputs: Sequence[Input], ticks: in
         writer.finish(state, controller.tick, files)
 
 
-def _programs(setup: Setup) -> list[str | Path | NcText]:
+def programs_of(setup: Setup) -> list[str | Path | NcText]:
+    """Return the programs of all channels."""
     return [program for own in setup.programs.values() for program in own]
 
 
-def _words(setup: Setup) -> dict[str, Any]:
+def words_of_setup(setup: Setup) -> dict[str, Any]:
     """Return the words of the command that runs what the setup does."""
     return {
         "programs": [name_of(program) for program in setup.programs.get(1, ())],

@@ -22,6 +22,9 @@ from nctakt.session.clock import AnyClock
 #: Commands that wait for the thread at most; whoever brings one more waits.
 MAX_COMMANDS = 1000
 
+#: How long a thread that is closed may take for what it has begun, in seconds.
+CLOSING_S = 10.0
+
 _P = ParamSpec("_P")
 _T = TypeVar("_T")
 
@@ -123,14 +126,13 @@ class SessionThread:
             answer.exception()  # the run stops between two slices
             raise
 
-    def close(self) -> None:
-        """Let it do what has been asked for, then end; ``join`` waits for that."""
+    def close(self, abandon: Callable[[], None] = lambda: None) -> None:
+        """Do what has been asked for, then end; ``abandon`` ends what takes too long."""
         self.interrupt()
         with self._entry:
             self.is_closed = True
         self._commands.put(None)
-
-    def join(self, timeout_s: float) -> bool:
-        """Wait for its end up to a time in seconds; return whether it has come."""
-        self._thread.join(timeout_s)
-        return not self._thread.is_alive()
+        self._thread.join(CLOSING_S)
+        if self._thread.is_alive():
+            abandon()
+            self._thread.join(CLOSING_S)

@@ -60,6 +60,14 @@ class Branch:
             inherited = [one for one in inherited if one.tick < before]
         return inherited + own
 
+    def inputs_from(self, tick: int) -> list[Input]:
+        """Return its inputs from a tick on."""
+        own = self.inputs[_index_of(self.inputs, tick) :]
+        if self.parent is None or tick >= self.first_tick:
+            return own
+        inherited = self.parent.inputs_from(tick)
+        return inherited[: _index_of(inherited, self.first_tick)] + own
+
     def shares(self, other: Branch, tick: int) -> bool:
         """Return whether a state of ``other`` before a tick is one of this branch's, too."""
         branch: Branch | None = self
@@ -247,12 +255,13 @@ class Timeline:
 
     def _planned(self, branch: Branch, tick: int) -> list[Input]:
         """Return the inputs of a branch from a tick on, with those that its PLC gave."""
-        planned = [one for one in branch.all_inputs() if one.tick >= tick]
+        planned = branch.inputs_from(tick)
         given: list[Input] = []
         story: Branch | None = branch
         last = branch.latest
-        while story is not None:
-            given = [one for one in self._plc[story.number] if tick < one.tick <= last] + given
+        while story is not None and last > tick:
+            own = self._plc[story.number]
+            given = own[_index_of(own, tick + 1) : _index_of(own, last + 1)] + given
             last, story = story.first_tick, story.parent
         return planned + given
 
@@ -329,6 +338,13 @@ class Timeline:
         """Return the inputs of this branch, the PLC's too, in the order of their ticks."""
         return sorted(self._planned(self.branch, -1), key=lambda one: one.tick)
 
+    def news(self, first: int) -> tuple[int, int, list[Input]]:
+        """Return branch, latest tick, and the inputs before it from tick ``first`` on."""
+        end = self.branch.latest
+        found = sorted(self._planned(self.branch, first - 1), key=lambda one: one.tick)
+        kept = found[_index_of(found, first) : _index_of(found, end)]
+        return self.branch.number, end, kept
+
     def restart_schedule(self) -> None:
         """Let a real schedule begin anew behind a pause."""
         if self._setup.rtconf is not None:
@@ -377,6 +393,11 @@ def search_in_parts(
         if engine.tick == before:
             break  # the run is over
     return found
+
+
+def _index_of(inputs: Sequence[Input], tick: int) -> int:
+    """Return the index of the first input of a tick or a later one, of inputs in their order."""
+    return bisect.bisect_left(inputs, tick, key=lambda one: one.tick)
 
 
 def _insert(inputs: list[Input], arriving: Sequence[Input]) -> None:

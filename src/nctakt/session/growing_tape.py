@@ -1,0 +1,120 @@
+# SPDX-License-Identifier: MIT
+"""A tape that grows with its session: what it has survives the end of the process, whatever ends it.
+
+In: a session, how it was started. Out: ``run.growing.tape`` beside ``run.tape``. Whenever it is
+looked at, the inputs since the last look and a new last line take the place of the old last line:
+so the file is a whole tape at any time, but one without checksums of its events. One that an
+earlier process has left is kept as ``run.growing.old.tape``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import IO
+
+from nctakt.run.inputs import SELECT, pack
+from nctakt.run.program_loader import NcText
+from nctakt.run.tape import TapeWriter, digest_of, name_on_tape
+from nctakt.session.session import Session
+from nctakt.session.setup import Setup
+from nctakt.session.tapes import programs_of, words_of_setup
+
+#: How a tape ends that grows.
+_STATE = "interrupted"
+
+
+class GrowingTape:
+    """The growing tape of a session, ``path`` beside that of the whole one.
+
+    ``files``: programs and lists by their names on a tape. Raises ``OSError``.
+    """
+
+    def __init__(
+        self, whole: str | Path, session: Session, setup: Setup, files: Mapping[str, Path]
+    ) -> None:
+        target = Path(whole)
+        self.path = _beside(target, "growing")
+        if self.path.is_file():
+            self.path.replace(_beside(target, "growing.old"))
+        self._session = session
+        self._setup = setup
+        self._digests = {name: digest_of(path) for name, path in files.items()}
+        self._file: IO[bytes] | None = None
+        self._branch = self._tick = self._end = 0
+        self.look()
+
+    def look(self) -> None:
+        """Append what has come since the last look.
+
+        Raises ``OSError``, then the next look begins the file anew, and ``Failure`` once the
+        session is closed.
+        """
+        first = 0 if self._file is None else self._tick
+        branch, tick, inputs = self._session.news(first)
+        if branch != self._branch and first:
+            branch, tick, inputs = self._session.news(0)
+            self._give_up()
+        elif self._file is not None and tick == self._tick:
+            return
+        for one in inputs:
+            if one.kind == SELECT:
+                path = Path(str(one.values[1]))
+                name = name_on_tape(path)
+                if name not in self._digests:
+                    self._digests[name] = digest_of(path)
+        try:
+            self._append([] if not inputs else pack(inputs), tick)
+        except OSError:
+            self._give_up()
+            raise
+        self._branch, self._tick = branch, tick
+
+    def _append(self, cells: list[object], tick: int) -> None:
+        """Write inputs and an end; a new file gets its name when it has both."""
+        lines: list[str] = []
+        setup = self._setup
+        texts = {one.name: one.text for one in programs_of(setup) if isinstance(one, NcText)}
+        has_plc = setup.plc is not None or not setup.acknowledges
+        writer = TapeWriter(
+            lines.append, words_of_setup(setup), texts, has_plc, has_checksums=False
+        )
+        writer.note(cells)
+        writer.close()
+        writer.end(_STATE, tick, self._digests)
+        if self._file is not None:
+            self._file.seek(self._end)
+            self._write(self._file, lines[1:])
+            return
+        begun = _beside(self.path, "new")
+        file = begun.open("wb", buffering=0)
+        try:
+            self._write(file, lines)
+            begun.replace(self.path)
+        except OSError:
+            file.close()
+            begun.unlink(missing_ok=True)
+            raise
+        self._file = file
+
+    def _write(self, file: IO[bytes], lines: Sequence[str]) -> None:
+        """Write lines with one call where the system takes them whole; the last one is the end."""
+        rest = memoryview("".join(lines).encode("utf-8", errors="backslashreplace"))
+        while rest:
+            rest = rest[file.write(rest) :]
+        self._end = file.tell() - len(lines[-1].encode("utf-8", errors="backslashreplace"))
+
+    def _give_up(self) -> None:
+        """Begin anew with the next look."""
+        if self._file is not None:
+            self._file.close()
+            self._file = None
+
+    def close(self) -> None:
+        """Remove it: there is the whole tape now."""
+        self._give_up()
+        self.path.unlink(missing_ok=True)
+
+
+def _beside(path: Path, word: str) -> Path:
+    return path.with_name(f"{path.stem}.{word}{path.suffix}")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A tape that grows with its session: what it has survives the end of the process, whatever ends it.
+"""A tape that grows with its session: it survives the end of the process, whatever ends it.
 
 In: a session, how it was started. Out: ``run.growing.tape`` beside ``run.tape``. Whenever it is
 looked at, the inputs since the last look and a new last line take the place of the old last line:

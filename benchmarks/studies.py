@@ -41,7 +41,7 @@ def crossing(count: int, after: str = "0 s") -> Study:
 
 def on_processes(study: Study, count: int) -> None:
     """Make the runs of a study on so many processes, without this one."""
-    study.run(executor=lambda plan, numbers: rows_of_processes(plan, numbers, count))
+    study.run(executor=lambda plan, left: rows_of_processes(plan, left, count, study.bench))
 
 
 def injections() -> Study:
@@ -70,6 +70,25 @@ def wall(function: Callable[[], object]) -> float:
     begin = time.perf_counter()
     function()
     return time.perf_counter() - begin
+
+
+def processor_seconds(who: int) -> float:
+    """The time of a processor that this process (``RUSAGE_SELF``) or its ended children took."""
+    usage = resource.getrusage(who)
+    return usage.ru_utime + usage.ru_stime
+
+
+def shares_of_two(study: Study) -> tuple[float, float]:
+    """Shares of two processes while they make a study.
+
+    How much of their time they have a processor, which is less on a machine that others use, too;
+    how much of all processor time goes to who hands out the runs.
+    """
+    whos = resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN
+    before = [processor_seconds(who) for who in whos]
+    taken_s = wall(lambda: on_processes(study, 2))
+    own_s, made_s = (processor_seconds(who) - at for who, at in zip(whos, before, strict=True))
+    return made_s / (2 * taken_s), own_s / (own_s + made_s)
 
 
 def parquet_megabytes(count: int) -> float:
@@ -107,6 +126,8 @@ def main() -> int:
     study = crossing(20 * RUNS)
     one, two = (wall(lambda count=count: on_processes(study, count)) for count in (1, 2))  # type: ignore[misc]
     print(f"two processes are {one / two:.2f} times as fast as one (goal 1.9)")
+    busy, own = shares_of_two(study)
+    print(f"two processes are busy for {busy:.0%} of the time; handing out takes {own:.1%} of it")
     print(f"10^6 rows take {parquet_megabytes(1_000_000):.0f} MB as Parquet (goal 60)")
     if "--dask" in sys.argv:
         import distributed  # noqa: PLC0415 - an extra

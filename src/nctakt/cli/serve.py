@@ -39,6 +39,7 @@ from nctakt.messages.opcua import OPCUA_LIBRARY_MISSING
 from nctakt.messages.real_schedule import SPEED_OF_REAL_SCHEDULE
 from nctakt.messages.scheduled_runs import OPTION_WITHOUT_SCHEDULE
 from nctakt.messages.servers import INVALID_NET_ID, NO_DOOR, PAGE_WITHOUT_PROGRAM
+from nctakt.servers.building import building
 
 if TYPE_CHECKING:
     from nctakt.servers.serving import DoorOpener
@@ -210,7 +211,8 @@ def command(
     )
 
     def show(options: Options, access: FileAccess) -> int:
-        return _serve(options, access, own)
+        with building() as built:
+            return _serve(options, access, own, built)
 
     given = {**words, "ticks": None, "until": None, "after": "0", "stays": True}
     return carry_out(given, show)
@@ -235,8 +237,11 @@ class _Words:
     log: str | None
 
 
-def _serve(options: Options, access: FileAccess, own: _Words) -> int:
-    """Open the session and serve it; raises ``Failure`` for what cannot be used."""
+def _serve(options: Options, access: FileAccess, own: _Words, built: Callable[[], None]) -> int:
+    """Open the session and serve it, ``built`` once all doors are open.
+
+    Raises ``Failure`` for what cannot be used.
+    """
     if STANDARD_INPUT in (*options.programs, *(program for _, program in options.others)):
         raise Failure(diagnostic(PAGE_NEEDS_FILES))
     if options.rtconf is None and (options.load or options.system):
@@ -295,7 +300,7 @@ def _serve(options: Options, access: FileAccess, own: _Words) -> int:
         if session.is_over:
             return EXIT_NC_ERROR
         speed = own.speed
-        ready = _ready_teller(own.ready_file)
+        ready = _ready_teller(own.ready_file, built)
         growing = None if own.tape is None else _growing(own.tape, session, setup, options, access)
         try:
             asyncio.run(serve(session, machine, log, doors, tape=growing, speed=speed, ready=ready))
@@ -429,10 +434,13 @@ def _log_writer(file: str | None) -> Iterator[Callable[[str], object] | None]:
             yield lambda line: stream.write(line.encode())
 
 
-def _ready_teller(file: str | None) -> Callable[[Mapping[str, str]], None]:
-    """Return what tells the addresses of all doors."""
+def _ready_teller(
+    file: str | None, built: Callable[[], None]
+) -> Callable[[Mapping[str, str]], None]:
+    """Return what tells the addresses of all doors, and that all is built."""
 
     def tell(addresses: Mapping[str, str]) -> None:
+        built()
         if file is not None:
             document = {"process": os.getpid(), "addresses": dict(addresses)}
             with OutputFile(file, "--ready-file") as output:

@@ -29,6 +29,9 @@ def standard(number: int) -> ua.NodeId:
     return ua.NodeId(number, 0)
 
 
+_TYPE = standard(HAS_TYPE)
+
+
 def text(words: str, language: str = "en") -> ua.LocalizedText:
     """Return a text in a language."""
     return ua.LocalizedText(words, language)
@@ -180,7 +183,7 @@ class Nodes:
         shown.NodeClass = ua.NodeClass(self._value(data, ua.AttributeIds.NodeClass))
         shown.BrowseName = self._value(data, ua.AttributeIds.BrowseName)
         shown.DisplayName = self._value(data, ua.AttributeIds.DisplayName)
-        types = [one.NodeId for one in data.references if one.ReferenceTypeId == standard(HAS_TYPE)]
+        types = [one.NodeId for one in data.references if one.ReferenceTypeId == _TYPE]
         if types:
             shown.TypeDefinition = types[0]
         return shown

@@ -216,7 +216,8 @@ def test_plain_blocks_follow_the_table_of_functions(
     row: GFunction, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """While a modal function is active that is not ``plain``, no block takes the short way."""
-    word = "G159=1" if row.form is Form.ZERO_OFFSET else row.name
+    forms = {Form.ZERO_OFFSET: "G159=1", Form.AXIS_WEIGHTS: f"{row.name} X50"}
+    word = forms.get(row.form, row.name)
     lines = ["M3 S600", "G01 F60 G26", "V.G.WZ_AKT.R = 0.01", f"{word} F60", "Y1"]
     lines += [f"X{10 * i} Y{i % 2 * 5}" for i in range(1, 8)]
     content = "\n".join([*lines, "G40 X0 Y0", "M30"])

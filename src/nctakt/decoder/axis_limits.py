@@ -9,12 +9,18 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
+from nctakt.decoder.state.limit_commands import AxisLimits, SetLimits
+from nctakt.decoder.state.path_limits import AxisWeights, LimitState
 from nctakt.kernel.axes.axes import Axes
 from nctakt.kernel.axes.single_axes import SingleAxes
 from nctakt.kernel.base.record import Record
 from nctakt.kernel.path.lookahead import LookAhead
+from nctakt.kernel.path.segment_limits import SegmentLimits
 from nctakt.lists.machine.axis_configuration import AxisConfiguration
 from nctakt.lists.machine.machine import Machine
+
+#: Speed of an axis with the weight 0: 1 µm/s or 0.001 degrees/s.
+MIN_SPEED = 0.001
 
 
 def look_ahead(
@@ -33,6 +39,78 @@ def look_ahead(
             index, axis.dynamics.smooth_accelerations, axis.dynamics.smooth_jerks
         )
     return ahead
+
+
+def weighted_limits(axis: AxisConfiguration, weights: AxisWeights) -> AxisLimits:
+    """Return the limits of an axis with its weights.
+
+    Speeds are at most P-AXIS-00212, accelerations P-AXIS-00008, ramps take P-AXIS-00201 or longer.
+    """
+    dynamics = axis.dynamics
+    max_speed = max(axis.max_speed * min(weights.speed, 1.0), MIN_SPEED)
+    rapid_speed = max(axis.rapid_speed * weights.rapid_speed, MIN_SPEED)
+    factors = (weights.rapid_acceleration, weights.feed_acceleration)
+    smooth = dynamics.smooth_accelerations
+    trapezoid = (dynamics.rapid_acceleration, dynamics.feed_acceleration)
+    accelerations = _scaled(trapezoid, factors, dynamics.max_acceleration)
+    slope_accelerations = _scaled(smooth, factors, dynamics.max_acceleration)
+    shortest_us = max(dynamics.shortest_ramp_time_us, 1)
+    slope = dynamics.jerk_slope
+    ramps_us = (
+        max(slope.rapid_ramp_time_us * weights.rapid_ramp, shortest_us),
+        max(max(slope.ramp_times_us) * weights.feed_ramp, shortest_us),
+    )
+    return AxisLimits(
+        (min(rapid_speed, max_speed), max_speed),
+        accelerations,
+        slope_accelerations,
+        (
+            slope_accelerations[0] * 1e6 / ramps_us[0],
+            slope_accelerations[1] * 1e6 / ramps_us[1],
+        ),
+    )
+
+
+def _scaled(
+    values: tuple[float, float], factors: tuple[float, float], maximum: float
+) -> tuple[float, float]:
+    return (min(values[0] * factors[0], maximum), min(values[1] * factors[1], maximum))
+
+
+def set_limits(
+    axes: Sequence[AxisConfiguration], state: LimitState, source: int, number: int
+) -> SetLimits:
+    """Return the command with the limits that a program has set."""
+    none = AxisWeights()
+    limits = tuple(
+        weighted_limits(axis, state.weights.get(index, none)) for index, axis in enumerate(axes)
+    )
+    return SetLimits(
+        source,
+        number,
+        limits,
+        tuple(state.feed),
+        tuple(state.rapid),
+        state.is_reduced,
+        state.rounded_part,
+        state.max_bend,
+    )
+
+
+def listed_limits(axes: Sequence[AxisConfiguration]) -> SetLimits:
+    """Return the limits at program start: those of the lists."""
+    return set_limits(axes, LimitState(), 0, 0)
+
+
+def apply_limits(limits: SegmentLimits, command: SetLimits) -> None:
+    """Let the limits of a command apply to the segments that come."""
+    for index, axis in enumerate(command.axes):
+        limits.change(index, axis.speeds, axis.accelerations, axis.slope_accelerations, axis.jerks)
+    limits.limit_path(False, command.feed)
+    limits.limit_path(True, command.rapid)
+    limits.is_reduced = command.is_reduced
+    limits.rounded_part = command.rounded_part
+    limits.max_bend = command.max_bend
 
 
 #: Bytes of a block in the memory of backward motion, and of each axis of the channel in it (MO-7).

@@ -366,7 +366,7 @@ class Compensation:
     @property
     def _deviation(self) -> float:
         """The permitted deviation at the end of a line, mm."""
-        return self._state.deviation if self._state.contouring else 0.0
+        return self._state.rounding if self._state.contouring else 0.0
 
     def export_to(self, lines: CompensatedLines) -> None:
         """Export the pending contour, if there is one."""

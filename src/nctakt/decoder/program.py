@@ -12,6 +12,7 @@ from math import nan
 
 from nctakt.base.diagnostics import Span
 from nctakt.decoder.blocks.block_decoder import BlockDecoder
+from nctakt.decoder.blocks.path_settings import PathSettings
 from nctakt.decoder.blocks.user_errors import user_error
 from nctakt.decoder.compensation import Compensation
 from nctakt.decoder.cycles.builder import SCOPES, CycleDefinition
@@ -99,6 +100,9 @@ class ProgramDecoder:
         self._values = Values(environment, state)
         self._uncertain_axes = UncertainAxes(environment.living_cycles, environment.moving_axes())
         self._block_decoder = BlockDecoder(self._values, self._uncertain_axes)
+        self._path_settings = PathSettings(
+            self._values, self._block_decoder.path.feed_rate, self._block_decoder.path.threads
+        )
         self._compensation = Compensation(self._values, self._block_decoder.path, self._pass_time)
         self._calls = Calls(self._values)
         self._macros = Macros(environment, self._values.fail)
@@ -380,7 +384,7 @@ class ProgramDecoder:
             case tree.HashCommand() if [word.name for word in statement.words] == EXPLICIT:
                 yield from self._block_decoder.technology.explicit_synchronisation()
             case tree.HashCommand() if command_name(statement) in FORMS:
-                yield from self._block_decoder.path.command(statement, number)
+                yield from self._path_settings.command(statement, number)
             case tree.VariableDeclarations():
                 for declaration in statement.declarations:
                     yield from self._values.declare(declaration, number)

@@ -310,6 +310,16 @@ POSITIONS_OF_AXIS = 4
 #: A pace by itself: the columns of a segment from ``SPEED_OVERRIDE`` on; so many.
 PACE_WIDTH = 7
 
+#: Limits of ``#VECTOR LIMIT``, of feed blocks and of rapid ones each.
+(
+    VECTOR_SPEED,
+    VECTOR_ACCELERATION,
+    VECTOR_JERK,
+    RADIAL_ACCELERATION,
+    RADIAL_JERK,
+    VECTOR_WIDTH,
+) = range(6)
+
 #: Values of ``MOTION``.
 FEED_MOTION, RAPID_MOTION = range(2)
 

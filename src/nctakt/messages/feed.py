@@ -55,6 +55,19 @@ FEED_PER_REVOLUTION_WITHOUT_SPINDLE = error(
     reaction=2,
     clearing=3,
 )
+INVALID_WEIGHT = error(
+    901530,
+    known_as=(120027, 120028, 120031, 120032),
+    en="{word}: the weight {value} % is not allowed",
+    de="{word}: die Gewichtung {value} % ist nicht zulässig",
+    remedy_en="Program a weight above 0; for speeds (G127, G128, G129) 0 is allowed, too.",
+    remedy_de="Eine Gewichtung über 0 programmieren; bei Geschwindigkeiten (G127, G128, G129) ist "
+    "auch 0 zulässig.",
+    word=("the G function", "die G-Funktion"),
+    value=("the value", "der Wert"),
+    reaction=2,
+    clearing=3,
+)
 WAITING_FOR_MAIN_SPINDLE = warning(
     900819,
     known_as=(50181, 60132),

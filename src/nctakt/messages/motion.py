@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from nctakt.messages.cases import by_beginning, by_limit
-from nctakt.messages.catalogue import error
+from nctakt.messages.catalogue import error, note
 
 ARC_WITHOUT_CENTRE = error(
     20036,
@@ -119,6 +119,41 @@ INVALID_CONTOUR_DEVIATION = error(
     value=("the value", "der Wert"),
     reaction=2,
     clearing=3,
+)
+INVALID_VECTOR_LIMIT = error(
+    21205,
+    known_as=(21206, 21546, 21945),
+    cases=by_beginning("word", {"ACC": 21206, "DEC": 21546, "RADIAL_ACC": 21945}),
+    en="{word} of #VECTOR LIMIT is {value}, but must be above 0",
+    de="{word} von #VECTOR LIMIT ist {value}, muss aber größer als 0 sein",
+    remedy_en="Program a limit above 0, or switch it off: #VECTOR LIMIT OFF [{word}]",
+    remedy_de="Eine Grenze über 0 programmieren oder sie ausschalten: #VECTOR LIMIT OFF [{word}]",
+    word=("the keyword", "das Schlüsselwort"),
+    value=("the value", "der Wert"),
+    reaction=2,
+    clearing=3,
+)
+UNKNOWN_SLOPE = error(
+    21304,
+    en="there is no slope {value}: 0 … {highest}",
+    de="es gibt kein Beschleunigungsprofil {value}: 0 … {highest}",
+    remedy_en="0 is STEP, 1 TRAPEZ, 2 SIN2, 3 HSC.",
+    remedy_de="0 ist STEP, 1 TRAPEZ, 2 SIN2, 3 HSC.",
+    value=("the number", "die Nummer"),
+    highest=("the highest number", "die größte Nummer"),
+    reaction=2,
+    clearing=3,
+)
+SIMPLIFIED = note(
+    901531,
+    en="{command} is simulated as follows: {meaning}",
+    de="{command} wird so simuliert: {meaning}",
+    remedy_en="Nothing to do if that suffices; this is reported once per program.",
+    remedy_de="Nichts zu tun, wenn das genügt; das wird einmal je Programm gemeldet.",
+    cause_en="No public source settles what the controller does in detail.",
+    cause_de="Keine öffentliche Quelle sagt genau, was die Steuerung tut.",
+    command=("the word or command", "das Wort oder der Befehl"),
+    meaning=("what nctakt does", "was nctakt tut"),
 )
 UNKNOWN_COMMAND_KEYWORD = error(
     21220,

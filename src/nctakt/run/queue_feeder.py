@@ -11,11 +11,13 @@ from collections.abc import Callable, Generator
 from functools import partial
 
 from nctakt.base.diagnostics import Diagnostic
+from nctakt.decoder.axis_limits import apply_limits, listed_limits
 from nctakt.decoder.fast.handover import PlainRun
 from nctakt.decoder.program import ProgramDecoder
 from nctakt.decoder.state import commands
 from nctakt.decoder.state.commands import Answer, Command
 from nctakt.decoder.state.environment import DecodeError
+from nctakt.decoder.state.limit_commands import SetLimits
 from nctakt.decoder.state.modal_state import state_at_program_start
 from nctakt.decoder.state.packing import pack
 from nctakt.decoder.state.program_variables import Scopes
@@ -66,6 +68,8 @@ class QueueFeeder:
             partial(registry.keep, channel=machine.number_in_names(program.channel)),
             takes_runs=budget is None,
         )
+        listed = listed_limits(self.environment.axes)
+        apply_limits(self._channel.queue.look_ahead.limits, listed)
         self._decoded: Generator[Command, Answer] = self._decoder.decode(program.text)
         self.state = state
         self.fatal_error: Diagnostic | None = None
@@ -246,6 +250,9 @@ class QueueFeeder:
             if command.continues_block:
                 self._channel.queue.continue_block()
             self._decoder.pass_time(command)
+            return
+        if isinstance(command, SetLimits):
+            apply_limits(self._channel.queue.look_ahead.limits, command)
             return
         row = pack(command, subject)
         if isinstance(command, commands.LoopBegin):

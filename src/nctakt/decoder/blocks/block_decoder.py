@@ -28,6 +28,7 @@ from nctakt.decoder.blocks.technology_output import (
     tool_function,
 )
 from nctakt.decoder.blocks.threads import ThreadMotion
+from nctakt.decoder.blocks.weights import Weights, weigh
 from nctakt.decoder.state.arcs import PLANES, SAME_POINT_MM
 from nctakt.decoder.state.commands import (
     Answer,
@@ -74,6 +75,7 @@ from nctakt.nc.vocabulary.functions import (
     REFERENCE_OFFSET,
     TAPPING_FUNCTIONS,
     THREADS,
+    WEIGHTS,
     group_of,
 )
 from nctakt.nc.vocabulary.spindle_commands import split
@@ -84,10 +86,7 @@ ONE_BLOCK = frozenset((EXACT_STOP_ONCE, CONTOURING_ONCE, NO_OVERRIDE))
 
 @dataclass(slots=True)
 class _BlockContent:
-    """A block's words by effect.
-
-    ``updates_tool_offsets``: the tool's offsets may change. ``has_offset_word``: there is a D.
-    """
+    """A block's words by effect; ``has_offset_word``: there is a D."""
 
     axes: list[tuple[tree.AxisWord, float]] = field(default_factory=list)
     path: PathWords = field(default_factory=PathWords)
@@ -100,6 +99,7 @@ class _BlockContent:
     stops: tuple[tuple[tree.BracketCommand, FixedStop], ...] = ()
     program_stops: tuple[ProgramStop, ...] = ()
     ends_program: bool = False
+    weights: Weights = field(default_factory=dict)
 
 
 class BlockDecoder:
@@ -156,6 +156,8 @@ class BlockDecoder:
             yield from self._offsets(content, self._environment.source_id(block.span), number)
         if content.updates_tool_offsets:
             yield from self._values.tool.offsets(block.span, number)
+        if content.weights:
+            yield from weigh(self._values, content.weights, number)
         if content.functions:
             yield from self.technology.before_motion(content.functions)
         measured = (
@@ -239,8 +241,9 @@ class BlockDecoder:
             content.functions += yield from self._spindles.functions(command, number)
         if DWELL in numbers and content.axes:
             content.dwell_s = content.axes.pop()[1]
-        if not AXIS_WEIGHTS.isdisjoint(numbers):
-            content.axes.clear()  # 100 each, which changes nothing
+        for function in AXIS_WEIGHTS.intersection(numbers):
+            content.weights[function] = (numbers[function], content.axes)
+            content.axes = []
         return content
 
     def _tool(
@@ -282,6 +285,8 @@ class BlockDecoder:
             content.dwell_s = value
         elif function == NUMBERED_ZERO_OFFSET:
             self._zero_group(word, value, content)
+        elif function in WEIGHTS:
+            content.weights[int(function)] = (word.span, value)
 
     def _zero_group(self, word: tree.Word, value: float, content: _BlockContent) -> None:
         """Select the zero offset with this number; raises ``DecodeError`` if there is none."""

@@ -7,7 +7,7 @@ moves. Mistakes raise ``DecodeError``.
 
 from __future__ import annotations
 
-from collections.abc import Generator, Sequence
+from collections.abc import Sequence
 
 from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Span
@@ -15,7 +15,7 @@ from nctakt.decoder.blocks import segments
 from nctakt.decoder.blocks.feed import FeedRate
 from nctakt.decoder.blocks.threads import ThreadMotion
 from nctakt.decoder.state.arcs import PLANES, Arc, ArcError, arc_about, arc_of_radius, extremes
-from nctakt.decoder.state.commands import Answer, Command, FeedModifiers, Segment
+from nctakt.decoder.state.commands import FeedModifiers, Segment
 from nctakt.decoder.values.variables import Values
 from nctakt.kernel import codes, rows
 from nctakt.messages.coordinate_systems import ARC_PLANE_ASKEW, WORD_IN_ROTATED_COORDINATE_SYSTEM
@@ -24,7 +24,6 @@ from nctakt.messages.motion import (
     ARC_OUTSIDE_LIMITS,
     ARC_WITHOUT_CENTRE,
     CENTRE_NOT_IN_PLANE,
-    INVALID_CONTOUR_DEVIATION,
     PLANE_AXIS_MISSING,
 )
 from nctakt.messages.tools import (
@@ -32,8 +31,6 @@ from nctakt.messages.tools import (
     NO_RADIUS_TO_COMPENSATE,
     PLANE_CHANGE_DURING_COMPENSATION,
 )
-from nctakt.nc import tree
-from nctakt.nc.check.path_commands import keywords
 from nctakt.nc.vocabulary.function_rows import Group
 from nctakt.nc.vocabulary.functions import (
     ABSOLUTE_CENTRE,
@@ -58,9 +55,6 @@ from nctakt.nc.vocabulary.functions import (
 
 #: Words of a centre, one for each of the first three axes.
 CENTRE_WORDS = ("I", "J", "K")
-
-#: The type of slope with limited jerk.
-JERK_LIMITED = "TRAPEZ"
 
 
 @dataclass(slots=True)
@@ -151,37 +145,6 @@ class PathMotion:
         compensation.radius = radius
         compensation.side = 1 if function == COMPENSATION_LEFT else -1
 
-    def command(self, command: tree.HashCommand, number: int) -> Generator[Command, Answer]:
-        """Execute ``#CONTOUR MODE``, ``#SLOPE``, ``#TURN`` or ``#OVERRIDE``."""
-        path = self._state.path
-        if command.words[0].name == "OVERRIDE":
-            yield from self.feed_rate.override(keywords(command), number)
-            return
-        if command.words[0].name == "TURN":
-            yield from self.threads.settings(keywords(command), number)
-            return
-        if command.words[0].name == "SLOPE":
-            path.limits_jerk = self._limits_jerk(keywords(command))
-            return
-        for keyword in keywords(command):
-            if keyword.name == "PATH_DEV" and keyword.value is not None:
-                value = yield from self._values.evaluate(keyword.value, number)
-                if value <= 0.0:
-                    self._values.fail(INVALID_CONTOUR_DEVIATION, keyword.value.span, value=value)
-                path.deviation = value * self._state.length_unit_mm
-        switch = command.words[-1].name
-        if switch in ("ON", "OFF"):
-            path.contouring = switch == "ON"
-
-    def _limits_jerk(self, items: Sequence[tree.Keyword]) -> bool:
-        """Return whether ``#SLOPE`` selects an S-curve; without a type, that of the program
-        start.
-        """
-        for keyword in items:
-            assert isinstance(keyword.value, tree.Name)
-            return keyword.value.name == JERK_LIMITED
-        return self._environment.parameters.program_start.slope_profile > 0
-
     def segment(
         self, start: list[float], target: list[float], words: PathWords, span: Span, number: int
     ) -> Segment | None:
@@ -210,7 +173,7 @@ class PathMotion:
             rows.RAPID_MOTION if state.rapid else rows.FEED_MOTION,
             feed,
             exact,
-            state.path.deviation if rounds and not exact and state.motion not in THREADS else 0.0,
+            state.path.rounding if rounds and not exact and state.motion not in THREADS else 0.0,
             state.path.limits_jerk,
             None if arc is None else arc.row,
             pace,

@@ -142,7 +142,7 @@ class PlainBlocks:
         plain.feed_factor = state.length_unit_mm if state.inch else feed_unit
         plain.is_absolute = state.absolute
         plain.stops_exactly = state.path.exact_stop
-        plain.deviation = state.path.deviation if state.path.contouring else 0.0
+        plain.deviation = state.path.rounding if state.path.contouring else 0.0
         plain.limits_jerk = state.path.limits_jerk
         self._contour.export_to(self._compensated)
         source = environment.source_id(Span(file, 1, 1, 2))

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from nctakt.base.dataclass import dataclass, field
 from nctakt.decoder.state.call_stack import CallStack
+from nctakt.decoder.state.path_limits import LimitState
 from nctakt.lists.declared.tools import NO_TOOL, Tool
 from nctakt.lists.machine.channel_configuration import (
     CENTRE_GROUP,
@@ -91,11 +92,32 @@ class CompensationState:
 
 
 @dataclass(slots=True)
+class ContourState:
+    """The mode of ``#CONTOUR MODE`` and its sizes in mm, by keyword."""
+
+    mode: str = "DEV"
+    sizes: dict[str, float] = field(
+        default_factory=lambda: dict.fromkeys(
+            ("PATH_DEV", "PATH_DIST", "PRE_DIST", "POST_DIST"), DEVIATION_MM
+        )
+    )
+
+    @property
+    def size(self) -> float:
+        """The deviation at a corner; negative: the distance from it; 0: it stays sharp."""
+        if self.mode == "DIST":
+            return -min(self.sizes["PRE_DIST"], self.sizes["POST_DIST"])
+        if self.mode == "DIST_SOFT":
+            return -max(self.sizes["PATH_DIST"], 0.0)
+        return self.sizes["PATH_DEV"]
+
+
+@dataclass(slots=True)
 class PathState:
     """The modal state of the path: plane, arcs, ends of blocks.
 
     ``limits_jerk``: the slope is an S-curve (P-CHAN-00071). ``radius``: the last R, 0 before the
-    first. ``deviation``: the maximum contouring deviation at a corner, mm.
+    first. ``contour``: how corners are rounded.
     """
 
     plane: int
@@ -104,8 +126,13 @@ class PathState:
     radius: float = 0.0
     exact_stop: bool = False
     contouring: bool = False
-    deviation: float = DEVIATION_MM
+    contour: ContourState = field(default_factory=ContourState)
     compensation: CompensationState = field(default_factory=CompensationState)
+
+    @property
+    def rounding(self) -> float:
+        """How corners are rounded: the deviation in mm; negative: the distance from the corner."""
+        return self.contour.size
 
 
 @dataclass(slots=True)
@@ -169,7 +196,8 @@ class ModalState:
     ``measures``: edge banding is on (G108). ``message_file``: the file of
     saved messages (#FILENAME). ``not_plain``: the active G functions that plain lines do not know,
     by group. ``monitored``: the axes at a fixed stop or on their way to it.
-    ``has_read_signal``: the last ``#SIGNAL READ`` has taken one.
+    ``has_read_signal``: the last ``#SIGNAL READ`` has taken one. ``limits``: weights, and the
+    limits of the path.
     """
 
     motion: int
@@ -189,6 +217,7 @@ class ModalState:
     not_plain: dict[Group, int] = field(default_factory=dict)
     monitored: set[str] = field(default_factory=set)
     has_read_signal: bool = False
+    limits: LimitState = field(default_factory=LimitState)
 
     @property
     def rapid(self) -> bool:

@@ -49,6 +49,7 @@ from nctakt.decoder.state.commands import (
     WriteVariable,
 )
 from nctakt.decoder.state.in_force import ModalMark
+from nctakt.decoder.state.limit_commands import SetLimits
 from nctakt.kernel import rows
 
 
@@ -155,4 +156,6 @@ def pack(command: Command, reference: int = 0) -> list[float]:
 
 def takes_time(command: Command) -> bool:
     """Return whether ticks pass while the command is executed."""
+    if isinstance(command, SetLimits):
+        return False
     return isinstance(command, Segment) or pack(command)[rows.KIND] in rows.TIMED_KINDS

@@ -20,6 +20,8 @@ cdef class Corner:
     cdef double last_centripetal_share
     cdef double last_length
     cdef double last_deviation
+    cdef double last_part
+    cdef double last_bend
     cdef double corner_v
     cdef double last_corner_v
     cdef bint is_rounded
@@ -31,6 +33,7 @@ cdef class Corner:
     cdef void leave(self, double[::1] segments, Py_ssize_t row, double length) noexcept nogil
     @cython.locals(i=Py_ssize_t)
     cdef void set_steps(self) noexcept nogil
+    cdef double half_length(self, double size, double shorter, double spread) noexcept nogil
     @cython.locals(
         step=double, max_a=double, speed=double, more=double, root=double, slower=double,
         density=double

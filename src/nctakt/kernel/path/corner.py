@@ -22,7 +22,9 @@ class Corner:
     arc's acceleration; ``corner_v``: with which the newest segment is entered, 0 without a limit
     of the jerk; ``is_rounded``: a rounding leads into it. ``last_…``: the same of the segment
     before; ``last_length`` is its programmed length in mm, ``last_deviation`` the distance in mm
-    at which the path may pass its end.
+    at which the path may pass its end, negative: at which it leaves the line before it.
+    ``last_part`` and ``last_bend``: which part of a line a rounding may take, and up to which
+    change of direction there is one.
     """
 
     def __init__(self, limits: SegmentLimits) -> None:
@@ -39,6 +41,8 @@ class Corner:
         self.last_centripetal_share = 0.0
         self.last_length = 0.0
         self.last_deviation = 0.0
+        self.last_part = 0.5
+        self.last_bend = 1.99
         self.corner_v = 0.0
         self.last_corner_v = 0.0
         self.is_rounded = False
@@ -61,6 +65,8 @@ class Corner:
         self.last_centripetal_share = self.centripetal_share
         self.last_length = length
         self.last_deviation = segments[row + rows.DEVIATION]
+        self.last_part = self.limits.rounded_part
+        self.last_bend = self.limits.max_bend
 
     def set_steps(self) -> None:
         """Settle the step of each axis' part of the length at the corner."""
@@ -68,6 +74,18 @@ class Corner:
             self.steps[i] = self.entering[i] - self.leaving[i]
             if self.steps[i] < 0.0:
                 self.steps[i] = 0.0 - self.steps[i]
+
+    def half_length(self, size: float, shorter: float, spread: float) -> float:
+        """Return the length of a rounding on either line, at most the permitted part of it.
+
+        ``size``: of the step of the direction; ``spread``: how many times the deviation it is at
+        the size 1. 0 where the corner is not rounded.
+        """
+        if size < 1e-6 or size > self.last_bend:
+            return 0.0
+        if self.last_deviation < 0.0:
+            return min(0.0 - self.last_deviation, self.last_part * shorter)
+        return min(spread * self.last_deviation / size, self.last_part * shorter)
 
     def corner_speed(self, i: int, shortest: float, turn: float) -> float:
         """Highest speed at a corner for one axis; it uses at most 0.7 of its jerk."""

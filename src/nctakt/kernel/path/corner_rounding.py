@@ -45,7 +45,7 @@ class CornerRounding:
         None is made either where the path is as fast without. ``spare`` keeps both segments as they
         were; ``back``: how many commands lie between them.
         """
-        if segments[row + rows.JERK] == 0.0 or self.corner.last_deviation <= 0.0:
+        if segments[row + rows.JERK] == 0.0 or self.corner.last_deviation == 0.0:
             return 0
         if segments[before + rows.SHAPE] != rows.LINE or segments[row + rows.SHAPE] != rows.LINE:
             return 0
@@ -82,10 +82,8 @@ class CornerRounding:
             if self.limits.linear[i]:
                 size2 += step * step
         size = arithmetic.square_root(size2)
-        if size < 1e-6 or size > 1.99:
-            return 0.0
         shorter = min(self.corner.last_length, segments[row + rows.LENGTH])
-        half = min(6.0 * self.corner.last_deviation / size, 0.49 * shorter)
+        half = min(self.corner.half_length(size, shorter, 6.0), 0.49 * shorter)
         return min(
             half,
             segments[before + rows.LENGTH] - 3.0 * self.limits.tick_t * self.corner.last_corner_v,

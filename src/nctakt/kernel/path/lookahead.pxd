@@ -42,7 +42,7 @@ cdef class LookAhead:
     @cython.locals(
         size2=double, i=Py_ssize_t, size=double, shorter=double, half=double, curve_v2=double,
         step_a=double, speed=double, share=double, curve_a=double, part=double, start=Py_ssize_t,
-        corner=Py_ssize_t, curve_end=Py_ssize_t, position=double
+        corner=Py_ssize_t, curve_end=Py_ssize_t, position=double, radial_a=double
     )
     cdef int round_corner(
         self, double[::1] segments, Py_ssize_t before, Py_ssize_t row

@@ -68,7 +68,7 @@ class LookAhead:
             self.jerk.join(segments, before, row)
             return
         if segments[before + rows.SHAPE] == rows.LINE and segments[row + rows.SHAPE] == rows.LINE:
-            if self.corner.last_deviation > 0.0 and self.round_corner(segments, before, row):
+            if self.corner.last_deviation != 0.0 and self.round_corner(segments, before, row):
                 return
         self.pass_corner(segments, before, row)
         speed = min(segments[before + rows.CORNER_SPEED], self.arc_speed(segments, before, 1))
@@ -127,8 +127,8 @@ class LookAhead:
             + segments[row + rows.ACCELERATION] * self.limits.tick_t * self.limits.tick_t
         )
         if geometry.pieces(segments, row) > 0:
-            first_a = self.limits.feed_a[int(segments[row + rows.ARC_FIRST_AXIS])]
-            second_a = self.limits.feed_a[int(segments[row + rows.ARC_SECOND_AXIS])]
+            first_a = self.limits.listed_a[int(segments[row + rows.ARC_FIRST_AXIS])]
+            second_a = self.limits.listed_a[int(segments[row + rows.ARC_SECOND_AXIS])]
             length += (first_a + second_a) * self.limits.tick_t * self.limits.tick_t
             column = row + (rows.ARC_EXIT_SHARE if at_end else rows.ARC_ENTRY_SHARE)
             if 3.0 * length > segments[row + rows.LENGTH]:
@@ -169,21 +169,26 @@ class LookAhead:
             if self.limits.linear[i]:
                 size2 += self.corner.steps[i] * self.corner.steps[i]
         size = arithmetic.square_root(size2)
-        if size < 1e-6 or size > 1.99:
-            return 0
         shorter = min(self.corner.last_length, segments[row + rows.LENGTH])
-        half = min(4.0 * self.corner.last_deviation / size, 0.5 * shorter)
+        half = self.corner.half_length(size, shorter, 4.0)
+        if half <= 0.0:
+            return 0
         curve_v2 = 1e300
         for i in range(self.limits.count):
             if self.corner.steps[i] > 0.0:
                 step_a = 0.9 * self.limits.axis_acceleration(i) / self.corner.steps[i]
                 curve_v2 = min(curve_v2, 2.0 * half * step_a)
+        if self.limits.is_reduced:
+            radial_a = self.limits.vector_limit(segments, row, rows.RADIAL_ACCELERATION)
+            curve_v2 = min(curve_v2, 2.0 * half * radial_a / size)
         speed = min(
             self.limits.speed_of(segments[before + rows.SPEED], segments[before + rows.MAX_SPEED]),
             self.limits.speed_of(segments[row + rows.SPEED], segments[row + rows.MAX_SPEED]),
         )
         share = 0.9 * min(1.0, speed * speed / curve_v2)
         curve_a = 1e300
+        if self.limits.is_reduced:
+            curve_a = min(segments[before + rows.ACCELERATION], segments[row + rows.ACCELERATION])
         for i in range(self.limits.count):
             part = max(self.corner.leaving[i], 0.0 - self.corner.leaving[i])
             part = max(part, self.corner.entering[i], 0.0 - self.corner.entering[i])

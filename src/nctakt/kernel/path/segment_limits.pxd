@@ -26,6 +26,33 @@ cdef class SegmentLimits:
     cdef double[::1] unused
     cdef readonly bint has_jerk_limit
     cdef Spindles spindles
+    cdef double[::1] listed_v
+    cdef double[::1] listed_a
+    cdef double[::1] kept_rapid_a
+    cdef double[::1] kept_feed_a
+    cdef double[::1] kept_rapid_slope_a
+    cdef double[::1] kept_feed_slope_a
+    cdef double[::1] kept_rapid_j
+    cdef double[::1] kept_feed_j
+    cdef double[::1] vector
+    cdef public bint is_reduced
+    cdef public double rounded_part
+    cdef public double max_bend
+    cdef bint has_changed
+    @cython.locals(i=Py_ssize_t)
+    cdef void keep(self) noexcept nogil
+    @cython.locals(i=Py_ssize_t, limit=double)
+    cdef void begin_corner(self) noexcept nogil
+    @cython.locals(i=Py_ssize_t)
+    cdef void end_corner(self) noexcept nogil
+    @cython.locals(is_rapid=bint, limit=double)
+    cdef double vector_limit(
+        self, double[::1] segments, Py_ssize_t row, Py_ssize_t column
+    ) noexcept nogil
+    @cython.locals(limit_a=double, limit_j=double, speed=double)
+    cdef void limit_radially(
+        self, double[::1] segments, Py_ssize_t row, double radius, double part
+    ) noexcept nogil
 
     @cython.locals(share=double)
     cdef double measure(self, double[::1] segments, Py_ssize_t row) noexcept nogil
@@ -60,7 +87,7 @@ cdef class SegmentLimits:
     cdef double straight_length(self, double[::1] segments, Py_ssize_t row) noexcept nogil
     @cython.locals(
         is_rapid=bint, start=Py_ssize_t, target=Py_ssize_t, highest=double, limit_a=double,
-        rapid=double, i=Py_ssize_t, distance=double, part=double
+        rapid=double, i=Py_ssize_t, distance=double, part=double, limit_v=double
     )
     cdef void bound(self, double[::1] segments, Py_ssize_t row) noexcept nogil
     cdef int in_plane(self, double[::1] segments, Py_ssize_t row, Py_ssize_t index) noexcept nogil

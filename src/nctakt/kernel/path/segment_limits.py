@@ -26,6 +26,13 @@ class SegmentLimits:
     An axis is ``linear`` or not; ``rapid_…`` limits hold for rapid motions, ``feed_…`` for the
     others, ``…_slope_a`` with limited jerk. A speed is at most ``max_factor`` times the programmed
     one (P-CHAN-00056). ``has_jerk_limit``: a segment had a limit of the jerk.
+
+    Programs change the limits between two segments (weights, ``#VECTOR LIMIT``). ``is_reduced``:
+    they are not those of the lists; an arc then has one acceleration. ``listed_v`` and
+    ``listed_a``: those of the lists. ``kept_…``: the limits of the segment before, while
+    ``has_changed``. ``vector``: limits along the path, of feed blocks and of rapid ones, 0 none.
+    ``rounded_part``: of a line that a rounded corner may take; ``max_bend``: the largest change of
+    direction that is rounded, as a length of two unit vectors' difference.
     """
 
     def __init__(self, count: int, cycle_time_us: int, max_factor: float) -> None:
@@ -42,8 +49,21 @@ class SegmentLimits:
         self.feed_slope_a = memoryview(bytearray(room)).cast("d")
         self.rapid_j = memoryview(bytearray(room)).cast("d")
         self.feed_j = memoryview(bytearray(room)).cast("d")
+        self.listed_v = memoryview(bytearray(room)).cast("d")
+        self.listed_a = memoryview(bytearray(room)).cast("d")
+        self.kept_rapid_a = memoryview(bytearray(room)).cast("d")
+        self.kept_feed_a = memoryview(bytearray(room)).cast("d")
+        self.kept_rapid_slope_a = memoryview(bytearray(room)).cast("d")
+        self.kept_feed_slope_a = memoryview(bytearray(room)).cast("d")
+        self.kept_rapid_j = memoryview(bytearray(room)).cast("d")
+        self.kept_feed_j = memoryview(bytearray(room)).cast("d")
+        self.vector = memoryview(bytearray(16 * rows.VECTOR_WIDTH)).cast("d")
+        self.is_reduced = False
+        self.has_changed = False
+        self.rounded_part = 0.5
+        self.max_bend = 1.99
         self.arcs = ArcLimits(count)
-        self.arcs.share(self.max_v, self.feed_a)
+        self.arcs.share(self.listed_v, self.listed_a)
         self.direction = memoryview(bytearray(room)).cast("d")
         self.unused = memoryview(bytearray(room)).cast("d")
         self.has_jerk_limit = False
@@ -61,6 +81,8 @@ class SegmentLimits:
         self.linear[index] = is_linear
         self.rapid_v[index], self.max_v[index] = speeds
         self.rapid_a[index], self.feed_a[index] = accelerations
+        self.listed_v[index] = self.max_v[index]
+        self.listed_a[index] = self.feed_a[index]
 
     def limit_slope(
         self, index: int, accelerations: tuple[float, float], jerks: tuple[float, float]
@@ -69,6 +91,75 @@ class SegmentLimits:
         check_index(index, self.count, "axis")
         self.rapid_slope_a[index], self.feed_slope_a[index] = accelerations
         self.rapid_j[index], self.feed_j[index] = jerks
+
+    # --- limits that programs change ------------------------------------------------------------
+
+    def change(
+        self,
+        index: int,
+        speeds: tuple[float, float],
+        accelerations: tuple[float, float],
+        slope_accelerations: tuple[float, float],
+        jerks: tuple[float, float],
+    ) -> None:
+        """Change the limits of one axis from the next segment on; arguments as in ``limit``."""
+        check_index(index, self.count, "axis")
+        self.keep()
+        self.rapid_v[index], self.max_v[index] = speeds
+        self.rapid_a[index], self.feed_a[index] = accelerations
+        self.rapid_slope_a[index], self.feed_slope_a[index] = slope_accelerations
+        self.rapid_j[index], self.feed_j[index] = jerks
+
+    def limit_path(self, is_rapid: bool, limits: tuple[float, ...]) -> None:
+        """Limit the path from the next segment on; ``limits`` from ``rows.VECTOR_SPEED`` on."""
+        first = rows.VECTOR_WIDTH if is_rapid else 0
+        for i in range(rows.VECTOR_WIDTH):
+            self.vector[first + i] = limits[i]
+
+    def keep(self) -> None:
+        """Keep the limits of the segment before until the corner behind it is settled."""
+        if not self.has_changed:
+            for i in range(self.count):
+                self.kept_rapid_a[i] = self.rapid_a[i]
+                self.kept_feed_a[i] = self.feed_a[i]
+                self.kept_rapid_slope_a[i] = self.rapid_slope_a[i]
+                self.kept_feed_slope_a[i] = self.feed_slope_a[i]
+                self.kept_rapid_j[i] = self.rapid_j[i]
+                self.kept_feed_j[i] = self.feed_j[i]
+        self.has_changed = True
+
+    def begin_corner(self) -> None:
+        """Let what both segments of a corner allow be the limits until ``end_corner``."""
+        for i in range(self.count):
+            limit = self.rapid_a[i]
+            self.rapid_a[i] = min(limit, self.kept_rapid_a[i])
+            self.kept_rapid_a[i] = limit
+            limit = self.feed_a[i]
+            self.feed_a[i] = min(limit, self.kept_feed_a[i])
+            self.kept_feed_a[i] = limit
+            limit = self.rapid_slope_a[i]
+            self.rapid_slope_a[i] = min(limit, self.kept_rapid_slope_a[i])
+            self.kept_rapid_slope_a[i] = limit
+            limit = self.feed_slope_a[i]
+            self.feed_slope_a[i] = min(limit, self.kept_feed_slope_a[i])
+            self.kept_feed_slope_a[i] = limit
+            limit = self.rapid_j[i]
+            self.rapid_j[i] = min(limit, self.kept_rapid_j[i])
+            self.kept_rapid_j[i] = limit
+            limit = self.feed_j[i]
+            self.feed_j[i] = min(limit, self.kept_feed_j[i])
+            self.kept_feed_j[i] = limit
+
+    def end_corner(self) -> None:
+        """Let the changed limits apply alone."""
+        for i in range(self.count):
+            self.rapid_a[i] = self.kept_rapid_a[i]
+            self.feed_a[i] = self.kept_feed_a[i]
+            self.rapid_slope_a[i] = self.kept_rapid_slope_a[i]
+            self.feed_slope_a[i] = self.kept_feed_slope_a[i]
+            self.rapid_j[i] = self.kept_rapid_j[i]
+            self.feed_j[i] = self.kept_feed_j[i]
+        self.has_changed = False
 
     # --- the limits of a segment ----------------------------------------------------------------
 
@@ -125,6 +216,8 @@ class SegmentLimits:
             slope_j = self.rapid_j[i] if is_rapid else self.feed_j[i]
             limit_a = min(limit_a, slope_a / part)
             limit_j = min(limit_j, slope_j / part)
+        if self.is_reduced:
+            limit_j = min(limit_j, self.vector_limit(segments, row, rows.VECTOR_JERK))
         segments[row + rows.ACCELERATION] = min(segments[row + rows.ACCELERATION], limit_a)
         segments[row + rows.JERK] = limit_j
         if segments[row + rows.SHAPE] == rows.ARC:
@@ -250,6 +343,30 @@ class SegmentLimits:
             segments[row + rows.SPEED] = rapid
         segments[row + rows.MAX_SPEED] = highest
         segments[row + rows.ACCELERATION] = limit_a
+        if self.is_reduced:
+            limit_v = self.vector_limit(segments, row, rows.VECTOR_SPEED)
+            segments[row + rows.MAX_SPEED] = min(highest, limit_v)
+            limit_a = min(limit_a, self.vector_limit(segments, row, rows.VECTOR_ACCELERATION))
+            segments[row + rows.ACCELERATION] = limit_a
+
+    def vector_limit(self, segments: memoryview[float], row: int, column: int) -> float:
+        """Return a limit of ``#VECTOR LIMIT`` for a segment; 1e300 without one."""
+        is_rapid = segments[row + rows.MOTION] == rows.RAPID_MOTION
+        limit = self.vector[rows.VECTOR_WIDTH + column if is_rapid else column]
+        return limit if limit > 0.0 else 1e300
+
+    def limit_radially(
+        self, segments: memoryview[float], row: int, radius: float, part: float
+    ) -> None:
+        """Limit the speed on an arc by the radial acceleration and jerk of ``#VECTOR LIMIT``."""
+        limit_a = self.vector_limit(segments, row, rows.RADIAL_ACCELERATION)
+        limit_j = self.vector_limit(segments, row, rows.RADIAL_JERK)
+        speed = segments[row + rows.MAX_SPEED] * part
+        if limit_a < 1e299:
+            speed = min(speed, arithmetic.square_root(limit_a * radius))
+        if limit_j < 1e299:
+            speed = min(speed, arithmetic.power(limit_j * radius * radius, 1.0 / 3.0))
+        segments[row + rows.MAX_SPEED] = speed / part
 
     def in_plane(self, segments: memoryview[float], row: int, index: int) -> int:
         """Return whether an axis is one of the two of the arc."""
@@ -284,6 +401,8 @@ class SegmentLimits:
         segments[row + rows.LENGTH] = length
         self.bound(segments, row)
         part = distance / length
+        if self.is_reduced:
+            self.limit_radially(segments, row, radius, part)
         plane_a = min(self.feed_a[first], self.feed_a[second])
         highest = min(
             segments[row + rows.MAX_SPEED], min(self.max_v[first], self.max_v[second]) / part
@@ -292,12 +411,16 @@ class SegmentLimits:
             segments[row + rows.MAX_SPEED] = highest
             return 0.0
         commanded_v = segments[row + rows.SPEED] * self.max_factor
+        if self.is_reduced:
+            commanded_v = min(commanded_v, highest)
         share = commanded_v * part * commanded_v * part / (radius * plane_a)
         centripetal = min(share, 0.5)
         speed = min(arithmetic.square_root(centripetal * radius * plane_a) / part, commanded_v)
         limit_a = plane_a * arithmetic.square_root(1.0 - centripetal * centripetal) / part
         segments[row + rows.ACCELERATION] = min(limit_a, segments[row + rows.ACCELERATION])
         segments[row + rows.MAX_SPEED] = min(highest, speed)
+        if self.is_reduced:
+            return centripetal
         if share > 0.5 or commanded_v > highest or not self.is_even(segments, row, commanded_v):
             by_speed = commanded_v > highest and highest * highest < radius * plane_a
             self.divide_arc(segments, row, 3.0 if by_speed else 6.0)

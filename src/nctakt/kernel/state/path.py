@@ -95,6 +95,8 @@ def copy_corner(source: Corner, target: Corner) -> None:
     target.last_centripetal_share = source.last_centripetal_share
     target.last_length = source.last_length
     target.last_deviation = source.last_deviation
+    target.last_part = source.last_part
+    target.last_bend = source.last_bend
     target.corner_v = source.corner_v
     target.last_corner_v = source.last_corner_v
     target.is_rounded = source.is_rounded
@@ -264,6 +266,10 @@ def arrays_of_path_axes(part: PathAxes) -> Arrays:
 def copy_segment_limits(source: SegmentLimits, target: SegmentLimits) -> None:
     target.count = source.count
     target.has_jerk_limit = source.has_jerk_limit
+    target.is_reduced = source.is_reduced
+    target.has_changed = source.has_changed
+    target.rounded_part = source.rounded_part
+    target.max_bend = source.max_bend
 
 
 def arrays_of_segment_limits(part: SegmentLimits) -> Arrays:
@@ -277,6 +283,15 @@ def arrays_of_segment_limits(part: SegmentLimits) -> Arrays:
         part.feed_slope_a,
         part.rapid_j,
         part.feed_j,
+        part.listed_v,
+        part.listed_a,
+        part.kept_rapid_a,
+        part.kept_feed_a,
+        part.kept_rapid_slope_a,
+        part.kept_feed_slope_a,
+        part.kept_rapid_j,
+        part.kept_feed_j,
+        part.vector,
         part.direction,
         part.unused,
     )

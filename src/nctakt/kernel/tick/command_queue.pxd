@@ -30,8 +30,10 @@ cdef class CommandQueue:
         self, double source, double number, start, target, int motion, double feed_v,
         int exact_stop, double deviation, int limits_jerk, arc, pace=*
     )
-    @cython.locals(length=double, oldest=Py_ssize_t, before=Py_ssize_t, back=Py_ssize_t)
+    @cython.locals(length=double, oldest=Py_ssize_t)
     cdef void prepare(self, Py_ssize_t row) noexcept nogil
+    @cython.locals(before=Py_ssize_t, back=Py_ssize_t)
+    cdef Py_ssize_t pass_into(self, Py_ssize_t row, Py_ssize_t oldest) noexcept nogil
     @cython.locals(promised_v=double, promised_max_v=double)
     cdef void connect(self, Py_ssize_t back, Py_ssize_t oldest) noexcept nogil
     @cython.locals(

@@ -30,7 +30,7 @@ class CommandQueue:
         self.width = path.width
         self.capacity = 256
         look_ahead.resize(self.capacity)
-        self.path.arc.share(self.look_ahead.limits.max_v, self.look_ahead.limits.feed_a)
+        self.path.arc.share(self.look_ahead.limits.listed_v, self.look_ahead.limits.listed_a)
         self.rows = memoryview(bytearray(8 * self.width * self.capacity)).cast("d")
         self.head = 0
         self.tail = 0
@@ -207,13 +207,23 @@ class CommandQueue:
         length = self.rows[row + rows.LENGTH]
         oldest = max(self.head, self.started + 1)
         if self.last_segment >= oldest and self.has_same_slope(self.last_segment, row):
-            before = self.last_segment % self.capacity * self.width
-            back = self.tail - 1 - self.last_segment
-            if self.look_ahead.rounding.round(self.rows, before, row, back):
-                row = self.insert_rounding(oldest)
+            if self.look_ahead.limits.has_changed:
+                self.look_ahead.limits.begin_corner()
+                row = self.pass_into(row, oldest)
+                self.look_ahead.limits.end_corner()
             else:
-                self.connect(back, oldest)
+                row = self.pass_into(row, oldest)
+        self.look_ahead.limits.has_changed = False
         self.look_ahead.corner.leave(self.rows, row, length)
+
+    def pass_into(self, row: int, oldest: int) -> int:
+        """Let the path pass the corner to the newest segment; return its row."""
+        before = self.last_segment % self.capacity * self.width
+        back = self.tail - 1 - self.last_segment
+        if self.look_ahead.rounding.round(self.rows, before, row, back):
+            return self.insert_rounding(oldest)
+        self.connect(back, oldest)
+        return row
 
     def connect(self, back: int, oldest: int) -> None:
         """Let the path continue into the newest segment from the one ``back`` rows before."""

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from nctakt.base.diagnostics import Text
 from nctakt.lists.declared.kinematics import KINEMATICS
+from nctakt.lists.declared.path_limits import PATH_LIMITS
 from nctakt.lists.declared.technology_functions import SPINDLE_FUNCTIONS, TECHNOLOGY, TOOL
 from nctakt.lists.format.parameter import MAX_UNS16, MAX_UNS32, Alias, Parameter, Value, ValueType
 from nctakt.lists.format.reader import ListDialect
@@ -461,6 +462,7 @@ CHANNEL = Schema(
     + _PROGRAMS
     + _TOOLS
     + KINEMATICS
+    + PATH_LIMITS
     + _DEFAULTS
     + _REALTIME,
     ParameterTable("channel.tsv"),

@@ -61,6 +61,13 @@ BUILT_IN_G_FUNCTIONS: dict[int, int] = {
 #: G functions that each have a parameter for their program; the first of those that share one.
 CYCLE_FUNCTIONS = range(80, 90)
 FIRST_NUMBERED_CYCLE = 800
+#: The limits of the path, by their keywords in ``#VECTOR LIMIT``.
+PATH_LIMITS = {
+    "VEL": "vector.velocity",
+    "ACC": "vector.acceleration",
+    "DEC": "vector.deceleration",
+    "RADIAL_ACC": "vector.radial_acceleration",
+}
 #: The slopes of P-CHAN-00071 that are not simulated.
 OTHER_SLOPES = {2: "SIN2", 3: "HSC"}
 
@@ -182,7 +189,8 @@ class ChannelParameters:
     """The parameters of a channel list.
 
     ``m_functions`` and ``h_functions``: number -> function, only those that are defined.
-    ``context_*``: P-CHAN-00409 … 00411.
+    ``path_limits``: those of ``#VECTOR LIMIT ON`` without a value, by keyword: mm/min, and mm/s²
+    with ``path_limits_per_s``, else mm/min². ``context_*``: P-CHAN-00409 … 00411.
     """
 
     axes: tuple[NamedAxis, ...]
@@ -201,6 +209,8 @@ class ChannelParameters:
     looks_for_damage: bool
     centre_tolerance: CentreTolerance
     tool_selection: ToolSelection
+    path_limits: Mapping[str, float]
+    path_limits_per_s: bool
     context_geo: int
     context_sda: int
     context_com: int
@@ -241,6 +251,8 @@ def channel_parameters(values: Values, collector: Collector) -> ChannelParameter
             values.text("flush.d_cmd") == "FAW_D",
             tool_output(values, collector),
         ),
+        {name: values.real(key) for name, key in PATH_LIMITS.items()},
+        values.text("vector.acc_dec_unit") == "MM_S2",
         values.integer("schedule.context.geo"),
         values.integer("schedule.context.sda"),
         values.integer("schedule.context.com"),

@@ -50,6 +50,7 @@ from nctakt.nc.check.findings import Findings
 from nctakt.nc.check.motion_words import check_arc
 from nctakt.nc.check.path_commands import check_path_axis
 from nctakt.nc.check.spindle_commands import SpindleChecker
+from nctakt.nc.check.weights import check_weight, is_neutral
 from nctakt.nc.tree import (
     AxisWord,
     Block,
@@ -66,7 +67,7 @@ from nctakt.nc.tree import (
 from nctakt.nc.vocabulary import support_level
 from nctakt.nc.vocabulary.axis_commands import has_function, is_axis_command
 from nctakt.nc.vocabulary.entries import Entry, Support
-from nctakt.nc.vocabulary.function_rows import Form, GFunction, Group
+from nctakt.nc.vocabulary.function_rows import Form, Group
 from nctakt.nc.vocabulary.functions import (
     BLOCK_TRANSITIONS,
     EXACT_STOP_ONCE,
@@ -258,7 +259,7 @@ class WordChecker:
         if entry is None:
             self._findings.report(INVALID_FUNCTION_NUMBER, word.span, word=f"G{number}")
             return
-        if _is_neutral(word, entry, state.axis_words):
+        if is_neutral(word, entry, state.axis_words):
             self._findings.report_support(replace(entry, support=Support.ACCEPTED), word.span)
             return
         if entry.form is Form.SUBPROGRAM:
@@ -272,8 +273,12 @@ class WordChecker:
             self._zero_offset(word)
         elif entry.form is Form.RADIUS:
             self._radius(word)
+        elif entry.form is Form.WEIGHT:
+            check_weight(word, self._values, self._findings)
         elif word.additional is not None or word.arguments:
             self._findings.report(EXTRA_PARAMETERS, word.span, word=entry.name)
+        if entry.form is Form.AXIS_WEIGHTS and not state.axis_words:
+            self._findings.report(COMMAND_WITHOUT_AXIS, word.span, command=entry.name)
         group = Group.CONTOURING if number in BLOCK_TRANSITIONS else entry.group
         if group is None:
             return
@@ -433,19 +438,6 @@ class WordChecker:
         needs_axis = command.name != "PRESET"
         if needs_axis and not any(isinstance(word, AxisWord) for word in command.words):
             self._findings.report(COMMAND_WITHOUT_AXIS, command.span, command=name)
-
-
-def _is_neutral(word: Word, entry: GFunction, axes: tuple[AxisWord, ...]) -> bool:
-    """Return whether a G function that is not simulated changes nothing: ``G131=100``."""
-    if entry.neutral is None:
-        return False
-    if entry.form is Form.AXIS_WEIGHTS and word.additional is None:
-        values = [axis.value for axis in axes]
-    else:
-        values = [word.additional]
-    return bool(values) and all(
-        isinstance(value, Number) and value.value == entry.neutral for value in values
-    )
 
 
 def _returns(word: BlockWord) -> bool:

@@ -9,9 +9,10 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from nctakt.base.diagnostics import NOTHING, Message, Span
+from nctakt.base.diagnostics import NOTHING, Message, Span, Text
 from nctakt.messages import Collector
 from nctakt.messages.checked_blocks import ACCEPTED_WITHOUT_EFFECT, NOT_SIMULATED
+from nctakt.messages.motion import SIMPLIFIED
 from nctakt.nc.source import Source
 from nctakt.nc.vocabulary.entries import Entry, Support
 
@@ -66,6 +67,13 @@ class Findings:
         text = rest.strip()
         begin = span.end_column + len(rest) - len(rest.lstrip())
         return text, replace(span, column=begin, end_column=begin + len(text))
+
+    def report_simplified(self, command: str, meaning: Text, span: Span) -> None:
+        """Report once what nctakt does where no source settles it."""
+        key = f"simplified {command}"
+        if key not in self._reported:
+            self._reported[key] = None
+            self.report(SIMPLIFIED, span, command=command, meaning=meaning)
 
     def report_support(self, entry: Entry, span: Span, name: str = "") -> None:
         """Report a refused entry, and an accepted one once; ``name``: as the program writes it."""

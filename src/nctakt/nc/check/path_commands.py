@@ -12,14 +12,20 @@ from collections.abc import Sequence
 from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import NOTHING, Span
 from nctakt.base.text import nearest
-from nctakt.messages.checked_blocks import INVALID_COMMAND_FORM, WORD_VALUE_MISSING
+from nctakt.messages.checked_blocks import (
+    EXCLUSIVE_WORDS,
+    INVALID_COMMAND_FORM,
+    WORD_VALUE_MISSING,
+)
 from nctakt.messages.motion import (
     COMMAND_WORD_NOT_SIMULATED,
     INVALID_CONTOUR_DEVIATION,
+    INVALID_VECTOR_LIMIT,
     UNKNOWN_COMMAND_KEYWORD,
 )
 from nctakt.nc.check.expressions import ValueChecker
 from nctakt.nc.check.findings import Findings
+from nctakt.nc.check.path_notes import check_old_slope, tell_simplified
 from nctakt.nc.tree import (
     Bracket,
     BracketCommand,
@@ -30,6 +36,14 @@ from nctakt.nc.tree import (
     Number,
 )
 from nctakt.nc.vocabulary.command_forms import forms_of
+from nctakt.nc.vocabulary.path_keywords import (
+    ACTIONS,
+    CONTOUR_MODES,
+    CONTOUR_NUMBERS,
+    SLOPES,
+    VECTOR_BLOCKS,
+    VECTOR_LIMITS,
+)
 
 #: Bounds of programmed overrides, %, and their keywords: of feed blocks, of rapid ones.
 OVERRIDE_MIN_PCT, OVERRIDE_MAX_PCT = 0.1, 200.0
@@ -49,28 +63,43 @@ TURN_KEYWORDS = (
 
 @dataclass(frozen=True, slots=True)
 class Form:
-    """The form of a command: words in brackets, keywords with a number, keywords with a word."""
+    """The form of a command: words in brackets, keywords with a number, keywords with a word.
+
+    ``defaults``: keywords with a number that may be left out.
+    """
 
     words: tuple[str, ...] = ()
     numbers: tuple[str, ...] = ()
     names: dict[str, tuple[str, ...]] = field(default_factory=dict)
+    defaults: tuple[str, ...] = ()
     needs_bracket: bool = True
 
     @property
     def keywords(self) -> tuple[str, ...]:
         """The items that may appear in its bracket."""
-        return (*self.words, *self.numbers, *self.names)
+        every = (*self.words, *self.numbers, *self.defaults, *self.names)
+        return tuple(dict.fromkeys(every))
 
 
-#: The commands by their words. Contouring: the corner deviation is the only mode.
+_CONTOURING = Form(
+    (*CONTOUR_MODES, *ACTIONS, "CHECK_JERK", "CONST_VEL"),
+    (*(name for mode in CONTOUR_MODES.values() for name in mode), *CONTOUR_NUMBERS),
+)
+
+#: The commands by their words.
 FORMS = {
-    "CONTOUR MODE": Form(("DEV",), ("PATH_DEV",)),
-    "CONTOUR MODE ON": Form(("DEV",), ("PATH_DEV",), needs_bracket=False),
+    "CONTOUR MODE": _CONTOURING,
+    "CONTOUR MODE ON": Form(_CONTOURING.words, _CONTOURING.numbers, needs_bracket=False),
     "CONTOUR MODE OFF": Form(needs_bracket=False),
-    "SLOPE": Form(names={"TYPE": ("STEP", "TRAPEZ")}),
+    "SET SLOPE PROFIL": Form(needs_bracket=False),
+    "SLOPE": Form(numbers=("NO_OPT",), names={"TYPE": SLOPES}),
     "SLOPE DEFAULT": Form(needs_bracket=False),
     "OVERRIDE": Form(numbers=OVERRIDE_FACTORS),
     "TURN": Form(numbers=TURN_KEYWORDS),
+    "VECTOR LIMIT ON": Form(VECTOR_BLOCKS, defaults=VECTOR_LIMITS),
+    "VECTOR LIMIT ON ALL": Form(needs_bracket=False),
+    "VECTOR LIMIT OFF": Form((*VECTOR_BLOCKS, *VECTOR_LIMITS), needs_bracket=False),
+    "VECTOR LIMIT OFF ALL": Form(needs_bracket=False),
 }
 
 
@@ -113,6 +142,14 @@ def keywords(command: HashCommand) -> tuple[Keyword, ...]:
     )
 
 
+def _without_switch(name: str) -> str:
+    """Return a command's name without what switches it."""
+    words = name.split()
+    while words[-1] in ("ON", "OFF", "ALL", "DEFAULT"):
+        words.pop()
+    return " ".join(words)
+
+
 def check_path_command(command: HashCommand, values: ValueChecker, findings: Findings) -> bool:
     """Check one of these commands; return false for any other."""
     name = command_name(command)
@@ -122,15 +159,23 @@ def check_path_command(command: HashCommand, values: ValueChecker, findings: Fin
     bracket = command.arguments[0] if len(command.arguments) == 1 else None
     says_something = isinstance(bracket, Bracket) and bool(bracket.items)
     if not says_something and (form.needs_bracket or command.arguments):
-        forms = forms_of(
-            f"#{name.removesuffix(' ON').removesuffix(' OFF').removesuffix(' DEFAULT')}"
-        )
+        forms = forms_of(f"#{_without_switch(name)}")
         findings.report(INVALID_COMMAND_FORM, command.span, command=f"#{name}", forms=forms)
         return True
+    modes = [item for item in keywords(command) if item.name in CONTOUR_MODES]
+    if len(modes) > 1:
+        findings.report(EXCLUSIVE_WORDS, modes[1].span, word=modes[1].name, other=modes[0].name)
     for argument in command.arguments:
-        assert isinstance(argument, Bracket)
+        if name == "SET SLOPE PROFIL":
+            check_old_slope(argument, values, findings)
+            continue
+        if not isinstance(argument, Bracket):
+            _refuse(f"#{name}", findings.written(argument.span), (), argument.span, findings)
+            continue
         for item in argument.items:
             _check_item(form, f"#{name}", item, values, findings)
+            if isinstance(item, Keyword):
+                tell_simplified(f"#{name}", item, argument.items, findings)
     return True
 
 
@@ -154,11 +199,11 @@ def _check_item(
     if not isinstance(item, Keyword):
         _refuse(name, findings.written(item.span), form.keywords, item.span, findings)
         return
-    if item.name in form.words and item.value is None:
+    if item.name in (*form.words, *form.defaults) and item.value is None:
         return
     if item.value is None and item.name in (*form.numbers, *form.names):
         findings.report(WORD_VALUE_MISSING, item.span, word=item.name)
-    elif item.value is not None and item.name in form.numbers:
+    elif item.value is not None and item.name in (*form.numbers, *form.defaults):
         values.value(item.value)
         _check_number(item, findings)
     elif item.name not in form.names or not isinstance(item.value, Name):
@@ -172,8 +217,17 @@ def _check_item(
 def _check_number(item: Keyword, findings: Findings) -> None:
     """Report a constant out of its range."""
     value = item.value
-    if item.name == "PATH_DEV" and isinstance(value, Number) and value.value <= 0.0:
+    if item.name in VECTOR_LIMITS and isinstance(value, Number) and value.value <= 0.0:
+        word = item.name
+        findings.report(INVALID_VECTOR_LIMIT, value.span, word=word, value=value.value)
+    sizes = {name for names in CONTOUR_MODES.values() for name in names}
+    if item.name in sizes and isinstance(value, Number) and not is_size(item.name, value.value):
         findings.report(INVALID_CONTOUR_DEVIATION, value.span, value=value.value)
+
+
+def is_size(keyword: str, value: float) -> bool:
+    """Return whether a keyword of ``#CONTOUR MODE`` may have this value."""
+    return value > 0.0 or (keyword == "PATH_DIST" and value == -1.0)
 
 
 def _refuse(name: str, word: str, allowed: Sequence[str], span: Span, findings: Findings) -> None:

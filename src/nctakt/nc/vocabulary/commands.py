@@ -164,6 +164,7 @@ COMMANDS = table(
     ("#SCENE", REFUSED, "scene of a visualisation", "Szene einer Visualisierung"),
     ("#SEGMENTATION", REFUSED, "division of blocks", "Teilung von Sätzen"),
     ("#SET", REFUSED, "old settings", "alte Einstellungen"),
+    ("#SET SLOPE PROFIL", SIMULATED, "profile of acceleration", "Beschleunigungsprofil"),
     ("#SHIFT", REFUSED, "shift", "Verschiebung"),
     ("#SIGNAL", SIMULATED, "signal between channels", "Signal zwischen Kanälen"),
     (
@@ -210,7 +211,7 @@ COMMANDS = table(
     ),
     ("#VAR", SIMULATED, "declaration of variables", "Deklaration von Variablen"),
     ("#VECTOR", REFUSED, "limits and offsets of the path", "Grenzen und Versätze der Bahn"),
-    ("#VECTOR LIMIT OFF", ACCEPTED, "limits of the path off", "Grenzen der Bahn aus"),
+    ("#VECTOR LIMIT", SIMULATED, "limits of the path", "Grenzen der Bahn"),
     ("#VECTORACC", REFUSED, "acceleration of the path", "Bahnbeschleunigung"),
     ("#VECTORVEL", REFUSED, "speed of the path", "Bahngeschwindigkeit"),
     ("#VOLCOMP", REFUSED, "volumetric compensation", "volumetrische Kompensation"),

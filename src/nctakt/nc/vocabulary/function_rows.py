@@ -41,6 +41,7 @@ class Group(enum.Enum):
     CENTRE_CORRECTION = "centre correction"
     CONTOURING = "contouring"
     EXACT_STOP = "exact stop"
+    AXIS_WEIGHTS = "weights of axes"
 
 
 class Form(enum.Enum):
@@ -54,6 +55,7 @@ class Form(enum.Enum):
     RADIUS = "G163=5"
     SUBPROGRAM = "G80 [1, 2]"
     AXIS_WEIGHTS = "G130 X100"
+    WEIGHT = "G131=100"
 
 
 class Role(enum.Enum):
@@ -75,7 +77,7 @@ class GFunction(Entry):
     may appear in a plain line (``nc/fast/plain_lines.py``); in any other group plain lines may be
     decoded while it is active (``decoder/fast``). ``neutral``: the value with which a
     function that is not simulated changes nothing and is therefore accepted: ``G131=100``,
-    ``G130 X100``, ``G52 0``.
+    ``G136 X100``, ``G52 0``.
     """
 
     number: int = -1
@@ -120,21 +122,26 @@ def refused(number: int, en: str, de: str, instead: Text = NOTHING_INSTEAD) -> G
     return replace(simulated(number, en, de), support=REFUSED, instead=instead)
 
 
-def weight(number: int, en: str, de: str) -> GFunction:
-    """Return the row of a refused function that weights in per cent; 100 changes nothing."""
-    return replace(refused(number, en, de), neutral=100.0)
+def weight(number: int, en: str, de: str, *, accepted: bool = False) -> GFunction:
+    """Return the row of a function that weights the limits of all axes in per cent."""
+    row = simulated(number, en, de, Form.WEIGHT, plain=True)
+    return replace(row, support=ACCEPTED) if accepted else row
 
 
-def axis_weights(number: int, en: str, de: str) -> GFunction:
-    """Return the row of a refused function whose axis words weight in per cent; 100 changes
-    nothing.
-    """
-    return replace(weight(number, en, de), form=Form.AXIS_WEIGHTS)
+def axis_weights(number: int, en: str, de: str, *, accepted: bool = False) -> GFunction:
+    """Return the row of a function whose axis words weight their axes in per cent."""
+    row = weight(number, en, de, accepted=accepted)
+    return replace(row, form=Form.AXIS_WEIGHTS, group=Group.AXIS_WEIGHTS)
+
+
+def neutral_weights(number: int, en: str, de: str) -> GFunction:
+    """Return the row of a refused function whose axis words weight; 100 changes nothing."""
+    return replace(refused(number, en, de), form=Form.AXIS_WEIGHTS, neutral=100.0)
 
 
 def group(group: Group | None, *rows: GFunction) -> Iterator[GFunction]:
     """Yield the rows of a modal group; ``None``: functions that act in their block only."""
-    return (replace(row, group=group) for row in rows)
+    return (replace(row, group=row.group or group) for row in rows)
 
 
 def subprograms(first: int, last: int) -> Iterator[GFunction]:

@@ -26,6 +26,7 @@ from nctakt.nc.vocabulary.function_rows import (
     by_number,
     group,
     m_function,
+    neutral_weights,
     plain,
     refused,
     simulated,
@@ -64,6 +65,13 @@ ARC_RADIUS = 163
 NO_OVERRIDE = 166
 CONTOURING_OFF, CONTOURING_ON = 260, 261
 EXACT_STOP_OFF, EXACT_STOP_ON = 359, 360
+#: Weights in per cent: of named axes, of all axes.
+SPEED_WEIGHTS, SPEED_WEIGHT = 127, 128
+RAPID_SPEED_WEIGHT = 129
+FEED_ACCELERATION_WEIGHTS, FEED_ACCELERATION_WEIGHT = 130, 131
+FEED_RAMP_WEIGHTS, FEED_RAMP_WEIGHT = 132, 133
+RAPID_ACCELERATION_WEIGHTS, RAPID_ACCELERATION_WEIGHT = 230, 231
+RAPID_RAMP_WEIGHTS, RAPID_RAMP_WEIGHT = 232, 233
 
 #: M functions of spindles.
 CLOCKWISE, COUNTERCLOCKWISE, SPINDLE_STOP, SPINDLE_POSITION = 3, 4, 5, 19
@@ -214,16 +222,33 @@ G_FUNCTIONS: Mapping[int, GFunction] = by_number(
         refused(115, "influence on look-ahead", "Einfluss auf Look-ahead"),
         refused(116, "influence on look-ahead", "Einfluss auf Look-ahead"),
         accepted(117, "look-ahead on", "Look-ahead ein"),
-        axis_weights(127, "weight of an axis' speed", "Gewichtung der Achsgeschwindigkeit"),
-        weight(128, "weight of the highest speed", "Gewichtung der Höchstgeschwindigkeit"),
-        weight(129, "weight of the rapid speed", "Gewichtung der Eilganggeschwindigkeit"),
-        axis_weights(130, "weight of an axis' acceleration", "Gewichtung der Achsbeschleunigung"),
-        weight(131, "weight of acceleration", "Gewichtung der Beschleunigung"),
-        axis_weights(132, "weight of an axis' ramp time", "Gewichtung der Rampenzeit einer Achse"),
-        weight(133, "weight of ramp times", "Gewichtung der Rampenzeiten"),
-        weight(134, "weight of geometrical ramp times", "Gewichtung geometr. Rampenzeiten"),
+        axis_weights(
+            SPEED_WEIGHTS, "weight of an axis' speed", "Gewichtung der Achsgeschwindigkeit"
+        ),
+        weight(SPEED_WEIGHT, "weight of the highest speed", "Gewichtung der Höchstgeschwindigkeit"),
+        weight(
+            RAPID_SPEED_WEIGHT, "weight of the rapid speed", "Gewichtung der Eilganggeschwindigkeit"
+        ),
+        axis_weights(
+            FEED_ACCELERATION_WEIGHTS,
+            "weight of an axis' acceleration",
+            "Gewichtung der Achsbeschleunigung",
+        ),
+        weight(FEED_ACCELERATION_WEIGHT, "weight of acceleration", "Gewichtung der Beschleunigung"),
+        axis_weights(
+            FEED_RAMP_WEIGHTS,
+            "weight of an axis' ramp time",
+            "Gewichtung der Rampenzeit einer Achse",
+        ),
+        weight(FEED_RAMP_WEIGHT, "weight of ramp times", "Gewichtung der Rampenzeiten"),
+        weight(
+            134,
+            "weight of geometrical ramp times",
+            "Gewichtung geometr. Rampenzeiten",
+            accepted=True,
+        ),
         refused(135, "feed-forward on", "Vorsteuerung ein"),
-        axis_weights(136, "weight of feed-forward", "Gewichtung der Vorsteuerung"),
+        neutral_weights(136, "weight of feed-forward", "Gewichtung der Vorsteuerung"),
         accepted(137, "feed-forward off", "Vorsteuerung aus"),
     ),
     group(
@@ -312,25 +337,51 @@ G_FUNCTIONS: Mapping[int, GFunction] = by_number(
         refused(201, "manual mode beside the path", "Handbetrieb neben der Bahn"),
         accepted(202, "manual mode beside the path off", "Handbetrieb neben der Bahn aus"),
         axis_weights(
-            230, "weight of an axis' acceleration, rapid", "Achsbeschleunigung im Eilgang"
+            RAPID_ACCELERATION_WEIGHTS,
+            "weight of an axis' acceleration, rapid",
+            "Achsbeschleunigung im Eilgang",
         ),
-        weight(231, "weight of acceleration, rapid", "Gewichtung der Eilgangbeschleunigung"),
+        weight(
+            RAPID_ACCELERATION_WEIGHT,
+            "weight of acceleration, rapid",
+            "Gewichtung der Eilgangbeschleunigung",
+        ),
         axis_weights(
-            232, "weight of an axis' ramp time, rapid", "Rampenzeit einer Achse im Eilgang"
+            RAPID_RAMP_WEIGHTS,
+            "weight of an axis' ramp time, rapid",
+            "Rampenzeit einer Achse im Eilgang",
         ),
-        weight(233, "weight of ramp times, rapid", "Gewichtung der Eilgang-Rampenzeiten"),
+        weight(
+            RAPID_RAMP_WEIGHT, "weight of ramp times, rapid", "Gewichtung der Eilgang-Rampenzeiten"
+        ),
         refused(293, "feed interpolated over time", "Vorschub über der Zeit interpoliert"),
         refused(301, "chamfer", "Fase"),
         refused(302, "rounding", "Rundung"),
         refused(310, "interruptible block", "unterbrechbarer Satz"),
         axis_weights(
-            333, "weight of an axis' deceleration, feed hold", "Achsverzögerung bei Vorschubhalt"
+            333,
+            "weight of an axis' deceleration, feed hold",
+            "Achsverzögerung bei Vorschubhalt",
+            accepted=True,
         ),
-        weight(334, "weight of deceleration, feed hold", "Verzögerung bei Vorschubhalt"),
+        weight(
+            334,
+            "weight of deceleration, feed hold",
+            "Verzögerung bei Vorschubhalt",
+            accepted=True,
+        ),
         axis_weights(
-            338, "weight of an axis' ramp time, feed hold", "Achsrampenzeit bei Vorschubhalt"
+            338,
+            "weight of an axis' ramp time, feed hold",
+            "Achsrampenzeit bei Vorschubhalt",
+            accepted=True,
         ),
-        weight(339, "weight of ramp times, feed hold", "Rampenzeiten bei Vorschubhalt"),
+        weight(
+            339,
+            "weight of ramp times, feed hold",
+            "Rampenzeiten bei Vorschubhalt",
+            accepted=True,
+        ),
     ),
     group(
         Group.CONTOURING,
@@ -404,6 +455,8 @@ def _of_role(*roles: Role) -> tuple[int, ...]:
 AXIS_WEIGHTS = frozenset(
     row.number for row in G_FUNCTIONS.values() if row.form is Form.AXIS_WEIGHTS
 )
+#: G functions whose value is a weight of all axes.
+WEIGHTS = frozenset(row.number for row in G_FUNCTIONS.values() if row.form is Form.WEIGHT)
 
 #: Functions of the transition to the next block: one of them in a block (20117).
 BLOCK_TRANSITIONS = (

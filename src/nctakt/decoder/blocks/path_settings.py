@@ -1,0 +1,171 @@
+# SPDX-License-Identifier: MIT
+"""``#CONTOUR MODE``, ``#SLOPE``, ``#VECTOR LIMIT``, ``#TURN`` and ``#OVERRIDE`` (MO-2 … MO-5).
+
+In: checked commands. Out: changes of the modal state, and limits for the segments that come.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Generator, Sequence
+
+from nctakt.base.diagnostics import Span
+from nctakt.decoder.axis_limits import set_limits
+from nctakt.decoder.blocks.feed import FeedRate
+from nctakt.decoder.blocks.threads import ThreadMotion
+from nctakt.decoder.state.commands import Answer, Command
+from nctakt.decoder.state.path_limits import MAX_BEND
+from nctakt.decoder.values.variables import Values
+from nctakt.kernel import rows
+from nctakt.messages.motion import INVALID_CONTOUR_DEVIATION, INVALID_VECTOR_LIMIT, UNKNOWN_SLOPE
+from nctakt.nc import tree
+from nctakt.nc.check.path_commands import command_name, is_size, keywords
+from nctakt.nc.vocabulary.path_keywords import (
+    CONTOUR_MODES,
+    SLOPES,
+    VECTOR_BLOCKS,
+    VECTOR_LIMITS,
+)
+
+#: Columns of the limits of ``#VECTOR LIMIT``; DEC shares that of ACC, TRANS_ACC has no effect.
+_COLUMNS = {
+    "VEL": rows.VECTOR_SPEED,
+    "ACC": rows.VECTOR_ACCELERATION,
+    "DEC": rows.VECTOR_ACCELERATION,
+    "JERK": rows.VECTOR_JERK,
+    "RADIAL_ACC": rows.RADIAL_ACCELERATION,
+    "RADIAL_JERK": rows.RADIAL_JERK,
+}
+_SIZES = frozenset(name for names in CONTOUR_MODES.values() for name in names)
+
+
+class PathSettings:
+    """Decodes the settings of the path of one program."""
+
+    def __init__(self, values: Values, feed_rate: FeedRate, threads: ThreadMotion) -> None:
+        self._values = values
+        self._feed_rate = feed_rate
+        self._threads = threads
+        self._environment = values.environment
+        self._state = values.state
+
+    def command(self, command: tree.HashCommand, number: int) -> Generator[Command, Answer]:
+        """Execute one of these commands."""
+        match command.words[0].name:
+            case "OVERRIDE":
+                yield from self._feed_rate.override(keywords(command), number)
+            case "TURN":
+                yield from self._threads.settings(keywords(command), number)
+            case "SLOPE":
+                self._select_slope(self._named_slope(keywords(command)))
+            case "SET":
+                yield from self._old_slope(command, number)
+            case "VECTOR":
+                yield from self._vector_limit(command, number)
+            case _:
+                yield from self._contour_mode(command, number)
+
+    # --- contouring -----------------------------------------------------------------------------
+
+    def _contour_mode(self, command: tree.HashCommand, number: int) -> Generator[Command, Answer]:
+        """Execute ``#CONTOUR MODE``."""
+        path, limits = self._state.path, self._state.limits
+        before = (limits.rounded_part, limits.max_bend)
+        for keyword in keywords(command):
+            if keyword.name in CONTOUR_MODES:
+                path.contour.mode = keyword.name
+            if keyword.value is None:
+                continue
+            value = yield from self._values.evaluate(keyword.value, number)
+            if keyword.name in _SIZES:
+                if not is_size(keyword.name, value):
+                    self._values.fail(INVALID_CONTOUR_DEVIATION, keyword.value.span, value=value)
+                path.contour.sizes[keyword.name] = value * self._state.length_unit_mm
+            elif keyword.name == "REMAIN_PART":
+                limits.rounded_part = 0.5 - 0.005 * min(max(value, 0.0), 100.0)
+            elif keyword.name == "MAX_ANGLE":
+                half = math.radians(min(max(value, 0.0), 180.0)) / 2.0
+                limits.max_bend = min(2.0 * math.sin(half), MAX_BEND)
+        if before != (limits.rounded_part, limits.max_bend):
+            yield self._limits(command.span, number)
+        switch = command.words[-1].name
+        if switch in ("ON", "OFF"):
+            path.contouring = switch == "ON"
+
+    # --- slope ----------------------------------------------------------------------------------
+
+    def _select_slope(self, kind: int) -> None:
+        """Select a slope by its number; all but STEP limit the jerk."""
+        self._state.path.limits_jerk = kind > 0
+
+    def _named_slope(self, items: Sequence[tree.Keyword]) -> int:
+        """Return the number of the slope that ``#SLOPE`` names, else that of the program start."""
+        for keyword in items:
+            if keyword.name == "TYPE":
+                assert isinstance(keyword.value, tree.Name)
+                return SLOPES.index(keyword.value.name)
+        return self._environment.parameters.program_start.slope_profile
+
+    def _old_slope(self, command: tree.HashCommand, number: int) -> Generator[Command, Answer]:
+        """Execute ``#SET SLOPE PROFIL``; without a number the slope of the program start."""
+        kind = float(self._named_slope(()))
+        for argument in command.arguments:
+            assert isinstance(argument, tree.Bracket)
+            first = argument.items[0]
+            assert not isinstance(first, tree.Keyword)
+            kind = yield from self._values.evaluate(first, number)
+            if kind not in range(len(SLOPES)):
+                self._values.fail(UNKNOWN_SLOPE, first.span, value=kind, highest=len(SLOPES) - 1)
+        self._select_slope(int(kind))
+
+    # --- limits of the path ---------------------------------------------------------------------
+
+    def _vector_limit(self, command: tree.HashCommand, number: int) -> Generator[Command, Answer]:
+        """Execute ``#VECTOR LIMIT ON`` or ``OFF``."""
+        items = keywords(command)
+        switches_on = command_name(command).startswith("VECTOR LIMIT ON")
+        blocks = [item.name for item in items if item.name in VECTOR_BLOCKS] or VECTOR_BLOCKS
+        named: dict[str, tree.Keyword | None] = {
+            item.name: item for item in items if item.name in VECTOR_LIMITS
+        }
+        if not named:
+            named = dict.fromkeys(self._environment.parameters.path_limits)
+            if not switches_on:
+                named = dict.fromkeys(VECTOR_LIMITS)
+        limits = self._state.limits
+        for name, keyword in named.items():
+            value = 0.0
+            if switches_on:
+                value = yield from self._limit(name, keyword, command.span, number)
+            for block in blocks:
+                limits.vector[block][name] = value
+        for block, columns in (("FEED", limits.feed), ("RAPID", limits.rapid)):
+            columns[:] = [0.0] * rows.VECTOR_WIDTH
+            for name, column in _COLUMNS.items():
+                value = limits.vector[block].get(name, 0.0)
+                if value > 0.0:
+                    columns[column] = min(value, columns[column] or value)
+        yield self._limits(command.span, number)
+
+    def _limit(
+        self, name: str, keyword: tree.Keyword | None, span: Span, number: int
+    ) -> Generator[Command, Answer, float]:
+        """Return a limit in mm/s, mm/s² or mm/s³; without a value that of the channel list."""
+        parameters = self._environment.parameters
+        if keyword is None or keyword.value is None:
+            value = parameters.path_limits.get(name, 0.0)
+        else:
+            span = keyword.value.span
+            value = yield from self._values.evaluate(keyword.value, number)
+            if value <= 0.0:
+                self._values.fail(INVALID_VECTOR_LIMIT, span, word=name, value=value)
+        if name == "VEL":
+            return value / 60.0
+        if parameters.path_limits_per_s:
+            return value
+        return value / (60.0**3 if name.endswith("JERK") else 60.0**2)
+
+    def _limits(self, span: Span, number: int) -> Command:
+        """Return the command with all limits that the program has set."""
+        source = self._environment.source_id(span)
+        return set_limits(self._environment.axes, self._state.limits, source, number)

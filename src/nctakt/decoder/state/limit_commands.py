@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: MIT
+"""The command that changes the limits of axes and path; nothing of it stands in the queue."""
+
+from __future__ import annotations
+
+from nctakt.base.dataclass import dataclass
+from nctakt.decoder.state.commands import Command
+
+
+@dataclass(frozen=True, slots=True)
+class AxisLimits:
+    """The limits of one axis, of rapid motions first: speeds (rapid, highest), accelerations,
+    those of the jerk-limited slope and its jerks.
+    """
+
+    speeds: tuple[float, float]
+    accelerations: tuple[float, float]
+    slope_accelerations: tuple[float, float]
+    jerks: tuple[float, float]
+
+
+@dataclass(frozen=True, slots=True)
+class SetLimits(Command):
+    """The limits of all axes and of the path for the segments behind it; no row of the queue.
+
+    ``feed`` and ``rapid``: the limits of the path from ``rows.VECTOR_SPEED`` on, 0 none.
+    ``is_reduced``: they are not those of the lists. ``rounded_part`` and ``max_bend``: how corners
+    are rounded.
+    """
+
+    axes: tuple[AxisLimits, ...]
+    feed: tuple[float, ...]
+    rapid: tuple[float, ...]
+    is_reduced: bool
+    rounded_part: float
+    max_bend: float

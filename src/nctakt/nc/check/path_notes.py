@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: MIT
+"""Notes on settings of the path of which no public source settles all, once per program.
+
+In: checked keywords of ``#CONTOUR MODE``, ``#SLOPE``, ``#VECTOR LIMIT``. Out: notes that say what
+nctakt does.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from nctakt.base.diagnostics import Text
+from nctakt.messages.checked_blocks import INVALID_COMMAND_FORM
+from nctakt.nc.check.expressions import ValueChecker
+from nctakt.nc.check.findings import Findings
+from nctakt.nc.tree import Bracket, Expression, Keyword, Name, Number
+from nctakt.nc.vocabulary.command_forms import forms_of
+from nctakt.nc.vocabulary.path_keywords import SLOPES
+
+_LIKE_DEV = Text(
+    "each corner between two lines is rounded, as with DEV",
+    "jede Ecke zwischen zwei Geraden wird wie bei DEV verschliffen",
+)
+_LIKE_DIST = Text(
+    "as DIST with the distance PATH_DIST",
+    "wie DIST mit dem Abstand PATH_DIST",
+)
+_NOTHING = Text("it changes nothing", "es ändert nichts")
+_BEHIND = Text(
+    "M and H functions of the corner act behind the curve",
+    "M- und H-Funktionen der Ecke wirken hinter der Kurve",
+)
+_AS_TRAPEZ = Text(
+    "as TRAPEZ, whose ramps take the same time",
+    "wie TRAPEZ, dessen Rampen gleich lange dauern",
+)
+_CONTOUR_NOTES = {
+    "DIST_SOFT": _LIKE_DIST,
+    "PTP": _LIKE_DEV,
+    "PRE_ACTION": _BEHIND,
+    "INTER_ACTION": _BEHIND,
+    "MAX_ANGLE": Text(
+        "corners that change the direction by more degrees are not rounded",
+        "Ecken mit größerer Richtungsänderung (Grad) werden nicht verschliffen",
+    ),
+    **dict.fromkeys(
+        (
+            "RELEVANT_PATH",
+            "RELEVANT_TRACK",
+            "TRACK_DEV",
+            "TRACK_DIST",
+            "ACC_MAX",
+            "ACC_MIN",
+            "RAMP_TIME",
+            "DIST_WEIGHT",
+            "MERGE",
+            "CHECK_JERK",
+            "CONST_VEL",
+        ),
+        _NOTHING,
+    ),
+}
+_VECTOR_NOTES = {
+    "DEC": Text(
+        "the path speeds up and brakes with the lower one of ACC and DEC",
+        "die Bahn beschleunigt und bremst mit dem kleineren Wert von ACC und DEC",
+    ),
+    "TRANS_ACC": _NOTHING,
+}
+
+
+def tell_simplified(
+    command: str, item: Keyword, items: Sequence[Keyword | Expression], findings: Findings
+) -> None:
+    """Tell what a keyword of a checked command does where no source settles it."""
+    meaning = None
+    if command.startswith("#CONTOUR MODE"):
+        meaning = _CONTOUR_NOTES.get(item.name)
+        if item.name == "POST_DIST" and any(
+            isinstance(other, Keyword) and other.name == "PRE_DIST" for other in items
+        ):
+            meaning = Text(
+                "the curve begins and ends at the smaller one of PRE_DIST and POST_DIST",
+                "die Kurve beginnt und endet im kleineren Abstand von PRE_DIST und POST_DIST",
+            )
+        command = "#CONTOUR MODE"
+    elif command.startswith("#VECTOR LIMIT ON"):
+        meaning = _VECTOR_NOTES.get(item.name)
+        command = "#VECTOR LIMIT"
+    elif command == "#SLOPE" and item.name == "NO_OPT":
+        meaning = _NOTHING
+    elif command == "#SLOPE" and isinstance(item.value, Name) and item.value.name in SLOPES[2:]:
+        findings.report_simplified(f"#SLOPE [TYPE={item.value.name}]", _AS_TRAPEZ, item.span)
+    if meaning is not None:
+        findings.report_simplified(f"{command} [{item.name}]", meaning, item.span)
+
+
+def check_old_slope(
+    argument: Bracket | Keyword | Expression, values: ValueChecker, findings: Findings
+) -> None:
+    """Check the bracket of ``#SET SLOPE PROFIL [1]``; further arguments have no effect."""
+    items = argument.items if isinstance(argument, Bracket) else ()
+    if not items or any(isinstance(item, Keyword) for item in items):
+        name = "#SET SLOPE PROFIL"
+        findings.report(INVALID_COMMAND_FORM, argument.span, command=name, forms=forms_of(name))
+        return
+    for item in items:
+        assert not isinstance(item, Keyword)
+        values.value(item)
+    first = items[0]
+    if isinstance(first, Number) and int(first.value) in (2, 3):
+        kind = SLOPES[int(first.value)]
+        findings.report_simplified(f"#SET SLOPE PROFIL [{kind}]", _AS_TRAPEZ, first.span)
+    for item in items[1:]:
+        meaning = Text(
+            "weights act on all ramps, whatever further arguments say",
+            "Gewichtungen wirken auf alle Rampen, unabhängig von weiteren Argumenten",
+        )
+        findings.report_simplified("#SET SLOPE PROFIL", meaning, item.span)

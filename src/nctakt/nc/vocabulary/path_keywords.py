@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: MIT
+"""The keywords of ``#SLOPE``, ``#CONTOUR MODE`` and ``#VECTOR LIMIT``."""
+
+from __future__ import annotations
+
+#: The slopes in the order of their numbers (P-CHAN-00071).
+SLOPES = ("STEP", "TRAPEZ", "SIN2", "HSC")
+
+#: The modes of ``#CONTOUR MODE`` that are simulated, each with the keywords of its size.
+CONTOUR_MODES = {
+    "DEV": ("PATH_DEV",),
+    "DIST": ("PRE_DIST", "POST_DIST"),
+    "DIST_SOFT": ("PATH_DIST",),
+    "PTP": ("PATH_DEV", "PATH_DIST"),
+}
+#: When M and H functions of a rounded corner act.
+ACTIONS = ("PRE_ACTION", "INTER_ACTION", "POST_ACTION")
+#: Further keywords of ``#CONTOUR MODE`` with a number.
+CONTOUR_NUMBERS = (
+    "REMAIN_PART",
+    "MAX_ANGLE",
+    "RELEVANT_PATH",
+    "RELEVANT_TRACK",
+    "TRACK_DEV",
+    "TRACK_DIST",
+    "ACC_MAX",
+    "ACC_MIN",
+    "RAMP_TIME",
+    "DIST_WEIGHT",
+    "MERGE",
+    "CHECK_JERK",
+    "CONST_VEL",
+)
+
+#: The limits of ``#VECTOR LIMIT``, and the blocks that they may be for.
+VECTOR_LIMITS = ("VEL", "ACC", "DEC", "JERK", "RADIAL_ACC", "RADIAL_JERK", "TRANS_ACC")
+VECTOR_BLOCKS = ("FEED", "RAPID")

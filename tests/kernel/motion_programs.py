@@ -347,3 +347,44 @@ class MotionProgram:
         )
 
     settings = (set_slope, set_feed, set_ends, set_ends, set_plane, set_offset, function, function)
+
+
+class WeightedProgram(MotionProgram):
+    """A program that changes weights, limits of the path and the mode of contouring as well."""
+
+    def weigh(self) -> None:
+        """A weight of one axis, of all, or of none."""
+        chance = self.chance
+        word = chance.choice(("G127 ", "G128", "G129", "G130 ", "G131", "G230 ", "G231"))
+        pct = chance.choice((10, 40, 100, 100))
+        if chance.random() < 0.3:
+            word, pct = chance.choice(("G132 ", "G133", "G232 ", "G233")), 250
+        self.lines.append(f"{word}{chance.choice('XYZA') if word[-1] == ' ' else '='}{pct}")
+
+    def limit(self) -> None:
+        """A limit of the path on or off."""
+        chance = self.chance
+        self.lines.append(
+            chance.choice(
+                (
+                    "#VECTOR LIMIT OFF",
+                    f"#VECTOR LIMIT ON [ACC={3600 * chance.choice((200, 2000))}]",
+                    f"#VECTOR LIMIT ON [VEL={chance.choice((600, 6000))} FEED]",
+                    f"#VECTOR LIMIT ON [RADIAL_ACC={3600 * chance.choice((50, 1000))}]",
+                    "#VECTOR LIMIT ON [JERK=2160000000 RAPID]",
+                )
+            )
+        )
+
+    def contour(self) -> None:
+        """Contouring by a distance from the corner, of which a curve goes at most half off."""
+        distance = self.chance.choice((0.1, 2.0, 30.0))
+        self.lines.append(
+            f"#CONTOUR MODE [DIST PRE_DIST={distance} POST_DIST={distance} REMAIN_PART=20]"
+        )
+        self.deviation = 0.5 * distance
+        self.lines.append("G261")
+        self.is_contouring = True
+        self.is_exact = False
+
+    settings = (*MotionProgram.settings, weigh, weigh, limit, contour)

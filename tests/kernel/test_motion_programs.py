@@ -7,7 +7,7 @@ import random
 
 from motion_checks import SIGNALS, violations
 from motion_machines import machine
-from motion_programs import MotionProgram
+from motion_programs import MotionProgram, WeightedProgram
 from random_seeds import seeds_in_parts
 
 from nctakt.run.controller import Controller, NcText
@@ -60,9 +60,9 @@ def disturbances(seed: int) -> list[Stimulus]:
     return made if kinds else []
 
 
-def wrong_with(seed: int) -> list[str]:
+def wrong_with(seed: int, kind: type[MotionProgram] = MotionProgram) -> list[str]:
     """What is wrong with the run of a seed's program."""
-    program = MotionProgram(seed, SLOPES[seed // 4 % 3])
+    program = kind(seed, SLOPES[seed // 4 % 3])
     chosen = machine(seed % 4)
     run = Controller(chosen.configuration).run(
         NcText("p.nc", program.text),
@@ -82,3 +82,10 @@ def test_programs_of_all_motions_keep_limits_way_and_ends(seeds: range) -> None:
     """MO-1: in each tick, with all that an operator may do in any tick."""
     for seed in seeds:
         assert wrong_with(seed) == [], seed
+
+
+@seeds_in_parts(100, 5, 8)
+def test_programs_with_weights_keep_limits_way_and_ends(seeds: range) -> None:
+    """MO-1: also where weights, limits of the path and modes of contouring change."""
+    for seed in seeds:
+        assert wrong_with(seed, WeightedProgram) == [], seed

@@ -383,6 +383,8 @@ class ProgramDecoder:
                 yield from self._message(statement, source, number)
             case tree.HashCommand() if [word.name for word in statement.words] == EXPLICIT:
                 yield from self._block_decoder.technology.explicit_synchronisation()
+            case tree.HashCommand() if statement.words[0].name == "FGROUP":
+                self._block_decoder.path.feed_rate.select_group(statement)
             case tree.HashCommand() if command_name(statement) in FORMS:
                 yield from self._path_settings.command(statement, number)
             case tree.VariableDeclarations():

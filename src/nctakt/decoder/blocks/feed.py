@@ -25,8 +25,10 @@ from nctakt.messages.feed import (
     INVALID_PROGRAM_OVERRIDE,
 )
 from nctakt.nc import tree
+from nctakt.nc.check.hash_commands import axis_name
 from nctakt.nc.check.path_commands import OVERRIDE_FACTORS, OVERRIDE_MAX_PCT, OVERRIDE_MIN_PCT
 from nctakt.nc.vocabulary.functions import (
+    FEED_PER_MINUTE,
     FEED_PER_REVOLUTION,
     FEED_SHARE,
     INVERSE_TIME_FEED,
@@ -129,9 +131,41 @@ class FeedRate:
         feed, spindle, spindle_v = (
             (0.0, -1, 0.0) if has_own_feed else self._feed(start, target, arc, span)
         )
+        if feed_state.group and feed_state.feed_mode in (FEED_PER_MINUTE, FEED_PER_REVOLUTION):
+            feed *= self._part_of_group(start, target, arc, feed_state.group)
         if override == 1.0 and not is_exempt and spindle < 0:
             return feed, None
         return feed, FeedModifiers(override, is_exempt, spindle, spindle_v)
+
+    def select_group(self, command: tree.HashCommand) -> None:
+        """Execute ``#FGROUP``; the linear axes, which F has anyway, are none."""
+        group: set[int] = set()
+        for argument in command.arguments:
+            assert isinstance(argument, tree.Bracket)
+            group |= {self._environment.axis_numbers[axis_name(item)] for item in argument.items}
+        axes = self._environment.axes
+        linear = {index for index, axis in enumerate(axes) if axis.is_linear}
+        self._state.feed.group = frozenset() if group == linear else frozenset(group)
+
+    def _part_of_group(
+        self,
+        start: Sequence[float],
+        target: Sequence[float],
+        arc: Arc | None,
+        group: frozenset[int],
+    ) -> float:
+        """Return the length of a block by that of its group (``#FGROUP``), 1 if it has none."""
+        plane = () if arc is None else (arc.first, arc.second)
+        length2 = 0.0
+        if arc is not None and not group.isdisjoint(plane):
+            turn = arc.length(start)
+            length2 = turn * turn
+        for index in group.difference(plane):
+            rise = target[index] - start[index]
+            length2 += rise * rise
+        if length2 < 1e-12:
+            return 1.0
+        return self._length(start, target, arc) / arithmetic.square_root(length2)
 
     def _min_axis_override(
         self, start: Sequence[float], target: Sequence[float], arc: Arc | None

@@ -201,8 +201,3 @@ def _built(builder: ExpressionBuilder, expression: tree.Expression | None) -> Op
 def names_of(spindles: Sequence[Spindle]) -> tuple[str, ...]:
     """Return the names of the spindles in programs."""
     return tuple(spindle.name for spindle in spindles)
-
-
-def is_revolutions(word: tree.BlockWord) -> bool:
-    """Return whether a word of a block with G04 is its time in revolutions."""
-    return isinstance(word, tree.Word) and word.name == "S"

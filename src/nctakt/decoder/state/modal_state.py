@@ -152,7 +152,8 @@ class FeedState:
     overrides.
 
     ``follows_spindle``: the feed under G95 follows the speed of the spindle as it is (#TURN).
-    Overrides are factors for feed and rapid blocks, of the path and by axis index.
+    Overrides are factors for feed and rapid blocks, of the path and by axis index. ``group``: the
+    axes whose path F applies to (``#FGROUP``); empty: the linear ones.
     """
 
     feed_mode: int = FEED_PER_MINUTE
@@ -162,6 +163,7 @@ class FeedState:
     share_pct: float = 0.0
     path_override: tuple[float, float] = (1.0, 1.0)
     axis_overrides: dict[int, tuple[float, float]] = field(default_factory=dict)
+    group: frozenset[int] = frozenset()
 
     @property
     def block_time_s(self) -> float:
@@ -233,7 +235,8 @@ class ModalState:
         """
         feed = self.feed
         has_override = feed.path_override != (1.0, 1.0) or bool(feed.axis_overrides)
-        return not self.not_plain and not has_override and not self.monitored
+        has_feed_of_its_own = has_override or bool(feed.group)
+        return not self.not_plain and not has_feed_of_its_own and not self.monitored
 
     def note(self, function: int) -> None:
         """Note a G function that becomes active, for ``allows_plain_lines``."""

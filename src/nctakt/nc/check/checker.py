@@ -135,7 +135,7 @@ class Checker:
         self._realtime_loops = LoopChecker(channel, names, self._findings, self.statement)
         self._calls = CallChecker(self._words, self._values, self._findings)
         self._program_variables = ProgramVariableChecker(self._values, self._findings)
-        self._commands = CommandChecker(self._values, names, axes, self._findings)
+        self._commands = CommandChecker(self._values, axes, self._findings)
         self._signals = SignalChecker(self._values, axes, self._findings)
         self._macros = MacroExpander(names, self._macro)
         self._loops = 0

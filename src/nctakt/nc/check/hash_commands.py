@@ -2,23 +2,19 @@
 """The forms of ``#`` commands of the main program.
 
 In: ``#TIMER``, ``#FILENAME``, ``#CHANNEL INIT``, ``#BACKWARD STORAGE CLEAR``, ``#DISABLE MODAL
-CYCLE``, ``#FGROUP`` of the axes that F has anyway. Out: diagnostics.
+CYCLE``, ``#FGROUP``. Out: diagnostics.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 
 from nctakt.base.text import close_names
 from nctakt.messages.checked_blocks import INVALID_COMMAND_FORM, UNKNOWN_COMMAND_OPTION
 from nctakt.nc.check.expressions import ValueChecker
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.tree import Bracket, Expression, HashCommand, Keyword, Name, Timer
-from nctakt.nc.vocabulary import support_level
 from nctakt.nc.vocabulary.command_forms import forms_of
-from nctakt.nc.vocabulary.entries import Support
-from nctakt.nc.vocabulary.variable_table import NameTable
 
 _TIMER_ACTIONS = ("START", "STOP", "READ", "CLEAR")
 _POSITIONS = ("CMDPOS", "ACTPOS")
@@ -28,11 +24,8 @@ _WITHOUT_ARGUMENTS = (("BACKWARD", "STORAGE", "CLEAR"), ("DISABLE", "MODAL", "CY
 class CommandChecker:
     """Checks the commands of one program; ``axes``: the names of the channel's."""
 
-    def __init__(
-        self, values: ValueChecker, names: NameTable, axes: Sequence[str], findings: Findings
-    ) -> None:
+    def __init__(self, values: ValueChecker, axes: Sequence[str], findings: Findings) -> None:
         self._values = values
-        self._names = names
         self._axes = axes
         self._findings = findings
 
@@ -55,10 +48,8 @@ class CommandChecker:
             self._file(command)
         elif tuple(words) == ("CHANNEL", "INIT"):
             self._channel(command)
-        elif tuple(words) == ("FGROUP",) and _names_feed_axes(command, self._names, self._axes):
-            entry = support_level.hash_command(words)
-            assert entry is not None
-            self._findings.report_support(replace(entry, support=Support.ACCEPTED), command.span)
+        elif tuple(words) == ("FGROUP",):
+            self._feed_group(command)
         elif tuple(words) in _WITHOUT_ARGUMENTS:
             if command.arguments:
                 name = "#" + " ".join(words)
@@ -86,6 +77,14 @@ class CommandChecker:
             if not isinstance(item, Keyword) or item.name not in _POSITIONS or item.value:
                 self._option("#CHANNEL INIT", self._findings.written(item.span), _POSITIONS, item)
 
+    def _feed_group(self, command: HashCommand) -> None:
+        """Check ``#FGROUP [X, Y]``; without brackets it is that of the program start."""
+        items = self._items(command, "#FGROUP") if command.arguments else ()
+        for item in items:
+            name = axis_name(item)
+            if name not in self._axes:
+                self._option("#FGROUP", self._findings.written(item.span), self._axes, item)
+
     def _items(self, command: HashCommand, name: str) -> tuple[Keyword | Expression, ...]:
         """Return the items of the command's only bracket; report any other form."""
         if len(command.arguments) == 1 and isinstance(command.arguments[0], Bracket):
@@ -106,22 +105,8 @@ class CommandChecker:
         )
 
 
-def _names_feed_axes(command: HashCommand, names: NameTable, axes: Sequence[str]) -> bool:
-    """Return whether ``#FGROUP`` names just the axes that F refers to anyway.
-
-    These are the linear ones of the channel's ``axes``, or all of them where none is linear.
-    Without names the command restores them.
-    """
-    if not command.arguments:
-        return True
-    if len(command.arguments) > 1 or not isinstance(command.arguments[0], Bracket):
-        return False
-    items = command.arguments[0].items
-    named = [
-        item.name
-        for item in items
-        if isinstance(item, Name) or (isinstance(item, Keyword) and item.value is None)
-    ]
-    traits = {axis: names.axis(axis) for axis in axes}
-    linear = [axis for axis, found in traits.items() if found is not None and found.is_linear]
-    return len(named) == len(items) and sorted(named) == sorted(linear or axes)
+def axis_name(item: Keyword | Expression) -> str:
+    """Return the name in an item of ``#FGROUP``, else an empty text."""
+    if isinstance(item, Name) or (isinstance(item, Keyword) and item.value is None):
+        return item.name
+    return ""

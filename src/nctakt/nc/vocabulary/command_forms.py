@@ -29,6 +29,7 @@ FORMS: dict[str, tuple[str, ...]] = {
     "#EXPL SYN": ("#EXPL SYN",),
     "#FILE NAME": ("#FILE NAME [MSG=report.txt]",),
     "#FILENAME": ("#FILENAME [MSG=report.txt]",),
+    "#FGROUP": ("#FGROUP [X, Y]", "#FGROUP"),
     "#FLUSH": ("#FLUSH", "#FLUSH WAIT", "#FLUSH CONTINUE"),
     "#MSG": ('#MSG ["text"]', '#MSG ["%d of %f", V.E.COUNT, P1]'),
     "#OVERRIDE": ("#OVERRIDE [FEED_FACT=50]", "#OVERRIDE [RAPID_FACT=50]"),

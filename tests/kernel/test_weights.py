@@ -134,4 +134,4 @@ def test_the_corner_between_two_weights_keeps_both() -> None:
 def test_a_weight_has_to_be_positive(word: str) -> None:
     """Messages name the word and its value."""
     done = Controller(DEMO).run(NcText("p.nc", f"{word}\nM30"), signals=["BLOCK"], ticks=1000)
-    assert [error.id for error in done.errors] == [901530]
+    assert [error.id for error in done.errors] == [901550]

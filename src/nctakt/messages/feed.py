@@ -56,7 +56,7 @@ FEED_PER_REVOLUTION_WITHOUT_SPINDLE = error(
     clearing=3,
 )
 INVALID_WEIGHT = error(
-    901530,
+    901550,
     known_as=(120027, 120028, 120031, 120032),
     en="{word}: the weight {value} % is not allowed",
     de="{word}: die Gewichtung {value} % ist nicht zulässig",

@@ -145,7 +145,7 @@ UNKNOWN_SLOPE = error(
     clearing=3,
 )
 SIMPLIFIED = note(
-    901531,
+    901551,
     en="{command} is simulated as follows: {meaning}",
     de="{command} wird so simuliert: {meaning}",
     remedy_en="Nothing to do if that suffices; this is reported once per program.",

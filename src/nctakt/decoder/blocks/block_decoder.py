@@ -156,8 +156,7 @@ class BlockDecoder:
             yield from self._offsets(content, self._environment.source_id(block.span), number)
         if content.updates_tool_offsets:
             yield from self._values.tool.offsets(block.span, number)
-        if content.weights:
-            yield from weigh(self._values, content.weights, number)
+        yield from weigh(self._values, content.weights, number)
         if content.functions:
             yield from self.technology.before_motion(content.functions)
         measured = (
@@ -242,8 +241,7 @@ class BlockDecoder:
         if DWELL in numbers and content.axes:
             content.dwell_s = content.axes.pop()[1]
         for function in AXIS_WEIGHTS.intersection(numbers):
-            content.weights[function] = (numbers[function], content.axes)
-            content.axes = []
+            content.weights[function], content.axes = (numbers[function], content.axes), []
         return content
 
     def _tool(

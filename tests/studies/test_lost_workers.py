@@ -98,10 +98,25 @@ def test_a_worker_that_cannot_start_is_told(
     """Not once for each run, but as the end of the study (901486)."""
     monkeypatch.setattr(processes, "can_copy", lambda: False)
     plan = study(tmp_path, count=30)
-    monkeypatch.setattr(sys, "executable", shutil.which("false"))
-    with pytest.raises(Failure) as raised:
-        plan.run(processes=2)
-    assert [one.id for one in raised.value.diagnostics] == [901486]
+    for path in (shutil.which("false"), str(tmp_path / "nowhere")):
+        monkeypatch.setattr(sys, "executable", path)
+        with pytest.raises(Failure) as raised:
+            plan.run(processes=2)
+        assert [one.id for one in raised.value.diagnostics] == [901486]
+
+
+@pytest.mark.parametrize("is_copied", [False, True])
+def test_a_plc_reads_and_prints_what_it_likes(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, is_copied: bool
+) -> None:
+    """Neither disturbs what a worker is asked and answers."""
+    if is_copied and not worker_process.can_copy():
+        pytest.skip("this process cannot be copied")
+    monkeypatch.setattr(processes, "can_copy", lambda: is_copied)
+    plan = study(tmp_path, count=6, plc=True)
+    text = "        print('x' * 9000)\n        assert os.read(0, 1) == b''\n"
+    (tmp_path / "cell.py").write_text(PLC.replace("        if hli", f"{text}        if hli"))
+    assert plan.run(processes=2).counts["held"] == 6
 
 
 def test_blocks_are_as_long_as_they_should_be() -> None:

@@ -212,14 +212,14 @@ WORKER_UNFIT = error(
     worker=("the worker", "der Worker"),
     reason=("the reason", "der Grund"),
 )
-WORKER_ENDED = error(
+WORKER_NOT_STARTED = error(
     901486,
-    en="a process that should make runs ends before the first one, with exit code {code}",
-    de="ein Prozess für Läufe endet vor dem ersten Lauf, mit Exit-Code {code}",
+    en="a process that should make runs does not start: {reason}",
+    de="ein Prozess, der Läufe machen soll, startet nicht: {reason}",
     remedy_en="Memory may be short: try fewer processes (-j 1); --resume keeps finished runs.",
     remedy_de="Vielleicht reicht der Speicher nicht: weniger Prozesse (-j 1); --resume behält "
     "fertige Läufe.",
-    code=("the exit code", "der Exit-Code"),
+    reason=("the reason", "der Grund"),
 )
 RUN_WITHOUT_TRACE = error(
     901350,

@@ -4,7 +4,7 @@
 In: where Python finds modules, the plan, then lists of numbers of runs, each pickled. Out: ``True``
 once it is ready, or the ``Failure`` that keeps it from that; then for each list its rows, pickled.
 A worker has one thread, so that it can copy itself, and it ends when nobody asks any more. What a
-user's PLC prints goes to standard error.
+user's PLC prints goes to standard error, and it finds nothing to read.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from nctakt.studies.shared_beginning import maker_of
 def main() -> None:
     """Make runs until nobody asks for more."""
     answers = os.fdopen(os.dup(1), "wb")
-    questions = sys.stdin.buffer
+    questions = os.fdopen(os.dup(0), "rb")
     sys.path[:] = pickle.load(questions)
     try:
         bench = bench_of(pickle.load(questions))
@@ -43,6 +43,9 @@ def main() -> None:
 def serve(bench: Bench, questions: IO[bytes], answers: IO[bytes]) -> None:
     """Answer lists of numbers with the rows of their runs until there is none any more."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # who has started it decides
+    nothing = os.open(os.devnull, os.O_RDONLY)
+    os.dup2(nothing, 0)
+    os.close(nothing)
     os.dup2(2, 1)
     maker = maker_of(bench, may_copy=True)
     with contextlib.suppress(EOFError, BrokenPipeError):

@@ -19,9 +19,10 @@ import warnings
 from collections.abc import Callable, Sequence
 from typing import IO, Self
 
+from nctakt.base.diagnostics import Text
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
-from nctakt.messages.studies import WORKER_ENDED
+from nctakt.messages.studies import WORKER_NOT_STARTED
 from nctakt.studies.bench import Bench
 from nctakt.studies.blocks import MadeBlock
 from nctakt.studies.plan import Plan
@@ -50,7 +51,10 @@ class WorkerProcess:
 
     @classmethod
     def copied(cls, bench: Bench, others: Sequence[WorkerProcess]) -> Self:
-        """Return a copy of this process; it leaves the pipes of the others."""
+        """Return a copy of this process; it leaves the pipes of the others.
+
+        Raises ``Failure`` if the system refuses one (901486).
+        """
         asked, questions = os.pipe()
         answers, answered = os.pipe()
         sys.stdout.flush()
@@ -59,7 +63,12 @@ class WorkerProcess:
             warnings.simplefilter(
                 "ignore", DeprecationWarning
             )  # threads of numpy, which it has not
-            pid = os.fork()
+            try:
+                pid = os.fork()
+            except OSError as error:
+                for end in (asked, questions, answers, answered):
+                    os.close(end)
+                raise _not_started(error.strerror or str(error)) from error
         if pid == 0:
             try:
                 for other in others:
@@ -81,15 +90,18 @@ class WorkerProcess:
     def started(cls, plan: Plan) -> Self:
         """Return a new process that is ready.
 
-        Raises ``Failure``: with its reason, or that it ends by itself (901486).
+        Raises ``Failure``: with its reason, or that there is no process (901486).
         """
         for _ in range(MAX_STARTS):
-            process = subprocess.Popen(
-                [sys.executable, "-m", "nctakt.studies.worker"],
-                stdin=subprocess.PIPE,
-                stdout=subprocess.PIPE,
-                env={**os.environ, "OPENBLAS_NUM_THREADS": "1"},
-            )
+            try:
+                process = subprocess.Popen(
+                    [sys.executable, "-m", "nctakt.studies.worker"],
+                    stdin=subprocess.PIPE,
+                    stdout=subprocess.PIPE,
+                    env={**os.environ, "OPENBLAS_NUM_THREADS": "1"},
+                )
+            except OSError as error:
+                raise _not_started(error.strerror or str(error)) from error
             assert process.stdin is not None
             assert process.stdout is not None
             worker = cls(process.pid, process.stdin, process.stdout, process.wait)
@@ -102,7 +114,7 @@ class WorkerProcess:
             if answer is not None:
                 return worker
             code = worker.end()
-        raise Failure(diagnostic(WORKER_ENDED, code=code))
+        raise _not_started(Text(f"exit code {code}", f"Exit-Code {code}"))
 
     def ask(self, block: Sequence[int]) -> None:
         """Ask for the rows of a block; what is asked is answered in order."""
@@ -142,3 +154,7 @@ class WorkerProcess:
             return pickle.load(self._answers)
         except (EOFError, pickle.UnpicklingError):
             return None
+
+
+def _not_started(reason: str | Text) -> Failure:
+    return Failure(diagnostic(WORKER_NOT_STARTED, reason=reason))

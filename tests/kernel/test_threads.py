@@ -6,6 +6,7 @@ from __future__ import annotations
 import math
 import random
 from collections.abc import Iterator
+from pathlib import Path
 
 import pytest
 from kernel_rig import ACCELERATION, DEMO, TICK_T
@@ -278,3 +279,14 @@ def test_random_threads_and_taps(slope: str) -> None:
         first = taps[0][1] - 360.0 * (0.0 - taps[0][0]) / pitch
         both = taps + list(rows_of(result, 90, "Z.ACS.ACT_POS", "S.POSITION"))
         assert max(off(angle - first + 360.0 * z / pitch) for z, angle in both) < SHARE, seed
+
+
+def test_the_example_cuts_one_thread_in_three_passes() -> None:
+    """The passes at 600, 900 and 1200 1/min have one line; its own expectations hold, too."""
+    text = (Path(__file__).parents[2] / "examples" / "thread.nc").read_text("utf-8")
+    result = run(text)
+    assert result.state == "ended"
+    for block, speed in ((40, 600), (90, 900), (140, 1200)):
+        assert max(errors(result, block, 5.0, 2.0, speed / 30.0)) < SHARE
+    assert tap_error(result, 190, 2.0, 240.0, 0.0) < SHARE
+    assert tap_error(result, 200, 2.0, 240.0, 0.0) < SHARE

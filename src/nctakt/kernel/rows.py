@@ -61,7 +61,8 @@ from __future__ import annotations
     AWAIT_SIGNAL,  # #WAIT SYN
     REMOVE_SIGNAL,  # #SIGNAL REMOVE SYN
     MODAL_MARK,  # other functions are in force from here on
-) = range(1, 42)
+    CUTTING_SPEED,  # G96, G97: the speed of a spindle follows an axis, or no longer
+) = range(1, 43)
 
 #: The kinds that take or may take time.
 TIMED_KINDS = frozenset(
@@ -150,6 +151,13 @@ def _arguments(count: int) -> range:
     JOB_DIRECTION,  # 1, -1; 0: the shorter way
     JOB_TICKS,  # how long the default PLC takes
 ) = _arguments(6)
+(
+    CUTTING_SPINDLE,  # index of the spindle in the channel
+    CUTTING_SURFACE,  # mm/s that the surface has at the tool; 0: off
+    CUTTING_AXIS,  # number of the face axis in the machine
+    CUTTING_CENTRE,  # mm: where that axis has the radius 0
+    CUTTING_LIMIT,  # highest speed, degrees/s; 0: none but that of the spindle
+) = _arguments(5)
 (
     MARK_TICK,  # BLOCK_MARK: tick in which the block was decoded
     MARK_CALLS,  # number of the open calls (``run/event_registry.py``)

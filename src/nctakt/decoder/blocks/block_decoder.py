@@ -11,6 +11,7 @@ from collections.abc import Container, Generator, Iterator, Mapping, Sequence
 
 from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Span
+from nctakt.decoder.blocks.cutting_speed import CuttingSpeeds
 from nctakt.decoder.blocks.feed import FeedRate
 from nctakt.decoder.blocks.fixed_stops import (
     begin_or_end,
@@ -112,7 +113,7 @@ class BlockDecoder:
         self._state = values.state
         self._in_force = InForceMarks(values.environment, values.state)
         self._is_linear = [axis.is_linear for axis in self._environment.axes]
-        self._spindles = SpindleWords(values)
+        self._spindles = SpindleWords(values, CuttingSpeeds(values))
         threads = ThreadMotion(values, self._spindles)
         self.path = PathMotion(values, FeedRate(values, self._spindles), threads)
         self.technology = TechnologyOutputs()
@@ -233,6 +234,8 @@ class BlockDecoder:
         if self._state.motion in THREADS and content.path.centre:
             self.path.threads.pitches(content.path.centre)
             content.path.centre = {}
+        if commands or self._spindles.is_concerned(numbers):
+            yield from self._spindles.speed_functions(numbers, number)
         for command in commands:
             if self._state.motion in TAPPING_FUNCTIONS:
                 yield from self.path.threads.speed(command, number)

@@ -215,10 +215,13 @@ class FeedRate:
             modal = self._spindles.modal.get(index)
             if modal is None or modal.function == SPINDLE_STOP or modal.speed <= 0.0:
                 self._values.fail(FEED_PER_REVOLUTION_SPINDLE_STOPPED, span, spindle=spindle.name)
-            feed = feed_state.per_revolution_mm * modal.speed / 60.0
+            speed = modal.speed
+            if self._spindles.cutting.is_active:
+                speed = self._spindles.cutting.limit_of(index)
+            feed = feed_state.per_revolution_mm * speed / 60.0
             if spindle.plc_controlled or not feed_state.follows_spindle:
                 return feed, -1, 0.0
-            return feed, index, modal.speed * DEGREES_PER_S
+            return feed, index, speed * DEGREES_PER_S
         self._values.fail(FEED_PER_REVOLUTION_WITHOUT_SPINDLE, span)
 
     def _max_axis_feed(

@@ -9,10 +9,12 @@ receives no job that is not output.
 
 from __future__ import annotations
 
-from collections.abc import Generator, Sequence
+from collections.abc import Generator, Mapping, Sequence
 
 from nctakt.base.dataclass import dataclass, field
-from nctakt.base.diagnostics import Span
+from nctakt.base.diagnostics import NOTHING, Span
+from nctakt.base.text import nearest
+from nctakt.decoder.blocks.cutting_speed import CuttingSpeeds
 from nctakt.decoder.blocks.technology_output import BlockFunction, process_ticks
 from nctakt.decoder.state.commands import Answer, AwaitSpindle, Command, SpindleJob
 from nctakt.decoder.values.expressions import ExpressionBuilder
@@ -21,6 +23,7 @@ from nctakt.decoder.values.variables import Values
 from nctakt.kernel.cycles.instructions import Statement
 from nctakt.kernel.cycles.spindle_commands import CommandSpindle
 from nctakt.lists.machine.channel_configuration import Spindle
+from nctakt.messages.checked_values import INDEX_OUT_OF_RANGE, UNKNOWN_VARIABLE
 from nctakt.messages.spindles import (
     DWELL_WITHOUT_SPINDLE,
     INVALID_SPINDLE_SPEED,
@@ -31,24 +34,34 @@ from nctakt.messages.spindles import (
 from nctakt.nc import tree
 from nctakt.nc.vocabulary.functions import (
     CLOCKWISE,
+    CONSTANT_SPEED,
     COUNTERCLOCKWISE,
+    CUTTING_SPEED,
+    SPINDLE_LIMIT,
     SPINDLE_POSITION,
     SPINDLE_STOP,
 )
+from nctakt.nc.vocabulary.resolution import path_text
 from nctakt.nc.vocabulary.spindle_commands import SpindleCommand
+from nctakt.nc.vocabulary.spindle_variables import OF_MAIN_SPINDLE
+from nctakt.nc.vocabulary.system_variables import SystemVariable
 
 #: Degrees per second of a revolution per minute.
 DEGREES_PER_S = 6.0
+
+#: G functions that say what S is.
+SPEED_FUNCTIONS = frozenset((CUTTING_SPEED, CONSTANT_SPEED, SPINDLE_LIMIT))
 
 _DIRECTIONS = {CLOCKWISE: 1, COUNTERCLOCKWISE: -1}
 
 
 @dataclass(slots=True)
 class _Modal:
-    """The modal words of a spindle: direction, speed in revolutions per minute."""
+    """The modal words of a spindle: direction, revolutions per minute, degrees of M19."""
 
     function: int = SPINDLE_STOP
     speed: float = 0.0
+    position: float = 0.0
 
 
 @dataclass(slots=True)
@@ -56,7 +69,72 @@ class SpindleWords:
     """The commands to spindles of one program."""
 
     values: Values
+    cutting: CuttingSpeeds
     modal: dict[int, _Modal] = field(default_factory=dict)
+    dwell_turns: float = 0.0
+
+    def __post_init__(self) -> None:
+        self.values.spindle_value = self.value
+
+    def value(self, variable: tree.Variable, system: SystemVariable) -> float:
+        """Return V.SPDL or V.SPDL_PROG; raises ``DecodeError`` for an unknown spindle."""
+        spindles = self.values.environment.parameters.spindles
+        if system.subject == "NBR_IN_CHANNEL":
+            return float(len(spindles))
+        index = self._index_of(variable, system)
+        modal = self.modal.get(index, _Modal())
+        if system.subject in OF_MAIN_SPINDLE and not spindles[index].is_main:
+            return 0.0
+        match system.subject:
+            case "LOG_AX_NR":
+                return float(spindles[index].logical_number)
+            case "PLC_CONTROL":
+                return float(spindles[index].plc_controlled)
+            case "SPEED":
+                return modal.speed
+            case "MOVE_CMD":
+                return float(modal.function)
+            case "POSITION":
+                return modal.position
+            case "MAX_SPEED":
+                return self.cutting.limit
+            case "CONST_CUT_SPEED":
+                return self.cutting.surface
+        return self.dwell_turns
+
+    def _index_of(self, variable: tree.Variable, system: SystemVariable) -> int:
+        names = names_of(self.values.environment.parameters.spindles)
+        if system.element is not None:
+            index = int(self.values.constant_value(system.element) or 0)
+            if not 0 <= index < len(names):
+                self.values.fail(
+                    INDEX_OUT_OF_RANGE,
+                    system.element.span,
+                    variable=path_text(variable),
+                    index=index,
+                    count=len(names),
+                )
+            return index
+        if system.axis not in names:
+            near = nearest(system.axis, names) or NOTHING
+            name = path_text(variable)
+            self.values.fail(UNKNOWN_VARIABLE, variable.span, name=name, nearest=near)
+        return names.index(system.axis)
+
+    def is_concerned(self, numbers: Mapping[int, Span]) -> bool:
+        """Return whether a block has G96, G97 or G196."""
+        return not SPEED_FUNCTIONS.isdisjoint(numbers)
+
+    def speed_functions(
+        self, numbers: Mapping[int, Span], number: int
+    ) -> Generator[Command, Answer]:
+        """Process G96, G97 and G196 of a block, before its S."""
+        self.cutting.sets_limit = False
+        found = SPEED_FUNCTIONS.intersection(numbers)
+        if found:
+            span = numbers[min(found)]
+            index, _ = find(self.values, "", span)
+            yield from self.cutting.functions(numbers, index, span, number)
 
     def functions(
         self, command: SpindleCommand, number: int
@@ -64,12 +142,26 @@ class SpindleWords:
         """Return the job of a command as a function of the block; empty if there is none."""
         index, spindle = self._spindle(command)
         modal = self.modal.setdefault(index, _Modal())
+        is_cutting = spindle.is_main and self.cutting.is_active
         if command.speed is not None:
-            modal.speed = yield from self._speed(command.speed, number)
-            warn_of_speed(self.values, index, modal.speed, command.speed.span)
+            speed = yield from self._speed(command.speed, number)
+            if spindle.is_main and self.cutting.sets_limit:
+                span = command.speed.span
+                yield from self.cutting.set_limit(speed, index, span, number)
+                if not command.functions:
+                    return []
+            elif is_cutting:
+                self.cutting.surface = speed
+            else:
+                modal.speed = speed
+                warn_of_speed(self.values, index, modal.speed, command.speed.span)
+        if is_cutting and self.cutting.surface > 0.0:
+            start, modal.speed = self.cutting.start(index, command.span, number)
+            yield start
         position = 0.0
         if command.position is not None:
             position = yield from self.values.evaluate(command.position, number)
+            modal.position = position
         turns = [function for function in command.functions if function in _DIRECTIONS]
         key = f"m{modal.function}"
         if SPINDLE_POSITION in command.functions:
@@ -96,6 +188,7 @@ class SpindleWords:
             assert isinstance(word, tree.Word)
             assert word.value is not None
             count = yield from self.values.evaluate(word.value, number)
+            self.dwell_turns = count
             return self.revolutions_s(count, word.span)
         return None
 

@@ -66,6 +66,8 @@ class ThreadMotion:
     def speed(self, command: SpindleCommand, number: int) -> Generator[Command, Answer]:
         """Process S of tapping: its sign is the direction. No job goes to the spindle."""
         function = f"G{self._state.motion}"
+        if self._spindles.cutting.sets_limit:
+            self._values.fail(TAP_WITH_FEED_FUNCTION, command.span, function="G196")
         if command.functions:
             word = f"M{command.functions[0]}"
             self._values.fail(SPINDLE_WORD_IN_TAPPING, command.span, word=word, function=function)
@@ -164,6 +166,8 @@ class ThreadMotion:
             mode = self._state.feed.feed_mode
             if mode != FEED_PER_MINUTE:
                 self._values.fail(TAP_WITH_FEED_FUNCTION, span, function=f"G{mode}")
+            if self._spindles.cutting.is_active:
+                self._values.fail(TAP_WITH_FEED_FUNCTION, span, function="G96")
             feed = self._state.feed_mm_s
             if feed == 0.0:
                 self._values.fail(NO_FEED_ACTIVE, span)

@@ -13,6 +13,7 @@ from nctakt.decoder.state.commands import (
     BlockMark,
     ClearHistory,
     Command,
+    CuttingSpeed,
     CycleControl,
     Dwell,
     EmptyBlock,
@@ -124,6 +125,9 @@ def pack(command: Command, reference: int = 0) -> list[float]:
             return [*row, command.value is not None, command.value or 0]
         case ClearHistory():
             return [rows.CLEAR_HISTORY, *head]
+        case CuttingSpeed():
+            row = [rows.CUTTING_SPEED, *head, command.spindle, command.surface_v]
+            return [*row, command.axis, command.centre, command.limit_v]
         case EmptyBlock():
             return [rows.EMPTY_BLOCK, *head]
         case MeasureEnd():

@@ -7,7 +7,7 @@ channel, which waits until the path has stopped (RC-308).
 
 from __future__ import annotations
 
-from collections.abc import Generator, Sequence
+from collections.abc import Callable, Generator, Sequence
 from functools import cached_property
 from typing import NoReturn
 
@@ -56,6 +56,7 @@ from nctakt.nc.vocabulary.resolution import (
 from nctakt.nc.vocabulary.system_variables import (
     SYSTEM_FAMILIES,
     TIMERS,
+    SystemVariable,
     is_decoder_data,
     system_variable,
 )
@@ -84,6 +85,7 @@ class Evaluator:
         self._template_evaluator = TemplateEvaluator(
             self._plans.context, self._plans.memory, state.call_stack.scopes, state.parameters
         )
+        self.spindle_value: Callable[[tree.Variable, SystemVariable], float] = self._no_spindle
         self.tool = ActiveTool(environment, state, self.fail)
         self.system = SystemValues(environment, state, self.fail, self._index)
 
@@ -360,6 +362,10 @@ class Evaluator:
         location = self.locate(variable)
         return self._value_in(self.cell(variable, location), location)
 
+    def _no_spindle(self, variable: tree.Variable, system: SystemVariable) -> float:
+        """Raise ``AssertionError``: no words of spindles were decoded."""
+        raise AssertionError(variable, system)
+
     def _system(self, variable: tree.Variable) -> float:
         """Return the value of a V.G or V.A variable."""
         environment = self.environment
@@ -377,6 +383,8 @@ class Evaluator:
                     count=TIMERS,
                 )
             return environment.controller_data.timers.read(int(number))
+        if system.kind == "spindle":
+            return self.spindle_value(variable, system)
         if system.kind == "tool":
             return self.tool.read(variable, system, self._index)
         return self.system.read(variable, system)

@@ -3,6 +3,7 @@
 cimport cython
 from libc cimport math
 from nctakt.kernel cimport cells, codes, rows
+from nctakt.kernel.axes.axes cimport Axes
 from nctakt.kernel.base cimport arithmetic
 from nctakt.kernel.base.record cimport Record
 from nctakt.kernel.axes.trajectory cimport Trajectories
@@ -44,6 +45,13 @@ cdef class Spindles:
     cdef double[::1] bound_v
     cdef double[::1] bound_a
     cdef double[::1] bound_j
+    cdef double[::1] surface_v
+    cdef long long[::1] face_axis
+    cdef double[::1] centre_d
+    cdef double[::1] surface_limit_v
+    cdef Py_ssize_t surface_count
+    cdef public Axes axes
+    cdef public Py_ssize_t rapid_cell
     cdef long long issued
     cdef long long version
     cdef readonly Py_ssize_t active_count
@@ -70,9 +78,13 @@ cdef class Spindles:
     cdef void bind(
         self, Py_ssize_t spindle, double limit_v, double limit_a, double limit_j
     ) noexcept nogil
-    cdef void couple(self, Py_ssize_t spindle) noexcept nogil
     cdef void follow(self, Py_ssize_t spindle, double angle, double speed_v) noexcept nogil
     cdef void uncouple(self, Py_ssize_t spindle) noexcept nogil
+    @cython.locals(spindle=Py_ssize_t, was_on=bint, is_on=bint)
+    cdef void take_cutting_speed(self, double[::1] queue, Py_ssize_t row) noexcept nogil
+    @cython.locals(spindle=Py_ssize_t, radius=double, limit_v=double, speed_v=double)
+    cdef void follow_axes(self, long long tick) noexcept nogil
+    cdef int turns_freely(self, Py_ssize_t spindle) noexcept nogil
     @cython.locals(count=Py_ssize_t, spindle=Py_ssize_t)
     cdef Py_ssize_t open_count(self, long long owner) noexcept nogil
     cdef int is_busy(self, Py_ssize_t spindle) noexcept nogil

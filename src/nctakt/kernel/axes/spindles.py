@@ -16,6 +16,7 @@ from __future__ import annotations
 import math
 
 from nctakt.kernel import cells, codes, rows
+from nctakt.kernel.axes.axes import Axes
 from nctakt.kernel.axes.trajectory import Trajectories
 from nctakt.kernel.base import arithmetic
 from nctakt.kernel.base.bounds import check_cells, check_index, check_size
@@ -69,6 +70,13 @@ class Spindles:
         self.bound_v = memoryview(bytearray(size)).cast("d")
         self.bound_a = memoryview(bytearray(size)).cast("d")
         self.bound_j = memoryview(bytearray(size)).cast("d")
+        self.surface_v = memoryview(bytearray(size)).cast("d")
+        self.face_axis = memoryview(bytearray(size)).cast("q")
+        self.centre_d = memoryview(bytearray(size)).cast("d")
+        self.surface_limit_v = memoryview(bytearray(size)).cast("d")
+        self.surface_count = 0
+        self.axes: Axes | None = None
+        self.rapid_cell = 0
         self.issued = 0
         self.version = 0
         self.active_count = 0
@@ -154,8 +162,7 @@ class Spindles:
             self.active_count += 1
         else:
             self.count_laps(spindle, tick)
-        limit_a = self.limit_a[spindle]
-        limit_j = self.limit_j[spindle]
+        limit_a, limit_j = self.limit_a[spindle], self.limit_j[spindle]
         if self.bound_a[spindle] > 0.0:
             limit_a = min(limit_a, self.bound_a[spindle])
             if self.bound_j[spindle] > 0.0:
@@ -179,12 +186,7 @@ class Spindles:
         if self.function[spindle] == codes.SPINDLE_STOP or self.is_held[spindle]:
             end_v = 0.0
         self.plans.plan_speed(
-            spindle,
-            end_v,
-            self.speed_v[spindle],
-            self.acceleration[spindle],
-            limit_a,
-            limit_j,
+            spindle, end_v, self.speed_v[spindle], self.acceleration[spindle], limit_a, limit_j
         )
 
     def remaining_angle(self, spindle: int) -> float:
@@ -238,12 +240,9 @@ class Spindles:
         self.bound_a[spindle] = limit_a
         self.bound_j[spindle] = limit_j
 
-    def couple(self, spindle: int) -> None:
-        """Let the path turn the spindle, which stands."""
-        self.mode[spindle] = codes.COUPLED
-
     def follow(self, spindle: int, angle: float, speed_v: float) -> None:
-        """Turn a coupled spindle to an angle, at a speed."""
+        """Couple a spindle with the path, and turn it to an angle, at a speed."""
+        self.mode[spindle] = codes.COUPLED
         self.position[spindle] = wrapped(angle)
         self.speed_v[spindle] = speed_v
         self.publish(spindle)
@@ -254,6 +253,47 @@ class Spindles:
         self.speed_v[spindle] = 0.0
         self.acceleration[spindle] = 0.0
         self.publish(spindle)
+
+    # --- constant cutting speed (G96) -----------------------------------------------------------
+
+    def take_cutting_speed(self, queue: memoryview[float], row: int) -> None:
+        """Begin, change or end the constant cutting speed of a spindle."""
+        spindle = int(queue[row + rows.CUTTING_SPINDLE])
+        was_on = self.surface_v[spindle] > 0.0
+        self.surface_v[spindle] = queue[row + rows.CUTTING_SURFACE]
+        is_on = self.surface_v[spindle] > 0.0
+        self.surface_count += is_on - was_on
+        self.face_axis[spindle] = int(queue[row + rows.CUTTING_AXIS])
+        self.centre_d[spindle] = queue[row + rows.CUTTING_CENTRE]
+        self.surface_limit_v[spindle] = queue[row + rows.CUTTING_LIMIT]
+
+    def follow_axes(self, tick: int) -> None:
+        """Give the spindles the speeds that their face axes ask for, except while at rapid."""
+        if self.axes is None or self.cells[self.rapid_cell] > 0.0:
+            return
+        for spindle in range(self.count):
+            if self.surface_v[spindle] > 0.0 and self.turns_freely(spindle):
+                radius = self.axes.command[self.face_axis[spindle]] - self.centre_d[spindle]
+                radius = radius if radius > 0.0 else 0.0 - radius
+                limit_v = self.limit_v[spindle]
+                if self.surface_limit_v[spindle] > 0.0:
+                    limit_v = min(limit_v, self.surface_limit_v[spindle])
+                speed_v = limit_v
+                if radius * limit_v > self.surface_v[spindle] * 57.29577951308232:
+                    speed_v = self.surface_v[spindle] * 57.29577951308232 / radius
+                if self.function[spindle] == codes.SPINDLE_BACKWARD:
+                    speed_v = 0.0 - speed_v
+                if speed_v != self.commanded_v[spindle]:
+                    self.commanded_v[spindle] = speed_v
+                    self.plan(spindle, tick)
+
+    def turns_freely(self, spindle: int) -> int:
+        """Return whether an endless job turns the spindle, and no thread is cut with it."""
+        if self.is_held[spindle] or self.bound_a[spindle] > 0.0:
+            return 0
+        if self.mode[spindle] != codes.TURNING:
+            return 0
+        return 1 if self.function[spindle] != codes.SPINDLE_STOP else 0
 
     # --- the actions of realtime cycles ----------------------------------------------------------
 
@@ -350,6 +390,8 @@ class Spindles:
 
     def step(self, tick: int, acknowledges_itself: int) -> None:
         """Advance all turning spindles by a tick; run the default PLC if there is no other."""
+        if self.surface_count > 0:
+            self.follow_axes(tick)
         if self.active_count == 0:
             return
         for spindle in range(self.count):

@@ -268,7 +268,7 @@ class Threads:
             if off > 1e-6 or off < -1e-6:
                 self.fault = 901510
                 return
-        self.spindles.couple(self.spindle)
+        self.spindles.mode[self.spindle] = codes.COUPLED
 
     def uncouple(self) -> None:
         """Leave the spindle that tapped where it is."""

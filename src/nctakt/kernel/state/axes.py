@@ -136,6 +136,8 @@ def copy_spindles(source: Spindles, target: Spindles) -> None:
     target.issued = source.issued
     target.version = source.version
     target.active_count = source.active_count
+    target.surface_count = source.surface_count
+    target.rapid_cell = source.rapid_cell
 
 
 def arrays_of_spindles(part: Spindles) -> Arrays:
@@ -169,6 +171,10 @@ def arrays_of_spindles(part: Spindles) -> Arrays:
         part.bound_v,
         part.bound_a,
         part.bound_j,
+        part.surface_v,
+        part.face_axis,
+        part.centre_d,
+        part.surface_limit_v,
     )
 
 

@@ -49,6 +49,7 @@ _MIN_LENGTH = {
     rows.MEASURE_END: rows.ARGUMENTS,
     rows.CLEAR_HISTORY: rows.ARGUMENTS,
     rows.EMPTY_BLOCK: rows.ARGUMENTS,
+    rows.CUTTING_SPEED: rows.CUTTING_LIMIT + 1,
     rows.SIGNAL: rows.SIGNAL_FIRST_VALUE + codes.SIGNAL_VALUES,
     rows.AWAIT_SIGNAL: rows.AWAITED_OVERTAKES + 1,
     rows.REMOVE_SIGNAL: rows.REMOVED_IS_RANGE + 1,
@@ -75,6 +76,10 @@ def check_command(executor: CommandExecutor, command: list[Any]) -> None:
         check_index(command[rows.TIMER_NUMBER], cells.TIMERS, "timer")
     elif kind in (rows.SPINDLE, rows.AWAIT_SPINDLE):
         check_index(command[rows.JOB_SPINDLE], executor.context.spindles.count, "spindle")
+    elif kind == rows.CUTTING_SPEED:
+        spindles = executor.context.spindles.count
+        check_index(command[rows.CUTTING_SPINDLE], spindles, "spindle")
+        check_index(command[rows.CUTTING_AXIS], axes, "axis")
     elif kind == rows.FIXED_STOP:
         check_index(command[rows.FIXED_STOP_AXIS], executor.path.count, "axis of the channel")
     elif kind == rows.SET_OFFSET:

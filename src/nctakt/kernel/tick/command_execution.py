@@ -77,6 +77,8 @@ class CommandExecutor:
         self.context.max_open_actions = max_open_actions
         self.manager.spindles = spindles
         self.threads.spindles = spindles
+        rapid_cell = self.first_cell + cells.CHANNEL_PATH_RAPID
+        spindles.axes, spindles.rapid_cell = self.path.axes, rapid_cell
         self.queue.look_ahead.limits.spindles = spindles
 
     def set_signals(self, board: SignalBoard, number: int) -> None:
@@ -152,8 +154,7 @@ class CommandExecutor:
 
     def is_motion(self, row: int) -> bool:
         """Return whether a command is a segment or a dwell."""
-        kind = int(self.queue.rows[row + rows.KIND])
-        return kind in (rows.SEGMENT, rows.DWELL)
+        return self.queue.rows[row + rows.KIND] in (rows.SEGMENT, rows.DWELL)
 
     def take(self, tick: int, row: int, kind: int) -> int:
         """Take the command at ``row``; return 0 if it stays at the head of the queue."""
@@ -183,6 +184,8 @@ class CommandExecutor:
             return self.take_spindle(tick, row)
         elif kind == rows.AWAIT_SPINDLE:
             return self.take_spindle_wait(row)
+        elif kind == rows.CUTTING_SPEED:
+            self.context.spindles.take_cutting_speed(self.queue.rows, row)
         elif kind == rows.TIMER:
             timer = int(self.queue.rows[row + rows.TIMER_NUMBER])
             self.program_timers.command(int(self.queue.rows[row + rows.TIMER_ACTION]), timer, tick)

@@ -345,6 +345,7 @@ class CommandQueue:
             rows.LOOP_PASS,
             rows.CLEAR_HISTORY,
             rows.EMPTY_BLOCK,
+            rows.CUTTING_SPEED,
             rows.SIGNAL,
             rows.REMOVE_SIGNAL,
         ):

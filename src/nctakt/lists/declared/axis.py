@@ -144,8 +144,8 @@ _CHARACTER = (
         "kenngr.achs_mode",
         ValueType.UNS32,
         1,
-        "Operating modes as bits: 1 linear, 4 modulo, 0x400 modulo for a linear axis",
-        "Betriebsarten als Bits: 1 linear, 4 Modulo, 0x400 Modulo bei einer Linearachse",
+        "Modes as bits: 1 linear, 4 modulo, 0x40 face axis, 0x400 modulo for a linear axis",
+        "Betriebsarten als Bits: 1 linear, 4 Modulo, 0x40 Planachse, 0x400 Modulo, Linearachse",
     ),
     _axis(
         "P-AXIS-00457",

@@ -31,6 +31,8 @@ SPEED_UNITS = 1_000
 MAX_SGN32 = 2**31 - 1
 _MODULO_BIT = 0x4
 _MODULO_LINEAR_BIT = 0x400
+#: The bit of P-AXIS-00015 for the face axis of a lathe.
+_FACE_BIT = 0x40
 
 
 class AxisType(enum.Enum):
@@ -139,7 +141,8 @@ class AxisConfiguration:
     ``feed_forward_share``: P-AXIS-00228 / P-AXIS-00229. ``override_mode``: P-AXIS-00491.
     ``max_override_pct``: P-AXIS-00109. ``follows_exactly``:
     actual position = command position (P-AXIS-00096). ``obstacle``: what the axis cannot pass, in
-    mm or degrees; 0: nothing. ``file``: the list that describes the axis.
+    mm or degrees; 0: nothing. ``file``: the list that describes the axis. ``is_face``: it is the
+    face axis of a lathe, whose position is a radius (P-AXIS-00015).
     """
 
     logical_number: int
@@ -157,6 +160,7 @@ class AxisConfiguration:
     feed_forward_share: float
     dynamics: AxisDynamics
     file: str
+    is_face: bool = False
 
     @property
     def is_linear(self) -> bool:
@@ -223,6 +227,7 @@ def axis_configuration(values: Values, collector: Collector) -> AxisConfiguratio
         _feed_forward(values),
         _active_gear(values, gears, collector),
         values.file,
+        bool(mode & _FACE_BIT),
     )
 
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from nctakt.base.diagnostics import Text
 from nctakt.nc.vocabulary.entries import ACCEPTED, REFUSED, SIMULATED, Kind, table
+from nctakt.nc.vocabulary.spindle_variables import SPINDLE_ROWS
 from nctakt.nc.vocabulary.system_names import ROWS
 
 CONTROLS = table(
@@ -262,8 +263,9 @@ VARIABLES = table(
     ("V.L", SIMULATED, "local variables", "lokale Variablen"),
     ("V.P", SIMULATED, "variables of the program", "Variablen des Programms"),
     ("V.S", SIMULATED, "variables that stay", "bleibende Variablen"),
-    ("V.SPDL", REFUSED, "data of spindles", "Daten der Spindeln"),
-    ("V.SPDL_PROG", REFUSED, "programmed data of spindles", "programmierte Daten der Spindeln"),
+    ("V.SPDL", REFUSED, "other data of spindles", "weitere Daten der Spindeln"),
+    ("V.SPDL_PROG", REFUSED, "other programmed data of spindles", "weitere programmierte Daten"),
+    *((row.name, SIMULATED, row.meaning.en, row.meaning.de) for row in SPINDLE_ROWS),
     ("V.TLM", REFUSED, "data of tool life", "Daten der Werkzeugstandzeit"),
     ("V.TOOL", REFUSED, "data of tools", "Daten der Werkzeuge"),
 )

@@ -55,6 +55,7 @@ EXACT_STOP_ONCE, CONTOURING_ONCE = 60, 61
 INCH, MILLIMETRES = 70, 71
 ABSOLUTE, RELATIVE = 90, 91
 REFERENCE_OFFSET = 92
+CUTTING_SPEED, CONSTANT_SPEED, SPINDLE_LIMIT = 96, 97, 196
 INVERSE_TIME_FEED, FEED_PER_MINUTE, FEED_PER_REVOLUTION, FEED_SHARE = 93, 94, 95, 194
 EDGE_BANDING_OFF, EDGE_BANDING = 107, 108
 APPROACH_DIRECT, APPROACH_INDIRECT = 138, 139
@@ -199,8 +200,8 @@ G_FUNCTIONS: Mapping[int, GFunction] = by_number(
     ),
     group(
         Group.CUTTING,
-        refused(96, "constant cutting speed", "konstante Schnittgeschwindigkeit"),
-        accepted(97, "constant spindle speed", "konstante Spindeldrehzahl", plain=True),
+        plain(CUTTING_SPEED, "constant cutting speed", "konstante Schnittgeschwindigkeit"),
+        plain(CONSTANT_SPEED, "constant spindle speed", "konstante Spindeldrehzahl"),
     ),
     group(
         None,
@@ -332,7 +333,7 @@ G_FUNCTIONS: Mapping[int, GFunction] = by_number(
         simulated(NO_OVERRIDE, "override 100 % for this block", "Override 100 % für diesen Satz"),
         accepted(167, "spindle override 100 %", "Spindel-Override 100 %"),
         refused(193, "feed interpolated over the path", "Vorschub über dem Weg interpoliert"),
-        refused(196, "highest spindle speed", "höchste Spindeldrehzahl"),
+        simulated(SPINDLE_LIMIT, "highest spindle speed of G96", "höchste Drehzahl zu G96"),
         refused(200, "manual mode", "Handbetrieb"),
         refused(201, "manual mode beside the path", "Handbetrieb neben der Bahn"),
         accepted(202, "manual mode beside the path off", "Handbetrieb neben der Bahn aus"),

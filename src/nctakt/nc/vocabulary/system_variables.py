@@ -13,9 +13,10 @@ from typing import Literal, NamedTuple
 
 from nctakt.nc.tree import Expression, Part, Variable
 from nctakt.nc.vocabulary.resolution import is_program_variable
+from nctakt.nc.vocabulary.spindle_variables import SPINDLE_BY_PATH, SPINDLE_FAMILIES
 from nctakt.nc.vocabulary.system_names import BY_PATH
 
-SYSTEM_FAMILIES = ("G", "A")
+SYSTEM_FAMILIES = ("G", "A", *SPINDLE_FAMILIES)
 
 #: Timers of the main program: IDs 0 … 127.
 TIMERS = 128
@@ -29,11 +30,11 @@ class SystemVariable(NamedTuple):
     ``system_names.py``.
 
     ``number``: of a timer, or of a tool or zero offset other than the active one; ``element``: of a
-    parameter or axis, ``axis``: the axis if it is named instead. ``is_writable``: programs may
-    assign to it. ``waits``: reading it empties the channel first.
+    parameter, axis or spindle, ``axis``: the axis or spindle if it is named instead.
+    ``is_writable``: programs may assign to it. ``waits``: reading it empties the channel first.
     """
 
-    kind: Literal["timer", "tool", "axis", "channel"]
+    kind: Literal["timer", "tool", "axis", "channel", "spindle"]
     subject: str = ""
     number: Expression | None = None
     element: Expression | None = None
@@ -55,7 +56,20 @@ def system_variable(variable: Variable, axes: Sequence[str]) -> SystemVariable |
         return SystemVariable("timer", "", indices[0])
     if not variable.parts:
         return None
+    if variable.family in SPINDLE_FAMILIES:
+        return _of_spindles(variable)
     return _of_row(variable, axes) or _of_tools(variable, axes)
+
+
+def _of_spindles(variable: Variable) -> SystemVariable | None:
+    """Return the meaning of ``V.SPDL.LOG_AX_NR.S``, ``V.SPDL_PROG.SPEED[0]``."""
+    first, rest = variable.parts[0], variable.parts[1:]
+    row = SPINDLE_BY_PATH.get((variable.family, first.name))
+    indices = [index for part in variable.parts for index in part.indices]
+    if row is None or len(rest) + len(indices) != int(row.has_spindle):
+        return None
+    name = rest[0].name if rest else ""
+    return SystemVariable("spindle", row.path, element=indices[0] if indices else None, axis=name)
 
 
 def _of_row(variable: Variable, axes: Sequence[str]) -> SystemVariable | None:

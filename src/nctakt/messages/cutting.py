@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: MIT
+"""Messages about constant cutting speed: G96, G97, G196."""
+
+from __future__ import annotations
+
+from nctakt.messages.catalogue import error, note, warning
+
+CUTTING_START_LIMITED = warning(
+    20633,
+    en="G96: the start speed {speed} is limited to {limit} 1/min",
+    de="G96: die Startdrehzahl {speed} wird auf {limit} 1/min begrenzt",
+    remedy_en="Begin further from the centre, or raise the limit: G196, or P-AXIS-00212.",
+    remedy_de="Weiter außen beginnen oder die Grenze anheben: G196 oder P-AXIS-00212.",
+    speed=("the speed at this radius", "die Drehzahl bei diesem Radius"),
+    limit=("the limit in 1/min", "die Grenze in 1/min"),
+)
+CUTTING_WITHOUT_FACE_AXIS = error(
+    20634,
+    known_as=(120170, 120171),
+    en="constant cutting speed (G96) without a face axis in the plane G{plane}",
+    de="konstante Schnittgeschwindigkeit (G96) ohne Planachse in der Ebene G{plane}",
+    remedy_en="Set the bit 0x40 in kenngr.achs_mode (P-AXIS-00015) of the face axis.",
+    remedy_de="Das Bit 0x40 in kenngr.achs_mode (P-AXIS-00015) der Planachse setzen.",
+    plane=("the active plane", "die aktive Ebene"),
+    reaction=2,
+    clearing=3,
+)
+CUTTING_WITH_TWO_FACE_AXES = error(
+    20064,
+    en="two face axes in the plane G{plane}",
+    de="zwei Planachsen in der Ebene G{plane}",
+    remedy_en="Leave the bit 0x40 of P-AXIS-00015 to one axis of the plane.",
+    remedy_de="Das Bit 0x40 von P-AXIS-00015 nur bei einer Achse der Ebene setzen.",
+    plane=("the active plane", "die aktive Ebene"),
+)
+INVALID_SPINDLE_LIMIT = error(
+    120169,
+    en="the highest spindle speed (G196) cannot be {value}",
+    de="die höchste Spindeldrehzahl (G196) kann nicht {value} sein",
+    remedy_en="Program S above 0 in the block with G196.",
+    remedy_de="Im Satz mit G196 ein S über 0 programmieren.",
+    value=("the value", "der Wert"),
+)
+CUTTING_WITH_PLC_SPINDLE = error(
+    901522,
+    en="constant cutting speed (G96) with spindle {spindle}, which the PLC turns",
+    de="konstante Schnittgeschwindigkeit (G96) mit Spindel {spindle}, die die SPS dreht",
+    remedy_en="Take a main spindle that the CNC turns (spindel[i].plc_control 0, P-CHAN-00069).",
+    remedy_de="Eine Hauptspindel nehmen, die die CNC dreht (spindel[i].plc_control 0, "
+    "P-CHAN-00069).",
+    spindle=("the spindle", "die Spindel"),
+)
+CUTTING_DECIDED = note(
+    901523,
+    en="G96: the radius is the distance of the face axis from the program's zero at the S word",
+    de="G96: der Radius ist der Abstand der Planachse vom Programmnullpunkt beim S-Wort",
+    remedy_en="Program S again behind a new offset; rapid motions leave the speed as it is.",
+    remedy_de="Nach einer neuen Verschiebung S noch einmal angeben; im Eilgang ändert sich nichts.",
+    cause_en="The sources name the last position and the offset, not which tick counts.",
+    cause_de="Die Quellen nennen letzte Position und Verschiebung, nicht den Takt, der gilt.",
+)

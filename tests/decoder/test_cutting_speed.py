@@ -1,0 +1,149 @@
+# SPDX-License-Identifier: MIT
+"""Constant cutting speed against n = v / (2πr): G96, G97, G196 (language facts, section 3)."""
+
+from __future__ import annotations
+
+import math
+import shutil
+from pathlib import Path
+
+import pytest
+
+import nctakt
+from nctakt.results.run import Run
+from nctakt.run.controller import Controller, NcText
+
+SIGNALS = ("X.ACS.ACT_POS", "Z.ACS.ACT_POS", "S.SPEED", "BLOCK", "PATH.SPEED")
+
+
+@pytest.fixture(scope="module")
+def lathe(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The demo machine whose X is a face axis (P-AXIS-00015 bit 0x40)."""
+    machine = tmp_path_factory.mktemp("lathe") / "machine"
+    shutil.copytree(Path(nctakt.__file__).parent / "machines" / "demo", machine)
+    for file in machine.rglob("*.lis"):
+        text = file.read_text("utf-8")
+        lines = [line.split() for line in text.splitlines()]
+        if ["kopf.achs_nr", "1"] in lines:
+            kept = [line for line in text.splitlines() if "kenngr.achs_mode" not in line]
+            file.write_text("\n".join(["kenngr.achs_mode 0x41", *kept, ""]), "utf-8")
+    return machine
+
+
+def run(machine: Path | None, text: str) -> Run:
+    return Controller(machine).run(NcText("p.nc", text), signals=SIGNALS, until="1 min")
+
+
+def values_of(result: Run, block: int, *names: str) -> list[tuple[float, ...]]:
+    trace = result.trace
+    assert trace is not None
+    ticks = [tick for tick, number in enumerate(trace["BLOCK"]) if number == block]
+    return [tuple(float(trace[name][tick]) for name in names) for tick in ticks]
+
+
+FACE = """N10 G18 G00 X50
+N20 G196 S4000
+N30 G96 S100 M03
+N40 G04 X1
+N50 G01 X10 F300
+N60 G97
+N70 G01 X50
+N80 M30"""
+
+
+def test_the_speed_follows_the_radius(lathe: Path) -> None:
+    """100 m/min at r = 50 mm are 318.3 1/min, at 10 mm 1591.5; n = v / (2πr) in each tick."""
+    result = run(lathe, FACE)
+    assert result.state == "ended", result.diagnostics
+    assert [found.id for found in result.diagnostics] == [901523]
+    pairs = values_of(result, 50, "X.ACS.ACT_POS", "S.SPEED")
+    assert pairs[0][1] == pytest.approx(100_000 / (2 * math.pi * 50), rel=1e-4)
+    for x, speed in pairs:
+        assert speed == pytest.approx(100_000 / (2 * math.pi * x), rel=1e-9)
+    assert pairs[-1][1] == pytest.approx(1591.549, rel=1e-3)
+
+
+def test_g97_keeps_the_last_speed(lathe: Path) -> None:
+    """Behind G97 the way back does not change the speed."""
+    speeds = {round(speed, 6) for (speed,) in values_of(run(lathe, FACE), 70, "S.SPEED")}
+    assert len(speeds) == 1
+    assert speeds.pop() == pytest.approx(1591.549, rel=1e-3)
+
+
+def test_g196_limits_the_speed_near_the_centre(lathe: Path) -> None:
+    """At r < 100 m/min / (2π 500) = 31.8 mm the limit holds, down to the centre."""
+    text = FACE.replace("S4000", "S500").replace("X10", "X0")
+    for x, speed in values_of(run(lathe, text), 50, "X.ACS.ACT_POS", "S.SPEED"):
+        expected = 500.0 if x < 31.83 else 100_000 / (2 * math.pi * x)
+        assert speed == pytest.approx(expected, rel=1e-3)
+
+
+def test_rapid_motions_do_not_change_the_speed(lathe: Path) -> None:
+    """G00 of the face axis leaves the speed; the next feed block takes it up."""
+    text = FACE.replace("G01 X10 F300", "G00 X10").replace("N60 G97", "N60 G01 X12 F300")
+    result = run(lathe, text)
+    first = {round(speed, 6) for (speed,) in values_of(result, 50, "S.SPEED")}
+    assert first == {round(100_000 / (2 * math.pi * 50), 6)}
+    assert values_of(result, 60, "S.SPEED")[-1][0] == pytest.approx(
+        100_000 / (2 * math.pi * 12), rel=1e-3
+    )
+
+
+def test_feed_per_revolution_follows_the_cutting_speed(lathe: Path) -> None:
+    """G95 under G96: the path has F times the present speed."""
+    text = FACE.replace("G01 X10 F300", "G95 G01 X20 F0.2")
+    pairs = values_of(run(lathe, text), 50, "X.ACS.ACT_POS", "PATH.SPEED")
+    for x, path_v in pairs[20:-20]:
+        assert path_v == pytest.approx(0.2 * 100_000 / (2 * math.pi * x) / 60.0, rel=1e-3)
+
+
+def test_the_offset_of_the_face_axis_counts(lathe: Path) -> None:
+    """The radius is counted from the program's zero: G92 X10 leaves 40 of 50 mm."""
+    text = FACE.replace("N20", "N15 G92 X10\nN20")
+    pairs = values_of(run(lathe, text), 50, "X.ACS.ACT_POS", "S.SPEED")
+    for x, speed in pairs:
+        assert speed == pytest.approx(100_000 / (2 * math.pi * (x - 10.0)), rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("program", "numbers"),
+    [
+        ("N10 G96 S100 M03", [20634]),  # X Y: the demo has no face axis
+        ("N10 G18 G00 X50\nN20 G196 S0", [120169]),
+        ("N10 G18 G00 X0.1\nN20 G96 S100 M03", [901523, 20633]),
+        ("N10 G18 G00 X50\nN20 G96 S100\nN30 G63 Z-10 F600", [901523, 901517, 20636]),
+        ("N10 G18 G00 X50\nN30 G63 G196 Z-10 F600 S300", [20637]),
+    ],
+)
+def test_each_mistake_has_its_number(lathe: Path, program: str, numbers: list[int]) -> None:
+    """The numbers that the controller gives."""
+    result = run(None if numbers == [20634] else lathe, f"{program}\nM30")
+    found = [one.id for one in result.diagnostics]
+    assert [number for number in numbers if number in found] == numbers
+
+
+def test_programs_read_what_they_have_said_to_spindles(lathe: Path) -> None:
+    """V.SPDL and V.SPDL_PROG: of the list, and the last words (language facts, section 8.3)."""
+    names = "LOG_AX_NR.S PLC_CONTROL.S NBR_IN_CHANNEL LOG_AX_NR[0]".split()
+    said = "SPEED.S MOVE_CMD.S POSITION.S MAX_SPEED.S CONST_CUT_SPEED.S DWELL_ROT_COUNT.S".split()
+    formats = " ".join(["%f"] * (len(names) + len(said)))
+    values = ", ".join([*(f"V.SPDL.{n}" for n in names), *(f"V.SPDL_PROG.{n}" for n in said)])
+    head = "G18 G00 X50\nM19 S120 S.POS=45\nG196 S4000\nG96 S100 M04\nG04 S2.5\n"
+    result = run(lathe, f'{head}#MSG ["{formats}", {values}]\nM30')
+    assert result.state == "ended", result.diagnostics
+    found = [float(value) for value in result.messages[0].text.split()]
+    expected = [found[0], 0, 3, found[0], 100_000 / (2 * math.pi * 50), 4, 45, 4000, 100, 2.5]
+    assert found == pytest.approx(expected, abs=1e-3)
+    assert found[0] > 0
+
+
+@pytest.mark.parametrize("name", ["V.SPDL.LOG_AX_NR.S9", "V.SPDL.LOG_AX_NR[7]"])
+def test_an_unknown_spindle_is_an_error(name: str) -> None:
+    """A name that no spindle of the channel has, or an index outside of them."""
+    result = run(None, f"P1 = {name}\nM30")
+    assert result.state == "error"
+
+
+def test_data_of_spindles_is_read_only() -> None:
+    """No program assigns to it."""
+    assert run(None, "V.SPDL_PROG.SPEED.S = 5\nM30").state == "error"

@@ -13,7 +13,8 @@ from collections.abc import Generator, Sequence
 from nctakt.base.diagnostics import Span
 from nctakt.decoder.blocks.spindles import DEGREES_PER_S, SpindleWords
 from nctakt.decoder.state.arcs import Arc
-from nctakt.decoder.state.commands import Answer, Command, FeedModifiers
+from nctakt.decoder.state.commands import Answer, Command
+from nctakt.decoder.state.feed_modifiers import FeedModifiers
 from nctakt.decoder.state.modal_state import FeedState
 from nctakt.decoder.values.variables import Values
 from nctakt.kernel.base import arithmetic

@@ -15,7 +15,8 @@ from nctakt.decoder.blocks import segments
 from nctakt.decoder.blocks.feed import FeedRate
 from nctakt.decoder.blocks.threads import ThreadMotion
 from nctakt.decoder.state.arcs import PLANES, Arc, ArcError, arc_about, arc_of_radius, extremes
-from nctakt.decoder.state.commands import FeedModifiers, Segment
+from nctakt.decoder.state.commands import Segment
+from nctakt.decoder.state.feed_modifiers import FeedModifiers
 from nctakt.decoder.values.variables import Values
 from nctakt.kernel import codes, rows
 from nctakt.messages.coordinate_systems import ARC_PLANE_ASKEW, WORD_IN_ROTATED_COORDINATE_SYSTEM

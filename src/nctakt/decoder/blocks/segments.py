@@ -6,7 +6,8 @@ The constructor of a frozen dataclass would take as long as decoding the block.
 
 from __future__ import annotations
 
-from nctakt.decoder.state.commands import Command, FeedModifiers, Segment
+from nctakt.decoder.state.commands import Command, Segment
+from nctakt.decoder.state.feed_modifiers import FeedModifiers
 from nctakt.nc.fast import raw_nodes
 
 _SOURCE = Command.__dict__["source"]

@@ -12,8 +12,9 @@ from collections.abc import Generator, Mapping, Sequence
 
 from nctakt.base.diagnostics import Span
 from nctakt.decoder.blocks.spindles import DEGREES_PER_S, SpindleWords, find, warn_of_speed
-from nctakt.decoder.state.commands import Answer, Command, FeedModifiers
+from nctakt.decoder.state.commands import Answer, Command
 from nctakt.decoder.state.coordinate_systems import MAIN_AXES
+from nctakt.decoder.state.feed_modifiers import FeedModifiers
 from nctakt.decoder.values.variables import Values
 from nctakt.kernel import rows
 from nctakt.kernel.base import arithmetic

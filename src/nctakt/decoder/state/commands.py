@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from nctakt.base.dataclass import dataclass
+from nctakt.decoder.state.feed_modifiers import FeedModifiers
 from nctakt.kernel import codes, rows
 from nctakt.kernel.cycles.cycles import RealtimeCycle
 
@@ -21,31 +22,6 @@ class Command:
 
     source: int
     number: int
-
-
-@dataclass(frozen=True, slots=True)
-class FeedModifiers:
-    """What the speed of a segment depends on beside its feed.
-
-    ``override``: the programmed one as a factor. ``is_exempt``: the operator's has no effect.
-    ``spindle``: whose speed the feed follows, by its place in the channel, -1 none; the feed counts
-    at ``spindle_v``, degrees per second. ``thread``: ``rows.CUTTING`` or ``rows.TAPPING`` couples
-    the path with that spindle, ``turn`` degrees for each mm; ``angle``: where a cut thread starts.
-    """
-
-    override: float = 1.0
-    is_exempt: bool = False
-    spindle: int = -1
-    spindle_v: float = 0.0
-    thread: int = rows.NO_THREAD
-    turn: float = 0.0
-    angle: float = 0.0
-
-    @property
-    def row(self) -> tuple[float, ...]:
-        """What the realtime part needs of it: the columns from ``rows.SPEED_OVERRIDE`` on."""
-        pace = (self.override, self.is_exempt, self.spindle + 1, self.spindle_v)
-        return (*pace, self.thread, self.turn, self.angle)
 
 
 @dataclass(frozen=True, slots=True)

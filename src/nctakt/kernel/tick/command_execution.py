@@ -126,9 +126,8 @@ class CommandExecutor:
 
     def is_at_stand(self) -> int:
         """Return whether the path stands between two blocks with none started ahead."""
-        stands = (
-            self.path.speed_v == 0.0 and not self.path.is_active and not self.path.continues_block()
-        )
+        stands = self.path.speed_v == 0.0 and not self.path.is_active
+        stands = stands and not self.path.continues_block()
         return 1 if stands and self.queue.started < self.queue.head else 0
 
     def is_reversing(self) -> int:

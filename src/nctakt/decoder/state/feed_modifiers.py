@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: MIT
+"""What the speed of a segment depends on beside its feed: overrides, and a spindle."""
+
+from __future__ import annotations
+
+from nctakt.base.dataclass import dataclass
+from nctakt.kernel import rows
+
+
+@dataclass(frozen=True, slots=True)
+class FeedModifiers:
+    """What the speed of a segment depends on beside its feed.
+
+    ``override``: the programmed one as a factor. ``is_exempt``: the operator's has no effect.
+    ``spindle``: whose speed the feed follows, by its place in the channel, -1 none; the feed counts
+    at ``spindle_v``, degrees per second. ``thread``: ``rows.CUTTING`` or ``rows.TAPPING`` couples
+    the path with that spindle, ``turn`` degrees for each mm; ``angle``: where a cut thread starts.
+    """
+
+    override: float = 1.0
+    is_exempt: bool = False
+    spindle: int = -1
+    spindle_v: float = 0.0
+    thread: int = rows.NO_THREAD
+    turn: float = 0.0
+    angle: float = 0.0
+
+    @property
+    def row(self) -> tuple[float, ...]:
+        """What the realtime part needs of it: the columns from ``rows.SPEED_OVERRIDE`` on."""
+        pace = (self.override, self.is_exempt, self.spindle + 1, self.spindle_v)
+        return (*pace, self.thread, self.turn, self.angle)

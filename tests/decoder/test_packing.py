@@ -210,6 +210,18 @@ CASES: list[tuple[type[Command], dict[str, object], int, dict[int, float]]] = [
     (commands.MeasureEnd, {}, rows.MEASURE_END, {}),
     (commands.ClearHistory, {}, rows.CLEAR_HISTORY, {}),
     (commands.EmptyBlock, {}, rows.EMPTY_BLOCK, {}),
+    (
+        commands.CuttingSpeed,
+        {"spindle": 1, "surface_v": 2000.0, "axis": 2, "centre": 5.0, "limit_v": 9000.0},
+        rows.CUTTING_SPEED,
+        {
+            rows.CUTTING_SPINDLE: 1,
+            rows.CUTTING_SURFACE: 2000.0,
+            rows.CUTTING_AXIS: 2,
+            rows.CUTTING_CENTRE: 5.0,
+            rows.CUTTING_LIMIT: 9000.0,
+        },
+    ),
     (commands.LoopBegin, {}, rows.LOOP_BEGIN, {}),
     (commands.LoopPass, {}, rows.LOOP_PASS, {}),
     (commands.LoopEnd, {}, rows.LOOP_END, {rows.IS_ANSWERED: 1}),

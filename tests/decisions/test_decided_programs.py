@@ -40,7 +40,7 @@ def test_wrong_arguments_of_functions_have_the_controllers_number() -> None:
 
 def test_an_accepted_word_is_told_once() -> None:
     """900201 is one note for each word and program, however often it stands there."""
-    assert numbers(perform("G97\nG94 G164\nG97\nM30")) == [900201, 900201]
+    assert numbers(perform("G165\nG94 G164\nG165\nM30")) == [900201, 900201]
 
 
 def test_a_loop_that_never_moves_is_ended() -> None:

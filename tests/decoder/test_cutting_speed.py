@@ -55,7 +55,7 @@ def test_the_speed_follows_the_radius(lathe: Path) -> None:
     """100 m/min at r = 50 mm are 318.3 1/min, at 10 mm 1591.5; n = v / (2πr) in each tick."""
     result = run(lathe, FACE)
     assert result.state == "ended", result.diagnostics
-    assert [found.id for found in result.diagnostics] == [901532]
+    assert [found.id for found in result.diagnostics] == [901546]
     pairs = values_of(result, 50, "X.ACS.ACT_POS", "S.SPEED")
     assert pairs[0][1] == pytest.approx(100_000 / (2 * math.pi * 50), rel=1e-4)
     for x, speed in pairs:
@@ -110,8 +110,8 @@ def test_the_offset_of_the_face_axis_counts(lathe: Path) -> None:
     [
         ("N10 G96 S100 M03", [20634]),  # X Y: the demo has no face axis
         ("N10 G18 G00 X50\nN20 G196 S0", [120169]),
-        ("N10 G18 G00 X0.1\nN20 G96 S100 M03", [901532, 20633]),
-        ("N10 G18 G00 X50\nN20 G96 S100\nN30 G63 Z-10 F600", [901532, 901517, 20636]),
+        ("N10 G18 G00 X0.1\nN20 G96 S100 M03", [901546, 20633]),
+        ("N10 G18 G00 X50\nN20 G96 S100\nN30 G63 Z-10 F600", [901546, 901540, 20636]),
         ("N10 G18 G00 X50\nN30 G63 G196 Z-10 F600 S300", [20637]),
     ],
 )
@@ -147,3 +147,21 @@ def test_an_unknown_spindle_is_an_error(name: str) -> None:
 def test_data_of_spindles_is_read_only() -> None:
     """No program assigns to it."""
     assert run(None, "V.SPDL_PROG.SPEED.S = 5\nM30").state == "error"
+
+
+def test_g51_halves_absolute_positions_of_the_face_axis(lathe: Path) -> None:
+    """X100 is a diameter: the axis goes to 50 mm; relative ways and other axes are as written."""
+    text = "N10 G18 G51 G00 X100 Z10\nN20 X80\nN30 G91 X-5 Z-1\nN40 G90 G52 X30\nN50 X40\nM30"
+    result = run(lathe, text)
+    assert result.state == "ended", result.diagnostics
+    ends = {n: values_of(result, n, "X.ACS.ACT_POS", "Z.ACS.ACT_POS")[-1] for n in (30, 50)}
+    assert values_of(result, 10, "X.ACS.ACT_POS")[-1][0] == pytest.approx(50.0, abs=0.1)
+    assert values_of(result, 20, "X.ACS.ACT_POS")[-1][0] == pytest.approx(40.0, abs=0.1)
+    assert ends[30] == pytest.approx((35.0, 9.0), abs=0.1)
+    assert ends[50] == pytest.approx((40.0, 9.0), abs=0.1)
+
+
+def test_g51_does_nothing_without_a_face_axis() -> None:
+    """The demo machine has none."""
+    result = run(None, "N10 G51 G00 X100\nM30")
+    assert values_of(result, 10, "X.ACS.ACT_POS")[-1][0] == pytest.approx(100.0, abs=0.1)

@@ -68,6 +68,7 @@ from nctakt.nc.vocabulary.functions import (
     ARC_RADIUS,
     ARCS,
     AXIS_WEIGHTS,
+    DIAMETER_ON,
     EDGE_BANDING,
     INCH,
     REFERENCE_OFFSET,
@@ -108,6 +109,7 @@ class _Facts:
     is_inch: bool | None = None
     radius_mm: float | None = None
     is_shifted: bool | None = None
+    has_diameters: bool | None = None
 
     def copy(self) -> _Facts:
         return replace(self, positions=dict(self.positions))
@@ -184,6 +186,7 @@ class PathChecker:
                 has_absolute_centre=functions[CENTRE_GROUP] == ABSOLUTE_CENTRE,
                 is_inch=functions[UNIT_GROUP] == INCH,
                 is_shifted=None if self._starts_shifted else False,
+                has_diameters=False,
             )
 
     def statement(self, statement: Statement) -> None:
@@ -281,6 +284,8 @@ class PathChecker:
                 facts.is_absolute = function == ABSOLUTE
             case Group.ARC_CENTRE:
                 facts.has_absolute_centre = function == ABSOLUTE_CENTRE
+            case Group.DIAMETER:
+                facts.has_diameters = function == DIAMETER_ON
             case Group.UNIT:
                 facts.is_inch = function == INCH
             case Group.ZERO_OFFSET:
@@ -328,6 +333,8 @@ class PathChecker:
         value = None if word.value is None else self._constant(word.value)
         if value is not None and axis.is_linear:
             value = None if facts.is_inch is None else value * self._unit()
+        if value is not None and axis.is_face and facts.is_absolute is not False:
+            value = None if facts.has_diameters is None else value / (1 + facts.has_diameters)
         if value is not None and facts.is_absolute is False:
             begin = facts.positions.get(word.name)
             value = None if begin is None else begin + value

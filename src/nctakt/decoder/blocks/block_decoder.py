@@ -467,7 +467,7 @@ class BlockDecoder:
         for word, value in content.axes:
             index = self._environment.axis_numbers[word.name]
             begin = offsets.total(index, kinds) if self._state.absolute else target[index]
-            target[index] = begin + self._in_axis_unit(index, value)
+            target[index] = begin + self.path.radius_of(index, self._in_axis_unit(index, value))
             spans[index] = word.span
         if offsets.systems.is_active:
             target = self._outside(target, spans, kinds)

@@ -45,6 +45,7 @@ from nctakt.nc.vocabulary.functions import (
     CONTOURING_ON,
     CONTOURING_ONCE,
     DEPART_WITHOUT_MOTION,
+    DIAMETER_ON,
     EXACT_STOP_ON,
     EXACT_STOP_ONCE,
     MASKING_ON,
@@ -91,6 +92,8 @@ class PathMotion:
                     self._state.thread.offset = 0.0
             case Group.PLANE:
                 path.plane = function
+            case Group.DIAMETER:
+                path.has_diameters = function == DIAMETER_ON
             case Group.FEED:
                 self._state.feed.feed_mode = function
             case Group.ARC_CENTRE:
@@ -117,6 +120,12 @@ class PathMotion:
         if compensation.has_left_path and compensation.mode == DEPART_WITHOUT_MOTION:
             for axis, value in zip(PLANES[self._state.path.plane], compensation.end, strict=True):
                 self._state.positions[axis] = value
+
+    def radius_of(self, axis: int, value: float) -> float:
+        """Return a programmed value of an axis, half of it if it is a diameter (G51, G90)."""
+        state = self._state
+        is_diameter = state.path.has_diameters and state.absolute
+        return 0.5 * value if is_diameter and self._environment.axes[axis].is_face else value
 
     def keep_plane(self, function: int, span: Span) -> None:
         """Raise ``DecodeError`` for a change of plane during compensation."""

@@ -117,7 +117,8 @@ class PathState:
     """The modal state of the path: plane, arcs, ends of blocks.
 
     ``limits_jerk``: the slope is an S-curve (P-CHAN-00071). ``radius``: the last R, 0 before the
-    first. ``contour``: how corners are rounded.
+    first. ``contour``: how corners are rounded. ``has_diameters``: absolute positions of the face
+    axis are diameters (G51).
     """
 
     plane: int
@@ -127,6 +128,7 @@ class PathState:
     exact_stop: bool = False
     contouring: bool = False
     contour: ContourState = field(default_factory=ContourState)
+    has_diameters: bool = False
     compensation: CompensationState = field(default_factory=CompensationState)
 
     @property

@@ -34,6 +34,7 @@ class Group(enum.Enum):
     DIMENSION = "dimension"
     FEED = "feed"
     CUTTING = "cutting"
+    DIAMETER = "diameter"
     EDGE_BANDING = "edge banding"
     APPROACH = "approach"
     MASKING = "masking"

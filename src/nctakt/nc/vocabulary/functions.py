@@ -48,6 +48,7 @@ PLANE_XY, PLANE_ZX, PLANE_YZ = 17, 18, 19
 LINEAR_TRANSITIONS, CIRCULAR_TRANSITIONS = 25, 26
 COMPENSATION_OFF, COMPENSATION_LEFT, COMPENSATION_RIGHT = 40, 41, 42
 COMPENSATIONS = (COMPENSATION_LEFT, COMPENSATION_RIGHT)
+DIAMETER_ON = 51
 #: Indexed by the zero offset that they select; G53 selects none (P-ZERO-00003).
 ZERO_OFFSETS = (53, 54, 55, 56, 57, 58, 59)
 NUMBERED_ZERO_OFFSET = 159
@@ -143,9 +144,19 @@ G_FUNCTIONS: Mapping[int, GFunction] = by_number(
         ),
     ),
     group(
-        None,
-        refused(51, "diameter programming on", "Durchmesserprogrammierung ein"),
-        accepted(52, "diameter programming off", "Durchmesserprogrammierung aus", neutral=0.0),
+        Group.DIAMETER,
+        simulated(
+            DIAMETER_ON,
+            "positions of the face axis as diameters",
+            "Positionen der Planachse als Durchmesser",
+        ),
+        accepted(
+            52,
+            "positions of the face axis as radii",
+            "Positionen der Planachse als Radien",
+            plain=True,
+            neutral=0.0,
+        ),
     ),
     group(
         Group.ZERO_OFFSET,
@@ -200,7 +211,7 @@ G_FUNCTIONS: Mapping[int, GFunction] = by_number(
     ),
     group(
         Group.CUTTING,
-        plain(CUTTING_SPEED, "constant cutting speed", "konstante Schnittgeschwindigkeit"),
+        simulated(CUTTING_SPEED, "constant cutting speed", "konstante Schnittgeschwindigkeit"),
         plain(CONSTANT_SPEED, "constant spindle speed", "konstante Spindeldrehzahl"),
     ),
     group(

@@ -124,7 +124,7 @@ def test_without_chain_each_thread_waits_for_its_angle() -> None:
 
 
 def test_override_hold_and_single_block_wait_for_the_end_of_a_thread() -> None:
-    """What the operator does acts behind the thread: a decision, told by note 901539."""
+    """What the operator does acts behind the thread: a decision, told by note 901516."""
     text = THREAD.format(speed=600, pitch=2, offset=0)
     at = [
         ("600 ms", "HLI.OVERRIDE", 50),
@@ -134,7 +134,7 @@ def test_override_hold_and_single_block_wait_for_the_end_of_a_thread() -> None:
     result = run(text, at=at)
     assert result.state == "ended"
     assert max(errors(result, 30, 5.0, 2.0, 20.0)) < SHARE
-    assert [one.id for one in result.diagnostics] == [901539]
+    assert [one.id for one in result.diagnostics] == [901516]
 
 
 def test_the_path_follows_a_spindle_that_changes_its_speed() -> None:
@@ -183,15 +183,15 @@ def test_a_chain_with_a_step_in_its_pitch_is_an_error() -> None:
         ("N10 G33 Z-10 K2", 50499),  # the spindle stands
         ("N10 M03 S600\nN20 G33 Z-10", 120173),  # no pitch
         ("N10 M03 S600\nN20 G33 X-10 K2", 120175),  # no pitch for the longer axis
-        ("N10 M03 S600\nN20 G33 Z-10 K-2", 901541),
+        ("N10 M03 S600\nN20 G33 Z-10 K-2", 901518),
         ("N10 G01 F600\nN20 G63 Z-10", 20007),  # S = 0
         ("N10 G95 F2\nN20 G63 Z-10 S300", 20635),
-        ("N10 M03 S600\nN20 G63 Z-10 F600", 901531),  # the spindle turns
-        ("N10 G01 F600\nN20 G63 Z-10 S300 M03", 901536),
+        ("N10 M03 S600\nN20 G63 Z-10 F600", 901508),  # the spindle turns
+        ("N10 G01 F600\nN20 G63 Z-10 S300 M03", 901513),
         ("N10 G331 Z-10 S300", 120173),
-        ("N10 M03 S3000\nN20 G33 Z-10 K20", 901532),  # 1000 mm/s, the axes can 500
-        ("#TURN [THREAD_CUT_IGNORE_OV=0]", 901543),
-        ("#TURN [TAPPING_N_CYCLES=21]", 901542),
+        ("N10 M03 S3000\nN20 G33 Z-10 K20", 901509),  # 1000 mm/s, the axes can 500
+        ("#TURN [THREAD_CUT_IGNORE_OV=0]", 901520),
+        ("#TURN [TAPPING_N_CYCLES=21]", 901519),
         ("N10 M03 S-5", 20991),
     ],
 )

@@ -42,7 +42,7 @@ INVALID_SPINDLE_LIMIT = error(
     value=("the value", "der Wert"),
 )
 CUTTING_WITH_PLC_SPINDLE = error(
-    901545,
+    901532,
     en="constant cutting speed (G96) with spindle {spindle}, which the PLC turns",
     de="konstante Schnittgeschwindigkeit (G96) mit Spindel {spindle}, die die SPS dreht",
     remedy_en="Take a main spindle that the CNC turns (spindel[i].plc_control 0, P-CHAN-00069).",
@@ -51,7 +51,7 @@ CUTTING_WITH_PLC_SPINDLE = error(
     spindle=("the spindle", "die Spindel"),
 )
 CUTTING_DECIDED = note(
-    901546,
+    901533,
     en="G96: the radius is the distance of the face axis from the program's zero at the S word",
     de="G96: der Radius ist der Abstand der Planachse vom Programmnullpunkt beim S-Wort",
     remedy_en="Program S again behind a new offset; rapid motions leave the speed as it is.",

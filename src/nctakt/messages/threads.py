@@ -19,7 +19,7 @@ THREAD_PITCH_MISSING = error(
     clearing=6,
 )
 NEGATIVE_THREAD_PITCH = error(
-    901541,
+    901518,
     en="the pitch {value} of G33 is below 0",
     de="die Steigung {value} von G33 liegt unter 0",
     remedy_en="The spindle's direction makes a left-hand thread: M4 instead of M3.",
@@ -59,7 +59,7 @@ THREAD_CHAIN_TOO_FAST = error(
 )
 TAP_SPEED_ZERO = error(
     20007,
-    known_as=(901544,),
+    known_as=(901521,),
     en="{function} without a spindle speed",
     de="{function} ohne Spindeldrehzahl",
     remedy_en="Program S: above 0 into a right-hand thread, below 0 out of it.",
@@ -81,7 +81,7 @@ TAP_WITH_FEED_FUNCTION = error(
     clearing=3,
 )
 TAP_SPINDLE_TURNING = error(
-    901531,
+    901508,
     en="tapping with spindle {spindle}, which is turning",
     de="Gewindebohren mit Spindel {spindle}, die sich dreht",
     remedy_en="Stop the spindle before, with M05 or M19.",
@@ -93,7 +93,7 @@ TAP_SPINDLE_TURNING = error(
     clearing=6,
 )
 THREAD_TOO_FAST = error(
-    901532,
+    901509,
     en="the thread is too fast for the axes: speed of spindle {spindle} times pitch",
     de="das Gewinde ist zu schnell für die Achsen: Drehzahl von Spindel {spindle} mal Steigung",
     remedy_en="Program a lower speed; the axes allow at most P-AXIS-00212.",
@@ -103,7 +103,7 @@ THREAD_TOO_FAST = error(
     clearing=6,
 )
 THREAD_LOST = error(
-    901533,
+    901510,
     en="the thread is lost: spindle {spindle} has another speed or angle than at its begin",
     de="das Gewinde ist verloren: Spindel {spindle} hat Drehzahl oder Winkel gewechselt",
     remedy_en="Keep its speed while the path accelerates; do not turn it before backward motion.",
@@ -114,7 +114,7 @@ THREAD_LOST = error(
     clearing=6,
 )
 THREAD_REVERSED = error(
-    901534,
+    901511,
     en="spindle {spindle} has reversed while a thread is cut",
     de="Spindel {spindle} hat beim Gewindeschneiden die Richtung gewechselt",
     remedy_en="Reverse the spindle behind the thread.",
@@ -124,7 +124,7 @@ THREAD_REVERSED = error(
     clearing=6,
 )
 THREAD_TOO_SHORT = warning(
-    901535,
+    901512,
     en="the thread is too short: the path never reached its speed",
     de="das Gewinde ist zu kurz: die Bahn hat ihre Geschwindigkeit nie erreicht",
     remedy_en="Begin further away, or lower the speed of the spindle.",
@@ -133,7 +133,7 @@ THREAD_TOO_SHORT = warning(
     cause_de="Solange die Bahn beschleunigt und bremst, liegt sie neben dem Gewinde.",
 )
 SPINDLE_WORD_IN_TAPPING = error(
-    901536,
+    901513,
     en="{word} while {function} is active",
     de="{word}, während {function} aktiv ist",
     remedy_en="End tapping before, with G00 or G01: it has the spindle to itself.",
@@ -144,7 +144,7 @@ SPINDLE_WORD_IN_TAPPING = error(
     clearing=3,
 )
 THREAD_WITH_PLC_SPINDLE = error(
-    901537,
+    901514,
     en="{function} with spindle {spindle}, which the PLC turns",
     de="{function} mit Spindel {spindle}, die die SPS dreht",
     remedy_en="Take a spindle that the CNC turns (spindel[i].plc_control 0, P-CHAN-00069).",
@@ -153,7 +153,7 @@ THREAD_WITH_PLC_SPINDLE = error(
     spindle=("the spindle", "die Spindel"),
 )
 THREAD_DURING_COMPENSATION = error(
-    901538,
+    901515,
     en="{function} while tool radius compensation is active",
     de="{function} bei aktiver Werkzeugradiuskorrektur",
     remedy_en="Program G40 before.",
@@ -161,7 +161,7 @@ THREAD_DURING_COMPENSATION = error(
     function=("the G function", "die G-Funktion"),
 )
 THREAD_ENTRY_DECIDED = note(
-    901539,
+    901516,
     en="G33: the thread starts at the block's start point at the start angle, at any speed",
     de="G33: das Gewinde beginnt bei jeder Drehzahl im Startpunkt des Satzes mit dem Startwinkel",
     remedy_en="Keep a run-in: the path is off the thread while it accelerates and brakes.",
@@ -172,7 +172,7 @@ THREAD_ENTRY_DECIDED = note(
     "Gewinde. Keine Quelle legt das fest.",
 )
 TAPPING_DECIDED = note(
-    901540,
+    901517,
     en="tapping: override, feed hold and backward motion act on path and spindle together",
     de="Gewindebohren: Override, Halt und Rückwärtsfahrt wirken auf Bahn und Spindel zugleich",
     remedy_en="The spindle has the angle that belongs to the depth in each tick.",
@@ -181,7 +181,7 @@ TAPPING_DECIDED = note(
     cause_de="Keine Quelle legt fest, was sie während des Gewindebohrens bewirken.",
 )
 INVALID_TURN_VALUE = error(
-    901542,
+    901519,
     en="#TURN: {word} cannot be {value}",
     de="#TURN: {word} kann nicht {value} sein",
     remedy_en="Give a whole number from 0 to {highest}.",
@@ -191,7 +191,7 @@ INVALID_TURN_VALUE = error(
     highest=("the highest value", "der größte Wert"),
 )
 TURN_VALUE_NOT_SIMULATED = error(
-    901543,
+    901520,
     en="#TURN: {word} is not simulated",
     de="#TURN: {word} wird nicht simuliert",
     remedy_en="Leave it out: G04 S is a time at the programmed speed, and no override acts on G33.",

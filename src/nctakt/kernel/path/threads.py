@@ -57,7 +57,7 @@ class Threads:
         if self.spindles.is_resting(spindle):
             return 1
         if self.spindles.is_endless(spindle):
-            self.fault = 901531
+            self.fault = 901508
         return 0
 
     def is_due(self, segments: memoryview[float], row: int, spindle: int) -> int:
@@ -70,7 +70,7 @@ class Threads:
         sign = 1.0 if spindle_v > 0.0 else -1.0
         path_v = sign * spindle_v / segments[row + rows.THREAD_TURN]
         if path_v > segments[row + rows.MAX_SPEED] * 1.000000001:
-            self.fault = 901532
+            self.fault = 901509
         elif path_v * self.path.cycle_time_t < 1e-7:
             self.fault = 50206
         lead = spindle_v * self.lead_t(segments, row, path_v)
@@ -180,7 +180,7 @@ class Threads:
             limit_a = self.path.history_rows[self.path.row + rows.ACCELERATION]
             allowed_d += limit_a * self.path.cycle_time_t * self.path.cycle_time_t
         if off_d > allowed_d or off_d < 0.0 - allowed_d:
-            self.fault = 51103 if self.was_cut else 901533
+            self.fault = 51103 if self.was_cut else 901510
             self.state = codes.THREAD_EXIT
             return
         self.state = codes.THREAD_CUT
@@ -197,7 +197,7 @@ class Threads:
         covered_d = (angle - self.angle) / self.turn
         path_v = self.spindles.plans.speed_v / self.turn
         if path_v < 0.0:
-            self.fault = 901534
+            self.fault = 901511
         need_d = self.braking_d(path_v) + path_v * self.path.cycle_time_t
         if self.fault or covered_d + need_d >= self.length_d:
             self.state = codes.THREAD_EXIT
@@ -231,7 +231,7 @@ class Threads:
             return
         self.clear()
         if not self.was_cut:
-            self.context.record.event(rows.EVENT_ERROR, self.source, 0, 901535)
+            self.context.record.event(rows.EVENT_ERROR, self.source, 0, 901512)
 
     def turn_spindle(self) -> None:
         """Turn the spindle to the angle that belongs to the path's length."""
@@ -257,7 +257,7 @@ class Threads:
     def couple(self, angle: float, turn: float) -> None:
         """Couple a resting spindle, whose angle has to be that at an end of the block."""
         if not self.spindles.is_resting(self.spindle):
-            self.fault = 901531
+            self.fault = 901508
             return
         self.state = codes.WITH_TAP
         if self.path.is_retracing:
@@ -266,7 +266,7 @@ class Threads:
                 angle += turn * length_d
             off = spindles.wrapped(angle - self.spindles.position[self.spindle] + 180.0) - 180.0
             if off > 1e-6 or off < -1e-6:
-                self.fault = 901533
+                self.fault = 901510
                 return
         self.spindles.mode[self.spindle] = codes.COUPLED
 

@@ -145,6 +145,21 @@ def try_objects_and_variables_of_the_decoder(plc: pyads.Connection, connect: Con
         assert handle > 0
 
 
+def try_selection_of_a_program(plc: pyads.Connection, connect: Connect) -> None:
+    """Write control with the name of a file: it runs; one that is not there is refused."""
+    position = plc.read_by_name("X.ACS.ACT_POS")
+    until(lambda: plc.read_by_name("HLI.STATE") == 0)
+    with connect(551) as cnc:
+        cnc.write_control(8, 1, "back.nc", pyads.PLCTYPE_STRING)
+        until(lambda: plc.read_by_name("X.ACS.ACT_POS") < position)
+        try:
+            cnc.write_control(8, 0, "nowhere.nc", pyads.PLCTYPE_STRING)
+        except pyads.ADSError as error:
+            assert error.err_code == 0x70B
+        else:
+            raise AssertionError("it is not there")
+
+
 def main(address: str, net_id: str) -> None:
     """Try all."""
     pyads.open_port()

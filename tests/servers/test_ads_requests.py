@@ -142,6 +142,8 @@ MISTAKES = [
     (request(Command.DELETE_NOTIFICATION, pack("<I", 5)), Error.NOTIFICATION_HANDLE),
     (request(Command.WRITE_CONTROL, pack("<HHI", 15, 0, 0)), Error.PARAMETER),
     (request(Command.WRITE_CONTROL, pack("<HHI", State.STOP, 9, 0)), Error.PARAMETER),
+    (request(Command.WRITE_CONTROL, pack("<HHI", State.LOAD, 9, 0)), Error.PARAMETER),
+    (request(Command.WRITE_CONTROL, pack("<HHI", State.LOAD, 1, 9) + b"a.nc"), Error.SIZE),
     (read_write(Group.SUM_READ, 0xFFFFFFFF, 8, b""), Error.PARAMETER),
     (read_write(Group.SUM_READ, 2, 8, bytes(12)), Error.SIZE),
     (read_write(Group.SUM_WRITE, 1, 4, pack("<III", 0x4040, 0, 0xFFFFFFFF)), Error.SIZE),

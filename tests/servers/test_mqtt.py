@@ -81,7 +81,7 @@ class Client:
         """Take one message."""
         message = await asyncio.wait_for(anext(self.client.messages), 30.0)
         _, _, topic = str(message.topic).partition("/")
-        words = json.loads(message.payload) if topic not in ("write", "press") else {}
+        words = json.loads(message.payload) if topic not in ("write", "press", "select") else {}
         self.latest[topic] = words
         if topic == "answer":
             self.answers.append(words)
@@ -134,13 +134,15 @@ def test_a_client_sees_the_machine_and_writes(port: int) -> None:
             ("write", '{"id": 9, "values": {"V.E.VALU": 5}}'),
             ("write", '{"values": {"V.E.VALUE": [1]}}'),
             ("press", '{"key": "sneeze"}'),
+            ("select", '{"program": "nowhere.nc"}'),
+            ("select", '{"program": "part.nc", "channel": 2}'),
             ("press", "[" * 100_000),
             ("write", "\x00{"),
         )
         for topic, text in requests:
             await client.client.publish(f"cell/{topic}", text, 1)
         await client.until(lambda: len(client.answers) == len(requests))
-        assert [answer["ok"] for answer in client.answers] == [True, True, *[False] * 5]
+        assert [answer["ok"] for answer in client.answers] == [True, True, *[False] * 7]
         assert [answer.get("id") for answer in client.answers[:3]] == [7, 8, 9]
         assert client.answers[2]["number"] == 900541
         await host.ask(host.session.run, "200 ms")

@@ -301,7 +301,7 @@ def _serve(options: Options, access: FileAccess, own: _Words, built: Callable[[]
             return EXIT_NC_ERROR
         speed = own.speed
         ready = _ready_teller(own.ready_file, built)
-        growing = None if own.tape is None else _growing(own.tape, session, setup, options, access)
+        growing = _growing(own.tape, session, setup, options, access)
         try:
             asyncio.run(serve(session, machine, log, doors, tape=growing, speed=speed, ready=ready))
         finally:
@@ -453,9 +453,14 @@ def _ready_teller(
 
 
 def _growing(
-    tape: str, session: Session, setup: Setup, options: Options, access: FileAccess
-) -> GrowingTape:
-    """Return the tape that grows meanwhile; raises ``Failure`` (900507) if it cannot be written."""
+    tape: str | None, session: Session, setup: Setup, options: Options, access: FileAccess
+) -> GrowingTape | None:
+    """Return the tape that grows meanwhile; ``None`` beside none, and beside a device or a pipe.
+
+    Raises ``Failure`` (900507) if it cannot be written.
+    """
+    if tape is None or (Path(tape).exists() and not Path(tape).is_file()):
+        return None
     from nctakt.session.growing_tape import GrowingTape  # noqa: PLC0415 - the mode is chosen
 
     try:

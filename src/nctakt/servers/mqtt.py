@@ -21,7 +21,15 @@ from nctakt.servers.address import shown_address
 from nctakt.servers.hli_values import parts_of
 from nctakt.servers.host import Busy, Host
 from nctakt.servers.log import escaped
-from nctakt.servers.mqtt_requests import PASSWORD, USER, Broker, key_of, read_request, values_of
+from nctakt.servers.mqtt_requests import (
+    PASSWORD,
+    USER,
+    Broker,
+    key_of,
+    program_of,
+    read_request,
+    values_of,
+)
 from nctakt.servers.notices import ServerNotice, Subscription
 from nctakt.servers.store import Scalar
 
@@ -119,7 +127,7 @@ class MqttDoor:
         notices = self._host.notices.subscribe(behind.set)
         try:
             await self._publish(client, "status", _json(online=True), retain=True)
-            for name in ("write", "press"):
+            for name in ("write", "press", "select"):
                 await client.subscribe(f"{root}/{name}", _AT_LEAST_ONCE)
             async with asyncio.TaskGroup() as group:
                 group.create_task(self._publish_values(client))
@@ -196,6 +204,10 @@ class MqttDoor:
         try:
             if topic == "write":
                 await self._host.write(values_of(request), _DOOR, client)
+            elif topic == "select":
+                await self._host.select(
+                    *program_of(request, len(self._host.machine.channels)), _DOOR, client
+                )
             else:
                 await self._host.press(*key_of(request), _DOOR, client)
         except Failure as failure:

@@ -82,6 +82,16 @@ def values_of(request: Mapping[str, Any]) -> dict[str, Scalar]:
     return found
 
 
+def program_of(request: Mapping[str, Any], channels: int) -> tuple[str, int]:
+    """Return program and channel of a request; raises ``ValueError`` for what is none."""
+    program, channel = request.get("program"), request.get("channel", 1)
+    if not isinstance(program, str) or not program or "\0" in program:
+        raise ValueError('select {"program": "FILE"}')
+    if type(channel) is not int or not 1 <= channel <= channels:
+        raise ValueError(f"channel must be 1 … {channels}")
+    return program, channel
+
+
 def key_of(request: Mapping[str, Any]) -> tuple[Key, int]:
     """Return key and channel of a request; raises ``ValueError`` for what is none."""
     key, channel = request.get("key"), request.get("channel", 1)

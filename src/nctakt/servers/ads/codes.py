@@ -86,6 +86,7 @@ class State(IntEnum):
     START = 4
     RUN = 5
     STOP = 6
+    LOAD = 8
     ERROR = 11
 
 

@@ -14,7 +14,9 @@ from struct import Struct, pack
 from struct import error as StructError
 from typing import Any
 
+from nctakt.base.failure import Failure
 from nctakt.base.version import __version__
+from nctakt.nc.vocabulary import strings
 from nctakt.servers.ads.access import Access, Missing
 from nctakt.servers.ads.clients import Client
 from nctakt.servers.ads.codes import AdsError, Command, Error, Group, Port, State
@@ -124,13 +126,18 @@ class Service:
     def _write_control(self, client: Client, frame: Frame) -> bytes | Later:
         if len(frame.data) < _CONTROL.size:
             raise AdsError(Error.SIZE, "write control is too short")
-        state, channel, _ = _CONTROL.unpack_from(frame.data)
+        state, channel, size = _CONTROL.unpack_from(frame.data)
         keys = _KEYS.get(state)
-        if keys is None or frame.target_port == Port.SYSTEM:
+        if (keys is None and state != State.LOAD) or frame.target_port == Port.SYSTEM:
             raise AdsError(Error.PARAMETER, f"state {state} cannot be commanded")
         count = len(self._host.machine.channels)
         if channel > count:
             raise AdsError(Error.PARAMETER, f"there is no channel {channel}")
+        if keys is None:
+            data = frame.data[_CONTROL.size :]
+            if size != len(data):
+                raise AdsError(Error.SIZE, f"{len(data)} bytes for {size}")
+            return self._select(client, strings.decode(data), max(channel, 1))
         channels = [channel] if channel else list(range(1, count + 1))
         return self._press(client, keys, channels)
 
@@ -140,6 +147,14 @@ class Service:
             for key in keys:
                 values.update(self._host.key_value(key, channel))
         return _NUMBER.pack(await self.access.write_values(client, values))
+
+    async def _select(self, client: Client, program: str, channel: int) -> bytes:
+        """Select a program file; one that is refused stands in the log with the reason."""
+        try:
+            await self._host.select(program, channel, DOOR, client.name)
+        except Failure:
+            return _NUMBER.pack(Error.PARAMETER)
+        return _NUMBER.pack(0)
 
     # --- reading --------------------------------------------------------------------------------
 

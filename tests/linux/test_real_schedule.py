@@ -23,12 +23,13 @@ from nctakt.base.diagnostics import Diagnostic
 from nctakt.files.access import FileAccess
 from nctakt.hli.plc_entries import TechnologyEntry
 from nctakt.lists.machine.machine import load_machine
+from nctakt.messages.linux_run import SCHED_FIFO_NOT_PERMITTED
 from nctakt.results.run import ProgramMessage
 from nctakt.run.assembly import AssembledMachine
 from nctakt.run.inputs import DECODED, LOST, OVERFLOWED, SCHEDULE, Cells, Input, unpack
 from nctakt.run.plc_view import PlcView
 from nctakt.run.program_run import ProgramRun, RunOptions
-from nctakt.run.real_schedule import RealSchedule
+from nctakt.run.real_schedule import RealSchedule, _plan
 from nctakt.run.scheduled_run import scheduled
 from nctakt.run.tape import Tape, read_tape
 from nctakt.run.tick_loop import TickLoop
@@ -275,3 +276,15 @@ def test_a_session_runs_by_the_list_and_cannot_go_back(tmp_path: Path) -> None:
     controller.run(PROGRAM, replay=tape, ticks=tape.ticks, stays=True)
     assert controller.signal("X.ACS.ACT_POS") == position
     assert controller.read("V.E.VALUE1") == count != 0
+
+
+@pytest.mark.parametrize(("number", "notes"), [(1, [901552]), (2, []), (3, [901552])])
+def test_nc_interrupts_come_from_a_timer(tmp_path: Path, number: int, notes: list[int]) -> None:
+    """Whatever the list says; where it says otherwise a note tells it."""
+    path = list_file(tmp_path)
+    source = f"interrupt_source {number} # 1: Hardware ISR 2: timer 3: Semaphore"
+    text = path.read_text().replace(LIST.splitlines()[0], source)
+    path.write_text(f"external_object_name cell\n{text}" if number == 3 else text)
+    found: list[Diagnostic] = []
+    _plan(open_schedule(path), found.append)
+    assert [one.id for one in found if one.id != SCHED_FIFO_NOT_PERMITTED.id] == notes

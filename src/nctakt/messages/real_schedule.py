@@ -12,6 +12,13 @@ STEPS_BESIDE_TICKS = note(
     remedy_en="The wake-up latency of the interpolation's thread shows what it costs.",
     remedy_de="Was es kostet, zeigt die Aufwachverzögerung des Interpolations-Threads.",
 )
+ALWAYS_A_TIMER = note(
+    901552,
+    en="a timer gives the NC interrupts of a served controller, whatever interrupt_source says",
+    de="ein Timer gibt die NC-Interrupts dieser Steuerung, was auch immer interrupt_source sagt",
+    remedy_en="nctakt schedule run waits for a semaphore; so does a PLC's thread here.",
+    remedy_de="Auf einen Semaphor wartet nctakt schedule run, hier nur der Thread der SPS.",
+)
 THREADS_SHARED = note(
     901461,
     en="these threads share the work of another one with the same function: {threads}",

@@ -23,8 +23,9 @@ from nctakt.linux.report import run_report
 from nctakt.linux.schedule_threads import ScheduleThreads, Step
 from nctakt.lists.declared.rtconf import InterruptSource
 from nctakt.messages import diagnostic
-from nctakt.messages.linux_run import SCHED_FIFO_NOT_PERMITTED, TIMER_INSTEAD_OF_INTERRUPT
+from nctakt.messages.linux_run import SCHED_FIFO_NOT_PERMITTED
 from nctakt.messages.real_schedule import (
+    ALWAYS_A_TIMER,
     STEPS_BESIDE_TICKS,
     THREAD_NOT_PLACED,
     THREADS_SHARED,
@@ -243,7 +244,7 @@ class RealSchedule:
 def _plan(schedule: RunSchedule, report: Callable[[Diagnostic], None]) -> Plan:
     """Return priorities, processors and semaphores of the list."""
     if schedule.model.source is not InterruptSource.TIMER:
-        report(diagnostic(TIMER_INSTEAD_OF_INTERRUPT))
+        report(diagnostic(ALWAYS_A_TIMER))
     reason = fifo_refusal()
     if reason is not None:
         report(diagnostic(SCHED_FIFO_NOT_PERMITTED, reason=reason))

@@ -344,14 +344,7 @@ class BlockDecoder:
         block: int,
         content: _BlockContent,
     ) -> None:
-        if word.name == "F":
-            self.path.feed_rate.feed_word(value, word.span)
-            return
-        if word.name == "S.OFFSET":
-            self._state.thread.offset = value
-            return
-        if word.name == "R":
-            self._state.path.radius = value * self._state.length_unit_mm
+        if self.path.word(word, value):
             return
         if word.name in CENTRE_WORDS:
             content.path.centre[word.name] = (word.span, value)

@@ -32,6 +32,7 @@ from nctakt.messages.tools import (
     NO_RADIUS_TO_COMPENSATE,
     PLANE_CHANGE_DURING_COMPENSATION,
 )
+from nctakt.nc import tree
 from nctakt.nc.vocabulary.function_rows import Group
 from nctakt.nc.vocabulary.functions import (
     ABSOLUTE_CENTRE,
@@ -112,6 +113,19 @@ class PathMotion:
                 path.compensation.masks = function == MASKING_ON
             case Group.FEED_ADAPTATION:
                 path.compensation.adapts_feed = function == CONTOUR_FEED
+
+    def word(self, word: tree.Word, value: float) -> bool:
+        """Process F, R and S.OFFSET; return false for any other word."""
+        match word.name:
+            case "F":
+                self.feed_rate.feed_word(value, word.span)
+            case "R":
+                self._state.path.radius = value * self._state.length_unit_mm
+            case "S.OFFSET":
+                self._state.thread.offset = value
+            case _:
+                return False
+        return True
 
     def _end_compensation(self) -> None:
         """Process G40; after G239 the program continues from the tool's position."""

@@ -18,7 +18,7 @@ SIGNALS = ("X.ACS.ACT_POS", "Z.ACS.ACT_POS", "S.SPEED", "BLOCK", "PATH.SPEED")
 
 @pytest.fixture(scope="module")
 def lathe(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The demo machine whose X is a face axis (P-AXIS-00015 bit 0x40)."""
+    """Return the demo machine whose X is a face axis (P-AXIS-00015 bit 0x40)."""
     machine = tmp_path_factory.mktemp("lathe") / "machine"
     shutil.copytree(Path(nctakt.__file__).parent / "machines" / "demo", machine)
     for file in machine.rglob("*.lis"):

@@ -290,3 +290,33 @@ def test_the_example_cuts_one_thread_in_three_passes() -> None:
         assert max(errors(result, block, 5.0, 2.0, speed / 30.0)) < SHARE
     assert tap_error(result, 190, 2.0, 240.0, 0.0) < SHARE
     assert tap_error(result, 200, 2.0, 240.0, 0.0) < SHARE
+
+
+def test_a_reset_frees_the_spindle_of_a_thread() -> None:
+    """The channel stops on the thread, the spindle turns on; the next program cuts anew."""
+    controller = Controller(DEMO)
+    text = THREAD.format(speed=600, pitch=2, offset=0)
+    reset = [("800 ms", "HLI.RESET", True)]
+    stopped = controller.run(NcText("p.nc", text), signals=SIGNALS, at=reset)
+    assert stopped.state == "reset"
+    result = controller.run(NcText("p.nc", text), signals=SIGNALS)
+    assert max(errors(result, 30, 5.0, 2.0, 20.0)) < SHARE
+
+
+def test_a_spindle_that_reverses_or_a_thread_without_speed_is_told() -> None:
+    """901511: the thread ends there; 901512: its way is shorter than both ramps."""
+    cycle = "#RT CYCLE [ID=1 SCOPE=GLOBAL]\n$IF ONCE [V.E.COUNT == 1]\nS[M4 REV=300]\n$ENDIF\n"
+    text = f"{cycle}#RT CYCLE END\n" + THREAD.format(speed=600, pitch=2, offset=0)
+    result = run(text, at=[("700 ms", "V.E.COUNT", 1)])
+    assert 901511 in [found.id for found in result.diagnostics]
+    short = run("N10 M03 S600\nN20 G33 Z-0.01 K2\nM30")
+    assert 901512 in [found.id for found in short.diagnostics]
+
+
+@pytest.mark.parametrize(("coupling", "speed"), [(0, 10.0), (1, 5.0)])
+def test_feed_per_revolution_follows_the_spindle_as_told(coupling: int, speed: float) -> None:
+    """#TURN [ROT_FEED_CPL=0]: F x S at once; 1: the spindle is at half its speed after 51 ms."""
+    text = f"#TURN [ROT_FEED_CPL={coupling}]\nN10 G95 F1 M3 S600\nN20 G01 X10\nM30"
+    speeds = [v for (v,) in rows_of(run(text), 20, "PATH.SPEED")]
+    assert speeds[50] == pytest.approx(speed, abs=1e-9)
+    assert max(speeds) == pytest.approx(10.0, abs=1e-9)

@@ -124,7 +124,9 @@ def test_a_worker_in_another_folder_makes_the_same_rows(
     from nctakt.studies.cluster import rows_of_cluster  # noqa: PLC0415 - an extra
 
     address, _ = scheduler
-    own = study(tmp_path)
+    study(tmp_path)
+    monkeypatch.chdir(tmp_path)  # the paths of the plan are relative, for this process only
+    own = study(Path())
     wheels = [wheel(tmp_path, "wheeled", "number = 4.5\n")]
     monkeypatch.syspath_prepend(tmp_path / "site-packages")
     (tmp_path / "site-packages").mkdir()

@@ -205,11 +205,13 @@ UPLOAD_TOO_LARGE = error(
 )
 WORKER_UNFIT = error(
     901485,
-    en="the worker {worker} cannot make the runs: {reason}",
-    de="der Worker {worker} kann die Läufe nicht machen: {reason}",
-    remedy_en="Install on it what is installed here, or send it along: --upload FILE.whl",
-    remedy_de="Dort dasselbe installieren wie hier oder es mitsenden: --upload DATEI.whl",
-    worker=("the worker", "der Worker"),
+    en="{worker} cannot make the runs: {reason}",
+    de="{worker} kann die Läufe nicht machen: {reason}",
+    remedy_en="Install on scheduler and workers what is installed here; --upload FILE.whl sends "
+    "what the PLC needs.",
+    remedy_de="Auf Scheduler und Workern dasselbe installieren wie hier; --upload DATEI.whl "
+    "sendet, was die SPS braucht.",
+    worker=("the worker or the scheduler", "der Worker oder der Scheduler"),
     reason=("the reason", "der Grund"),
 )
 WORKER_NOT_STARTED = error(

@@ -10,6 +10,8 @@ from __future__ import annotations
 import re
 from collections import OrderedDict
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 from nctakt.base.diagnostics import Diagnostic
@@ -151,7 +153,7 @@ class Bench:
             finished = self.make(point)
         except Failure as failure:
             row |= {measure.name: None for measure in self.plan.measures}
-            heads = (one.headline().splitlines() for one in failure.diagnostics)
+            heads = (_without_folder(one).headline().splitlines() for one in failure.diagnostics)
             texts = "; ".join(dict.fromkeys(head[0] for head in heads))
             return row | {"verdict": FAILED, "broken": texts, "seed": self.plan.seed, "digest": ""}
         return row | self.judge(finished)
@@ -298,6 +300,13 @@ class Bench:
     def _plc(self, inputs: RunInputs) -> AnyPlc | None:
         plc = None if self.plan.plc is None else load_plc(self.plan.plc)
         return FaultyPlc(plc, inputs.faults) if inputs.faults else plc
+
+
+def _without_folder(found: Diagnostic) -> Diagnostic:
+    """Return a diagnostic with the name of its file: elsewhere it lies in another folder."""
+    if found.span is None:
+        return found
+    return replace(found, span=replace(found.span, file=Path(found.span.file).name))
 
 
 def columns_of(plan: Plan) -> list[str]:

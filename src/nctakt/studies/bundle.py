@@ -12,7 +12,7 @@ import hashlib
 import io
 import pickle
 import zipfile
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -25,7 +25,6 @@ from nctakt.messages import diagnostic
 from nctakt.messages.files import FILE_NOT_READABLE
 from nctakt.messages.studies import EXTRA_MISSING, UPLOAD_TOO_LARGE
 from nctakt.project.machine_choice import machine_of
-from nctakt.studies.dimension import Dimension
 from nctakt.studies.plan import Plan
 from nctakt.studies.plan_files import files_of
 from nctakt.studies.python_measure import PythonMeasure
@@ -71,37 +70,39 @@ class Bundle:
     def plan(self, folder: Path) -> Plan:
         """Return the plan with the paths of its files below a folder."""
         plan: Plan = pickle.loads(self.packed)
-        machine = None if plan.machine is None else _below(folder, plan.machine)
-        if self.built_in:
-            machine = DEMO_FOLDER.parent / self.built_in
-        return replace(
-            plan,
-            program=_below(folder, plan.program) if plan.text is None else plan.program,
-            machine=machine,
-            plc=None if plan.plc is None else _below(folder, plan.plc),
-            rtconf=None if plan.rtconf is None else _below(folder, plan.rtconf),
-            load=None if plan.load is None else _below(folder, plan.load),
-            dimensions=tuple(_moved(one, folder) for one in plan.dimensions),
-            measures=tuple(
-                replace(one, node=replace(one.node, file=_below(folder, one.node.file)))
-                if isinstance(one.node, PythonMeasure)
-                else one
-                for one in plan.measures
-            ),
-        )
+        return _with_paths(plan, lambda path: _below(folder, path), self.built_in)
+
+
+def _with_paths(plan: Plan, changed: Callable[[Path], Path], built_in: str = "") -> Plan:
+    """Return a plan with its paths changed; ``built_in``: the name of its machine, if it is one."""
+
+    def of(path: Path | None) -> Path | None:
+        return None if path is None else changed(path)
+
+    return replace(
+        plan,
+        program=changed(plan.program) if plan.text is None else plan.program,
+        machine=DEMO_FOLDER.parent / built_in if built_in else of(plan.machine),
+        plc=of(plan.plc),
+        rtconf=of(plan.rtconf),
+        load=of(plan.load),
+        dimensions=tuple(
+            replace(one, values=tuple(str(changed(Path(str(value)))) for value in one.values))
+            if one.has_files
+            else one
+            for one in plan.dimensions
+        ),
+        measures=tuple(
+            replace(one, node=replace(one.node, file=changed(one.node.file)))
+            if isinstance(one.node, PythonMeasure)
+            else one
+            for one in plan.measures
+        ),
+    )
 
 
 def _below(folder: Path, path: Path) -> Path:
-    absolute = path.resolve()
-    return folder / absolute.relative_to(absolute.anchor)
-
-
-def _moved(dimension: Dimension, folder: Path) -> Dimension:
-    """Return a dimension, values that are files with their paths in a folder."""
-    if not dimension.has_files:
-        return dimension
-    values = tuple(str(_below(folder, Path(str(value)))) for value in dimension.values)
-    return replace(dimension, values=values)
+    return folder / path.relative_to(path.anchor)
 
 
 def _install(content: bytes, folder: Path) -> list[str]:
@@ -150,7 +151,7 @@ def bundle(plan: Plan, uploads: Sequence[Path] = ()) -> Bundle:
         largest = max(contents, key=lambda name: len(contents[name]))
         raise Failure(diagnostic(UPLOAD_TOO_LARGE, file=largest, limit=MAX_BYTES >> 20))
     return Bundle(
-        cloudpickle.dumps(replace(plan, machine=machine)),
+        cloudpickle.dumps(_with_paths(replace(plan, machine=machine), Path.resolve)),
         tuple(sorted(contents.items())),
         built_in,
         tuple(dict.fromkeys(names)),

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import contextlib
 import gc
-import importlib
+import importlib.util
 import sys
 import tempfile
 import threading
@@ -21,6 +21,7 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
+from nctakt.base.diagnostics import Text
 from nctakt.base.failure import Failure, error_text
 from nctakt.base.version import __version__
 from nctakt.messages import diagnostic
@@ -44,6 +45,13 @@ CONNECT_S = 20
 
 #: Studies that a worker is ready for; those used last.
 STATIONS = 4
+
+#: The begin of what a scheduler says that cannot read what it is sent.
+_NOT_READ = "Error during deserialization"
+_OTHER_PYTHON = Text(
+    "nctakt or what it needs is not installed there, or is another version",
+    "nctakt oder etwas, das es braucht, fehlt dort oder hat eine andere Version",
+)
 
 _lock = threading.Lock()
 _stations: OrderedDict[str, Station] = OrderedDict()
@@ -154,6 +162,7 @@ def rows_of_cluster(
     except (OSError, ValueError) as error:
         raise _lost(address, error) from error
     try:
+        _check_workers(client)
         yield from _Blocks(client, plan, packed).rows(numbers)
     except (
         OSError,
@@ -161,10 +170,25 @@ def rows_of_cluster(
         distributed.client.FutureCancelledError,
     ) as error:
         raise _lost(address, error) from error
+    except (ImportError, RuntimeError) as error:
+        if not isinstance(error, ImportError) and not str(error).startswith(_NOT_READ):
+            raise
+        raise _without_nctakt(client.scheduler.address) from error
     finally:
         if is_own:
             with contextlib.suppress(OSError, TimeoutError):
                 client.close()
+
+
+def _check_workers(client: Any) -> None:
+    """Raise ``Failure`` (901485) for a worker without nctakt: it would end, and leave no word."""
+    for worker, spec in sorted(client.run(importlib.util.find_spec, "nctakt").items()):
+        if spec is None:
+            raise _without_nctakt(worker)
+
+
+def _without_nctakt(address: str) -> Failure:
+    return Failure(diagnostic(WORKER_UNFIT, worker=address, reason=_OTHER_PYTHON))
 
 
 def _lost(address: object, error: Exception) -> Failure:

@@ -241,8 +241,8 @@ def test_flush_continue_has_no_effect_on_the_queue() -> None:
 
 
 def test_numbers_have_no_exponents() -> None:
-    """``1E3`` is the number 1 and a word E, the feed at the block's end, which is refused."""
-    assert numbers(perform("G01 X1E3 F100\nM30")) == [900200]
+    """``1E3`` is the number 1 and a word E, the feed at the block's end."""
+    assert numbers(perform("G01 X1E-3 F100\nM30")) == [20176]
 
 
 def test_a_hash_command_may_go_on_in_the_next_line() -> None:

@@ -42,8 +42,8 @@ G165 ; note 900201 "G165"
 M02
 ; --- refused by name
 G310 Z1 ; error 900200 "G310 (interruptible block)"
-G08 X1 ; error 900200 "G08"
-G09 X1 ; error 900200 "G09"
+G08 X1
+G09 X1
 G41 G42 X1 ; error 20114 "G42"
 G25 G26 ; error 20113 "G26"
 G138 G139 ; error 20126 "G139"
@@ -75,7 +75,7 @@ M3 S=V.E.NONE ; error 20196 "V.E.NONE"
 M19
 T1 D2 ; note 900201 "T (tool"
 D ; error 900208 "D"
-E100 ; error 900200 "E100"
+E100
 X[INDP G90 POS=10] ; error 900260 "X[INDP …]"
 Z[DIST_CTRL OFF] ; error 900200 "Z[…]"
 M110=2147483648 ; error 21494 "M110=2147483648"

@@ -100,9 +100,7 @@ class ProgramDecoder:
         self._values = Values(environment, state)
         self._uncertain_axes = UncertainAxes(environment.living_cycles, environment.moving_axes())
         self._block_decoder = BlockDecoder(self._values, self._uncertain_axes)
-        self._path_settings = PathSettings(
-            self._values, self._block_decoder.path.feed_rate, self._block_decoder.path.threads
-        )
+        self._path_settings = PathSettings(self._values, self._block_decoder.path)
         self._compensation = Compensation(self._values, self._block_decoder.path, self._pass_time)
         self._calls = Calls(self._values)
         self._macros = Macros(environment, self._values.fail)

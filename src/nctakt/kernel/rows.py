@@ -262,7 +262,7 @@ def _arguments(count: int) -> range:
     CORNER_SPEED,  # /s, at which its end may be passed
     END_SPEED,  # /s at its end
     MAX_END_SPEED,  # /s at its end without regard to feeds
-    NEXT_SPEED,  # ``SPEED`` of the next segment, 0: none
+    NEXT_SPEED,  # ``SPEED`` of the next segment, 0: none; before it is known that at its end (E)
     NEXT_IGNORES_OVERRIDE,  # ``IGNORES_OVERRIDE`` of the next segment
     REMAINING_LENGTH,  # in the path: of its block behind it, with a limit of the jerk
     REMAINING_SPEED,  # in the path: highest speed from which its block ends at a standstill

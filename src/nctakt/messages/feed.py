@@ -55,6 +55,16 @@ FEED_PER_REVOLUTION_WITHOUT_SPINDLE = error(
     reaction=2,
     clearing=3,
 )
+END_FEED_WITHOUT_G94 = error(
+    901552,
+    en="E, the feed at the block's end, needs feed per minute (G94); G{mode} is active",
+    de="E, der Vorschub am Satzende, braucht Vorschub je Minute (G94); aktiv ist G{mode}",
+    remedy_en="Program G94, or remove E.",
+    remedy_de="G94 programmieren oder E entfernen.",
+    mode=("the active G function", "die aktive G-Funktion"),
+    reaction=2,
+    clearing=3,
+)
 INVALID_WEIGHT = error(
     901550,
     known_as=(120027, 120028, 120031, 120032),

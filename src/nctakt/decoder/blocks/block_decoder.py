@@ -173,8 +173,7 @@ class BlockDecoder:
             yield from self.dwell(content.dwell_s, block.span, number)
         if content.functions:
             yield from self.technology.after_motion(content.functions)
-        if content.program_stops:
-            yield from content.program_stops
+        yield from content.program_stops
         return content.ends_program
 
     def _sort(self, block: tree.Block, number: int) -> Generator[Command, Answer, _BlockContent]:
@@ -227,10 +226,9 @@ class BlockDecoder:
                 yield from self._tool(word, value, number, content)
             else:
                 self._word(word, value, extra, number, content)
-        if numbers:
-            for function in COMPENSATIONS:
-                if function in numbers:
-                    self.path.compensate(function, numbers[function])
+        for function in COMPENSATIONS:
+            if function in numbers:
+                self.path.compensate(function, numbers[function])
         if self._state.motion in THREADS and content.path.centre:
             self.path.threads.pitches(content.path.centre)
             content.path.centre = {}
@@ -346,12 +344,14 @@ class BlockDecoder:
     ) -> None:
         if self.path.word(word, value):
             return
+        if word.name == "E":
+            content.path.end_feed = (word.span, value)
+            return
         if word.name in CENTRE_WORDS:
             content.path.centre[word.name] = (word.span, value)
             return
         number = int(arithmetic.round_half_even(value))
-        if word.name == "M" and number in PROGRAM_ENDS:
-            content.ends_program = True
+        content.ends_program |= word.name == "M" and number in PROGRAM_ENDS
         if word.name == "M" and number in PROGRAM_STOPS:
             source = self._environment.source_id(word.span)
             content.program_stops += (ProgramStop(source, block, number in OPTIONAL_STOPS),)

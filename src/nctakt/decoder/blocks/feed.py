@@ -9,6 +9,7 @@ are any. Each of G93 … G95 keeps an F of its own.
 from __future__ import annotations
 
 from collections.abc import Generator, Sequence
+from dataclasses import replace
 
 from nctakt.base.diagnostics import Span
 from nctakt.decoder.blocks.spindles import DEGREES_PER_S, SpindleWords
@@ -20,6 +21,7 @@ from nctakt.decoder.values.variables import Values
 from nctakt.kernel.base import arithmetic
 from nctakt.messages.decoder import G194_ABOVE_MAX_FEED, NO_FEED_ACTIVE
 from nctakt.messages.feed import (
+    END_FEED_WITHOUT_G94,
     FEED_NOT_POSITIVE,
     FEED_PER_REVOLUTION_SPINDLE_STOPPED,
     FEED_PER_REVOLUTION_WITHOUT_SPINDLE,
@@ -137,6 +139,26 @@ class FeedRate:
         if override == 1.0 and not is_exempt and spindle < 0:
             return feed, None
         return feed, FeedModifiers(override, is_exempt, spindle, spindle_v)
+
+    def with_end(
+        self, feed: float, pace: FeedModifiers | None, span: Span, value: float
+    ) -> FeedModifiers | None:
+        """Return the modifiers of a block whose feed at its end is E, in the unit of F.
+
+        Raises ``DecodeError`` without G94 and for a feed that is not above 0.
+        """
+        state = self._state
+        if state.feed.feed_mode != FEED_PER_MINUTE:
+            self._values.fail(END_FEED_WITHOUT_G94, span, mode=state.feed.feed_mode)
+        if value <= 0.0:
+            self._values.fail(FEED_NOT_POSITIVE, span, value=value)
+        unit = self._environment.parameters.program_start.feed_unit_mm_min
+        end_feed = value * (state.length_unit_mm if state.inch else unit) / 60.0
+        if feed <= 0.0 or end_feed >= state.feed_mm_s:
+            return pace
+        end_feed *= feed / state.feed_mm_s
+        pace = pace or FeedModifiers()
+        return replace(pace, end_feed=end_feed * pace.override)
 
     def select_group(self, command: tree.HashCommand) -> None:
         """Execute ``#FGROUP``; the linear axes, which F has anyway, are none."""

@@ -64,9 +64,10 @@ CENTRE_WORDS = ("I", "J", "K")
 class PathWords:
     """The words of a block for its path, except the target: centre, G60, G61, G166.
 
-    ``offset_kinds``: the offsets that apply to its absolute positions.
+    ``offset_kinds``: the offsets that apply to its absolute positions. ``end_feed``: E.
     """
 
+    end_feed: tuple[Span, float] | None = None
     centre: dict[str, tuple[Span, float]] = field(default_factory=dict)
     once: frozenset[int] = frozenset()
     offset_kinds: int = codes.ALL_OFFSETS
@@ -183,6 +184,8 @@ class PathMotion:
             self.check_extremes(arc, start, span)
         is_exempt = NO_OVERRIDE in words.once
         feed, pace = self.feed_rate.of(start, target, arc, is_exempt, span)
+        if words.end_feed is not None:
+            pace = self.feed_rate.with_end(feed, pace, *words.end_feed)
         exact = self._stops_exactly(words)
         if state.motion in THREADS:
             feed, pace = self.threads.of(start, target, pace or FeedModifiers(), span)

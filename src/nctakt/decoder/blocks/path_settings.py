@@ -11,8 +11,7 @@ from collections.abc import Generator, Sequence
 
 from nctakt.base.diagnostics import Span
 from nctakt.decoder.axis_limits import set_limits
-from nctakt.decoder.blocks.feed import FeedRate
-from nctakt.decoder.blocks.threads import ThreadMotion
+from nctakt.decoder.blocks.path_motion import PathMotion
 from nctakt.decoder.state.commands import Answer, Command
 from nctakt.decoder.state.path_limits import MAX_BEND
 from nctakt.decoder.values.variables import Values
@@ -42,10 +41,10 @@ _SIZES = frozenset(name for names in CONTOUR_MODES.values() for name in names)
 class PathSettings:
     """Decodes the settings of the path of one program."""
 
-    def __init__(self, values: Values, feed_rate: FeedRate, threads: ThreadMotion) -> None:
+    def __init__(self, values: Values, path: PathMotion) -> None:
         self._values = values
-        self._feed_rate = feed_rate
-        self._threads = threads
+        self._feed_rate = path.feed_rate
+        self._threads = path.threads
         self._environment = values.environment
         self._state = values.state
 

@@ -15,6 +15,7 @@ class FeedModifiers:
     ``spindle``: whose speed the feed follows, by its place in the channel, -1 none; the feed counts
     at ``spindle_v``, degrees per second. ``thread``: ``rows.CUTTING`` or ``rows.TAPPING`` couples
     the path with that spindle, ``turn`` degrees for each mm; ``angle``: where a cut thread starts.
+    ``end_feed``: at its end, mm/s, 0: as the next segment.
     """
 
     override: float = 1.0
@@ -24,9 +25,10 @@ class FeedModifiers:
     thread: int = rows.NO_THREAD
     turn: float = 0.0
     angle: float = 0.0
+    end_feed: float = 0.0
 
     @property
     def row(self) -> tuple[float, ...]:
-        """What the realtime part needs of it: the columns from ``rows.SPEED_OVERRIDE`` on."""
+        """The columns from ``rows.SPEED_OVERRIDE`` on, then the feed at the segment's end."""
         pace = (self.override, self.is_exempt, self.spindle + 1, self.spindle_v)
-        return (*pace, self.thread, self.turn, self.angle)
+        return (*pace, self.thread, self.turn, self.angle, self.end_feed)

@@ -45,6 +45,8 @@ class CornerRounding:
         None is made either where the path is as fast without. ``spare`` keeps both segments as they
         were; ``back``: how many commands lie between them.
         """
+        if segments[before + rows.NEXT_SPEED] > 0.0:
+            return 0
         if segments[row + rows.JERK] == 0.0 or self.corner.last_deviation == 0.0:
             return 0
         if segments[before + rows.SHAPE] != rows.LINE or segments[row + rows.SHAPE] != rows.LINE:

@@ -67,7 +67,7 @@ cdef class LookAhead:
         self, double[::1] segments, Py_ssize_t number, Py_ssize_t oldest, double promised_v,
         double promised_max_v
     ) noexcept nogil
-    @cython.locals(row=Py_ssize_t, before=Py_ssize_t, i=Py_ssize_t)
+    @cython.locals(row=Py_ssize_t, before=Py_ssize_t, i=Py_ssize_t, end_v=double)
     cdef void connect(
         self, double[::1] segments, Py_ssize_t number, Py_ssize_t back, Py_ssize_t oldest,
         double promised_v, double promised_max_v

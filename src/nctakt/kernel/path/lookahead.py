@@ -293,7 +293,11 @@ class LookAhead:
             for i in range(self.width):
                 self.spare[i] = segments[row + i]
                 self.spare[self.width + i] = segments[before + i]
+        end_v = segments[before + rows.NEXT_SPEED]
         self.join(segments, before, row)
+        if end_v > 0.0:
+            segments[before + rows.NEXT_SPEED] = min(end_v, segments[row + rows.SPEED])
+            segments[before + rows.CORNER_SPEED] = min(end_v, segments[before + rows.CORNER_SPEED])
         if self.spread_any(segments, number, oldest, promised_v, promised_max_v):
             return
         for i in range(self.width):

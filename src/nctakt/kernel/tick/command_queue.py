@@ -99,7 +99,8 @@ class CommandQueue:
         ``deviation``: how far the path may pass its target, 0 not at all. ``limits_jerk``: the
         slope is an S-curve; the path stops where the slope changes. ``arc``: first and second axis
         of the plane, centre, angle in degrees. ``pace``: the columns of a segment from
-        ``rows.SPEED_OVERRIDE`` on; the override in it counts in its speed from here on.
+        ``rows.SPEED_OVERRIDE`` on, whose override counts in its speed from here on; then, if given,
+        the speed at its end, 0: as the next segment.
         """
         row = self.next_row()
         self.begin_segment(row, source, number, motion, exact_stop, limits_jerk)
@@ -117,6 +118,8 @@ class CommandQueue:
             for i in range(rows.PACE_WIDTH):
                 self.rows[row + rows.SPEED_OVERRIDE + i] = pace[i]
             self.rows[row + rows.SPEED] *= self.rows[row + rows.SPEED_OVERRIDE]
+            if len(pace) > rows.PACE_WIDTH:
+                self.rows[row + rows.NEXT_SPEED] = pace[rows.PACE_WIDTH]
         if self.loop_body.is_open:
             self.loop_body.append(self.rows, row)
         self.end_segment(row)

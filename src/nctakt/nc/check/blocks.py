@@ -269,6 +269,8 @@ class WordChecker:
         self._findings.report_support(entry, word.span)
         if entry.support is Support.REFUSED:
             return
+        if entry.instead.en:
+            self._findings.report_simplified(entry.name, entry.instead, word.span)
         if entry.form is Form.ZERO_OFFSET:
             self._zero_offset(word)
         elif entry.form is Form.RADIUS:

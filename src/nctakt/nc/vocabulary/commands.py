@@ -108,6 +108,7 @@ COMMANDS = table(
     ("#EXPORT VE", REFUSED, "list of external variables", "Liste der externen Variablen"),
     ("#FACE", REFUSED, "machining on a face", "Stirnflächenbearbeitung"),
     ("#FACE OFF", ACCEPTED, "machining on a face off", "Stirnflächenbearbeitung aus"),
+    ("#FF", REFUSED, "external weight of the feed", "externe Gewichtung des Vorschubs"),
     ("#FGROUP", SIMULATED, "axes of the feed", "Achsen des Vorschubs"),
     (
         "#FGROUP ROT",
@@ -142,6 +143,7 @@ COMMANDS = table(
     ("#INIT", REFUSED, "set to initial values", "auf Anfangswerte setzen"),
     ("#JOG", REFUSED, "jogging", "Tippbetrieb"),
     ("#KIN", REFUSED, "kinematics", "Kinematik"),
+    ("#LAH", REFUSED, "settings of look-ahead", "Einstellungen des Look-ahead"),
     ("#LOAD CONFIG", REFUSED, "load a stored configuration", "gespeicherte Konfiguration laden"),
     ("#MACHINE DATA", REFUSED, "parameters of axes", "Achsparameter"),
     ("#MAIN SPINDLE", REFUSED, "main spindle", "Hauptspindel"),

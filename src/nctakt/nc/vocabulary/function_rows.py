@@ -43,6 +43,7 @@ class Group(enum.Enum):
     CONTOURING = "contouring"
     EXACT_STOP = "exact stop"
     AXIS_WEIGHTS = "weights of axes"
+    DECELERATION = "deceleration"
 
 
 class Form(enum.Enum):
@@ -121,6 +122,11 @@ def accepted(
 def refused(number: int, en: str, de: str, instead: Text = NOTHING_INSTEAD) -> GFunction:
     """Return the row of a refused function; ``instead``: what to use in its place."""
     return replace(simulated(number, en, de), support=REFUSED, instead=instead)
+
+
+def simplified(number: int, en: str, de: str, how: Text) -> GFunction:
+    """Return the row of a function that no source settles; ``how``: what nctakt does, told once."""
+    return replace(simulated(number, en, de, plain=True), instead=how)
 
 
 def weight(number: int, en: str, de: str, *, accepted: bool = False) -> GFunction:

@@ -29,6 +29,7 @@ from nctakt.nc.vocabulary.function_rows import (
     neutral_weights,
     plain,
     refused,
+    simplified,
     simulated,
     subprograms,
     weight,
@@ -81,6 +82,12 @@ CLOCKWISE, COUNTERCLOCKWISE, SPINDLE_STOP, SPINDLE_POSITION = 3, 4, 5, 19
 TOOL_CHANGE = 6
 
 
+#: How a feed changes that is to be interpolated over a block.
+AT_ONCE = Text(
+    "the feed changes with the acceleration of the axes at the block's start",
+    "der Vorschub ändert sich am Satzanfang mit der Beschleunigung der Achsen",
+)
+
 #: All known G functions by number.
 G_FUNCTIONS: Mapping[int, GFunction] = by_number(
     group(
@@ -98,8 +105,8 @@ G_FUNCTIONS: Mapping[int, GFunction] = by_number(
     group(
         None,
         simulated(DWELL, "dwell", "Verweilzeit", Form.TIME),
-        refused(8, "acceleration at the block's start", "Beschleunigen am Satzanfang"),
-        refused(9, "deceleration at the block's end", "Bremsen am Satzende"),
+        simulated(8, "acceleration at the block's start", "Beschleunigen am Satzanfang"),
+        simulated(9, "deceleration at the block's end", "Bremsen am Satzende"),
         accepted(12, "corner deceleration off", "Eckenverzögerung aus"),
         refused(13, "corner deceleration on", "Eckenverzögerung ein"),
     ),
@@ -253,12 +260,7 @@ G_FUNCTIONS: Mapping[int, GFunction] = by_number(
             "Gewichtung der Rampenzeit einer Achse",
         ),
         weight(FEED_RAMP_WEIGHT, "weight of ramp times", "Gewichtung der Rampenzeiten"),
-        weight(
-            134,
-            "weight of geometrical ramp times",
-            "Gewichtung geometr. Rampenzeiten",
-            accepted=True,
-        ),
+        weight(134, "weight of geometrical ramps", "geometrische Rampenzeiten", accepted=True),
         refused(135, "feed-forward on", "Vorsteuerung ein"),
         neutral_weights(136, "weight of feed-forward", "Gewichtung der Vorsteuerung"),
         accepted(137, "feed-forward off", "Vorsteuerung aus"),
@@ -343,7 +345,7 @@ G_FUNCTIONS: Mapping[int, GFunction] = by_number(
         None,
         simulated(NO_OVERRIDE, "override 100 % for this block", "Override 100 % für diesen Satz"),
         accepted(167, "spindle override 100 %", "Spindel-Override 100 %"),
-        refused(193, "feed interpolated over the path", "Vorschub über dem Weg interpoliert"),
+        simplified(193, "feed linear over the way", "Vorschub linear über dem Weg", AT_ONCE),
         simulated(SPINDLE_LIMIT, "highest spindle speed of G96", "höchste Drehzahl zu G96"),
         refused(200, "manual mode", "Handbetrieb"),
         refused(201, "manual mode beside the path", "Handbetrieb neben der Bahn"),
@@ -366,34 +368,14 @@ G_FUNCTIONS: Mapping[int, GFunction] = by_number(
         weight(
             RAPID_RAMP_WEIGHT, "weight of ramp times, rapid", "Gewichtung der Eilgang-Rampenzeiten"
         ),
-        refused(293, "feed interpolated over time", "Vorschub über der Zeit interpoliert"),
+        simplified(293, "feed linear over time", "Vorschub linear über der Zeit", AT_ONCE),
         refused(301, "chamfer", "Fase"),
         refused(302, "rounding", "Rundung"),
         refused(310, "interruptible block", "unterbrechbarer Satz"),
-        axis_weights(
-            333,
-            "weight of an axis' deceleration, feed hold",
-            "Achsverzögerung bei Vorschubhalt",
-            accepted=True,
-        ),
-        weight(
-            334,
-            "weight of deceleration, feed hold",
-            "Verzögerung bei Vorschubhalt",
-            accepted=True,
-        ),
-        axis_weights(
-            338,
-            "weight of an axis' ramp time, feed hold",
-            "Achsrampenzeit bei Vorschubhalt",
-            accepted=True,
-        ),
-        weight(
-            339,
-            "weight of ramp times, feed hold",
-            "Rampenzeiten bei Vorschubhalt",
-            accepted=True,
-        ),
+        axis_weights(333, "weight of an axis' feed hold", "Achse bei Vorschubhalt", accepted=True),
+        weight(334, "weight of feed hold", "Bremsen bei Vorschubhalt", accepted=True),
+        axis_weights(338, "weight of an axis' hold ramp", "Achsrampe, Vorschubhalt", accepted=True),
+        weight(339, "weight of hold ramps", "Rampen bei Vorschubhalt", accepted=True),
     ),
     group(
         Group.CONTOURING,
@@ -407,9 +389,17 @@ G_FUNCTIONS: Mapping[int, GFunction] = by_number(
     ),
     subprograms(800, 839),
     group(
-        None,
-        refused(900, "deceleration at the block's end", "Bremsen am Satzende"),
-        refused(901, "deceleration at the block's end", "Bremsen am Satzende"),
+        Group.DECELERATION,
+        plain(900, "deceleration in front of the block's end", "Bremsen vor dem Satzende"),
+        simplified(
+            901,
+            "deceleration behind the block's end",
+            "Bremsen hinter dem Satzende",
+            Text(
+                "the path brakes in front of the block's end, as with G900",
+                "die Bahn bremst wie bei G900 vor dem Satzende",
+            ),
+        ),
     ),
 )
 

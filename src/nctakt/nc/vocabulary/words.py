@@ -69,7 +69,7 @@ WORDS = table(
     ("M", SIMULATED, "M function of the channel list", "M-Funktion der Kanalliste"),
     ("H", SIMULATED, "H function of the channel list", "H-Funktion der Kanalliste"),
     ("D", SIMULATED, "tool offsets of the tool list", "Werkzeugkorrektur der Werkzeugliste"),
-    ("E", REFUSED, "feed at the block's end", "Vorschub am Satzende"),
+    ("E", SIMULATED, "feed at the block's end", "Vorschub am Satzende"),
     ("I", SIMULATED, "centre of an arc; pitch", "Mittelpunkt eines Kreises; Steigung"),
     ("J", SIMULATED, "centre of an arc; pitch", "Mittelpunkt eines Kreises; Steigung"),
     ("K", SIMULATED, "centre of an arc; pitch", "Mittelpunkt eines Kreises; Steigung"),

@@ -50,7 +50,7 @@ def test_the_end_feed_follows_the_programs_override() -> None:
 
 @pytest.mark.parametrize(
     ("text", "number"),
-    [("G93 G01 X1 F1 E10", 901552), ("G01 X1 F100 E0", 20176), ("G01 X1 F100 E-5", 20176)],
+    [("G93 G01 X1 F1 E10", 901590), ("G01 X1 F100 E0", 20176), ("G01 X1 F100 E-5", 20176)],
 )
 def test_mistakes_have_their_numbers(text: str, number: int) -> None:
     """E needs G94 and is above 0."""

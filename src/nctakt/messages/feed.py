@@ -56,7 +56,7 @@ FEED_PER_REVOLUTION_WITHOUT_SPINDLE = error(
     clearing=3,
 )
 END_FEED_WITHOUT_G94 = error(
-    901552,
+    901590,
     en="E, the feed at the block's end, needs feed per minute (G94); G{mode} is active",
     de="E, der Vorschub am Satzende, braucht Vorschub je Minute (G94); aktiv ist G{mode}",
     remedy_en="Program G94, or remove E.",

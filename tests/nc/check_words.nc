@@ -37,7 +37,7 @@ G359
 G17 G164 X1 ; note 900201 "G164"
 G17 G164 X2
 G94
-G97 ; note 900201 "G97"
+G97
 G165 ; note 900201 "G165"
 M02
 ; --- refused by name

@@ -305,7 +305,6 @@ def test_what_switches_off_what_is_off_changes_nothing() -> None:
     "line",
     [
         "G136 X50",
-        "#TRAFO ON",
         "G21",
         "#FGROUP WAXIS",
     ],

@@ -105,6 +105,12 @@ CASES: list[tuple[type[Command], dict[str, object], int, dict[int, float]]] = [
         {rows.ORIGIN_AXIS: 11, rows.ORIGIN_VALUE: 12},
     ),
     (
+        commands.SetTransformation,
+        {"map_number": 11, "of_segments": 12},
+        rows.SET_TRANSFORMATION,
+        {rows.TRANSFORMATION_NUMBER: 11, rows.TRANSFORMATION_OF_SEGMENTS: 12},
+    ),
+    (
         commands.SetTurn,
         {"axes": (11, 12, 14), "matrix": (21.0, 22.0, 23.0, 24.0, 25.0, 26.0, 27.0, 28.0, 29.0)},
         rows.SET_TURN,

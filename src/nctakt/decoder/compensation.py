@@ -479,15 +479,14 @@ class Compensation:
             target = list(segment.target)
             start[first], start[second] = piece[:2]
             target[first], target[second] = piece[2:4]
-            row = None
+            row = arc = None
             feed = segment.feed
             if piece[contour_rows.SHAPE] == contour_rows.ARC:
                 arc = Arc(first, second, *piece[5:8])
                 row = arc.row
-                self._path.check_extremes(arc, start, motion.span)
                 if motion.adapts and segment.is_feed and motion.time_s == 0.0:
                     feed *= share_of_contour(segment, row, start)
-            self._path.check_limits(target, (first, second), motion.span)
+            self._path.check_piece(start, target, arc, (first, second), motion.span)
             yield replace(
                 segment,
                 start=tuple(start),

@@ -71,6 +71,10 @@ TIMER_START, TIMER_STOP, TIMER_READ, TIMER_CLEAR = range(1, 5)
     OFFSET_KINDS,
 ) = range(8)
 
+#: Which positions of the axes the place of a tool's tip belongs to; how many axes it shows at most.
+TIP_OF_COMMAND, TIP_OF_ACTUAL, TIP_OF_TARGET, TIPS = range(4)
+TIP_AXES = 6
+
 #: Sets of offsets as bits: bit k stands for kind k.
 ALL_OFFSETS = (1 << OFFSET_KINDS) - 1
 OFFSETS_BUT_TOOL = ALL_OFFSETS - (1 << TOOL_OFFSET)

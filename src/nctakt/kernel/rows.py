@@ -46,6 +46,7 @@ from __future__ import annotations
     SET_OFFSET,  # another value of an offset of an axis
     SET_ORIGIN,  # the origin of the program's coordinate system on an axis
     SET_TURN,  # the rotation of the program's coordinate system
+    SET_TRANSFORMATION,  # the transformation that is active from here on
     PROGRAM_STOP,  # M00, M01
     FREEZE,  # a variable became a constant of the realtime cycle before it
     LOOP_BEGIN,  # #RT WHILE
@@ -62,7 +63,7 @@ from __future__ import annotations
     REMOVE_SIGNAL,  # #SIGNAL REMOVE SYN
     MODAL_MARK,  # other functions are in force from here on
     CUTTING_SPEED,  # G96, G97: the speed of a spindle follows an axis, or no longer
-) = range(1, 43)
+) = range(1, 44)
 
 #: The kinds that take or may take time.
 TIMED_KINDS = frozenset(
@@ -187,6 +188,10 @@ def _arguments(count: int) -> range:
     TURN_THIRD,  # of the third one, plus 1
     TURN_MATRIX,  # the first of nine numbers, row by row
 ) = _arguments(4)
+(
+    TRANSFORMATION_NUMBER,  # of its map; 0: none
+    TRANSFORMATION_OF_SEGMENTS,  # the map of the segments behind it; 0: they are those of the axes
+) = _arguments(2)
 (STOP_IS_OPTIONAL,) = _arguments(1)  # PROGRAM_STOP: M01
 (
     FROZEN_CYCLE,  # serial of the cycle
@@ -240,6 +245,7 @@ def _arguments(count: int) -> range:
     CONTINUES,  # 1: its block continues with the next segment
     HAS_JERK_LIMIT,  # 1: the speed changes along an S-curve, 0: along a trapezoid
     DEVIATION,  # mm that the path may pass its target at
+    TRANSFORMATION,  # number of the map from its positions to those of the axes; 0: they are these
     SPEED,  # /s; of a rapid motion what its axes can do
     SPEED_OVERRIDE,  # programmed override as a factor, 0: no pace is given
     IGNORES_OVERRIDE,  # 1: the operator's override has no effect (G166)
@@ -295,7 +301,7 @@ def _arguments(count: int) -> range:
     ROUNDING_JERK,
     # positions of the axes in mm or degrees, four columns for each axis: all starts, then all …
     START,  # … targets, then where the curve ends, then the corner that a rounding rounds
-) = range(ARGUMENTS, ARGUMENTS + 54)
+) = range(ARGUMENTS, ARGUMENTS + 55)
 
 #: Pieces of an arc of 3° or more, of which the first and the last one are divided further: so many
 #: more there are for that, and at most so many in all.

@@ -6,16 +6,19 @@ In: ``Machine``. Out: ``AssembledMachine``, which the controller runs.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+import math
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Span
 from nctakt.base.source_ids import SourceFiles
 from nctakt.base.text import nearest
+from nctakt.decoder.kinematics.selection import ChannelAxes, ChannelKinematics
 from nctakt.decoder.state.controller_data import controller_data
 from nctakt.decoder.state.environment import DecoderEnvironment
 from nctakt.decoder.state.offsets import ActiveOffsets
+from nctakt.decoder.state.transformation import ActiveTransformation
 from nctakt.files.access import FileAccess
 from nctakt.hli.layout import PanelValue
 from nctakt.lists.machine.axis_configuration import AxisConfiguration
@@ -60,9 +63,23 @@ class AssembledChannel:
         return prefix_of(self.index)
 
 
-def _offsets_of(channel: ChannelConfiguration) -> ActiveOffsets:
-    members = [axis.index for axis in channel.axes]
-    return ActiveOffsets(members, channel.zero_offsets, channel.clamp_offsets)
+def _offsets_of(
+    channel: ChannelConfiguration, axes: Sequence[AxisConfiguration], realtime: RealtimePart
+) -> ActiveOffsets:
+    members = tuple(axis.index for axis in channel.axes)
+    own = ChannelAxes(
+        tuple(axis.name for axis in channel.axes),
+        members,
+        tuple(not axes[index].is_linear for index in members),
+    )
+    kinematics = ChannelKinematics(channel.parameters, own)
+    transformation = ActiveTransformation(kinematics, realtime.axes.transformations)
+    for index, axis in enumerate(axes[member] for member in members):
+        low, high = axis.software_limit_low, axis.software_limit_high
+        if axis.is_modulo:
+            low, high = -math.inf, math.inf
+        transformation.axis_check.limit(index, low, high)
+    return ActiveOffsets(members, channel.zero_offsets, channel.clamp_offsets, transformation)
 
 
 def _default_signals(channel: AssembledChannel) -> list[str]:
@@ -116,7 +133,7 @@ class AssembledMachine:
                 names,
                 tuple(axis.index for axis in channel.axes),
                 panel,
-                _offsets_of(channel),
+                _offsets_of(channel, configuration.axes, self.realtime),
             )
             for index, (channel, names, panel) in enumerate(
                 channel_names(configuration, self._names)

@@ -133,7 +133,8 @@ class QueueFeeder:
             return None
         (answer,), self._answer = self._answer, ()
         if isinstance(self._waiting, commands.PositionRequest):
-            answer = tuple(self._machine.positions(self._index))
+            positions = self._machine.positions(self._index)
+            answer = tuple(self.environment.offsets.transformation.of_axes(positions))
         self._waiting = None
         return answer
 

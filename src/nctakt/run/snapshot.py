@@ -16,6 +16,7 @@ from nctakt.base.held_objects import held_objects
 from nctakt.kernel.base.record import Record
 from nctakt.kernel.cycles.cycles import RealtimeCycle
 from nctakt.kernel.kernel import Kernel
+from nctakt.kernel.kinematics.maps import KinematicMaps
 from nctakt.kernel.path.path import Path
 from nctakt.kernel.state import axes, control, path
 from nctakt.kernel.tick.command_queue import CommandQueue
@@ -29,7 +30,7 @@ _ARRAYS = {**axes.ARRAYS, **path.ARRAYS, **control.ARRAYS}
 _KERNEL = "nctakt.kernel."
 
 #: The classes whose arrays are replaced by larger ones.
-_WITH_GROWING_ARRAYS = (CommandQueue, Kernel, LoopBody, Record)
+_WITH_GROWING_ARRAYS = (CommandQueue, Kernel, KinematicMaps, LoopBody, Record)
 
 
 class Snapshot:

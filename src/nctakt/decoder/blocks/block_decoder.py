@@ -422,7 +422,7 @@ class BlockDecoder:
         if self._environment.offsets.systems.is_active:
             main = list(self._environment.axis_numbers)[:MAIN_AXES]
             names += [name for name in main if name not in names]
-        return names
+        return self._environment.offsets.transformation.with_moved(names)
 
     def request(self, axes: Sequence[str], span: Span, number: int) -> Generator[Command, Answer]:
         """Request the positions of those of these axes that cycles may have moved (RC-409)."""
@@ -432,6 +432,8 @@ class BlockDecoder:
         self._values.check_flush_allowed(", ".join(uncertain), span)
         source = self._environment.source_id(span)
         indices = [self._environment.axis_numbers[name] for name in uncertain]
+        if self._environment.offsets.transformation.is_active:
+            indices = list(range(len(self._state.positions)))
         numbers = (self._environment.names.axis(name) for name in uncertain)
         answer = yield PositionRequest(
             source, number, tuple(axis.number for axis in numbers if axis is not None)
@@ -446,11 +448,10 @@ class BlockDecoder:
         if not isinstance(command, Segment):
             return []
         plane = () if command.arc is None else command.arc[:2]
-        return [
-            name
-            for name, axis in self._environment.axis_numbers.items()
-            if command.start[axis] != command.target[axis] or axis in plane
-        ]
+        numbers = self._environment.axis_numbers
+        start, target = command.start, command.target
+        names = [n for n, axis in numbers.items() if start[axis] != target[axis] or axis in plane]
+        return self._environment.offsets.transformation.with_moved(names)
 
     def _target(self, content: _BlockContent, span: Span) -> list[float]:
         """Return the axis positions at the end of the block."""
@@ -466,8 +467,9 @@ class BlockDecoder:
             target = self._outside(target, spans, kinds)
             if any(index < MAIN_AXES for index in spans):
                 spans = {index: span for index in range(MAIN_AXES)} | spans
-        for index, word_span in spans.items():
-            self.path.check_limit(index, target[index], word_span)
+        if not offsets.transformation.is_active:
+            for index, word_span in spans.items():
+                self.path.check_limit(index, target[index], word_span)
         return target
 
     def _outside(self, target: list[float], programmed: Container[int], kinds: int) -> list[float]:

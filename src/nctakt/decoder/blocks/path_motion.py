@@ -32,6 +32,7 @@ from nctakt.messages.tools import (
     NO_RADIUS_TO_COMPENSATE,
     PLANE_CHANGE_DURING_COMPENSATION,
 )
+from nctakt.messages.transformations import ARC_DURING_PTP, TRANSFORMED_WAY_OUTSIDE_LIMITS
 from nctakt.nc import tree
 from nctakt.nc.vocabulary.function_rows import Group
 from nctakt.nc.vocabulary.functions import (
@@ -180,7 +181,15 @@ class PathMotion:
             arc = self._arc(start, target, words, span)
         if arc is None and start == target:
             return None
-        if arc is not None:
+        transformation = self._environment.offsets.transformation
+        if transformation.is_straight:
+            if arc is not None:
+                self._values.fail(ARC_DURING_PTP, span)
+            start, target = transformation.to_axes(start), transformation.to_axes(target)
+            self.check_limits(target, range(len(target)), span)
+        elif transformation.is_active:
+            self.check_way(start, target, arc, span)
+        elif arc is not None:
             self.check_extremes(arc, start, span)
         is_exempt = NO_OVERRIDE in words.once
         feed, pace = self.feed_rate.of(start, target, arc, is_exempt, span)
@@ -271,6 +280,41 @@ class PathMotion:
                 self._values.fail(
                     ARC_OUTSIDE_LIMITS, span, axis=axis.name, position=position, low=low, high=high
                 )
+
+    def check_piece(
+        self,
+        start: list[float],
+        target: list[float],
+        arc: Arc | None,
+        axes: Sequence[int],
+        span: Span,
+    ) -> None:
+        """Raise ``DecodeError`` if these axes leave their software limits on a piece of a block."""
+        if self._environment.offsets.transformation.is_active:
+            self.check_way(start, target, arc, span)
+            return
+        if arc is not None:
+            self.check_extremes(arc, start, span)
+        self.check_limits(target, axes, span)
+
+    def check_way(
+        self, start: list[float], target: list[float], arc: Arc | None, span: Span
+    ) -> None:
+        """Raise ``DecodeError`` if an axis leaves its software limits on a transformed block."""
+        axis_check = self._environment.offsets.transformation.axis_check
+        index = axis_check.first_outside(start, target, [] if arc is None else list(arc.row))
+        if index < 0:
+            return
+        axis = self._environment.axes[index]
+        low, high = axis.software_limit_low, axis.software_limit_high
+        self._values.fail(
+            TRANSFORMED_WAY_OUTSIDE_LIMITS,
+            span,
+            axis=axis.name,
+            position=axis_check.position,
+            low=low,
+            high=high,
+        )
 
     def check_limits(self, target: Sequence[float], axes: Sequence[int], span: Span) -> None:
         """Raise ``DecodeError`` if one of these axes of a target is outside its software limits."""

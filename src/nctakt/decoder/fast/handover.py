@@ -82,7 +82,10 @@ class PlainBlocks:
     @cached_property
     def _plain_lines(self) -> PlainLines:
         """The lines, made for the first plain block."""
-        lines = PlainLines(self._scanner, len(self._environment.axes), self._compensated)
+        axis_check = self._environment.offsets.transformation.axis_check
+        lines = PlainLines(
+            self._scanner, len(self._environment.axes), self._compensated, axis_check
+        )
         lines.max_blocks = self._max_blocks
         lines.rapid_stops_exactly = self._environment.parameters.exact_stop_after_g00
         return lines
@@ -117,24 +120,35 @@ class PlainBlocks:
         return (
             self._state.allows_plain_lines
             and not self._environment.offsets.systems.is_active
+            and not self._is_transformed_otherwise
             and not self._environment.marks_blocks
             and self._uncertain_axes.is_empty
             and self._contour.can_export()
             and not self._technology.awaits_feed
         )
 
+    @property
+    def _is_transformed_otherwise(self) -> bool:
+        """Whether a transformation changes lines: by the tool's radius, or under ``#PTP``."""
+        transformation = self._environment.offsets.transformation
+        is_compensated = transformation.is_active and self._state.path.compensation.is_active
+        return is_compensated or transformation.is_straight
+
     def _export_state(self, file: str) -> None:
         plain, state = self._plain_lines, self._state
         environment = self._environment
+        is_transformed = environment.offsets.transformation.is_active
+        plain.is_transformed = is_transformed
         self._file = file
         for index, axis in enumerate(environment.axes):
+            is_free = axis.is_modulo or is_transformed
             plain.set_axis(
                 index,
                 state.positions[index],
                 environment.offsets.total(index),
                 state.length_unit_mm if axis.is_linear else 1.0,
-                -math.inf if axis.is_modulo else axis.software_limit_low,
-                math.inf if axis.is_modulo else axis.software_limit_high,
+                -math.inf if is_free else axis.software_limit_low,
+                math.inf if is_free else axis.software_limit_high,
             )
         feed_unit = environment.parameters.program_start.feed_unit_mm_min
         plain.motion = state.motion

@@ -9,6 +9,7 @@ mistakes or other effects are left to the tree.
 from __future__ import annotations
 
 from nctakt.decoder.fast.compensated_lines import CompensatedLines
+from nctakt.decoder.kinematics.transformed_way import TransformedWay
 from nctakt.kernel import rows
 from nctakt.kernel.tick.command_queue import CommandQueue
 from nctakt.nc.fast.plain_lines import PlainScanner
@@ -21,12 +22,21 @@ class PlainLines:
     Modal state: ``motion`` 0 … 3, ``feed_v`` mm/s, 0 before the first F, ``is_absolute``;
     ``feed_factor``: F -> mm per minute; the ends of blocks. ``source_base``: the source number of
     line 0, column 0, -1 for a text without source numbers. ``blocks``: the number of blocks since
-    the last one that takes time, ``max_blocks``: its maximum.
+    the last one that takes time, ``max_blocks``: its maximum. ``is_transformed``: the positions are
+    transformed; ``axis_check`` checks the limits of the axes then.
     """
 
-    def __init__(self, scanner: PlainScanner, count: int, compensated: CompensatedLines) -> None:
+    def __init__(
+        self,
+        scanner: PlainScanner,
+        count: int,
+        compensated: CompensatedLines,
+        axis_check: TransformedWay,
+    ) -> None:
         self.scanner = scanner
         self.compensated = compensated
+        self.axis_check = axis_check
+        self.is_transformed = False
         self.count = count
         size = 8 * max(1, count)
         #: Where the axes are; where the latest block begins and ends: mm or degrees.
@@ -129,6 +139,9 @@ class PlainLines:
                 return 0
             if moves == 1 and motion != self.rapid and feed_v <= 0.0:
                 return 0
+            if self.is_transformed and moves == 1:
+                if self.axis_check.first_outside_of_line(self.positions, self.target) >= 0:
+                    return 0
             if self.compensated.is_on and moves == 1 and not self.try_join(motion):
                 return 0
             for i in range(self.count):

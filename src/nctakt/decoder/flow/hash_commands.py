@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Generator
 
 from nctakt.decoder.blocks.cs_commands import CsCommands
+from nctakt.decoder.blocks.transformation_commands import TransformationCommands
 from nctakt.decoder.cycles.builder import TIMER_ACTIONS
 from nctakt.decoder.state.commands import (
     Answer,
@@ -22,6 +23,7 @@ from nctakt.decoder.values.variables import Values
 from nctakt.messages.decoder import UNKNOWN_TIMER
 from nctakt.messages.fixed_stops import POSITION_AT_FIXED_STOP
 from nctakt.nc import tree
+from nctakt.nc.check.transformations import COMMANDS
 from nctakt.nc.vocabulary.system_variables import TIMERS
 
 
@@ -32,10 +34,11 @@ class HashCommands:
         self._values = values
         self._environment = values.environment
         self._systems = CsCommands(values)
+        self._transformations = TransformationCommands(values)
 
     def command(self, command: tree.HashCommand, number: int) -> Generator[Command, Answer]:
-        """Execute ``#DELETE``, ``#CS``, ``#FILENAME``, ``#CHANNEL INIT``, ``#BACKWARD STORAGE
-        CLEAR``.
+        """Execute ``#DELETE``, ``#CS``, ``#TRAFO``, ``#FILENAME``, ``#CHANNEL INIT``, ``#BACKWARD
+        STORAGE CLEAR``.
 
         Other commands have no effect.
         """
@@ -46,6 +49,8 @@ class HashCommands:
                 self._values.program_values.delete(argument)
         elif words[0] == "CS":
             yield from self._systems.command(command, number)
+        elif " ".join(words) in COMMANDS:
+            yield from self._transformations.command(command, number)
         elif words in (("FILENAME",), ("FILE", "NAME")):
             yield from self._file(command, number)
         elif words == ("BACKWARD", "STORAGE", "CLEAR"):

@@ -100,11 +100,14 @@ class ChannelKinematics:
         it adds to the parameters.
         """
         length, more = (0.0, {}) if step else (tool.length, tool.kinematic_parameters)
-        if kinematic.universal is not None:
-            chain = universal_chain(kinematic.universal, self.axes.names)
-        else:
-            chain = fixed_chain(kinematic.type, added(kinematic.parameters, more))
+        chain = self.chain(kinematic, more)
         return map_values(chain, self.axes.members, length + length_difference)
+
+    def chain(self, kinematic: Kinematic, more: Mapping[int, float]) -> Chain:
+        """Return the chain of a kinematic that is not refused, ``more`` added to its parameters."""
+        if kinematic.universal is not None:
+            return universal_chain(kinematic.universal, self.axes.names)
+        return fixed_chain(kinematic.type, added(kinematic.parameters, more))
 
 
 def added(values: Mapping[int, float], more: Mapping[int, float]) -> dict[int, float]:

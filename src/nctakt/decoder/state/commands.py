@@ -7,8 +7,6 @@ decoder's ``yield``: with the value that was read, or the axes' positions.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from nctakt.base.dataclass import dataclass
 from nctakt.decoder.state.feed_modifiers import FeedModifiers
 from nctakt.kernel import codes, rows
@@ -216,6 +214,14 @@ class SetTurn(Command):
 
     axes: tuple[int, int, int]
     matrix: tuple[float, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class SetTransformation(Command):
+    """A map is active from here on, 0: none; ``of_segments``: that of the motions behind it."""
+
+    map_number: int
+    of_segments: int
 
 
 @dataclass(frozen=True, slots=True)
@@ -451,18 +457,6 @@ class NextTick(DecoderWait):
 
 #: What the decoder gets back from a command that waits.
 Answer = float | tuple[float, ...] | None
-
-
-def write_text(
-    source: int, number: int, cell: int, data: bytes, axis_count: int
-) -> Iterator[WriteText]:
-    """The commands that give the string at ``cell`` all its bytes, zeros at its end included."""
-    text = data.rstrip(b"\0")
-    room = rows.text_width(axis_count)
-    for first in range(0, max(1, len(text)), room):
-        part = text[first : first + room]
-        is_last = first + room >= len(text)
-        yield WriteText(source, number, cell, first, part, len(data) - len(text) if is_last else 0)
 
 
 def wait_mark(command: Command) -> WaitMark | None:

@@ -13,6 +13,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from nctakt.decoder.state.commands import Command, SetOffset
 from nctakt.decoder.state.coordinate_systems import CoordinateSystems
+from nctakt.decoder.state.transformation import ActiveTransformation
 from nctakt.kernel import codes
 from nctakt.kernel.axes.coordinates import Offsets
 from nctakt.lists.declared.offsets import ClampOffsets, ZeroOffsets
@@ -53,7 +54,11 @@ class ActiveOffsets:
     """
 
     def __init__(
-        self, axes: Sequence[int], zero_offsets: ZeroOffsets, clamp_offsets: ClampOffsets
+        self,
+        axes: Sequence[int],
+        zero_offsets: ZeroOffsets,
+        clamp_offsets: ClampOffsets,
+        transformation: ActiveTransformation,
     ) -> None:
         self._axes = tuple(axes)
         self._values = [[0.0] * codes.OFFSET_KINDS for _ in axes]
@@ -62,6 +67,7 @@ class ActiveOffsets:
         self._clamp_offsets = clamp_offsets
         self.clamp_group = 0
         self.systems = CoordinateSystems(self._axes)
+        self.transformation = transformation
 
     def total(self, axis: int, kinds: int = codes.ALL_OFFSETS) -> float:
         """Return the sum of the offsets of these kinds for an absolute position of an axis.
@@ -127,6 +133,7 @@ class ActiveOffsets:
 
     def begin_program(self) -> Iterator[Command]:
         """Yield the commands that set zero and clamp offsets to those of the lists."""
+        yield from self.transformation.begin_program()
         yield from self.systems.begin_program()
         yield from self._set_group(codes.ZERO_OFFSET, self._group(self.default_group), 0, 0)
         clamp = self._clamp_offsets.groups.get(self.clamp_group, {})

@@ -6,6 +6,8 @@ Segments are not packed but prepared in the queue (``CommandQueue.put_segment``)
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from nctakt.decoder.state.commands import (
     AwaitAcknowledge,
     AwaitSignal,
@@ -38,6 +40,7 @@ from nctakt.decoder.state.commands import (
     SendSignal,
     SetOffset,
     SetOrigin,
+    SetTransformation,
     SetTurn,
     SpindleJob,
     TechnologyOutput,
@@ -94,6 +97,8 @@ def pack(command: Command, reference: int = 0) -> list[float]:
             if not command.matrix:
                 return [rows.SET_TURN, *head, first]
             return [rows.SET_TURN, *head, first, second + 1, third + 1, *command.matrix]
+        case SetTransformation():
+            return [rows.SET_TRANSFORMATION, *head, command.map_number, command.of_segments]
         case Freeze():
             return [rows.FREEZE, *head, command.serial, reference, command.value]
         case UserErrorReport():
@@ -163,3 +168,15 @@ def takes_time(command: Command) -> bool:
     if isinstance(command, SetLimits):
         return False
     return isinstance(command, Segment) or pack(command)[rows.KIND] in rows.TIMED_KINDS
+
+
+def write_text(
+    source: int, number: int, cell: int, data: bytes, axis_count: int
+) -> Iterator[WriteText]:
+    """The commands that give the string at ``cell`` all its bytes, zeros at its end included."""
+    text = data.rstrip(b"\0")
+    room = rows.text_width(axis_count)
+    for first in range(0, max(1, len(text)), room):
+        part = text[first : first + room]
+        is_last = first + room >= len(text)
+        yield WriteText(source, number, cell, first, part, len(data) - len(text) if is_last else 0)

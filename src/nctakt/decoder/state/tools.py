@@ -15,7 +15,7 @@ from typing import NoReturn, Protocol
 
 from nctakt.base.diagnostics import Message, Span
 from nctakt.decoder.state.arcs import PLANES
-from nctakt.decoder.state.commands import SetOffset
+from nctakt.decoder.state.commands import Command
 from nctakt.decoder.state.environment import DecoderEnvironment
 from nctakt.decoder.state.modal_state import ModalState
 from nctakt.kernel.base import arithmetic
@@ -29,11 +29,15 @@ from nctakt.messages.tools import (
     TOOL_RADIUS_LOST,
     UNKNOWN_TOOL,
 )
+from nctakt.messages.transformations import KINEMATIC_OF_TOOL_DIFFERS
 from nctakt.nc.tree import Expression, Variable, Word
 from nctakt.nc.vocabulary.system_variables import SystemVariable
 
 #: Sum of the indices of the first three axes; minus those of a plane: the axis normal to it.
 _MAIN_AXES = 0 + 1 + 2
+
+#: The axes whose offsets of the tool a transformation ignores (P-TOOL-00006).
+_LINEAR_AXES = 3
 
 #: The largest number behind T or D; the code of a T function has no room for more.
 MAX_TOOL_NUMBER = 999_999_999
@@ -70,8 +74,19 @@ class ActiveTool:
         if tool is not NO_TOOL and not tool.valid:
             self._fail(TOOL_NOT_VALID, word.span, tool=number)
         self._change_radius(tool.radius, f"{word.name}{number}", word.span)
+        self._select_kinematic(tool, word.span)
         self._state.tool.record = number
         self._state.tool.tool = tool
+
+    def _select_kinematic(self, tool: Tool, span: Span) -> None:
+        """Select the kinematic of a tool that names one (P-TOOL-00011)."""
+        transformation = self._environment.offsets.transformation
+        identity = transformation.kinematics.id_of_tool(tool)
+        active = transformation.kinematic
+        if identity and active is not None and active.id != identity:
+            self._fail(KINEMATIC_OF_TOOL_DIFFERS, span, tool=identity, active=active.id)
+        if identity:
+            transformation.selected[0] = identity
 
     def _number(self, word: Word, value: float) -> int:
         number = int(arithmetic.round_half_even(value))
@@ -88,11 +103,18 @@ class ActiveTool:
             self._fail(TOOL_RADIUS_LOST, span, command=command, word=compensation.word)
         compensation.radius = radius
 
-    def offsets(self, span: Span, number: int) -> Iterator[SetOffset]:
-        """Yield the offsets of the tool in the current plane."""
+    def offsets(self, span: Span, number: int) -> Iterator[Command]:
+        """Yield the offsets of the tool in the current plane; a transformation has its length."""
         tool, plane = self._state.tool.tool, self._state.path.plane
         offsets = dict(tool.axis_offsets)
-        if tool.length:
+        transformation = self._environment.offsets.transformation
+        if transformation.is_transformation:
+            source = self._environment.source_id(span)
+            self._state.positions = yield from transformation.change_tool(
+                tool, self._state.positions, source, number
+            )
+            offsets = {axis: value for axis, value in offsets.items() if axis >= _LINEAR_AXES}
+        elif tool.length:
             normal = _MAIN_AXES - sum(PLANES[plane])
             if normal >= len(self._environment.axes):
                 self._fail(TOOL_LENGTH_WITHOUT_AXIS, span, length=tool.length, plane=plane)
@@ -177,7 +199,7 @@ class ActiveTool:
 
     def write(
         self, system_variable: SystemVariable, value: float, span: Span, number: int
-    ) -> Iterator[SetOffset]:
+    ) -> Iterator[Command]:
         """Set radius or length of the active tool until the next D."""
         state = self._state.tool
         length = value * self._state.length_unit_mm

@@ -17,8 +17,8 @@ from nctakt.decoder.state.commands import (
     Flush,
     ReadRealtime,
     WriteVariable,
-    write_text,
 )
+from nctakt.decoder.state.packing import write_text
 from nctakt.decoder.values.evaluation import Evaluator
 from nctakt.kernel.base import arithmetic
 from nctakt.lists.declared.variables import SCALARS

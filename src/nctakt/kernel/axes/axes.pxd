@@ -4,6 +4,7 @@ cimport cython
 from nctakt.kernel cimport cells, codes, rows
 from nctakt.kernel.base cimport arithmetic
 from nctakt.kernel.axes.coordinates cimport Offsets, Turns
+from nctakt.kernel.axes.transformations cimport Transformations
 
 @cython.final
 cdef class Axes:
@@ -33,6 +34,8 @@ cdef class Axes:
     cdef double[::1] stop_high
     cdef readonly Offsets offsets
     cdef Turns turns
+    cdef readonly Transformations transformations
+    cdef double[::1] actual
     cdef bint has_moved
     cdef bint is_shifted
     cdef double[::1] shown_command
@@ -59,6 +62,12 @@ cdef class Axes:
     cdef double actual_position(self, Py_ssize_t i) noexcept nogil
     cdef void show_state(self, Py_ssize_t i, int state) noexcept nogil
     cdef void set_offset(self, Py_ssize_t axis, int kind, double value) noexcept nogil
+    @cython.locals(
+        i=Py_ssize_t, k=Py_ssize_t, command=double, actual=double, target=double,
+        cell=Py_ssize_t, rest=double, shift=double
+    )
+    cdef void publish_tip(self, Py_ssize_t number) noexcept nogil
+    cdef void transform(self, Py_ssize_t slot, long long number) noexcept nogil
     @cython.locals(j=Py_ssize_t, k=Py_ssize_t, cell=int, x=double, y=double, z=double)
     cdef void publish_turned(self, Py_ssize_t i) noexcept nogil
     @cython.locals(first=Py_ssize_t, second=Py_ssize_t, third=Py_ssize_t, value=double)

@@ -25,6 +25,7 @@ from __future__ import annotations
 
 from nctakt.kernel import cells, codes, rows
 from nctakt.kernel.axes.coordinates import Offsets, Turns
+from nctakt.kernel.axes.transformations import Transformations
 from nctakt.kernel.base import arithmetic
 from nctakt.kernel.base.bounds import check_cells, check_index, check_size
 
@@ -68,6 +69,8 @@ class Axes:
             self.stop_high[i] = 1e300
         self.offsets = Offsets(count)
         self.turns = Turns(count)
+        self.transformations = Transformations(count)
+        self.actual = memoryview(bytearray(8 * count)).cast("d")
         self.shown_command = memoryview(bytearray(8 * count)).cast("d")
         self.shown_actual = memoryview(bytearray(8 * count)).cast("d")
         self.shown_target = memoryview(bytearray(8 * count)).cast("d")
@@ -119,6 +122,10 @@ class Axes:
                 self.shown_target[i] = self.target[i]
                 self.publish_axis(i, self.command[i], actual, self.target[i])
         self.is_shifted = False
+        if self.transformations.active_count > 0:
+            for i in range(self.count):
+                if self.transformations.active[i] > 0:
+                    self.publish_tip(self.transformations.active[i])
         if self.turns.active > 0:
             for i in range(self.count):
                 if self.turns.second[i] > 0:
@@ -146,6 +153,38 @@ class Axes:
         shift = self.offsets.program[i]
         cell += cells.AXIS_PCS_ACT_POS
         self.publish_system(cell, command - shift, actual - shift, target - shift, distance_to_go)
+
+    def publish_tip(self, number: int) -> None:
+        """Write the positions of the axes of map ``number`` in MCS, IPO and PCS."""
+        self.transformations.map_forward(number, self.command, codes.TIP_OF_COMMAND)
+        self.transformations.map_forward(number, self.target, codes.TIP_OF_TARGET)
+        if self.has_lag or self.has_stops:
+            for i in range(self.count):
+                self.actual[i] = self.actual_position(i)
+            self.transformations.map_forward(number, self.actual, codes.TIP_OF_ACTUAL)
+        else:
+            self.transformations.copy_tip(codes.TIP_OF_COMMAND, codes.TIP_OF_ACTUAL)
+        for k in range(self.transformations.joints(number)):
+            if not self.transformations.is_mapped(number, k):
+                continue
+            i = self.transformations.member(number, k)
+            command = self.transformations.tip(codes.TIP_OF_COMMAND, k)
+            actual = self.transformations.tip(codes.TIP_OF_ACTUAL, k)
+            target = self.transformations.tip(codes.TIP_OF_TARGET, k)
+            cell = self.cell_of(i)
+            rest = target - command
+            self.publish_system(cell + cells.AXIS_MCS_ACT_POS, command, actual, target, rest)
+            self.publish_system(cell + cells.AXIS_IPO_ACT_POS, command, actual, target, rest)
+            shift = self.offsets.program[i]
+            cell += cells.AXIS_PCS_ACT_POS
+            self.publish_system(cell, command - shift, actual - shift, target - shift, rest)
+
+    def transform(self, slot: int, number: int) -> None:
+        """Let map ``number`` be active in a channel, 0: none; no axis moves (MO-8)."""
+        self.transformations.activate(slot, number)
+        self.is_shifted = True
+        self.has_moved = True
+        self.publish()
 
     def publish_turned(self, i: int) -> None:
         """Write PCS of the three axes of a turned system by its inverse matrix."""

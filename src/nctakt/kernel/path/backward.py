@@ -390,13 +390,14 @@ class BackwardMotion(History):
         if self.path.direction > 0:
             return self.path.refusal(row, self.path.history_rows)
         end = geometry.end_column(self.path.history_rows, row, self.path.count)
+        self.path.stand(row, self.path.history_rows, end)
         for i in range(self.path.count):
-            if geometry.moves_axis(self.path.history_rows, row, self.path.count, i):
+            if self.path.moves_axis(self.path.history_rows, row, i):
                 axis = self.path.members[i]
                 self.path.refused_axis = axis
                 if self.foreign[i] or self.path.axes.independent[axis]:
                     return 50766
-                if self.path.history_rows[end + i] != self.path.axes.command[axis]:
+                if not self.path.is_there(self.path.history_rows, row, end, i):
                     return 900420
         return 0
 

@@ -26,10 +26,16 @@ cdef class Corner:
     cdef double last_corner_v
     cdef bint is_rounded
     cdef bint last_is_rounded
+    cdef bint is_bent
+    cdef bint last_is_bent
 
+    @cython.locals(i=Py_ssize_t)
     cdef void enter(
         self, double[::1] segments, Py_ssize_t row, double centripetal_share
     ) noexcept nogil
+    @cython.locals(i=Py_ssize_t)
+    cdef void enter_curve(self, double[::1] segments, Py_ssize_t row) noexcept nogil
+    @cython.locals(i=Py_ssize_t)
     cdef void leave(self, double[::1] segments, Py_ssize_t row, double length) noexcept nogil
     @cython.locals(i=Py_ssize_t)
     cdef void set_steps(self) noexcept nogil

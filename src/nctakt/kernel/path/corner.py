@@ -20,7 +20,8 @@ class Corner:
     it; ``entering_curve`` and ``leaving_curve``: the change of these per mm. ``steps``, ``shares``
     and ``turns``: what the corner asks of each axis, as it is passed. ``centripetal_share``: of an
     arc's acceleration; ``corner_v``: with which the newest segment is entered, 0 without a limit
-    of the jerk; ``is_rounded``: a rounding leads into it. ``last_…``: the same of the segment
+    of the jerk; ``is_rounded``: a rounding leads into it; ``is_bent``: a transformation bends the
+    way of the axes on it. ``last_…``: the same of the segment
     before; ``last_length`` is its programmed length in mm, ``last_deviation`` the distance in mm
     at which the path may pass its end, negative: at which it leaves the line before it.
     ``last_part`` and ``last_bend``: which part of a line a rounding may take, and up to which
@@ -47,19 +48,42 @@ class Corner:
         self.last_corner_v = 0.0
         self.is_rounded = False
         self.last_is_rounded = False
+        self.is_bent = False
+        self.last_is_bent = False
 
     def enter(self, segments: memoryview[float], row: int, centripetal_share: float) -> None:
         """Take the start of the newest segment as the one behind the corner."""
         self.centripetal_share = centripetal_share
         self.corner_v = 0.0
         self.is_rounded = False
+        self.is_bent = False
+        if segments[row + rows.TRANSFORMATION] > 0.0:
+            self.is_bent = self.limits.transformed.turn > 0.0
+            for i in range(self.limits.count):
+                self.entering[i] = self.limits.transformed.entering[i]
+            return
         geometry.tangent(segments, row, self.limits.count, 0, self.entering)
+
+    def enter_curve(self, segments: memoryview[float], row: int) -> None:
+        """Take the curvature at the start of the newest segment as the one behind the corner."""
+        if segments[row + rows.TRANSFORMATION] > 0.0:
+            for i in range(self.limits.count):
+                self.entering_curve[i] = self.limits.transformed.entering_curve[i]
+            return
+        geometry.curvature(segments, row, self.limits.count, 0, self.entering_curve)
 
     def leave(self, segments: memoryview[float], row: int, length: float) -> None:
         """Keep the end of the newest segment, ``length`` mm as programmed, for the next corner."""
-        geometry.tangent(segments, row, self.limits.count, 1, self.leaving)
+        self.last_is_bent = self.is_bent
+        if segments[row + rows.TRANSFORMATION] > 0.0:
+            for i in range(self.limits.count):
+                self.leaving[i] = self.limits.transformed.leaving[i]
+                self.leaving_curve[i] = self.limits.transformed.leaving_curve[i]
+        else:
+            geometry.tangent(segments, row, self.limits.count, 1, self.leaving)
+            if segments[row + rows.JERK] > 0.0:
+                geometry.curvature(segments, row, self.limits.count, 1, self.leaving_curve)
         if segments[row + rows.JERK] > 0.0:
-            geometry.curvature(segments, row, self.limits.count, 1, self.leaving_curve)
             self.last_corner_v = self.corner_v
             self.last_is_rounded = self.is_rounded
         self.last_centripetal_share = self.centripetal_share
@@ -88,7 +112,10 @@ class Corner:
         return min(spread * self.last_deviation / size, self.last_part * shorter)
 
     def corner_speed(self, i: int, shortest: float, turn: float) -> float:
-        """Highest speed at a corner for one axis; it uses at most 0.7 of its jerk."""
+        """Highest speed at a corner for one axis.
+
+        It uses at most 0.7 of its jerk, beside a way that a transformation bends 0.5.
+        """
         step = self.steps[i]
         if step <= 1e-12:
             step = 0.0
@@ -97,7 +124,8 @@ class Corner:
         max_a = (
             self.limits.axis_jerk(i)
             * self.limits.tick_t
-            * (0.35 if step > 0.0 and turn > 0.0 else 0.7)
+            * (0.5 if self.is_bent or self.last_is_bent else 0.7)
+            * (0.5 if step > 0.0 and turn > 0.0 else 1.0)
         )
         speed = 1e300
         if step > 0.0:

@@ -11,7 +11,6 @@ driven with its own ones, and is a goal at either end, which the walk comes to w
 from __future__ import annotations
 
 from nctakt.kernel import rows
-from nctakt.kernel.path import geometry
 from nctakt.kernel.path.goal import Goal
 from nctakt.kernel.path.lookahead import LookAhead
 from nctakt.kernel.path.path import Path
@@ -55,7 +54,7 @@ class History:
     def is_shut(self, row: int) -> int:
         """Return whether an axis of a segment was moved otherwise since the path left it."""
         for i in range(self.path.count):
-            if geometry.moves_axis(self.path.history_rows, row, self.path.count, i):
+            if self.path.moves_axis(self.path.history_rows, row, i):
                 if self.foreign[i] or self.path.axes.independent[self.path.members[i]]:
                     return 1
         return 0

@@ -2,7 +2,6 @@
 # C types of jerk_lookahead.py.
 cimport cython
 from nctakt.kernel cimport codes, rows
-from nctakt.kernel.path cimport geometry
 from nctakt.kernel.path.corner cimport Corner
 from nctakt.kernel.path.goal cimport Goal
 from nctakt.kernel.path.segment_limits cimport SegmentLimits
@@ -25,8 +24,13 @@ cdef class JerkLookAhead:
     cdef double min_jerk(
         self, double[::1] segments, Py_ssize_t before, Py_ssize_t row
     ) noexcept nogil
-    @cython.locals(i=Py_ssize_t, part=double, min_a=double, left_a=double, left_j=double)
-    cdef void use_up(self, double[::1] segments, Py_ssize_t row, double[::1] parts) noexcept nogil
+    @cython.locals(
+        i=Py_ssize_t, part=double, min_a=double, left_a=double, left_j=double, free_a=double,
+        free_j=double
+    )
+    cdef void use_up(
+        self, double[::1] segments, Py_ssize_t row, double[::1] parts, bint is_bent
+    ) noexcept nogil
     @cython.locals(
         row=Py_ssize_t, before=Py_ssize_t, is_less=int, passed=Py_ssize_t, change=int,
         corner_v=double, back=Py_ssize_t

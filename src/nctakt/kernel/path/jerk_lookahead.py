@@ -22,7 +22,6 @@ what it has, since it ends with no acceleration, whatever is commanded.
 from __future__ import annotations
 
 from nctakt.kernel import codes, rows
-from nctakt.kernel.path import geometry
 from nctakt.kernel.path.corner import Corner
 from nctakt.kernel.path.goal import Goal
 from nctakt.kernel.path.segment_limits import SegmentLimits
@@ -51,7 +50,7 @@ class JerkLookAhead:
         ``steps`` has the step of each axis' part of the length. In a tick³ a step of the speed
         counts at most once, one of the acceleration 3/4; several corners in a tick add up.
         """
-        geometry.curvature(segments, row, self.limits.count, 0, self.corner.entering_curve)
+        self.corner.enter_curve(segments, row)
         shortest = min(segments[before + rows.LENGTH], segments[row + rows.LENGTH])
         speed = 1e300
         for i in range(self.limits.count):
@@ -83,23 +82,30 @@ class JerkLookAhead:
             self.corner.turns[i] = (step / self.limits.tick_t) + turn / self.limits.tick_t
             max_j = max(max_j, self.corner.turns[i])
         if max_j > 0.0:
-            self.use_up(segments, before, self.corner.leaving)
-            self.use_up(segments, row, self.corner.entering)
+            self.use_up(segments, before, self.corner.leaving, self.corner.last_is_bent)
+            self.use_up(segments, row, self.corner.entering, self.corner.is_bent)
 
     def min_jerk(self, segments: memoryview[float], before: int, row: int) -> float:
         """Lower of both jerks along the path, per s³."""
         return min(segments[before + rows.JERK], segments[row + rows.JERK])
 
-    def use_up(self, segments: memoryview[float], row: int, parts: memoryview[float]) -> None:
-        """Subtract the acceleration and jerk of the axes that a corner uses on a segment."""
-        if segments[row + rows.SHAPE] == rows.ARC:
+    def use_up(
+        self, segments: memoryview[float], row: int, parts: memoryview[float], is_bent: int
+    ) -> None:
+        """Subtract the acceleration and jerk of the axes that a corner uses on a segment.
+
+        ``is_bent``: a transformation bends the axes' way, which takes a share of both.
+        """
+        free_a = self.limits.transformed.free_a if is_bent else 1.0
+        free_j = self.limits.transformed.free_j if is_bent else 1.0
+        if segments[row + rows.SHAPE] == rows.ARC and segments[row + rows.TRANSFORMATION] == 0.0:
             self.limits.limit_jerk_on_arc(segments, row, self.corner.shares, self.corner.turns)
         for i in range(self.limits.count):
             part = parts[i] if parts[i] >= 0.0 else 0.0 - parts[i]
             if part > 0.0 and not self.limits.in_plane(segments, row, i):
                 min_a = min(self.limits.rapid_slope_a[i], self.limits.feed_slope_a[i])
-                left_a = (min_a - self.corner.shares[i]) / part
-                left_j = (self.limits.axis_jerk(i) - self.corner.turns[i]) / part
+                left_a = (min_a * free_a - self.corner.shares[i]) / part
+                left_j = (self.limits.axis_jerk(i) * free_j - self.corner.turns[i]) / part
                 segments[row + rows.ACCELERATION] = min(segments[row + rows.ACCELERATION], left_a)
                 segments[row + rows.JERK] = min(segments[row + rows.JERK], left_j)
 

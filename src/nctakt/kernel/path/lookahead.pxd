@@ -33,7 +33,7 @@ cdef class LookAhead:
     ) noexcept nogil
     @cython.locals(
         length=double, first_a=double, second_a=double, column=Py_ssize_t, limit_a=double,
-        share=double, left2=double, i=Py_ssize_t, part=double, left_a=double, entry_a=double,
+        share=double, left2=double, i=Py_ssize_t, part=double, free=double, entry_a=double,
         exit_a=double
     )
     cdef void reserve_zone(

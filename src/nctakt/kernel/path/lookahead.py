@@ -135,8 +135,8 @@ class LookAhead:
                 column = row + rows.ARC_SHARE
             segments[column] = max(segments[column], max_share)
         limit_a = segments[row + rows.ACCELERATION]
-        if segments[row + rows.SHAPE] == rows.ARC:
-            share = self.corner.last_centripetal_share if at_end else self.corner.centripetal_share
+        share = self.corner.last_centripetal_share if at_end else self.corner.centripetal_share
+        if segments[row + rows.SHAPE] == rows.ARC and segments[row + rows.TRANSFORMATION] == 0.0:
             left2 = (1.0 - max_share) * (1.0 - max_share) - share * share
             limit_a *= arithmetic.square_root(left2 / (1.0 - share * share))
         else:
@@ -144,8 +144,8 @@ class LookAhead:
                 part = self.corner.leaving[i] if at_end else self.corner.entering[i]
                 part = part if part >= 0.0 else 0.0 - part
                 if part > 0.0:
-                    left_a = self.limits.axis_acceleration(i) * (1.0 - self.corner.shares[i])
-                    limit_a = min(limit_a, left_a / part)
+                    free = 1.0 - self.corner.shares[i] - share
+                    limit_a = min(limit_a, self.limits.axis_acceleration(i) * free / part)
         if 3.0 * length > segments[row + rows.LENGTH]:
             segments[row + rows.ACCELERATION] = min(segments[row + rows.ACCELERATION], limit_a)
             entry_a = segments[row + rows.ENTRY_ACCELERATION]

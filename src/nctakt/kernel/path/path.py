@@ -114,6 +114,10 @@ class Path(PathAxes):
         if self.history_rows[self.row + rows.KIND] == rows.DWELL:
             return
         end = geometry.end_column(self.history_rows, self.row, self.count)
+        if self.history_rows[self.row + rows.TRANSFORMATION] > 0.0:
+            if not self.continues_from(self.ends):
+                self.oldest = self.used
+            return
         for i in range(self.count):
             if self.history_rows[self.row + rows.START + i] != self.ends[i]:
                 self.oldest = self.used
@@ -403,6 +407,9 @@ class Path(PathAxes):
         """Put the axes to their positions after ``covered_d`` mm."""
         self.axes.has_moved = True
         geometry.locate(self.history_rows, self.row, self.count, self.covered_d, self.positions)
+        if self.history_rows[self.row + rows.TRANSFORMATION] > 0.0:
+            self.put_transformed(self.positions)
+            return
         for k in range(self.moved_count):
             i = self.moved[k]
             self.axes.command[self.members[i]] = self.positions[i]

@@ -4,6 +4,7 @@ cimport cython
 from nctakt.kernel cimport codes, rows
 from nctakt.kernel.path cimport geometry
 from nctakt.kernel.axes.axes cimport Axes
+from nctakt.kernel.kinematics.maps cimport KinematicMaps
 
 cdef class PathAxes:
     cdef Axes axes
@@ -15,15 +16,39 @@ cdef class PathAxes:
     cdef double[::1] history_rows
     cdef Py_ssize_t row
     cdef readonly int direction
+    cdef KinematicMaps maps
+    cdef Py_ssize_t slot
+    cdef double[::1] unmapped
+    cdef double[::1] near
+    cdef double[::1] standing
 
+    @cython.locals(number=Py_ssize_t)
+    cdef void transform(self, double[::1] queue, Py_ssize_t row) noexcept nogil
     @cython.locals(i=Py_ssize_t, message=int)
     cdef int refusal(self, Py_ssize_t queue_row, double[::1] queue) noexcept nogil
     cdef int obstacle(self, Py_ssize_t queue_row, double[::1] queue, Py_ssize_t i) noexcept nogil
+    cdef int moves_axis(self, double[::1] segments, Py_ssize_t row, Py_ssize_t i) noexcept nogil
+    @cython.locals(i=Py_ssize_t, number=Py_ssize_t)
+    cdef void stand(
+        self, Py_ssize_t row, double[::1] segments, Py_ssize_t column
+    ) noexcept nogil
+    @cython.locals(command=double, distance=double)
+    cdef int is_there(
+        self, double[::1] segments, Py_ssize_t row, Py_ssize_t column, Py_ssize_t i
+    ) noexcept nogil
+    @cython.locals(i=Py_ssize_t, number=Py_ssize_t)
+    cdef void put_transformed(self, double[::1] positions) noexcept nogil
+    @cython.locals(continues=int, i=Py_ssize_t, distance=double)
+    cdef int continues_from(self, double[::1] ends) noexcept nogil
+    @cython.locals(k=Py_ssize_t, i=Py_ssize_t)
+    cdef void put_standing(self) noexcept nogil
+    @cython.locals(k=Py_ssize_t, i=Py_ssize_t, end=Py_ssize_t)
+    cdef void aim(self) noexcept nogil
     @cython.locals(i=Py_ssize_t)
     cdef void claim(self) noexcept nogil
     @cython.locals(i=Py_ssize_t)
     cdef void claim_again(self) noexcept nogil
-    @cython.locals(i=Py_ssize_t, axis=Py_ssize_t)
+    @cython.locals(i=Py_ssize_t)
     cdef void claim_free(self, Py_ssize_t column) noexcept nogil
     @cython.locals(axis=Py_ssize_t, end=Py_ssize_t)
     cdef void claim_axis(self, Py_ssize_t i) noexcept nogil

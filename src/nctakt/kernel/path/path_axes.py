@@ -12,6 +12,7 @@ from nctakt.kernel.path import geometry
 class PathAxes:
     """Axes of one channel's path, ``members`` among those of the machine.
 
+    ``maps``: the transformations; ``standing``: the axes at one end of a transformed segment.
     ``row``: where the row of the current segment stands in ``history_rows``; ``direction``: 1
     forward over it, -1 backward. ``moved``: the axes that the path has.
     """
@@ -27,8 +28,18 @@ class PathAxes:
         self.moved_count = 0
         self.refused_axis = 0
         self.history_rows = memoryview(bytearray(8)).cast("d")
+        self.maps = axes.transformations.maps
+        self.slot = members[0] if members else 0
+        self.unmapped = memoryview(bytearray(8 * max(1, len(members)))).cast("d")
+        self.near = memoryview(bytearray(8 * max(1, len(members)))).cast("d")
+        self.standing = memoryview(bytearray(8 * max(1, len(members)))).cast("d")
         self.row = 0
         self.direction = 1
+
+    def transform(self, queue: memoryview[float], row: int) -> None:
+        """Let the transformation of the command at ``row`` be active (MO-8)."""
+        number = int(queue[row + rows.TRANSFORMATION_NUMBER])
+        self.axes.transform(self.slot, number)
 
     def refusal(self, queue_row: int, queue: memoryview[float]) -> int:
         """Return the message that refuses a segment; 0 if the path can take it.
@@ -36,6 +47,7 @@ class PathAxes:
         The axes that it moves must stand where it starts, since the path never jumps (RC-409), and
         have no motion of their own (MO-13); ``refused_axis`` is the first that has not.
         """
+        self.stand(queue_row, queue, queue_row + rows.START)
         for i in range(self.count):
             message = self.obstacle(queue_row, queue, i)
             if message:
@@ -45,13 +57,38 @@ class PathAxes:
 
     def obstacle(self, queue_row: int, queue: memoryview[float], i: int) -> int:
         """Return the message that refuses axis ``i`` of a segment; 0 if nothing does."""
-        if not geometry.moves_axis(queue, queue_row, self.count, i):
+        if not self.moves_axis(queue, queue_row, i):
             return 0
         if self.axes.independent[self.members[i]]:
             return 50766
-        if queue[queue_row + rows.START + i] != self.axes.command[self.members[i]]:
-            return 900420
-        return 0
+        return 0 if self.is_there(queue, queue_row, queue_row + rows.START, i) else 900420
+
+    def moves_axis(self, segments: memoryview[float], row: int, i: int) -> int:
+        """Return whether a segment moves its axis ``i``; transformed all that belong to the map."""
+        if segments[row + rows.TRANSFORMATION] > 0.0:
+            if self.maps.has_axis(int(segments[row + rows.TRANSFORMATION]), i):
+                return 1
+        return geometry.moves_axis(segments, row, self.count, i)
+
+    def stand(self, row: int, segments: memoryview[float], column: int) -> None:
+        """Put the axes at the positions at ``column`` of a transformed segment in ``standing``."""
+        if segments[row + rows.TRANSFORMATION] > 0.0:
+            for i in range(self.count):
+                self.unmapped[i] = segments[column + i]
+                self.near[i] = self.axes.command[self.members[i]]
+            number = int(segments[row + rows.TRANSFORMATION])
+            self.maps.inverse(number, self.unmapped, self.near, self.standing)
+
+    def is_there(self, segments: memoryview[float], row: int, column: int, i: int) -> int:
+        """Return whether axis ``i`` stands at its position at ``column``.
+
+        Transformed within a micrometre's millionth part (``standing``), which rounding leaves.
+        """
+        command = self.axes.command[self.members[i]]
+        if segments[row + rows.TRANSFORMATION] > 0.0:
+            distance = self.standing[i] - command
+            return 1 if -1e-9 < distance < 1e-9 else 0
+        return 1 if segments[column + i] == command else 0
 
     def claim(self) -> None:
         """Claim the axes that the segment moves until it ends (MO-13).
@@ -59,9 +96,11 @@ class PathAxes:
         Where the path brakes on a segment that it cannot take, the others stay what they were.
         """
         self.moved_count = 0
+        self.stand(self.row, self.history_rows, self.row + rows.START)
         for i in range(self.count):
             if self.obstacle(self.row, self.history_rows, i) == 0:
                 self.claim_axis(i)
+        self.aim()
 
     def claim_again(self) -> None:
         """Claim the axes anywhere on a segment that the path had before (MO-7).
@@ -72,20 +111,22 @@ class PathAxes:
         for i in range(self.count):
             if not self.axes.independent[self.members[i]]:
                 self.claim_axis(i)
+        self.aim()
 
     def claim_free(self, column: int) -> None:
         """Claim the axes whose position is the one at ``column``, for backward motion (MO-7)."""
         self.moved_count = 0
+        self.stand(self.row, self.history_rows, column)
         for i in range(self.count):
-            axis = self.members[i]
-            if not self.axes.independent[axis]:
-                if self.history_rows[column + i] == self.axes.command[axis]:
+            if not self.axes.independent[self.members[i]]:
+                if self.is_there(self.history_rows, self.row, column, i):
                     self.claim_axis(i)
+        self.aim()
 
     def claim_axis(self, i: int) -> None:
         """Claim an axis if the segment moves it; its target is the segment's end."""
         self.axes.has_moved = True
-        if geometry.moves_axis(self.history_rows, self.row, self.count, i):
+        if self.moves_axis(self.history_rows, self.row, i):
             self.moved[self.moved_count] = i
             self.moved_count += 1
             axis = self.members[i]
@@ -115,6 +156,49 @@ class PathAxes:
     def put_axes(self, column: int) -> None:
         """Put the axes that the segment moves to the positions at ``column``."""
         self.axes.has_moved = True
+        if self.history_rows[self.row + rows.TRANSFORMATION] > 0.0:
+            self.stand(self.row, self.history_rows, column)
+            self.put_standing()
+            return
         for k in range(self.moved_count):
             i = self.moved[k]
             self.axes.command[self.members[i]] = self.history_rows[column + i]
+
+    def put_transformed(self, positions: memoryview[float]) -> None:
+        """Put the axes that the segment moves where its map has them for ``positions``."""
+        for i in range(self.count):
+            self.near[i] = self.axes.command[self.members[i]]
+        number = int(self.history_rows[self.row + rows.TRANSFORMATION])
+        self.maps.inverse(number, positions, self.near, self.standing)
+        self.put_standing()
+
+    def continues_from(self, ends: memoryview[float]) -> int:
+        """Return whether a transformed segment starts where the axes were at the last end.
+
+        ``ends`` are those of this segment then.
+        """
+        continues = 1
+        self.stand(self.row, self.history_rows, self.row + rows.START)
+        for i in range(self.count):
+            distance = self.standing[i] - ends[i]
+            if distance > 1e-9 or distance < -1e-9:
+                continues = 0
+        self.stand(self.row, self.history_rows, self.row + rows.START + self.count)
+        for i in range(self.count):
+            ends[i] = self.standing[i]
+        return continues
+
+    def put_standing(self) -> None:
+        """Put the axes that the segment moves to the positions in ``standing``."""
+        for k in range(self.moved_count):
+            i = self.moved[k]
+            self.axes.command[self.members[i]] = self.standing[i]
+
+    def aim(self) -> None:
+        """Let the end of a transformed segment be the target of the axes that it moves."""
+        if self.history_rows[self.row + rows.TRANSFORMATION] > 0.0:
+            end = self.row + rows.START + (self.count if self.direction > 0 else 0)
+            self.stand(self.row, self.history_rows, end)
+            for k in range(self.moved_count):
+                i = self.moved[k]
+                self.axes.target[self.members[i]] = self.standing[i]

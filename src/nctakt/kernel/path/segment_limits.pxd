@@ -6,6 +6,7 @@ from nctakt.kernel.axes.spindles cimport Spindles
 from nctakt.kernel.base cimport arithmetic
 from nctakt.kernel.path cimport geometry
 from nctakt.kernel.path.arc_limits cimport ArcLimits
+from nctakt.kernel.path.transformed_limits cimport TransformedLimits
 
 @cython.final
 cdef class SegmentLimits:
@@ -22,6 +23,7 @@ cdef class SegmentLimits:
     cdef double[::1] rapid_j
     cdef double[::1] feed_j
     cdef ArcLimits arcs
+    cdef TransformedLimits transformed
     cdef double[::1] direction
     cdef double[::1] unused
     cdef readonly bint has_jerk_limit
@@ -56,6 +58,17 @@ cdef class SegmentLimits:
 
     @cython.locals(share=double)
     cdef double measure(self, double[::1] segments, Py_ssize_t row) noexcept nogil
+    @cython.locals(is_rapid=bint, speed=double, limit_a=double)
+    cdef double measure_transformed(self, double[::1] segments, Py_ssize_t row) noexcept nogil
+    @cython.locals(speed=double, limit_a=double)
+    cdef void limit_transformed_jerk(
+        self, double[::1] segments, Py_ssize_t row, bint is_rapid
+    ) noexcept nogil
+    @cython.locals(
+        first=Py_ssize_t, second=Py_ssize_t, x=double, y=double, distance=double, length2=double,
+        start=Py_ssize_t, i=Py_ssize_t, rise=double
+    )
+    cdef double arc_length(self, double[::1] segments, Py_ssize_t row) noexcept nogil
     @cython.locals(
         spindle=Py_ssize_t, turn=double, limit_v=double, limit_a=double, limit_j=double
     )

@@ -5,6 +5,9 @@ from nctakt.kernel.axes.axis_motions cimport AxisMotions
 from nctakt.kernel.axes.coordinates cimport Offsets, Turns
 from nctakt.kernel.axes.spindles cimport Spindles
 from nctakt.kernel.axes.trajectory cimport Trajectories
+from nctakt.kernel.axes.transformations cimport Transformations
+from nctakt.kernel.kinematics.maps cimport KinematicMaps
+from nctakt.kernel.kinematics.orientation cimport Orientation
 
 cpdef copy_axes(Axes source, Axes target)
 cpdef tuple arrays_of_axes(Axes part)
@@ -18,3 +21,8 @@ cpdef copy_spindles(Spindles source, Spindles target)
 cpdef tuple arrays_of_spindles(Spindles part)
 cpdef copy_trajectories(Trajectories source, Trajectories target)
 cpdef tuple arrays_of_trajectories(Trajectories part)
+cpdef copy_transformations(Transformations source, Transformations target)
+cpdef tuple arrays_of_transformations(Transformations part)
+cpdef copy_kinematic_maps(KinematicMaps source, KinematicMaps target)
+cpdef tuple arrays_of_kinematic_maps(KinematicMaps part)
+cpdef copy_orientation(Orientation source, Orientation target)

@@ -16,6 +16,9 @@ from nctakt.kernel.axes.axis_motions import AxisMotions
 from nctakt.kernel.axes.coordinates import Offsets, Turns
 from nctakt.kernel.axes.spindles import Spindles
 from nctakt.kernel.axes.trajectory import Trajectories
+from nctakt.kernel.axes.transformations import Transformations
+from nctakt.kernel.kinematics.maps import KinematicMaps
+from nctakt.kernel.kinematics.orientation import Orientation
 
 Arrays = tuple[Any, ...]
 
@@ -53,6 +56,7 @@ def arrays_of_axes(part: Axes) -> Arrays:
         part.shown_command,
         part.shown_actual,
         part.shown_target,
+        part.actual,
     )
 
 
@@ -212,9 +216,55 @@ def arrays_of_trajectories(part: Trajectories) -> Arrays:
     return (part.rows,)
 
 
+def copy_transformations(source: Transformations, target: Transformations) -> None:
+    target.active_count = source.active_count
+
+
+def arrays_of_transformations(part: Transformations) -> Arrays:
+    return (
+        part.active,
+        part.gathered,
+        part.mapped,
+        part.near,
+        part.tips,
+    )
+
+
+def copy_kinematic_maps(source: KinematicMaps, target: KinematicMaps) -> None:
+    target.capacity = source.capacity
+    target.used = source.used
+    target.values = source.values
+    target.x = source.x
+    target.y = source.y
+    target.z = source.z
+
+
+def arrays_of_kinematic_maps(part: KinematicMaps) -> Arrays:
+    return (
+        part.values,
+        part.columns,
+        part.linear,
+        part.between,
+        part.near_between,
+    )
+
+
+def copy_orientation(source: Orientation, target: Orientation) -> None:
+    target.first = source.first
+    target.second = source.second
+    target.other_first = source.other_first
+    target.other_second = source.other_second
+    target.x = source.x
+    target.y = source.y
+    target.z = source.z
+
+
 #: Class -> what copies its state.
 COPIERS: MappingProxyType[type, Callable[..., None]] = MappingProxyType(
     {
+        KinematicMaps: copy_kinematic_maps,
+        Orientation: copy_orientation,
+        Transformations: copy_transformations,
         Axes: copy_axes,
         AxisMotions: copy_axis_motions,
         Offsets: copy_offsets,
@@ -227,6 +277,8 @@ COPIERS: MappingProxyType[type, Callable[..., None]] = MappingProxyType(
 #: Class -> what returns its arrays.
 ARRAYS: MappingProxyType[type, Callable[..., Arrays]] = MappingProxyType(
     {
+        KinematicMaps: arrays_of_kinematic_maps,
+        Transformations: arrays_of_transformations,
         Axes: arrays_of_axes,
         AxisMotions: arrays_of_axis_motions,
         Offsets: arrays_of_offsets,

@@ -314,6 +314,7 @@ def copy_command_queue(source: CommandQueue, target: CommandQueue) -> None:
     target.timed_count = source.timed_count
     target.started = source.started
     target.last_segment = source.last_segment
+    target.transformation = source.transformation
 
 
 def arrays_of_command_queue(part: CommandQueue) -> Arrays:

@@ -28,6 +28,7 @@ from nctakt.kernel.path.path import Path
 from nctakt.kernel.path.path_axes import PathAxes
 from nctakt.kernel.path.segment_limits import SegmentLimits
 from nctakt.kernel.path.threads import Threads
+from nctakt.kernel.path.transformed_limits import TransformedLimits
 from nctakt.kernel.path.trapezoid_profile import TrapezoidProfile
 
 Arrays = tuple[Any, ...]
@@ -101,6 +102,8 @@ def copy_corner(source: Corner, target: Corner) -> None:
     target.last_corner_v = source.last_corner_v
     target.is_rounded = source.is_rounded
     target.last_is_rounded = source.last_is_rounded
+    target.is_bent = source.is_bent
+    target.last_is_bent = source.last_is_bent
 
 
 def arrays_of_corner(part: Corner) -> Arrays:
@@ -252,6 +255,7 @@ def copy_path_axes(source: PathAxes, target: PathAxes) -> None:
     target.count = source.count
     target.moved_count = source.moved_count
     target.refused_axis = source.refused_axis
+    target.slot = source.slot
     target.row = source.row
     target.direction = source.direction
 
@@ -260,6 +264,9 @@ def arrays_of_path_axes(part: PathAxes) -> Arrays:
     return (
         part.members,
         part.moved,
+        part.unmapped,
+        part.near,
+        part.standing,
     )
 
 
@@ -294,6 +301,30 @@ def arrays_of_segment_limits(part: SegmentLimits) -> Arrays:
         part.vector,
         part.direction,
         part.unused,
+    )
+
+
+def copy_transformed_limits(source: TransformedLimits, target: TransformedLimits) -> None:
+    target.count = source.count
+    target.turn = source.turn
+    target.transformations = source.transformations
+
+
+def arrays_of_transformed_limits(part: TransformedLimits) -> Arrays:
+    return (
+        part.near,
+        part.point,
+        part.start,
+        part.target,
+        part.samples,
+        part.result,
+        part.first,
+        part.second,
+        part.third,
+        part.entering,
+        part.leaving,
+        part.entering_curve,
+        part.leaving_curve,
     )
 
 
@@ -350,6 +381,7 @@ COPIERS: MappingProxyType[type, Callable[..., None]] = MappingProxyType(
         PathAxes: copy_path_axes,
         SegmentLimits: copy_segment_limits,
         Threads: copy_threads,
+        TransformedLimits: copy_transformed_limits,
         TrapezoidProfile: copy_trapezoid_profile,
     }
 )
@@ -368,5 +400,6 @@ ARRAYS: MappingProxyType[type, Callable[..., Arrays]] = MappingProxyType(
         Path: arrays_of_path,
         PathAxes: arrays_of_path_axes,
         SegmentLimits: arrays_of_segment_limits,
+        TransformedLimits: arrays_of_transformed_limits,
     }
 )

@@ -116,4 +116,6 @@ class BlockScope:
             return 1
         if kind in (rows.WRITE_VARIABLE, rows.WRITE_TEXT, rows.EMPTY_BLOCK):
             return 1
+        if kind == rows.SET_TRANSFORMATION:
+            return 1
         return 1 if kind in (rows.SET_OFFSET, rows.SET_ORIGIN, rows.SET_TURN) else 0

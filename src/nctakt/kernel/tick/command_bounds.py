@@ -40,6 +40,7 @@ _MIN_LENGTH = {
     rows.SET_OFFSET: rows.OFFSET_VALUE + 1,
     rows.SET_ORIGIN: rows.ORIGIN_VALUE + 1,
     rows.SET_TURN: rows.TURN_FIRST + 1,
+    rows.SET_TRANSFORMATION: rows.TRANSFORMATION_OF_SEGMENTS + 1,
     rows.PROGRAM_STOP: rows.STOP_IS_OPTIONAL + 1,
     rows.FREEZE: rows.FROZEN_VALUE + 1,
     rows.LOOP_PASS: rows.ARGUMENTS,
@@ -91,6 +92,10 @@ def check_command(executor: CommandExecutor, command: list[Any]) -> None:
         check_index(command[rows.TURN_FIRST], axes, "axis")
         for number in command[rows.TURN_SECOND : rows.TURN_MATRIX]:
             check_range(number, 0, axes, "axis")
+    elif kind == rows.SET_TRANSFORMATION:
+        maps = executor.path.axes.transformations.maps.used
+        for number in command[rows.TRANSFORMATION_NUMBER : rows.ARGUMENTS + 2]:
+            check_index(number, maps, "map")
     elif kind == rows.POSITIONS:
         count = len(command) - rows.POSITIONS_AXES
         check_range(command[rows.POSITIONS_COUNT], 0, count, "number of axes")

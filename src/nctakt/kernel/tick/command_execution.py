@@ -177,6 +177,8 @@ class CommandExecutor:
             return self.take_program_end(tick, row)
         elif kind in (rows.SET_OFFSET, rows.SET_ORIGIN, rows.SET_TURN):
             self.path.axes.take_offset(self.queue.rows, row, kind)
+        elif kind == rows.SET_TRANSFORMATION:
+            self.path.transform(self.queue.rows, row)
         elif kind in (rows.USER_ERROR, rows.USER_VALUE, rows.USER_TEXT, rows.USER_STOP):
             self.take_user_error(row, kind)
         elif kind == rows.SPINDLE:

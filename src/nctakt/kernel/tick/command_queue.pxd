@@ -20,6 +20,7 @@ cdef class CommandQueue:
     cdef readonly Py_ssize_t timed_count
     cdef Py_ssize_t started
     cdef Py_ssize_t last_segment
+    cdef long long transformation
     cdef readonly LoopBody loop_body
     cdef double[::1] end_row
 

@@ -21,7 +21,8 @@ from nctakt.kernel.tick.loop_body import LoopBody
 class CommandQueue:
     """Commands from ``head`` to ``tail``, running numbers; ``started``: the newest begun.
 
-    ``last_segment``: the segment that the next one may go on from, -1 where the path stops first.
+    ``last_segment``: the segment that the next one may go on from, -1 where the path stops first;
+    ``transformation``: the map of the segments to come, 0 for none.
     """
 
     def __init__(self, path: Path, look_ahead: LookAhead) -> None:
@@ -31,12 +32,14 @@ class CommandQueue:
         self.capacity = 256
         look_ahead.resize(self.capacity)
         self.path.arc.share(self.look_ahead.limits.listed_v, self.look_ahead.limits.listed_a)
+        self.look_ahead.limits.transformed.share(self.path.axes.transformations)
         self.rows = memoryview(bytearray(8 * self.width * self.capacity)).cast("d")
         self.head = 0
         self.tail = 0
         self.timed_count = 0
         self.started = -1
         self.last_segment = -1
+        self.transformation = 0
         self.loop_body = LoopBody(self.width)
         self.end_row = memoryview(bytearray(8 * self.width)).cast("d")
 
@@ -50,6 +53,8 @@ class CommandQueue:
             self.rows[row + i] = 0.0
         self.tail += 1
         kind = int(command[rows.KIND])
+        if kind == rows.SET_TRANSFORMATION:
+            self.transformation = int(command[rows.TRANSFORMATION_OF_SEGMENTS])
         if kind in rows.TIMED_KINDS:
             self.timed_count += 1
         if not self.is_transparent(kind):
@@ -180,6 +185,7 @@ class CommandQueue:
         self.rows[row + rows.MOTION] = motion
         self.rows[row + rows.EXACT_STOP] = exact_stop
         self.rows[row + rows.HAS_JERK_LIMIT] = limits_jerk
+        self.rows[row + rows.TRANSFORMATION] = self.transformation
 
     def put_ends(self, row: int, start: memoryview[float], target: memoryview[float]) -> None:
         """Write the positions at start and end of a segment."""

@@ -45,6 +45,7 @@ from nctakt.nc.check.program_variables import ProgramVariableChecker
 from nctakt.nc.check.realtime_cycles import CycleChecker
 from nctakt.nc.check.realtime_loops import LoopChecker
 from nctakt.nc.check.signals import SignalChecker
+from nctakt.nc.check.transformations import check_transformation
 from nctakt.nc.check.user_errors import UserErrorChecker
 from nctakt.nc.outline import SignalUse, labels_in
 from nctakt.nc.parse.open_structures import is_false
@@ -368,6 +369,8 @@ class Checker:
         elif check_path_command(command, self._values, self._findings):
             return
         elif check_cs_command(command, self._values, self._findings):
+            return
+        elif check_transformation(command, self._values, self._findings):
             return
         elif words == ["DELETE"]:
             self._program_variables.delete(command)

@@ -1,0 +1,230 @@
+# SPDX-License-Identifier: MIT
+"""What the axes allow on a transformed segment: their positions over its length (MO-1).
+
+The map bends the way of the axes where rotary axes turn. A segment is sampled at least every three
+degrees of what turns on it; differences of the samples give the change of each axis with the length
+s, once, twice and thrice. With the speed v, the acceleration a and the jerk j along the segment an
+axis q has the speed q'·v, the acceleration q'·a + q''·v² and the jerk q'·j + 3·q''·v·a + q'''·v³;
+of the last two the terms of the bend may take a share each, and the rest is left for the first.
+"""
+
+from __future__ import annotations
+
+from nctakt.kernel import rows
+from nctakt.kernel.axes.transformations import Transformations
+from nctakt.kernel.base import arithmetic
+
+#: Degrees between two samples: at most, and on shorter turns at least.
+MAX_STEP = 3.0
+MIN_STEP = 1.5
+#: Degrees between the samples for the direction at an end.
+END_STEP = 0.1
+#: What differences of samples may miss of the largest value.
+MARGIN = 1.01
+#: Shares of acceleration and jerk that the bend takes at most, of the jerk with its two terms.
+BEND_A = 0.4
+BEND_J = 0.1
+BEND_RAMP_J = 0.15
+
+
+class TransformedLimits:
+    """The samples of one channel's newest transformed segment.
+
+    ``first``, ``second``, ``third``: the largest changes of each axis with the length; ``entering``
+    … ``leaving_curve``: first and second change at its start and its end. ``turn``: the degrees by
+    which anything turns on it, 0: the axes' way is straight. ``free_a``, ``free_j``: the shares of
+    acceleration and jerk that a bend leaves at least.
+    """
+
+    def __init__(self, count: int) -> None:
+        self.count = count
+        room = 8 * max(1, count)
+        self.transformations = Transformations(1)
+        self.free_a = 1.0 - BEND_A
+        self.free_j = 1.0 - BEND_J - BEND_RAMP_J
+        self.turn = 0.0
+        self.near = memoryview(bytearray(room)).cast("d")
+        self.point = memoryview(bytearray(room)).cast("d")
+        self.start = memoryview(bytearray(room)).cast("d")
+        self.target = memoryview(bytearray(room)).cast("d")
+        self.samples = memoryview(bytearray(4 * room)).cast("d")
+        self.result = memoryview(bytearray(room)).cast("d")
+        self.first = memoryview(bytearray(room)).cast("d")
+        self.second = memoryview(bytearray(room)).cast("d")
+        self.third = memoryview(bytearray(room)).cast("d")
+        self.entering = memoryview(bytearray(room)).cast("d")
+        self.leaving = memoryview(bytearray(room)).cast("d")
+        self.entering_curve = memoryview(bytearray(room)).cast("d")
+        self.leaving_curve = memoryview(bytearray(room)).cast("d")
+
+    def share(self, transformations: Transformations) -> None:
+        """Use the maps of the machine."""
+        self.transformations = transformations
+
+    def locate(self, segments: memoryview[float], row: int, part: float, sample: int) -> None:
+        """Put the axes after ``part`` of a segment into a sample; beyond the ends it goes on."""
+        start = row + rows.START
+        target = start + self.count
+        for i in range(self.count):
+            begin = segments[start + i]
+            self.point[i] = begin + (segments[target + i] - begin) * part
+        if segments[row + rows.SHAPE] == rows.ARC:
+            first = int(segments[row + rows.ARC_FIRST_AXIS])
+            second = int(segments[row + rows.ARC_SECOND_AXIS])
+            angle = segments[row + rows.ARC_ANGLE] * part
+            cosine = arithmetic.cosine(angle)
+            sine = arithmetic.sine(angle)
+            x = segments[start + first] - segments[row + rows.ARC_FIRST_CENTRE]
+            y = segments[start + second] - segments[row + rows.ARC_SECOND_CENTRE]
+            self.point[first] = segments[row + rows.ARC_FIRST_CENTRE] + x * cosine - y * sine
+            self.point[second] = segments[row + rows.ARC_SECOND_CENTRE] + x * sine + y * cosine
+        number = int(segments[row + rows.TRANSFORMATION])
+        self.transformations.maps.inverse(number, self.point, self.near, self.result)
+        for i in range(self.count):
+            self.near[i] = self.result[i]
+            self.samples[self.count * sample + i] = self.result[i]
+
+    def measure_turn(self, segments: memoryview[float], row: int) -> None:
+        """Settle by how many degrees anything turns on a segment."""
+        start = row + rows.START
+        for i in range(self.count):
+            self.start[i] = segments[start + i]
+            self.target[i] = segments[start + self.count + i]
+        number = int(segments[row + rows.TRANSFORMATION])
+        self.turn = self.transformations.rotation(number, self.start, self.target)
+        if segments[row + rows.SHAPE] == rows.ARC:
+            angle = segments[row + rows.ARC_ANGLE]
+            self.turn += angle if angle >= 0.0 else 0.0 - angle
+
+    def survey(self, segments: memoryview[float], row: int) -> None:
+        """Sample a segment whose length is known."""
+        self.measure_turn(segments, row)
+        length = segments[row + rows.LENGTH]
+        for i in range(self.count):
+            self.second[i] = 0.0
+            self.third[i] = 0.0
+            self.entering_curve[i] = 0.0
+            self.leaving_curve[i] = 0.0
+        if self.turn < 1e-9:
+            self.turn = 0.0
+            self.locate(segments, row, 0.0, 0)
+            self.locate(segments, row, 1.0, 1)
+            for i in range(self.count):
+                slope = (self.samples[self.count + i] - self.samples[i]) / length
+                self.entering[i] = slope
+                self.leaving[i] = slope
+                self.first[i] = slope if slope >= 0.0 else 0.0 - slope
+            return
+        for i in range(self.count):
+            self.first[i] = 0.0
+        self.sample_bend(segments, row)
+        self.sample_end(segments, row, 0.0, self.entering)
+        self.sample_end(segments, row, 1.0, self.leaving)
+
+    def sample_bend(self, segments: memoryview[float], row: int) -> None:
+        """Sample a segment on which something turns, one step beyond either end."""
+        steps = int(self.turn / MAX_STEP)
+        steps += 1
+        part = max(1.0 / steps, MIN_STEP / self.turn)
+        step_d = part * segments[row + rows.LENGTH]
+        for number in range(-1, steps + 2):
+            for i in range(3 * self.count):
+                self.samples[i] = self.samples[self.count + i]
+            self.locate(segments, row, number * part, 3)
+            if number >= 1:
+                self.take_differences(step_d, number - 1 == 0, number - 1 == steps, number >= 2)
+
+    def take_differences(self, step_d: float, is_start: int, is_end: int, has_third: int) -> None:
+        """Take the differences about the last sample but one of the four, ``step_d`` apart."""
+        last = self.count + self.count
+        for i in range(self.count):
+            newest = self.samples[last + self.count + i]
+            middle = self.samples[last + i]
+            before = self.samples[self.count + i]
+            slope = 0.5 * (newest - before) / step_d
+            curve = (newest - 2.0 * middle + before) / (step_d * step_d)
+            if is_start:
+                self.entering_curve[i] = curve
+            if is_end:
+                self.leaving_curve[i] = curve
+            self.first[i] = max(self.first[i], slope, 0.0 - slope)
+            self.second[i] = max(self.second[i], curve, 0.0 - curve)
+            if has_third:
+                bend = newest - 3.0 * middle + 3.0 * before - self.samples[i]
+                bend /= step_d * step_d * step_d
+                self.third[i] = max(self.third[i], bend, 0.0 - bend)
+
+    def sample_end(
+        self, segments: memoryview[float], row: int, part: float, slopes: memoryview[float]
+    ) -> None:
+        """Settle the direction of the axes' way at an end."""
+        step = END_STEP / self.turn
+        self.locate(segments, row, part - step, 0)
+        self.locate(segments, row, part + step, 1)
+        step_d = 2.0 * step * segments[row + rows.LENGTH]
+        for i in range(self.count):
+            slope = (self.samples[self.count + i] - self.samples[i]) / step_d
+            slopes[i] = slope
+            self.first[i] = max(self.first[i], slope, 0.0 - slope)
+
+    # --- limits ---------------------------------------------------------------------------------
+
+    def highest_speed(self, limits: memoryview[float]) -> float:
+        """Highest speed along the segment that keeps the axes' speeds within ``limits``."""
+        speed = 1e300
+        for i in range(self.count):
+            if self.first[i] > 0.0:
+                speed = min(speed, limits[i] / (MARGIN * self.first[i]))
+        return speed
+
+    def bent_speed(self, limits: memoryview[float]) -> float:
+        """Highest speed at which the bend takes its share of the accelerations ``limits``."""
+        speed2 = 1e300
+        for i in range(self.count):
+            if self.second[i] > 0.0:
+                speed2 = min(speed2, BEND_A * limits[i] / (MARGIN * self.second[i]))
+        return arithmetic.square_root(speed2)
+
+    def bend_share(self, limits: memoryview[float], speed: float) -> float:
+        """Largest share of the accelerations ``limits`` that the bend takes at a speed."""
+        share = 0.0
+        for i in range(self.count):
+            share = max(share, MARGIN * self.second[i] * speed * speed / limits[i])
+        return share
+
+    def acceleration(self, limits: memoryview[float], speed: float) -> float:
+        """Acceleration along the segment that the bend leaves at a speed."""
+        limit_a = 1e300
+        for i in range(self.count):
+            if self.first[i] > 0.0:
+                left_a = limits[i] - MARGIN * self.second[i] * speed * speed
+                limit_a = min(limit_a, left_a / (MARGIN * self.first[i]))
+        return limit_a
+
+    def bent_jerk_speed(self, limits: memoryview[float]) -> float:
+        """Highest speed at which the bend takes its share of the jerks ``limits``."""
+        speed = 1e300
+        for i in range(self.count):
+            if self.third[i] > 0.0:
+                speed3 = BEND_J * limits[i] / (MARGIN * self.third[i])
+                speed = min(speed, arithmetic.power(speed3, 1.0 / 3.0))
+        return speed
+
+    def bent_acceleration(self, limits: memoryview[float], speed: float) -> float:
+        """Highest acceleration along the segment that takes its share of the jerks ``limits``."""
+        limit_a = 1e300
+        for i in range(self.count):
+            if self.second[i] > 0.0:
+                jerk = MARGIN * 3.0 * self.second[i] * speed
+                limit_a = min(limit_a, BEND_RAMP_J * limits[i] / jerk)
+        return limit_a
+
+    def jerk(self, limits: memoryview[float], speed: float, ramp_a: float) -> float:
+        """Jerk along the segment that the bend leaves at a speed and an acceleration."""
+        limit_j = 1e300
+        for i in range(self.count):
+            if self.first[i] > 0.0:
+                bend = 3.0 * self.second[i] * ramp_a + self.third[i] * speed * speed
+                left_j = limits[i] - MARGIN * bend * speed
+                limit_j = min(limit_j, left_j / (MARGIN * self.first[i]))
+        return limit_j

@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: MIT
+"""``#KIN ID``, ``#TRAFO``, ``#RTCP``, ``#TLC``, ``#PTP``: transformations of a program (MO-8).
+
+In: the tree of a command. Out: a ``TransformationCommand``, and diagnostics for any other form.
+Shared by checker and decoder.
+"""
+
+from __future__ import annotations
+
+from nctakt.base.dataclass import dataclass
+from nctakt.messages.checked_blocks import INVALID_COMMAND_FORM
+from nctakt.nc.check.expressions import ValueChecker
+from nctakt.nc.check.findings import Findings
+from nctakt.nc.tree import Bracket, Expression, HashCommand, Keyword, Name
+from nctakt.nc.vocabulary.command_forms import FORMS, forms_of
+
+#: Commands with the largest number of values in their bracket; those with 0 have none.
+COMMANDS = {
+    "KIN ID": 2,
+    "TRAFO": 2,
+    "TRAFO ON": 0,
+    "TRAFO OFF": 0,
+    "RTCP ON": 0,
+    "RTCP OFF": 0,
+    "TLC ON": 1,
+    "TLC OFF": 0,
+    "PTP ON": 0,
+    "PTP OFF": 0,
+}
+
+#: Words in place of the ID of a step.
+_STEP_WORDS = {"KIN ID": ("NONE", "DEFAULT"), "TRAFO": ("NONE", "DEFAULT", "ON", "OFF")}
+
+#: Commands whose bracket may be missing.
+_BARE = ("KIN ID", "TLC ON")
+
+
+@dataclass(frozen=True, slots=True)
+class TransformationCommand:
+    """One of these commands; ``values``: in its bracket, IDs, lengths, or words of a step."""
+
+    name: str
+    values: tuple[Expression | str, ...] = ()
+
+    @property
+    def shown(self) -> str:
+        """The command as it is written."""
+        return f"#{self.name}"
+
+
+def transformation_command(command: HashCommand) -> TransformationCommand | None:
+    """Return the parsed command; ``None`` if its form is unknown."""
+    name = " ".join(word.name for word in command.words)
+    highest = COMMANDS.get(name)
+    if highest is None or len(command.arguments) > 1:
+        return None
+    if not command.arguments:
+        return TransformationCommand(name) if highest == 0 or name in _BARE else None
+    (bracket,) = command.arguments
+    if not isinstance(bracket, Bracket) or not 0 < len(bracket.items) <= highest:
+        return None
+    values: list[Expression | str] = []
+    for item in bracket.items:
+        is_word = isinstance(item, Name) or (isinstance(item, Keyword) and item.value is None)
+        if is_word:
+            assert isinstance(item, Name | Keyword)
+            if item.name not in _STEP_WORDS.get(name, ()):
+                return None
+            values.append(item.name)
+        elif isinstance(item, Expression):
+            values.append(item)
+        else:
+            return None
+    return TransformationCommand(name, tuple(values))
+
+
+def check_transformation(command: HashCommand, values: ValueChecker, findings: Findings) -> bool:
+    """Check the command; return false for another command."""
+    words = [word.name for word in command.words]
+    if " ".join(words) not in COMMANDS:
+        return False
+    parsed = transformation_command(command)
+    if parsed is None:
+        name = "#" + " ".join(words)
+        forms = forms_of(name if name in FORMS else f"#{words[0]}")
+        findings.report(INVALID_COMMAND_FORM, command.span, command=name, forms=forms)
+        return True
+    for value in parsed.values:
+        if isinstance(value, Expression):
+            values.value(value)
+    return True

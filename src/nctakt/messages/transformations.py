@@ -8,7 +8,7 @@ from nctakt.messages.catalogue import error
 
 TRANSFORMED_WAY_OUTSIDE_LIMITS = error(
     120002,
-    known_as=(901552, 50041, 50042),
+    known_as=(901600, 50041, 50042),
     cases=by_limit("position", above=120002, below=120003),
     en="the transformation takes axis {axis} to {position}, outside its limits {low} … {high}",
     de="die Transformation führt die Achse {axis} auf {position}, außerhalb ihrer Grenzen {low} … "
@@ -43,7 +43,7 @@ KINEMATIC_OF_TOOL_DIFFERS = error(
     clearing=3,
 )
 NO_KINEMATIC_SELECTED = error(
-    901553,
+    901601,
     en="{command}, but no kinematic is selected",
     de="{command}, aber keine Kinematik ist gewählt",
     remedy_en="Program #KIN ID [number] before it, or set P-CHAN-00032. In the list: {known}",
@@ -55,7 +55,7 @@ NO_KINEMATIC_SELECTED = error(
     clearing=3,
 )
 UNKNOWN_KINEMATIC = error(
-    901554,
+    901602,
     en="the channel list has no kinematic {id}",
     de="die Kanalliste hat keine Kinematik {id}",
     remedy_en="Name one of the list, or add trafo[…].id {id} to it (P-CHAN-00262). In the list: "
@@ -68,7 +68,7 @@ UNKNOWN_KINEMATIC = error(
     clearing=3,
 )
 KINEMATIC_NOT_POSSIBLE = error(
-    901555,
+    901603,
     en="kinematic {id} is not possible: {reason}",
     de="die Kinematik {id} ist nicht möglich: {reason}",
     remedy_en="Select another kinematic, or change trafo[…] in the channel list.",
@@ -79,7 +79,7 @@ KINEMATIC_NOT_POSSIBLE = error(
     clearing=3,
 )
 TRANSFORMATION_DURING_COMPENSATION = error(
-    901556,
+    901604,
     en="{command} while the tool's radius is compensated",
     de="{command} während der Werkzeugradiuskorrektur",
     remedy_en="Program G40 and a motion before it.",
@@ -89,7 +89,7 @@ TRANSFORMATION_DURING_COMPENSATION = error(
     clearing=3,
 )
 SECOND_STEP_NOT_SIMULATED = error(
-    901557,
+    901605,
     en="a second step of transformations is not simulated",
     de="ein zweiter Schritt von Transformationen wird nicht simuliert",
     remedy_en="Select NONE as its kinematic: #KIN ID [1, NONE].",
@@ -135,7 +135,7 @@ PTP_WITHOUT_TRANSFORMATION = error(
     clearing=3,
 )
 ARC_DURING_PTP = error(
-    901558,
+    901606,
     en="an arc while #PTP is on",
     de="ein Kreisbogen, während #PTP ein ist",
     remedy_en="Program straight lines, or #PTP OFF before it.",

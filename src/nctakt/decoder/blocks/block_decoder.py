@@ -111,7 +111,8 @@ class BlockDecoder:
         self._values = values
         self._environment = values.environment
         self._state = values.state
-        self._in_force = InForceMarks(values.environment, values.state)
+        marks = values.environment.marks_blocks
+        self._in_force = InForceMarks(values.environment, values.state) if marks else None
         self._is_linear = [axis.is_linear for axis in self._environment.axes]
         self._spindles = SpindleWords(values, CuttingSpeeds(values))
         threads = ThreadMotion(values, self._spindles)
@@ -148,7 +149,7 @@ class BlockDecoder:
         """
         self.has_motion = False
         content = yield from self._sort(block, number)
-        if self._environment.marks_blocks:
+        if self._in_force is not None:
             yield from self._in_force.of_block(block.span, number)
         if self._state.monitored:
             check_free(self._values, [word for word, _ in content.axes], content.stops)
@@ -269,6 +270,8 @@ class BlockDecoder:
         content.updates_tool_offsets = any(function in PLANES for function in numbers)
         for function, span in numbers.items():
             self._state.note(function)
+            if self._in_force is not None:
+                self._in_force.note(function)
             self._modal(function, span)
             content.zero_group = ZERO_GROUPS.get(function, content.zero_group)
         content.is_reference = REFERENCE_OFFSET in numbers

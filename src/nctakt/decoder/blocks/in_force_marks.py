@@ -14,6 +14,8 @@ from nctakt.decoder.state.commands import Command
 from nctakt.decoder.state.environment import DecoderEnvironment
 from nctakt.decoder.state.in_force import InForce, ModalMark
 from nctakt.decoder.state.modal_state import ModalState
+from nctakt.nc.vocabulary.function_rows import Group
+from nctakt.nc.vocabulary.functions import group_of
 
 
 class InForceMarks:
@@ -23,11 +25,20 @@ class InForceMarks:
         self._environment = environment
         self._state = state
         self._marked: InForce | None = None
+        self._functions: dict[Group, int] = {}
+        for function in environment.parameters.program_start.g_functions.values():
+            self.note(function)
+
+    def note(self, function: int) -> None:
+        """Note a G function of a block."""
+        group = group_of(function)
+        if group is not None and group is not Group.MOTION:
+            self._functions[group] = function
 
     def of_block(self, span: Span, number: int) -> Iterator[Command]:
         """Yield a mark for a block if its words have changed anything."""
         state = self._state
-        functions = (state.motion, *state.functions.values())
+        functions = (state.motion, *self._functions.values())
         found = InForce(tuple(sorted(functions)), state.tool.number)
         if found != self._marked:
             self._marked = found

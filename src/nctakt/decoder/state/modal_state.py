@@ -196,8 +196,7 @@ class ThreadState:
 class ModalState:
     """The modal state; ``motion``: an active G function; ``feed_mm_s``: under G94, 0 before an F.
 
-    ``functions``: the active G functions of the other groups. ``parameters``: P1, P2, …
-    ``measures``: edge banding is on (G108). ``message_file``: the file of
+    ``parameters``: P1, P2, … ``measures``: edge banding is on (G108). ``message_file``: the file of
     saved messages (#FILENAME). ``not_plain``: the active G functions that plain lines do not know,
     by group. ``monitored``: the axes at a fixed stop or on their way to it.
     ``has_read_signal``: the last ``#SIGNAL READ`` has taken one. ``limits``: weights, and the
@@ -210,7 +209,6 @@ class ModalState:
     absolute: bool
     feed_mm_s: float
     positions: list[float]
-    functions: dict[Group, int] = field(default_factory=dict)
     tool: ToolState = field(default_factory=ToolState)
     parameters: dict[int, float] = field(default_factory=dict)
     message_file: str = ""
@@ -245,7 +243,6 @@ class ModalState:
         group = group_of(function)
         if group is None or group is Group.MOTION:
             return
-        self.functions[group] = function
         if G_FUNCTIONS[function].plain:
             self.not_plain.pop(group, None)
         else:
@@ -274,9 +271,4 @@ def state_at_program_start(start: ProgramStart, positions: list[float]) -> Modal
         absolute=functions[DIMENSION_GROUP] == ABSOLUTE,
         feed_mm_s=start.feed_mm_min / 60.0,
         positions=positions,
-        functions={
-            group: function
-            for function in functions.values()
-            if (group := group_of(function)) is not None and group is not Group.MOTION
-        },
     )

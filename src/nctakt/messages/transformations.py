@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from nctakt.messages.cases import by_limit
-from nctakt.messages.catalogue import error
+from nctakt.messages.catalogue import error, note
 
 TRANSFORMED_WAY_OUTSIDE_LIMITS = error(
     120002,
@@ -39,6 +39,15 @@ KINEMATIC_OF_TOOL_DIFFERS = error(
     remedy_de="#TRAFO OFF programmieren, bevor das Werkzeug gewählt wird (P-TOOL-00011).",
     tool=("number of the tool's kinematic", "Nummer der Kinematik des Werkzeugs"),
     active=("number of the active kinematic", "Nummer der aktiven Kinematik"),
+    reaction=2,
+    clearing=3,
+)
+PARAMETER_DURING_TRANSFORMATION = error(
+    21022,
+    en="kinematic parameters of the tool cannot be changed while a transformation is active",
+    de="Kinematikparameter des Werkzeugs sind bei aktiver Transformation nicht änderbar",
+    remedy_en="Program #TRAFO OFF before it, and #TRAFO ON behind it.",
+    remedy_de="Davor #TRAFO OFF programmieren, dahinter wieder #TRAFO ON.",
     reaction=2,
     clearing=3,
 )
@@ -144,4 +153,14 @@ ARC_DURING_PTP = error(
     cause_de="Mit #PTP fahren die Achsen geradlinig zum Ende des Satzes.",
     reaction=2,
     clearing=3,
+)
+FIXED_TYPE_SIGNS = note(
+    901599,
+    en="kinematic {id} has the type {type}: its signs are those of plain geometry",
+    de="Kinematik {id} hat den Typ {type}: ihre Vorzeichen sind die der einfachen Geometrie",
+    remedy_en="No source prints its equations; docs/conformance.md says how they are read.",
+    remedy_de="Keine Quelle nennt ihre Gleichungen; docs/conformance.md sagt, wie sie gelesen "
+    "werden.",
+    id=("number of the kinematic", "Nummer der Kinematik"),
+    type=("type of the kinematic", "Typ der Kinematik"),
 )

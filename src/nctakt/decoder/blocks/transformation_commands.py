@@ -14,6 +14,7 @@ from nctakt.decoder.state.commands import Answer, Command, PositionRequest
 from nctakt.decoder.values.variables import Values
 from nctakt.lists.machine.kinematics import Kinematic
 from nctakt.messages.transformations import (
+    FIXED_TYPE_SIGNS,
     KIN_ID_DURING_TRANSFORMATION,
     KINEMATIC_NOT_POSSIBLE,
     NO_KINEMATIC_SELECTED,
@@ -37,6 +38,7 @@ class TransformationCommands:
         self._environment = values.environment
         self._transformations = values.environment.parameters.transformations
         self._active = values.environment.offsets.transformation
+        self._reported: set[int] = set()
 
     def command(self, statement: tree.HashCommand, number: int) -> Generator[Command, Answer]:
         """Execute one command."""
@@ -129,6 +131,9 @@ class TransformationCommands:
         reason = self._active.kinematics.refusal(kinematic)
         if reason is not None:
             self._values.fail(KINEMATIC_NOT_POSSIBLE, span, id=identity, reason=reason)
+        if kinematic.universal is None and kinematic.type not in self._reported:
+            self._reported.add(kinematic.type)
+            self._values.warn(FIXED_TYPE_SIGNS, span, id=identity, type=kinematic.type)
         return kinematic
 
     # --- switching ------------------------------------------------------------------------------

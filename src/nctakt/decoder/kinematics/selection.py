@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Text
@@ -73,6 +74,7 @@ class ChannelKinematics:
 
     def __init__(self, parameters: ChannelParameters, axes: ChannelAxes) -> None:
         self.transformations = parameters.transformations
+        self._kinematics = [dict(step) for step in parameters.transformations.steps]
         self.axes = axes
 
     def default_id(self, step: int) -> int:
@@ -85,7 +87,12 @@ class ChannelKinematics:
 
     def find(self, step: int, id_: int) -> Kinematic | None:
         """Return a usable kinematic of step 0 or 1 by its ID."""
-        return self.transformations.steps[step].get(id_)
+        return self._kinematics[step].get(id_)
+
+    def set_parameter(self, kinematic: Kinematic, index: int, value: float) -> None:
+        """Change a parameter, in the units of the lists, for the next activation in step 0."""
+        parameters = {**kinematic.parameters, index: value}
+        self._kinematics[0][kinematic.id] = replace(kinematic, parameters=parameters)
 
     def refusal(self, kinematic: Kinematic) -> Text | None:
         """Return why a kinematic cannot be active in the channel; ``None``: it can."""

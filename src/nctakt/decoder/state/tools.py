@@ -19,7 +19,12 @@ from nctakt.decoder.state.commands import Command
 from nctakt.decoder.state.environment import DecoderEnvironment
 from nctakt.decoder.state.modal_state import ModalState
 from nctakt.kernel.base import arithmetic
-from nctakt.lists.declared.tools import MAX_PARAMETERS, NO_TOOL, Tool
+from nctakt.lists.declared.tools import (
+    MAX_KINEMATIC_PARAMETERS,
+    MAX_PARAMETERS,
+    NO_TOOL,
+    Tool,
+)
 from nctakt.messages.checked_values import INDEX_OUT_OF_RANGE
 from nctakt.messages.tools import (
     INVALID_TOOL_NUMBER,
@@ -29,7 +34,10 @@ from nctakt.messages.tools import (
     TOOL_RADIUS_LOST,
     UNKNOWN_TOOL,
 )
-from nctakt.messages.transformations import KINEMATIC_OF_TOOL_DIFFERS
+from nctakt.messages.transformations import (
+    KINEMATIC_OF_TOOL_DIFFERS,
+    PARAMETER_DURING_TRANSFORMATION,
+)
 from nctakt.nc.tree import Expression, Variable, Word
 from nctakt.nc.vocabulary.system_variables import SystemVariable
 
@@ -155,6 +163,12 @@ class ActiveTool:
             case "P":
                 parameter = self._element(variable, system_variable, MAX_PARAMETERS, index)
                 return tool.parameters.get(parameter, 0.0)
+            case "KIN_PARAM":
+                count = MAX_KINEMATIC_PARAMETERS
+                parameter = self._element(variable, system_variable, count, index)
+                return float(tool.kinematic_parameters.get(parameter, 0))
+            case "KIN_ID":
+                return float(tool.kinematic_id)
             case "OK":
                 return float(tool.valid)
             case "SRK_ID":
@@ -196,6 +210,21 @@ class ActiveTool:
                 count=count,
             )
         return element
+
+    def write_kinematic_parameter(
+        self,
+        variable: Variable,
+        system_variable: SystemVariable,
+        value: float,
+        index: Callable[[Expression], float],
+    ) -> None:
+        """Set what the active tool adds to a parameter of the kinematic, until the next D."""
+        if self._environment.offsets.transformation.is_transformation:
+            self._fail(PARAMETER_DURING_TRANSFORMATION, variable.span)
+        state = self._state.tool
+        parameter = self._element(variable, system_variable, MAX_KINEMATIC_PARAMETERS, index)
+        parameters = {**state.tool.kinematic_parameters, parameter: value}
+        state.tool = replace(state.tool, kinematic_parameters=parameters)
 
     def write(
         self, system_variable: SystemVariable, value: float, span: Span, number: int

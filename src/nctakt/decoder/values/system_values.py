@@ -10,15 +10,19 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
+from nctakt.base.diagnostics import NOTHING
 from nctakt.decoder.state.commands import SetOffset
 from nctakt.decoder.state.environment import DecoderEnvironment
 from nctakt.decoder.state.modal_state import ModalState
 from nctakt.decoder.state.tools import Fail
 from nctakt.kernel import codes
 from nctakt.kernel.base import arithmetic
+from nctakt.lists.declared.kinematics import MAX_PARAMETERS
 from nctakt.lists.declared.offsets import MAX_GROUPS
+from nctakt.lists.machine.kinematics import Kinematic
 from nctakt.messages.checked_values import INDEX_OUT_OF_RANGE
 from nctakt.messages.offsets import UNKNOWN_ZERO_OFFSET
+from nctakt.messages.transformations import UNKNOWN_KINEMATIC
 from nctakt.nc.tree import Expression, Variable
 from nctakt.nc.vocabulary.functions import FEED_PER_REVOLUTION, FEED_SHARE, INVERSE_TIME_FEED
 from nctakt.nc.vocabulary.resolution import path_text
@@ -46,6 +50,9 @@ class SystemValues:
         """Return the current value."""
         if system.kind == "channel":
             return self._of_channel(system.subject)
+        if system.kind == "kinematic":
+            kinematic, index = self._kinematic(variable, system)
+            return kinematic.parameters.get(index, 0.0)
         axis = self._axis_index(variable, system)
         value = self._of_axis(system.subject, axis)
         if value is None:
@@ -146,6 +153,18 @@ class SystemValues:
         assert system.number is not None
         return self._element(variable, system.number, MAX_GROUPS)
 
+    def _kinematic(self, variable: Variable, system: SystemVariable) -> tuple[Kinematic, int]:
+        """Return the kinematic and the index of V.G.KIN[9].PARAM[0]."""
+        assert system.number is not None
+        assert system.element is not None
+        kinematics = self._environment.offsets.transformation.kinematics
+        id_ = int(self._index(system.number))
+        kinematic = kinematics.find(0, id_)
+        if kinematic is None:
+            known = ", ".join(map(str, sorted(kinematics.transformations.steps[0]))) or NOTHING
+            self._fail(UNKNOWN_KINEMATIC, system.number.span, id=id_, known=known)
+        return kinematic, self._element(variable, system.element, MAX_PARAMETERS)
+
     def _element(self, variable: Variable, index: Expression, count: int) -> int:
         number = int(self._index(index))
         if not 0 <= number < count:
@@ -158,8 +177,12 @@ class SystemValues:
     def write(
         self, variable: Variable, system: SystemVariable, value: float, source: int, number: int
     ) -> Iterator[SetOffset]:
-        """Assign a zero offset, active or in the list, or the default group."""
+        """Assign a zero offset, active or in the list, the default group, or of a kinematic."""
         offsets = self._environment.offsets
+        if system.kind == "kinematic":
+            kinematic, index = self._kinematic(variable, system)
+            offsets.transformation.kinematics.set_parameter(kinematic, index, value)
+            return
         if system.kind == "channel":
             group = arithmetic.round_half_even(value)
             if not 0 <= group < MAX_GROUPS:

@@ -151,6 +151,9 @@ class Values(Evaluator):
             self.fail(TEXT_INSTEAD_OF_NUMBER, target.span, name=path_text(target))
         for index in indices_of(target):
             yield from self._fetch(index, number)
+        if system.subject == "KIN_PARAM":
+            self.tool.write_kinematic_parameter(target, system, value, self._index)
+            return
         if system.kind == "tool":
             yield from self.tool.write(system, value, target.span, number)
             return

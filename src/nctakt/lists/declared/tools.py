@@ -50,7 +50,7 @@ class Tool:
     parameters: Mapping[int, float]
     spindle_number: int
     kinematic_id: int
-    kinematic_parameters: Mapping[int, int]
+    kinematic_parameters: Mapping[int, float]
 
 
 #: The tool of D0: no dimensions.

@@ -251,6 +251,7 @@ VARIABLES = table(
     ("V.CYC", SIMULATED, "variables of canned cycles", "Variablen von Zyklen"),
     ("V.G", REFUSED, "other data of the channel", "weitere Daten des Kanals"),
     ("V.G.TIMER[1]", SIMULATED, "times of #TIMER in ms", "Zeiten von #TIMER in ms"),
+    ("V.G.KIN[9].PARAM[0]", SIMULATED, "of a kinematic", "einer Kinematik"),
     ("V.G.WZ_AKT.R", SIMULATED, "data of the active tool", "Daten des aktiven Werkzeugs"),
     ("V.G.WZ[1].R", SIMULATED, "data of a tool of the list", "Daten eines Werkzeugs der Liste"),
     ("V.G.T_AKT", SIMULATED, "number of the last T", "Nummer des letzten T"),

@@ -21,20 +21,20 @@ SYSTEM_FAMILIES = ("G", "A", *SPINDLE_FAMILIES)
 #: Timers of the main program: IDs 0 … 127.
 TIMERS = 128
 
-#: Single values of a tool: radius, length, validity, cutting edge, spindle.
-_TOOL_VALUES = ("R", "L", "OK", "SRK_ID", "SPDL_AX_NR")
+#: Single values of a tool: radius, length, validity, cutting edge, spindle, kinematic.
+_TOOL_VALUES = ("R", "L", "OK", "SRK_ID", "SPDL_AX_NR", "KIN_ID")
 
 
 class SystemVariable(NamedTuple):
     """A variable of the controller; ``subject``: the value of a tool, or a path of
     ``system_names.py``.
 
-    ``number``: of a timer, or of a tool or zero offset other than the active one; ``element``: of a
-    parameter, axis or spindle, ``axis``: the axis or spindle if it is named instead.
+    ``number``: of a timer or kinematic, or of a tool or zero offset other than the active one;
+    ``element``: of a parameter, axis or spindle, ``axis``: the axis or spindle if it is named instead.
     ``is_writable``: programs may assign to it. ``waits``: reading it empties the channel first.
     """
 
-    kind: Literal["timer", "tool", "axis", "channel", "spindle"]
+    kind: Literal["timer", "tool", "axis", "channel", "spindle", "kinematic"]
     subject: str = ""
     number: Expression | None = None
     element: Expression | None = None
@@ -58,7 +58,7 @@ def system_variable(variable: Variable, axes: Sequence[str]) -> SystemVariable |
         return None
     if variable.family in SPINDLE_FAMILIES:
         return _of_spindles(variable)
-    return _of_row(variable, axes) or _of_tools(variable, axes)
+    return _of_row(variable, axes) or _of_kinematic(variable) or _of_tools(variable, axes)
 
 
 def _of_spindles(variable: Variable) -> SystemVariable | None:
@@ -103,8 +103,21 @@ def _without(part: Part) -> Part:
     return Part(part.span, part.name)
 
 
+def _of_kinematic(variable: Variable) -> SystemVariable | None:
+    """Return the meaning of ``KIN[9].PARAM[0]``."""
+    if variable.family != "G" or [part.name for part in variable.parts] != ["KIN", "PARAM"]:
+        return None
+    indices = [part.indices for part in variable.parts]
+    if any(len(index) != 1 for index in indices):
+        return None
+    return SystemVariable("kinematic", "PARAM", indices[0][0], indices[1][0], is_writable=True)
+
+
 def _of_tools(variable: Variable, axes: Sequence[str]) -> SystemVariable | None:
-    """Return the meaning of ``WZ_AKT.R``, ``WZ[5].V.X``, ``WZR``, ``T_AKT``, ``D_AKT``."""
+    """Return the meaning of ``WZ_AKT.R``, ``WZ[5].V.X``, ``WZR``, ``T_AKT``, ``D_AKT``.
+
+    ``WZ_AKT.KIN_PARAM[0]`` may be written, too.
+    """
     if variable.family != "G":
         return None
     first, rest = variable.parts[0], variable.parts[1:]
@@ -123,6 +136,8 @@ def _of_tools(variable: Variable, axes: Sequence[str]) -> SystemVariable | None:
     if len(names) == 1 and names[0] in _TOOL_VALUES and not indices:
         is_writable = number is None and names[0] in ("R", "L")
         return SystemVariable("tool", names[0], number, is_writable=is_writable)
+    if names == ["KIN_PARAM"] and len(indices) == 1:
+        return SystemVariable("tool", names[0], number, indices[0], is_writable=number is None)
     if len(names) == 1 and names[0] in ("V", "P") and len(indices) == 1:
         return SystemVariable("tool", names[0], number, indices[0])
     if len(names) == 2 and names[0] == "V" and names[1] in axes and not indices:

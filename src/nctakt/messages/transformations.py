@@ -155,7 +155,7 @@ ARC_DURING_PTP = error(
     clearing=3,
 )
 FIXED_TYPE_SIGNS = note(
-    901599,
+    901607,
     en="kinematic {id} has the type {type}: its signs are those of plain geometry",
     de="Kinematik {id} hat den Typ {type}: ihre Vorzeichen sind die der einfachen Geometrie",
     remedy_en="No source prints its equations; docs/conformance.md says how they are read.",

@@ -30,8 +30,9 @@ class SystemVariable(NamedTuple):
     ``system_names.py``.
 
     ``number``: of a timer or kinematic, or of a tool or zero offset other than the active one;
-    ``element``: of a parameter, axis or spindle, ``axis``: the axis or spindle if it is named instead.
-    ``is_writable``: programs may assign to it. ``waits``: reading it empties the channel first.
+    ``element``: of a parameter, axis or spindle, ``axis``: the axis or spindle if it is named
+    instead. ``is_writable``: programs may assign to it. ``waits``: reading it empties the channel
+    first.
     """
 
     kind: Literal["timer", "tool", "axis", "channel", "spindle", "kinematic"]

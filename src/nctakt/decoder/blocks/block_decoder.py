@@ -154,8 +154,7 @@ class BlockDecoder:
         if self._state.monitored:
             check_free(self._values, [word for word, _ in content.axes], content.stops)
         content.path.offset_kinds = kinds
-        if content.zero_group is not None or content.is_reference:
-            yield from self._offsets(content, self._environment.source_id(block.span), number)
+        yield from self._offsets(content, self._environment.source_id(block.span), number)
         if content.updates_tool_offsets:
             yield from self._values.tool.offsets(block.span, number)
         yield from weigh(self._values, content.weights, number)

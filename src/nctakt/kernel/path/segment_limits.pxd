@@ -58,17 +58,6 @@ cdef class SegmentLimits:
 
     @cython.locals(share=double)
     cdef double measure(self, double[::1] segments, Py_ssize_t row) noexcept nogil
-    @cython.locals(is_rapid=bint, speed=double, limit_a=double)
-    cdef double measure_transformed(self, double[::1] segments, Py_ssize_t row) noexcept nogil
-    @cython.locals(speed=double, limit_a=double)
-    cdef void limit_transformed_jerk(
-        self, double[::1] segments, Py_ssize_t row, bint is_rapid
-    ) noexcept nogil
-    @cython.locals(
-        first=Py_ssize_t, second=Py_ssize_t, x=double, y=double, distance=double, length2=double,
-        start=Py_ssize_t, i=Py_ssize_t, rise=double
-    )
-    cdef double arc_length(self, double[::1] segments, Py_ssize_t row) noexcept nogil
     @cython.locals(
         spindle=Py_ssize_t, turn=double, limit_v=double, limit_a=double, limit_j=double
     )

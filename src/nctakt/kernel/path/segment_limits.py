@@ -65,7 +65,11 @@ class SegmentLimits:
         self.max_bend = 1.99
         self.arcs = ArcLimits(count)
         self.arcs.share(self.listed_v, self.listed_a)
-        self.transformed = TransformedLimits(count)
+        self.transformed = TransformedLimits(count, self.linear)
+        self.transformed.limit(self.rapid_v, self.max_v, self.rapid_a, self.feed_a)
+        self.transformed.limit_slope(
+            self.rapid_slope_a, self.feed_slope_a, self.rapid_j, self.feed_j
+        )
         self.direction = memoryview(bytearray(room)).cast("d")
         self.unused = memoryview(bytearray(room)).cast("d")
         self.has_jerk_limit = False
@@ -173,7 +177,11 @@ class SegmentLimits:
         share = 0.0
         segments[row + rows.LENGTH] = self.straight_length(segments, row)
         if segments[row + rows.TRANSFORMATION] > 0.0:
-            return self.measure_transformed(segments, row)
+            self.has_jerk_limit |= segments[row + rows.HAS_JERK_LIMIT] > 0.0
+            share = self.transformed.measure(segments, row, self.max_factor)
+            if segments[row + rows.HAS_JERK_LIMIT] > 0.0:
+                self.stand_at_end(segments, row)
+            return share
         if segments[row + rows.SHAPE] == rows.ARC:
             share = self.measure_arc(segments, row)
         else:
@@ -202,70 +210,6 @@ class SegmentLimits:
             if limit_j > 0.0:
                 segments[row + rows.JERK] = min(segments[row + rows.JERK], limit_j)
             self.stand_at_end(segments, row)
-
-    def measure_transformed(self, segments: memoryview[float], row: int) -> float:
-        """``measure`` where the axes' positions come from a map (``transformed_limits.py``).
-
-        Return the share of the accelerations that the bend of the axes' way takes. The corner at
-        its end is not rounded.
-        """
-        segments[row + rows.DEVIATION] = 0.0
-        if segments[row + rows.SHAPE] == rows.ARC:
-            segments[row + rows.LENGTH] = self.arc_length(segments, row)
-        self.transformed.survey(segments, row)
-        is_rapid = segments[row + rows.MOTION] == rows.RAPID_MOTION
-        if is_rapid:
-            segments[row + rows.SPEED] = self.transformed.highest_speed(self.rapid_v)
-        speed = min(
-            segments[row + rows.SPEED] * self.max_factor,
-            self.transformed.highest_speed(self.max_v),
-            self.transformed.bent_speed(self.rapid_a if is_rapid else self.feed_a),
-        )
-        if segments[row + rows.HAS_JERK_LIMIT] > 0.0:
-            speed = min(
-                speed,
-                self.transformed.bent_speed(self.rapid_slope_a if is_rapid else self.feed_slope_a),
-                self.transformed.bent_jerk_speed(self.rapid_j if is_rapid else self.feed_j),
-            )
-        segments[row + rows.MAX_SPEED] = speed
-        limit_a = self.transformed.acceleration(self.rapid_a if is_rapid else self.feed_a, speed)
-        segments[row + rows.ACCELERATION] = limit_a
-        segments[row + rows.CORNER_SPEED] = 0.0
-        if segments[row + rows.HAS_JERK_LIMIT] > 0.0:
-            self.limit_transformed_jerk(segments, row, is_rapid)
-        return self.transformed.bend_share(self.rapid_a if is_rapid else self.feed_a, speed)
-
-    def limit_transformed_jerk(self, segments: memoryview[float], row: int, is_rapid: int) -> None:
-        """``limit_jerk`` where the axes' positions come from a map."""
-        self.has_jerk_limit = True
-        speed = segments[row + rows.MAX_SPEED]
-        limit_a = min(
-            segments[row + rows.ACCELERATION],
-            self.transformed.acceleration(
-                self.rapid_slope_a if is_rapid else self.feed_slope_a, speed
-            ),
-            self.transformed.bent_acceleration(self.rapid_j if is_rapid else self.feed_j, speed),
-        )
-        segments[row + rows.ACCELERATION] = limit_a
-        segments[row + rows.JERK] = self.transformed.jerk(
-            self.rapid_j if is_rapid else self.feed_j, speed, limit_a
-        )
-        self.stand_at_end(segments, row)
-
-    def arc_length(self, segments: memoryview[float], row: int) -> float:
-        """Length of an arc, of a helix where further linear axes move."""
-        first = int(segments[row + rows.ARC_FIRST_AXIS])
-        second = int(segments[row + rows.ARC_SECOND_AXIS])
-        x = segments[row + rows.START + first] - segments[row + rows.ARC_FIRST_CENTRE]
-        y = segments[row + rows.START + second] - segments[row + rows.ARC_SECOND_CENTRE]
-        distance = segments[row + rows.ARC_ANGLE] * 0.017453292519943295
-        length2 = (x * x + y * y) * distance * distance
-        start = row + rows.START
-        for i in range(self.count):
-            if self.linear[i] and i not in (first, second):
-                rise = segments[start + self.count + i] - segments[start + i]
-                length2 += rise * rise
-        return arithmetic.square_root(length2)
 
     def limit_jerk(self, segments: memoryview[float], row: int) -> None:
         """Limit acceleration and jerk for the jerk-limited slope."""

@@ -36,9 +36,18 @@ class TransformedLimits:
     acceleration and jerk that a bend leaves at least.
     """
 
-    def __init__(self, count: int) -> None:
+    def __init__(self, count: int, linear: memoryview[int]) -> None:
         self.count = count
+        self.linear = linear
         room = 8 * max(1, count)
+        self.rapid_v = memoryview(bytearray(room)).cast("d")
+        self.max_v = memoryview(bytearray(room)).cast("d")
+        self.rapid_a = memoryview(bytearray(room)).cast("d")
+        self.feed_a = memoryview(bytearray(room)).cast("d")
+        self.rapid_slope_a = memoryview(bytearray(room)).cast("d")
+        self.feed_slope_a = memoryview(bytearray(room)).cast("d")
+        self.rapid_j = memoryview(bytearray(room)).cast("d")
+        self.feed_j = memoryview(bytearray(room)).cast("d")
         self.transformations = Transformations(1)
         self.free_a = 1.0 - BEND_A
         self.free_j = 1.0 - BEND_J - BEND_RAMP_J
@@ -60,6 +69,32 @@ class TransformedLimits:
     def share(self, transformations: Transformations) -> None:
         """Use the maps of the machine."""
         self.transformations = transformations
+
+    def limit(
+        self,
+        rapid_v: memoryview[float],
+        max_v: memoryview[float],
+        rapid_a: memoryview[float],
+        feed_a: memoryview[float],
+    ) -> None:
+        """Share the axes' speeds and accelerations."""
+        self.rapid_v = rapid_v
+        self.max_v = max_v
+        self.rapid_a = rapid_a
+        self.feed_a = feed_a
+
+    def limit_slope(
+        self,
+        rapid_slope_a: memoryview[float],
+        feed_slope_a: memoryview[float],
+        rapid_j: memoryview[float],
+        feed_j: memoryview[float],
+    ) -> None:
+        """Share the axes' accelerations and jerks with limited jerk."""
+        self.rapid_slope_a = rapid_slope_a
+        self.feed_slope_a = feed_slope_a
+        self.rapid_j = rapid_j
+        self.feed_j = feed_j
 
     def locate(self, segments: memoryview[float], row: int, part: float, sample: int) -> None:
         """Put the axes after ``part`` of a segment into a sample; beyond the ends it goes on."""
@@ -228,3 +263,65 @@ class TransformedLimits:
                 left_j = limits[i] - MARGIN * bend * speed
                 limit_j = min(limit_j, left_j / (MARGIN * self.first[i]))
         return limit_j
+
+    # --- a segment -----------------------------------------------------------------------------
+
+    def measure(self, segments: memoryview[float], row: int, max_factor: float) -> float:
+        """Prepare length, speeds and acceleration of a transformed segment.
+
+        Return the share of the accelerations that the bend of the axes' way takes. The corner at
+        its end is not rounded.
+        """
+        segments[row + rows.DEVIATION] = 0.0
+        if segments[row + rows.SHAPE] == rows.ARC:
+            segments[row + rows.LENGTH] = self.arc_length(segments, row)
+        self.survey(segments, row)
+        is_rapid = segments[row + rows.MOTION] == rows.RAPID_MOTION
+        if is_rapid:
+            segments[row + rows.SPEED] = self.highest_speed(self.rapid_v)
+        speed = min(
+            segments[row + rows.SPEED] * max_factor,
+            self.highest_speed(self.max_v),
+            self.bent_speed(self.rapid_a if is_rapid else self.feed_a),
+        )
+        if segments[row + rows.HAS_JERK_LIMIT] > 0.0:
+            speed = min(
+                speed,
+                self.bent_speed(self.rapid_slope_a if is_rapid else self.feed_slope_a),
+                self.bent_jerk_speed(self.rapid_j if is_rapid else self.feed_j),
+            )
+        segments[row + rows.MAX_SPEED] = speed
+        limit_a = self.acceleration(self.rapid_a if is_rapid else self.feed_a, speed)
+        segments[row + rows.ACCELERATION] = limit_a
+        segments[row + rows.CORNER_SPEED] = 0.0
+        if segments[row + rows.HAS_JERK_LIMIT] > 0.0:
+            self.limit_jerk(segments, row, is_rapid)
+        return self.bend_share(self.rapid_a if is_rapid else self.feed_a, speed)
+
+    def limit_jerk(self, segments: memoryview[float], row: int, is_rapid: int) -> None:
+        """Limit acceleration and jerk for the jerk-limited slope."""
+        speed = segments[row + rows.MAX_SPEED]
+        limit_a = min(
+            segments[row + rows.ACCELERATION],
+            self.acceleration(self.rapid_slope_a if is_rapid else self.feed_slope_a, speed),
+            self.bent_acceleration(self.rapid_j if is_rapid else self.feed_j, speed),
+        )
+        segments[row + rows.ACCELERATION] = limit_a
+        segments[row + rows.JERK] = self.jerk(
+            self.rapid_j if is_rapid else self.feed_j, speed, limit_a
+        )
+
+    def arc_length(self, segments: memoryview[float], row: int) -> float:
+        """Length of an arc, of a helix where further linear axes move."""
+        first = int(segments[row + rows.ARC_FIRST_AXIS])
+        second = int(segments[row + rows.ARC_SECOND_AXIS])
+        x = segments[row + rows.START + first] - segments[row + rows.ARC_FIRST_CENTRE]
+        y = segments[row + rows.START + second] - segments[row + rows.ARC_SECOND_CENTRE]
+        distance = segments[row + rows.ARC_ANGLE] * 0.017453292519943295
+        length2 = (x * x + y * y) * distance * distance
+        start = row + rows.START
+        for i in range(self.count):
+            if self.linear[i] and i not in (first, second):
+                rise = segments[start + self.count + i] - segments[start + i]
+                length2 += rise * rise
+        return arithmetic.square_root(length2)

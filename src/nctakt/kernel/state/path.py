@@ -307,11 +307,28 @@ def arrays_of_segment_limits(part: SegmentLimits) -> Arrays:
 def copy_transformed_limits(source: TransformedLimits, target: TransformedLimits) -> None:
     target.count = source.count
     target.turn = source.turn
+    target.rapid_v = source.rapid_v
+    target.max_v = source.max_v
+    target.rapid_a = source.rapid_a
+    target.feed_a = source.feed_a
+    target.rapid_slope_a = source.rapid_slope_a
+    target.feed_slope_a = source.feed_slope_a
+    target.rapid_j = source.rapid_j
+    target.feed_j = source.feed_j
     target.transformations = source.transformations
 
 
 def arrays_of_transformed_limits(part: TransformedLimits) -> Arrays:
     return (
+        part.linear,
+        part.rapid_v,
+        part.max_v,
+        part.rapid_a,
+        part.feed_a,
+        part.rapid_slope_a,
+        part.feed_slope_a,
+        part.rapid_j,
+        part.feed_j,
         part.near,
         part.point,
         part.start,

@@ -153,7 +153,11 @@ class BuildExtensions(build_ext):
             self.extensions,
             build_dir=folder,
             compiler_directives=DIRECTIVES | {"boundscheck": self.checked},
-            force=newer("setup.py", f"{folder}/{SHARED_SOURCE}"),
+            # Cython does not see that a module depends on ``cimport``-ed modules of constants.
+            force=any(
+                newer(str(file), f"{folder}/{SHARED_SOURCE}")
+                for file in (Path("setup.py"), *SOURCES.rglob("*.pxd"))
+            ),
             nthreads=self.parallel,
             quiet=True,
             shared_utility_qualified_name=SHARED,

@@ -53,7 +53,7 @@ G80 ; error 20131 "G80"
 G805[1, P2] ; error 20131 "G805"
 G839 ; error 20131 "G839"
 G840 ; error 20131 "G840"
-G129 = 50 ; error 900200 "G129"
+G129 = 50
 G160 X1 ; error 900200 "G160"
 G163 ; error 900927 "G163"
 G163=V.E.NONE ; error 20196 "V.E.NONE"

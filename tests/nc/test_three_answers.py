@@ -12,6 +12,7 @@ from check_machine import findings
 
 from nctakt.nc.vocabulary import support_level
 from nctakt.nc.vocabulary.entries import Entry, Kind, Support
+from nctakt.nc.vocabulary.function_rows import Form, GFunction
 
 #: The messages that report the level.
 REFUSED, ACCEPTED = 900200, 900201
@@ -41,7 +42,9 @@ def test_a_refused_g_function_is_refused_by_name(entry: Entry) -> None:
 @pytest.mark.parametrize("entry", rows(Kind.G_FUNCTION, Support.ACCEPTED), ids=lambda one: one.name)
 def test_an_accepted_g_function_is_told_as_a_note(entry: Entry) -> None:
     """Once per program, however often it stands there."""
-    found = findings((f"{entry.name} X1", f"{entry.name} X2", "M30"), file="p.nc")
+    is_weight = isinstance(entry, GFunction) and entry.form is Form.WEIGHT
+    first, second = ("=50", "=60") if is_weight else (" X1", " X2")
+    found = findings((entry.name + first, entry.name + second, "M30"), file="p.nc")
     assert [one.id for one in found] == [ACCEPTED]
 
 

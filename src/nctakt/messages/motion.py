@@ -122,7 +122,6 @@ INVALID_CONTOUR_DEVIATION = error(
 )
 INVALID_VECTOR_LIMIT = error(
     21205,
-    known_as=(21206, 21546, 21945),
     cases=by_beginning("word", {"ACC": 21206, "DEC": 21546, "RADIAL_ACC": 21945}),
     en="{word} of #VECTOR LIMIT is {value}, but must be above 0",
     de="{word} von #VECTOR LIMIT ist {value}, muss aber größer als 0 sein",

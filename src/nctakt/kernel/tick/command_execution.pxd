@@ -83,8 +83,7 @@ cdef class CommandExecutor:
     )
     cdef void take_event(self, Py_ssize_t row, int kind) noexcept nogil
     @cython.locals(
-        has_thread=bint, is_current=bint, serial=cython.longlong, message=int,
-        source=cython.longlong
+        has_thread=bint, is_current=bint, serial=cython.longlong, message=int
     )
     cdef int take_block(self, Py_ssize_t row) noexcept nogil
     @cython.locals(slot=Py_ssize_t, message=int, source=cython.longlong)

@@ -1,8 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What the commands of a channel's queue do when they are taken (RC-003, RC-004).
-
-``take_commands`` is the first phase of a channel's tick, whose cells stand from ``first_cell`` on.
-"""
+"""What the commands of a channel's queue do when they are taken, first in a tick (RC-003, RC-004)."""
 
 from __future__ import annotations
 
@@ -265,8 +262,9 @@ class CommandExecutor:
         if self.queue.rows[row + rows.KIND] == rows.SEGMENT:
             message = self.path.refusal(row, self.queue.rows)
             if message:
-                source = int(self.queue.rows[row + rows.SOURCE])
-                self.report(source, message, self.path.refused_axis)
+                self.report(
+                    int(self.queue.rows[row + rows.SOURCE]), message, self.path.refused_axis
+                )
                 return 1
         self.path.begin(row, self.queue.rows, 0.0)
         if self.path.continues_block():

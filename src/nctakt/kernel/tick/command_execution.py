@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What the commands of a channel's queue do when they are taken, first in a tick (RC-003, RC-004)."""
+"""What the commands of a channel's queue do when they are taken, first in a tick (RC-003)."""
 
 from __future__ import annotations
 

@@ -137,9 +137,9 @@ class SharedSession:
     def go_to_next(self, stop: StopAt) -> None:
         """Run to the next such moment, or to a stop; the page shows the way, and may pause it."""
         self.session.pause()
-        self._passing = stop
         self.session.set_stops(*self.stops, stop)
         self.session.play()
+        self._passing = stop  # once it plays: a session that stands has come there
         self._wake.set()
 
     def set_stops(self, stops: Sequence[str]) -> None:

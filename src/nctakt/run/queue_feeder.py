@@ -11,7 +11,7 @@ from collections.abc import Callable, Generator
 from functools import partial
 
 from nctakt.base.diagnostics import Diagnostic
-from nctakt.decoder.axis_limits import apply_limits, listed_limits
+from nctakt.decoder.axis_limits import apply_limits
 from nctakt.decoder.fast.handover import PlainRun
 from nctakt.decoder.program import ProgramDecoder
 from nctakt.decoder.state import commands
@@ -68,7 +68,7 @@ class QueueFeeder:
             partial(registry.keep, channel=machine.number_in_names(program.channel)),
             takes_runs=budget is None,
         )
-        listed = listed_limits(self.environment.axes)
+        listed = machine.realtime.listed_limits[program.channel]
         apply_limits(self._channel.queue.look_ahead.limits, listed)
         self._decoded: Generator[Command, Answer] = self._decoder.decode(program.text)
         self.state = state

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from nctakt.decoder.axis_limits import history_blocks, look_ahead, single_axes
+from nctakt.decoder.axis_limits import history_blocks, listed_limits, look_ahead, single_axes
 from nctakt.kernel import cells
 from nctakt.kernel.axes.axes import Axes
 from nctakt.kernel.base.record import Record
@@ -40,7 +40,8 @@ DEFAULT_DIAGNOSIS_LEVEL = 3.0
 class RealtimePart:
     """Memory, axes, channels and kernel of one machine, as they are at start-up.
 
-    ``kept_cycles``: cycles of earlier runs on it, where one run follows another.
+    ``kept_cycles``: cycles of earlier runs on it, where one run follows another. ``listed_limits``:
+    the limits of each channel's axes with which its programs start.
     """
 
     def __init__(self, configuration: Machine, layout: Layout) -> None:
@@ -53,6 +54,10 @@ class RealtimePart:
         self.single_axes = single_axes(configuration, self.axes, self.record)
         self.channels = [
             self._channel(index, layout) for index in range(len(configuration.channels))
+        ]
+        self.listed_limits = [
+            listed_limits([configuration.axes[axis.index] for axis in channel.axes])
+            for channel in configuration.channels
         ]
         self.kernel = Kernel(self.memory, self.axes, self.channels, self.record, self.single_axes)
 

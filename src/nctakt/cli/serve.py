@@ -472,7 +472,7 @@ def _growing(
 
 def _end(session: Session, options: Options, tape: str | None) -> None:
     """Show the table of a real schedule; write the tape; raises ``Failure`` where it cannot be."""
-    with contextlib.suppress(Failure):  # a controller that is lost has told so
+    with contextlib.suppress(Failure):  # a lost controller has none, and its loss is told
         click.echo(session.schedule_table(options.language), nl=False)
     if tape is not None:
         session.save(tape)

@@ -438,7 +438,7 @@ class RemoveSignals(Command):
 
 @dataclass(frozen=True, slots=True)
 class DecoderWait(Command):
-    """The decoder waits, and nothing stands in the queue for it."""
+    """The decoder waits; the queue holds no command for it."""
 
 
 @dataclass(frozen=True, slots=True)

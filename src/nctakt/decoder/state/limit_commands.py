@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The command that changes the limits of axes and path; nothing of it stands in the queue."""
+"""The command that changes the limits of axes and path; it has no row in the queue."""
 
 from __future__ import annotations
 

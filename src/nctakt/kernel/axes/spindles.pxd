@@ -8,6 +8,8 @@ from nctakt.kernel.base cimport arithmetic
 from nctakt.kernel.base.record cimport Record
 from nctakt.kernel.axes.trajectory cimport Trajectories
 
+cdef double DEGREES_PER_RADIAN
+
 @cython.final
 cdef class Spindles:
     cdef double[::1] cells
@@ -82,8 +84,11 @@ cdef class Spindles:
     cdef void uncouple(self, Py_ssize_t spindle) noexcept nogil
     @cython.locals(spindle=Py_ssize_t, was_on=bint, is_on=bint)
     cdef void take_cutting_speed(self, double[::1] queue, Py_ssize_t row) noexcept nogil
-    @cython.locals(spindle=Py_ssize_t, radius=double, limit_v=double, speed_v=double)
+    @cython.locals(
+        spindle=Py_ssize_t, distance=double, radius=double, limit_v=double, speed_v=double
+    )
     cdef void follow_axes(self, long long tick) noexcept nogil
+    @cython.locals(is_bound=bint)
     cdef int turns_freely(self, Py_ssize_t spindle) noexcept nogil
     @cython.locals(count=Py_ssize_t, spindle=Py_ssize_t)
     cdef Py_ssize_t open_count(self, long long owner) noexcept nogil

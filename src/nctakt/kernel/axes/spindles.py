@@ -22,6 +22,8 @@ from nctakt.kernel.base import arithmetic
 from nctakt.kernel.base.bounds import check_cells, check_index, check_size
 from nctakt.kernel.base.record import Record
 
+DEGREES_PER_RADIAN = 57.29577951308232
+
 
 class Spindles:
     """``count`` spindles, whose signals stand from ``first_cell`` on.
@@ -229,7 +231,7 @@ class Spindles:
         return begin + self.plans.distance_d
 
     def is_at_speed(self, spindle: int) -> int:
-        """Return whether the spindle turns endlessly, at the speed that it was told."""
+        """Return whether the spindle turns endlessly and has reached its commanded speed."""
         if self.mode[spindle] != codes.TURNING or self.is_open[spindle]:
             return 0
         return 1 if self.speed_v[spindle] == self.commanded_v[spindle] else 0
@@ -273,14 +275,14 @@ class Spindles:
             return
         for spindle in range(self.count):
             if self.surface_v[spindle] > 0.0 and self.turns_freely(spindle):
-                radius = self.axes.command[self.face_axis[spindle]] - self.centre_d[spindle]
-                radius = radius if radius > 0.0 else 0.0 - radius
+                distance = self.axes.command[self.face_axis[spindle]] - self.centre_d[spindle]
+                radius = math.fabs(distance)
                 limit_v = self.limit_v[spindle]
                 if self.surface_limit_v[spindle] > 0.0:
                     limit_v = min(limit_v, self.surface_limit_v[spindle])
                 speed_v = limit_v
-                if radius * limit_v > self.surface_v[spindle] * 57.29577951308232:
-                    speed_v = self.surface_v[spindle] * 57.29577951308232 / radius
+                if radius * limit_v > self.surface_v[spindle] * DEGREES_PER_RADIAN:
+                    speed_v = self.surface_v[spindle] * DEGREES_PER_RADIAN / radius
                 if self.function[spindle] == codes.SPINDLE_BACKWARD:
                     speed_v = 0.0 - speed_v
                 if speed_v != self.commanded_v[spindle]:
@@ -289,9 +291,8 @@ class Spindles:
 
     def turns_freely(self, spindle: int) -> int:
         """Return whether an endless job turns the spindle, and no thread is cut with it."""
-        if self.is_held[spindle] or self.bound_a[spindle] > 0.0:
-            return 0
-        if self.mode[spindle] != codes.TURNING:
+        is_bound = self.is_held[spindle] or self.bound_a[spindle] > 0.0
+        if is_bound or self.mode[spindle] != codes.TURNING:
             return 0
         return 1 if self.function[spindle] != codes.SPINDLE_STOP else 0
 

@@ -79,7 +79,6 @@ OTHER_CONTROLS: tuple[tuple[re.Pattern[str], str, Text, Text], ...] = tuple(
             Text("the end of a subprogram", "das Ende eines Unterprogramms"),
             Text("Write M17.", "M17 schreiben."),
         ),
-        (r"(?<!\w)(?P<wrong>G6[89](?:\.\d)?)(?![\d.])", _FANUC, _ROTATION, _ROTATION_WORDS),
         (
             r"(?<!\w)(?P<wrong>G73|G76)(?![\d.])",
             _FANUC,

@@ -194,7 +194,12 @@ G_FUNCTIONS: Mapping[int, GFunction] = by_number(
         plain(INCH, "lengths in inch", "Längen in Zoll"),
         plain(MILLIMETRES, "lengths in mm", "Längen in mm"),
     ),
-    group(None, refused(74, "homing", "Referenzfahrt")),
+    group(
+        None,
+        refused(68, "rotation in the plane", "Drehung in der Ebene"),
+        refused(69, "rotation off", "Drehung aus"),
+        refused(74, "homing", "Referenzfahrt"),
+    ),
     subprograms(80, 89),
     group(
         Group.DIMENSION,

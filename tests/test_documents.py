@@ -429,7 +429,7 @@ def test_the_kinds_of_events_are_those_of_the_code() -> None:
     decoder = EventDecoder(1000, _Names())
     with_choices = (rows.EVENT_CREATED, rows.EVENT_ENDED)
     with_choices += (rows.EVENT_USER_VALUE, rows.EVENT_USER_TEXT)
-    with_choices += (rows.EVENT_AXIS_ENDED, rows.EVENT_AXIS_CHANGED)
+    with_choices += (rows.EVENT_AXIS_ENDED, rows.EVENT_AXIS_CHANGED, rows.EVENT_AXIS_EXCHANGED)
     numbers = (0.0, -1.0, 50900.0, 20824.0)  # an M and an H function, an error and a warning
     told = {
         event.kind

@@ -26,6 +26,7 @@ KERNEL = PACKAGE / "kernel"
 #: Modules of numbers: constants of C in what is compiled, and not compiled themselves.
 NUMBERS = (
     "decoder/contour/rows",
+    "kernel/axes/plan_rows",
     "kernel/cells",
     "kernel/codes",
     "kernel/kinematics/map_rows",

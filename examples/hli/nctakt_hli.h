@@ -204,7 +204,7 @@ typedef struct hli_command {
     uint8_t reset; /* RESET: the PLC writes 1, the CNC takes it and writes 0 */
     uint8_t plc_present; /* 1: the PLC acknowledges functions, 0: the CNC itself */
     uint8_t backward_motion; /* 1: the path is walked back, 0: forward again */
-    uint8_t probe; /* 1: the probe of the edge banding is on the edge */
+    uint8_t probe; /* 1: the probe touches (G100), or is on the edge (G108) */
     uint8_t optional_stop; /* 1: M01 stops as M00 does */
     uint32_t ack_program[20]; /* acknowledges program[i] of the channel: its serial */
     uint32_t ack_realtime[20]; /* acknowledges realtime[i] of the channel: its serial */

@@ -31,6 +31,7 @@ $ENDFOR|$WHILE P1 < 3|$ENDWHILE|#RT CYCLE [ID=1 SCOPE=PROG]|  $IF EDGE V.RTA.ACS
 #RT CYCLE DELETE [ID=1]|#RT CYCLE DELETE [ID=P1]|#FLUSH|; comment|; nctakt: ignore 900243 why
 ; expect: M100|; expct: M100|( a comment|#COMMENT BEGIN|#COMMENT END|G01 X=P1 \| Y10|R5|T1 D1|T99
 #MSG ["a %d", P1]|#CONTOUR MODE [PTP]|#SLOPE [TYPE=1]|"mac" = "G01 X10"|"mac"|G01 X1 Q1|D99
+#CALL AX [W1, 3, 5]|G01 W1=5|#PUT AX [Y]|#WAIT [ID=1 CH=1]
 G01 X 99999|$IF P1 = 2|S1000 M3|$BREAK|$SWITCH P1|$CASE 1|$ENDSWITCH|#INIT V.E|V.E.COUNT = 2|foo
 """.strip().replace("\n", "|").split("|")  # fmt: skip
 

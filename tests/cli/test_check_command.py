@@ -25,7 +25,7 @@ pytestmark = pytest.mark.slow
 
 DEMO = Path(machines.__path__[0]) / "demo"
 GOOD = "G00 X10\nM30\n"
-BAD = "G00 X10 Q5\nG310 X1\nM30\n"
+BAD = "G00 X10 Q5\nG200 X1\nM30\n"
 FROZEN = """\
 #RT CYCLE [SCOPE=PROG]
   $IF V.E.ASYNC == 1 && V.E.VALUE > 2
@@ -529,7 +529,7 @@ def test_thousands_of_unknown_entries_are_a_few_lines(check: Check) -> None:
 def test_called_files_are_checked_in_their_place(check: Check) -> None:
     """A subprogram that only a call names, and what that calls: each once, by file and line."""
     write("part.nc", "%part\nL sub.nc\nL CYCLE [NAME=lib/drill.cyc @P1=2]\nL sub.nc\nM30\n")
-    write("sub.nc", "G00 X1\nG310 X1\nL lib/deep.nc\nM17\n")
+    write("sub.nc", "G00 X1\nG200 X1\nL lib/deep.nc\nM17\n")
     write("lib/drill.cyc", "G01 Z-V.P.DEEP F100\nM17\n")
     write("lib/deep.nc", "L gone.nc\nM17\n")
     checked = check("part.nc")
@@ -553,7 +553,7 @@ def test_a_called_file_ends_with_m17(check: Check) -> None:
 def test_programs_that_call_each_other_are_checked_once(check: Check) -> None:
     """A circle of calls ends."""
     write("a.nc", "L b.nc\nM30\n")
-    write("b.nc", "G310\nL a.nc\nM17\n")
+    write("b.nc", "G200\nL a.nc\nM17\n")
     checked = check("a.nc")
     assert checked.ids == [900200]
     assert checked.lines[-1].startswith("2 files: ")
@@ -588,7 +588,7 @@ def test_programs_in_a_machines_folder_are_for_its_channels(check: Check) -> Non
 def test_a_folder_of_two_channels_is_checked_for_both(check: Check) -> None:
     """What one of them cannot run is told; what both cannot, once."""
     two_channels({1: "path[0].dir ./nc", 2: "path[0].dir ./nc"})
-    write("mine/nc/a.nc", "G00 A10\nG310\nM30\n")
+    write("mine/nc/a.nc", "G00 A10\nG200\nM30\n")
     checked = check("mine", "--select", "20797,900200")
     assert checked.found == [("mine/nc/a.nc", 1, 20797), ("mine/nc/a.nc", 2, 900200)]
     told = [number for number, line in enumerate(checked.lines) if line == "  channel: 2"]
@@ -599,7 +599,7 @@ def test_a_folder_of_two_channels_is_checked_for_both(check: Check) -> None:
 def test_formats_name_the_channels(check: Check) -> None:
     """JSON, SARIF and GitHub tell which channels cannot run a block."""
     two_channels({1: "path[0].dir ./nc", 2: "path[0].dir ./nc"})
-    write("mine/nc/a.nc", "G00 A10\nG310\nM30\n")
+    write("mine/nc/a.nc", "G00 A10\nG200\nM30\n")
     words = ("mine/nc/a.nc", "--select", "20797,900200", "--format")
     found = json.loads(check(*words, "json").out)["diagnostics"]
     assert [(one["id"], one["channels"]) for one in found] == [(20797, [2]), (900200, [])]
@@ -654,7 +654,7 @@ def test_a_named_machine_counts_for_all_programs(check: Check) -> None:
 def test_programs_that_run_with_each_other_one_are_checked(check: Check) -> None:
     """Those of the channel list: found ones are checked, missing ones told with each program."""
     two_channels({1: "start_init_prog_file begin.nc\nfinal_prog_file gone.nc"})
-    write("mine/begin.nc", "G310\nM17\n")
+    write("mine/begin.nc", "G200\nM17\n")
     write("mine/part.nc", "%part\nM30\n")
     assert of_programs(check("mine/part.nc", "--machine", "mine")) == [
         ("mine/begin.nc", 1, 900200),
@@ -686,21 +686,21 @@ def test_the_root_folder_is_searched(check: Check) -> None:
 def test_entries_without_effect_that_would_change_a_run(check: Check) -> None:
     """One finding for the file, which --strict counts; --effects lists all of them."""
     shutil.copytree(DEMO, "mine")
-    text = "feed_to_weakest_axis 1\nmesstyp 2\np_param_haltend 1\nEnde\n"
+    text = "hsc.gen.filter_deviation 7\nversch_im_durchm 1\np_param_haltend 1\nEnde\n"
     lists = Path("mine/sda_mds1.lis")
     lists.write_text(lists.read_text("utf-8").replace("Ende\n", text), encoding="utf-8")
     checked = check("mine")
     assert (checked.ids, checked.code) == ([900028, 900029], 0)
-    assert ": 2 (feed_to_weakest_axis, messtyp)" in checked.lines[0]
+    assert ": 2 (hsc.gen.filter_deviation, versch_im_durchm)" in checked.lines[0]
     assert check("mine", "--strict").code == 1
     effects = check("mine", "--effects")
-    line = lists.read_text("utf-8").splitlines().index("messtyp 2") + 1
+    line = lists.read_text("utf-8").splitlines().index("versch_im_durchm 1") + 1
     assert effects.lines[0] == "warning 900970: 2 entries without effect here would change a run"
     assert effects.lines[1].strip() == "mine/sda_mds1.lis"
-    assert f"  {line:6}  P-CHAN-00057   messtyp is 2, not 1" in effects.lines
-    assert "Which of the measuring types is preset" in effects.out
+    assert f"  {line:6}  P-CHAN-00091   versch_im_durchm is 1, not 0" in effects.lines
+    assert "Zero and reference offsets of the facing" in effects.out
     assert "note 900971: 1 entry without effect here may change a run" in effects.lines
     assert effects.out.count("remedy: Expect other positions") == 2
     german = check("mine", "--effects", "--lang", "de")
-    assert "P-CHAN-00057   messtyp ist 2, nicht 1" in german.out
+    assert "P-CHAN-00091   versch_im_durchm ist 1, nicht 0" in german.out
     assert "Hinweis 900971: 1 Eintrag ohne Wirkung hier kann einen Lauf ändern" in german.lines

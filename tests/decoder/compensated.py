@@ -24,8 +24,8 @@ def decoded(text: str, patch: pytest.MonkeyPatch) -> tuple[list[Segment], list[i
     seen: list[Segment] = []
 
     class Watched(ProgramDecoder):
-        def decode(self, program: ProgramText) -> Generator[Command, Answer]:
-            commands = super().decode(program)
+        def decode(self, program: ProgramText, members: list[int]) -> Generator[Command, Answer]:
+            commands = super().decode(program, members)
             answer: Answer = None
             while True:
                 try:

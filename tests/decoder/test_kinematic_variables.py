@@ -10,8 +10,15 @@ import pytest
 
 import nctakt
 from nctakt.base.diagnostics import Message
+from nctakt.messages.checked_blocks import NOT_SIMULATED
 from nctakt.messages.checked_values import INDEX_OUT_OF_RANGE
-from nctakt.messages.transformations import PARAMETER_DURING_TRANSFORMATION, UNKNOWN_KINEMATIC
+from nctakt.messages.transformations import (
+    KINEMATIC_NOT_POSSIBLE,
+    NOT_OF_KINEMATIC,
+    PARAMETER_DURING_TRANSFORMATION,
+    PARAMETER_NOT_PUBLIC,
+    UNKNOWN_KINEMATIC,
+)
 from nctakt.results.run import ProgramMessage, Run
 from nctakt.run.controller import Controller, NcText
 
@@ -72,6 +79,13 @@ def test_written_parameters_count_from_the_next_activation_on(machine: Path) -> 
         ("P1 = V.G.KIN[5].PARAM[0]\n", UNKNOWN_KINEMATIC),
         ("P1 = V.G.KIN[9].PARAM[74]\n", INDEX_OUT_OF_RANGE),
         ("V.G.WZ_AKT.KIN_PARAM[75] = 1\n", INDEX_OUT_OF_RANGE),
+        ("P1 = V.G.KIN[91].AXIS[6].TYPE\n", INDEX_OUT_OF_RANGE),
+        ("P1 = V.G.KIN[91].BASE[6]\n", INDEX_OUT_OF_RANGE),
+        ("P1 = V.G.KIN[9].RTCP\n", NOT_OF_KINEMATIC),
+        ("V.G.KIN[91].PARAM[49] = 1\n", PARAMETER_NOT_PUBLIC),
+        ("P1 = V.G.KIN[91].LOCK_DOF[0]\n", NOT_SIMULATED),
+        ("P1 = V.G.KIN[91].GROUP[0].CHAIN[1]\n", NOT_SIMULATED),
+        ("P1 = V.G.KIN[91].RTCP[0]\n", NOT_SIMULATED),
     ],
 )
 def test_what_cannot_be_read_or_written(machine: Path, text: str, message: Message) -> None:
@@ -94,3 +108,99 @@ def test_type_that_is_not_there_is_refused_at_selection(machine: Path) -> None:
     found, _ = run(machine, "#KIN ID [77]\n#TRAFO ON\n")
     (error,) = found.errors
     assert "type 77 is not simulated" in error.text("en")
+
+
+def test_numbers_of_the_universal_kinematic_by_name_and_by_index(machine: Path) -> None:
+    """UK 882078603: both are one memory; CK 654323083: BASE, which nothing uses here."""
+    found, said = run(
+        machine,
+        '#MSG ["%g %g", V.G.KIN[91].RTCP, V.G.KIN[91].PROGRAMMING_MODE]\n'
+        '#MSG ["%g %g", V.G.KIN[91].CHAIN[4], V.G.KIN[91].NUMBER_OF_AXES]\n'
+        '#MSG ["%g %g", V.G.KIN[91].PARAM[6], V.G.KIN[91].PARAM[34]]\n'
+        '#MSG ["%g %g", V.G.KIN[91].AXIS[3].POINT[2], V.G.KIN[91].AXIS[4].ORIENTATION[0]]\n'
+        "V.G.KIN[91].PARAM[34] = 1600000\nV.G.KIN[9].BASE[5] = 7\n"
+        '#MSG ["%g %g", V.G.KIN[91].AXIS[3].POINT[2], V.G.KIN[9].BASE[5]]\n',
+    )
+    assert found.errors == ()
+    assert said == ["1 17", "4 5", "5 1.5e+06", "1.5e+06 1", "1.6e+06 7"]
+
+
+def test_a_written_universal_kinematic_counts_from_the_next_activation_on(machine: Path) -> None:
+    """The holder stands 10 mm, then 20 mm lower; then the axis A turns against the angle A."""
+    tip = '#MSG ["%.3f", V.A.ABS.Z]\n'
+    found, said = run(
+        machine,
+        "V.G.KIN[91].ZERO_POSITION[2] = -100000\n#TRAFO ON\n" + tip
+        + "V.G.KIN[91].PARAM[5] = -200000\n" + tip + "#TRAFO OFF\n#TRAFO ON\n" + tip
+        + "#TRAFO OFF\nV.G.KIN[91].RTCP = 0\nV.G.KIN[91].AXIS[4].ORIENTATION[0] = -1\n"
+        "G00 C30 A10\n#TRAFO ON\nG01 C30 A-20 F5000\n#TRAFO OFF\n"
+        '#MSG ["%.3f %.3f", V.A.ABS.C, V.A.ABS.A]\n',
+    )  # fmt: skip
+    assert found.errors == ()
+    assert said == ["-10.000", "-10.000", "-20.000", "30.000 20.000"]
+
+
+def test_a_tool_adds_to_the_numbers_of_the_universal_kinematic(machine: Path) -> None:
+    """P-TOOL-00009: parameter 5 is the height of the holder, in 0.1 µm."""
+    found, said = run(
+        machine,
+        'V.G.WZ_AKT.KIN_PARAM[5] = -30000\n#TRAFO ON\n#MSG ["%.3f", V.A.ABS.Z]\n',
+    )
+    assert found.errors == ()
+    assert said == ["-3.000"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "V.G.KIN[91].CHAIN[0] = 7\n",
+        "V.G.KIN[91].NUMBER_OF_AXES = 4.5\n",
+        "V.G.KIN[91].PROGRAMMING_MODE = 99\n",
+        "V.G.KIN[91].ZERO_ORIENTATION[2] = 0\n",
+        "V.G.KIN[91].AXIS[0].TYPE = 2\n",
+        "V.G.WZ_AKT.KIN_PARAM[2] = -1\n",
+    ],
+)
+def test_what_makes_no_kinematic_is_refused_at_activation(machine: Path, text: str) -> None:
+    """The numbers may be wrong while a program writes them one after the other."""
+    assert run(machine, text)[0].errors == ()
+    found, _ = run(machine, text + "#TRAFO ON\n")
+    (error,) = found.errors
+    assert error.message is KINEMATIC_NOT_POSSIBLE
+
+
+def test_param_of_the_list_is_the_same_memory(tmp_path: Path) -> None:
+    folder = tmp_path / "demo5"
+    shutil.copytree(DEMO5, folder)
+    file = folder / "sda_mds1.lis"
+    lines = [line for line in file.read_text("utf-8").splitlines() if "axis[3]" not in line]
+    named = ["trafo[0].param[28] 2", "trafo[0].param[31] 1", "trafo[0].param[34] 1600000"]
+    file.write_text("\n".join([*named, *lines]), "utf-8")
+    found, said = run(folder, '#TRAFO ON\n#MSG ["%g", V.G.KIN[91].AXIS[3].POINT[2]]\n')
+    assert found.errors == ()
+    assert said == ["1.6e+06"]
+
+
+def test_programs_begin_with_the_default_kinematic_and_end_without(tmp_path: Path) -> None:
+    """P-CHAN-00151 and P-CHAN-00152: as #TRAFO ON and OFF in the first and last block."""
+    folder = tmp_path / "demo5"
+    shutil.copytree(DEMO5, folder)
+    file = folder / "sda_mds1.lis"
+    lines = [line for line in file.read_text("utf-8").splitlines() if "_position[2]" not in line]
+    lists = "trafo[0].zero_position[2] -100000\n" + "\n".join(lines).replace("Ende", "") + "\n"
+    text = '#MSG ["%.3f", V.A.ABS.Z]\n'
+    for entries, begin, end in (("", 0.0, 0.0), ("enable", -10.0, -10.0), ("both", -10.0, 0.0)):
+        own = lists
+        if entries:
+            own += "auto_enable_kin_trafo 1\n"
+        if entries == "both":
+            own += "auto_disable_kin_trafo 1\n"
+        file.write_text(own, "utf-8")
+        said: list[ProgramMessage] = []
+        found = Controller(folder).run(
+            NcText("p.nc", text + "M30\n"), on_message=said.append, signals=["Z.MCS.ACT_POS"]
+        )
+        assert found.errors == ()
+        assert float(said[0].text) == begin
+        assert found.trace is not None
+        assert float(found.trace["Z.MCS.ACT_POS"][-1]) == end, entries

@@ -15,7 +15,7 @@ from nctakt.run.controller import Controller, NcText
         ('"a" = "X1"\n"A"', 20619),
         ('"A" = "X1 :::"\n"A"', 20797),
         ('"A" = "Q1"\n"A"', 20797),
-        ('"A" = "G310"\nX1 "A"', 900200),
+        ('"A" = "G200"\nX1 "A"', 900200),
         ('"A" = "V.P.X"\n"A"', 20932),
     ],
 )

@@ -6,8 +6,11 @@ from __future__ import annotations
 import pytest
 
 from nctakt.decoder.state import commands
+from nctakt.decoder.state.axis_commands import Home, Refer, SetSoftwareLimits
 from nctakt.decoder.state.commands import Command
 from nctakt.decoder.state.packing import pack
+from nctakt.decoder.state.probe_commands import Touch, TouchEnd
+from nctakt.decoder.state.start_block import SingleStep
 from nctakt.kernel import rows
 
 SOURCE, NUMBER, REFERENCE = 901, 902, 903
@@ -214,6 +217,46 @@ CASES: list[tuple[type[Command], dict[str, object], int, dict[int, float]]] = [
         },
     ),
     (commands.MeasureEnd, {}, rows.MEASURE_END, {}),
+    (
+        Touch,
+        {
+            "part": 0.25,
+            "ticks": -1,
+            "level": 1,
+            "continues": False,
+            "needed": True,
+            "may_be_pressed": False,
+        },
+        rows.TOUCH,
+        {
+            rows.TOUCH_PART: 0.25,
+            rows.TOUCH_TICKS: -1,
+            rows.TOUCH_LEVEL: 1,
+            rows.TOUCH_CONTINUES: 0,
+            rows.TOUCH_IS_NEEDED: 1,
+            rows.TOUCH_MAY_BE_PRESSED: 0,
+        },
+    ),
+    (TouchEnd, {}, rows.TOUCH_END, {}),
+    (
+        Home,
+        {"axis": 2, "distance": -0.5, "speed": 10.0},
+        rows.HOME,
+        {rows.HOMED_AXIS: 2, rows.HOMING_DISTANCE: -0.5, rows.HOMING_SPEED: 10.0},
+    ),
+    (
+        Refer,
+        {"axis": 2, "position": 7.5},
+        rows.REFER,
+        {rows.HOMED_AXIS: 2, rows.HOMING_DISTANCE: 7.5},
+    ),
+    (SingleStep, {"is_disabled": True}, rows.SINGLE_STEP, {rows.ARGUMENTS: 1}),
+    (
+        SetSoftwareLimits,
+        {"axis": 2, "low": -7.5, "high": 8.5},
+        rows.SOFTWARE_LIMITS,
+        {rows.LIMITED_AXIS: 2, rows.LIMIT_LOW: -7.5, rows.LIMIT_HIGH: 8.5},
+    ),
     (commands.ClearHistory, {}, rows.CLEAR_HISTORY, {}),
     (commands.EmptyBlock, {}, rows.EMPTY_BLOCK, {}),
     (
@@ -301,4 +344,5 @@ def test_each_command_is_packed() -> None:
     declared = {
         one for one in vars(commands).values() if isinstance(one, type) and issubclass(one, Command)
     }
+    declared |= {Touch, TouchEnd, Home, Refer, SetSoftwareLimits, SingleStep}
     assert {case[0] for case in CASES} == declared - _NOT_QUEUED

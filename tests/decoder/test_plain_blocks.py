@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import random
 import struct
-from collections.abc import Generator
+from collections.abc import Generator, Sequence
 from math import cos, radians, sin
 from pathlib import Path
 
@@ -31,7 +31,12 @@ from nctakt.nc.source import Source
 from nctakt.nc.tree import AxisWord, Block, Number, Word
 from nctakt.nc.vocabulary.entries import Support
 from nctakt.nc.vocabulary.function_rows import Form, GFunction, Group
-from nctakt.nc.vocabulary.functions import CUTTING_SPEED, G_FUNCTIONS
+from nctakt.nc.vocabulary.functions import (
+    AXIS_VALUES,
+    CUTTING_SPEED,
+    G_FUNCTIONS,
+    POSITIVE_LIMIT,
+)
 from nctakt.run.controller import Controller, NcText
 
 #: Lines of all kinds: plain ones, nearly plain ones, and those that change what plain ones mean.
@@ -95,6 +100,20 @@ OTHERS = (
     "V.G.WZ_AKT.R = 0.01\nG41 G26",
     "G40",
 )
+#: Words that let motions wait for the next one.
+SHAPES = (
+    "X20 Y0\nG301 I0.5\nY20",
+    "X0\nG302 I0.2",
+    "G301 I0.1",
+    "X1 Y60 #CHR=0.3",
+    "X30 Y30 #RND=2",
+    "G301 I0.1 F800",
+    "#SPLINE TYPE AKIMA",
+    "#AKIMA TRANS [START=TANGENTIAL END=AUTO]",
+    "#AKIMA TRANS [START=AUTO END=TANGENTIAL]",
+    "#SPLINE ON\nX10\nX12 Y4\nX15 Y5\nX19 Y5\n#SPLINE OFF",
+    "G03 X4 Y3 R900\nG301 I0.2\nG01",
+)
 WRONG = (
     "X99999",
     "G01 X1 X2",
@@ -137,14 +156,14 @@ def plain_line(chance: random.Random) -> str:
     return chance.choice(("", "", " ")) + (line.lower() if chance.random() < 0.1 else line)
 
 
-def text(seed: int) -> str:
+def text(seed: int, others: Sequence[str] = OTHERS) -> str:
     """A program of all kinds of lines; some have a mistake in them."""
     chance = random.Random(seed)
     lines = ["#VAR", "V.P.A = 1", "V.P.I = 0", "#ENDVAR"]
     if chance.random() < 0.9:
         lines.append("G01 F6000")
     for _ in range(chance.randrange(5, 60)):
-        lines.append(plain_line(chance) if chance.random() < 0.75 else chance.choice(OTHERS))
+        lines.append(plain_line(chance) if chance.random() < 0.75 else chance.choice(others))
     if chance.random() < 0.3:
         lines.insert(chance.randrange(len(lines)), chance.choice(WRONG))
     lines.append(chance.choice(ENDS))
@@ -187,6 +206,7 @@ MODAL = [
     for row in G_FUNCTIONS.values()
     if row.group not in (None, Group.MOTION) and row.support is not Support.REFUSED
     if row.number != CUTTING_SPEED
+    and (row.number not in AXIS_VALUES or row.number == POSITIVE_LIMIT)
 ]
 
 
@@ -197,6 +217,25 @@ def test_both_ways_give_the_same_commands(seed: int, monkeypatch: pytest.MonkeyP
     short = rows(content)
     by_tree(monkeypatch)
     assert rows(content) == short
+
+
+@each_seed(20, 5)
+def test_both_ways_give_the_same_shapes(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    """MO-4, MO-18: plain lines wait for chamfers, roundings and splines where one follows."""
+    content = text(3000 + seed, OTHERS[:30] + 3 * SHAPES)
+    water = 100_000 if seed % 2 else 1 + seed % 7
+    short = rows(content, water)
+    by_tree(monkeypatch)
+    assert rows(content, water) == short
+
+
+def test_only_lines_beside_a_corner_take_the_long_way(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A chamfer slows down the line before it and the one behind it, no other."""
+    lines = [f"X{i} Y{i % 2 * 5}" for i in range(1, 20)]
+    taken = counted(monkeypatch)
+    content = "\n".join(["G01 F6000", *lines, "G301 I0.5", *lines, "M30"])
+    assert len(rows(content)[0]) > 38
+    assert sum(taken) == len(lines) - 1 + len(lines) - 2
 
 
 @pytest.mark.slow
@@ -218,6 +257,7 @@ def test_plain_blocks_follow_the_table_of_functions(
 ) -> None:
     """While a modal function is active that is not ``plain``, no block takes the short way."""
     forms = {Form.ZERO_OFFSET: "G159=1", Form.AXIS_WEIGHTS: f"{row.name} X50"}
+    forms |= {Form.AXIS_VALUES: f"{row.name} X50", Form.MIRRORED_AXES: "G351 Z-1\nG01"}
     word = forms.get(row.form, row.name)
     lines = ["M3 S600", "G01 F60 G26", "V.G.WZ_AKT.R = 0.01", f"{word} F60", "Y1"]
     lines += [f"X{10 * i} Y{i % 2 * 5}" for i in range(1, 8)]
@@ -446,3 +486,12 @@ def test_shapes_that_no_plain_block_has_have_no_code() -> None:
     assert shape_code(("G", 2.0, "X")) == 0
     assert shape_code(tuple("XYZABCUVWXYZF")) == 0
     assert len({shape_code(one) for one in (("X",), ("X", "Y"), ("G", 0.0), ("G", 1.0))}) == 4
+
+
+def test_all_statements_of_a_skipped_line_are_skipped() -> None:
+    """A skip level is that of the whole block."""
+    text = '/V.P.A = 1 V.P.A = 2\n#MSG ["%d", V.P.A]\nM30'
+    run = Controller().run(NcText("p.nc", f"V.P.A = 7\n{text}"), skip=[1])
+    assert [one.text for one in run.messages] == ["7"]
+    run = Controller().run(NcText("p.nc", f"V.P.A = 7\n{text}"))
+    assert [one.text for one in run.messages] == ["2"]

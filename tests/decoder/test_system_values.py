@@ -138,3 +138,72 @@ def test_each_row_of_the_table_can_be_read(row: SystemRow) -> None:
     assert len(said(shown(row.name) + "M30")[1]) == 1
     other = Controller().run(NcText("p.nc", f"{row.name} = 1\nM30"))
     assert (not other.errors) == row.is_writable
+
+
+def test_the_last_arc_and_block() -> None:
+    """V.G.I, J, K, R, MERR, BLOCK_NR, PROG_NR: what the program has said last."""
+    text = (
+        "N10 G01 X10 F6000\nN20 G03 X20 Y10 I0 J10\n"
+        + shown("V.G.I, V.G.J, V.G.K, V.G.R, V.G.MERR[0], V.G.BLOCK_NR")
+        + "G91\nG02 X10 Y0 I5.004\n"
+        + shown("V.G.I, V.G.J, V.G.R, V.G.MERR[0], V.G.MERR[1], V.G.SATZ_NR")
+        + "G02 X10 Y0 R13\n"
+        + shown("V.G.I, V.G.R, V.G.MERR[0], V.G.PROG_NR")
+        + "M30"
+    )
+    told = said(text)[1]
+    assert told[0] == "0 10 0 10 0 20"
+    assert told[1] == "5.004 0 5 -0.004 0 20"
+    assert told[2] == "0 13 0 0"
+
+
+def test_the_last_block_of_plain_lines() -> None:
+    """V.G.BLOCK_NR after many lines that need no tree."""
+    lines = [f"N{10 * i} X{i}" for i in range(1, 40)]
+    text = "\n".join(["G01 F6000", *lines, "X1", "X2"]) + "\n" + shown("V.G.BLOCK_NR") + "M30"
+    assert said(text)[1] == ["390"]
+
+
+def test_offsets_of_all_axes_are_copied() -> None:
+    """V.G.NP[1].ALL, V.G.NP_AKT.ALL: from the list into what is active, and back."""
+    text = (
+        "V.G.NP[2].V.X = 7\nV.G.NP[2].V.Y = 8\nV.G.NP[12].ALL = V.G.NP[2].ALL\n"
+        + shown("V.G.NP[12].V.X, V.G.NP[12].V.Y, V.G.NP[12].V.Z, V.G.NP_AKT.V.X")
+        + "V.G.NP_AKT.ALL = V.G.NP[12].ALL\nG00 X1\n"
+        + shown("V.A.ABS.X, V.A.PROG.X")
+        + "V.G.NP_AKT.V.X = 3\nV.G.NP[2].ALL = V.G.NP_AKT.ALL\n"
+        + shown("V.G.NP[2].V.X, V.G.NP[2].V.Y, V.G.NP[12].V.X")
+        + "M30"
+    )
+    assert said(text)[1] == ["7 8 0 0", "8 1", "3 8 7"]
+
+
+def test_modes_shifts_and_manual_ways() -> None:
+    """V.A.MODE is P-AXIS-00015; the shift of a system is that of its zero; nobody moves by hand."""
+    text = (
+        shown("V.A.MODE.X, V.A.SOFFS.X, V.G.SELECTED_CS.TRANS.X")
+        + "G92 X1\n#CS ON [2, 3, 4]\n"
+        + shown("V.G.SELECTED_CS.TRANS.X, V.G.SELECTED_CS.TRANS.Y, V.G.SELECTED_CS.TRANS.Z")
+        + "M30"
+    )
+    assert said(text)[1] == ["1 0 0", "3 3 4"]
+
+
+@pytest.mark.parametrize(
+    ("line", "number", "text"),
+    [
+        ("P1 = V.G.VOLCOMP[0].ACTIVE", 900200, "volumetric compensation"),
+        ("P1 = V.G.RW", 900200, "edge banding"),
+        ("P1 = V.G.NP_AKT.ALL", 900200, "copied"),
+        ("V.G.NP_AKT.ALL = 5", 900200, "copied"),
+        ("V.G.BLOCK_NR = 5", 20100, "V.G.BLOCK_NR"),
+        ("V.A.ABS.X = 5", 20100, "V.A.ABS.X"),
+        ("P1 = V.G.MERR[2]", 21928, "V.G.MERR"),
+        ("V.G.NP[97].ALL = V.G.NP[1].ALL", 21928, "V.G.NP"),
+    ],
+)
+def test_what_is_refused_says_why(line: str, number: int, text: str) -> None:
+    """Each with the reason of its own."""
+    (found,) = Controller().run(NcText("p.nc", f"{line}\nM30")).diagnostics
+    assert found.id == number
+    assert text in found.text("en")

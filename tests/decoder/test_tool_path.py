@@ -79,7 +79,7 @@ def contour(random: Random) -> list[Way]:
             ways.append((start, end, None, 0.0))
             continue
         radius = chord * random.uniform(0.6, 3)
-        arc = arc_of_radius([*start], [*end], 17, radius, kind == "right")
+        arc = arc_of_radius([*start], [*end], (0, 1), radius, kind == "right")
         ways.append((start, end, (arc.centre_first, arc.centre_second), arc.angle))
     return ways
 

@@ -87,7 +87,7 @@ def test_a_realtime_cycle_has_the_tool_of_its_definition() -> None:
         ("T-1\n", 20166, "-1 is not a tool number"),
         ("P1 = V.G.WZ_AKT.V[9]\n", 21928, "V.G.WZ_AKT.V"),
         ("P1 = V.G.WZ_AKT.P[60]\n", 21928, "V.G.WZ_AKT.P"),
-        ("V.G.WZ[1].R = 5\n", 900200, "V.G"),
+        ("V.G.WZ[1].TYPE = 1\n", 20100, "V.G.WZ"),
         ("V.G.WZ_AKT.R = 5\nP1 = V.G.WZ_AKT.X\n", 900200, "V.G"),
     ],
 )

@@ -15,6 +15,7 @@ from kernel_rig import Rig
 
 from nctakt.base import mode
 from nctakt.kernel import rows
+from nctakt.kernel.path import arc_limits
 from nctakt.kernel.path.goal import Goal
 from nctakt.kernel.path.jerk_profile import JerkProfile
 from nctakt.kernel.path.lookahead import LookAhead
@@ -53,7 +54,7 @@ def test_the_time_from_rest_to_rest_with_a_limited_jerk(distance: float, seconds
     """10 mm/s, 5 mm/s², 10 mm/s³: with a cruise, just without, without full speed, without full
     acceleration.
     """
-    time = SegmentLimits(2, 1000, 1.0).rest_to_rest_time(distance, 10.0, 5.0, 10.0)
+    time = arc_limits.rest_to_rest_time(distance, 10.0, 5.0, 10.0)
     assert time == pytest.approx(seconds, rel=1e-6)
 
 
@@ -62,7 +63,7 @@ def test_a_speed_below_full_acceleration_is_reached_without_it(
     speed: float, seconds: float
 ) -> None:
     """Up to a²/j the ramp takes 2·√(v/j)."""
-    time = SegmentLimits(2, 1000, 1.0).rest_to_rest_time(100.0, speed, 5.0, 10.0)
+    time = arc_limits.rest_to_rest_time(100.0, speed, 5.0, 10.0)
     assert time == pytest.approx(seconds)
 
 

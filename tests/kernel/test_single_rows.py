@@ -15,9 +15,10 @@ from kernel_rig import Rig
 
 from nctakt.base import mode
 from nctakt.kernel import cells, codes, rows
+from nctakt.kernel.axes import plan_rows
 from nctakt.kernel.axes.trajectory import Trajectories
 from nctakt.kernel.base import arithmetic
-from nctakt.kernel.path import geometry
+from nctakt.kernel.path import arc_limits, geometry
 from nctakt.kernel.path.arc_limits import ArcLimits
 from nctakt.kernel.path.arc_speed import ArcSpeed
 from nctakt.kernel.path.backward import BackwardMotion
@@ -85,8 +86,8 @@ def test_the_acceleration_of_a_start_fades_first_where_it_is_to(
     """From 5 mm/s² on with the jerk that is given, or at once with what the plan needs."""
     plans = Trajectories(1)
     assert plans.plan_passing(0, 500.0, 10.0, 5.0, 50.0, 20.0, 10.0, 20.0, fading_j) == 1
-    assert plans.rows[rows.PLAN_PHASES + rows.PHASE_ACCELERATION] == 5.0
-    assert plans.rows[rows.PLAN_PHASES + rows.PHASE_JERK] == pytest.approx(jerk_j)
+    assert plans.rows[plan_rows.PLAN_PHASES + plan_rows.PHASE_ACCELERATION] == 5.0
+    assert plans.rows[plan_rows.PLAN_PHASES + plan_rows.PHASE_JERK] == pytest.approx(jerk_j)
 
 
 @pytest.mark.parametrize(("first", "last", "top2"), [(3.0, 0.0, 0.1), (0.0, 3.0, 0.1)])
@@ -214,7 +215,7 @@ def test_what_ends_takes_no_time_of_the_queue_along(kind: int) -> None:
 @pytest.mark.parametrize("length", [0.4, 1.0, 2.0])
 def test_a_short_way_from_rest_to_rest(length: float) -> None:
     """Four equal phases of jerk 10 mm/s³: each takes the third root of half the way by the jerk."""
-    time = SegmentLimits(2, 1000, 1.0).rest_to_rest_time(length, 10.0, 5.0, 10.0)
+    time = arc_limits.rest_to_rest_time(length, 10.0, 5.0, 10.0)
     assert time == pytest.approx(4.0 * (length / 20.0) ** (1.0 / 3.0))
 
 

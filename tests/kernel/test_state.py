@@ -25,6 +25,8 @@ MODULES = (axes, control, path)
 BUILT = {
     "Channel": {"signals"},
     "ChannelLane": {"channel"},
+    "AxisExchange": {"signals"},
+    "CAxis": {"spindles"},
     "ChannelSignals": {"named"},
     "CommandSpindle": {"direction"},
     "CompareTexts": {"count"},

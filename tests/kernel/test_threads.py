@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 from kernel_rig import ACCELERATION, DEMO, TICK_T
+from random_operator import Operator
 from random_seeds import all_seeds
 
 from nctakt.results.run import Run
@@ -248,6 +249,30 @@ def test_override_and_hold_act_on_path_and_spindle_together() -> None:
     speeds = [v for (v,) in rows_of(result, 20, "S.SPEED")]
     assert 0.0 in speeds[300:]
     assert any(v == pytest.approx(150.0, abs=1e-9) for v in speeds)
+
+
+def test_backward_motion_leaves_a_tap_at_its_start_and_comes_back_to_it() -> None:
+    """The path walks from the tap into the block before and on again: the spindle is with it."""
+    at = [("150 ms", "HLI.BACKWARD_MOTION", True), ("600 ms", "HLI.BACKWARD_MOTION", False)]
+    result = run(TAP.replace("X20 Z5", "Z5"), at=at)
+    check_taps(result)
+    assert min(z for (z,) in rows_of(result, 10, "Z.ACS.ACT_POS")) == 0.0
+    assert [one.id for one in result.diagnostics if one.id == 901510] == []
+
+
+@pytest.mark.parametrize("seed", all_seeds(3, 1))
+def test_taps_under_an_operator_who_goes_back_and_forth(seed: int) -> None:
+    """Whatever is commanded, in each tick the spindle has the angle of the depth (MO-7)."""
+    result = run(TAP, plc=Operator(seed, "override hold back"), ticks=60_000)
+    check_taps(result)
+
+
+def test_backward_motion_into_a_tap_whose_spindle_turns_is_an_error() -> None:
+    """901508, told once, at the tap."""
+    text = TAP.replace("N60 M30", "N60 G01 X5 F600 M03 S100\nN70 M30")
+    result = run(text, at=[("7 s", "HLI.BACKWARD_MOTION", True)])
+    found = [(one.id, one.span.line) for one in result.errors if one.span is not None]
+    assert found == [(901508, 5)]
 
 
 @pytest.mark.parametrize("slope", ["STEP", "TRAPEZ"])

@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 from nctakt.base.failure import Failure
+from nctakt.files.access import FileAccess
 from nctakt.lists.machine.axis_configuration import AxisType
 from nctakt.lists.machine.machine import BUILT_IN_MACHINES, Machine, load_machine
 from nctakt.lists.machine.variables import AccessRights, Leaf
@@ -32,6 +33,13 @@ def test_it_loads_without_any_finding(demo: Machine) -> None:
     """The demo lists are an example: not even a note, and no entry that is not simulated."""
     assert demo.diagnostics == ()
     assert load_machine(None, detail="effects").diagnostics == ()
+
+
+def test_its_lists_are_read_once_and_count_as_read_each_time(demo: Machine) -> None:
+    """The package does not change while it runs; no output may replace its lists."""
+    access = FileAccess()
+    assert load_machine(None, access=access) is demo
+    assert demo.lists[0][1] in access.read_files
 
 
 def test_tick(demo: Machine) -> None:
@@ -163,7 +171,7 @@ def test_five_axes() -> None:
     assert (a.type, a.software_limit_low, a.software_limit_high) == (AxisType.ROTARY, -110, 110)
     assert (c.is_modulo, c.modulo_range) == (True, 360)
     transformations = machine.channels[0].parameters.transformations
-    assert (transformations.default_ids[0], list(transformations.steps[0])) == (91, [91])
+    assert (transformations.default_ids[0], list(transformations.steps[0])) == (91, [91, 13, 15])
     assert machine.diagnostics == load_machine("demo").diagnostics == ()
     controller = Controller(machine)
     run = controller.run(NcText("p.nc", "T1 D1\nM6\nS1000 M3\nG01 X10 A90 C450 F6000\nM9\nM30\n"))

@@ -31,9 +31,9 @@ from nctakt.lists.machine.channel_configuration import (
     ProgramStart,
     RealtimeCycleLimits,
     Spindle,
-    ToolSelection,
 )
 from nctakt.lists.machine.machine import ChannelConfiguration, load_machine
+from nctakt.lists.machine.tool_selection import ToolSelection
 
 SOURCE = "\n".join(
     path.read_text("utf-8") for path in sorted(Path(nctakt.__path__[0]).rglob("*.py"))
@@ -86,7 +86,8 @@ RARE = {
     "sda.lis": "g800_prog_file[0] g800.nc\n"
     + _CHANNEL_AXES
     + _kinematic("trafo[0]", 91)
-    + _kinematic("kin_step[0].trafo[1]", 92),
+    + _kinematic("kin_step[0].trafo[1]", 92)
+    + "trafo[0].base[0] 1\nkin_step[0].trafo[1].base[0] 1\n",
     "tools.lis": "wz[1].kinematic.param[0] 1\n",
     "axis.lis": "kopf.achs_nr 1\nvorsteuer.vs_v_faktor 1\nvorsteuer.vs_v_nenner 2\n",
     "ve.lis": (
@@ -123,7 +124,7 @@ def test_each_parameter_that_takes_effect_is_read(
     for name, text in RARE.items():
         (tmp_path / name).write_text(text, encoding="utf-8")
     for folder in (None, CENTRE, tmp_path):
-        load_machine(folder)
+        load_machine(folder, detail="all")  # read anew, also the built-in one
     declared = {
         (schema.kind, parameter.pattern) for schema in SCHEMAS for parameter in schema.declared
     }

@@ -194,7 +194,7 @@ def test_a_misspelt_entry_names_the_one_that_is_meant(entry: str, number: int) -
 
 def test_entries_without_effect_are_silent_at_their_default() -> None:
     """A parameter without effect is checked; with all details it is told."""
-    text = "gruppe[0].bezeichnung IPO 1 # x\nmesstyp 1\n"
+    text = "gruppe[0].bezeichnung IPO 1 # x\nkind_of_2nd_ecs_ax X\n"
     assert load(CHANNEL, text)[1] == [900018]
     assert load(CHANNEL, text, detail="all")[1] == [900018, 900026, 900026]
 
@@ -202,7 +202,8 @@ def test_entries_without_effect_are_silent_at_their_default() -> None:
 def test_what_would_change_a_run_is_told_once_for_the_file() -> None:
     """One finding names the entries; with "effects" each has one of its own."""
     text = (
-        "messtyp 2\nfeed_to_weakest_axis 1\nmesstyp 3\ndebug.prg_trace 1\n"
+        "mode_exact_stop_indp_axis 1\ncorr_v_trans_jerk 1\n"
+        "mode_exact_stop_indp_axis 2\ndebug.prg_trace 1\n"
         "p_param_haltend 1\nversch_im_durchm 0\n"
     )
     assert sorted(load(CHANNEL, text)[1]) == [900023, 900028, 900029]

@@ -55,10 +55,14 @@ V.G.NP[1].V.X = 1 V.G.NP_AKT.V[0] += V.E.NONE ; error 20196 "V.E.NONE"
 P1 = V.G.NP.V.X ; error 900200 "V.G.NP.V.X"
 P1 = V.G.NP[1].ALL ; error 900200 "V.G.NP[].ALL"
 P1 = V.G.NP[1][2].V.X ; error 900200 "V.G.NP"
-P1 = V.A.ABS ; error 900200 "V.A.ABS"
-P1 = V.A.ABS.Q ; error 900200 "V.A.ABS.Q"
+P1 = V.A.ABS ; error 20196 "V.A.ABS"
+P1 = V.A.ABS.Q ; error 901003 "V.A.ABS.Q: this channel has no axis Q"
+P1 = V.A.ABS.S ; error 901003 "V.A.ABS.S: this channel has no axis S"
+P1 = V.A.FOO.X ; error 900200 "V.A.FOO.X"
+P1 = V.G.NP[3].V.Q ; error 901003 "V.G.NP[].V.Q: this channel has no axis Q"
+P1 = V.SPDL_PROG.SPEED.X ; error 20196 "V.SPDL_PROG.SPEED.X"
 P1 = V.G.MASS_MM[1] ; error 900200 "V.G.MASS_MM[]"
-V.A.ABS.X = 1 ; error 900200 "V.A.ABS.X"
+V.A.ABS.X = 1 ; error 20100 "V.A.ABS.X"
 P1 = V.A.+SWE_MDS.Z
 P1 = @P1
 @P1 = 3
@@ -127,7 +131,7 @@ $CONTINUE ; error 20244 "$CONTINUE"
 $SWITCH V.E.NONE ; error 20196 "V.E.NONE"
 $CASE V.E.NEITHER ; error 20196 "V.E.NEITHER"
   $CONTINUE ; error 20244 "$CONTINUE"
-  G99 ; error 900200 "G99"
+  G66 ; error 900200 "G66"
 N[V.E.NONE] $CASE 2 ; error 20196 "V.E.NONE"
 $ENDSWITCH
 $IF ONCE P1 > 3 ; error 900222 "$IF ONCE"
@@ -137,10 +141,10 @@ $ELSE
   V.E.NONE ; error 20196 "V.E.NONE"
 $ENDIF
 $WHILE V.E.NONE ; error 20196 "V.E.NONE"
-  G99 ; error 900200 "G99"
+  G66 ; error 900200 "G66"
 $ENDWHILE
 $DO
-  G99 ; error 900200 "G99"
+  G66 ; error 900200 "G66"
 $ENDDO V.E.NONE ; error 20196 "V.E.NONE"
 $REPEAT
   $BREAK
@@ -150,15 +154,15 @@ $ENDFOR
 $FOR @P1 = 1, 2, 1
 $ENDFOR
 #IF P1 > 3
-G99 ; error 900200 "G99"
+G66 ; error 900200 "G66"
 #ENDIF
 ; --- what never runs is not checked
 $IF 0
-  G99 ::
+  G66 ::
 $ELSEIF FALSE
-  G99
+  G66
 $ELSE
-  G99 ; error 900200 "G99"
+  G66 ; error 900200 "G66"
 $ENDIF
 $WHILE 0
   V.E.NONE
@@ -259,8 +263,8 @@ P1 = LEN["text", 2] ; error 21474 "wrong number of arguments for LEN: 1 expected
 #TIMER START ASYN [NR=1] ; error 21220 "ASYN" ; error 21220 "NR"
 P1 = V.G.TIMER[P1] + V.G.WZ_AKT.R + V.A.+SWE_MDS.X - V.A.-SWE_MDS.X
 P1 = V.G.TIMER ; error 900200 "V.G.TIMER"
-V.G.TIMER[1] = 5 ; error 900200 "V.G.TIMER[]"
-P1 = V.A.+SWE_MDS.Q ; error 900200 "V.A.+SWE_MDS.Q"
+V.G.TIMER[1] = 5 ; error 20100 "V.G.TIMER[]"
+P1 = V.A.+SWE_MDS.Q ; error 901003 "V.A.+SWE_MDS.Q"
 #FILENAME [MSG="report.txt"]
 #FILE NAME [MSG=report.txt]
 #FILENAME ; error 900233 "#FILENAME"

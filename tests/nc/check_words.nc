@@ -41,7 +41,7 @@ G97
 G165 ; note 900201 "G165"
 M02
 ; --- refused by name
-G310 Z1 ; error 900200 "G310 (interruptible block)"
+G200 Z1 ; error 900200 "G200 (manual mode)"
 G08 X1
 G09 X1
 G41 G42 X1 ; error 20114 "G42"
@@ -145,16 +145,16 @@ G04 X[V.E.UNKNOWN] ; error 20196 "V.E.UNKNOWN"
 ; --- behind the end nothing is checked, but subprograms are
 %L SUB
 G00 X1
-G99 ; error 900200 "G99"
+G66 ; error 900200 "G66"
 M17
-G99
+G66
 %MAIN
 G00 X1
 M30
-G99
+G66
 ; --- a skipped end ends nothing
 / M30
-G99 ; error 900200 "G99"
+G66 ; error 900200 "G66"
 M30
 ; --- block numbers are values
 N[P1*10] G0 X1

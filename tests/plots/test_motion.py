@@ -3,9 +3,13 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy
 import pytest
 
+from nctakt import machines
+from nctakt.lists.machine.machine import load_machine
 from nctakt.plots.motion import (
     ACCELERATION,
     JERK,
@@ -73,3 +77,17 @@ def test_many_points_are_thinned_to_the_lowest_and_highest_of_each_piece() -> No
     assert len(few.values) <= 1000
     assert few.values.max() == 1.0
     assert few.time_s[few.values.argmax()] == 54_321.0
+
+
+def test_the_path_under_a_transformation_is_that_of_the_tip() -> None:
+    """The tip stands still while the head turns about it: only the axes move."""
+    controller = Controller(load_machine(Path(machines.__file__).parent / "demo5"))
+    names = signals([axis.name for axis in controller.channel_axes], has_transformations=True)
+    text = "N1 G00 X10 Y20 Z30\nN2 #TRAFO ON\nN3 G01 A40 C30 F5000\nM30"
+    trace = controller.run(NcText("part.nc", text), signals=[*names, "BLOCK"]).trace
+    assert trace is not None
+    inside = trace["BLOCK"] == 3
+    for axis in controller.channel_axes[:3]:
+        motion = axis_motion(trace, axis)
+        assert numpy.ptp(motion.position.values[inside][:-1]) > 1.0 or axis.name == "X"
+        assert numpy.ptp(motion.tip.values[inside][:-1]) < 1e-9

@@ -157,3 +157,17 @@ def test_an_empty_run_has_none() -> None:
     )
     assert empty.tracks == ()
     assert Slice(5, 5, "x").is_moment
+
+
+def test_a_decoder_waits_for_an_axis_from_its_request_until_it_is_taken() -> None:
+    """Its request of positions before ends with the wait for the axis."""
+    folder = Path(__file__).parents[2] / "examples" / "exchange"
+    controller = Controller(folder / "machine")
+    found = timeline(controller.run(folder / "mill.nc", channels={2: [folder / "loader.nc"]}))
+    tracks = {track.label: spans(track) for track in found.of("wait")}
+    lanes = {track.label: spans(track) for track in found.of("channel")}
+    for label in ("CH1", "CH2"):
+        (wait,) = [item for item in tracks[label] if item[2] == "axis C"]
+        assert wait[:2] in [item[:2] for item in lanes[label]]
+        others = [item for item in tracks[label] if item != wait]
+        assert all(end <= wait[0] or begin >= wait[1] for begin, end, _ in others)

@@ -202,7 +202,8 @@ def test_no_run_is_left_half_listed(
 ) -> None:
     """A program with mistakes is refused as a whole: nothing is listed."""
     monkeypatch.chdir(tmp_path)
-    Path("part.nc").write_text("#RT CYCLE\nM100\n#RT CYCLE END\nG99 X1\nM30\n", "utf-8")
+    text = "#RT CYCLE\nM100\n#RT CYCLE END\n#CHANNEL INTERFACE OFF\nM30\n"
+    Path("part.nc").write_text(text, "utf-8")
     assert main(["list", "part.nc"]) == 1
     captured = capsys.readouterr()
     assert captured.out == ""

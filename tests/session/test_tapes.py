@@ -207,6 +207,26 @@ def test_a_channel_that_runs_keeps_its_program() -> None:
         assert session.read("X.ACS.ACT_POS", "Y.ACS.ACT_POS") == [100.0, 0.0]
 
 
+def test_start_waits_for_the_end_of_a_reset() -> None:
+    """RC-007: all three come between two ticks, once at rest and once while the path brakes."""
+    Path("other.nc").write_text("G01 Y10 F6000\nM30\n", "utf-8")
+    with Session("part.nc", stays=True, wait_for_start=True) as session:
+        session.run("10 ms")
+        session.write({"HLI.RESET": 1})
+        session.select("other.nc")
+        session.write({"HLI.START": 1})
+        session.run("1 s")
+        assert session.read("HLI.ARMED", "X.ACS.ACT_POS", "Y.ACS.ACT_POS") == [0.0, 0.0, 10.0]
+        session.select("part.nc")
+        session.write({"HLI.START": 1})
+        session.run("1.2 s")
+        session.write({"HLI.RESET": 1, "HLI.START": 1})
+        session.run("1.202 s")
+        assert session.read("HLI.START") == [1.0]
+        session.run("5 s")
+        assert session.read("HLI.START", "X.ACS.ACT_POS") == [0.0, 100.0]
+
+
 def test_a_tape_of_a_schedule_is_refused() -> None:
     """901149."""
     assert main(["run", "part.nc", "--record", "run.tape", "--quiet"]) == 0

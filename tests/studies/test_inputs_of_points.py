@@ -84,6 +84,16 @@ def test_variables_of_the_program(tmp_path: Path) -> None:
     assert long - short == 100
 
 
+def test_a_program_variable_is_set_where_the_program_does(tmp_path: Path) -> None:
+    """Not in a comment, not in a longer name; small numbers have no exponent."""
+    text = (
+        "; V.P.WAY = 1\nV.P.WAY_2 = 4 (V.P.WAY = 2)\nV.P.WAY = 3\n"
+        "G01 X[V.P.WAY * 1000000] F6000\nM30\n"
+    )
+    short, long = rows(tmp_path, {"program_variable": "V.P.WAY", "values": [1e-05, 2e-05]}, text)
+    assert long - short == 100
+
+
 def test_overrides_noise_and_series(tmp_path: Path) -> None:
     """An override as a value, as a ramp; a noise belongs to its seed; a series is a file."""
     text = "G01 X100 F6000\nM30\n"

@@ -115,7 +115,8 @@ def test_a_plc_reads_and_prints_what_it_likes(
     monkeypatch.setattr(processes, "can_copy", lambda: is_copied)
     plan = study(tmp_path, count=6, plc=True)
     text = "        print('x' * 9000)\n        assert os.read(0, 1) == b''\n"
-    (tmp_path / "cell.py").write_text(PLC.replace("        if hli", f"{text}        if hli"))
+    cell = PLC.replace("        if hli", f"{text}        if hli")
+    (tmp_path / "cell.py").write_text(f"{cell}\nprint('x' * 9000, flush=True)\n")
     assert plan.run(processes=2).counts["held"] == 6
 
 

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from nctakt.base.diagnostics import Severity
 from nctakt.base.failure import Failure
 from nctakt.studies.plan_file import read_plan
 from nctakt.studies.study import Study
@@ -24,7 +25,8 @@ def failure_of(path: Path) -> list[tuple[int, int]]:
     """Number and line of each mistake of a plan."""
     with pytest.raises(Failure) as raised:
         Study(path).run()
-    return [(one.id, 0 if one.span is None else one.span.line) for one in raised.value.diagnostics]
+    errors = [one for one in raised.value.diagnostics if one.severity is Severity.ERROR]
+    return [(one.id, 0 if one.span is None else one.span.line) for one in errors]
 
 
 def test_every_mistake_is_told_with_its_line(tmp_path: Path) -> None:
@@ -70,7 +72,31 @@ VALUE = '[[vary]]\nvariable = "V.E.VALUE"\nvalues = [1]\n'
         (f"count = 0\n{VALUE}", (901302, 2)),
         (f"{VALUE}[measure]\nstate = 'ticks'\n", (901390, 6)),
         (f"{VALUE}[measure]\na = 'count of error 1.5'\n", (901306, 6)),
-        (f"{VALUE}from = 1\nto = 2\n", (901303, 2)),
+        (f"{VALUE}from = 1\nto = 2\n", (901302, 4)),
+        (f"{VALUE}noise = 'V.E.VALUE'\n", (901302, 5)),
+        ('[[vary]]\nvariable = ""\nvalues = [1]\n', (901302, 3)),
+        ('[[vary]]\nvariable = "V.E.VALU"\nvalues = [1]\n', (900541, 3)),
+        ('[[vary]]\nvariable = "HLI.NOSUCH"\nvalues = [1]\n', (900540, 3)),
+        ('[[vary]]\nacknowledge = "M"\nvalues = ["never"]\n', (901302, 3)),
+        ('[[vary]]\nacknowledge = "M8"\nvalues = ["sometimes"]\n', (901302, 4)),
+        ('[[vary]]\nparameter = "P-AXIS-00008 of Q"\nvalues = [1]\n', (901312, 3)),
+        ('[[vary]]\nprogram_variable = "V.P.NO"\nvalues = [1]\n', (901313, 3)),
+        ("[set]\n'V.E.VALU' = 1\n", (900541, 3)),
+        ('at = [["1 ms", "V.E.VALU = 1"]]\n', (900541, 2)),
+        ("expect = ['max NOSUCH < 5']\n", (900544, 2)),
+        ("[measure]\na = 'max NOSUCH'\n", (900544, 3)),
+        ("[measure]\n\"a\\nb\" = 'ticks'\n", (901302, 2)),
+        ('os = "rtx"\n', (901303, 0)),
+        (
+            f'method = "list"\n{VALUE}[[vary]]\nnoise = "V.E.VALUE"\nvalues = [1, 2]\nfor = "1 s"\n'
+            'name = "b"\n',
+            (901302, 8),
+        ),
+        (
+            '[measure]\na = "ticks"\n[[find]]\nminimize = "a"\n'
+            '[[vary]]\nvariable = "V.E.VALUE"\nvalues = []\n',
+            (901304, 6),
+        ),
         ('[[vary]]\nvariable = "V.E.VALUE"\nfrom = nan\nto = 2\n', (901302, 4)),
         ('[[vary]]\nvariable = "V.E.VALUE"\nvalues = [inf]\n', (901302, 4)),
         ('[[vary]]\nplc_returns = "yes"\nvalues = ["1 s"]\n', (901303, 2)),

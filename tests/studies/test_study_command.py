@@ -51,6 +51,31 @@ def test_a_run_that_the_study_does_not_have(plan: Path, capsys: Captured) -> Non
     assert "0 to 5" in capsys.readouterr().err
 
 
+@pytest.mark.parametrize("option", ["--out", "--report"])
+@pytest.mark.parametrize("name", ["part.nc", "plan.toml", "own.py", "helper.py"])
+def test_no_output_replaces_an_input(plan: Path, capsys: Captured, option: str, name: str) -> None:
+    """Plan, program, measures and what they import stay as they are, and nothing runs."""
+    (plan.parent / "own.py").write_text("import helper\ndef f(run):\n    return 1\n")
+    (plan.parent / "helper.py").write_text("")
+    plan.write_text(PLAN.replace("[[vary]]", 'f = "python own.py:f"\n[[vary]]'))
+    file = plan.with_name(name)
+    before = file.read_bytes()
+    assert main(["study", str(plan), option, str(file), "--quiet"]) == 2
+    assert f"{option} would overwrite" in capsys.readouterr().err
+    assert file.read_bytes() == before
+    assert not list(plan.parent.glob("*.rows"))
+
+
+def test_results_and_report_are_two_files(plan: Path, capsys: Captured) -> None:
+    """The report does not replace the results, nor ``study report`` what it reads."""
+    page = str(plan.with_name("a.html"))
+    assert main(["study", str(plan), "--out", page, "--report", page, "--quiet"]) == 2
+    results = str(plan.with_name("a.csv"))
+    assert main(["study", str(plan), "--out", results, "--quiet"]) == 1
+    assert main(["study", "report", str(plan), results, "--report", results]) == 2
+    assert "would overwrite" in capsys.readouterr().err
+
+
 @pytest.mark.parametrize("content", [None, b"\xff", b'{"run":'])
 def test_results_that_cannot_be_read(plan: Path, capsys: Captured, content: bytes | None) -> None:
     """A missing or damaged file of results: a message with the file's name, exit code 2."""

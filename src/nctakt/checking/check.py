@@ -17,6 +17,7 @@ from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Severity, Span, Text
 from nctakt.base.failure import Failure
 from nctakt.base.text import BYTE_ORDER_MARKS, decode_text, split_lines
+from nctakt.checking.channel_uses import ProgramUses, report_missing_partners
 from nctakt.checking.check_memory import CheckMemory, Poll
 from nctakt.checking.inputs import LIST_SUFFIX, Finding, gather
 from nctakt.checking.program import check_program
@@ -149,6 +150,7 @@ class _Checker:
         self._known: dict[tuple[Path, Target], None] = {}
         self._names: dict[Path, Path] = {}
         self._global_cycles: list[GlobalCycles] = []
+        self._uses: list[ProgramUses] = []
         self._suppressions: dict[str, Suppressions] = {}
         #: Files that others call; programs that end as subprograms do, by the name of their file.
         self._called: dict[Path, None] = {}
@@ -183,6 +185,7 @@ class _Checker:
         )
         collector = Collector()
         never_deleted(self._global_cycles, collector)
+        report_missing_partners(self._uses, collector)
         self._keep("", collector.diagnostics)
         files = tuple(CheckedFile(file, kind) for file, kind in sorted(self._files.items()))
         machines = tuple(startup.parent.as_posix() for startup, _ in gathered.machines)
@@ -410,6 +413,19 @@ class _Checker:
             memory=memory,
         )
         self._global_cycles.append(checked.global_cycles)
+        self._uses.append(
+            ProgramUses(
+                name,
+                target.folder,
+                target.channel,
+                target.channel_count,
+                target.owners,
+                {axis: one.logical_number for axis, one in target.axes.items()},
+                checked.signals,
+                checked.exchanges,
+                role != "called" and checked.subprogram_end is None,
+            )
+        )
         self._keep(name, collector.diagnostics, (target.channel,))
         if checked.subprogram_end is not None:
             self._subprogram_ends[name] = checked.subprogram_end

@@ -67,11 +67,16 @@ from nctakt.nc.vocabulary.functions import (
     ARC_CLOCKWISE,
     ARC_RADIUS,
     ARCS,
+    AXIS_VALUES,
     AXIS_WEIGHTS,
     DIAMETER_ON,
     EDGE_BANDING,
     INCH,
+    MAPS_BY_AXES,
+    MAPS_OFF,
+    MEASURING,
     REFERENCE_OFFSET,
+    ROTATION_ON,
     SUBPROGRAM_ENDS,
     group_of,
 )
@@ -267,8 +272,13 @@ class PathChecker:
         functions = [int(word.value.value) for word in numbers if isinstance(word.value, Number)]
         for function in functions:
             self._function(function)
-        self._radius(block)
+        if ROTATION_ON not in functions:
+            self._radius(block)
         if REFERENCE_OFFSET in functions:
+            self._shift()
+        elif not MAPS_BY_AXES.isdisjoint(functions):
+            pass
+        elif not AXIS_VALUES.isdisjoint(functions) or MEASURING in functions:
             self._shift()
         elif AXIS_WEIGHTS.isdisjoint(functions):
             self._move(block)
@@ -289,6 +299,10 @@ class PathChecker:
             case Group.UNIT:
                 facts.is_inch = function == INCH
             case Group.ZERO_OFFSET:
+                self._shift()
+            case Group.MIRROR | Group.ROTATION if (
+                function not in MAPS_OFF or facts.is_shifted is not False
+            ):
                 self._shift()
             case Group.COMPENSATION:
                 facts.positions.clear()
@@ -369,9 +383,9 @@ class PathChecker:
                 if middle is None:
                     return None
                 tolerance = self._channel.centre_tolerance
-                return arc_about(begin, end, facts.plane, middle, clockwise, tolerance)
+                return arc_about(begin, end, PLANES[facts.plane], middle, clockwise, tolerance)
             if facts.radius_mm and begin != end:
-                return arc_of_radius(begin, end, facts.plane, facts.radius_mm, clockwise)
+                return arc_of_radius(begin, end, PLANES[facts.plane], facts.radius_mm, clockwise)
         except ArcError as error:
             self._findings.report(error.message, span, **error.values)
         return None

@@ -27,6 +27,7 @@ from nctakt.nc.check.findings import Findings
 from nctakt.nc.inspection import polled
 from nctakt.nc.lint.linter import GlobalCycles
 from nctakt.nc.lint.realtime_cycles import StepLimits
+from nctakt.nc.outline import AxisUse, SignalUse
 from nctakt.nc.source import Source
 from nctakt.nc.vocabulary.variable_table import NameTable
 from nctakt.run.program_loader import find_program, missing, search_folders
@@ -37,12 +38,15 @@ from nctakt.testing.expectations import impossible_firings, parse_script
 class Checked:
     """The links of a checked program to others: its GLOBAL cycles, the files that it calls.
 
-    ``subprogram_end``: a note that it ends as a subprogram, where it may also be a main program.
+    ``signals`` and ``exchanges``: what it sends, awaits, fetches and gives. ``subprogram_end``: a
+    note that it ends as a subprogram, where it may also be a main program.
     """
 
     global_cycles: GlobalCycles
     called: tuple[Path, ...]
     subprogram_end: Diagnostic | None
+    signals: tuple[SignalUse, ...]
+    exchanges: tuple[AxisUse, ...]
 
 
 def check_program(
@@ -102,7 +106,9 @@ def check_program(
     if role == "either" and ends:
         line, word = source.line_of(ends[-1]), Findings(source, collector).written(ends[-1])
         note = diagnostic(PROGRAM_ENDS_AS_SUBPROGRAM, ends[-1], line, word=word)
-    return Checked(reading.linter.global_cycles, tuple(called), note)
+    program = reading.inspection.program
+    uses = tuple(program.signals), tuple(program.exchanges)
+    return Checked(reading.linter.global_cycles, tuple(called), note, *uses)
 
 
 def _position(diagnostic: Diagnostic) -> tuple[int, int]:

@@ -9,6 +9,7 @@ what is found behind depends on nothing else.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from typing import Any
 
 from nctakt.base.dataclass import dataclass
@@ -25,7 +26,7 @@ from nctakt.nc.check.findings import Findings
 from nctakt.nc.inspection import Inspection, InspectionState
 from nctakt.nc.lint.linter import GlobalCycle, Linter, LinterState
 from nctakt.nc.lint.realtime_cycles import StepLimits
-from nctakt.nc.outline import Call
+from nctakt.nc.outline import AxisUse, Call, SignalUse
 from nctakt.nc.plain_shapes import PlainShapes
 from nctakt.nc.source import Source
 from nctakt.nc.tree import Statement
@@ -154,6 +155,8 @@ class ProgramPass:
             self.of_lint.diagnostics,
             self.of_path.diagnostics,
             self.inspection.program.calls,
+            self.inspection.program.signals,
+            self.inspection.program.exchanges,
             self.inspection.local_calls,
             self.linter.defined,
             self.linter.deleted,
@@ -171,9 +174,15 @@ def shifters(shift: LineShift) -> tuple[Callable[[Any], Any], ...]:
     def cycle(item: GlobalCycle) -> GlobalCycle:
         return GlobalCycle(item.identity, shift.span(item.span), item.line)
 
+    def signal(item: SignalUse) -> SignalUse:
+        return replace(item, span=shift.span(item.span))
+
+    def exchange(item: AxisUse) -> AxisUse:
+        return replace(item, span=shift.span(item.span))
+
     def same(item: int | None) -> int | None:
         return item
 
     found = shift.diagnostic
     span: Callable[[Span], Span] = shift.span
-    return found, found, found, call, call, cycle, same, span, shift.line
+    return found, found, found, call, signal, exchange, call, cycle, same, span, shift.line

@@ -36,6 +36,13 @@ class Target:
         self.is_shifted = configuration.is_shifted
         self.limits = StepLimits(context.max_steps, context.budget_steps)
         self.folder = machine.configuration.folder
+        self.channel_count = len(machine.assembled)
+        #: Logical number of an axis -> the channel whose list has it.
+        self.owners = {
+            axis.logical_number: number
+            for number, other in enumerate(machine.configuration.channels, 1)
+            for axis in other.axes
+        }
 
     def searches(self, folder: Path) -> bool:
         """Return whether the channel's list names this folder of programs."""

@@ -22,6 +22,7 @@ from nctakt.cli.language import language_option
 from nctakt.cli.request import STANDARD_INPUT, Options, read_request
 from nctakt.cli.running import choose_mode
 from nctakt.cli.settings import carry_out
+from nctakt.cli.start_options import FROM_BLOCK_OPTION, FROM_LINE_OPTION
 from nctakt.cli.terminal import print_diagnostics
 from nctakt.files.access import FileAccess
 from nctakt.files.output import OutputFile
@@ -81,6 +82,8 @@ nctakt's own.
     multiple=True,
     help="Set a variable at a time of the run.",
 )
+@FROM_LINE_OPTION
+@FROM_BLOCK_OPTION
 @click.option(
     "--wait-for-start", is_flag=True, help="START on the page begins each program (HLI.START)."
 )
@@ -201,6 +204,8 @@ def _show(options: Options, access: FileAccess, own: _Words) -> int:
             acknowledges=acknowledges,
             folders=folders,
             pace=own.pace,
+            from_line=options.from_line,
+            from_block=options.from_block,
         )
 
     channel = next(iter(documents))

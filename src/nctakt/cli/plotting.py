@@ -69,7 +69,10 @@ class Drawings:
             assert file is not None
             self._files[kind] = file
         self._default_signals = controller.default_signals
-        self._signals = motion.signals([axis.name for axis in controller.channel_axes])
+        steps = controller.machine.channels[0].parameters.transformations.steps
+        self._signals = motion.signals(
+            [axis.name for axis in controller.channel_axes], has_transformations=any(steps)
+        )
 
     @property
     def are_wanted(self) -> bool:

@@ -20,6 +20,7 @@ from nctakt.files.access import FileAccess
 from nctakt.lists.format.times import Time, read_time
 from nctakt.lists.machine.files import machine_folder
 from nctakt.messages import diagnostic
+from nctakt.messages.block_search import BOTH_STARTS_GIVEN
 from nctakt.messages.command_line import INVALID_SKIP_OPTION, RECORDING_WITHOUT_TRACE
 from nctakt.messages.files import (
     FILE_MISSING,
@@ -91,6 +92,8 @@ class Options:
     record: str | None = None
     stays: bool = False
     tape: Tape | None = None
+    from_line: int | None = None
+    from_block: int | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -152,6 +155,8 @@ def read_request(options: Options, access: FileAccess) -> Request:
     after = reader.read(read_time, options.after)
     plc = () if options.plc is None else reader.read(_load_plc, options.plc, access)
     skip_levels = reader.read(_skip_levels, options.skip)
+    if options.from_line is not None and options.from_block is not None:
+        reader.diagnostics.append(diagnostic(BOTH_STARTS_GIVEN))
     if options.plc is not None and options.hli is not None:
         reader.diagnostics.append(diagnostic(PLC_AND_HLI_OPTIONS))
     signals = None if options.signals is None else split_names(options.signals)

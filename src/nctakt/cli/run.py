@@ -31,6 +31,7 @@ from nctakt.cli.running import (
     with_limit_error,
 )
 from nctakt.cli.settings import carry_out
+from nctakt.cli.start_options import FROM_BLOCK_OPTION, FROM_LINE_OPTION
 from nctakt.cli.terminal import (
     message_line,
     print_diagnostics,
@@ -73,6 +74,8 @@ _EPILOG = f"""{RUN_CODES}
 @click.option(
     "--wait-for-start", is_flag=True, help="START on the HLI begins each program (HLI.START)."
 )
+@FROM_LINE_OPTION
+@FROM_BLOCK_OPTION
 @click.option("--hli", metavar="NAME", help="Share the HLI; a PLC in another process answers.")
 @click.option("--error-log", metavar="FILE", help="Write the user errors (#ERROR) to a file.")
 @click.option("--record", metavar="FILE", help="Record all inputs for nctakt replay.")

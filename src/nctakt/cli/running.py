@@ -235,6 +235,8 @@ def run_programs(
                 after=request.after,
                 plc=request.plc,
                 wait_for_start=options.wait_for_start,
+                from_line=options.from_line,
+                from_block=options.from_block,
                 skip=request.skip_levels,
                 signals=request.signals,
                 sinks=sinks,

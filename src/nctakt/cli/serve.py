@@ -27,6 +27,7 @@ from nctakt.cli.language import language_option
 from nctakt.cli.request import STANDARD_INPUT, Options, read_request
 from nctakt.cli.running import choose_mode
 from nctakt.cli.settings import carry_out
+from nctakt.cli.start_options import FROM_BLOCK_OPTION, FROM_LINE_OPTION
 from nctakt.cli.tapes import inputs_of_run
 from nctakt.cli.terminal import print_diagnostics
 from nctakt.files.access import FileAccess
@@ -93,6 +94,8 @@ that has stopped, 2 wrong usage or unusable input, 3 an error of nctakt's own.
     help="Set a variable at a time of the run.",
 )
 @click.option("--wait-for-start", is_flag=True, help="START (HLI.START) begins each program.")
+@FROM_LINE_OPTION
+@FROM_BLOCK_OPTION
 @click.option(
     "--acknowledge", is_flag=True, help="M and H functions wait for a client to acknowledge them."
 )
@@ -287,6 +290,8 @@ def _serve(options: Options, access: FileAccess, own: _Words, built: Callable[[]
             set=request.assignments,
             at=request.stimuli,
             wait_for_start=options.wait_for_start,
+            from_line=options.from_line,
+            from_block=options.from_block,
             acknowledges=not own.acknowledge,
             folders=folders,
             stays=True,

@@ -99,9 +99,13 @@ def _study(file: str, words: dict[str, Any]) -> int:
     study = _read(file, words)
     if words["cover"] and study.plan.is_schedule:
         raise click.UsageError("--cover needs a program: a schedule has no realtime cycles")
+    finds = bool(study.plan.goals) and words["only"] is None
+    if words["cover"] or finds:
+        _check_rows(words, "--cover" if words["cover"] else "a plan with find")
+    _check_outputs(study, [file], {name: words[name] for name in ("out", "report")})
     if words["cover"]:
         return _cover(study, words)
-    if study.plan.goals and words["only"] is None:
+    if finds:
         return _find(study, words)
     size, only = study.plan.size, words["only"]
     if only is not None and only >= size:
@@ -173,6 +177,28 @@ def _check_words(file: str, words: dict[str, Any]) -> None:
             raise click.UsageError(f"--{option} belongs to a program; a plan has it as an entry")
 
 
+def _check_rows(words: dict[str, Any], asked: str) -> None:
+    """Raise ``click.UsageError`` for options about rows, which ``asked`` does not make."""
+    for name in ("out", "report", "shrink", "scheduler"):
+        if words[name]:
+            raise click.UsageError(f"{asked} makes no rows: --{name} would have no effect")
+
+
+def _check_outputs(study: Study, inputs: list[str], outputs: dict[str, str | None]) -> None:
+    """Raise ``Failure`` before any run for outputs that are inputs or cannot be written."""
+    from nctakt.files.access import FileAccess  # noqa: PLC0415 - as above
+    from nctakt.files.output import check_outputs  # noqa: PLC0415 - as above
+    from nctakt.studies.plan_files import files_of  # noqa: PLC0415 - as above
+
+    named = {f"--{option}": name for option, name in outputs.items() if name is not None}
+    if not named:
+        return
+    access, needed = FileAccess(), files_of(study.plan)
+    for path in (*map(Path, inputs), *needed.files, *needed.modules.files):
+        access.note(path)
+    check_outputs(named, access)
+
+
 def _is_plan(file: str) -> bool:
     return Path(file).suffix.casefold() == ".toml"
 
@@ -191,9 +217,11 @@ def _report(plan: str, results: str, words: dict[str, Any]) -> int:
     names |= {measure.name for measure in study.plan.measures}
     if rows and not names <= set(rows[0]):
         raise Failure(diagnostic(OTHER_PLAN, folder=results))
+    target = words["report"] or str(Path(results).with_suffix(".html"))
+    _check_outputs(study, [plan, results], {"report": target})
     result = StudyResult(study.plan, rows, study.nominal)
     page = result.report(words["language"], commands_of(study, result, plan, words))
-    write_file(words["report"] or str(Path(results).with_suffix(".html")), page)
+    write_file(target, page)
     return EXIT_RAN
 
 

@@ -50,6 +50,8 @@ class Configuration:
     has_breakpoints: bool
     language: Language | None
     folders: Sequence[str]
+    from_line: int | None = None
+    from_block: int | None = None
 
     def open(self) -> Session:
         """Return the session before its first tick; raises ``Failure``."""
@@ -66,6 +68,8 @@ class Configuration:
             skip=self.skip,
             acknowledges=self.acknowledges,
             folders=self.folders,
+            from_line=self.from_line,
+            from_block=self.from_block,
         )
 
     @property
@@ -124,6 +128,7 @@ def read_configuration(arguments: Arguments, folders: Sequence[str]) -> Configur
         has_breakpoints,
         _language(arguments.optional_text("language")),
         folders,
+        *(arguments.number(name, 0) or None for name in ("fromLine", "fromBlock")),
     )
 
 

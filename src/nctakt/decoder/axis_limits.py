@@ -24,21 +24,28 @@ MIN_SPEED = 0.001
 
 
 def look_ahead(
-    axes: Sequence[AxisConfiguration], cycle_time_us: int, blocks: int, max_override_pct: float
+    axes: Sequence[AxisConfiguration],
+    cycle_time_us: int,
+    blocks: int,
+    max_override_pct: float,
+    room: int = 0,
 ) -> LookAhead:
-    """Return the look-ahead of a channel with these axes."""
-    ahead = LookAhead(len(axes), cycle_time_us, blocks, max_override_pct / 100.0)
+    """Return the look-ahead of a channel with these axes, and room for so many."""
+    ahead = LookAhead(len(axes), cycle_time_us, blocks, max_override_pct / 100.0, room)
+    apply_axis_limits(ahead.limits, axes)
+    return ahead
+
+
+def apply_axis_limits(limits: SegmentLimits, axes: Sequence[AxisConfiguration]) -> None:
+    """Let the limits of the lists apply to the places of a channel with these axes."""
     for index, axis in enumerate(axes):
-        ahead.limits.limit(
+        limits.limit(
             index,
             axis.is_linear,
             (axis.rapid_speed, axis.max_speed),
             (axis.dynamics.rapid_acceleration, axis.dynamics.feed_acceleration),
         )
-        ahead.limits.limit_slope(
-            index, axis.dynamics.smooth_accelerations, axis.dynamics.smooth_jerks
-        )
-    return ahead
+        limits.limit_slope(index, axis.dynamics.smooth_accelerations, axis.dynamics.smooth_jerks)
 
 
 def weighted_limits(axis: AxisConfiguration, weights: AxisWeights) -> AxisLimits:
@@ -83,7 +90,8 @@ def set_limits(
     """Return the command with the limits that a program has set."""
     none = AxisWeights()
     limits = tuple(
-        weighted_limits(axis, state.weights.get(index, none)) for index, axis in enumerate(axes)
+        weighted_limits(axis, state.block.of(state.weights.get(index, none)))
+        for index, axis in enumerate(axes)
     )
     return SetLimits(
         source,
@@ -144,19 +152,19 @@ def single_axes(configuration: Machine, axes: Axes, record: Record) -> SingleAxe
             _let_lag(axes, index, axis, configuration.cycle_time_us)
         slope = axis.dynamics.jerk_slope
         has_jerk = index in jerky and slope.jerk > 0.0
-        if axis.enable_single_axis:
-            motions.configure(
-                index,
-                low=axis.software_limit_low,
-                high=axis.software_limit_high,
-                speed=axis.max_speed,
-                acceleration=(
-                    min(slope.min_acceleration, axis.dynamics.max_acceleration)
-                    if has_jerk
-                    else axis.max_acceleration
-                ),
-                jerk=slope.jerk if has_jerk else 0.0,
-            )
+        motions.configure(
+            index,
+            low=axis.software_limit_low,
+            high=axis.software_limit_high,
+            speed=axis.max_speed,
+            acceleration=(
+                min(slope.min_acceleration, axis.dynamics.max_acceleration)
+                if has_jerk
+                else axis.max_acceleration
+            ),
+            jerk=slope.jerk if has_jerk else 0.0,
+            is_enabled=axis.enable_single_axis,
+        )
     return motions
 
 

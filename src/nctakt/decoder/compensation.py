@@ -34,7 +34,7 @@ from nctakt.decoder.pending_motion import (
     plain_span,
     share_of_contour,
 )
-from nctakt.decoder.state.arcs import PLANES, SAME_POINT_MM, Arc
+from nctakt.decoder.state.arcs import SAME_POINT_MM, Arc
 from nctakt.decoder.state.commands import Answer, Command, DecoderWait, ProgramEnd, Segment, waits
 from nctakt.decoder.state.environment import DecodeError
 from nctakt.decoder.state.packing import takes_time
@@ -117,7 +117,8 @@ class Compensation:
 
     def _take(self, command: Command) -> Generator[Command, Answer, Answer]:
         """Process one command of the program; return its answer."""
-        if isinstance(command, Segment) and self._state.compensation.is_active:
+        is_active = self._state.compensation.is_active
+        if isinstance(command, Segment) and is_active and command.curve is None:
             yield from self._segment(command)
             return None
         if self._motions and not isinstance(command, Segment | PlainRun | DecoderWait):
@@ -129,7 +130,7 @@ class Compensation:
 
     def _segment(self, segment: Segment) -> Iterator[Command]:
         """Process a motion: in the plane as part of the contour, else unchanged in its order."""
-        first, second = PLANES[self._state.plane]
+        first, second = self._state.plane_axes
         x, y = segment.start[first], segment.start[second]
         x_2, y_2 = segment.target[first], segment.target[second]
         if segment.arc is None and max(abs(x - x_2), abs(y - y_2)) <= SAME_POINT_MM:
@@ -185,7 +186,7 @@ class Compensation:
             if self._motions:
                 self._hold(segment)
             else:
-                yield at_tool(segment, PLANES[self._state.plane], self._at)
+                yield at_tool(segment, self._state.plane_axes, self._at)
 
     def _enter(self, segment: Segment, ends: tuple[float, float, float, float], d: float) -> None:
         """Pass the line or arc of a motion and its distance ``d`` (mm) to the tool path."""
@@ -250,7 +251,7 @@ class Compensation:
 
     def _moves_others(self, segment: Segment) -> bool:
         """Return whether axes outside the plane move."""
-        plane = PLANES[self._state.plane]
+        plane = self._state.plane_axes
         axes = range(len(segment.start))
         return any(
             segment.start[axis] != segment.target[axis] for axis in axes if axis not in plane
@@ -300,7 +301,7 @@ class Compensation:
             return
         if any(
             abs(first.target[axis] - last.segment.target[axis]) > SAME_POINT_MM
-            for axis in PLANES[self._state.plane]
+            for axis in self._state.plane_axes
         ):
             self._values.fail(CONTOUR_NOT_CLOSED, last.span)
         misfit = tool.enclose()
@@ -366,7 +367,7 @@ class Compensation:
     @property
     def _deviation(self) -> float:
         """The permitted deviation at the end of a line, mm."""
-        return self._state.rounding if self._state.contouring else 0.0
+        return self._state.rounding
 
     def export_to(self, lines: CompensatedLines) -> None:
         """Export the pending contour, if there is one."""
@@ -375,7 +376,7 @@ class Compensation:
         if not lines.is_on:
             return
         held = self._motions[0].segment
-        lines.first, lines.second = PLANES[self._state.plane]
+        lines.first, lines.second = self._state.plane_axes
         lines.distance = self._distance
         lines.source, lines.number = held.source, held.number
         for axis, (start, target) in enumerate(zip(held.start, held.target, strict=True)):
@@ -445,7 +446,7 @@ class Compensation:
     def _commands(self, motion: PendingMotion) -> list[Command]:
         """Return the pieces of a motion and the commands behind it."""
         commands: list[Command] = list(self._segments(motion, self._pieces(motion)))
-        plane = PLANES[self._state.plane]
+        plane = self._state.plane_axes
         commands += [at_tool(command, plane, self._at) for command in motion.between]
         return commands
 
@@ -467,7 +468,7 @@ class Compensation:
         self, motion: PendingMotion, pieces: list[tuple[_Piece, float]]
     ) -> Iterator[Segment]:
         """Yield the pieces of a motion as segments; only the last one stops exactly."""
-        first, second = PLANES[self._state.plane]
+        first, second = self._state.plane_axes
         segment = motion.segment
         if motion.time_s > 0.0 and segment.is_feed and pieces:
             lengths = [length for _, length in pieces]

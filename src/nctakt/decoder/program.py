@@ -7,17 +7,21 @@ Mistakes that depend on values raise ``DecodeError``.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Generator, Iterable, Sequence
+from collections.abc import Callable, Generator, Iterable
 from math import nan
 
 from nctakt.base.diagnostics import Span
 from nctakt.decoder.blocks.block_decoder import BlockDecoder
 from nctakt.decoder.blocks.path_settings import PathSettings
+from nctakt.decoder.blocks.software_limits import listed_limits_again
 from nctakt.decoder.blocks.user_errors import user_error
 from nctakt.decoder.compensation import Compensation
 from nctakt.decoder.cycles.builder import SCOPES, CycleDefinition
 from nctakt.decoder.cycles.kept_cycles import CyclePlace, built_cycle
+from nctakt.decoder.cycles.keywords import keyword_of, word_of
 from nctakt.decoder.fast.handover import PlainBlocks
+from nctakt.decoder.flow.axis_exchange import AxisExchange
+from nctakt.decoder.flow.block_search import BlockSearch
 from nctakt.decoder.flow.calls import Calls, has_return
 from nctakt.decoder.flow.computed_blocks import is_literal, with_computed_numbers
 from nctakt.decoder.flow.flow import Decoding, Flow, Jump, Return, Signal
@@ -26,6 +30,7 @@ from nctakt.decoder.flow.macros import Macros
 from nctakt.decoder.flow.modal_calls import ModalCalls
 from nctakt.decoder.flow.realtime_loops import RealtimeLoops
 from nctakt.decoder.flow.signals import Signals
+from nctakt.decoder.shapes.shaping import Shaping
 from nctakt.decoder.state.call_stack import MAX_CALL_DEPTH, MAX_NESTING, CallFrame
 from nctakt.decoder.state.commands import (
     CONTROL_ACTIONS,
@@ -38,28 +43,27 @@ from nctakt.decoder.state.commands import (
     LoadCycle,
     PositionRequest,
     ProgramEnd,
-    UserMessage,
     is_block,
 )
 from nctakt.decoder.state.environment import DecoderEnvironment
 from nctakt.decoder.state.modal_state import ModalState
 from nctakt.decoder.state.offsets import remaining_offset_kinds
+from nctakt.decoder.state.start_block import StartBlock
 from nctakt.decoder.state.uncertain_axes import UncertainAxes
-from nctakt.decoder.values.texts import FormatError, format_text
 from nctakt.decoder.values.variables import Values
 from nctakt.kernel import codes
 from nctakt.kernel.base import arithmetic
 from nctakt.messages.checked_cycles import INVALID_CYCLE_ID, INVALID_GLOBAL_CYCLE_ID
 from nctakt.messages.decoder import (
     JUMP_TARGET_NOT_NC_TEXT,
-    MSG_FORMAT_MISMATCH,
     PROGRAMS_NESTED_TOO_DEEP,
     RETURN_LABEL_NOT_UNIQUE,
     STRUCTURES_AND_CALLS_TOO_DEEP,
     TOO_MANY_BLOCKS_WITHOUT_TIME,
 )
-from nctakt.messages.memory import NUMBER_INSTEAD_OF_TEXT
 from nctakt.nc import tree
+from nctakt.nc.check.axis_exchange import is_exchange
+from nctakt.nc.check.c_axis import is_c_axis
 from nctakt.nc.check.path_commands import FORMS, command_name
 from nctakt.nc.check.realtime_cycles import HIGHEST_ID
 from nctakt.nc.outline import ProgramText, SectionReader, leads_to
@@ -70,9 +74,8 @@ MAX_BLOCKS_WITHOUT_TIME = 100_000
 #: Blocks between two calls of the environment's ``poll``.
 BLOCKS_PER_POLL = 1000
 
-#: The words of the command that waits for functions of the type MVS_SLP.
+#: The words of the commands that wait for functions of the type MVS_SLP, and end a modal call.
 EXPLICIT = ["EXPL", "SYN"]
-#: The words of the command that ends a modal call.
 NO_MODAL = ["DISABLE", "MODAL", "CYCLE"]
 
 _SCOPE_NAMES = {codes.BLOCK_SCOPE: "BLOCK", codes.PROG_SCOPE: "PROG", codes.GLOBAL_SCOPE: "GLOBAL"}
@@ -81,9 +84,9 @@ _SCOPE_NAMES = {codes.BLOCK_SCOPE: "BLOCK", codes.PROG_SCOPE: "PROG", codes.GLOB
 class ProgramDecoder:
     """Decodes one main program.
 
-    ``next_cycle`` returns the serial number and the first probe of a cycle definition,
-    ``keep_cycle`` stores the built cycle. ``takes_runs``: the consumer of the commands handles
-    ``PlainRun``.
+    ``start``: the block where it begins by block search. ``next_cycle`` returns the serial number
+    and the first probe of a cycle definition, ``keep_cycle`` stores the built cycle.
+    ``takes_runs``: the consumer of the commands handles ``PlainRun``.
     """
 
     def __init__(
@@ -94,19 +97,24 @@ class ProgramDecoder:
         keep_cycle: Callable[[CycleDefinition], None],
         *,
         takes_runs: bool,
+        start: StartBlock | None = None,
     ) -> None:
         self._environment = environment
         self._state = state
         self._values = Values(environment, state)
         self._uncertain_axes = UncertainAxes(environment.living_cycles, environment.moving_axes())
         self._block_decoder = BlockDecoder(self._values, self._uncertain_axes)
-        self._path_settings = PathSettings(self._values, self._block_decoder.path)
-        self._compensation = Compensation(self._values, self._block_decoder.path, self._pass_time)
+        path = self._block_decoder.path
+        self._path_settings = PathSettings(self._values, self._block_decoder)
+        self._shaping = Shaping(self._values, path, self._pass_time)
+        self._compensation = Compensation(self._values, path, self._pass_contour_time)
         self._calls = Calls(self._values)
-        self._macros = Macros(environment, self._values.fail)
-        self._hash_commands = HashCommands(self._values)
-        self._loops = RealtimeLoops(self._values, self._block_decoder, self._statements)
-        self._signals = Signals(self._values, self._block_decoder.request)
+        self._macros = Macros(environment, self._values.fail, state.named_programs)
+        self._hash_commands = HashCommands(self._values, self._block_decoder)
+        self._loops = RealtimeLoops(
+            self._values, self._block_decoder, self._statements, self._shaping.shape_body
+        )
+        self._signals = Signals(self._values, self._block_decoder.moved.request)
         self._flow = Flow(self._values, self._statements, self._count_pass)
         self._call_stack = state.call_stack
         self._modal = ModalCalls(state.call_stack)
@@ -116,27 +124,39 @@ class ProgramDecoder:
             self._values,
             self._uncertain_axes,
             self._block_decoder.technology,
+            self._shaping,
             self._compensation,
             MAX_BLOCKS_WITHOUT_TIME,
         )
+        self._exchange = AxisExchange(self._values, self._plain.adapt)
         self._takes_runs = takes_runs
+        self._search = BlockSearch(self._values, path, start, self._pass_time)
         self._blocks = 0
         self._started_blocks = 0
         self._passes: dict[Span, int] = {}
         self._nested = 0
+        self._current: tree.Statement | None = None
 
-    def decode(self, program: ProgramText) -> Generator[Command, Answer]:
+    def decode(self, program: ProgramText, members: list[int]) -> Generator[Command, Answer]:
         """Return the commands of a run of the main program; the last one is its end.
 
-        The channel list may name programs that run before and after it.
+        The channel list may name programs that run before and after it. ``members``: the axes that
+        an earlier program has left to the channel.
         """
-        return self._compensation.compensate(self._run(program))
+        commands = self._run(program)
+        self._search.begin(program.source.file)
+        if self._search.is_active:
+            commands = self._search.filter(commands, program.main.span)
+        commands = self._exchange.run(commands, members, lambda: self._current)
+        return self._compensation.compensate(self._shaping.shape(commands))
 
     def _run(self, program: ProgramText) -> Generator[Command, Answer]:
-        yield from self._environment.offsets.begin_program()
+        yield from self._hash_commands.begin_program(program.main.span)
+        yield from listed_limits_again(self._environment)
         implicit = self._environment.parameters.implicit_programs
+        self._calls.note_text(program)
         frame = CallFrame(program, program.main)
-        self._call_stack.enter(frame)
+        self._enter(frame)
         signal: Signal = ""
         if implicit.program_start:
             start = self._calls.implicit_frame(implicit.program_start, program.main.span)
@@ -146,6 +166,7 @@ class ProgramDecoder:
         if implicit.program_end:
             end = self._calls.implicit_frame(implicit.program_end, program.main.span)
             yield from self._call(end, program.main.span)
+        yield from self._hash_commands.end_program(program.main.span)
         yield ProgramEnd(0, 0)
 
     @property
@@ -155,7 +176,11 @@ class ProgramDecoder:
 
     def pass_time(self, command: Command) -> None:
         """Note that the consumer has taken a command that takes time."""
-        if not self._compensation.is_releasing:
+        if not self._compensation.is_releasing and not self._shaping.is_releasing:
+            self._pass_time(command)
+
+    def _pass_contour_time(self, command: Command) -> None:
+        if not self._shaping.is_releasing:
             self._pass_time(command)
 
     def _pass_time(self, command: Command) -> None:
@@ -163,10 +188,14 @@ class ProgramDecoder:
         self._passes.clear()
         if not self._uncertain_axes.is_empty:
             self._uncertain_axes.pass_time(
-                self._block_decoder.axes_moved_by(command), is_block=is_block(command)
+                self._block_decoder.moved.axes_moved_by(command), is_block=is_block(command)
             )
 
     # --- programs -------------------------------------------------------------------------------
+
+    def _enter(self, frame: CallFrame) -> None:
+        self._call_stack.enter(frame)
+        self._state.shapes.waits_for_next |= frame.text.joins_motions
 
     def _run_frame(self, frame: CallFrame) -> Decoding:
         """Run a program from start to end; a jump restarts it at its label."""
@@ -188,7 +217,7 @@ class ProgramDecoder:
         """Run a subprogram; return the signal to its caller."""
         if len(self._call_stack.frames) >= MAX_CALL_DEPTH:
             self._values.fail(PROGRAMS_NESTED_TOO_DEEP, span, limit=MAX_CALL_DEPTH)
-        self._call_stack.enter(frame)
+        self._enter(frame)
         signal = yield from self._run_frame(frame)
         self._call_stack.leave()
         if not isinstance(signal, Return):
@@ -237,7 +266,7 @@ class ProgramDecoder:
                 return signal
             if self._call_stack.modal_count:
                 self._modal.after_statement(statement)
-            elif reader is not None and label is None:
+            elif reader is not None and label is None and not self._state.is_searching:
                 self._blocks = yield from self._plain.decode(reader, self._blocks)
         self._nested -= 1
         if self._call_stack.modal_count and not is_part:
@@ -272,6 +301,7 @@ class ProgramDecoder:
             self._values.fail(STRUCTURES_AND_CALLS_TOO_DEEP, span, limit=MAX_NESTING)
 
     def _statement(self, statement: tree.Statement) -> Decoding:
+        self._current = statement
         self._count(statement.span)
         if statement.head.skip in self._environment.skip_levels:
             return ""
@@ -282,7 +312,9 @@ class ProgramDecoder:
             value = self._values.constant_value(statement.head.number)
             if value is None:
                 value = yield from self._values.evaluate(statement.head.number, 0)
-            number = int(arithmetic.round_half_even(value))
+            number = self._state.block_number = int(arithmetic.round_half_even(value))
+        if self._state.is_searching:
+            yield from self._search.reach(statement, number)
         if self._environment.marks_blocks:
             yield self._mark(statement, number)
         match statement:
@@ -292,7 +324,7 @@ class ProgramDecoder:
                 block = tree.Block(statement.span, statement.head, statement.words)
                 return (yield from self._block(block, number, remaining_offset_kinds(statement)))
             case tree.OffsetCommand():
-                yield from self._block_decoder.presets(statement, number)
+                yield from self._block_decoder.offsets(statement, number)
             case tree.Assignment():
                 yield from self._values.assign(statement, number)
             case tree.VariableBlock():
@@ -378,11 +410,11 @@ class ProgramDecoder:
             case tree.UserError():
                 yield from user_error(self._values, statement, number)
             case tree.UserMessage():
-                yield from self._message(statement, source, number)
+                yield from self._hash_commands.message(statement, number)
             case tree.HashCommand() if [word.name for word in statement.words] == EXPLICIT:
                 yield from self._block_decoder.technology.explicit_synchronisation()
             case tree.HashCommand() if statement.words[0].name == "FGROUP":
-                self._block_decoder.path.feed_rate.select_group(statement)
+                yield from self._block_decoder.path.feed_rate.groups.select(statement, number)
             case tree.HashCommand() if command_name(statement) in FORMS:
                 yield from self._path_settings.command(statement, number)
             case tree.VariableDeclarations():
@@ -394,8 +426,12 @@ class ProgramDecoder:
                 yield from self._hash_commands.timer(statement, number)
             case tree.HashCommand() if [word.name for word in statement.words] == NO_MODAL:
                 self._modal.end()
+            case tree.HashCommand() if statement.words[0].name == "BLOCKSEARCH":
+                self._search.lock(statement)
             case tree.HashCommand() if statement.words[0].name in ("SIGNAL", "WAIT"):
                 yield from self._signals.command(statement, number)
+            case tree.HashCommand() if is_exchange(statement) or is_c_axis(statement):
+                yield from self._exchange.command(statement, number)
             case tree.HashCommand():
                 yield from self._hash_commands.command(statement, number)
             case tree.ProgramStart():
@@ -407,8 +443,8 @@ class ProgramDecoder:
         self, statement: tree.RealtimeCycle, source: int, number: int
     ) -> Generator[Command, Answer]:
         identity = yield from self._identity(statement, number)
-        scope_word = _keyword(statement.keywords, "SCOPE")
-        scope = codes.PROG_SCOPE if scope_word is None else SCOPES[_word(scope_word)]
+        scope_word = keyword_of(statement.keywords, "SCOPE")
+        scope = codes.PROG_SCOPE if scope_word is None else SCOPES[word_of(scope_word)]
         if identity is not None and identity < 1:
             self._values.fail(
                 INVALID_GLOBAL_CYCLE_ID if scope == codes.GLOBAL_SCOPE else INVALID_CYCLE_ID,
@@ -423,8 +459,8 @@ class ProgramDecoder:
         self._uncertain_axes.define_cycle(
             built.identity, built.axes, is_block=scope == codes.BLOCK_SCOPE, starts=starts
         )
-        end_action = _keyword(statement.keywords, "END_ACTION")
-        moves_on = end_action is not None and _word(end_action) == "MOVE_CONT"
+        end_action = keyword_of(statement.keywords, "END_ACTION")
+        moves_on = end_action is not None and word_of(end_action) == "MOVE_CONT"
         yield LoadCycle(source, number, built.cycle, built.identity, scope, not starts, moves_on)
         for frozen in built.frozen:
             source_id = self._environment.source_id(frozen.span)
@@ -454,45 +490,10 @@ class ProgramDecoder:
     def _identity(
         self, statement: tree.RealtimeCycle | tree.CycleControl, number: int
     ) -> Generator[Command, Answer, int | None]:
-        keyword = _keyword(statement.keywords, "ID")
+        keyword = keyword_of(statement.keywords, "ID")
         if keyword is None or keyword.value is None:
             return None
         value = yield from self._values.evaluate(keyword.value, number)
         if arithmetic.floor(value) != value or value > HIGHEST_ID:
             self._values.fail(INVALID_CYCLE_ID, keyword.value.span, id=value)
         return int(value)
-
-    def _message(
-        self, statement: tree.UserMessage, source: int, number: int
-    ) -> Generator[Command, Answer]:
-        layout = yield from self._values.evaluate_any(statement.format, number)
-        if not isinstance(layout, str):
-            self._values.fail(NUMBER_INSTEAD_OF_TEXT, statement.format.span, value=layout)
-        values: list[float | str] = []
-        for argument in statement.arguments:
-            values.append((yield from self._values.evaluate_any(argument, number)))
-        try:
-            text = format_text(layout, values)
-        except FormatError as error:
-            self._values.fail(MSG_FORMAT_MISMATCH, statement.format.span, found=str(error))
-        options = [option.name for option in statement.options]
-        yield UserMessage(
-            source,
-            number,
-            text,
-            "EXCLUSIVE" in options,
-            "CONTINUE" in options,
-            self._state.message_file if "SAVE" in options else "",
-        )
-
-
-def _keyword(keywords: Sequence[tree.Keyword | tree.Expression], name: str) -> tree.Keyword | None:
-    for keyword in keywords:
-        if isinstance(keyword, tree.Keyword) and keyword.name == name:
-            return keyword
-    return None
-
-
-def _word(keyword: tree.Keyword) -> str:
-    assert isinstance(keyword.value, tree.Name)
-    return keyword.value.name

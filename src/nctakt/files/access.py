@@ -60,6 +60,11 @@ class FileAccess:
         """The files that were read so far, without standard input."""
         return [path for path, _ in self._read.values() if path != STDIN_NAME]
 
+    @property
+    def replaces_files(self) -> bool:
+        """Whether a file has another content here than on disk."""
+        return bool(self._replaced)
+
     def has_changed(self) -> bool:
         """Return whether a file that was read is not as it was then."""
         return any(
@@ -97,6 +102,11 @@ class FileAccess:
             self.note_state(Path(path).stat(), path)
         except OSError:
             return  # reported by its reader
+
+    def note_all(self, other: FileAccess) -> None:
+        """Note the files that ``other`` has read; raises ``Failure`` (900913)."""
+        for path, state in other._read.values():
+            self.note_state(state, path)
 
     def note_state(self, state: os.stat_result, path: str | Path) -> None:
         """Note a file by its state; raises ``Failure`` (900913) if it is written as well."""

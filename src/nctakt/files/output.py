@@ -13,7 +13,7 @@ import contextlib
 import errno
 import os
 import stat
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import IO, Self
 
@@ -160,6 +160,18 @@ def write_file(path: str | Path, data: str | bytes) -> None:
     """Write a whole file; raises ``Failure`` as ``OutputFile``."""
     with OutputFile(path) as file:
         file.write(data)
+
+
+def check_outputs(outputs: Mapping[str, str | Path], access: FileAccess) -> None:
+    """Raise ``Failure`` at once for files that could not be written when their data are ready.
+
+    ``outputs``: option -> file; ``access``: of what the command reads. Files stay as they are.
+    """
+    with contextlib.ExitStack() as files:
+        for option, name in outputs.items():
+            path = Path(name)
+            if not (path.is_fifo() or path.is_char_device() or path.is_socket()):
+                files.enter_context(OutputFile(name, option, access))
 
 
 def partial_path(path: Path) -> Path:

@@ -75,7 +75,7 @@ PANEL = (
     Entry("reset", "BOOLEAN", "", "RESET: the PLC writes 1, the CNC takes it and writes 0"),
     Entry("plc_present", "BOOLEAN", "", "1: the PLC acknowledges functions, 0: the CNC itself"),
     Entry("backward_motion", "BOOLEAN", "", "1: the path is walked back, 0: forward again"),
-    Entry("probe", "BOOLEAN", "", "1: the probe of the edge banding is on the edge"),
+    Entry("probe", "BOOLEAN", "", "1: the probe touches (G100), or is on the edge (G108)"),
     Entry("optional_stop", "BOOLEAN", "", "1: M01 stops as M00 does"),
 )
 

@@ -73,7 +73,7 @@ TIMER_START, TIMER_STOP, TIMER_READ, TIMER_CLEAR = range(1, 5)
 
 #: Which positions of the axes the place of a tool's tip belongs to; how many axes it shows at most.
 TIP_OF_COMMAND, TIP_OF_ACTUAL, TIP_OF_TARGET, TIPS = range(4)
-TIP_AXES = 6
+TIP_AXES = 12
 
 #: Sets of offsets as bits: bit k stands for kind k.
 ALL_OFFSETS = (1 << OFFSET_KINDS) - 1
@@ -160,6 +160,10 @@ SIGNAL_CAPACITY = 256
 SIGNAL_VALUES = 12
 #: Highest number of a channel that signals can name.
 MAX_SIGNAL_CHANNEL = 30
+#: Numbers of owners for the cycles of a channel, one for each slot; those of channel 1 from 1 on.
+CYCLE_OWNERS = 1024
+#: What an event of the axis exchange tells.
+AXIS_AWAITED, AXIS_TAKEN, AXIS_GIVEN = range(3)
 #: A signal that is never used up.
 ENDLESS_SIGNAL = -1
 

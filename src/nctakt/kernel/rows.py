@@ -63,7 +63,13 @@ from __future__ import annotations
     REMOVE_SIGNAL,  # #SIGNAL REMOVE SYN
     MODAL_MARK,  # other functions are in force from here on
     CUTTING_SPEED,  # G96, G97: the speed of a spindle follows an axis, or no longer
-) = range(1, 44)
+    TOUCH,  # the next motion measures with a touch probe (G100)
+    TOUCH_END,  # the motion that measures is over
+    HOME,  # an axis begins to move to its zero pulse (G74)
+    REFER,  # the position where an axis stands
+    SOFTWARE_LIMITS,  # others for the independent motions of an axis (G98, G99)
+    SINGLE_STEP,  # #SINGLE STEP; its argument: 1 where it is disabled
+) = range(1, 50)
 
 #: The kinds that take or may take time.
 TIMED_KINDS = frozenset(
@@ -215,6 +221,24 @@ def _arguments(count: int) -> range:
     MEASURE_VALUE,
 ) = _arguments(5)
 (
+    TOUCH_PART,  # share of the block's length where the simulated probe touches; below 0: nowhere
+    TOUCH_TICKS,  # ticks until it does, below 0: it does not
+    TOUCH_LEVEL,  # value of HLI.PROBE that is the signal
+    TOUCH_CONTINUES,  # 1: the motion continues to its target behind the signal (G106)
+    TOUCH_IS_NEEDED,  # 1: a signal that does not come is an error
+    TOUCH_MAY_BE_PRESSED,  # 1: a probe that is pressed at the start ends the block there
+) = _arguments(6)
+(
+    HOMED_AXIS,  # number in the machine
+    HOMING_DISTANCE,  # mm, degrees; REFER: the position
+    HOMING_SPEED,
+) = _arguments(3)
+(
+    LIMITED_AXIS,  # number in the machine
+    LIMIT_LOW,  # mm, degrees
+    LIMIT_HIGH,
+) = _arguments(3)
+(
     SIGNAL_NUMBER,
     SIGNAL_RECEIVERS,  # mask of channels (``tick/signals.py``), 0: all
     SIGNAL_COUNT,  # how often it is taken, ``codes.ENDLESS_SIGNAL``
@@ -240,12 +264,13 @@ def _arguments(count: int) -> range:
     LENGTH,  # from start to target
     # what was programmed
     MOTION,  # ``FEED_MOTION`` or ``RAPID_MOTION``
-    SHAPE,  # ``LINE``, ``ARC`` or ``ROUNDING``
+    SHAPE,  # ``LINE``, ``ARC``, ``ROUNDING`` or ``CUBIC``
     EXACT_STOP,  # 1: the path stops at its end
     CONTINUES,  # 1: its block continues with the next segment
     HAS_JERK_LIMIT,  # 1: the speed changes along an S-curve, 0: along a trapezoid
     DEVIATION,  # mm that the path may pass its target at
     TRANSFORMATION,  # number of the map from its positions to those of the axes; 0: they are these
+    SHOWN_TRANSFORMATION,  # in the history: the map that MCS was shown by, 0: none
     SPEED,  # /s; of a rapid motion what its axes can do
     SPEED_OVERRIDE,  # programmed override as a factor, 0: no pace is given
     IGNORES_OVERRIDE,  # 1: the operator's override has no effect (G166)
@@ -259,6 +284,11 @@ def _arguments(count: int) -> range:
     ARC_FIRST_CENTRE,  # mm
     ARC_SECOND_CENTRE,
     ARC_ANGLE,  # degrees, negative clockwise
+    CUBIC_LINEAR,  # parameter of a cubic by the part of its length: coefficients of a polynomial
+    CUBIC_SQUARE,
+    CUBIC_CUBE,
+    CUBIC_FOURTH,
+    CUBIC_FIFTH,
     # limits
     MAX_SPEED,  # /s
     ACCELERATION,  # /s²
@@ -300,8 +330,9 @@ def _arguments(count: int) -> range:
     ROUNDING_ACCELERATION,
     ROUNDING_JERK,
     # positions of the axes in mm or degrees, four columns for each axis: all starts, then all …
-    START,  # … targets, then where the curve ends, then the corner that a rounding rounds
-) = range(ARGUMENTS, ARGUMENTS + 55)
+    START,  # … targets, then where the curve ends, then the corner that a rounding rounds; the …
+    # … last two of a cubic: its inner control points
+) = range(ARGUMENTS, ARGUMENTS + 61)
 
 #: Pieces of an arc of 3° or more, of which the first and the last one are divided further: so many
 #: more there are for that, and at most so many in all.
@@ -344,12 +375,9 @@ FEED_MOTION, RAPID_MOTION = range(2)
     TAPPING,  # the spindle follows the path (G63, G331, G332)
 ) = range(3)
 
-#: Values of ``SHAPE``.
-(
-    LINE,
-    ARC,  # with further axes a helix
-    ROUNDING,  # a curve that rounds a corner with a limit of the jerk
-) = range(3)
+#: Values of ``SHAPE``: an arc is a helix with further axes, a rounding rounds a corner with a limit
+#: of the jerk, a cubic is a piece of a spline.
+LINE, ARC, ROUNDING, CUBIC = range(4)
 
 #: Values of ``GOAL_KIND``: how the override changes the goal's speed.
 (
@@ -417,7 +445,9 @@ FEED_MOTION, RAPID_MOTION = range(2)
     EVENT_SIGNAL_SENT,  # subject: number; receivers as in ``SIGNAL_RECEIVERS``, count, 1: with SYN
     EVENT_SIGNAL_AWAITED,  # subject: number; senders, 0, 1: with SYN
     EVENT_SIGNAL_TAKEN,  # subject: number; its sender, tick in which it was sent, 1: with SYN
-) = range(1, 43)
+    EVENT_TOUCHED,  # length from the block's start to where the probe touches
+    EVENT_AXIS_EXCHANGED,  # subject: axis; ``codes.AXIS_AWAITED`` …, the channel that has it
+) = range(1, 45)
 
 #: A text that a cycle writes is recorded in parts. The column of the cell is the cell plus this
 #: number, twice for each earlier part and once more if another part follows.
@@ -429,12 +459,8 @@ ENDED_BY_SCOPE, ENDED_BY_DELETE, ENDED_BY_RESET, ENDED_BY_ERROR = range(4)
 
 LOOP_BEGUN, LOOP_SKIPPED, LOOP_LEFT = range(3)
 
-(
-    RETRACE_BACKWARD,
-    RETRACE_FORWARD,
-    RETRACE_START,  # at the start of the history
-    RETRACE_FRONT,  # at the front again
-) = range(4)
+#: Backward motion: its two directions, the start of the history, the front again.
+RETRACE_BACKWARD, RETRACE_FORWARD, RETRACE_START, RETRACE_FRONT = range(4)
 
 MOTION_DONE, MOTION_ABORTED, MOTION_FAILED = range(3)
 
@@ -455,30 +481,6 @@ MOTION_HELD, MOTION_CONTINUED, MOTION_STOPPED = range(3)
 #: series of evaluations begins in this tick, or one of run-throughs of a body.
 PROBE_FALSE, PROBE_TRUE, PROBE_EVALUATED, PROBE_RAN = range(4)
 
-
-# --- trajectories of single axes and spindles -----------------------------------------------------
-
-#: Columns of a plan; the phases follow from ``PLAN_PHASES`` on.
-(
-    PLAN_LAST,  # number of the last phase, counted from 0
-    PLAN_DURATION,  # s
-    PLAN_PHASE,  # the phase of the last evaluation
-    PLAN_PHASES,
-) = range(4)
-
-#: Columns of a phase of constant jerk: its start.
-(
-    PHASE_TIME,  # s
-    PHASE_DISTANCE,  # mm, degrees
-    PHASE_SPEED,  # /s
-    PHASE_ACCELERATION,  # /s²
-    PHASE_JERK,  # /s³
-    PHASE_WIDTH,
-) = range(6)
-
-#: The most phases of a plan, and its columns.
-MAX_PHASES = 9
-PLAN_WIDTH = PLAN_PHASES + MAX_PHASES * PHASE_WIDTH
 
 #: The matrix of a turned coordinate system, row by row.
 MATRIX_SIDE = 3

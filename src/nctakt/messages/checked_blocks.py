@@ -71,8 +71,8 @@ NO_PROGRAM_FOR_G_FUNCTION = error(
     20131,
     en="unknown G function {word}: the channel list names no program for it",
     de="unbekannte G-Funktion {word}: die Kanalliste nennt kein Programm dafür",
-    remedy_en="Name the program in the channel list: {key} FILE",
-    remedy_de="Das Programm in der Kanalliste nennen: {key} DATEI",
+    remedy_en='Name the program: {key} FILE in the channel list, or #FILE NAME [{word}="FILE"]',
+    remedy_de='Programm nennen: {key} DATEI in der Kanalliste, oder #FILE NAME [{word}="DATEI"]',
     cause_en="G80 … G89 and G800 … G839 call programs of the user (P-CHAN-00160 … 00169, "
     "P-CHAN-00187).",
     cause_de="G80 … G89 und G800 … G839 rufen Programme des Anwenders auf (P-CHAN-00160 … 00169, "
@@ -148,7 +148,7 @@ DUPLICATE_WORD = error(
 )
 EXCLUSIVE_WORDS = error(
     900210,
-    known_as=(20109, 20115, 20119, 20123, 20124, 20125, 20129, 20130, 20792, 20810, 20846),
+    known_as=(20109, 20115, 20119, 20123, 20124, 20125, 20129, 20792, 20810, 20846),
     cases=by_group(),
     en="{word} and {other} must not be in the same block",
     de="{word} und {other} dürfen nicht im selben Satz stehen",

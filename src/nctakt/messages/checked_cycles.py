@@ -27,8 +27,11 @@ LOOP_CONTROL_OUTSIDE_LOOP = error(
 )
 DUPLICATE_KEYWORD = error(
     21887,
-    known_as=(900224, 21420, 21537),
-    cases=by_beginning("command", {"#MSG": 21710, "L": 21379}),
+    known_as=(900224, 21537),
+    cases=by_beginning(
+        "command",
+        {"#MSG": 21710, "L": 21379, "#ROTATION": 22155, "#SLOPE": 21569, "#OVERRIDE": 21420},
+    ),
     en="{command}: the keyword {word} is given twice",
     de="{command}: das Schlüsselwort {word} ist doppelt angegeben",
     remedy_en="Keep one of them.",

@@ -137,6 +137,15 @@ UNKNOWN_COORDINATE_SYSTEM_NAME = error(
     reaction=2,
     clearing=3,
 )
+MACHINE_SYSTEM_MISSING = error(
+    901821,
+    en="#CS SELECT [MCS], but no transformation is active",
+    de="#CS SELECT [MCS], aber keine Transformation ist aktiv",
+    remedy_en="Program #TRAFO ON before it, or #CS OFF ALL to leave all systems.",
+    remedy_de="Davor #TRAFO ON programmieren, oder #CS OFF ALL, um alle Systeme zu verlassen.",
+    reaction=2,
+    clearing=3,
+)
 CS_SELECT_DURING_CS_ON = error(
     900932,
     known_as=(21854,),

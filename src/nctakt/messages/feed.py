@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from nctakt.base.diagnostics import Cases
 from nctakt.messages.cases import feed_factor
-from nctakt.messages.catalogue import error, warning
+from nctakt.messages.catalogue import error, note, warning
 
 FEED_PER_REVOLUTION_SPINDLE_STOPPED = error(
     22044,
@@ -74,6 +74,62 @@ INVALID_WEIGHT = error(
     remedy_de="Eine Gewichtung über 0 programmieren; bei Geschwindigkeiten (G127, G128, G129) ist "
     "auch 0 zulässig.",
     word=("the G function", "die G-Funktion"),
+    value=("the value", "der Wert"),
+    reaction=2,
+    clearing=3,
+)
+NO_FEED_AXES = note(
+    21209,
+    en="#FGROUP: the channel list names no axes of the feed; F refers to the linear axes",
+    de="#FGROUP: die Kanalliste nennt keine Vorschubachsen; F bezieht sich auf die Linearachsen",
+    remedy_en="Name the axes: #FGROUP [X, Y], or in the channel list (P-CHAN-00011, P-CHAN-00096).",
+    remedy_de="Die Achsen nennen: #FGROUP [X, Y], oder in der Kanalliste (P-CHAN-00011, "
+    "P-CHAN-00096).",
+)
+FEED_GROUP_NOT_FOR_SPLINES = warning(
+    120462,
+    en="F refers to the linear axes of a spline, whatever #FGROUP says",
+    de="F bezieht sich beim Spline auf die Linearachsen, unabhängig von #FGROUP",
+    remedy_en="Program #FGROUP in front of the spline, to name all linear axes.",
+    remedy_de="Vor dem Spline #FGROUP mit allen Linearachsen programmieren.",
+)
+AXIS_NOT_ROTARY = error(
+    901830,
+    en="#FGROUP ROT: {axis} is not a rotary axis",
+    de="#FGROUP ROT: {axis} ist keine Rundachse",
+    remedy_en="Name the rotary axis that turns the workpiece: #FGROUP ROT [AX=C REF=40].",
+    remedy_de="Die Rundachse nennen, die das Werkstück dreht: #FGROUP ROT [AX=C REF=40].",
+    axis=("the axis", "die Achse"),
+    reaction=2,
+    clearing=3,
+)
+FEED_GROUP_VALUE_NOT_POSITIVE = error(
+    901831,
+    en="#FGROUP: {word}={value} is not above 0",
+    de="#FGROUP: {word}={value} liegt nicht über 0",
+    remedy_en="Program a factor of the axis, or a radius in mm, above 0.",
+    remedy_de="Einen Faktor der Achse oder einen Radius in mm über 0 programmieren.",
+    word=("the axis or REF", "die Achse oder REF"),
+    value=("the value", "der Wert"),
+    reaction=2,
+    clearing=3,
+)
+CORNER_FEED_MISSING = error(
+    20795,
+    en="G13: there is no feed at corners yet",
+    de="G13: es gibt noch keinen Vorschub an Ecken",
+    remedy_en="Program #CORNER PARAM [DIST=10 UNIT=PERCENT FEED=50] before it.",
+    remedy_de="Davor #CORNER PARAM [DIST=10 UNIT=PERCENT FEED=50] programmieren.",
+    reaction=2,
+    clearing=3,
+)
+CORNER_VALUE_NOT_POSITIVE = error(
+    901832,
+    en="#CORNER PARAM: {word}={value} is not above 0",
+    de="#CORNER PARAM: {word}={value} liegt nicht über 0",
+    remedy_en="Program a distance and a feed above 0; G12 switches the deceleration off.",
+    remedy_de="Abstand und Vorschub über 0 programmieren; G12 schaltet die Verzögerung aus.",
+    word=("DIST or FEED", "DIST oder FEED"),
     value=("the value", "der Wert"),
     reaction=2,
     clearing=3,

@@ -112,3 +112,12 @@ KINEMATIC_VECTOR_AXES = warning(
     id=_ID,
     count=("the number of axes of the channel", "die Anzahl der Achsen des Kanals"),
 )
+ORIENTATION_MODE_WITHOUT_EFFECT = warning(
+    901763,
+    en="ori.mode {mode} has no effect: words of rotary axes are angles",
+    de="ori.mode {mode} wirkt nicht: Wörter von Drehachsen sind Winkel",
+    remedy_en="Use ANGLE or VECTOR_2DOF; the others are for six axes and not simulated.",
+    remedy_de="ANGLE oder VECTOR_2DOF angeben; die anderen sind für sechs Achsen und nicht "
+    "simuliert.",
+    mode=_VALUE,
+)

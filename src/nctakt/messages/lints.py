@@ -208,14 +208,15 @@ FLUSH_DURING_COMPENSATION = error(
     20651,
     en="{command} empties the channel, which is not possible while {word} is active",
     de="{command} entleert den Kanal; das ist nicht möglich, solange {word} aktiv ist",
-    remedy_en="Move it before {word} or after G40; realtime cycles may read such variables.",
-    remedy_de="Vor {word} oder hinter G40 verlegen; Echtzeit-Zyklen dürfen solche Variablen lesen.",
+    remedy_en="Move it before {word} or behind its end; realtime cycles may read such variables.",
+    remedy_de="Vor {word} oder hinter sein Ende verlegen; Echtzeit-Zyklen dürfen solche Variablen "
+    "lesen.",
     cause_en="The end of a motion of the contour is known only from the next motion, so the path "
     "cannot stop and wait.",
     cause_de="Das Ende einer Bewegung der Kontur ergibt sich erst aus der nächsten; die Bahn kann "
     "darum nicht anhalten und warten.",
     command=("the variable or command", "die Variable oder der Befehl"),
-    word=("G41 or G42", "G41 oder G42"),
+    word=("G41, G42 or #SPLINE ON", "G41, G42 oder #SPLINE ON"),
     reaction=2,
     clearing=3,
 )
@@ -308,4 +309,23 @@ OVERRIDE_IS_PERCENT = warning(
     word=("FEED_FACT or RAPID_FACT", "FEED_FACT oder RAPID_FACT"),
     value=("the constant", "die Konstante"),
     meant=("the constant as a share, in percent", "die Konstante als Anteil, in Prozent"),
+)
+NO_PROGRAM_GIVES_AXIS = warning(
+    901810,
+    en="no program of those that are checked gives axis number {number}, which channel {channel} "
+    "has",
+    de="keines der geprüften Programme gibt die Achse Nummer {number} ab, die Kanal {channel} hat",
+    remedy_en="Program #PUT AX in channel {channel}; check the programs of all channels together.",
+    remedy_de="#PUT AX in Kanal {channel} programmieren; die Programme aller Kanäle gemeinsam "
+    "prüfen.",
+    number=("the logical number", "die logische Nummer"),
+    channel=("the channel that has it", "der Kanal, der sie hat"),
+)
+NO_PROGRAM_SENDS_SIGNAL = warning(
+    901811,
+    en="no program of those that are checked sends signal {id}",
+    de="keines der geprüften Programme sendet Signal {id}",
+    remedy_en="Check the number of #WAIT and #SIGNAL; check the programs of all channels together.",
+    remedy_de="Nummer von #WAIT und #SIGNAL prüfen; die Programme aller Kanäle gemeinsam prüfen.",
+    id=("number of the signal", "Nummer des Signals"),
 )

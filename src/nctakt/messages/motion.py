@@ -120,6 +120,18 @@ INVALID_CONTOUR_DEVIATION = error(
     reaction=2,
     clearing=3,
 )
+CONTOUR_SHARE_OUT_OF_RANGE = error(
+    901870,
+    en="{word} {value} of #CONTOUR MODE is not within 0 … {highest}",
+    de="{word} {value} von #CONTOUR MODE liegt nicht in 0 … {highest}",
+    remedy_en="REMAIN_PART is a share in per cent, MAX_ANGLE an angle in degrees.",
+    remedy_de="REMAIN_PART ist ein Anteil in Prozent, MAX_ANGLE ein Winkel in Grad.",
+    word=("the keyword", "das Schlüsselwort"),
+    value=("the value", "der Wert"),
+    highest=("the highest value", "der größte Wert"),
+    reaction=2,
+    clearing=3,
+)
 INVALID_VECTOR_LIMIT = error(
     21205,
     cases=by_beginning("word", {"ACC": 21206, "DEC": 21546, "RADIAL_ACC": 21945}),

@@ -185,8 +185,10 @@ DEADLOCK = error(
     de="Kanal {channel} wartet endlos seit {since}: {awaited}",
     remedy_en="{freed_by}",
     remedy_de="{freed_by}",
-    cause_en="Each program that still runs waits, and none can send the signal of another.",
-    cause_de="Jedes laufende Programm wartet, und keines kann das Signal eines anderen senden.",
+    cause_en="Each program that still runs waits, and none can send the signal or give the axis "
+    "that another one waits for.",
+    cause_de="Jedes laufende Programm wartet, und keines kann das Signal senden oder die Achse "
+    "abgeben, auf die ein anderes wartet.",
     channel=("number of the channel", "Nummer des Kanals"),
     since=("since when", "seit wann"),
     awaited=("what it waits for, and from whom", "worauf und auf wen er wartet"),

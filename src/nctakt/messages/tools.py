@@ -25,6 +25,39 @@ TOOL_NOT_VALID = error(
     remedy_de="wz[{tool}].gueltig (P-TOOL-00005) auf 1 setzen oder ein anderes Werkzeug anwählen.",
     tool=("the number of the tool", "die Nummer des Werkzeugs"),
 )
+TOOL_TOO_SHORT = error(
+    21426,
+    en="the length of tool {tool} is {length} mm, less than the least one of {minimum} mm",
+    de="die Länge von Werkzeug {tool} ist {length} mm, weniger als die kleinste von {minimum} mm",
+    remedy_en="Correct wz[{tool}].laenge (P-TOOL-00003) or tool.minimum_length (P-CHAN-00156).",
+    remedy_de="wz[{tool}].laenge (P-TOOL-00003) oder tool.minimum_length (P-CHAN-00156) "
+    "korrigieren.",
+    tool=("the number of the tool", "die Nummer des Werkzeugs"),
+    length=("the length of the tool in mm", "die Länge des Werkzeugs in mm"),
+    minimum=("the least length in mm", "die kleinste Länge in mm"),
+    reaction=2,
+    clearing=3,
+)
+TOOL_TOO_THIN = error(
+    21427,
+    en="the radius of tool {tool} is {radius} mm, less than the least one of {minimum} mm",
+    de="der Radius von Werkzeug {tool} ist {radius} mm, weniger als der kleinste von {minimum} mm",
+    remedy_en="Correct wz[{tool}].radius (P-TOOL-00004) or tool.minimum_radius (P-CHAN-00157).",
+    remedy_de="wz[{tool}].radius (P-TOOL-00004) oder tool.minimum_radius (P-CHAN-00157) "
+    "korrigieren.",
+    tool=("the number of the tool", "die Nummer des Werkzeugs"),
+    radius=("the radius of the tool in mm", "der Radius des Werkzeugs in mm"),
+    minimum=("the least radius in mm", "der kleinste Radius in mm"),
+    reaction=2,
+    clearing=3,
+)
+FLUSH_WITHOUT_TOOL_MANAGEMENT = warning(
+    21244,
+    en="t_with_implicit_flush has no effect without t_info_to_wzv",
+    de="t_with_implicit_flush wirkt nicht ohne t_info_to_wzv",
+    remedy_en="Set t_info_to_wzv (P-CHAN-00087) to 1, or remove the entry.",
+    remedy_de="t_info_to_wzv (P-CHAN-00087) auf 1 setzen oder den Eintrag entfernen.",
+)
 TOOL_NOT_IN_LIST = error(
     20167,
     known_as=(900928,),
@@ -49,6 +82,27 @@ INVALID_TOOL_NUMBER = error(
     word=("the word: T or D", "das Wort: T oder D"),
     value=("the value as programmed", "der Wert, wie programmiert"),
 )
+INVALID_TOOL_VALUE = error(
+    22024,
+    en="{value} is not a valid value of the tool here",
+    de="{value} ist hier kein gültiger Wert des Werkzeugs",
+    remedy_en="Assign a whole number of at least 0.",
+    remedy_de="Eine ganze Zahl ab 0 zuweisen.",
+    value=("the value as programmed", "der Wert, wie programmiert"),
+    reaction=2,
+    clearing=3,
+)
+INVALID_TOOL_LIFE_FACTOR = error(
+    901720,
+    en="{variable} cannot be {value}: the factor is at least 0",
+    de="{variable} kann nicht {value} sein: der Faktor ist mindestens 0",
+    remedy_en="Assign 0 or more; 1 counts time and distance as they are.",
+    remedy_de="0 oder mehr zuweisen; 1 zählt Zeit und Weg, wie sie sind.",
+    variable=("the variable", "die Variable"),
+    value=("the value as programmed", "der Wert, wie programmiert"),
+    reaction=2,
+    clearing=3,
+)
 TOOL_LENGTH_WITHOUT_AXIS = error(
     900868,
     en="no axis for the tool length of {length} mm: the channel has none beside plane G{plane}",
@@ -61,7 +115,6 @@ TOOL_LENGTH_WITHOUT_AXIS = error(
 )
 NO_RADIUS_TO_COMPENSATE = error(
     900869,
-    known_as=(21427,),
     en="{word}: there is no tool radius to compensate",
     de="{word}: es gibt keinen Werkzeugradius zu korrigieren",
     remedy_en="Before {word}, select a tool with a radius by D, or write V.G.WZ_AKT.R.",
@@ -123,7 +176,6 @@ PLANE_CHANGE_DURING_COMPENSATION = error(
 )
 TOOL_RADIUS_LOST = error(
     900874,
-    known_as=(21427,),
     en="{command} removes the tool radius while {word} is active",
     de="{command} entfernt den Werkzeugradius, während {word} aktiv ist",
     remedy_en="Write it before {word} or after G40, or select a tool with a radius.",

@@ -97,15 +97,6 @@ TRANSFORMATION_DURING_COMPENSATION = error(
     reaction=2,
     clearing=3,
 )
-SECOND_STEP_NOT_SIMULATED = error(
-    901605,
-    en="a second step of transformations is not simulated",
-    de="ein zweiter Schritt von Transformationen wird nicht simuliert",
-    remedy_en="Select NONE as its kinematic: #KIN ID [1, NONE].",
-    remedy_de="Dafür NONE wählen: #KIN ID [1, NONE].",
-    reaction=2,
-    clearing=3,
-)
 TLC_AND_RTCP = error(
     20669,
     en="{command}: #TLC and #RTCP or #TRAFO exclude each other",
@@ -134,12 +125,82 @@ PTP_DURING_COMPENSATION = error(
     reaction=2,
     clearing=3,
 )
+MCS_DURING_PTP = error(
+    21531,
+    en="{command} takes machine coordinates while #PTP is on",
+    de="{command} schaltet auf Maschinenkoordinaten, während #PTP ein ist",
+    remedy_en="Program #PTP OFF before it.",
+    remedy_de="Davor #PTP OFF programmieren.",
+    command=("the command", "der Befehl"),
+    reaction=2,
+    clearing=3,
+)
+COORDINATE_SYSTEM_DURING_PTP = error(
+    21550,
+    en="{command} changes the coordinate system while #PTP is on",
+    de="{command} ändert das Koordinatensystem, während #PTP ein ist",
+    remedy_en="Program #PTP OFF before it.",
+    remedy_de="Davor #PTP OFF programmieren.",
+    command=("the command", "der Befehl"),
+    reaction=2,
+    clearing=3,
+)
+CONVERSION_DURING_TRANSFORMATION = error(
+    21236,
+    en="{command} while a transformation or a coordinate system is active",
+    de="{command}, während eine Transformation oder ein Koordinatensystem aktiv ist",
+    remedy_en="Program #TRAFO OFF and #CS OFF ALL before it; [CS 1 KIN] converts with them.",
+    remedy_de="Davor #TRAFO OFF und #CS OFF ALL programmieren; [CS 1 KIN] rechnet mit ihnen um.",
+    command=("the command", "der Befehl"),
+    reaction=2,
+    clearing=3,
+)
+NOT_IN_MACHINE_COORDINATES = error(
+    901760,
+    en="{command} between #MCS ON and #MCS OFF",
+    de="{command} zwischen #MCS ON und #MCS OFF",
+    remedy_en="Program #MCS OFF before it.",
+    remedy_de="Davor #MCS OFF programmieren.",
+    command=("the command", "der Befehl"),
+    reaction=2,
+    clearing=3,
+)
+POSITION_NOT_REACHED = error(
+    901761,
+    en="no position of the axes leads there: {reason}",
+    de="keine Position der Achsen führt dorthin: {reason}",
+    remedy_en="Program another direction of the tool, or select another kinematic.",
+    remedy_de="Eine andere Richtung des Werkzeugs programmieren oder eine andere Kinematik wählen.",
+    reason=("why", "warum"),
+    reaction=2,
+    clearing=3,
+)
 PTP_WITHOUT_TRANSFORMATION = error(
     21527,
     en="#PTP ON, but no transformation is active",
     de="#PTP ON, aber keine Transformation ist aktiv",
     remedy_en="Program #TRAFO ON before it.",
     remedy_de="Davor #TRAFO ON programmieren.",
+    reaction=2,
+    clearing=3,
+)
+NO_TOOL_ORIENTATION = error(
+    292006,
+    en="#TOOL ORI CS is not possible with kinematic {id}: it has no two rotary axes",
+    de="#TOOL ORI CS ist mit der Kinematik {id} nicht möglich: sie hat keine zwei Drehachsen",
+    remedy_en="Select a kinematic with two rotary axes.",
+    remedy_de="Eine Kinematik mit zwei Drehachsen wählen.",
+    id=("number of the kinematic", "Nummer der Kinematik"),
+    reaction=2,
+    clearing=3,
+)
+TRANSFORMATION_DURING_PTP = error(
+    21552,
+    en="{command} while #PTP is on",
+    de="{command}, während #PTP ein ist",
+    remedy_en="Program #PTP OFF before it.",
+    remedy_de="Davor #PTP OFF programmieren.",
+    command=("the command", "der Befehl"),
     reaction=2,
     clearing=3,
 )
@@ -151,6 +212,50 @@ ARC_DURING_PTP = error(
     remedy_de="Geraden programmieren oder davor #PTP OFF.",
     cause_en="With #PTP the axes go straight to the end of the block.",
     cause_de="Mit #PTP fahren die Achsen geradlinig zum Ende des Satzes.",
+    reaction=2,
+    clearing=3,
+)
+DIRECTION_OUT_OF_REACH = error(
+    901618,
+    en="no position of the axes leads to a point of this block",
+    de="zu einem Punkt dieses Satzes führt keine Stellung der Achsen",
+    remedy_en="Change the direction of the tool, or the path.",
+    remedy_de="Die Richtung des Werkzeugs oder den Weg ändern.",
+    reaction=2,
+    clearing=3,
+)
+WAY_THROUGH_POLE = error(
+    901619,
+    en="the block leads through a pole of the transformation: axis {axis} would jump by {angle}°",
+    de="der Satz führt durch einen Pol der Transformation: die Achse {axis} müsste um {angle}° "
+    "springen",
+    remedy_en="Lead the path past the pole, or turn the axis there before #TRAFO ON.",
+    remedy_de="Den Weg am Pol vorbeiführen oder die Achse vor #TRAFO ON drehen.",
+    axis=("name of the axis", "Name der Achse"),
+    angle=("the angle in degrees", "der Winkel in Grad"),
+    reaction=2,
+    clearing=3,
+)
+NOT_OF_KINEMATIC = error(
+    901819,
+    en="{name} is a number of type 91, and kinematic {id} has the type {type}",
+    de="{name} ist eine Zahl des Typs 91, die Kinematik {id} hat den Typ {type}",
+    remedy_en="Name a kinematic of type 91, or use V.G.KIN[{id}].PARAM.",
+    remedy_de="Eine Kinematik des Typs 91 nennen oder V.G.KIN[{id}].PARAM verwenden.",
+    name=("the name", "der Name"),
+    id=("number of the kinematic", "Nummer der Kinematik"),
+    type=("its type", "ihr Typ"),
+    reaction=2,
+    clearing=3,
+)
+PARAMETER_NOT_PUBLIC = error(
+    901820,
+    en="what parameter {index} of kinematic {id} says is not published",
+    de="was der Parameter {index} der Kinematik {id} bedeutet, ist nicht veröffentlicht",
+    remedy_en="Use its name: V.G.KIN[{id}].CHAIN[0], RTCP, PROGRAMMING_MODE, LINKAGE.",
+    remedy_de="Seinen Namen verwenden: V.G.KIN[{id}].CHAIN[0], RTCP, PROGRAMMING_MODE, LINKAGE.",
+    index=("index of the parameter", "Index des Parameters"),
+    id=("number of the kinematic", "Nummer der Kinematik"),
     reaction=2,
     clearing=3,
 )

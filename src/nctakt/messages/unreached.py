@@ -45,6 +45,24 @@ CYCLE_FAULTS = tuple(
 #: All messages of this module.
 UNREACHED = (
     _unreached(
+        21526,
+        en="#PTP ON while tools are corrected online (#OTC)",
+        de="#PTP ON während der Online-Werkzeugkorrektur (#OTC)",
+        cause_en="nctakt refuses #OTC itself (900200), so it is never active.",
+        cause_de="nctakt weist schon #OTC zurück (900200), es ist also nie aktiv.",
+        reaction=2,
+        clearing=3,
+    ),
+    _unreached(
+        22121,
+        en="#PTP ON is not possible with the active kinematic",
+        de="#PTP ON ist mit der aktiven Kinematik nicht möglich",
+        cause_en="Which kinematics these are is not published; nctakt can do it with all it has.",
+        cause_de="Welche Kinematiken das sind, ist nicht veröffentlicht; nctakt kann es mit allen.",
+        reaction=2,
+        clearing=3,
+    ),
+    _unreached(
         22017,
         en="the list of the V.CH variables cannot be read",
         de="die Liste der V.CH-Variablen kann nicht gelesen werden",
@@ -75,16 +93,6 @@ UNREACHED = (
         50898,
         en="the index of an axis is not valid",
         de="der Index einer Achse ist ungültig",
-        cause_en="The checker resolves names of axes before a cycle runs; an unknown one is "
-        "900213.",
-        cause_de="Der Prüfer löst Achsnamen auf, bevor ein Zyklus läuft; ein unbekannter ist "
-        "900213.",
-        clearing=6,
-    ),
-    _unreached(
-        50899,
-        en="an axis does not belong to the channel",
-        de="eine Achse gehört nicht zum Kanal",
         cause_en="The checker resolves names of axes before a cycle runs; an unknown one is "
         "900213.",
         cause_de="Der Prüfer löst Achsnamen auf, bevor ein Zyklus läuft; ein unbekannter ist "

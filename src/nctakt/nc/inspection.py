@@ -15,7 +15,7 @@ check is decided by their shape (``shape_checks.py``).
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 from typing import Protocol
 
@@ -83,13 +83,15 @@ def inspect(
     *,
     role: Role = "main",
     poll: Callable[[], None] | None = None,
+    named_programs: Iterable[str] = (),
 ) -> ProgramText:
     """Read and check a program with its local subprograms, each up to its end.
 
     ``role``: whether M17 or M30 ends it. Behind the end only the targets of jumps are checked.
-    ``poll`` is called at regular intervals.
+    ``poll`` is called at regular intervals. ``named_programs``: the words whose program callers
+    have named by ``#FILE NAME``.
     """
-    inspection = Inspection(source, names, channel, role)
+    inspection = Inspection(source, names, channel, role, named_programs=named_programs)
     inspection.read(polled(poll))
     collector.diagnostics += inspection.finish()
     return inspection.program
@@ -106,12 +108,12 @@ def polled(poll: Callable[[], None] | None) -> Pause:
     return pause
 
 
-def plain_scanner(channel: ChannelParameters) -> PlainScanner:
-    """Return the scanner of plain blocks of a channel; axes with the name of a spindle are left
-    out.
+def plain_scanner(channel: ChannelParameters, axes: Iterable[str]) -> PlainScanner:
+    """Return the scanner of plain blocks of a channel with these ``axes``; those with the name of
+    a spindle are left out.
     """
     spindles = [spindle.name for spindle in channel.spindles]
-    return PlainScanner(["" if axis.name in spindles else axis.name for axis in channel.axes])
+    return PlainScanner(["" if name in spindles else name for name in axes])
 
 
 def _without_redundant(diagnostics: list[Diagnostic]) -> list[Diagnostic]:
@@ -193,12 +195,13 @@ class Inspection:
         shapes: PlainShapes | None = None,
         *,
         keeps_statements: bool = True,
+        named_programs: Iterable[str] = (),
     ) -> None:
         self._collector = Collector()
         self.found = self._collector.diagnostics
         self._source = source
-        self._checker = Checker(source, names, channel, self._collector)
-        self._scanner = plain_scanner(channel)
+        self._checker = Checker(source, names, channel, self._collector, named_programs)
+        self._scanner = plain_scanner(channel, [axis.name for axis in channel.axes])
         self._role = role
         self._watcher = watcher
         self._keeps = keeps_statements
@@ -383,7 +386,7 @@ class Inspection:
         is_main = self._number == 0 and self._role == "main"
         numbers = PROGRAM_ENDS if is_main else ENDS
         self._has_ended = ends(block, numbers)
-        if shape is not None and len(self.found) == before:
+        if shape is not None and len(self.found) == before and not self._checker.has_fetched(shape):
             self._shapes.add(shape)
 
     def _is_checked(self, statement: Statement) -> bool:
@@ -405,6 +408,9 @@ class Inspection:
             calls = self.local_calls if call.local else self.program.calls
             calls.append(Call(call.name.value, call.span))
         self.program.signals += self._checker.take_signals()
+        self.program.joins_motions |= self._checker.joins_motions
+        self.program.named_programs |= self._checker.named_programs
+        self.program.exchanges += self._checker.take_exchanges()
         if self._watcher is not None:
             self._watcher.statement(statement)
 

@@ -156,13 +156,34 @@ class SignalUse:
     line: str
 
 
+@dataclass(frozen=True, slots=True)
+class AxisUse:
+    """A command of the axis exchange as far as its numbers are constant.
+
+    ``fetched``: the logical numbers of axes that it fetches, ``None`` for a computed one.
+    ``given_names`` and ``given_numbers``: the axes that it gives; ``gives_others``: all axes but
+    the fetched ones. ``names``: the names of the fetched axes with their numbers. ``line``: its
+    text.
+    """
+
+    fetched: tuple[int | None, ...]
+    given_names: tuple[str, ...]
+    given_numbers: tuple[int | None, ...]
+    gives_others: bool
+    names: tuple[tuple[str, int | None], ...]
+    span: Span
+    line: str
+
+
 @dataclass(slots=True)
 class ProgramText:
     """A checked program file: ``main`` and the local subprograms by name.
 
     ``cycles``: its definitions of realtime cycles, if its statements are kept; ``calls``: its calls
     of other files by a constant name; ``signals``: those that it sends and waits for;
-    ``templates``: shapes of statements seen before.
+    ``exchanges``: the axes that it fetches and gives. ``joins_motions``: it may insert chamfers or
+    roundings, or splines that fit their neighbours. ``named_programs``: the words whose program
+    ``#FILE NAME`` names in it. ``templates``: shapes of statements seen before.
     """
 
     source: Source
@@ -171,6 +192,9 @@ class ProgramText:
     cycles: list[RealtimeCycle] = field(default_factory=list)
     calls: list[Call] = field(default_factory=list)
     signals: list[SignalUse] = field(default_factory=list)
+    joins_motions: bool = False
+    named_programs: frozenset[str] = frozenset()
+    exchanges: list[AxisUse] = field(default_factory=list)
     templates: Templates = field(default_factory=Templates)
 
     def statements(self, section: Section, label: str | None = None) -> Iterator[Statement]:

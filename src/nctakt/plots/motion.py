@@ -48,7 +48,8 @@ class AxisMotion:
     """The motion of one axis in mm or degrees and seconds.
 
     ``position`` is continuous, also for a modulo axis. ``derivatives``: speed, acceleration and
-    jerk. ``limits``: of these three, 0 for none.
+    jerk. ``limits``: of these three, 0 for none. ``tip``: where the tool is along the axis, which
+    a transformation makes another place than that of the axis.
     """
 
     name: str
@@ -56,6 +57,7 @@ class AxisMotion:
     position: Curve
     derivatives: tuple[Curve, Curve, Curve]
     limits: tuple[float, float, float]
+    tip: Curve
 
     @property
     def moves(self) -> bool:
@@ -68,9 +70,16 @@ def position_signal(axis: str) -> str:
     return f"{axis}.ACS.ACT_POS"
 
 
-def signals(axes: Sequence[str]) -> tuple[str, ...]:
+def tip_signal(axis: str) -> str:
+    """Return the signal with the place of the tool along an axis."""
+    return f"{axis}.MCS.ACT_POS"
+
+
+def signals(axes: Sequence[str], *, has_transformations: bool = False) -> tuple[str, ...]:
     """Return the signals that a picture of these axes needs."""
-    positions = (position_signal(axis) for axis in axes)
+    positions = [position_signal(axis) for axis in axes]
+    if has_transformations:
+        positions += [tip_signal(axis) for axis in axes]
     return (*positions, PATH_SPEED, DISTANCE_TO_GO, OVERRIDE, RAPID)
 
 
@@ -108,6 +117,7 @@ def axis_motion(trace: Trace, axis: AxisConfiguration, *, limits_jerk: bool = Fa
         Curve(time_s, position),
         (speed, acceleration, third),
         (axis.max_speed, max(trapezoid), jerk),
+        Curve(time_s, trace[tip_signal(axis.name)] if tip_signal(axis.name) in trace else position),
     )
 
 

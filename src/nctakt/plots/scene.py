@@ -29,6 +29,7 @@ from nctakt.plots.motion import (
     axis_motion,
     curve_of,
     position_signal,
+    tip_signal,
 )
 from nctakt.plots.tool_path import ToolPath, tool_path
 from nctakt.results.timeline import Timeline
@@ -132,6 +133,7 @@ def scene_of(
     if chosen is None:
         panels = [*builder.motion(), *builder.path()]
         positions = {position_signal(motion.name) for motion in motions}
+        positions |= {tip_signal(motion.name) for motion in motions}
         names = [name for name in trace if name not in positions and not _is_shown(name)]
         notes = builder.rest_notes()
     else:

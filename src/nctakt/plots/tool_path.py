@@ -72,7 +72,7 @@ class ToolPath:
 def tool_path(motions: Sequence[AxisMotion], rapid: Values, lanes: Sequence[Lane]) -> ToolPath:
     """Return the path of at least two axes; ``rapid`` is empty where nobody recorded it."""
     shown = motions[:3]
-    points = numpy.column_stack([motion.position.values for motion in shown])
+    points = numpy.column_stack([motion.tip.values for motion in shown])
     time_s = shown[0].position.time_s
     flags = rapid > 0.5 if len(rapid) else numpy.zeros(len(points), dtype=bool)
     kept = _kept(points, flags)

@@ -110,7 +110,7 @@ GERMAN: dict[str, str] = {
     "hli_command.reset": "RESET: die SPS schreibt 1, die CNC nimmt es und schreibt 0",
     "hli_command.plc_present": "1: die SPS quittiert Funktionen, 0: die CNC selbst",
     "hli_command.backward_motion": "1: die Bahn wird rückwärts abgefahren, 0: wieder vorwärts",
-    "hli_command.probe": "1: der Taster der Kantenanleimung ist auf der Kante",
+    "hli_command.probe": "1: der Taster berührt (G100) oder ist auf der Kante (G108)",
     "hli_command.optional_stop": "1: M01 hält wie M00",
     "hli_command.ack_program": "quittiert `program[i]` des Kanals: dessen laufende Nummer",
     "hli_command.ack_realtime": "quittiert `realtime[i]` des Kanals: dessen laufende Nummer",

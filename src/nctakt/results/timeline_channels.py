@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""The signals of a run -> a track for each channel: its program, what it waits for, what it sends.
+"""Signals and exchanged axes of a run -> a track for each channel: its program, what it waits for,
+what it sends and gives.
 
-Without any signal there are none.
+Without any of these there are none.
 """
 
 from __future__ import annotations
@@ -24,6 +25,7 @@ class ChannelTracks:
         self._programs: dict[str, list[Slice]] = {}
         self._slices: dict[str, list[Slice]] = {}
         self._waiting: dict[tuple[str, str], Slice] = {}
+        self._given: dict[str, tuple[str, int]] = {}
         self.taken: list[TakenSignal] = []
 
     def signal(self, event: Event, text: str) -> None:
@@ -44,6 +46,24 @@ class ChannelTracks:
             self._close(label, number, at_us)
             sender, sent_us = (channels[0] if sender else ""), int(channels[1])
             self.taken.append(TakenSignal(number, sender, sent_us, label, at_us))
+
+    def exchange(self, event: Event, text: str) -> None:
+        """Add an axis that was awaited, taken or given; ``text``: its source line."""
+        axis, what, *holder = event.text.split()
+        label, at_us = event.prefix.strip(), event.time_us
+        own = self._slices.setdefault(label, [])
+        if what == "awaited":
+            name = f"{axis} ← {' '.join(holder)}"
+            self._waiting[label, axis] = Slice(at_us, at_us, name, event.span, text)
+        elif what == "given":
+            own.append(Slice(at_us, at_us, f"{axis} →", event.span, text))
+            self._given[axis] = label, at_us
+        else:
+            own.append(Slice(at_us, at_us, f"← {axis}", event.span, text))
+            self._close(label, axis, at_us)
+            if axis in self._given:
+                giver, given_us = self._given.pop(axis)
+                self.taken.append(TakenSignal(axis, giver, given_us, label, at_us))
 
     def _close(self, label: str, number: str, at_us: int, *, is_open: bool = False) -> None:
         begun = self._waiting.pop((label, number), None)

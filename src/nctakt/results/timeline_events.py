@@ -127,10 +127,20 @@ class _Builder:
             self._move(event)
         elif kind == "signal":
             self.channels.signal(event, self._text(event.span))
+        elif kind == "exchange":
+            self.channels.exchange(event, self._text(event.span))
+            self._exchange(event)
         elif kind in _MOMENTS:
             self._moment(event)
         if kind == "end":
             self.channels.end(event)
+
+    def _exchange(self, event: Event) -> None:
+        """Let the decoder wait for an axis: the positions that it has waited for have come."""
+        axis, what = event.text.split()[:2]
+        self._close("wait", event.prefix, event.time_us)
+        if what == "awaited":
+            self._begin("wait", event.prefix, event, f"axis {axis}")
 
     def _text(self, span: Span | None) -> str:
         return "" if span is None else self._line_at(span).strip()

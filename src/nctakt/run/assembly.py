@@ -6,21 +6,23 @@ In: ``Machine``. Out: ``AssembledMachine``, which the controller runs.
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Span
 from nctakt.base.source_ids import SourceFiles
 from nctakt.base.text import nearest
-from nctakt.decoder.kinematics.selection import ChannelAxes, ChannelKinematics
+from nctakt.decoder.axis_limits import apply_axis_limits
+from nctakt.decoder.kinematics.selection import ChannelKinematics
+from nctakt.decoder.state.axis_places import AxisPlace, ChannelPlaces, ExchangeAxes, indices_of
 from nctakt.decoder.state.controller_data import controller_data
 from nctakt.decoder.state.environment import DecoderEnvironment
 from nctakt.decoder.state.offsets import ActiveOffsets
 from nctakt.decoder.state.transformation import ActiveTransformation
 from nctakt.files.access import FileAccess
 from nctakt.hli.layout import PanelValue
+from nctakt.kernel import codes
 from nctakt.lists.machine.axis_configuration import AxisConfiguration
 from nctakt.lists.machine.channel_configuration import ChannelParameters
 from nctakt.lists.machine.machine import ChannelConfiguration, Machine
@@ -42,7 +44,8 @@ from nctakt.run.variable_access import VariableAccess
 class AssembledChannel:
     """The parts of one channel; ``index`` counts from 0, ``members`` are indices of axes.
 
-    ``panel`` are the operator's values by name, ``offsets`` the active offsets of its axes.
+    ``panel`` are the operator's values by name, ``places`` its axes by their places, ``offsets``
+    the active offsets of these.
     """
 
     index: int
@@ -50,6 +53,7 @@ class AssembledChannel:
     names: NameTable
     members: tuple[int, ...]
     panel: Mapping[str, PanelValue]
+    places: ChannelPlaces
     offsets: ActiveOffsets
 
     @property
@@ -63,23 +67,28 @@ class AssembledChannel:
         return prefix_of(self.index)
 
 
-def _offsets_of(
-    channel: ChannelConfiguration, axes: Sequence[AxisConfiguration], realtime: RealtimePart
-) -> ActiveOffsets:
-    members = tuple(axis.index for axis in channel.axes)
-    own = ChannelAxes(
-        tuple(axis.name for axis in channel.axes),
-        members,
-        tuple(not axes[index].is_linear for index in members),
+def _places_of(
+    machine: Machine, channel: ChannelConfiguration, holder: Callable[[int], int], room: int
+) -> ChannelPlaces:
+    listed = tuple(AxisPlace(axis.name, axis.index) for axis in channel.axes)
+    spindles = {
+        spindle.spindle.logical_number: (spindle.name, number)
+        for number, other in enumerate(machine.channels, 1)
+        for spindle in other.spindles
+    }
+    c_axis = machine.c_axis_of(channel)
+    return ChannelPlaces(
+        machine.axes, machine.path_axes, spindles, listed, listed, room, holder, c_axis
     )
+
+
+def _offsets_of(
+    channel: ChannelConfiguration, places: ChannelPlaces, realtime: RealtimePart
+) -> ActiveOffsets:
+    own = places.own_axes(places.listed)
     kinematics = ChannelKinematics(channel.parameters, own)
     transformation = ActiveTransformation(kinematics, realtime.axes.transformations)
-    for index, axis in enumerate(axes[member] for member in members):
-        low, high = axis.software_limit_low, axis.software_limit_high
-        if axis.is_modulo:
-            low, high = -math.inf, math.inf
-        transformation.axis_check.limit(index, low, high)
-    return ActiveOffsets(members, channel.zero_offsets, channel.clamp_offsets, transformation)
+    return ActiveOffsets(own.members, channel.zero_offsets, channel.clamp_offsets, transformation)
 
 
 def _default_signals(channel: AssembledChannel) -> list[str]:
@@ -133,7 +142,13 @@ class AssembledMachine:
                 names,
                 tuple(axis.index for axis in channel.axes),
                 panel,
-                _offsets_of(channel, configuration.axes, self.realtime),
+                places := _places_of(
+                    configuration,
+                    channel,
+                    self.channels[index].exchange.holder,
+                    self.channels[index].path.room,
+                ),
+                _offsets_of(channel, places, self.realtime),
             )
             for index, (channel, names, panel) in enumerate(
                 channel_names(configuration, self._names)
@@ -169,8 +184,8 @@ class AssembledMachine:
             self.report(diagnostic(STALE_ACKNOWLEDGEMENT, name=name, tick=self.kernel.tick - 1))
 
     def _axis_names(self) -> list[str]:
-        """Return the names of the axes in their channel, else in their list."""
-        names = [axis.name for axis in self.configuration.axes]
+        """Return the names of the axes in their channel, else in their list; else their numbers."""
+        names = [axis.name or str(axis.logical_number) for axis in self.configuration.axes]
         for channel in self.configuration.channels:
             for axis in channel.axes:
                 names[axis.index] = axis.name
@@ -207,15 +222,18 @@ class AssembledMachine:
         skip_levels: frozenset[int],
         channel: int,
         marks_blocks: bool,
+        names: NameTable | None = None,
     ) -> DecoderEnvironment:
-        """Return the environment of the decoder of a program of this channel."""
+        """Return the environment of the decoder of a program of this channel.
+
+        ``names``: those of a program that fetches axes.
+        """
         own = self.assembled[channel]
-        axes = tuple(self.configuration.axes[i] for i in own.members)
         return DecoderEnvironment(
-            own.names,
+            names or own.names,
             own.parameters,
-            {axis.name: index for index, axis in enumerate(own.configuration.axes)},
-            axes,
+            indices_of(own.places.present),
+            tuple(map(own.places.axis_of, own.places.present)),
             own.offsets,
             own.configuration.tools,
             self.cells,
@@ -237,8 +255,40 @@ class AssembledMachine:
             self.channels[channel].path.history_size,
             SignalsOfChannel(self.kernel, self.channels, channel),
             self.poll,
-            self.realtime.kept_cycles,
+            own.places,
+            self.realtime.kept_cycles if names is None else None,
         )
+
+    # --- axes that change their channel ---------------------------------------------------------
+
+    def begin_program(self, channel: int) -> None:
+        """Let the decoder of a channel begin with the axes of its list (P-CHAN-00460)."""
+        own = self.assembled[channel]
+        if own.places.is_exchanged:
+            own.places.present = own.places.listed
+            own.offsets.exchange(own.places.own_axes(own.places.listed))
+
+    def members_of(self, channel: int) -> list[int]:
+        """Return the axes that the path of a channel has now (``Path.set_axes``)."""
+        return list(self.channels[channel].path.own_axes())
+
+    def exchange(self, channel: int, command: ExchangeAxes) -> tuple[float, ...]:
+        """Let a channel have the axes of a command; return their positions."""
+        own = self.channels[channel]
+        before = self.members_of(channel)
+        own.exchange.exchange(self.kernel.tick, command.source, list(command.members))
+        count = len(self.configuration.axes)
+        axes = [self.configuration.axes[i if i < count else 0] for i in command.members]
+        apply_axis_limits(own.queue.look_ahead.limits, axes)
+        for axis in {*before, *command.members} - {*before}.intersection(command.members):
+            for kind in range(codes.OFFSET_KINDS) if axis < count else ():
+                self.axes.shift(axis, kind, 0.0)
+        return tuple(self.present_positions(channel))
+
+    def present_positions(self, channel: int) -> list[float]:
+        """Return the command positions at the places of a channel, 0 at a free one."""
+        positions = [*self.axes.positions(), 0.0]
+        return [positions[index] for index in self.members_of(channel)]
 
     def _moving_axes(self, channel: int) -> tuple[str, ...]:
         """Return the channel's axes in independent motion, held or running."""

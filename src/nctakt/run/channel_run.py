@@ -13,6 +13,7 @@ from collections.abc import Callable, Sequence
 
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
+from nctakt.decoder.state.start_block import StartBlock
 from nctakt.kernel import codes
 from nctakt.messages import diagnostic
 from nctakt.messages.user_errors import STOPPED_BY_FATAL_USER_ERROR
@@ -27,7 +28,8 @@ from nctakt.trace.events import Event
 class ChannelRun:
     """The programs of a channel; ``index`` counts from 0, ``report`` takes fatal errors.
 
-    Blocks of ``skip_levels`` are left out; ``marks_blocks``: each block has events. ``result``:
+    Blocks of ``skip_levels`` are left out; ``marks_blocks``: each block has events. ``start``:
+    the block where the next program begins by block search. ``result``:
     the state in which the queued programs ended, ``None`` until then. ``budget``: the time that a
     schedule grants the decoder, if there is a schedule.
     """
@@ -47,6 +49,7 @@ class ChannelRun:
         self.feeder: QueueFeeder | None = None
         self.skip_levels: frozenset[int] = frozenset()
         self.marks_blocks = False
+        self.start: StartBlock | None = None
         self.budget: DecodeBudget | None = None
         self.result: RunState | None = "ended"
 
@@ -128,7 +131,9 @@ class ChannelRun:
             self.skip_levels,
             self.marks_blocks,
             self.budget,
+            self.start,
         )
+        self.start = None
         self.channel.panel.begin_program()
 
     def close(self) -> None:

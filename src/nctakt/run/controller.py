@@ -304,6 +304,8 @@ class Controller:
         stays: bool = False,
         record: InputListener | None = None,
         replay: Tape | None = None,
+        from_line: int | None = None,
+        from_block: int | None = None,
     ) -> Run:
         """Run programs one after another and return the result.
 
@@ -326,7 +328,9 @@ class Controller:
         ``on_message`` is called with each message of a program, ``on_progress`` with the ticks so
         far and of the whole run, ``on_cycle`` with the name and the definition of each realtime
         cycle when it is decoded, ``record`` with the inputs from outside behind ``set``.
-        ``replay``: the inputs of a recorded run instead of ``at`` and ``plc``.
+        ``replay``: the inputs of a recorded run instead of ``at`` and ``plc``. ``from_line`` or
+        ``from_block``: line or N number of the block where the first program of channel 1 begins by
+        block search.
 
         Raises ``Failure`` for a program that cannot be read and for an invalid name, value or time;
         mistakes in the programs are in the result.
@@ -360,6 +364,8 @@ class Controller:
                 stays,
                 record,
                 replay,
+                from_line,
+                from_block,
             )
         )
 

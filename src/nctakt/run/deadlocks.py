@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Programs that wait for each other's signals: who for whom, since when, and what would free them.
+"""Programs that wait for each other: who for whom, since when, and what would free them.
 
-In: the channels of a machine, and what its programs send (``SignalUse``). Out: diagnostics: a
-warning for a signal that nobody sends, before the first tick; an error for each channel that waits
-for ever.
+In: the channels of a machine, and what its programs send and give (``SignalUse``, ``AxisUse``).
+Out: diagnostics: a warning for a signal that nobody sends, before the first tick; an error for each
+channel that waits for ever. ``axis_waits.py`` has what concerns axes.
 """
 
 from __future__ import annotations
@@ -16,6 +16,7 @@ from nctakt.messages import diagnostic
 from nctakt.messages.signals import DEADLOCK, SIGNAL_NEVER_SENT
 from nctakt.nc.outline import SignalUse
 from nctakt.run.assembly import AssembledMachine
+from nctakt.run.axis_waits import awaited_axes, axes_freed_by, seconds_text
 from nctakt.run.program_loader import LoadedProgram
 from nctakt.trace.events import channels_of
 
@@ -44,6 +45,8 @@ def awaited_text(machine: AssembledMachine, index: int) -> Text:
     """Return the signal that a channel waits for, and its missing senders; since when."""
     signals = machine.channels[index].signals
     number, senders, _, since = signals.awaited()
+    if not number:
+        return awaited_axes(machine, index)
     if senders:
         named = ", ".join(map(str, _missing(machine, index)))
         text = _ADDRESSED
@@ -52,13 +55,9 @@ def awaited_text(machine: AssembledMachine, index: int) -> Text:
     values = {"id": number, "channels": named}
     time_us = since * machine.configuration.cycle_time_us
     return Text(
-        f"{text.en.format(**values)} (since {_seconds(time_us)})",
-        f"{text.de.format(**values)} (seit {_seconds(time_us)})",
+        f"{text.en.format(**values)} (since {seconds_text(time_us)})",
+        f"{text.de.format(**values)} (seit {seconds_text(time_us)})",
     )
-
-
-def _seconds(time_us: int) -> str:
-    return f"{time_us / 1_000_000:.6f} s"
 
 
 def _missing(machine: AssembledMachine, index: int) -> list[int]:
@@ -78,7 +77,11 @@ def deadlock(machine: AssembledMachine, programs: Sequence[LoadedProgram]) -> li
     found = []
     for index, channel in enumerate(machine.channels):
         number, senders, source, since = channel.signals.awaited()
-        if not number or not channel.panel.is_running:
+        if not number and channel.exchange.is_waiting:
+            source, since = channel.exchange.source, channel.exchange.since
+        elif not number:
+            continue
+        if not channel.panel.is_running:
             continue
         span = machine.files.span(source)
         line = "" if span is None else machine.files.line_at(span)
@@ -89,9 +92,11 @@ def deadlock(machine: AssembledMachine, programs: Sequence[LoadedProgram]) -> li
                 statement_span(span, line),
                 line,
                 channel=index + 1,
-                since=_seconds(since * machine.configuration.cycle_time_us),
+                since=seconds_text(since * machine.configuration.cycle_time_us),
                 awaited=Text(awaited.en.rpartition(" (")[0], awaited.de.rpartition(" (")[0]),
-                freed_by=_freed_by(machine, programs, index, number, bool(senders)),
+                freed_by=_freed_by(machine, programs, index, number, bool(senders))
+                if number
+                else axes_freed_by(machine, programs, index),
             )
         )
     return found

@@ -13,6 +13,7 @@ from nctakt.kernel import codes
 from nctakt.kernel.cycles.expressions import OPERATIONS
 from nctakt.lists.declared.variables import SCALARS
 from nctakt.messages import diagnostic
+from nctakt.messages.axis_exchange import CYCLE_AXIS_NOT_IN_CHANNEL
 from nctakt.messages.axis_motions import (
     AXIS_IN_ERROR_STATE,
     AXIS_IN_INDEPENDENT_MOTION,
@@ -34,6 +35,7 @@ from nctakt.messages.checked_axes import (
 from nctakt.messages.checked_values import CYCLE_INDEX_OUT_OF_RANGE
 from nctakt.messages.feed import WAITING_FOR_MAIN_SPINDLE
 from nctakt.messages.fixed_stops import FIXED_STOP_NOT_FOUND
+from nctakt.messages.measuring import NO_PROBE_SIGNAL, PROBE_PRESSED
 from nctakt.messages.memory import PLC_VALUE_NOT_FINITE
 from nctakt.messages.plc import CHANNEL_BEING_RESET
 from nctakt.messages.realtime import (
@@ -87,6 +89,7 @@ _MESSAGES = {
         AXIS_MOVED_BY_PATH,
         AXIS_NOT_AT_BLOCK_START,
         BACKWARD_AT_HISTORY_START,
+        CYCLE_AXIS_NOT_IN_CHANNEL,
         BACKWARD_WITHOUT_HISTORY,
         BLOCK_CYCLE_NEVER_RAN,
         BLOCK_PASSED_OVER,
@@ -114,8 +117,10 @@ _MESSAGES = {
         M19_SPEED_ZERO,
         MOTION_ENDED_BY_LIMIT,
         NO_CYCLE_TO_DELETE,
+        NO_PROBE_SIGNAL,
         PLC_INTERFACE_FULL,
         PLC_VALUE_NOT_FINITE,
+        PROBE_PRESSED,
         SPINDLE_BUSY,
         SIGNAL_OUT_OF_ORDER,
         SPINDLE_JOB_HELD,
@@ -226,6 +231,8 @@ def realtime_diagnostic(event: Event, machine: AssembledMachine) -> Diagnostic:
             | BACKWARD_WITHOUT_HISTORY.id
             | BACKWARD_AT_HISTORY_START.id
             | EDGE_NOT_FOUND.id
+            | PROBE_PRESSED.id
+            | NO_PROBE_SIGNAL.id
             | NO_CYCLE_TO_DELETE.id
             | HOLD_WITHOUT_EFFECT.id
             | CONTINUE_WITHOUT_EFFECT.id
@@ -242,15 +249,16 @@ def realtime_diagnostic(event: Event, machine: AssembledMachine) -> Diagnostic:
             | AXIS_IN_ERROR_STATE.id
             | BUFFERED_MOTION_WAITING.id
             | CHANNEL_BEING_RESET.id
+            | CYCLE_AXIS_NOT_IN_CHANNEL.id
         ):
             values = {"axis": machine.registry.axis(int(a))}
         case INDP_TARGET_OUTSIDE_LIMITS.id:
-            axis = machine.configuration.axes[int(a)]
+            low, high = machine.single_axes.limits_of(int(a))
             values = {
                 "axis": machine.registry.axis(int(a)),
                 "target": number_text(b),
-                "low": number_text(axis.software_limit_low),
-                "high": number_text(axis.software_limit_high),
+                "low": number_text(low),
+                "high": number_text(high),
             }
         case MOTION_ENDED_BY_LIMIT.id:
             values = {"axis": machine.registry.axis(machine.single_axes.next_failed())}

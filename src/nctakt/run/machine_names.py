@@ -43,6 +43,7 @@ class MachineNames:
                     modulo,
                     single,
                     ranges,
+                    _fetched(configuration, channel),
                 )
                 for channel in configuration.channels
             ],
@@ -77,6 +78,14 @@ class MachineNames:
                 self._cell_names.update((index, name) for name, index in names.realtime())
                 self._cell_names.update((value.cell, value.name) for value in panel.values())
         return self._cell_names[cell]
+
+
+def _fetched(configuration: Machine, channel: ChannelConfiguration) -> dict[int, int]:
+    """Return the axes that a channel can have by their logical numbers."""
+    c_axis = configuration.c_axis_of(channel)
+    if c_axis < 0:
+        return configuration.path_axes
+    return {**configuration.path_axes, configuration.axes[c_axis].logical_number: c_axis}
 
 
 def prefix_of(index: int) -> str:

@@ -8,7 +8,7 @@ is called. ``search_folders`` returns the folders in which files are searched.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path, PureWindowsPath
 
 from nctakt.base.dataclass import dataclass
@@ -31,6 +31,7 @@ from nctakt.nc.check.comments import misspelt_keywords
 from nctakt.nc.inspection import inspect
 from nctakt.nc.outline import ProgramText
 from nctakt.nc.source import Source
+from nctakt.nc.vocabulary.variable_table import NameTable
 from nctakt.run.assembly import AssembledMachine
 
 #: Errors about names that the lists of a machine define.
@@ -113,9 +114,17 @@ class LoadedProgram:
     ``channel`` is the index of the channel that it is checked for, from 0, ``parameters`` its list.
     """
 
-    def __init__(self, machine: AssembledMachine, channel: int) -> None:
+    def __init__(
+        self,
+        machine: AssembledMachine,
+        channel: int,
+        fetched: Mapping[str, int | None] | None = None,
+    ) -> None:
         self._machine = machine
-        self._names = machine.assembled[channel].names
+        self._names = machine.assembled[channel].names.own_table()
+        self._first_fetched = dict(fetched or {})
+        for axis, number in self._first_fetched.items():
+            self._names.learn_axis(axis, number)
         self.channel = channel
         self.parameters = machine.assembled[channel].parameters
         self._files: dict[Path, ProgramText] = {}
@@ -129,6 +138,11 @@ class LoadedProgram:
         return self.texts[0]
 
     @property
+    def names_of_fetched_axes(self) -> NameTable | None:
+        """Names for a run of it with those of the axes that it fetches, ``None`` without any."""
+        return self._names.own_copy() if self._names.fetched else None
+
+    @property
     def name(self) -> str:
         """The name of the main program as the user wrote it."""
         return self.text.source.file
@@ -138,7 +152,7 @@ class LoadedProgram:
 
         Only what it has been loaded with goes along; what it calls by a computed name is read anew.
         """
-        other = LoadedProgram(machine, self.channel)
+        other = LoadedProgram(machine, self.channel, self._names.fetched)
         other.texts = self.texts[: self._loaded_count]
         other._loaded_count = self._loaded_count
         other.diagnostics = self.diagnostics
@@ -148,6 +162,12 @@ class LoadedProgram:
             machine.files.add(text.source.file, text.source.lines)
         return other
 
+    def late_names(self) -> dict[str, int | None]:
+        """Return the fetched axes if a file other than the main program fetches one."""
+        own = {name for use in self.text.exchanges for name, _ in use.names}
+        fetched = self._names.fetched
+        return {} if own.issuperset(fetched) or self._first_fetched else dict(fetched)
+
     def finish(self, diagnostics: list[Diagnostic]) -> None:
         """Note that it is loaded, with these findings."""
         self._loaded_count = len(self.texts)
@@ -156,8 +176,15 @@ class LoadedProgram:
     def add(self, source: Source, collector: Collector, role: Role) -> ProgramText:
         """Check a text, register it and return it."""
         self._machine.files.add(source.file, source.lines)
+        named = [word for other in self.texts for word in other.named_programs]
         text = inspect(
-            source, self._names, self.parameters, collector, role=role, poll=self._machine.poll
+            source,
+            self._names,
+            self.parameters,
+            collector,
+            role=role,
+            poll=self._machine.poll,
+            named_programs=named,
         )
         self.texts.append(text)
         return text
@@ -225,6 +252,28 @@ class LoadedProgram:
 AnyProgram = str | Path | NcText | LoadedProgram
 
 
+def _load(
+    machine: AssembledMachine,
+    channel: int,
+    name: str,
+    lines: Sequence[str],
+    collector: Collector,
+    fetched: Mapping[str, int | None],
+) -> LoadedProgram:
+    """Check a program with all that it calls; ``fetched``: axes whose names are known at once."""
+    loaded = LoadedProgram(machine, channel, fetched)
+    main = loaded.add(Source(name, lines), collector, "main")
+    loaded.add_called(main, collector)
+    if isinstance(lines, list):  # a test is no text of megabytes
+        for number, line in enumerate(lines, 1):
+            if ";" in line:
+                collector.diagnostics += misspelt_keywords(
+                    main.source.file, number, line, is_lenient=True
+                )
+    loaded.add_implicit(collector)
+    return loaded
+
+
 def load(
     program: AnyProgram,
     machine: AssembledMachine,
@@ -249,16 +298,11 @@ def load(
         raise Failure(diagnostic(TEXT_INSTEAD_OF_FILE, line=split_lines(program)[0][:SHOWN_TEXT]))
     else:
         lines = machine.file_access.read_lines(arguments.path("program", program))
-    loaded = LoadedProgram(machine, channel)
-    main = loaded.add(Source(name_of(program), lines), collector, "main")
-    loaded.add_called(main, collector)
-    if isinstance(lines, list):  # a test is no text of megabytes
-        for number, line in enumerate(lines, 1):
-            if ";" in line:
-                collector.diagnostics += misspelt_keywords(
-                    main.source.file, number, line, is_lenient=True
-                )
-    loaded.add_implicit(collector)
+    loaded = _load(machine, channel, name_of(program), lines, collector, {})
+    fetched = loaded.late_names()
+    if fetched:  # a file behind the one that uses them fetches them
+        collector = Collector()
+        loaded = _load(machine, channel, name_of(program), lines, collector, fetched)
     loaded.finish(collector.diagnostics)
     diagnostics += collector.diagnostics
     errors = [message for message in collector.diagnostics if message.severity.name == "ERROR"]

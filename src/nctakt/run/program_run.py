@@ -15,15 +15,18 @@ from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Diagnostic, Text
 from nctakt.base.failure import Failure
 from nctakt.decoder.cycles.builder import CycleDefinition
+from nctakt.decoder.state.start_block import StartBlock
 from nctakt.lists.format import arguments
 from nctakt.lists.format.times import TimeLike, read_time
 from nctakt.messages import diagnostic
+from nctakt.messages.block_search import BOTH_STARTS_GIVEN
 from nctakt.messages.session import PROGRAM_NOT_SELECTED
 from nctakt.nc.outline import ProgramText
 from nctakt.results.run import ProgramMessage, Run, RunDrawer, RunState
 from nctakt.results.run_statistics import RunStatistics
 from nctakt.run import program_loader
 from nctakt.run.assembly import AssembledMachine, do_nothing
+from nctakt.run.axis_waits import never_given
 from nctakt.run.channel_run import ChannelRun, worst_state
 from nctakt.run.condition_signals import with_condition_signals
 from nctakt.run.deadlocks import deadlock, never_sent
@@ -84,7 +87,16 @@ class RunOptions:
     stays: bool = False
     record: InputListener | None = None
     replay: Tape | None = None
+    from_line: int | None = None
+    from_block: int | None = None
     statistics: bool = True
+
+    @property
+    def start(self) -> StartBlock | None:
+        """The block where the first program of channel 1 begins by block search."""
+        if self.from_line is None and self.from_block is None:
+            return None
+        return StartBlock(self.from_line or 0, self.from_block or 0)
 
     def check(self) -> None:
         """Check the types of the options; raises ``Failure``."""
@@ -97,6 +109,11 @@ class RunOptions:
             arguments.collection("signals", self.signals)
         if self.ticks is not None:
             arguments.whole_number("ticks", self.ticks)
+        if self.from_line is not None and self.from_block is not None:
+            raise Failure(diagnostic(BOTH_STARTS_GIVEN))
+        for name, value in (("from_line", self.from_line), ("from_block", self.from_block)):
+            if value is not None:
+                arguments.whole_number(name, value, 1)
         arguments.collection("skip", self.skip)
         for level in self.skip:
             arguments.whole_number("skip", level)
@@ -129,6 +146,8 @@ class ProgramRun:
         for channel in loop.channels:
             channel.skip_levels = frozenset(options.skip)
             channel.marks_blocks = options.blocks
+            channel.start = None
+        loop.channels[0].start = options.start
         for name, value in options.set.items():
             machine.write(name, value)
         machine.access.apply_writes()
@@ -196,6 +215,7 @@ class ProgramRun:
         self._loaded = [program for own in loaded.values() for program in own]
         if not self._options.stays and not has_errors:
             self._diagnostics += never_sent(self._machine, self._loaded)
+            self._diagnostics += never_given(self._machine, self._loaded)
         self._open_recording(loaded)
         self._parts = iter(()) if has_errors else self._run_programs(loaded)
         self.state = "error" if has_errors else None

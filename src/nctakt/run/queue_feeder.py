@@ -15,12 +15,15 @@ from nctakt.decoder.axis_limits import apply_limits
 from nctakt.decoder.fast.handover import PlainRun
 from nctakt.decoder.program import ProgramDecoder
 from nctakt.decoder.state import commands
+from nctakt.decoder.state.axis_places import ExchangeAxes
 from nctakt.decoder.state.commands import Answer, Command
 from nctakt.decoder.state.environment import DecodeError
 from nctakt.decoder.state.limit_commands import SetLimits
 from nctakt.decoder.state.modal_state import state_at_program_start
 from nctakt.decoder.state.packing import pack
+from nctakt.decoder.state.probe_commands import MeasurementRequest
 from nctakt.decoder.state.program_variables import Scopes
+from nctakt.decoder.state.start_block import StartBlock
 from nctakt.kernel import rows
 from nctakt.messages.realtime import TOO_MANY_CYCLES
 from nctakt.run.assembly import AssembledMachine
@@ -35,7 +38,8 @@ class QueueFeeder:
     """Feeds one program into its channel; ``report`` takes errors that stop it.
 
     Blocks of ``skip_levels`` are left out; ``marks_blocks``: events tell when each block was
-    decoded and when it is executed, and why the channel is flushed. ``fatal_error``: the decoder's
+    decoded and when it is executed, and why the channel is flushed. ``start``: the
+    block where the program begins by block search. ``fatal_error``: the decoder's
     error that has stopped the program. ``state``: the modal state of the decoder.
     """
 
@@ -47,18 +51,25 @@ class QueueFeeder:
         skip_levels: frozenset[int] = frozenset(),
         marks_blocks: bool = False,
         budget: DecodeBudget | None = None,
+        start: StartBlock | None = None,
     ) -> None:
         self._machine = machine
         self._index = program.channel
         self._channel = machine.channels[program.channel]
         self._report = report
         self._number = machine.registry.add_program(program.text.source.file)
+        machine.begin_program(program.channel)
         self.environment = machine.environment(
-            program.subprogram, report, skip_levels, program.channel, marks_blocks
+            program.subprogram,
+            report,
+            skip_levels,
+            program.channel,
+            marks_blocks,
+            program.names_of_fetched_axes,
         )
         self.environment.offsets.adopt(machine.axes.offsets)
-        start = program.parameters.program_start
-        state = state_at_program_start(start, machine.positions(program.channel))
+        initial = program.parameters.program_start
+        state = state_at_program_start(initial, machine.positions(program.channel))
         state.call_stack.scopes = Scopes(machine.controller_data[program.channel].kept)
         registry = machine.registry
         self._decoder = ProgramDecoder(
@@ -67,10 +78,12 @@ class QueueFeeder:
             registry.next_cycle,
             partial(registry.keep, channel=machine.number_in_names(program.channel)),
             takes_runs=budget is None,
+            start=start,
         )
         listed = machine.realtime.listed_limits[program.channel]
         apply_limits(self._channel.queue.look_ahead.limits, listed)
-        self._decoded: Generator[Command, Answer] = self._decoder.decode(program.text)
+        members = machine.members_of(program.channel)
+        self._decoded: Generator[Command, Answer] = self._decoder.decode(program.text, members)
         self.state = state
         self.fatal_error: Diagnostic | None = None
         self._waiting: Command | None = None
@@ -119,6 +132,8 @@ class QueueFeeder:
         waiting = self._waiting
         if isinstance(waiting, commands.DecoderSignal):
             self._answer = (self._channel.signals.accept(self._machine.kernel.tick),)
+        elif isinstance(waiting, ExchangeAxes):
+            self._answer = (self._machine.exchange(self._index, waiting),)
         else:
             self._answer = (self._channel.take_answer(),)
         if isinstance(waiting, commands.DecoderWait) and self._machine.kernel.tick > self._since:
@@ -133,8 +148,13 @@ class QueueFeeder:
             return None
         (answer,), self._answer = self._answer, ()
         if isinstance(self._waiting, commands.PositionRequest):
-            positions = self._machine.positions(self._index)
-            answer = tuple(self.environment.offsets.transformation.of_axes(positions))
+            positions = self._machine.present_positions(self._index)
+            of_axes = self.environment.offsets.transformation.of_axes
+            answer = tuple(of_axes(positions))
+            if isinstance(self._waiting, MeasurementRequest):
+                probe = self._channel.executor.measuring.touch_probe
+                values = list(probe.values)[: len(positions)]
+                answer = (float(probe.has_touched), *answer, *values, *of_axes(values))
         self._waiting = None
         return answer
 
@@ -146,6 +166,7 @@ class QueueFeeder:
         """Stop decoding the program."""
         self._decoded.close()
         self._channel.signals.give_up()
+        self._channel.exchange.give_up()
         self._channel.decoder_open = False
 
     def _next(self) -> None:
@@ -203,12 +224,14 @@ class QueueFeeder:
             self._channel.decoder_open = False
 
     def _await(self, command: commands.DecoderWait) -> None:
-        """Let the decoder wait for a signal or for the next tick; the queue goes on."""
+        """Let the decoder wait for a signal, axes, or the next tick; the queue goes on."""
         self._since = self._machine.kernel.tick
         if isinstance(command, commands.DecoderSignal):
             self._channel.signals.await_signal(
                 command.source, self._since, command.signal, command.senders, command.overtakes
             )
+        elif isinstance(command, ExchangeAxes):
+            self._channel.exchange.await_axes(command.source, self._since, command.awaited)
         else:
             self._channel.signals.await_tick(command.source)
         self._waiting = command
@@ -247,6 +270,7 @@ class QueueFeeder:
                 command.limits_jerk,
                 command.arc,
                 None if command.modifiers is None else command.modifiers.row,
+                command.curve,
             )
             if command.continues_block:
                 self._channel.queue.continue_block()

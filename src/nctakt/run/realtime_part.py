@@ -10,7 +10,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from nctakt.decoder.axis_limits import history_blocks, listed_limits, look_ahead, single_axes
-from nctakt.kernel import cells
+from nctakt.decoder.state.coordinate_systems import MAIN_AXES
+from nctakt.kernel import cells, codes
 from nctakt.kernel.axes.axes import Axes
 from nctakt.kernel.base.record import Record
 from nctakt.kernel.base.timers import Timers
@@ -29,9 +30,6 @@ if TYPE_CHECKING:
 
 #: The assumed execution time of an elementary instruction, in ns (RC-503).
 INSTRUCTION_COST_NS = 10
-
-#: Owners of independent motions in a channel: one for each slot of a cycle.
-CYCLE_OWNERS = 1024
 
 #: V.RTG.CYCLES.DIAG_LEVEL at start-up (RC-603).
 DEFAULT_DIAGNOSIS_LEVEL = 3.0
@@ -52,6 +50,9 @@ class RealtimePart:
         self.record = Record(self.memory)
         self.axes = Axes(self.memory, layout.axis_cell(0), len(configuration.axes))
         self.single_axes = single_axes(configuration, self.axes, self.record)
+        #: The axes that a path can have.
+        self._path_axes = configuration.path_axes.values()
+        self._room = len(self._path_axes)
         self.channels = [
             self._channel(index, layout) for index in range(len(configuration.channels))
         ]
@@ -67,6 +68,10 @@ class RealtimePart:
         parameters = own.parameters
         members = [axis.index for axis in own.axes]
         first = layout.channel_cell(index)
+        room = max(len(members), self._room) if set(self._path_axes) - {*members} else 0
+        c_axis = configuration.c_axis_of(own)
+        if c_axis >= 0:
+            room = max(len(members), room, MAIN_AXES) + 1
         timers = layout.tables[index].resolve("RTG", (("TIMER", 1),))
         assert isinstance(timers, Location)
         channel = Channel(
@@ -74,12 +79,13 @@ class RealtimePart:
             first,
             self.record,
             Hli(Panel(self.memory, layout.panel_cell(index))),
-            CycleManager(self.record, self.single_axes, CYCLE_OWNERS * index + 1),
+            CycleManager(self.record, self.single_axes, codes.CYCLE_OWNERS * index + 1),
             KernelPath(
                 self.axes,
                 members,
                 configuration.cycle_time_us,
                 history_blocks(own.startup.backward_memory_bytes, len(members)),
+                room,
             ),
             Timers(self.memory, timers.cell, configuration.cycle_time_us),
             parameters.max_override_pct,
@@ -88,12 +94,16 @@ class RealtimePart:
                 configuration.cycle_time_us,
                 own.startup.look_ahead_blocks,
                 parameters.max_override_pct,
+                room,
             ),
             self.single_axes,
         )
         limits = parameters.realtime_cycles
         spindles = channel_spindles(configuration, index, layout, self.memory, self.record)
         channel.executor.set_spindles(spindles, limits.buffers)
+        if c_axis >= 0:
+            main = [spindle.is_main for spindle in parameters.spindles].index(True)
+            channel.exchange.c_axis.configure(c_axis, spindles, main)
         channel.panel.show_size(channel.path.history_size)
         context = channel.context
         context.max_steps = limits.max_steps

@@ -14,6 +14,11 @@ from nctakt.messages import diagnostic
 from nctakt.messages.tape import INVALID_TAPE
 from nctakt.run.tape import Tape
 
+
+def _is_number_or_none(value: object) -> bool:
+    return value is None or (isinstance(value, int) and not isinstance(value, bool))
+
+
 #: The options of a run that a tape keeps, and whether their value fits.
 WORDS: Mapping[str, Callable[[Any], bool]] = {
     "programs": lambda value: _is_list_of(value, str),
@@ -34,7 +39,12 @@ WORDS: Mapping[str, Callable[[Any], bool]] = {
     "load": lambda value: isinstance(value, str | None),
     "system": lambda value: isinstance(value, str | None),
     "confined": lambda value: _is_list_of(value, str),
+    "from_line": _is_number_or_none,
+    "from_block": _is_number_or_none,
 }
+
+#: Options that older tapes do not have.
+_LATER = {"from_line": None, "from_block": None}
 
 #: Fits none of the options.
 _NOTHING_GIVEN = object()
@@ -51,9 +61,9 @@ def words_of(tape: Tape, name: str) -> dict[str, Any]:
     that are none of a run.
     """
     for key, fits in WORDS.items():
-        if not fits(tape.words.get(key, _NOTHING_GIVEN)):
+        if not fits(tape.words.get(key, _LATER.get(key, _NOTHING_GIVEN))):
             raise Failure(diagnostic(INVALID_TAPE, reason=f"{name}: {key}"))
-    words = {key: _immutable(tape.words[key]) for key in WORDS}
+    words = {key: _immutable(tape.words.get(key, _LATER.get(key))) for key in WORDS}
     if tape.state not in ("ended", "error", "limit", "reset"):
         words["ticks"] = tape.ticks
     return words

@@ -73,12 +73,7 @@ class VariableAccess:
         location = names.resolve_text(path)
         if isinstance(location, NotFound):
             near = location.nearest or nearest(path, (other for other, _, _ in names.values()))
-            unknown = (
-                diagnostic(MISSPELLED_MACHINE_VARIABLE, name=name, nearest=f"{prefix}{near}")
-                if near
-                else diagnostic(UNKNOWN_MACHINE_VARIABLE, name=name)
-            )
-            raise Failure(unknown, *self._remarks)
+            raise Failure(_unknown(name, prefix, near), *self._remarks)
         return location
 
     def _find_panel(self, name: str) -> PanelValue | None:
@@ -90,8 +85,7 @@ class VariableAccess:
         panel = self._panels[self._index(number)]
         value = panel.get(upper)
         if value is None:
-            near = f"{prefix}{nearest(upper, panel)}"
-            raise Failure(diagnostic(MISSPELLED_MACHINE_VARIABLE, name=name, nearest=near))
+            raise Failure(_unknown(name, prefix, nearest(upper, panel)))
         return value
 
     def _index(self, number: int) -> int:
@@ -163,3 +157,10 @@ def _characters(name: str, location: Location, text: str) -> bytes:
     """Return the bytes of a text, filled up to the end of their last cell."""
     data = characters_of(name, location.type, location.size_bytes, text)
     return data.ljust(-(-len(data) // CELL_BYTES) * CELL_BYTES, b"\0")
+
+
+def _unknown(name: str, prefix: str, near: str) -> Diagnostic:
+    """Return the diagnostic of an unknown name; ``near``: the nearest one, without ``prefix``."""
+    if not near:
+        return diagnostic(UNKNOWN_MACHINE_VARIABLE, name=name)
+    return diagnostic(MISSPELLED_MACHINE_VARIABLE, name=name, nearest=f"{prefix}{near}")

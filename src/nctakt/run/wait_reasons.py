@@ -62,6 +62,7 @@ _REASONS = {
         "the condition of #WAIT FOR to be true", "eine wahre Bedingung von #WAIT FOR"
     ),
     "signal": Text("{name}", "{name}"),
+    "exchange": Text("{name}", "{name}"),
     "axis": Text(
         "axis {name}, which moves independently", "Achse {name}, die sich unabhängig bewegt"
     ),
@@ -97,7 +98,8 @@ def awaited(machine: AssembledMachine, index: int) -> Text | None:
 
 def _awaited(machine: AssembledMachine, index: int, word: str, detail: int) -> Text:
     text = _REASONS[word]
-    name = awaited_text(machine, index) if word == "signal" else _name(machine, word, detail)
+    is_of_channels = word in ("signal", "exchange")
+    name = awaited_text(machine, index) if is_of_channels else _name(machine, word, detail)
     return Text(text.en.format(name=name.en), text.de.format(name=name.de))
 
 

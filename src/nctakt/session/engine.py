@@ -36,12 +36,11 @@ from nctakt.run.stimuli import Stimulus, as_inputs, read_stimulus
 from nctakt.run.tick_loop import TickLoop
 from nctakt.session.channel_states import ChannelState, channel_states
 from nctakt.session.decoders import DecoderState, decoder_state
-from nctakt.session.happened import MAX_EVENTS, Happened
+from nctakt.session.happened import MAX_EVENTS, Happened, SignalRows
 from nctakt.session.schedules import EngineSchedule
 from nctakt.session.setup import Description, Inventory, Setup
 from nctakt.session.stops import StopAt, StopBuilder
 from nctakt.trace.events import Event
-from nctakt.trace.recorded import EventList
 
 #: Ticks of a stretch that is looked at in detail.
 MAX_LOOKED_AT = 1_000_000
@@ -155,28 +154,28 @@ class Engine:
         plc = None if setup.plc is None else load_plc(setup.plc)
         self._schedule.follow(self._loop, plc, self._diagnostics.append)
         stimuli = [read_stimulus(stimulus) for stimulus in setup.at]
-        self._run = ProgramRun(
-            self._loop,
-            self._diagnostics,
-            RunOptions(
-                setup.programs,
-                set=setup.set,
-                at=stimuli,
-                until=setup.until,
-                after=setup.after,
-                plc=plc,
-                wait_for_start=setup.wait_for_start,
-                skip=setup.skip,
-                signals=(),
-                sinks=(self._happened,),
-                memory_trace=False,
-                on_cycle=self._add_cycle,
-                blocks=True,
-                record=self._note,
-                why=setup.why,
-                stays=setup.stays,
-            ),
+        options = RunOptions(
+            setup.programs,
+            set=setup.set,
+            at=stimuli,
+            until=setup.until,
+            after=setup.after,
+            plc=plc,
+            wait_for_start=setup.wait_for_start,
+            skip=setup.skip,
+            signals=(),
+            sinks=(self._happened,),
+            memory_trace=False,
+            on_cycle=self._add_cycle,
+            blocks=True,
+            record=self._note,
+            why=setup.why,
+            stays=setup.stays,
+            from_line=setup.from_line,
+            from_block=setup.from_block,
         )
+        options.check()
+        self._run = ProgramRun(self._loop, self._diagnostics, options)
         self._loop.connect(plc, has_plc=plc is not None or not setup.acknowledges)
         self._run.load()
         self.description = Description(
@@ -457,7 +456,7 @@ class Engine:
                 for cell in cells:
                     found += memory[cell : cell + 1].tobytes()
             return bytes(found)
-        collector = _Rows(found)
+        collector = SignalRows(found)
         self._machine.record.select(cells)
         self._loop.recording.add(collector)
         self._run.advance(end)
@@ -471,21 +470,6 @@ class Engine:
             self._run.interrupt()
         self._run.close()
         return self._run.result()
-
-
-class _Rows(EventList):
-    """Keeps the rows of a trace as bytes."""
-
-    def __init__(self, found: bytearray) -> None:
-        super().__init__()
-        self._found = found
-
-    def events(self, events: Sequence[Event]) -> None:
-        """Ignore the events."""
-
-    def rows(self, first_tick: int, rows: memoryview[float], width: int) -> None:
-        """Keep the rows."""
-        self._found += rows.tobytes()
 
 
 _STATES = {

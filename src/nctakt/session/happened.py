@@ -13,6 +13,7 @@ from nctakt.base.diagnostics import Span
 from nctakt.kernel import rows
 from nctakt.trace.chunks import latest_of_channels, of_kinds
 from nctakt.trace.events import Event
+from nctakt.trace.recorded import EventList
 from nctakt.trace.sinks import TraceHeader
 
 #: Events of one slice that are handed out: the latest; how many others there were is told.
@@ -60,3 +61,18 @@ class Happened:
         self._chunks.clear()
         self._count = self.left_out = 0
         return kept[-MAX_EVENTS:], left_out
+
+
+class SignalRows(EventList):
+    """Keeps the rows of a trace as bytes."""
+
+    def __init__(self, found: bytearray) -> None:
+        super().__init__()
+        self._found = found
+
+    def events(self, events: Sequence[Event]) -> None:
+        """Ignore the events."""
+
+    def rows(self, first_tick: int, rows: memoryview[float], width: int) -> None:
+        """Keep the rows."""
+        self._found += rows.tobytes()

@@ -38,11 +38,11 @@ class Session:
     """A run that one lives through: on any clock, with stops, forward and back.
 
     Any thread may command; a command returns when it has been done. ``programs``, ``channels``,
-    ``set``, ``at``, ``until``, ``after``, ``wait_for_start`` and ``skip`` are those of
-    ``Controller.run``; ``machine`` is a folder, ``plc`` a Python file. Without a PLC, functions
-    acknowledge themselves unless ``acknowledges`` is false. ``folders``: the only ones whose files
-    may be read. ``pace``: on the wall clock ``slice`` runs the ticks of 10 ms together, ``tick``
-    each at its own time. ``stays``: the run goes on after its programs, for selected ones.
+    ``set``, ``at``, ``until``, ``after``, ``wait_for_start``, ``skip``, ``from_line``,
+    ``from_block`` are those of ``Controller.run``; ``machine`` is a folder, ``plc`` a Python file.
+    Without a PLC, functions acknowledge themselves unless ``acknowledges`` is false. ``folders``:
+    the only ones whose files may be read. ``pace``: on the wall clock ``slice`` runs the ticks of
+    10 ms together, ``tick`` each at its own time. ``stays``: it goes on after its programs.
 
     Raises ``Failure`` for what cannot be read, and for wrong names and values; programs with errors
     are a session that is over.
@@ -72,6 +72,8 @@ class Session:
         folders: Sequence[str | Path] = (),
         pace: str = "slice",
         stays: bool = False,
+        from_line: int | None = None,
+        from_block: int | None = None,
     ) -> None:
         self._begin(
             Setup(
@@ -87,6 +89,8 @@ class Session:
                 acknowledges,
                 folders,
                 stays=stays,
+                from_line=from_line,
+                from_block=from_block,
             ),
             pace,
         )
@@ -195,13 +199,11 @@ class Session:
             due = clock.next_tick(begin_s)
             is_last = end is not None and due >= end
             events = is_last or self._audience.wants_events
-            done = self._story.run(
-                due if end is None else min(due, end), stops=stops, events=events
-            )
+            due = due if end is None else min(due, end)
+            done = self._story.run(due, stops=stops, events=events)
             clock.note(done.tick - done.first_tick, time.monotonic() - begin_s)
             whole = done if whole is None else joined(whole, done)
-            is_past_end = end is not None and done.tick >= end
-            is_there = is_past_end or bool(done.hits) or done.run_state is not None
+            is_there = bool(done.hits or done.run_state or (end is not None and done.tick >= end))
             self._publish(done, at_once=is_there)
             if is_there:
                 return whole

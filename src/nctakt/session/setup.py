@@ -24,7 +24,8 @@ class Setup:
     themselves where there is no PLC; else whoever watches the session does it. ``folders``: the
     only ones whose files may be read, where there are any. ``inputs``: those of a tape. ``rtconf``:
     a scheduling list by which the controller's threads run on a real clock, with its ``load`` and
-    the name of its operating system. ``why`` and the rest as in ``Controller.run``.
+    the name of its operating system. ``why`` and the rest, among them the start block of a block
+    search, as in ``Controller.run``.
     """
 
     programs: Mapping[int, Sequence[str | Path | NcText]]
@@ -44,6 +45,8 @@ class Setup:
     rtconf: str | None = None
     load: str | None = None
     system: str | None = None
+    from_line: int | None = None
+    from_block: int | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -55,6 +55,8 @@ def save_tape(path: str | Path, setup: Setup, inputs: Sequence[Input], ticks: in
             memory_trace=False,
             blocks=True,
             stays=setup.stays,
+            from_line=setup.from_line,
+            from_block=setup.from_block,
             sinks=(writer,),
             record=writer.note,
             replay=replayed,
@@ -93,6 +95,8 @@ def words_of_setup(setup: Setup) -> dict[str, Any]:
         "load": setup.load,
         "system": setup.system,
         "confined": [str(folder) for folder in setup.folders],
+        "from_line": setup.from_line,
+        "from_block": setup.from_block,
     }
 
 
@@ -138,4 +142,6 @@ def read_setup(path: str | Path, folders: Sequence[str | Path] = (), *, anyway: 
         folders=folders or words["confined"],
         stays=words["stays"],
         inputs=tape.inputs,
+        from_line=words["from_line"],
+        from_block=words["from_block"],
     )

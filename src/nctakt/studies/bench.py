@@ -11,6 +11,7 @@ import re
 from collections import OrderedDict
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from decimal import Decimal
 from pathlib import Path
 from typing import Any
 
@@ -20,6 +21,7 @@ from nctakt.files.access import FileAccess
 from nctakt.lists.machine.machine import Machine, load_machine
 from nctakt.messages import diagnostic
 from nctakt.messages.studies import UNKNOWN_PROGRAM_VARIABLE
+from nctakt.nc.parse.lexer import without_comments
 from nctakt.plc import load_plc
 from nctakt.project.machine_choice import machine_of
 from nctakt.run.controller import Controller, NcText
@@ -84,9 +86,6 @@ class Bench:
         self._asks_all = any(isinstance(one.node, PythonMeasure) for one in plan.measures)
         reactions = (expected.reaction for expected in plan.expectations)
         self._reactions = tuple(one for one in reactions if one is not None)
-        names = (name for measure in plan.measures for name in measure.node.signals())
-        further = (name for expected in plan.expectations for name in expected.signals)
-        self._names = tuple(dict.fromkeys([*names, *further]))
         controller = self._controller(RunInputs())
         self.cycle_time_us = controller.cycle_time_us
         self.signals = self._signals(controller)
@@ -94,9 +93,20 @@ class Bench:
     def _signals(self, controller: Controller) -> tuple[str, ...]:
         """Return the signals that measures read; an axis stands for its command position."""
         axes = {axis.name for axis in controller.channel_axes}
-        signals = [f"{name}.ACS.ACT_POS" if name in axes else name for name in self._names]
-        for name in signals:
-            controller.signal(name)
+        plan = self.plan
+        readers = [("measure", one.name, one.node.signals()) for one in plan.measures]
+        readers += [("", "expect", iter(one.signals)) for one in plan.expectations]
+        signals: list[str] = []
+        found: list[Diagnostic] = []
+        for table, entry, names in readers:
+            for name in names:
+                signals.append(f"{name}.ACS.ACT_POS" if name in axes else name)
+                try:
+                    controller.signal(signals[-1])
+                except Failure as failure:
+                    found += plan.placed(failure, table, entry)
+        if found:
+            raise Failure(*{one.text(): one for one in found}.values())
         return tuple(dict.fromkeys(signals))
 
     def line(self, number: int) -> str:
@@ -111,33 +121,37 @@ class Bench:
             try:
                 measure.check()
             except Failure as failure:
-                found += failure.diagnostics
+                found += self.plan.placed(failure, "measure", measure.name)
         schedule = self._schedule_of(ScheduleChanges())
         if schedule is not None:
             found += problems_of_numbers(self.plan, schedule.model)
-        for dimension in self.plan.dimensions:
+        for number, dimension in enumerate(self.plan.dimensions):
             for value in dimension.probes():
                 inputs = RunInputs()
                 inputs.add(dimension, value, self.cycle_time_us)
-                try:
-                    self._check_inputs(inputs)
-                except Failure as failure:
-                    found += failure.diagnostics
+                found += self._wrong_inputs(inputs, "vary", number)
+        for name, value in self.plan.assignments:
+            found += self._wrong_inputs(RunInputs({name: value}), "set", name)
+        found += self._wrong_inputs(RunInputs({}, list(self.plan.stimuli)), "", "at")
         try:
             self._plc(RunInputs())
-            self._check_inputs(RunInputs(dict(self.plan.assignments), list(self.plan.stimuli)))
         except Failure as failure:
             found += failure.diagnostics
         if found:
             raise Failure(*{one.text(): one for one in found}.values())
 
-    def _check_inputs(self, inputs: RunInputs) -> None:
-        controller = self._controller(inputs)
-        self._program_of(inputs, controller)
-        for name, value in inputs.assignments.items():
-            controller.write(name, value)
-        for _, name, value in inputs.stimuli:
-            controller.write(name, value)
+    def _wrong_inputs(self, inputs: RunInputs, table: str, entry: str | int) -> list[Diagnostic]:
+        """Return what is wrong with the inputs that an entry of the plan gives."""
+        try:
+            controller = self._controller(inputs)
+            self._program_of(inputs, controller)
+            for name, value in inputs.assignments.items():
+                controller.write(name, value)
+            for _, name, value in inputs.stimuli:
+                controller.write(name, value)
+        except Failure as failure:
+            return self.plan.placed(failure, table, entry)
+        return []
 
     # --- one run ---------------------------------------------------------------------------------
 
@@ -289,17 +303,30 @@ class Bench:
 
         Raises ``Failure`` (901313) for a variable that gets no plain number.
         """
-        text = self._text
+        lines = self._text.split("\n")
         for name, value in values.items():
-            pattern = rf"({re.escape(name)}[ \t]*=[ \t]*)[+-]?(?:\d+\.?\d*|\.\d+)"
-            text, count = re.subn(pattern, rf"\g<1>{value!r}", text, count=1, flags=re.IGNORECASE)
-            if count == 0:
+            found = _assignment_of(name, lines)
+            if found is None:
                 raise Failure(diagnostic(UNKNOWN_PROGRAM_VARIABLE, name=name))
-        return text
+            number, begin, end = found
+            shown = value if isinstance(value, str) else f"{Decimal(repr(value)):f}"
+            lines[number] = f"{lines[number][:begin]}{shown}{lines[number][end:]}"
+        return "\n".join(lines)
 
     def _plc(self, inputs: RunInputs) -> AnyPlc | None:
         plc = None if self.plan.plc is None else load_plc(self.plan.plc)
         return FaultyPlc(plc, inputs.faults) if inputs.faults else plc
+
+
+def _assignment_of(name: str, lines: Sequence[str]) -> tuple[int, int, int] | None:
+    """Return where a variable first gets a plain number: index of the line, begin, end."""
+    pattern = rf"(?<![\w.]){re.escape(name)}[ \t]*=[ \t]*([+-]?(?:\d+\.?\d*|\.\d+))"
+    assignment = re.compile(rf"{pattern}(?![\w.]|[ \t]*[-+*/])", re.IGNORECASE)
+    for index, line in enumerate(lines):
+        match = assignment.search(without_comments(line))
+        if match is not None:
+            return index, match.start(1), match.end(1)
+    return None
 
 
 def _without_folder(found: Diagnostic) -> Diagnostic:

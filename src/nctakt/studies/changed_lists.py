@@ -12,6 +12,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import NoReturn
 
+from nctakt.base.diagnostics import Text
 from nctakt.base.failure import Failure
 from nctakt.base.text import decode_text, nearest
 from nctakt.files.access import FileAccess
@@ -86,7 +87,7 @@ def _parameter(id_: str, owner: str) -> tuple[Parameter, str]:
                 return parameter, schema.kind
     ids = [parameter.id for schema in SCHEMAS for parameter in schema.parameters]
     near = nearest(id_, ids)
-    _refuse(id_, owner, f"unknown parameter; nearest: {near}" if near else "unknown parameter")
+    refuse(id_, owner, unknown_parameter(near))
 
 
 def _list_of(machine: Machine, kind: str, id_: str, owner: str) -> Path:
@@ -100,22 +101,44 @@ def _list_of(machine: Machine, kind: str, id_: str, owner: str) -> Path:
                 named[match[1]] = path
         if owner in named:
             return named[owner]
-        _refuse(id_, owner, f"no axis of this name; known: {', '.join(named)}")
+        known = ", ".join(named)
+        reason = Text(
+            f"no axis of this name; known: {known}", f"keine Achse dieses Namens; bekannt: {known}"
+        )
+        refuse(id_, owner, reason)
     if kind == "channel" and owner:
         numbered = {str(channel.number): channel.startup.parameters for channel in machine.channels}
         found = numbered.get(owner)
         if found is None:
-            _refuse(id_, owner, f"no channel of this number; known: {', '.join(numbered)}")
+            known = ", ".join(numbered)
+            reason = Text(
+                f"no channel of this number; known: {known}",
+                f"kein Kanal dieser Nummer; bekannt: {known}",
+            )
+            refuse(id_, owner, reason)
         ends = [path for path in paths if path.as_posix().endswith(found.path.replace("\\", "/"))]
         if ends:
             return ends[0]
     if not paths:
-        _refuse(id_, owner, f"the machine has no list of the kind {kind}")
+        reason = Text(
+            f"the machine has no list of the kind {kind}",
+            f"die Maschine hat keine Liste der Art {kind}",
+        )
+        refuse(id_, owner, reason)
     if any(path.suffix.casefold() == ".xml" for path in paths):
-        _refuse(id_, owner, "lists in XML cannot be varied")
+        reason = Text("lists in XML cannot be varied", "Listen in XML lassen sich nicht variieren")
+        refuse(id_, owner, reason)
     return paths[-1]
 
 
-def _refuse(id_: str, owner: str, reason: str) -> NoReturn:
+def unknown_parameter(near: str) -> Text:
+    """Return the reason that there is no such parameter; ``near``: the nearest one, or nothing."""
+    if not near:
+        return Text("unknown parameter", "unbekannter Parameter")
+    return Text(f"unknown parameter; nearest: {near}", f"unbekannter Parameter; ähnlich: {near}")
+
+
+def refuse(id_: str, owner: str, reason: Text) -> NoReturn:
+    """Raise ``Failure`` (901312) for a parameter that cannot be varied."""
     message = diagnostic(UNKNOWN_PARAMETER_OF_STUDY, parameter=id_, of=owner or "–", reason=reason)
     raise Failure(message)

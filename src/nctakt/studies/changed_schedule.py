@@ -12,9 +12,10 @@ import re
 import tomllib
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Any, NoReturn
+from typing import Any
 
 from nctakt.base.dataclass import dataclass, field
+from nctakt.base.diagnostics import Text
 from nctakt.base.failure import Failure
 from nctakt.base.text import decode_text, nearest
 from nctakt.files.access import FileAccess
@@ -24,11 +25,10 @@ from nctakt.lists.machine.scheduling import load_rtconf
 from nctakt.lists.machine.scheduling_profile import PROFILES, RtconfOptions
 from nctakt.messages import Collector, diagnostic
 from nctakt.messages.load import LOAD_INTERRUPT_WITHOUT_EFFECT, LOAD_OF_UNUSED_FUNCTION
-from nctakt.messages.studies import UNKNOWN_PARAMETER_OF_STUDY
 from nctakt.schedule.load import ASSUMED, load_of_tables
 from nctakt.schedule.model import NS_PER_US
 from nctakt.schedule.open_schedule import RunSchedule, schedule_of
-from nctakt.studies.changed_lists import entry_text, with_entry
+from nctakt.studies.changed_lists import entry_text, refuse, unknown_parameter, with_entry
 
 #: The letters with which the IDs of parameters of a scheduling list begin.
 FAMILY = "P-RTCF-"
@@ -153,14 +153,15 @@ def _entry_name(configuration: RtconfConfiguration, id_: str, owner: str) -> str
     parameter = next((one for one in RTCONF.parameters if one.id == id_), None)
     if parameter is None:
         near = nearest(id_, [one.id for one in RTCONF.parameters])
-        _refuse(id_, owner, f"unknown parameter; nearest: {near}" if near else "unknown parameter")
+        refuse(id_, owner, unknown_parameter(near))
     count = len(_INDEX.findall(parameter.path))
     if count == 0:
         return parameter.path
     owners = _owners(configuration, parameter, count)
     path = owners.get(owner, owner if owner in owners.values() else None)
     if path is None:
-        _refuse(id_, owner, f"known: {', '.join(owners)}")
+        known = ", ".join(owners)
+        refuse(id_, owner, Text(f"known: {known}", f"bekannt: {known}"))
     return f"{path}.{parameter.path.rpartition('.')[2]}"
 
 
@@ -183,11 +184,6 @@ def _owners(
             if len(thread.functions) == 1:
                 owners[thread.name] = path
     return owners
-
-
-def _refuse(id_: str, owner: str, reason: str) -> NoReturn:
-    found = diagnostic(UNKNOWN_PARAMETER_OF_STUDY, parameter=id_, of=owner or "–", reason=reason)
-    raise Failure(found)
 
 
 def toml_text(tables: Mapping[str, Any]) -> str:

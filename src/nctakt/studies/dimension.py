@@ -91,6 +91,11 @@ class Dimension:
             return 0
         return int(min((self.high - self.low) / self.step, MAX_STEPS) + 1e-9) + 1
 
+    @property
+    def is_empty(self) -> bool:
+        """Whether it has no value at all: neither listed ones, nor between two bounds."""
+        return not (self.values or self.low < self.high or self.count)
+
     def value(self, index: int) -> Value:
         """Return a value by its number on the grid, from 0."""
         if self.values:

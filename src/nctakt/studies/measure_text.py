@@ -7,6 +7,7 @@ import re
 from collections.abc import Mapping
 from typing import ClassVar, NamedTuple
 
+from nctakt.base.diagnostics import Text
 from nctakt.base.failure import Failure
 from nctakt.lists.format.times import Time, read_time
 from nctakt.studies.measure_nodes import (
@@ -41,7 +42,15 @@ _FUNCTION = re.compile(r"[MHT]\d+", re.IGNORECASE)
 
 
 class NotAMeasureError(Exception):
-    """A text is no measure; the text of the error says why."""
+    """A text is no measure; ``reason`` says why."""
+
+    def __init__(self, en: str, de: str) -> None:
+        self.reason = Text(en, de)
+        super().__init__(en)
+
+
+def _unexpected(text: str) -> NotAMeasureError:
+    return NotAMeasureError(f"unexpected {text or 'end'}", f"unerwartet: {text or 'das Ende'}")
 
 
 class _Token(NamedTuple):
@@ -55,7 +64,7 @@ def _tokens(text: str) -> list[_Token]:
     while text[position:].strip():
         match = _TOKEN.match(text, position)
         if match is None:
-            raise NotAMeasureError(f"unexpected {text[position:].strip()[0]}")
+            raise _unexpected(text[position:].strip()[0])
         assert match.lastgroup is not None
         tokens.append(_Token(match.lastgroup, match[match.lastgroup]))
         position = match.end()
@@ -73,7 +82,7 @@ class Reader:
     def __init__(self, text: str, known: Mapping[str, Node]) -> None:
         self._tokens = _tokens(text)
         if len(self._tokens) > MAX_WORDS:
-            raise NotAMeasureError(f"more than {MAX_WORDS} words")
+            raise NotAMeasureError(f"more than {MAX_WORDS} words", f"mehr als {MAX_WORDS} Wörter")
         self._known = known
         self._position = 0
 
@@ -94,7 +103,7 @@ class Reader:
         left = self._sum()
         word = self._take().text
         if word not in COMPARISONS:
-            raise NotAMeasureError("a comparison is missing")
+            raise NotAMeasureError("a comparison is missing", "es fehlt ein Vergleich")
         node = Binary(word, left, self._sum())
         self._end()
         return node
@@ -119,11 +128,15 @@ class Reader:
 
     def _expect(self, word: str) -> None:
         if not self._word(word):
-            raise NotAMeasureError(f"{word} expected, not {self._peek().text or 'the end'}")
+            found = self._peek().text
+            raise NotAMeasureError(
+                f"{word} expected, not {found or 'the end'}",
+                f"{word} erwartet, nicht {found or 'das Ende'}",
+            )
 
     def _end(self) -> None:
         if self._peek().kind != "end":
-            raise NotAMeasureError(f"unexpected {self._peek().text}")
+            raise _unexpected(self._peek().text)
 
     # --- expectations ----------------------------------------------------------------------------
 
@@ -148,7 +161,9 @@ class Reader:
             self._expect("within")
             token = self._take()
             if token.kind != "time":
-                raise NotAMeasureError("a time with its unit expected")
+                raise NotAMeasureError(
+                    "a time with its unit expected", "eine Zeit mit ihrer Einheit erwartet"
+                )
             after = self._event() if self._word("after") else None
             self._end()
         except NotAMeasureError:
@@ -185,7 +200,7 @@ class Reader:
         if token.kind == "text":
             return Constant(token.text[1:-1])
         if token.kind != "name":
-            raise NotAMeasureError(f"unexpected {token.text or 'end'}")
+            raise _unexpected(token.text)
         return self._named(token.text)
 
     def _named(self, name: str) -> Node:
@@ -206,7 +221,10 @@ class Reader:
             return Property("ticks")
         if word == "state":
             return Property("state")
-        raise NotAMeasureError(f"{name} says neither when nor what of it is meant")
+        raise NotAMeasureError(
+            f"{name} says neither when nor what of it is meant",
+            f"bei {name} fehlt, wann oder was davon gemeint ist",
+        )
 
     def _time(self) -> Node:
         if self._word("from"):
@@ -248,12 +266,18 @@ class Reader:
             cycle = self._take().text if is_named else ""
             line = int(self._whole()) if self._line() else None
             return Event("fired", cycle, line)
-        raise NotAMeasureError(f"{token.text or 'the end'} is not an event")
+        raise NotAMeasureError(
+            f"{token.text or 'the end'} is not an event",
+            f"{token.text or 'das Ende'} ist kein Ereignis",
+        )
 
     def _whole(self) -> str:
         token = self._take()
         if not (token.text.isascii() and token.text.isdigit()):
-            raise NotAMeasureError(f"{token.text} is not a whole number")
+            raise NotAMeasureError(
+                f"{token.text or 'the end'} is not a whole number",
+                f"{token.text or 'das Ende'} ist keine ganze Zahl",
+            )
         return token.text
 
     def _line(self) -> bool:
@@ -264,7 +288,9 @@ class Reader:
         sign = -1.0 if self._word("-") else 1.0
         limit = self._take()
         if name.kind != "name" or word not in COMPARISONS or limit.kind != "number":
-            raise NotAMeasureError("a comparison such as X < 50 expected")
+            raise NotAMeasureError(
+                "a comparison such as X < 50 expected", "ein Vergleich wie X < 50 erwartet"
+            )
         return Condition(name.text, word, sign * float(limit.text))
 
 
@@ -272,4 +298,5 @@ def _time(text: str) -> Time:
     try:
         return read_time(text)
     except Failure as failure:
-        raise NotAMeasureError(failure.diagnostics[0].text()) from failure
+        found = failure.diagnostics[0]
+        raise NotAMeasureError(found.text("en"), found.text("de")) from failure

@@ -133,7 +133,7 @@ def read_measure(
     try:
         return Measure(name, text, words(text, known).measure())
     except NotAMeasureError as error:
-        raise Failure(diagnostic(INVALID_MEASURE, text=text, reason=str(error))) from error
+        raise Failure(diagnostic(INVALID_MEASURE, text=text, reason=error.reason)) from error
 
 
 def function_measure(name: str, function: Callable[..., MeasuredValue]) -> Measure:
@@ -151,7 +151,7 @@ def read_expectation(
     try:
         return Expectation(text, words(text, known).expectation())
     except NotAMeasureError as error:
-        reason = str(error)
+        reason = error.reason
     try:
         if not words.is_of_program:
             raise Failure(diagnostic(INVALID_STUDY_EXPECTATION, text=text, reason=reason))

@@ -7,12 +7,14 @@ who makes them, or in which order.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 from typing import Literal
 
-from nctakt.base.dataclass import dataclass
+from nctakt.base.dataclass import dataclass, field
+from nctakt.base.diagnostics import Diagnostic, Severity, Span
 from nctakt.base.failure import Failure
 from nctakt.lists.format.times import Time
 from nctakt.messages import diagnostic
@@ -33,6 +35,10 @@ RESERVED = (
     "run", "reaction_time", "state", "ticks", "verdict", "broken", "seed", "digest",
 )  # fmt: skip
 
+
+#: An entry of a plan: its table, and its name or its number there; and where it stands.
+Entry = tuple[str, str | int]
+Place = tuple[Span | None, str]
 
 GoalWord = Literal["minimize", "maximize", "boundary"]
 
@@ -57,6 +63,7 @@ class Plan:
     ``stimuli`` are those of all runs. ``count``: the number of points of a method without a grid.
     ``rtconf``, ``load``, ``system``: the scheduling list, its load and its operating system;
     ``is_schedule``: the list is simulated without a program, which ``program`` then stands for.
+    ``places``: where the entries stand in the plan's file, with the text of the line.
     """
 
     program: Path
@@ -78,6 +85,7 @@ class Plan:
     load: Path | None = None
     system: str = "rtx"
     is_schedule: bool = False
+    places: Mapping[Entry, Place] = field(default_factory=dict, compare=False, repr=False)
 
     @property
     def files(self) -> list[Path]:
@@ -126,6 +134,16 @@ class Plan:
             dimension.between(share)
             for dimension, share in zip(self.dimensions, self._shares(index), strict=True)
         )
+
+    def placed(self, failure: Failure, table: str, entry: str | int) -> list[Diagnostic]:
+        """Return the diagnostics of a failure, errors without a place at that of the entry."""
+        span, line = self.places.get((table, entry), (None, ""))
+        return [
+            replace(found, span=span, source_line=line)
+            if found.span is None and found.severity is Severity.ERROR
+            else found
+            for found in failure.diagnostics
+        ]
 
     def injection_us(self, point: Sequence[Value]) -> int | None:
         """Return the time of the injection of an each-tick study in microseconds, else ``None``."""

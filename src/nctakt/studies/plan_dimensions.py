@@ -16,9 +16,12 @@ from nctakt.studies.dimension import END_OF_RUN, FILE_KINDS, TIME_KINDS, Dimensi
 from nctakt.studies.faults import NEVER, TWICE
 from nctakt.studies.plan_reader import (
     LIST,
+    NAME,
     NUMBER,
     NUMBER_OR_TEXT,
+    WHOLE,
     PlanReader,
+    is_name,
     is_number,
     is_value,
 )
@@ -45,7 +48,9 @@ WORDS: Mapping[Kind, tuple[str, ...]] = MappingProxyType(
 MAX_COURSE = 1_000_000
 
 _OF = re.compile(r"(P-[A-Z]+-\d+)\s+of\s+(\S.*)")
-_EITHER = Text("values, or from and to, but not both", "values oder from und to, nicht beides")
+_FUNCTION = re.compile(r"[MHT]\d+", re.IGNORECASE)
+_ACKNOWLEDGED = Text('a function such as "M8"', 'eine Funktion wie "M8"')
+_EITHER = Text("left out beside from and to", "neben from und to weggelassen")
 _ANSWER = Text('a time, "never" or "twice"', 'eine Zeit, "never" oder "twice"')
 _SHORT = Text(
     f"a time of at most {MAX_COURSE} ticks", f"eine Zeit von höchstens {MAX_COURSE} Takten"
@@ -83,7 +88,10 @@ class DimensionReader:
     def _dimension(self, entry: dict[str, Any], number: int) -> Dimension | None:
         reader, self._entry, self._number = self._reader, entry, number
         kinds = [kind for kind in WORDS if kind in entry]
-        if len(kinds) != 1:
+        if len(kinds) > 1:
+            self._wrong(kinds[1], entry[kinds[1]], _beside(kinds[0]))
+            return None
+        if not kinds:
             every = (*COMMON, *WORDS, *(word for own in WORDS.values() for word in own))
             reader.check_keys(entry, tuple(dict.fromkeys(every)), "vary", number)
             reader.missing(" / ".join(WORDS), f"vary {number + 1}", number, "vary")
@@ -98,6 +106,8 @@ class DimensionReader:
             if assignment is None:
                 return None
             target, amount = assignment
+        if kind == "acknowledge" and not _FUNCTION.fullmatch(target):
+            self._wrong(kind, target, _ACKNOWLEDGED)
         if kind == "parameter" and (match := _OF.fullmatch(target.strip())) is not None:
             target, of = match[1], match[2].strip()
         low, high, step = self._span(kind)
@@ -125,7 +135,10 @@ class DimensionReader:
     # --- entries ---------------------------------------------------------------------------------
 
     def _text(self, key: str, default: str) -> str:
-        return self._reader.text(self._entry, key, default, "vary", self._number)
+        text = self._reader.text(self._entry, key, default, "vary", self._number)
+        if self._entry.get(key) == text and not is_name(text):
+            self._wrong(key, text, NAME)
+        return text
 
     def _amount(self, key: str) -> float:
         return self._reader.number(self._entry, key, "vary", self._number)
@@ -161,7 +174,9 @@ class DimensionReader:
                 self._wrong("load_entry", entry["load_entry"], _PHASE)
             return low, high if "to" in entry else self._slice_us() - 1, step or 1
         has_span = "from" in entry or "to" in entry
-        if ("values" in entry) == has_span or (has_span and kind in FILE_KINDS):
+        if "values" in entry and has_span:
+            self._wrong("values", entry["values"], _EITHER)
+        elif not ("values" in entry or has_span) or (has_span and kind in FILE_KINDS):
             self._reader.missing(
                 "values / from, to", f"vary {self._number + 1}", self._number, "vary"
             )
@@ -192,7 +207,9 @@ class DimensionReader:
 
     def _value(self, kind: Kind, value: Any, key: str) -> Value:
         """Return a value of a dimension as it is stored; 0 after a mistake."""
-        if kind == "acknowledge" and isinstance(value, str) and value in (NEVER, TWICE):
+        if kind == "acknowledge" and isinstance(value, str) and not value[:1].isdigit():
+            if value not in (NEVER, TWICE):
+                self._wrong(key, value, _ANSWER)
             return value
         if kind in TIME_KINDS:
             return self._microseconds(value, key)
@@ -200,7 +217,7 @@ class DimensionReader:
             path = self._reader.existing(value, key, "vary", self._number)
             return "" if path is None else str(path)
         if kind == "noise" and not (is_number(value) and value == int(value)):
-            self._wrong(key, value, NUMBER)
+            self._wrong(key, value, WHOLE)
             return 0
         if isinstance(value, bool):
             return int(value)
@@ -216,6 +233,10 @@ class DimensionReader:
         if time is None:
             return 0
         return time.us(self._tick_us()) if time.is_in_ticks else time.us(1)
+
+
+def _beside(kind: Kind) -> Text:
+    return Text(f"left out beside {kind}", f"neben {kind} weggelassen")
 
 
 def _name(kind: Kind, target: str, of: str) -> str:

@@ -11,6 +11,7 @@ import contextlib
 import re
 import tomllib
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -33,15 +34,28 @@ from nctakt.studies.changed_schedule import FAMILY
 from nctakt.studies.measure_nodes import Node
 from nctakt.studies.measure_text import Reader
 from nctakt.studies.measures import Expectation, Measure, read_expectation, read_measure
-from nctakt.studies.plan import DESIGNS, MAX_DESIGN, METHODS, RESERVED, Goal, GoalWord, Plan
+from nctakt.studies.plan import (
+    DESIGNS,
+    MAX_DESIGN,
+    METHODS,
+    RESERVED,
+    Entry,
+    Goal,
+    GoalWord,
+    Place,
+    Plan,
+)
 from nctakt.studies.plan_dimensions import DimensionReader
 from nctakt.studies.plan_reader import (
     FILE,
     LIST,
+    NAME,
     NUMBER_OR_TEXT,
     TABLE,
     TEXT,
+    THE_PLAN,
     PlanReader,
+    is_name,
     is_there,
     is_value,
     one_of,
@@ -102,6 +116,12 @@ def _invalid(path: Path, text: str, reason: str) -> Diagnostic:
     return diagnostic(INVALID_PLAN, span, line, reason=_POSITION.sub("", reason))
 
 
+def _as_many(count: int, name: str) -> Text:
+    return Text(
+        f"a list of {count} values, as for {name}", f"eine Liste von {count} Werten wie bei {name}"
+    )
+
+
 class _Reader(PlanReader):
     """Reads the tables of one plan."""
 
@@ -119,9 +139,9 @@ class _Reader(PlanReader):
         machine, plc = self._path(tables, "machine"), self._path(tables, "plc")
         rtconf, load = self._path(tables, "rtconf"), self._path(tables, "load")
         if "program" not in tables and "rtconf" not in tables:
-            self.missing("program", "the plan")
-        if "load" in tables and "rtconf" not in tables:
-            self.missing("rtconf", "the plan")
+            self.missing("program", THE_PLAN)
+        if ("load" in tables or "os" in tables) and "rtconf" not in tables:
+            self.missing("rtconf", THE_PLAN)
         if "program" not in tables:
             for key in ("machine", "plc", "after", "set", "at"):
                 if key in tables:
@@ -162,13 +182,44 @@ class _Reader(PlanReader):
             self.choice(tables, "os", list(PROFILES)),
             is_schedule,
         )
+        plan = replace(plan, places=self._places(plan))
         self._check_names(plan)
         self._check_kinds(plan)
-        if not self.diagnostics and plan.size == 0 and not plan.goals:
-            empty = [one.name for one in plan.dimensions if one.count == 0]
-            name = empty[0] if empty and method in ("grid", "list") else "count"
-            self.report(diagnostic(EMPTY_STUDY, name=name), self.location("vary", "", 0))
+        if not self.diagnostics:
+            self._check_size(plan)
         return plan
+
+    def _check_size(self, plan: Plan) -> None:
+        """Note a plan without runs (901304), and lists of which one has more values."""
+        dimensions = list(enumerate(plan.dimensions))
+        if plan.goals:
+            empty = [(number, one.name) for number, one in dimensions if one.is_empty]
+        elif plan.method in ("grid", "list"):
+            empty = [(number, one.name) for number, one in dimensions if one.count == 0]
+        else:
+            empty = [] if plan.count else [(0, "count")]
+        for number, name in empty[:1]:
+            self.report(diagnostic(EMPTY_STUDY, name=name), self.location("", "vary", number))
+        if empty or plan.method != "list":
+            return
+        for number, one in dimensions:
+            count = plan.dimensions[0].count
+            if one.count != count:
+                expected = _as_many(count, plan.dimensions[0].name)
+                self.wrong("values", one.count, expected, "vary", number)
+
+    def _places(self, plan: Plan) -> dict[Entry, Place]:
+        """Return where the entries stand whose names machine and program have to have."""
+        keys: list[tuple[str, str, str | int]] = [
+            (dimension.kind, "vary", number) for number, dimension in enumerate(plan.dimensions)
+        ]
+        keys += [(measure.name, "measure", measure.name) for measure in plan.measures]
+        keys += [(name, "set", name) for name, _ in plan.assignments]
+        keys += [("expect", "", "expect"), ("at", "", "at")]
+        return {
+            (table, entry): self.location(key, table, entry if isinstance(entry, int) else 0)
+            for key, table, entry in keys
+        }
 
     # --- entries ---------------------------------------------------------------------------------
 
@@ -218,8 +269,9 @@ class _Reader(PlanReader):
         measures: list[Measure] = []
         known: dict[str, Node] = {}
         for name, text in table.items():
-            if not isinstance(text, str):
-                self.wrong(name, text, TEXT, "measure")
+            if not isinstance(text, str) or not is_name(name):
+                wrong = (text, TEXT) if is_name(name) else (name, NAME)
+                self.wrong(name, *wrong, "measure")
                 continue
             location = (name, "measure", 0)
             entries = (name, text, dict(known), self.folder, self._words)
@@ -256,7 +308,7 @@ class _Reader(PlanReader):
                 if not isinstance(name, str) or name not in names:
                     self.wrong(word, name, one_of(names), "find", number)
                 elif not dimensions:
-                    self.missing("vary", "the plan")
+                    self.missing("vary", THE_PLAN)
                 else:
                     goals.append(Goal(word, name, budget))
         return tuple(goals)
@@ -267,7 +319,7 @@ class _Reader(PlanReader):
             of_schedule = dimension.kind in ("load_entry", "rtconf", "load")
             of_schedule |= dimension.kind == "parameter" and dimension.target.startswith(FAMILY)
             if of_schedule and plan.rtconf is None:
-                self.missing("rtconf", "the plan")
+                self.missing("rtconf", THE_PLAN)
             elif plan.is_schedule and not of_schedule:
                 self.wrong(dimension.kind, dimension.target, _WITH_PROGRAM, "vary", number)
 
@@ -300,7 +352,7 @@ class _Reader(PlanReader):
     def _slice_us(self) -> int:
         """Return the distance of the timer interrupts; raises ``Failure`` without a list."""
         if self._rtconf is None:
-            self.missing("rtconf", "the plan")
+            self.missing("rtconf", THE_PLAN)
             return 1
         with contextlib.suppress(Failure):
             return self._configuration().time_slice_us

@@ -20,17 +20,20 @@ from nctakt.messages.studies import INVALID_PLAN_VALUE, PLAN_ENTRY_MISSING, UNKN
 _HEADER = re.compile(r"\s*\[+\s*([\w.]+)\s*\]+")
 NUMBER = Text("a number", "eine Zahl")
 NUMBER_OR_TEXT = Text("a number or a text", "eine Zahl oder ein Text")
-COUNT = Text("a whole number above 0", "eine ganze Zahl über 0")
 WHOLE = Text("a whole number", "eine ganze Zahl")
 TRUTH = Text("true or false", "true oder false")
 TEXT = Text("a text", "ein Text")
 TABLE = Text("a table", "eine Tabelle")
 LIST = Text("a list", "eine Liste")
+THE_PLAN = Text("the plan", "der Datei")
+NAME = Text("a name in one line", "ein Name in einer Zeile")
 FILE = Text("an existing file or folder", "eine vorhandene Datei oder ein vorhandener Ordner")
 LENGTH = Text("a time above 0", "eine Zeit über 0")
 
 #: Seeds and counts beyond this are mistakes: no file has as many rows.
 LARGEST = 1 << 62
+COUNT = Text(f"a whole number from 1 to {LARGEST}", f"eine ganze Zahl von 1 bis {LARGEST}")
+SEED = Text(f"a whole number from 0 to {LARGEST}", f"eine ganze Zahl von 0 bis {LARGEST}")
 
 _T = TypeVar("_T")
 
@@ -40,6 +43,11 @@ def is_number(value: object) -> bool:
     if isinstance(value, bool) or not isinstance(value, int | float):
         return False
     return abs(value) <= LARGEST if isinstance(value, int) else math.isfinite(value)
+
+
+def is_name(text: str) -> bool:
+    """Return whether a text can be a name: not empty, in one line."""
+    return bool(text.strip()) and text.isprintable()
 
 
 def is_value(value: object) -> bool:
@@ -70,7 +78,7 @@ class PlanReader:
         if not self._file:
             return None, ""
         header, count = "", -1
-        entry = re.compile(rf'\s*"?{re.escape(key)}"?\s*=')
+        entry = re.compile(rf"""\s*["']?{re.escape(key)}["']?\s*=""")
         fallback: tuple[Span | None, str] = (whole_file(self._file), "")
         for line_number, line in enumerate(self._lines, 1):
             match = _HEADER.match(line)
@@ -98,7 +106,7 @@ class PlanReader:
         found = diagnostic(message, key=key, value=_shown(value), expected=expected)
         self.report(found, self.location(key, table, number))
 
-    def missing(self, key: str, shown: str, number: int = 0, table: str = "") -> None:
+    def missing(self, key: str, shown: str | Text, number: int = 0, table: str = "") -> None:
         """Note that an entry is missing (901303); ``shown``: the table, as the message has it."""
         found = diagnostic(PLAN_ENTRY_MISSING, key=key, table=shown)
         self.report(found, self.location(key, table, number))
@@ -167,7 +175,7 @@ class PlanReader:
         is_default = key not in table
         is_whole = isinstance(value, int) and not isinstance(value, bool)
         if not is_whole or not (is_default or low <= value <= LARGEST):
-            self.wrong(key, value, COUNT if low else WHOLE, header, number)
+            self.wrong(key, value, COUNT if low else SEED, header, number)
             return default
         return int(value)
 

@@ -85,6 +85,8 @@ def _words(plan: Plan, inputs: RunInputs) -> dict[str, Any]:
         "load": None if load is None else str(load),
         "system": None if plan.rtconf is None else plan.system,
         "confined": [],
+        "from_line": None,
+        "from_block": None,
     }
 
 

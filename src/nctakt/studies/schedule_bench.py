@@ -7,7 +7,7 @@ In: a plan without a program. Out: rows as ``Bench`` makes them, of simulations 
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 from nctakt.base.diagnostics import Diagnostic, Severity
 from nctakt.base.failure import Failure
@@ -47,11 +47,11 @@ class ScheduleBench(Bench):
         found: list[Diagnostic] = []
         plan, base = self.plan, self._base.model
         for measure in plan.measures:
-            found += _failures(measure.check)
+            found += self._failures("measure", measure.name, measure.check)
         found += problems_of_numbers(plan, base)
-        for dimension in plan.dimensions:
+        for number, dimension in enumerate(plan.dimensions):
             for value in dimension.probes():
-                found += _failures(self._check_value, dimension, value)
+                found += self._failures("vary", number, self._check_value, dimension, value)
         if found:
             raise Failure(*{one.text(): one for one in found}.values())
 
@@ -60,6 +60,16 @@ class ScheduleBench(Bench):
         inputs = RunInputs()
         inputs.add(dimension, value, self.cycle_time_us)
         self._files.schedule(inputs.schedule, self.access)
+
+    def _failures(
+        self, table: str, entry: str | int, function: Callable[..., None], *words: object
+    ) -> list[Diagnostic]:
+        """Return what a function raises, at the place of an entry of the plan."""
+        try:
+            function(*words)
+        except Failure as failure:
+            return self.plan.placed(failure, table, entry)
+        return []
 
     def make(self, point: Sequence[Value]) -> FinishedRun:
         """Simulate the schedule with these values; raises ``Failure``."""
@@ -97,16 +107,6 @@ class ScheduleBench(Bench):
         """Return the texts of list and load of a run; raises ``Failure``."""
         inputs = inputs_of(self.plan, point, self.cycle_time_us)
         return self._files.texts(inputs.schedule, self.access)
-
-
-def _failures(function: object, *words: object) -> list[Diagnostic]:
-    """Return what a function raises."""
-    assert callable(function)
-    try:
-        function(*words)
-    except Failure as failure:
-        return list(failure.diagnostics)
-    return []
 
 
 def bench_of(plan: Plan, access: FileAccess | None = None) -> Bench:

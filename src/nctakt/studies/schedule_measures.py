@@ -150,7 +150,7 @@ class ScheduleReader(Reader):
         left = self._sum()
         word = self._take().text
         if word not in COMPARISONS:
-            raise NotAMeasureError("a comparison is missing")
+            raise NotAMeasureError("a comparison is missing", "es fehlt ein Vergleich")
         node = Binary(word, left, self._sum())
         self._end()
         return node
@@ -169,14 +169,18 @@ class ScheduleReader(Reader):
         if word in ("min", "max", "mean") or _is_percentile(word):
             self._expect("response")
         elif word not in (*TIMES, "load"):
-            raise NotAMeasureError(f"{name} is not a number of a schedule")
+            raise NotAMeasureError(
+                f"{name} is not a number of a schedule", f"{name} ist keine Zahl eines Ablaufplans"
+            )
         self._expect("of")
         return ScheduleNumber(word, self._thread())
 
     def _thread(self) -> str:
         token = self._take()
         if token.kind not in ("name", "text", "number"):
-            raise NotAMeasureError("the name of a thread is missing")
+            raise NotAMeasureError(
+                "the name of a thread is missing", "es fehlt der Name eines Threads"
+            )
         return token.text.strip('"')
 
 
@@ -216,12 +220,14 @@ def _numbers_of(node: Node) -> Iterator[ScheduleNumber]:
 
 def problems_of_numbers(plan: Plan, model: Model) -> list[Diagnostic]:
     """Return what is wrong with the threads and processors that measures and expectations name."""
-    nodes = [measure.node for measure in plan.measures]
-    nodes += [expected.node for expected in plan.expectations if expected.node is not None]
+    readers = [("measure", measure.name, measure.node) for measure in plan.measures]
+    expected = (one.node for one in plan.expectations if one.node is not None)
+    readers += [("", "expect", node) for node in expected]
     found: list[Diagnostic] = []
-    for number in (number for node in nodes for number in _numbers_of(node)):
-        try:
-            number.check(model)
-        except Failure as failure:
-            found += failure.diagnostics
+    for table, entry, node in readers:
+        for number in _numbers_of(node):
+            try:
+                number.check(model)
+            except Failure as failure:
+                found += plan.placed(failure, table, entry)
     return found

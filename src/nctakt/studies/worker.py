@@ -28,6 +28,7 @@ def main() -> None:
     """Make runs until nobody asks for more."""
     answers = os.fdopen(os.dup(1), "wb")
     questions = os.fdopen(os.dup(0), "rb")
+    _leave_streams()
     sys.path[:] = pickle.load(questions)
     try:
         bench = bench_of(pickle.load(questions))
@@ -42,15 +43,20 @@ def main() -> None:
 
 def serve(bench: Bench, questions: IO[bytes], answers: IO[bytes]) -> None:
     """Answer lists of numbers with the rows of their runs until there is none any more."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # who has started it decides
-    nothing = os.open(os.devnull, os.O_RDONLY)
-    os.dup2(nothing, 0)
-    os.close(nothing)
-    os.dup2(2, 1)
+    _leave_streams()
     maker = maker_of(bench, may_copy=True)
     with contextlib.suppress(EOFError, BrokenPipeError):
         while True:
             _answer(answers, make_runs(maker, pickle.load(questions)))
+
+
+def _leave_streams() -> None:
+    """Leave Ctrl-C to the process that asks, and its pipes to questions and answers."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    nothing = os.open(os.devnull, os.O_RDONLY)
+    os.dup2(nothing, 0)
+    os.close(nothing)
+    os.dup2(2, 1)
 
 
 def _answer(answers: IO[bytes], value: object) -> None:

@@ -16,7 +16,7 @@ import subprocess
 import sys
 import threading
 import warnings
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from typing import IO, Self
 
 from nctakt.base.diagnostics import Text
@@ -35,6 +35,19 @@ MAX_STARTS = 3
 def can_copy() -> bool:
     """Return whether this process can be copied; elsewhere than on Linux libraries forbid it."""
     return sys.platform == "linux" and threading.active_count() == 1
+
+
+@contextlib.contextmanager
+def _without_interrupts() -> Iterator[None]:
+    """Keep Ctrl-C from a process that starts meanwhile: the one that starts it answers."""
+    if sys.platform == "win32":
+        yield
+        return
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 class WorkerProcess:
@@ -59,7 +72,7 @@ class WorkerProcess:
         answers, answered = os.pipe()
         sys.stdout.flush()
         sys.stderr.flush()
-        with warnings.catch_warnings():
+        with _without_interrupts(), warnings.catch_warnings():
             warnings.simplefilter(
                 "ignore", DeprecationWarning
             )  # threads of numpy, which it has not
@@ -69,18 +82,18 @@ class WorkerProcess:
                 for end in (asked, questions, answers, answered):
                     os.close(end)
                 raise _not_started(error.strerror or str(error)) from error
-        if pid == 0:
-            try:
-                for other in others:
-                    other._leave()
-                os.close(questions)
-                os.close(answers)
-                serve(bench, os.fdopen(asked, "rb"), os.fdopen(answered, "wb"))
-            except BaseException:  # noqa: BLE001 - told as a new process would
-                sys.excepthook(*sys.exc_info())
-            finally:
-                sys.stdout.flush()
-                os._exit(0)
+            if pid == 0:
+                try:
+                    for other in others:
+                        other._leave()
+                    os.close(questions)
+                    os.close(answers)
+                    serve(bench, os.fdopen(asked, "rb"), os.fdopen(answered, "wb"))
+                except BaseException:  # noqa: BLE001 - told as a new process would
+                    sys.excepthook(*sys.exc_info())
+                finally:
+                    sys.stdout.flush()
+                    os._exit(0)
         os.close(asked)
         os.close(answered)
         pipes = os.fdopen(questions, "wb"), os.fdopen(answers, "rb")
@@ -94,12 +107,13 @@ class WorkerProcess:
         """
         for _ in range(MAX_STARTS):
             try:
-                process = subprocess.Popen(
-                    [sys.executable, "-m", "nctakt.studies.worker"],
-                    stdin=subprocess.PIPE,
-                    stdout=subprocess.PIPE,
-                    env={**os.environ, "OPENBLAS_NUM_THREADS": "1"},
-                )
+                with _without_interrupts():
+                    process = subprocess.Popen(
+                        [sys.executable, "-m", "nctakt.studies.worker"],
+                        stdin=subprocess.PIPE,
+                        stdout=subprocess.PIPE,
+                        env={**os.environ, "OPENBLAS_NUM_THREADS": "1"},
+                    )
             except OSError as error:
                 raise _not_started(error.strerror or str(error)) from error
             assert process.stdin is not None

@@ -31,6 +31,11 @@ _ENDED_BY = {
     rows.ENDED_BY_RESET: "reset",
     rows.ENDED_BY_ERROR: "error",
 }
+_EXCHANGES = {
+    codes.AXIS_AWAITED: "awaited",
+    codes.AXIS_TAKEN: "taken",
+    codes.AXIS_GIVEN: "given",
+}
 _TIMER_ACTIONS = {
     codes.TIMER_START: "START",
     codes.TIMER_STOP: "STOP",
@@ -170,6 +175,7 @@ class EventDecoder:
             rows.EVENT_AXIS_CHANGED: self._axis_changed,
             rows.EVENT_RETRACED: self._retraced,
             rows.EVENT_PROBED: self._probed,
+            rows.EVENT_TOUCHED: self._touched,
             rows.EVENT_FIXED_STOP: self._fixed_stop,
             rows.EVENT_LOOP: self._loop,
             rows.EVENT_BLOCK: self._block,
@@ -183,6 +189,7 @@ class EventDecoder:
             rows.EVENT_SIGNAL_SENT: self._signal_sent,
             rows.EVENT_SIGNAL_AWAITED: self._signal_awaited,
             rows.EVENT_SIGNAL_TAKEN: self._signal_taken,
+            rows.EVENT_AXIS_EXCHANGED: self._axis_exchanged,
         }
 
     def decode(self, data: bytes | memoryview) -> list[Event]:
@@ -318,6 +325,9 @@ class EventDecoder:
     def _probed(self, _serial: int, delta: float, _b: float, _c: float) -> tuple[str, str]:
         return "probe", number_text(delta)
 
+    def _touched(self, _serial: int, covered: float, _b: float, _c: float) -> tuple[str, str]:
+        return "touch", number_text(covered)
+
     def _loop(self, how: int, _a: float, _b: float, _c: float) -> tuple[str, str]:
         return "loop", _LOOPS[how]
 
@@ -363,6 +373,11 @@ class EventDecoder:
         sent_us = int(tick) * self._cycle_time_us
         return "signal", f"{number} taken CH{int(sender)} {sent_us}{_by(level)}"
 
+    def _axis_exchanged(self, axis: int, what: float, holder: float, _c: float) -> tuple[str, str]:
+        word = _EXCHANGES[int(what)]
+        from_channel = f" CH{int(holder)}" if holder else ""
+        return "exchange", f"{self._names.axis(axis)} {word}{from_channel}"
+
     def _program_end(self, number: int, _a: float, _b: float, _c: float) -> tuple[str, str]:
         return "end", self._names.program(number)
 
@@ -381,6 +396,7 @@ _WITHOUT_CYCLE = (
     rows.EVENT_SIGNAL_SENT,
     rows.EVENT_SIGNAL_AWAITED,
     rows.EVENT_SIGNAL_TAKEN,
+    rows.EVENT_AXIS_EXCHANGED,
 )
 
 

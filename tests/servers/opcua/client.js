@@ -8,13 +8,13 @@ const opcua = require("node-opcua");
 const [url, program, user, password] = process.argv.slice(2);
 const CHANNEL = "ns=3;s=CncChannelList.1";
 
-async function until(condition) {
+async function until(what, condition) {
   for (let count = 0; count < 2000; count += 1) {
     const found = await condition();
     if (found) return found;
     await new Promise((resolve) => setTimeout(resolve, 10));
   }
-  throw new Error("it never came");
+  throw new Error(`never came: ${what}`);
 }
 
 async function main() {
@@ -58,7 +58,7 @@ async function main() {
     value: { value: { dataType: opcua.DataType.Double, value: 2.5 } },
   });
   told.write = status.name;
-  await until(() => seen.includes(2.5));
+  await until("the value", () => seen.includes(2.5));
   told.seen = seen;
 
   const fields = ["EventId", "ConditionId", "AlarmIdentifier", "ActiveState.Id", "AckedState.Id"];
@@ -71,13 +71,13 @@ async function main() {
   alarms.on("changed", (found) => events.push(found.map((one) => one.value)));
   told.reset = (await call("Reset")).statusCode.name;
   const select = () => call("SelectProgram", [{ dataType: opcua.DataType.String, value: program }]);
-  await until(async () => (await select()).statusCode.isGood());
-  await until(() => value(`${CHANNEL}.HLI.ARMED`));
+  await until("the selection", async () => (await select()).statusCode.isGood());
+  await until("readiness", () => value(`${CHANNEL}.HLI.ARMED`));
   told.start = (await call("Start")).statusCode.name;
-  const alarm = await until(() => events.find((one) => one[5] && one[3] === true));
+  const alarm = await until("the alarm", () => events.find((one) => one[5] && one[3] === true));
   told.alarm = alarm[5];
   told.acknowledge = (await session.acknowledgeCondition(alarm[1], alarm[0], "seen")).name;
-  await until(() => events.find((one) => one[4] === true));
+  await until("its acknowledgement", () => events.find((one) => one[4] === true));
 
   const end = new Date();
   const past = await session.readHistoryValue(

@@ -7,52 +7,57 @@ after it, the end of the program.
 
 from __future__ import annotations
 
-from collections.abc import Container, Generator, Iterator, Mapping, Sequence
+from collections.abc import Generator, Iterator, Mapping, Sequence
 
-from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Span
+from nctakt.decoder.blocks.axis_functions import AxisFunctions
+from nctakt.decoder.blocks.block_content import BlockContent
+from nctakt.decoder.blocks.contour_lines import ContourLines, FirstLine
+from nctakt.decoder.blocks.corners import changes_contour
 from nctakt.decoder.blocks.cutting_speed import CuttingSpeeds
+from nctakt.decoder.blocks.dynamic_weights import DynamicWeighting
+from nctakt.decoder.blocks.edge_banding import seek_edge, switch_edge_banding
 from nctakt.decoder.blocks.feed import FeedRate
+from nctakt.decoder.blocks.feed_ramps import FeedRamps
 from nctakt.decoder.blocks.fixed_stops import (
     begin_or_end,
     check_free,
     fixed_stop,
     is_fixed_stop,
 )
+from nctakt.decoder.blocks.frame_commands import FrameCommands
 from nctakt.decoder.blocks.in_force_marks import InForceMarks
-from nctakt.decoder.blocks.path_motion import CENTRE_WORDS, PathMotion, PathWords
+from nctakt.decoder.blocks.measuring import Measuring
+from nctakt.decoder.blocks.moved_axes import MovedAxes
+from nctakt.decoder.blocks.orientation import Orientation
+from nctakt.decoder.blocks.path_motion import CENTRE_WORDS, PathMotion
+from nctakt.decoder.blocks.rotating_planes import check_function
 from nctakt.decoder.blocks.spindles import SpindleWords, is_revolutions, names_of
+from nctakt.decoder.blocks.targets import Targets
 from nctakt.decoder.blocks.technology_output import (
-    BlockFunction,
     TechnologyOutputs,
     block_function,
-    tool_function,
 )
 from nctakt.decoder.blocks.threads import ThreadMotion
-from nctakt.decoder.blocks.weights import Weights, weigh
-from nctakt.decoder.state.arcs import PLANES, SAME_POINT_MM
+from nctakt.decoder.blocks.tool_words import ToolWords
+from nctakt.decoder.blocks.weights import weigh
+from nctakt.decoder.state.arcs import PLANES
 from nctakt.decoder.state.commands import (
     Answer,
     Command,
     Dwell,
-    FixedStop,
     FixedStopEnd,
-    Flush,
-    Measure,
-    MeasureEnd,
     PositionRequest,
     ProgramStop,
-    Segment,
-    TechnologyOutput,
 )
-from nctakt.decoder.state.coordinate_systems import MAIN_AXES
 from nctakt.decoder.state.offsets import ZERO_GROUPS
+from nctakt.decoder.state.shape_commands import ReleaseMotions
 from nctakt.decoder.state.uncertain_axes import UncertainAxes
 from nctakt.decoder.values.variables import Values
 from nctakt.kernel import codes
 from nctakt.kernel.base import arithmetic
 from nctakt.lists.declared.offsets import MAX_GROUPS
-from nctakt.messages.backward import EDGE_BANDING_NOT_SIMULATED
+from nctakt.messages.checked_blocks import EXCLUSIVE_WORDS
 from nctakt.messages.decoder import INVALID_DWELL_TIME
 from nctakt.messages.offsets import UNKNOWN_ZERO_OFFSET
 from nctakt.nc import tree
@@ -61,19 +66,29 @@ from nctakt.nc.vocabulary.functions import (
     ABSOLUTE,
     ARC_RADIUS,
     ARCS,
+    AXIS_VALUES,
     AXIS_WEIGHTS,
     COMPENSATIONS,
     CONTOURING_ONCE,
     DWELL,
-    EDGE_BANDING,
     EXACT_STOP_ONCE,
+    FEED_PER_MINUTE,
+    FEED_RAMPS,
     INCH,
+    INSERTIONS,
+    INTERRUPTIBLE,
+    LINE,
+    MAP_FUNCTIONS,
+    MEASURING,
+    MEASURING_CONTINUES,
     NO_OVERRIDE,
     NUMBERED_ZERO_OFFSET,
     OPTIONAL_STOPS,
     PROGRAM_ENDS,
     PROGRAM_STOPS,
+    RAPID,
     REFERENCE_OFFSET,
+    ROTATION_ON,
     TAPPING_FUNCTIONS,
     THREADS,
     WEIGHTS,
@@ -82,25 +97,10 @@ from nctakt.nc.vocabulary.functions import (
 from nctakt.nc.vocabulary.spindle_commands import split
 
 #: G functions for one block only.
-ONE_BLOCK = frozenset((EXACT_STOP_ONCE, CONTOURING_ONCE, NO_OVERRIDE))
+ONE_BLOCK = frozenset((EXACT_STOP_ONCE, CONTOURING_ONCE, NO_OVERRIDE, *INSERTIONS))
 
-
-@dataclass(slots=True)
-class _BlockContent:
-    """A block's words by effect; ``has_offset_word``: there is a D."""
-
-    axes: list[tuple[tree.AxisWord, float]] = field(default_factory=list)
-    path: PathWords = field(default_factory=PathWords)
-    functions: list[BlockFunction] = field(default_factory=list)
-    dwell_s: float | None = None
-    zero_group: int | None = None
-    is_reference: bool = False
-    updates_tool_offsets: bool = False
-    has_offset_word: bool = False
-    stops: tuple[tuple[tree.BracketCommand, FixedStop], ...] = ()
-    program_stops: tuple[ProgramStop, ...] = ()
-    ends_program: bool = False
-    weights: Weights = field(default_factory=dict)
+#: G functions that take the axis words of their block.
+_TAKING_AXES = AXIS_WEIGHTS | AXIS_VALUES
 
 
 class BlockDecoder:
@@ -113,16 +113,29 @@ class BlockDecoder:
         self._state = values.state
         marks = values.environment.marks_blocks
         self._in_force = InForceMarks(values.environment, values.state) if marks else None
-        self._is_linear = [axis.is_linear for axis in self._environment.axes]
         self._spindles = SpindleWords(values, CuttingSpeeds(values))
         threads = ThreadMotion(values, self._spindles)
-        self.path = PathMotion(values, FeedRate(values, self._spindles), threads)
+        feed_rate = FeedRate(values, self._spindles)
+        self.path = PathMotion(values, feed_rate, threads)
+        self.ramps = FeedRamps(values, feed_rate)
+        self.weighting = DynamicWeighting(values, feed_rate)
+        self.frame = FrameCommands(values)
+        self._targets = Targets(values, self.path)
+        self._lines = ContourLines(values, self._targets, self.path)
         self.technology = TechnologyOutputs()
+        self._measuring = Measuring(values)
+        self._axis_functions = AxisFunctions(values, self._measuring, uncertain_axes)
+        self.moved = MovedAxes(values, uncertain_axes)
+        self.tools = ToolWords(values, self.moved)
+        self.orientation = Orientation(values, self.moved)
         self.has_motion = False
         self._spindle_names = names_of(self._environment.parameters.spindles)
 
-    def presets(self, command: tree.OffsetCommand, number: int) -> Generator[Command, Answer]:
-        """Execute ``#PSET`` or ``#PRESET``."""
+    def offsets(self, command: tree.OffsetCommand, number: int) -> Generator[Command, Answer]:
+        """Execute ``#PSET``, ``#PRESET`` or ``#SCALE``."""
+        if command.name.startswith("SCALE"):
+            yield from self.frame.scale(command, number)
+            return
         offsets = self._environment.offsets
         source = self._environment.source_id(command.span)
         for axis in range(len(self._state.positions)) if not command.words else ():
@@ -135,8 +148,8 @@ class BlockDecoder:
                 yield from offsets.release(axis, source, number)
                 continue
             programmed = yield from self._values.evaluate(word.value, number)
-            value = self._in_axis_unit(axis, programmed)
-            yield from self.request([word.name], command.span, number)
+            value = self._targets.in_axis_unit(axis, programmed)
+            yield from self.moved.request([word.name], command.span, number)
             position = offsets.inside(self._state.positions)[axis]
             yield from offsets.preset(axis, position, value, source, number)
 
@@ -148,7 +161,13 @@ class BlockDecoder:
         ``kinds``: the offsets that apply to its absolute positions.
         """
         self.has_motion = False
+        if self._state.shapes.holds_motions and changes_contour(block):
+            yield ReleaseMotions(self._environment.source_id(block.span), number, block.span)
         content = yield from self._sort(block, number)
+        path = content.path
+        corner = self.path.corners.take(path.once, path.centre, block.span, number)
+        if self.path.splines.has_words:
+            yield from self.path.splines.commands(content.axes, block.span, number)
         if self._in_force is not None:
             yield from self._in_force.of_block(block.span, number)
         if self._state.monitored:
@@ -156,19 +175,36 @@ class BlockDecoder:
         content.path.offset_kinds = kinds
         yield from self._offsets(content, self._environment.source_id(block.span), number)
         if content.updates_tool_offsets:
-            yield from self._values.tool.offsets(block.span, number)
+            yield from self.tools.offsets(content, block.span, number)
         yield from weigh(self._values, content.weights, number)
+        if content.axis_values:
+            yield from self._axis_functions.execute(content.axis_values, block.span, number)
+        if self.orientation.has_vector:
+            yield from self.orientation.resolve(content, block.span, number)
+        if self._lines.is_concerned:
+            first = self._lines.complete(content, corner, block.span, number)
+            if first is not None:
+                yield from self._first_line(first)
+            if self._lines.first is not None:
+                corner = None
         if content.functions:
             yield from self.technology.before_motion(content.functions)
         measured = (
             self.technology.take_measuring(content.functions) if self._state.measures else None
         )
+        if measured is not None and content.measures:
+            self._values.fail(EXCLUSIVE_WORDS, content.measures, word="G100", other="G108")
         if measured is not None:
-            yield from self._measure(content, measured, block.span, number)
+            motion = self.motion(content, block.span, number)
+            yield from seek_edge(self._values, motion, measured, block.span, number)
+        elif content.measures is not None:
+            yield from self._measure(content, content.measures, block.span, number)
         elif content.stops:
             yield from self._move_to_fixed_stop(content, block.span, number)
-        else:
-            yield from self._motion(content, block.span, number)
+        elif self._lines.first is None:
+            yield from self.motion(content, block.span, number)
+        if corner is not None:
+            yield corner
         if content.dwell_s is not None:
             yield from self.dwell(content.dwell_s, block.span, number)
         if content.functions:
@@ -176,9 +212,18 @@ class BlockDecoder:
         yield from content.program_stops
         return content.ends_program
 
-    def _sort(self, block: tree.Block, number: int) -> Generator[Command, Answer, _BlockContent]:
+    def _first_line(self, first: FirstLine) -> Generator[Command, Answer]:
+        """Yield the first of two lines, with the motion and feed of its block."""
+        before = (self._state.motion, self._state.feed_mm_s)
+        self._state.motion, self._state.feed_mm_s = first.motion, first.feed_mm_s
+        yield from self.motion(first.content, first.span, first.number)
+        if first.corner is not None:
+            yield first.corner
+        self._state.motion, self._state.feed_mm_s = before
+
+    def _sort(self, block: tree.Block, number: int) -> Generator[Command, Answer, BlockContent]:
         """Evaluate the words; G and F take effect at once, regardless of their order."""
-        content = _BlockContent()
+        content = BlockContent()
         numbers: dict[int, Span] = {}
         for word in block.words:
             if isinstance(word, tree.Word) and word.name == "G":
@@ -199,6 +244,8 @@ class BlockDecoder:
                     value = self._values.constant_value(word.value)
                     if value is None:
                         value = yield from self._values.evaluate(word.value, number)
+                    if word.name not in self._environment.axis_numbers:
+                        self.orientation.check(word, numbers)
                     content.axes.append((word, value))
                 continue
             if isinstance(word, tree.BracketCommand):
@@ -215,17 +262,23 @@ class BlockDecoder:
                     additional = yield from self._values.evaluate(word.additional, number)
                     self._additional(word, additional, content)
                 continue
-            assert word.value is not None, word
+            if word.value is None:
+                self.path.splines.word(word.name)
+                continue
             value = self._values.constant_value(word.value)
             if value is None:
                 value = yield from self._values.evaluate(word.value, number)
             extra = None
             if word.additional is not None:
                 extra = yield from self._values.evaluate(word.additional, number)
-            if word.name in ("T", "D"):
-                yield from self._tool(word, value, number, content)
+            if word.name == "R" and ROTATION_ON in numbers:
+                content.angle_deg = value
+            elif word.name in ("T", "D"):
+                yield from self.tools.word(word, value, number, content)
             else:
                 self._word(word, value, extra, number, content)
+        if not MAP_FUNCTIONS.isdisjoint(numbers):
+            self.frame.words(numbers, content)
         for function in COMPENSATIONS:
             if function in numbers:
                 self.path.compensate(function, numbers[function])
@@ -241,30 +294,17 @@ class BlockDecoder:
             content.functions += yield from self._spindles.functions(command, number)
         if DWELL in numbers and content.axes:
             content.dwell_s = content.axes.pop()[1]
-        for function in AXIS_WEIGHTS.intersection(numbers):
-            content.weights[function], content.axes = (numbers[function], content.axes), []
+        if not _TAKING_AXES.isdisjoint(numbers):
+            for function in AXIS_WEIGHTS.intersection(numbers):
+                content.weights[function], content.axes = (numbers[function], content.axes), []
+            for function in AXIS_VALUES.intersection(numbers):
+                content.axis_values[function], content.axes = content.axes, []
+        content.interrupts = INTERRUPTIBLE in numbers
+        content.measures = numbers.get(INTERRUPTIBLE, numbers.get(MEASURING))
+        content.continues = MEASURING_CONTINUES in numbers
         return content
 
-    def _tool(
-        self, word: tree.Word, value: float, number: int, content: _BlockContent
-    ) -> Generator[Command, Answer]:
-        """Process T or D; T may go to the PLC, and select offsets where the block has no D."""
-        selection = self._environment.parameters.tool_selection
-        if word.name == "T":
-            tool = self._values.tool.name(word, value)
-            if selection.output is not None:
-                content.functions.append(
-                    tool_function(self._values, word.span, tool, selection.output, number)
-                )
-            if not selection.by_t or content.has_offset_word:
-                return
-        if selection.flushes:
-            self._values.check_flush_allowed(word.name, word.span)
-            yield Flush(self._environment.source_id(word.span), number, True)
-        self._values.tool.select(word, value)
-        content.updates_tool_offsets = True
-
-    def _functions(self, numbers: Mapping[int, Span], content: _BlockContent) -> None:
+    def _functions(self, numbers: Mapping[int, Span], content: BlockContent) -> None:
         """Execute the G functions of a block; modal ones take effect at once."""
         content.updates_tool_offsets = any(function in PLANES for function in numbers)
         for function, span in numbers.items():
@@ -275,8 +315,11 @@ class BlockDecoder:
             content.zero_group = ZERO_GROUPS.get(function, content.zero_group)
         content.is_reference = REFERENCE_OFFSET in numbers
         content.path.once = ONE_BLOCK.intersection(numbers)
+        for function in FEED_RAMPS:
+            if function in numbers:
+                content.path.ramp = (function, self._state.feed_mm_s)
 
-    def _additional(self, word: tree.Word, value: float, content: _BlockContent) -> None:
+    def _additional(self, word: tree.Word, value: float, content: BlockContent) -> None:
         """Process the offset of G159, the radius of G163 or the time of G04."""
         assert isinstance(word.value, tree.Number)
         function = word.value.value
@@ -289,14 +332,14 @@ class BlockDecoder:
         elif function in WEIGHTS:
             content.weights[int(function)] = (word.span, value)
 
-    def _zero_group(self, word: tree.Word, value: float, content: _BlockContent) -> None:
+    def _zero_group(self, word: tree.Word, value: float, content: BlockContent) -> None:
         """Select the zero offset with this number; raises ``DecodeError`` if there is none."""
         group = arithmetic.round_half_even(value)
         if not 0 <= group < MAX_GROUPS:
             self._values.fail(UNKNOWN_ZERO_OFFSET, word.span, group=value, highest=MAX_GROUPS - 1)
         content.zero_group = int(group)
 
-    def _offsets(self, content: _BlockContent, source: int, number: int) -> Iterator[Command]:
+    def _offsets(self, content: BlockContent, source: int, number: int) -> Iterator[Command]:
         """Yield the zero offsets, and those of G92, whose axis words are no motion (MO-8)."""
         offsets = self._environment.offsets
         if content.zero_group is not None:
@@ -304,14 +347,10 @@ class BlockDecoder:
         if content.is_reference:
             for word, value in content.axes:
                 axis = self._environment.axis_numbers[word.name]
-                shift = self._in_axis_unit(axis, value)
+                shift = self._targets.in_axis_unit(axis, value)
                 relative = not self._state.absolute
                 yield from offsets.add_zero(axis, shift, relative, source, number)
             content.axes.clear()
-
-    def _in_axis_unit(self, axis: int, value: float) -> float:
-        """Return a programmed value in mm or degrees."""
-        return value * self._state.length_unit_mm if self._is_linear[axis] else value
 
     def _modal(self, function: int, span: Span) -> None:
         state = self._state
@@ -320,9 +359,14 @@ class BlockDecoder:
                 state.inch = function == INCH
             case Group.DIMENSION:
                 state.absolute = function == ABSOLUTE
+            case Group.CORNER_DECELERATION:
+                self.ramps.switch(function, span)
             case Group.EDGE_BANDING:
-                self._edge_banding(function, span)
+                switch_edge_banding(self._values, function, span)
             case group:
+                check_function(self._values, function, span)
+                if group is Group.PLANE:
+                    self.frame.leave_plane(function, span)
                 if state.path.compensation.is_active:
                     if group is Group.PLANE:
                         self.path.keep_plane(function, span)
@@ -330,27 +374,21 @@ class BlockDecoder:
                         self.path.keep_selection(function, span)
                 self.path.modal(function)
 
-    def _edge_banding(self, function: int, span: Span) -> None:
-        """Let the next block with a function of the type MNE_SNS look for an edge (G108)."""
-        if function == EDGE_BANDING and self._environment.parameters.edge_across_blocks:
-            self._values.fail(EDGE_BANDING_NOT_SIMULATED, span)
-        self._state.measures = function == EDGE_BANDING
-
     def _word(
         self,
         word: tree.Word,
         value: float,
         extra: float | None,
         block: int,
-        content: _BlockContent,
+        content: BlockContent,
     ) -> None:
-        if self.path.word(word, value):
+        if word.name in CENTRE_WORDS:
+            content.path.centre[word.name] = (word.span, value)
+            return
+        if self.path.word(word, value) or self._lines.word(word.name, word.span, value):
             return
         if word.name == "E":
             content.path.end_feed = (word.span, value)
-            return
-        if word.name in CENTRE_WORDS:
-            content.path.centre[word.name] = (word.span, value)
             return
         number = int(arithmetic.round_half_even(value))
         content.ends_program |= word.name == "M" and number in PROGRAM_ENDS
@@ -363,17 +401,18 @@ class BlockDecoder:
             function = block_function(self._values, word, table[number], extra, block)
             content.functions.append(function)
 
-    def _motion(
-        self, content: _BlockContent, span: Span, number: int
-    ) -> Generator[Command, Answer]:
+    def motion(self, content: BlockContent, span: Span, number: int) -> Generator[Command, Answer]:
         """Yield the path to the programmed position; a centre without a target is a full circle."""
-        if not content.axes and not (content.path.centre and self._state.motion in ARCS):
+        is_arc = bool(content.path.centre) and self._state.motion in ARCS
+        if not content.axes and not is_arc:
+            if content.kept:
+                yield from self._keep(content, span, number)
             return
         self.has_motion = True
         if not self._uncertain_axes.is_empty:
-            yield from self.request(self._programmed(content), span, number)
+            yield from self.moved.request(self.moved.programmed(content), span, number)
         start = self._state.positions
-        target = self._target(content, span)
+        target = self._targets.of(content, span)
         segment = self.path.segment(start, target, content.path, span, number)
         self._state.positions = target
         if segment is None:
@@ -381,112 +420,68 @@ class BlockDecoder:
             return
         if segment.is_feed and self.technology.awaits_feed:
             yield from self.technology.before_feed()
-        yield segment
+        if self._state.limits.weights_blocks:
+            yield from self.weighting.of(segment, span, number)
+        if content.path.ramp is None and not self._state.feed.slows_at_ends:
+            yield segment
+        else:
+            yield from self.ramps.divide(segment, content.path.ramp)
+
+    def change_tool(self, span: Span, number: int) -> Generator[Command, Answer]:
+        """Activate the offsets of a tool that a command has selected."""
+        content = BlockContent(selects_tool=True)
+        yield from self.tools.offsets(content, span, number)
+        yield from self.motion(content, span, number)
+
+    def _keep(self, content: BlockContent, span: Span, number: int) -> Generator[Command, Answer]:
+        """Yield the motion by new offsets of the tool alone: a line, whatever is modal."""
+        self.has_motion = True
+        modal = self._state.motion
+        if modal != RAPID:
+            self._state.motion = LINE
+        target = self._targets.of(content, span)
+        segment = self.path.segment(self._state.positions, target, content.path, span, number)
+        self._state.motion, self._state.positions = modal, target
+        if segment is not None:
+            yield segment
 
     def _measure(
-        self, content: _BlockContent, measured: BlockFunction, span: Span, number: int
+        self, content: BlockContent, word: Span, span: Span, number: int
     ) -> Generator[Command, Answer]:
-        """Yield a motion that looks for the edge of the strip (G108, V.RTG.MEAS_DELTA)."""
-        self._state.measures = False
-        source = self._environment.source_id(span)
-        output = measured.output
-        assert isinstance(output, TechnologyOutput)
-        residual = self._environment.parameters.residual_path_mm
-        function, ticks, value = output.function, output.ticks, output.value
-        yield Measure(source, number, function, ticks, residual, value)
-        yield from self._motion(content, span, number)
-        yield MeasureEnd(source, number)
+        """Yield a motion that measures with a touch probe: a line to the target.
+
+        G310 may be at rapid traverse.
+        """
+        words = [axis_word for axis_word, _ in content.axes]
+        self._measuring.check(
+            words, word, continues=content.continues, interrupts=content.interrupts
+        )
+        feed = self._state.feed
+        before = (self._state.motion, self._state.feed_mm_s, feed.feed_mode)
+        if not (content.interrupts and self._state.motion == RAPID):
+            self._state.motion = LINE
+        speed = self._measuring.speed(words)
+        if speed is not None:
+            self._state.feed_mm_s, feed.feed_mode = speed, FEED_PER_MINUTE
+        motion = self.motion(content, span, number)
+        yield from self._measuring.motion(motion, words, content.continues, span, number)
+        self._state.motion, self._state.feed_mm_s, feed.feed_mode = before
 
     def _move_to_fixed_stop(
-        self, content: _BlockContent, span: Span, number: int
+        self, content: BlockContent, span: Span, number: int
     ) -> Generator[Command, Answer]:
         """Yield a motion to or from a fixed stop; its end is known to the axes only (MO-12)."""
-        moved = self._programmed(content)
+        moved = self.moved.programmed(content)
         for word, stop in content.stops:
             begin_or_end(self._values, word, stop, moved)
             yield stop
-        yield from self._motion(content, span, number)
+        yield from self.motion(content, span, number)
         if any(stop.is_on for _, stop in content.stops):
             source = self._environment.source_id(span)
             yield FixedStopEnd(source, number)
             answer = yield PositionRequest(source, number)
             assert isinstance(answer, tuple)
             self._state.positions = list(answer)
-
-    def _programmed(self, content: _BlockContent) -> list[str]:
-        """Return the names of the axes of the block; an arc moves both axes of its plane."""
-        names = [word.name for word, _ in content.axes]
-        if self._state.motion in ARCS:
-            plane = PLANES[self._state.path.plane]
-            for name, axis in self._environment.axis_numbers.items():
-                if axis in plane and name not in names:
-                    names.append(name)
-        if self._environment.offsets.systems.is_active:
-            main = list(self._environment.axis_numbers)[:MAIN_AXES]
-            names += [name for name in main if name not in names]
-        return self._environment.offsets.transformation.with_moved(names)
-
-    def request(self, axes: Sequence[str], span: Span, number: int) -> Generator[Command, Answer]:
-        """Request the positions of those of these axes that cycles may have moved (RC-409)."""
-        uncertain = self._uncertain_axes.uncertain(axes)
-        if not uncertain:
-            return
-        self._values.check_flush_allowed(", ".join(uncertain), span)
-        source = self._environment.source_id(span)
-        indices = [self._environment.axis_numbers[name] for name in uncertain]
-        if self._environment.offsets.transformation.is_active:
-            indices = list(range(len(self._state.positions)))
-        numbers = (self._environment.names.axis(name) for name in uncertain)
-        answer = yield PositionRequest(
-            source, number, tuple(axis.number for axis in numbers if axis is not None)
-        )
-        assert isinstance(answer, tuple)
-        for index in indices:
-            self._state.positions[index] = answer[index]
-        self._uncertain_axes.confirm(uncertain)
-
-    def axes_moved_by(self, command: Command) -> list[str]:
-        """Return the names of the axes that a command moves with the path."""
-        if not isinstance(command, Segment):
-            return []
-        plane = () if command.arc is None else command.arc[:2]
-        numbers = self._environment.axis_numbers
-        start, target = command.start, command.target
-        names = [n for n, axis in numbers.items() if start[axis] != target[axis] or axis in plane]
-        return self._environment.offsets.transformation.with_moved(names)
-
-    def _target(self, content: _BlockContent, span: Span) -> list[float]:
-        """Return the axis positions at the end of the block."""
-        offsets, kinds = self._environment.offsets, content.path.offset_kinds
-        target = offsets.inside(self._state.positions, kinds)
-        spans = {}
-        for word, value in content.axes:
-            index = self._environment.axis_numbers[word.name]
-            begin = offsets.total(index, kinds) if self._state.absolute else target[index]
-            target[index] = begin + self.path.radius_of(index, self._in_axis_unit(index, value))
-            spans[index] = word.span
-        if offsets.systems.is_active:
-            target = self._outside(target, spans, kinds)
-            if any(index < MAIN_AXES for index in spans):
-                spans = {index: span for index in range(MAIN_AXES)} | spans
-        if not offsets.transformation.is_active:
-            for index, word_span in spans.items():
-                self.path.check_limit(index, target[index], word_span)
-        return target
-
-    def _outside(self, target: list[float], programmed: Container[int], kinds: int) -> list[float]:
-        """Return a target in the program's coordinate system as axis positions.
-
-        Axes that only rounding would move keep their positions.
-        """
-        start = self._state.positions
-        positions = self._environment.offsets.outside(target, kinds)
-        turns = any(axis in programmed for axis in range(MAIN_AXES))
-        for index, before in enumerate(start):
-            moves = turns if index < MAIN_AXES else index in programmed
-            if not moves or abs(positions[index] - before) < SAME_POINT_MM:
-                positions[index] = before
-        return positions
 
     def dwell(self, seconds: float, span: Span, number: int) -> Generator[Command, Answer]:
         """Yield a dwell of ``ceil(d / T)`` ticks (RC-005)."""

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Generator, Sequence
 
-from nctakt.base.diagnostics import Span
+from nctakt.base.diagnostics import NOTHING, Span
 from nctakt.decoder.state.commands import Answer, Command
 from nctakt.decoder.state.coordinate_systems import MAIN_AXES
 from nctakt.decoder.values.variables import Values
@@ -22,12 +22,14 @@ from nctakt.messages.coordinate_systems import (
     COORDINATE_SYSTEM_STACK_FULL,
     CS_SELECT_DURING_CS_ON,
     LINEAR_AXES_MISSING,
+    MACHINE_SYSTEM_MISSING,
     NO_COORDINATE_SYSTEM_ACTIVE,
     TOO_MANY_COORDINATE_SYSTEMS,
     UNKNOWN_COORDINATE_SYSTEM_NAME,
 )
+from nctakt.messages.transformations import COORDINATE_SYSTEM_DURING_PTP
 from nctakt.nc import tree
-from nctakt.nc.check.coordinate_systems import CsCommand, cs_command
+from nctakt.nc.check.coordinate_systems import MACHINE_SYSTEM, CsCommand, cs_command
 
 #: Maximum number of stored systems.
 MAX_STORED = 5
@@ -57,6 +59,9 @@ class CsCommands:
                 statement.span,
                 command=f"#CS {command.action}",
             )
+        if offsets.transformation.is_straight and command.action not in ("DEF", "ADD"):
+            shown = f"#CS {command.action}"
+            self._values.fail(COORDINATE_SYSTEM_DURING_PTP, statement.span, command=shown)
         if command.action.startswith("OFF"):
             if command.action == "OFF" and not offsets.systems.is_active:
                 self._values.warn(NO_COORDINATE_SYSTEM_ACTIVE, statement.span)
@@ -76,6 +81,14 @@ class CsCommands:
         components = yield from self._components(command, statement.span, number)
         if command.action == "ON":
             yield from offsets.enter_system(components, source, number)
+
+    def stored(self, value: float, span: Span) -> tuple[float, ...]:
+        """Return the components of the stored system of a number."""
+        identity = int(arithmetic.round_half_even(value))
+        if identity not in self._stored:
+            stored = ", ".join(map(str, self._stored)) or NOTHING
+            self._values.fail(COORDINATE_SYSTEM_NOT_STORED, span, id=identity, known=stored)
+        return self._stored[identity]
 
     def _leave(self, count: int, source: int, number: int) -> Generator[Command, Answer]:
         """Deactivate ``count`` systems, the innermost first; a selected stack as a whole."""
@@ -97,15 +110,23 @@ class CsCommands:
         self._stack[command.name] = yield from self._evaluated(command.components, number)
 
     def _select(self, name: str, span: Span, number: int) -> Generator[Command, Answer]:
-        """Activate the stack from the bottom up to a system (``#CS SELECT``)."""
+        """Activate the stack from the bottom up to a system (``#CS SELECT``).
+
+        MCS is the system of an active transformation, below the stack.
+        """
         offsets = self._environment.offsets
-        if name not in self._stack:
+        is_machine = name == MACHINE_SYSTEM
+        if is_machine and not offsets.transformation.is_transformation:
+            self._values.fail(MACHINE_SYSTEM_MISSING, span)
+        if name not in self._stack and not is_machine:
             names = ", ".join(self._stack) or "–"
             self._values.fail(UNKNOWN_COORDINATE_SYSTEM_NAME, span, name=name, known=names)
         if offsets.systems.count > self._selected:
             self._values.fail(CS_SELECT_DURING_CS_ON, span)
         source = self._environment.source_id(span)
         yield from self._leave(self._selected, source, number)
+        if is_machine:
+            return
         for other, components in self._stack.items():
             yield from offsets.enter_system(components, source, number)
             self._selected += 1
@@ -124,7 +145,9 @@ class CsCommands:
 
     def _check_axes(self, span: Span) -> None:
         axes = self._environment.axes
-        if len(axes) < MAIN_AXES or not all(axis.is_linear for axis in axes[:MAIN_AXES]):
+        if self._environment.places.lacks_any(range(MAIN_AXES)) or not all(
+            axis.is_linear for axis in axes[:MAIN_AXES]
+        ):
             self._values.fail(LINEAR_AXES_MISSING, span)
 
     def _components(
@@ -136,10 +159,7 @@ class CsCommands:
             value = yield from self._values.evaluate(command.identity, number)
             identity = int(arithmetic.round_half_even(value))
         if command.components is None:
-            if identity not in self._stored:
-                stored = ", ".join(map(str, self._stored)) or "–"
-                self._values.fail(COORDINATE_SYSTEM_NOT_STORED, span, id=identity, known=stored)
-            return self._stored[identity]
+            return self.stored(identity, span)
         components = yield from self._evaluated(command.components, number)
         if command.identity is None:
             if command.action == "ON":

@@ -12,6 +12,7 @@ from collections.abc import Generator, Sequence
 from dataclasses import replace
 
 from nctakt.base.diagnostics import Span
+from nctakt.decoder.blocks.feed_groups import FeedGroups
 from nctakt.decoder.blocks.spindles import DEGREES_PER_S, SpindleWords
 from nctakt.decoder.state.arcs import Arc
 from nctakt.decoder.state.commands import Answer, Command
@@ -28,7 +29,6 @@ from nctakt.messages.feed import (
     INVALID_PROGRAM_OVERRIDE,
 )
 from nctakt.nc import tree
-from nctakt.nc.check.hash_commands import axis_name
 from nctakt.nc.check.path_commands import OVERRIDE_FACTORS, OVERRIDE_MAX_PCT, OVERRIDE_MIN_PCT
 from nctakt.nc.vocabulary.functions import (
     FEED_PER_MINUTE,
@@ -51,6 +51,7 @@ class FeedRate:
         self._environment = values.environment
         self._state = values.state
         self._spindles = spindles
+        self.groups = FeedGroups(values)
 
     def feed_word(self, value: float, span: Span) -> None:
         """Process F; in inch under G70, per minute regardless of P-CHAN-00108, or per
@@ -68,11 +69,14 @@ class FeedRate:
             state.feed.per_revolution_mm = value * state.length_unit_mm
         elif mode == FEED_SHARE:
             state.feed.share_pct = value
-        elif state.inch:
-            state.feed_mm_s = value * state.length_unit_mm / 60.0
         else:
-            unit = self._environment.parameters.program_start.feed_unit_mm_min
-            state.feed_mm_s = value * unit / 60.0
+            state.feed_mm_s = self.per_minute(value)
+
+    def per_minute(self, value: float) -> float:
+        """Return a feed in mm/s that is programmed as F under G94."""
+        if self._state.inch:
+            return value * self._state.length_unit_mm / 60.0
+        return value * self._environment.parameters.program_start.feed_unit_mm_min / 60.0
 
     # --- overrides ------------------------------------------------------------------------------
 
@@ -135,7 +139,8 @@ class FeedRate:
             (0.0, -1, 0.0) if has_own_feed else self._feed(start, target, arc, span)
         )
         if feed_state.group and feed_state.feed_mode in (FEED_PER_MINUTE, FEED_PER_REVOLUTION):
-            feed *= self._part_of_group(start, target, arc, feed_state.group)
+            length = self.length(start, target, arc)
+            feed *= self.groups.ratio(feed_state.group, start, target, arc, length, span)
         if override == 1.0 and not is_exempt and spindle < 0:
             return feed, None
         return feed, FeedModifiers(override, is_exempt, spindle, spindle_v)
@@ -152,43 +157,12 @@ class FeedRate:
             self._values.fail(END_FEED_WITHOUT_G94, span, mode=state.feed.feed_mode)
         if value <= 0.0:
             self._values.fail(FEED_NOT_POSITIVE, span, value=value)
-        unit = self._environment.parameters.program_start.feed_unit_mm_min
-        end_feed = value * (state.length_unit_mm if state.inch else unit) / 60.0
+        end_feed = self.per_minute(value)
         if feed <= 0.0 or end_feed >= state.feed_mm_s:
             return pace
         end_feed *= feed / state.feed_mm_s
         pace = pace or FeedModifiers()
         return replace(pace, end_feed=end_feed * pace.override)
-
-    def select_group(self, command: tree.HashCommand) -> None:
-        """Execute ``#FGROUP``; the linear axes, which F has anyway, are none."""
-        group: set[int] = set()
-        for argument in command.arguments:
-            assert isinstance(argument, tree.Bracket)
-            group |= {self._environment.axis_numbers[axis_name(item)] for item in argument.items}
-        axes = self._environment.axes
-        linear = {index for index, axis in enumerate(axes) if axis.is_linear}
-        self._state.feed.group = frozenset() if group == linear else frozenset(group)
-
-    def _part_of_group(
-        self,
-        start: Sequence[float],
-        target: Sequence[float],
-        arc: Arc | None,
-        group: frozenset[int],
-    ) -> float:
-        """Return the length of a block by that of its group (``#FGROUP``), 1 if it has none."""
-        plane = () if arc is None else (arc.first, arc.second)
-        length2 = 0.0
-        if arc is not None and not group.isdisjoint(plane):
-            turn = arc.length(start)
-            length2 = turn * turn
-        for index in group.difference(plane):
-            rise = target[index] - start[index]
-            length2 += rise * rise
-        if length2 < 1e-12:
-            return 1.0
-        return self._length(start, target, arc) / arithmetic.square_root(length2)
 
     def _min_axis_override(
         self, start: Sequence[float], target: Sequence[float], arc: Arc | None
@@ -211,7 +185,7 @@ class FeedRate:
         feed_state = self._state.feed
         if feed_state.feed_mode == INVERSE_TIME_FEED:
             self._need(feed_state.time_s, span)
-            return self._length(start, target, arc) / feed_state.time_s, -1, 0.0
+            return self.length(start, target, arc) / feed_state.time_s, -1, 0.0
         if feed_state.feed_mode == FEED_PER_REVOLUTION:
             self._need(feed_state.per_revolution_mm, span)
             return self._per_revolution(feed_state, span)
@@ -255,7 +229,7 @@ class FeedRate:
 
         In the plane of an arc the slower axis counts, wherever the arc begins and ends.
         """
-        length = self._length(start, target, arc)
+        length = self.length(start, target, arc)
         highest = []
         for index, axis in enumerate(self._environment.axes):
             part = abs(target[index] - start[index])
@@ -265,14 +239,14 @@ class FeedRate:
                 highest.append(axis.max_speed * length / part)
         return min(highest, default=0.0)
 
-    def _length(self, start: Sequence[float], target: Sequence[float], arc: Arc | None) -> float:
+    def length(self, start: Sequence[float], target: Sequence[float], arc: Arc | None) -> float:
         """Return the length of a block: of the linear axes, else of the rotary ones."""
         linear2 = rotary2 = 0.0
         for index, axis in enumerate(self._environment.axes):
             if arc is not None and index in (arc.first, arc.second):
                 continue
             rise = target[index] - start[index]
-            if axis.is_linear:
+            if self._environment.offsets.transformation.is_linear(index, axis):
                 linear2 += rise * rise
             else:
                 rotary2 += rise * rise

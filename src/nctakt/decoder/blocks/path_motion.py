@@ -12,15 +12,20 @@ from collections.abc import Sequence
 from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Span
 from nctakt.decoder.blocks import segments
+from nctakt.decoder.blocks.corners import CornerWords
 from nctakt.decoder.blocks.feed import FeedRate
+from nctakt.decoder.blocks.splines import SplineWords
 from nctakt.decoder.blocks.threads import ThreadMotion
 from nctakt.decoder.state.arcs import PLANES, Arc, ArcError, arc_about, arc_of_radius, extremes
 from nctakt.decoder.state.commands import Segment
 from nctakt.decoder.state.feed_modifiers import FeedModifiers
+from nctakt.decoder.state.modal_state import LastArc
 from nctakt.decoder.values.variables import Values
 from nctakt.kernel import codes, rows
+from nctakt.kernel.kinematics import map_rows
 from nctakt.messages.coordinate_systems import ARC_PLANE_ASKEW, WORD_IN_ROTATED_COORDINATE_SYSTEM
 from nctakt.messages.decoder import TARGET_OUTSIDE_LIMITS
+from nctakt.messages.frames import ARC_SCALED_UNEQUALLY
 from nctakt.messages.motion import (
     ARC_OUTSIDE_LIMITS,
     ARC_WITHOUT_CENTRE,
@@ -32,7 +37,12 @@ from nctakt.messages.tools import (
     NO_RADIUS_TO_COMPENSATE,
     PLANE_CHANGE_DURING_COMPENSATION,
 )
-from nctakt.messages.transformations import ARC_DURING_PTP, TRANSFORMED_WAY_OUTSIDE_LIMITS
+from nctakt.messages.transformations import (
+    ARC_DURING_PTP,
+    DIRECTION_OUT_OF_REACH,
+    TRANSFORMED_WAY_OUTSIDE_LIMITS,
+    WAY_THROUGH_POLE,
+)
 from nctakt.nc import tree
 from nctakt.nc.vocabulary.function_rows import Group
 from nctakt.nc.vocabulary.functions import (
@@ -59,6 +69,10 @@ from nctakt.nc.vocabulary.functions import (
 
 #: Words of a centre, one for each of the first three axes.
 CENTRE_WORDS = ("I", "J", "K")
+#: Those of each plane of main axes.
+_WORDS_OF_PLANES = {
+    plane: (CENTRE_WORDS[plane[0]], CENTRE_WORDS[plane[1]]) for plane in PLANES.values()
+}
 
 
 @dataclass(slots=True)
@@ -66,9 +80,11 @@ class PathWords:
     """The words of a block for its path, except the target: centre, G60, G61, G166.
 
     ``offset_kinds``: the offsets that apply to its absolute positions. ``end_feed``: E.
+    ``ramp``: G193 or G293, and F before the block in mm/s.
     """
 
     end_feed: tuple[Span, float] | None = None
+    ramp: tuple[int, float] | None = None
     centre: dict[str, tuple[Span, float]] = field(default_factory=dict)
     once: frozenset[int] = frozenset()
     offset_kinds: int = codes.ALL_OFFSETS
@@ -79,6 +95,8 @@ class PathMotion:
 
     def __init__(self, values: Values, feed_rate: FeedRate, threads: ThreadMotion) -> None:
         self._values = values
+        self.corners = CornerWords(values)
+        self.splines = SplineWords(values)
         self.feed_rate = feed_rate
         self.threads = threads
         self._environment = values.environment
@@ -111,13 +129,15 @@ class PathMotion:
                 path.compensation.by_arc = function == CIRCULAR_TRANSITIONS
             case Group.APPROACH:
                 path.compensation.mode = function
+            case Group.SPLINE:
+                self.splines.switch(function)
             case Group.MASKING:
                 path.compensation.masks = function == MASKING_ON
             case Group.FEED_ADAPTATION:
                 path.compensation.adapts_feed = function == CONTOUR_FEED
 
     def word(self, word: tree.Word, value: float) -> bool:
-        """Process F, R and S.OFFSET; return false for any other word."""
+        """Process F, R, S.OFFSET and words of chamfers; return false for any other word."""
         match word.name:
             case "F":
                 self.feed_rate.feed_word(value, word.span)
@@ -126,7 +146,7 @@ class PathMotion:
             case "S.OFFSET":
                 self._state.thread.offset = value
             case _:
-                return False
+                return self.corners.word(word.name, word.span, value)
         return True
 
     def _end_compensation(self) -> None:
@@ -134,13 +154,14 @@ class PathMotion:
         compensation = self._state.path.compensation
         compensation.side = 0
         if compensation.has_left_path and compensation.mode == DEPART_WITHOUT_MOTION:
-            for axis, value in zip(PLANES[self._state.path.plane], compensation.end, strict=True):
+            for axis, value in zip(self._state.path.plane_axes, compensation.end, strict=True):
                 self._state.positions[axis] = value
 
     def radius_of(self, axis: int, value: float) -> float:
         """Return a programmed value of an axis, half of it if it is a diameter (G51, G90)."""
         state = self._state
         is_diameter = state.path.has_diameters and state.absolute
+        is_diameter = is_diameter and state.path.turning_plane is None
         return 0.5 * value if is_diameter and self._environment.axes[axis].is_face else value
 
     def keep_plane(self, function: int, span: Span) -> None:
@@ -168,8 +189,12 @@ class PathMotion:
             self._values.fail(
                 WORD_IN_ROTATED_COORDINATE_SYSTEM, span, word=f"G{function}", plane=path.plane
             )
+        if self._environment.places.lacks_any(path.plane_axes):
+            self._values.fail(PLANE_AXIS_MISSING, span, plane=path.plane)
         compensation.radius = radius
-        compensation.side = 1 if function == COMPENSATION_LEFT else -1
+        is_reversed = self._state.frame.reverses(path.plane_axes)
+        compensation.is_reversed = is_reversed
+        compensation.side = 1 if (function == COMPENSATION_LEFT) is not is_reversed else -1
 
     def segment(
         self, start: list[float], target: list[float], words: PathWords, span: Span, number: int
@@ -200,7 +225,9 @@ class PathMotion:
             feed, pace = self.threads.of(start, target, pace or FeedModifiers(), span)
             exact = exact or not state.thread.chains
         self.span = span
-        rounds = state.path.contouring or CONTOURING_ONCE in words.once
+        rounding = state.path.rounding
+        if CONTOURING_ONCE in words.once:
+            rounding = state.path.contour.size
         return segments.segment(
             self._environment.source_id(span),
             number,
@@ -209,7 +236,7 @@ class PathMotion:
             rows.RAPID_MOTION if state.rapid else rows.FEED_MOTION,
             feed,
             exact,
-            state.path.rounding if rounds and not exact and state.motion not in THREADS else 0.0,
+            0.0 if exact or state.motion in THREADS else rounding,
             state.path.limits_jerk,
             None if arc is None else arc.row,
             pace,
@@ -226,25 +253,35 @@ class PathMotion:
     ) -> Arc | None:
         """Return the arc of the block; ``None`` if it has only a radius."""
         path = self._state.path
-        clockwise = self._state.motion == ARC_CLOCKWISE
-        if max(PLANES[path.plane]) >= len(start):
+        plane, frame = path.plane_axes, self._state.frame
+        if self._environment.places.lacks_any(plane):
             self._values.fail(PLANE_AXIS_MISSING, span, plane=path.plane)
+        clockwise, radius = self._state.motion == ARC_CLOCKWISE, path.radius
+        if frame.is_active:
+            clockwise = clockwise is not frame.reverses(plane)
+            factor = frame.factor_in(plane)
+            if factor is None:
+                self._values.fail(ARC_SCALED_UNEQUALLY, span, plane=path.plane)
+            radius *= factor
         offsets = self._environment.offsets
         begin = offsets.inside(start, words.offset_kinds)
         end = offsets.inside(target, words.offset_kinds)
+        centre = None
         try:
             if words.centre:
-                centre = self._centre(begin, words)
+                centre = self._centre(begin, words, plane)
                 tolerance = self._environment.parameters.centre_tolerance
-                arc = arc_about(begin, end, path.plane, centre, clockwise, tolerance)
-            elif path.radius == 0.0:
+                arc = arc_about(begin, end, plane, centre, clockwise, tolerance)
+            elif radius == 0.0:
                 raise ArcError(ARC_WITHOUT_CENTRE)
             elif start == target:
                 return None
             else:
-                arc = arc_of_radius(begin, end, path.plane, path.radius, clockwise)
+                arc = arc_of_radius(begin, end, plane, radius, clockwise)
         except ArcError as error:
             self._values.fail(error.message, span, **error.values)
+        unit = self._state.length_unit_mm
+        path.last_arc = LastArc(arc, begin, words.centre, centre, unit)
         if not offsets.systems.is_active:
             return arc
         outside = offsets.systems.arc(arc, begin, start)
@@ -252,30 +289,35 @@ class PathMotion:
             self._values.fail(ARC_PLANE_ASKEW, span, plane=path.plane)
         return outside
 
-    def _centre(self, start: list[float], words: PathWords) -> tuple[float, float]:
+    def _centre(
+        self, start: list[float], path_words: PathWords, plane: tuple[int, int]
+    ) -> tuple[float, float]:
         """Return the centre in the plane, relative to the start (G162) or absolute (G161);
         default 0.
         """
-        plane = PLANES[self._state.path.plane]
-        for name, (span, _) in words.centre.items():
-            if CENTRE_WORDS.index(name) not in plane:
-                self._values.fail(
-                    CENTRE_NOT_IN_PLANE, span, word=name, plane=self._state.path.plane
-                )
-        centre = []
-        for axis in plane:
-            _, value = words.centre.get(CENTRE_WORDS[axis], (None, 0.0))
-            begin = start[axis]
-            if self._state.path.absolute_centre:
-                begin = self._environment.offsets.total(axis, words.offset_kinds)
-            centre.append(begin + value * self._state.length_unit_mm)
-        return (centre[0], centre[1])
+        path, frame, given = self._state.path, self._state.frame, path_words.centre
+        first, second = plane
+        names = CENTRE_WORDS[:2]
+        if path.turning_plane is None:
+            names = _WORDS_OF_PLANES[plane]
+        for name, (span, _) in given.items():
+            if name not in names:
+                self._values.fail(CENTRE_NOT_IN_PLANE, span, word=name, plane=path.plane)
+        unit = self._state.length_unit_mm
+        x = given[names[0]][1] * unit if names[0] in given else 0.0
+        y = given[names[1]][1] * unit if names[1] in given else 0.0
+        if path.absolute_centre:
+            kinds, total = path_words.offset_kinds, self._environment.offsets.total
+            x, y = frame.point(plane, (x, y)) if frame.is_active else (x, y)
+            return (total(first, kinds) + x, total(second, kinds) + y)
+        x, y = frame.direction(plane, (x, y)) if frame.is_active else (x, y)
+        return (start[first] + x, start[second] + y)
 
     def check_extremes(self, arc: Arc, start: Sequence[float], span: Span) -> None:
         """Raise ``DecodeError`` if the arc leaves the software limits between its ends."""
         for index, position in extremes(arc, start):
             axis = self._environment.axes[index]
-            low, high = axis.software_limit_low, axis.software_limit_high
+            low, high = self._state.software_limits.of(axis, index)
             if not axis.is_modulo and not low <= position <= high:
                 self._values.fail(
                     ARC_OUTSIDE_LIMITS, span, axis=axis.name, position=position, low=low, high=high
@@ -300,13 +342,18 @@ class PathMotion:
     def check_way(
         self, start: list[float], target: list[float], arc: Arc | None, span: Span
     ) -> None:
-        """Raise ``DecodeError`` if an axis leaves its software limits on a transformed block."""
+        """Raise ``DecodeError`` if an axis cannot follow a transformed block within its limits."""
         axis_check = self._environment.offsets.transformation.axis_check
         index = axis_check.first_outside(start, target, [] if arc is None else list(arc.row))
         if index < 0:
             return
+        if axis_check.obstacle == map_rows.WAY_OUT_OF_REACH:
+            self._values.fail(DIRECTION_OUT_OF_REACH, span)
         axis = self._environment.axes[index]
-        low, high = axis.software_limit_low, axis.software_limit_high
+        if axis_check.obstacle == map_rows.AXIS_JUMPS:
+            angle = axis_check.position
+            self._values.fail(WAY_THROUGH_POLE, span, axis=axis.name, angle=round(angle, 3))
+        low, high = self._state.software_limits.of(axis, index)
         self._values.fail(
             TRANSFORMED_WAY_OUTSIDE_LIMITS,
             span,
@@ -324,7 +371,7 @@ class PathMotion:
     def check_limit(self, index: int, position: float, span: Span) -> None:
         """Raise ``DecodeError`` if the target of an axis is outside its software limits."""
         axis = self._environment.axes[index]
-        low, high = axis.software_limit_low, axis.software_limit_high
+        low, high = self._state.software_limits.of(axis, index)
         if not low <= position <= high and not axis.is_modulo:
             self._values.fail(
                 TARGET_OUTSIDE_LIMITS, span, axis=axis.name, position=position, low=low, high=high

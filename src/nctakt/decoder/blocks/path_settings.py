@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""``#CONTOUR MODE``, ``#SLOPE``, ``#VECTOR LIMIT``, ``#TURN`` and ``#OVERRIDE`` (MO-2 … MO-5).
+"""``#CONTOUR MODE``, ``#HSC``, ``#SLOPE``, ``#VECTOR LIMIT``, ``#TURN``, ``#OVERRIDE`` …
 
 In: checked commands. Out: changes of the modal state, and limits for the segments that come.
 """
@@ -7,20 +7,30 @@ In: checked commands. Out: changes of the modal state, and limits for the segmen
 from __future__ import annotations
 
 import math
-from collections.abc import Generator, Sequence
+from collections.abc import Generator, Iterator, Sequence
 
 from nctakt.base.diagnostics import Span
 from nctakt.decoder.axis_limits import set_limits
-from nctakt.decoder.blocks.path_motion import PathMotion
+from nctakt.decoder.blocks.block_decoder import BlockDecoder
+from nctakt.decoder.blocks.frame_commands import FrameCommands
 from nctakt.decoder.state.commands import Answer, Command
-from nctakt.decoder.state.path_limits import MAX_BEND
+from nctakt.decoder.state.path_limits import bend_of
 from nctakt.decoder.values.variables import Values
 from nctakt.kernel import rows
-from nctakt.messages.motion import INVALID_CONTOUR_DEVIATION, INVALID_VECTOR_LIMIT, UNKNOWN_SLOPE
+from nctakt.messages.hsc import HSC_MODE_WHILE_ON, INVALID_HSC_VALUE
+from nctakt.messages.motion import (
+    CONTOUR_SHARE_OUT_OF_RANGE,
+    INVALID_CONTOUR_DEVIATION,
+    INVALID_VECTOR_LIMIT,
+    UNKNOWN_SLOPE,
+)
 from nctakt.nc import tree
-from nctakt.nc.check.path_commands import command_name, is_size, keywords
+from nctakt.nc.check.path_commands import command_name, is_hsc_value, is_size, keywords
 from nctakt.nc.vocabulary.path_keywords import (
     CONTOUR_MODES,
+    CONTOUR_SHARES,
+    HSC_CURVES,
+    HSC_MODES,
     SLOPES,
     VECTOR_BLOCKS,
     VECTOR_LIMITS,
@@ -41,16 +51,27 @@ _SIZES = frozenset(name for names in CONTOUR_MODES.values() for name in names)
 class PathSettings:
     """Decodes the settings of the path of one program."""
 
-    def __init__(self, values: Values, path: PathMotion) -> None:
+    def __init__(self, values: Values, blocks: BlockDecoder) -> None:
         self._values = values
-        self._feed_rate = path.feed_rate
-        self._threads = path.threads
+        self._frame = FrameCommands(values)
+        self._feed_rate = blocks.path.feed_rate
+        self._threads = blocks.path.threads
+        self._ramps = blocks.ramps
+        self._weighting = blocks.weighting
         self._environment = values.environment
         self._state = values.state
 
     def command(self, command: tree.HashCommand, number: int) -> Generator[Command, Answer]:
         """Execute one of these commands."""
         match command.words[0].name:
+            case "ROTATION":
+                yield from self._frame.rotation(command, number)
+            case "CORNER":
+                yield from self._ramps.corner(command, number)
+            case "DYNAMIC":
+                yield from self._weighting.switch(command, number)
+            case "SCALE":
+                self._frame.end_scaling(command)
             case "OVERRIDE":
                 yield from self._feed_rate.override(keywords(command), number)
             case "TURN":
@@ -59,6 +80,8 @@ class PathSettings:
                 self._select_slope(self._named_slope(keywords(command)))
             case "SET":
                 yield from self._old_slope(command, number)
+            case "HSC":
+                yield from self._hsc(command, number)
             case "VECTOR":
                 yield from self._vector_limit(command, number)
             case _:
@@ -69,7 +92,7 @@ class PathSettings:
     def _contour_mode(self, command: tree.HashCommand, number: int) -> Generator[Command, Answer]:
         """Execute ``#CONTOUR MODE``."""
         path, limits = self._state.path, self._state.limits
-        before = (limits.rounded_part, limits.max_bend)
+        before = limits.rounded_part
         for keyword in keywords(command):
             if keyword.name in CONTOUR_MODES:
                 path.contour.mode = keyword.name
@@ -77,19 +100,68 @@ class PathSettings:
                 continue
             value = yield from self._values.evaluate(keyword.value, number)
             if keyword.name in _SIZES:
-                if not is_size(keyword.name, value):
+                if not is_size(keyword.name, value, path.contour.mode):
                     self._values.fail(INVALID_CONTOUR_DEVIATION, keyword.value.span, value=value)
                 path.contour.sizes[keyword.name] = value * self._state.length_unit_mm
-            elif keyword.name == "REMAIN_PART":
-                limits.rounded_part = 0.5 - 0.005 * min(max(value, 0.0), 100.0)
+                continue
+            highest = CONTOUR_SHARES.get(keyword.name, math.inf)
+            if keyword.name in CONTOUR_SHARES and not 0.0 <= value <= highest:
+                self._values.fail(
+                    CONTOUR_SHARE_OUT_OF_RANGE,
+                    keyword.value.span,
+                    word=keyword.name,
+                    value=value,
+                    highest=highest,
+                )
+            if keyword.name == "REMAIN_PART":
+                limits.rounded_part = 0.5 - 0.005 * value
             elif keyword.name == "MAX_ANGLE":
-                half = math.radians(min(max(value, 0.0), 180.0)) / 2.0
-                limits.max_bend = min(2.0 * math.sin(half), MAX_BEND)
-        if before != (limits.rounded_part, limits.max_bend):
-            yield self._limits(command.span, number)
+                path.contour.max_bend = bend_of(value)
+        yield from self._limit_bends(command.span, number, limits.rounded_part != before)
         switch = command.words[-1].name
         if switch in ("ON", "OFF"):
             path.contouring = switch == "ON"
+
+    def _hsc(self, command: tree.HashCommand, number: int) -> Generator[Command, Answer]:
+        """Execute ``#HSC``."""
+        hsc = self._state.path.hsc
+        items = keywords(command)
+        curve = _hsc_curve(items, hsc.curve)
+        if hsc.is_on and curve != hsc.curve:
+            self._values.fail(HSC_MODE_WHILE_ON, command.span)
+        hsc.curve = curve
+        for item in items:
+            if item.value is None:
+                continue
+            value = yield from self._values.evaluate(item.value, number)
+            if not is_hsc_value(item.name, value):
+                self._values.fail(INVALID_HSC_VALUE, item.value.span, word=item.name, value=value)
+            if item.name == "OPMODE":
+                if hsc.is_on and value != hsc.mode:
+                    self._values.fail(HSC_MODE_WHILE_ON, item.span)
+                hsc.mode = int(value)
+            elif item.name == "PATH_DEV":
+                hsc.deviation_mm = value * self._state.length_unit_mm
+            elif item.name == "MAX_ANGLE":
+                hsc.max_angle_deg = value
+            elif item.name == "CONTERROR":
+                hsc.error_mm = value * self._state.length_unit_mm
+        switch = command.words[-1].name
+        if switch in ("ON", "OFF"):
+            hsc.is_on = switch == "ON"
+        listed = self._environment.parameters.hsc_deviation_mm
+        self._state.path.hsc_deviation = hsc.deviation(listed) if hsc.is_on else 0.0
+        yield from self._limit_bends(command.span, number)
+
+    def _limit_bends(self, span: Span, number: int, has_changed: bool = False) -> Iterator[Command]:
+        """Let ``#HSC``, else ``#CONTOUR MODE``, say which corners are too sharp to be rounded."""
+        path, limits = self._state.path, self._state.limits
+        max_bend = path.contour.max_bend
+        if path.hsc.is_on:
+            max_bend = path.hsc.max_bend(self._environment.parameters.hsc_angle_deg)
+        if has_changed or max_bend != limits.max_bend:
+            limits.max_bend = max_bend
+            yield self._limits(span, number)
 
     # --- slope ----------------------------------------------------------------------------------
 
@@ -168,3 +240,14 @@ class PathSettings:
         """Return the command with all limits that the program has set."""
         source = self._environment.source_id(span)
         return set_limits(self._environment.axes, self._state.limits, source, number)
+
+
+def _hsc_curve(items: Sequence[tree.Keyword], before: str) -> str:
+    """Return the curve of ``#HSC`` that these keywords mean; ``""``: that of OPMODE."""
+    named = {item.name for item in items}
+    for curve in HSC_CURVES:
+        if curve in named:
+            return curve
+    if named & set(HSC_MODES):
+        return ""
+    return (before or HSC_CURVES[0]) if named else before

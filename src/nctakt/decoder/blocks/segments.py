@@ -22,6 +22,7 @@ _LIMITS_JERK = Segment.__dict__["limits_jerk"]
 _ARC = Segment.__dict__["arc"]
 _MODIFIERS = Segment.__dict__["modifiers"]
 _CONTINUES_BLOCK = Segment.__dict__["continues_block"]
+_CURVE = Segment.__dict__["curve"]
 
 
 def segment(
@@ -51,4 +52,5 @@ def segment(
     raw_nodes.set_field(_ARC, node, arc)
     raw_nodes.set_field(_MODIFIERS, node, modifiers)
     raw_nodes.set_field(_CONTINUES_BLOCK, node, False)
+    raw_nodes.set_field(_CURVE, node, None)
     return node

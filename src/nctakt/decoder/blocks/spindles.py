@@ -23,6 +23,7 @@ from nctakt.decoder.values.variables import Values
 from nctakt.kernel.cycles.instructions import Statement
 from nctakt.kernel.cycles.spindle_commands import CommandSpindle
 from nctakt.lists.machine.channel_configuration import Spindle
+from nctakt.messages.c_axis import SPINDLE_IS_C_AXIS
 from nctakt.messages.checked_values import INDEX_OUT_OF_RANGE, UNKNOWN_VARIABLE
 from nctakt.messages.spindles import (
     DWELL_WITHOUT_SPINDLE,
@@ -252,6 +253,9 @@ def find(values: Values, name: str, span: Span) -> tuple[int, Spindle]:
                     spindle=spindle.name,
                     logical=spindle.logical_number,
                 )
+            c_axis = values.environment.places.c_axis_name if spindle.is_main else ""
+            if c_axis:
+                values.fail(SPINDLE_IS_C_AXIS, span, spindle=spindle.name, axis=c_axis)
             return index, spindle
     raise AssertionError(name)
 

@@ -48,6 +48,14 @@ class PendingContour(Protocol):
         """Import the pending contour; ``file``: the name of the text."""
 
 
+class HeldMotions(Protocol):
+    """What a program holds of its motions until it knows the next one (``shapes/shaping.py``)."""
+
+    @property
+    def needs_next(self) -> bool:
+        """Whether the next motion shapes what is held."""
+
+
 class PlainBlocks:
     """The plain blocks of one program; at most ``max_blocks`` in a row may take no time."""
 
@@ -56,6 +64,7 @@ class PlainBlocks:
         values: Values,
         uncertain_axes: UncertainAxes,
         technology: TechnologyOutputs,
+        held: HeldMotions,
         contour: PendingContour,
         max_blocks: int,
     ) -> None:
@@ -63,6 +72,7 @@ class PlainBlocks:
         self._state = values.state
         self._uncertain_axes = uncertain_axes
         self._technology = technology
+        self._held = held
         self._contour = contour
         self._max_blocks = max_blocks
         self._lines: LineReader | None = None
@@ -72,7 +82,7 @@ class PlainBlocks:
     @cached_property
     def _scanner(self) -> PlainScanner:
         """What tells plain lines from others, made for the first line of a long program."""
-        return plain_scanner(self._environment.parameters)
+        return plain_scanner(self._environment.parameters, self._environment.places.names)
 
     @cached_property
     def _compensated(self) -> CompensatedLines:
@@ -90,6 +100,12 @@ class PlainBlocks:
         lines.rapid_stops_exactly = self._environment.parameters.exact_stop_after_g00
         return lines
 
+    def adapt(self) -> None:
+        """Take the axes that the channel has now."""
+        self.__dict__.pop("_scanner", None)
+        self.__dict__.pop("_compensated", None)
+        self.__dict__.pop("_plain_lines", None)
+
     def decode(self, reader: SectionReader, blocks: int) -> Generator[Command, Answer, int]:
         """Decode the plain blocks that follow; return ``blocks`` after them.
 
@@ -99,7 +115,10 @@ class PlainBlocks:
         if lines is None or not self._is_next_plain(lines) or not self._is_allowed():
             return blocks
         self._export_state(reader.source.file)
-        self._plain_lines.blocks = blocks
+        plain = self._plain_lines
+        if plain.leaves_last and not plain.is_followed(lines.group, lines.index):
+            return blocks
+        plain.blocks = blocks
         self._lines = lines
         while self._lines is not None:
             yield self._run
@@ -120,12 +139,23 @@ class PlainBlocks:
         return (
             self._state.allows_plain_lines
             and not self._environment.offsets.systems.is_active
+            and self._is_unshaped
             and not self._is_transformed_otherwise
             and not self._environment.marks_blocks
             and self._uncertain_axes.is_empty
             and self._contour.can_export()
             and not self._technology.awaits_feed
         )
+
+    @property
+    def _is_unshaped(self) -> bool:
+        """Whether no plain line changes the motions before it, nor waits with them."""
+        state = self._state
+        if state.shapes.open_line is not None:
+            return False
+        if not state.shapes.waits_for_next:
+            return True
+        return not self._held.needs_next and not state.path.compensation.is_active
 
     @property
     def _is_transformed_otherwise(self) -> bool:
@@ -139,24 +169,28 @@ class PlainBlocks:
         environment = self._environment
         is_transformed = environment.offsets.transformation.is_active
         plain.is_transformed = is_transformed
+        is_linear = environment.offsets.transformation.is_linear
         self._file = file
+        plain.leaves_last = state.shapes.waits_for_next
         for index, axis in enumerate(environment.axes):
             is_free = axis.is_modulo or is_transformed
+            low, high = state.software_limits.of(axis, index)
             plain.set_axis(
                 index,
                 state.positions[index],
                 environment.offsets.total(index),
-                state.length_unit_mm if axis.is_linear else 1.0,
-                -math.inf if is_free else axis.software_limit_low,
-                math.inf if is_free else axis.software_limit_high,
+                state.length_unit_mm if is_linear(index, axis) else 1.0,
+                -math.inf if is_free else low,
+                math.inf if is_free else high,
             )
         feed_unit = environment.parameters.program_start.feed_unit_mm_min
+        plain.block_number = state.block_number
         plain.motion = state.motion
         plain.feed_v = state.feed_mm_s
         plain.feed_factor = state.length_unit_mm if state.inch else feed_unit
         plain.is_absolute = state.absolute
         plain.stops_exactly = state.path.exact_stop
-        plain.deviation = state.path.rounding if state.path.contouring else 0.0
+        plain.deviation = state.path.rounding
         plain.limits_jerk = state.path.limits_jerk
         self._contour.export_to(self._compensated)
         source = environment.source_id(Span(file, 1, 1, 2))
@@ -166,6 +200,7 @@ class PlainBlocks:
         plain, state = self._plain_lines, self._state
         state.positions = plain.axis_positions()
         state.motion = plain.motion
+        state.block_number = plain.block_number
         state.feed_mm_s = plain.feed_v
         if self._compensated.is_on:
             self._contour.import_from(self._compensated, self._file)

@@ -12,6 +12,7 @@ cdef class PlainLines:
     cdef readonly CompensatedLines compensated
     cdef readonly TransformedWay axis_check
     cdef public bint is_transformed
+    cdef public bint leaves_last
     cdef readonly Py_ssize_t count
     cdef double[::1] positions
     cdef double[::1] start
@@ -33,11 +34,21 @@ cdef class PlainLines:
     cdef public Py_ssize_t blocks
     cdef public Py_ssize_t max_blocks
     cdef readonly long long source
+    cdef public long long block_number
 
     @cython.locals(end=Py_ssize_t, what=int, is_rapid=bint, motion=int, feed_v=double, stops=bint)
     cpdef Py_ssize_t fill(
         self, CommandQueue queue, Py_ssize_t timed, list lines, Py_ssize_t index, long long number
     ) except -1
+    @cython.locals(
+        scanner=PlainScanner,
+        end=Py_ssize_t,
+        what=int,
+        i=Py_ssize_t,
+        position=double,
+        begin=double,
+    )
+    cpdef int is_followed(self, list lines, Py_ssize_t index) except -1
     cpdef bint resume(self, CommandQueue queue, Py_ssize_t timed)
     @cython.locals(
         scanner=PlainScanner, what=int, motion=int, feed_v=double, moves=int, i=Py_ssize_t

@@ -22,8 +22,9 @@ class PlainLines:
     Modal state: ``motion`` 0 … 3, ``feed_v`` mm/s, 0 before the first F, ``is_absolute``;
     ``feed_factor``: F -> mm per minute; the ends of blocks. ``source_base``: the source number of
     line 0, column 0, -1 for a text without source numbers. ``blocks``: the number of blocks since
-    the last one that takes time, ``max_blocks``: its maximum. ``is_transformed``: the positions are
-    transformed; ``axis_check`` checks the limits of the axes then.
+    the last one that takes time, ``max_blocks``: its maximum. ``block_number``: the last N.
+    ``is_transformed``: the positions are transformed; ``axis_check`` checks the limits of the axes
+    then. ``leaves_last``: a motion that no plain one follows at once is left to the tree.
     """
 
     def __init__(
@@ -37,6 +38,7 @@ class PlainLines:
         self.compensated = compensated
         self.axis_check = axis_check
         self.is_transformed = False
+        self.leaves_last = False
         self.count = count
         size = 8 * max(1, count)
         #: Where the axes are; where the latest block begins and ends: mm or degrees.
@@ -61,6 +63,7 @@ class PlainLines:
         self.blocks = 0
         self.max_blocks = 0
         self.source = 0
+        self.block_number = 0
 
     def set_axis(
         self, axis: int, position: float, offset: float, factor: float, low: float, high: float
@@ -86,6 +89,8 @@ class PlainLines:
         """
         end = len(lines)
         while index < end and queue.timed_count < timed:
+            if self.leaves_last and not self.is_followed(lines, index):
+                return index
             what = self.decode(lines[index], number)
             if what == 0:
                 return index
@@ -115,6 +120,33 @@ class PlainLines:
                         self.limits_jerk,
                     )
         return index
+
+    def is_followed(self, lines: list[str], index: int) -> int:
+        """Return whether ``lines[index]`` moves, and the next line that is not empty moves on.
+
+        An empty line counts as well.
+        """
+        scanner = self.scanner
+        end = len(lines)
+        what = scanner.read(lines[index])
+        if what != 2:
+            return what
+        if scanner.axes == 0 or self.set_target() != 1:
+            return 0
+        index += 1
+        what = 1
+        while index < end and what == 1:
+            what = scanner.read(lines[index])
+            index += 1
+        if what != 2:
+            return 0
+        for i in range(self.count):
+            if scanner.axes >> i & 1:
+                position = self.target[i]
+                begin = self.offsets[i] if self.is_absolute else position
+                if begin + scanner.values[i] * self.factors[i] != position:
+                    return 1
+        return 0
 
     def resume(self, queue: CommandQueue, timed: int) -> bool:
         """Continue with the pieces of a line that did not fit; return whether all fit now."""
@@ -149,6 +181,8 @@ class PlainLines:
                 self.positions[i] = self.target[i]
         self.motion = motion
         self.feed_v = feed_v
+        if scanner.number > 0:
+            self.block_number = scanner.number
         self.blocks += 1
         if moves == 0:
             return 1

@@ -15,7 +15,8 @@ from nctakt.decoder.flow.flow import Return
 from nctakt.decoder.state.call_stack import CallFrame
 from nctakt.decoder.state.commands import Answer, Command
 from nctakt.decoder.values.variables import Values
-from nctakt.lists.machine.channel_configuration import ImplicitPrograms
+from nctakt.lists.machine.channel_configuration import ImplicitPrograms, program_parameter
+from nctakt.messages.checked_blocks import NO_PROGRAM_FOR_G_FUNCTION
 from nctakt.messages.checked_cycles import INVALID_KEYWORD_VALUE
 from nctakt.messages.decoder import TOO_FEW_OPEN_CALLS
 from nctakt.messages.program_structure import UNKNOWN_LOCAL_SUBPROGRAM
@@ -23,13 +24,14 @@ from nctakt.nc import tree
 from nctakt.nc.check.calls import parameter_number
 from nctakt.nc.outline import ProgramText
 from nctakt.nc.parse.block_head import number_label
+from nctakt.nc.vocabulary.file_names import names_program, program_key
 from nctakt.nc.vocabulary.functions import RETURN_COMMANDS, SUBPROGRAM_ENDS, TOOL_CHANGE
 
 
 class Calls:
     """Makes call frames; ``DecoderEnvironment.subprogram`` provides the texts.
 
-    ``has_implicit_programs``: some words of blocks call programs.
+    ``has_implicit_programs``: some words of blocks may call programs.
     """
 
     def __init__(self, values: Values) -> None:
@@ -37,6 +39,10 @@ class Calls:
         self._environment = values.environment
         programs = self._environment.parameters.implicit_programs
         self.has_implicit_programs = bool(programs.m6 or programs.g)
+
+    def note_text(self, text: ProgramText) -> None:
+        """Note a program that runs: it may name programs of M6, G80 …"""
+        self.has_implicit_programs |= bool(text.named_programs)
 
     # --- what is called -------------------------------------------------------------------------
 
@@ -65,10 +71,12 @@ class Calls:
 
     def _file(self, name: str, span: Span) -> ProgramText:
         caller = self._values.state.call_stack.top.text.source.file
-        return self._environment.subprogram(name, caller, span)
+        text = self._environment.subprogram(name, caller, span)
+        self.note_text(text)
+        return text
 
     def implicit_frame(self, name: str, span: Span) -> CallFrame:
-        """Return the frame of a program that the channel list names."""
+        """Return the frame of a program that the channel list or ``#FILE NAME`` names."""
         text = self._file(name, span)
         return CallFrame(text, text.main)
 
@@ -80,7 +88,7 @@ class Calls:
         """
         programs = self._environment.parameters.implicit_programs
         for word in block.words:
-            name = implicit_program(word, programs)
+            name = self._named_program(word) or implicit_program(word, programs)
             if not name:
                 continue
             assert isinstance(word, tree.Word)
@@ -93,6 +101,20 @@ class Calls:
             others = tuple(other for other in block.words if other is not word)
             return replace(block, words=others), frame
         return block, None
+
+    def _named_program(self, word: tree.BlockWord) -> str:
+        """Return the program that ``#FILE NAME`` gives a word; raises where none has one."""
+        if not isinstance(word, tree.Word) or not isinstance(word.value, tree.Number):
+            return ""
+        key = program_key(word.name, word.value.value)
+        name = self._values.state.named_programs.get(key, "")
+        if name or word.name != "G" or not names_program(key):
+            return name
+        number = int(word.value.value)
+        if number not in self._environment.parameters.implicit_programs.g:
+            listed = program_parameter(number)
+            self._values.fail(NO_PROGRAM_FOR_G_FUNCTION, word.span, word=key, key=listed)
+        return ""
 
     # --- ends -----------------------------------------------------------------------------------
 

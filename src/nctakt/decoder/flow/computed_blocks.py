@@ -7,7 +7,7 @@ counts as the function whose number P1 gives in this moment.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Generator, Sequence
+from collections.abc import Callable, Generator, Iterable, Sequence
 from dataclasses import replace
 from functools import partial
 from typing import overload
@@ -48,14 +48,16 @@ def check(
     span: Span,
     line: Callable[[], str],
     role: Role = "either",
+    named_programs: Iterable[str] = (),
 ) -> None:
     """Check statements that stand at ``span``; the first mistake gives the program up.
 
     ``line`` gives the text that they were read from, where a message shows a part of it.
+    ``named_programs``: the words whose program ``#FILE NAME`` has named.
     """
     collector = Collector()
     source = Source(span.file, _OneLine(span.line, line))
-    checker = Checker(source, environment.names, environment.parameters, collector)
+    checker = Checker(source, environment.names, environment.parameters, collector, named_programs)
     checker.begin(role)
     for statement in statements:
         checker.statement(statement)
@@ -85,7 +87,8 @@ def with_computed_numbers(
     role: Role = "main" if is_main else "either"
     environment = values.environment
     line = partial(environment.line_text, block.span)
-    check(environment, values.fail, [meant], block.span, line, role)
+    named = values.state.named_programs
+    check(environment, values.fail, [meant], block.span, line, role, named)
     return meant
 
 

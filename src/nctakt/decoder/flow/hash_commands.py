@@ -8,7 +8,14 @@ from __future__ import annotations
 
 from collections.abc import Generator
 
+from nctakt.base.diagnostics import Span
+from nctakt.decoder.blocks.block_decoder import BlockDecoder
 from nctakt.decoder.blocks.cs_commands import CsCommands
+from nctakt.decoder.blocks.machine_coordinates import MachineCoordinates
+from nctakt.decoder.blocks.measuring import Measuring
+from nctakt.decoder.blocks.rotating_planes import RotatingPlanes
+from nctakt.decoder.blocks.tool_commands import ToolCommands
+from nctakt.decoder.blocks.tool_orientation import ToolOrientation
 from nctakt.decoder.blocks.transformation_commands import TransformationCommands
 from nctakt.decoder.cycles.builder import TIMER_ACTIONS
 from nctakt.decoder.state.commands import (
@@ -18,40 +25,96 @@ from nctakt.decoder.state.commands import (
     Flush,
     PositionRequest,
     ProgramTimer,
+    UserMessage,
 )
+from nctakt.decoder.state.start_block import SingleStep
+from nctakt.decoder.values.texts import FormatError, format_text
 from nctakt.decoder.values.variables import Values
-from nctakt.messages.decoder import UNKNOWN_TIMER
+from nctakt.messages.contour_lines import CONTOUR_LINE_INCOMPLETE
+from nctakt.messages.decoder import MSG_FORMAT_MISMATCH, UNKNOWN_TIMER
 from nctakt.messages.fixed_stops import POSITION_AT_FIXED_STOP
+from nctakt.messages.memory import NUMBER_INSTEAD_OF_TEXT
+from nctakt.messages.transformations import NOT_IN_MACHINE_COORDINATES
 from nctakt.nc import tree
+from nctakt.nc.check import splines
+from nctakt.nc.check.hash_commands import single_step_word
+from nctakt.nc.check.machine_coordinates import CONVERSIONS, MACHINE_COMMANDS
+from nctakt.nc.check.rotating_planes import PLANE_COMMANDS
+from nctakt.nc.check.tools import COMMANDS as TOOL_COMMANDS
 from nctakt.nc.check.transformations import COMMANDS
+from nctakt.nc.vocabulary.file_names import MESSAGES, is_file_name, named_files
 from nctakt.nc.vocabulary.system_variables import TIMERS
+
+#: Commands of coordinates and transformations that ``#MCS ON`` excludes, by their first words.
+_NOT_IN_MCS = ("CS", "CYL", "FACE", "RTCP", "TLC", "TRAFO")
+#: Those that #FACE and #CYL exclude, unless they switch something off.
+_NOT_IN_PLANE = ("CS", "KIN", "MCS", "PTP", "RTCP", "TLC", "TRAFO")
 
 
 class HashCommands:
     """Decodes these commands for one program."""
 
-    def __init__(self, values: Values) -> None:
+    def __init__(self, values: Values, blocks: BlockDecoder) -> None:
         self._values = values
+        self._splines = blocks.path.splines
         self._environment = values.environment
         self._systems = CsCommands(values)
+        self._measuring = Measuring(values)
+        self._tools = ToolCommands(values, blocks)
         self._transformations = TransformationCommands(values)
+        self._tool = ToolOrientation(values, self._transformations, blocks)
+        self._machine = MachineCoordinates(values, self._systems, self._transformations)
+        self._planes = RotatingPlanes(values, self._transformations)
+
+    def begin_program(self, span: Span) -> Generator[Command, Answer]:
+        """Begin a program with the offsets and the transformation of the lists."""
+        yield from self._environment.offsets.begin_program()
+        yield from self._transformations.begin_program(span)
+
+    def end_program(self, span: Span) -> Generator[Command, Answer]:
+        """End a program with the transformation that the lists want then.
+
+        Raise ``DecodeError`` where a line of ``#ANG`` has no end.
+        """
+        open_line = self._values.state.shapes.open_line
+        if open_line is not None:
+            self._values.fail(CONTOUR_LINE_INCOMPLETE, open_line)
+        yield from self._transformations.end_program(span)
 
     def command(self, command: tree.HashCommand, number: int) -> Generator[Command, Answer]:
-        """Execute ``#DELETE``, ``#CS``, ``#TRAFO``, ``#FILENAME``, ``#CHANNEL INIT``, ``#BACKWARD
-        STORAGE CLEAR``.
+        """Execute ``#DELETE``, ``#CS``, ``#TRAFO``, ``#MCS``, ``#FACE``, ``#FILENAME``,
+        ``#CHANNEL INIT``, ``#BACKWARD STORAGE CLEAR``.
 
         Other commands have no effect.
         """
         words = tuple(word.name for word in command.words)
+        self._check_coordinates(words, command.span)
         if words == ("DELETE",):
             for argument in command.arguments:
                 assert isinstance(argument, tree.Variable)
                 self._values.program_values.delete(argument)
+        elif " ".join(words) in TOOL_COMMANDS:
+            yield from self._tools.command(command, number)
+        elif words[0] == "TLAX":
+            yield from self._tools.length_axis(command, number)
+        elif words == ("SINGLE", "STEP"):
+            source = self._environment.source_id(command.span)
+            yield SingleStep(source, number, single_step_word(command) == "DISABLE")
+        elif words[0] == "MEAS":
+            yield from self._measuring.command(command, number)
         elif words[0] == "CS":
             yield from self._systems.command(command, number)
+        elif words == ("TOOL", "ORI", "CS"):
+            yield from self._tool.command(command.span, number)
         elif " ".join(words) in COMMANDS:
             yield from self._transformations.command(command, number)
-        elif words in (("FILENAME",), ("FILE", "NAME")):
+        elif " ".join(words) in splines.COMMANDS:
+            yield from self._splines.settings(command, number)
+        elif " ".join(words) in PLANE_COMMANDS:
+            yield from self._planes.command(command, number)
+        elif " ".join(words) in MACHINE_COMMANDS:
+            yield from self._machine.command(command, number)
+        elif is_file_name(words):
             yield from self._file(command, number)
         elif words == ("BACKWARD", "STORAGE", "CLEAR"):
             yield ClearHistory(self._environment.source_id(command.span), number)
@@ -62,6 +125,14 @@ class HashCommands:
             answer = yield PositionRequest(source, number)
             assert isinstance(answer, tuple)
             self._values.state.positions = list(answer)
+
+    def _check_coordinates(self, words: tuple[str, ...], span: Span) -> None:
+        """Check that no other coordinates are asked for between ``#MCS ON`` and ``#MCS OFF``."""
+        is_other = words[0] in _NOT_IN_MCS or " ".join(words) in (*CONVERSIONS, "TOOL ORI CS")
+        if is_other and self._environment.offsets.suspended is not None:
+            self._values.fail(NOT_IN_MACHINE_COORDINATES, span, command="#" + " ".join(words))
+        if (words[0] in _NOT_IN_PLANE and words[-1] != "OFF") or " ".join(words) in CONVERSIONS:
+            self._planes.check_other("#" + " ".join(words), span)
 
     def _check_free(self, command: tree.HashCommand) -> None:
         """Check that ``[ACTPOS]`` does not ask for an axis at a fixed stop (21964)."""
@@ -78,15 +149,19 @@ class HashCommands:
     def _file(self, command: tree.HashCommand, number: int) -> Generator[Command, Answer]:
         (bracket,) = command.arguments
         assert isinstance(bracket, tree.Bracket)
-        for item in bracket.items:
-            assert isinstance(item, tree.Keyword)
-            assert item.value is not None
-            if isinstance(item.value, tree.Name):
-                self._values.state.message_file = item.value.text
+        state = self._values.state
+        for key, file, _ in named_files(bracket.items):
+            assert file is not None
+            if isinstance(file, tree.Name):
+                name = file.text
             else:
-                text = yield from self._values.evaluate_any(item.value, number)
+                text = yield from self._values.evaluate_any(file, number)
                 assert isinstance(text, str)
-                self._values.state.message_file = text
+                name = text
+            if key == MESSAGES:
+                state.message_file = name
+            else:
+                state.named_programs[key] = name
 
     def timer(self, timer: tree.Timer, number: int) -> Generator[Command, Answer]:
         """Execute ``#TIMER`` at once, or with SYN in the order of the blocks."""
@@ -109,3 +184,25 @@ class HashCommands:
             self._values.check_flush_allowed("#TIMER READ SYN", timer.span)
             yield Flush(source, number, True)
             timers.take_over(index)
+
+    def message(self, statement: tree.UserMessage, number: int) -> Generator[Command, Answer]:
+        """Yield ``#MSG`` with its text formatted."""
+        layout = yield from self._values.evaluate_any(statement.format, number)
+        if not isinstance(layout, str):
+            self._values.fail(NUMBER_INSTEAD_OF_TEXT, statement.format.span, value=layout)
+        values: list[float | str] = []
+        for argument in statement.arguments:
+            values.append((yield from self._values.evaluate_any(argument, number)))
+        try:
+            text = format_text(layout, values)
+        except FormatError as error:
+            self._values.fail(MSG_FORMAT_MISMATCH, statement.format.span, found=str(error))
+        options = [option.name for option in statement.options]
+        yield UserMessage(
+            self._environment.source_id(statement.span),
+            number,
+            text,
+            "EXCLUSIVE" in options,
+            "CONTINUE" in options,
+            self._values.state.message_file if "SAVE" in options else "",
+        )

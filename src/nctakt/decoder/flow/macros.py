@@ -8,7 +8,7 @@ and lower case of names count. Within a text other macros stand between ``\\"`` 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from functools import partial
 
@@ -36,11 +36,17 @@ MAX_REMEMBERED = 4096
 
 
 class Macros:
-    """The macros of one run of a program; ``fail`` gives it up."""
+    """The macros of one run of a program; ``fail`` gives it up.
 
-    def __init__(self, environment: DecoderEnvironment, fail: Fail) -> None:
+    ``named_programs``: the programs that ``#FILE NAME`` has named, by word.
+    """
+
+    def __init__(
+        self, environment: DecoderEnvironment, fail: Fail, named_programs: Mapping[str, str]
+    ) -> None:
         self._environment = environment
         self._fail = fail
+        self._named = named_programs
         self._texts: dict[str, str] = {}
         self._expander = MacroExpander(environment.names, self._meaning)
         self._remembered: dict[int, tuple[tree.Statement, tree.Statement]] = {}
@@ -66,7 +72,8 @@ class Macros:
             changed = self._expander.statement(statement)
             if changed is not statement:
                 line = partial(self._environment.line_text, statement.span)
-                check(self._environment, self._fail, [changed], statement.span, line)
+                span, named = statement.span, self._named
+                check(self._environment, self._fail, [changed], span, line, "either", named)
             if len(self._remembered) == MAX_REMEMBERED:
                 self._remembered.clear()
             pair = self._remembered[id(statement)] = (statement, changed)
@@ -123,7 +130,9 @@ class Macros:
             statements = parse_content(text, replace(block.head, skip=None, label=None))
         except BlockError as error:
             self._fail(error.message, macro.span, **error.values)
-        check(self._environment, self._fail, statements, macro.span, lambda: content)
+        named = self._named
+        environment = self._environment
+        check(environment, self._fail, statements, macro.span, lambda: content, "either", named)
         for statement in statements:
             if isinstance(statement, tree.Block) and _first_macro(statement) is not None:
                 yield from self._expanded(statement, macro)

@@ -26,6 +26,7 @@ from nctakt.decoder.state.commands import (
     WriteVariable,
 )
 from nctakt.decoder.state.in_force import ModalMark
+from nctakt.decoder.state.shape_commands import ShapeCommand
 from nctakt.decoder.values.variables import Values
 from nctakt.messages.backward import (
     NOT_ALLOWED_IN_RT_WHILE,
@@ -35,44 +36,61 @@ from nctakt.messages.backward import (
     RT_WHILE_WITHOUT_HISTORY,
     RT_WHILE_WITHOUT_MOTION,
 )
+from nctakt.messages.splines import SPLINE_AT_LOOP
 from nctakt.nc import tree
 
 #: The commands that a body can have.
-_OF_BODY = (Segment, WriteVariable, BlockMark, ModalMark, EmptyBlock, SendSignal, AwaitSignal)
+_OF_BODY = (
+    Segment,
+    ShapeCommand,
+    WriteVariable,
+    BlockMark,
+    ModalMark,
+    EmptyBlock,
+    SendSignal,
+    AwaitSignal,
+)
 
 #: Maximum distance between start and end of a pass due to rounding, mm or degrees.
 CLOSE_ENOUGH = 1e-9
 
 
 class RealtimeLoops:
-    """Decodes loops; ``run`` decodes statements."""
+    """Decodes loops; ``run`` decodes statements, ``shape`` shapes the motions of a body."""
 
     def __init__(
         self,
         values: Values,
         block_decoder: BlockDecoder,
         run: Callable[[Iterable[tree.Statement], str | None], Decoding],
+        shape: Callable[[list[Command]], list[Command]],
     ) -> None:
         self._values = values
         self._environment = values.environment
         self._state = values.state
         self._block_decoder = block_decoder
         self._run = run
+        self._shape = shape
 
     def loop(self, loop: tree.RealtimeLoop, number: int) -> Generator[Command, Answer]:
         """Yield the commands of a loop; decoding continues when the realtime part has left it."""
         size = self._environment.history_size
         if self._state.path.compensation.is_active:
             self._values.fail(RT_WHILE_DURING_COMPENSATION, loop.span)
+        spline = self._state.shapes.spline
+        if spline.is_on:
+            self._values.fail(SPLINE_AT_LOOP, loop.span, command="#RT WHILE")
         if size == 0:
             self._values.fail(RT_WHILE_WITHOUT_HISTORY, loop.span)
         source = self._environment.source_id(loop.span)
-        yield from self._block_decoder.request(
+        yield from self._block_decoder.moved.request(
             tuple(self._environment.axis_numbers), loop.span, number
         )
         yield from self._block_decoder.technology.before_feed()
         begin = tuple(self._state.positions)
         body = self._body(loop)
+        if spline.is_on:
+            self._values.fail(SPLINE_AT_LOOP, loop.span, command="#RT ENDWHILE")
         motions = sum(isinstance(command, Segment) for command in body)
         if motions == 0:
             self._values.fail(RT_WHILE_WITHOUT_MOTION, loop.span)
@@ -99,7 +117,7 @@ class RealtimeLoops:
             try:
                 command = next(decoded)
             except StopIteration:
-                return commands
+                return self._shape(commands)
             if not isinstance(command, _OF_BODY):
                 self._values.fail(NOT_ALLOWED_IN_RT_WHILE, loop.span, command="#RT WHILE")
             commands.append(command)

@@ -2,8 +2,10 @@
 """The way of the machine's axes on a transformed block, against their software limits.
 
 In: a line or an arc of programmed positions, the limits of the axes. Out: the first axis that
-leaves its limits, and how far it would go. The way is sampled at least every one and a half degrees
-of what turns on it; between three samples the vertex of the parabola through them counts.
+leaves its limits, and how far it would go; or why the axes cannot follow. The way is sampled at
+least every one and a half degrees of what turns on it; between three samples the vertex of the
+parabola through them counts. Where rotary axes turn otherwise than what is programmed the samples
+are as many as keep their steps as small: beside a pole, where an axis turns far on a short way.
 """
 
 from __future__ import annotations
@@ -11,13 +13,24 @@ from __future__ import annotations
 from nctakt.kernel import rows
 from nctakt.kernel.axes.transformations import Transformations
 from nctakt.kernel.base import arithmetic
+from nctakt.kernel.kinematics import map_rows
 
 #: Degrees between two samples.
 STEP = 1.5
+#: Degrees between the finest samples above which an axis would have to jump, and how many they are.
+JUMP = 3.0
+MAX_SAMPLES = 2048
+#: A block that begins in a pole turns at once into its direction: by how many degrees an axis may
+#: have turned behind this share of a block.
+BEGIN_JUMP = 0.001
+BEGIN = 1e-9
 
 
 class TransformedWay:
-    """The limits of one channel's axes; ``number``: the map; ``position``: what was found last."""
+    """The limits of one channel's axes; ``number``: the map; ``position``: what was found last.
+
+    ``obstacle``: ``map_rows.AXIS_OUTSIDE`` …, of what was found last.
+    """
 
     def __init__(self, count: int, transformations: Transformations) -> None:
         room = 8 * max(1, count)
@@ -25,6 +38,7 @@ class TransformedWay:
         self.transformations = transformations
         self.number = 0
         self.position = 0.0
+        self.obstacle = map_rows.AXIS_OUTSIDE
         self.lows = memoryview(bytearray(room)).cast("d")
         self.highs = memoryview(bytearray(room)).cast("d")
         self.start = memoryview(bytearray(room)).cast("d")
@@ -35,11 +49,17 @@ class TransformedWay:
         self.newest = memoryview(bytearray(room)).cast("d")
         self.middle = memoryview(bytearray(room)).cast("d")
         self.before = memoryview(bytearray(room)).cast("d")
+        self.begin = memoryview(bytearray(room)).cast("d")
 
     def limit(self, axis: int, low: float, high: float) -> None:
         """Set the software limits of an axis."""
         self.lows[axis] = low
         self.highs[axis] = high
+
+    def start_at(self, axes: list[float]) -> None:
+        """Take positions of the axes: of two solutions the next block starts at the nearer one."""
+        for i in range(self.count):
+            self.newest[i] = axes[i]
 
     def first_outside(self, start: list[float], target: list[float], arc: list[float]) -> int:
         """Return the first axis outside its limits on a block, -1 for none; no ``arc``: a line."""
@@ -48,17 +68,79 @@ class TransformedWay:
             self.target[i] = target[i]
         for i in range(rows.ARC_WIDTH):
             self.arc[i] = arc[i] if arc else 0.0
-        return self.check(1 if arc else 0)
+        return self.find(1 if arc else 0)
 
     def first_outside_of_line(self, start: memoryview[float], target: memoryview[float]) -> int:
         """``first_outside`` of a line, without objects."""
         for i in range(self.count):
             self.start[i] = start[i]
             self.target[i] = target[i]
-        return self.check(0)
+        return self.find(0)
 
-    def check(self, is_arc: int) -> int:
-        """Return the first axis outside its limits between ``start`` and ``target``, else -1."""
+    def find(self, is_arc: int) -> int:
+        """Return the first axis that cannot follow between ``start`` and ``target``, else -1."""
+        if not self.transformations.turns_otherwise(self.number):
+            return self.check(is_arc, self.steps_of_turn(is_arc))
+        steps = max(2, self.steps_of_turn(is_arc))
+        for i in range(self.count):
+            self.begin[i] = self.newest[i]
+        axis = self.jump_at_begin(is_arc)
+        for i in range(self.count):
+            self.newest[i] = self.begin[i]
+        if axis >= 0:
+            return axis
+        while True:
+            steps *= 2
+            axis = self.widest_turn(is_arc, steps)
+            for i in range(self.count):
+                self.newest[i] = self.begin[i]
+            if axis < 0:
+                return self.check(is_arc, steps)
+            if steps >= MAX_SAMPLES or self.obstacle == map_rows.WAY_OUT_OF_REACH:
+                return axis
+
+    def jump_at_begin(self, is_arc: int) -> int:
+        """Return the axis that would have to jump where the block begins, -1 for none."""
+        if self.sample(0.0, is_arc) != map_rows.REACHED:
+            return -1
+        for i in range(self.count):
+            self.middle[i] = self.newest[i]
+        if self.sample(BEGIN, is_arc) != map_rows.REACHED:
+            return -1
+        for i in range(self.count):
+            turn = self.newest[i] - self.middle[i]
+            turn = turn if turn >= 0.0 else 0.0 - turn
+            if turn > BEGIN_JUMP and self.transformations.is_rotary(self.number, i):
+                self.obstacle = map_rows.AXIS_JUMPS
+                self.position = turn
+                return i
+        return -1
+
+    def widest_turn(self, is_arc: int, steps: int) -> int:
+        """Return the axis that turns farthest between two samples, above ``JUMP``; else -1."""
+        widest = JUMP
+        found = -1
+        if self.sample(0.0, is_arc) != map_rows.REACHED:
+            self.obstacle = map_rows.WAY_OUT_OF_REACH
+            return 0
+        for sample in range(1, steps + 1):
+            for i in range(self.count):
+                self.middle[i] = self.newest[i]
+            if self.sample(1.0 * sample / steps, is_arc) != map_rows.REACHED:
+                self.obstacle = map_rows.WAY_OUT_OF_REACH
+                return 0
+            for i in range(self.count):
+                turn = self.newest[i] - self.middle[i]
+                turn = turn if turn >= 0.0 else 0.0 - turn
+                if turn > widest and self.transformations.is_rotary(self.number, i):
+                    widest = turn
+                    found = i
+        self.obstacle = map_rows.AXIS_JUMPS
+        self.position = widest
+        return found
+
+    def steps_of_turn(self, is_arc: int) -> int:
+        """Return how many samples a block needs on which rotary axes turn as programmed."""
         turn = self.transformations.rotation(self.number, self.start, self.target)
         if is_arc:
             angle = self.arc[rows.ANGLE]
@@ -67,11 +149,16 @@ class TransformedWay:
         if turn > 1e-9:
             steps = int(turn / STEP)
             steps += 2
+        return steps
+
+    def check(self, is_arc: int, steps: int) -> int:
+        """Return the first axis outside its limits between ``start`` and ``target``, else -1."""
+        self.obstacle = map_rows.AXIS_OUTSIDE
         for sample in range(1 if steps == 1 else 0, steps + 1):
             for i in range(self.count):
                 self.before[i] = self.middle[i]
                 self.middle[i] = self.newest[i]
-            self.sample(sample / steps, is_arc)
+            self.sample(1.0 * sample / steps, is_arc)
             for i in range(self.count):
                 if not self.is_inside(i, self.newest[i]):
                     return i
@@ -92,8 +179,11 @@ class TransformedWay:
             return self.middle[i] - 0.5 * rise * rise / bend
         return self.middle[i]
 
-    def sample(self, part: float, is_arc: int) -> None:
-        """Put the positions of the axes after ``part`` of the block into ``newest``."""
+    def sample(self, part: float, is_arc: int) -> int:
+        """Put the positions of the axes after ``part`` of the block into ``newest``.
+
+        Return as ``KinematicMaps.inverse``.
+        """
         for i in range(self.count):
             self.point[i] = self.start[i] + (self.target[i] - self.start[i]) * part
         if part == 1.0:
@@ -109,5 +199,5 @@ class TransformedWay:
             self.point[first] = self.arc[rows.CENTRE_FIRST] + x * cosine - y * sine
             self.point[second] = self.arc[rows.CENTRE_SECOND] + x * sine + y * cosine
         for i in range(self.count):
-            self.near[i] = self.middle[i]
-        self.transformations.maps.inverse(self.number, self.point, self.near, self.newest)
+            self.near[i] = self.newest[i]
+        return self.transformations.maps.inverse(self.number, self.point, self.near, self.newest)

@@ -68,7 +68,7 @@ class ArcError(Exception):
 def arc_about(
     start: Sequence[float],
     target: Sequence[float],
-    plane: int,
+    plane: tuple[int, int],
     centre: tuple[float, float],
     clockwise: bool,
     tolerance: CentreTolerance,
@@ -79,7 +79,7 @@ def arc_about(
     the rounding of sums make a full circle. Raises ``ArcError`` if the centre would have to move
     farther than ``tolerance`` allows.
     """
-    first, second = PLANES[plane]
+    first, second = plane
     x, y = start[first] - centre[0], start[second] - centre[1]
     u, v = target[first] - centre[0], target[second] - centre[1]
     if x == 0.0 and y == 0.0:
@@ -99,10 +99,14 @@ def arc_about(
 
 
 def arc_of_radius(
-    start: Sequence[float], target: Sequence[float], plane: int, radius: float, clockwise: bool
+    start: Sequence[float],
+    target: Sequence[float],
+    plane: tuple[int, int],
+    radius: float,
+    clockwise: bool,
 ) -> Arc:
     """Return the arc with a radius, the longer one for a negative radius; raises ``ArcError``."""
-    first, second = PLANES[plane]
+    first, second = plane
     x, y = target[first] - start[first], target[second] - start[second]
     chord = _length(x, y)
     if chord == 0.0 or radius == 0.0:

@@ -30,6 +30,7 @@ class Segment(Command):
     how far the path may pass the target, 0 not at all. ``limits_jerk``: its slope is an S-curve.
     ``arc``: first and second axis of its plane, centre, angle; ``None`` for a line. ``modifiers``:
     ``None`` where the feed is all. ``continues_block``: the next segment continues the block.
+    ``curve``: the inner control points of a cubic, all axes of the first, then of the second.
     """
 
     start: tuple[float, ...]
@@ -42,6 +43,7 @@ class Segment(Command):
     arc: tuple[float, ...] | None = None
     modifiers: FeedModifiers | None = None
     continues_block: bool = False
+    curve: tuple[float, ...] | None = None
 
     @property
     def is_feed(self) -> bool:

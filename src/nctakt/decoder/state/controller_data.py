@@ -13,6 +13,7 @@ from nctakt.decoder.state.program_variables import Variables
 from nctakt.kernel import cells
 from nctakt.kernel.base.timers import Timers
 from nctakt.kernel.tick.channel import Channel
+from nctakt.lists.declared.tools import Tool
 from nctakt.lists.machine.machine import Machine
 
 #: Size in bytes of the latched values of the timers with SYN.
@@ -63,12 +64,19 @@ class ProgramTimers:
 class ControllerData:
     """The data that programs of one channel share.
 
-    ``kept``: V.S, kept until the next start-up.
+    ``kept``: V.S, kept until the next start-up. ``references``: axis -> its reference position, of
+    those that were homed (G74). ``limited_axes``: the indices of those with software limits of a
+    program. ``tools``: tools of the list that programs have changed (V.G.WZ[5].R), by number.
+    ``tool_life_factors``: V.TLM.
     """
 
     def __init__(self, timers: ProgramTimers) -> None:
         self.timers = timers
         self.kept: Variables = {}
+        self.references: dict[str, float] = {}
+        self.limited_axes: set[int] = set()
+        self.tools: dict[int, Tool] = {}
+        self.tool_life_factors = {"TIME_FACT": 1.0, "DIST_FACT": 1.0}
 
 
 def controller_data(

@@ -42,6 +42,15 @@ class _OuterSystem:
     offsets: SavedOffsets
 
 
+@dataclass(frozen=True, slots=True)
+class SuspendedSystems:
+    """Systems that are off for a while: the innermost one, and what lies outside of each."""
+
+    origin: tuple[float, ...]
+    matrix: Matrix
+    outer: tuple[_OuterSystem, ...]
+
+
 class CoordinateSystems:
     """The active systems of a channel; ``axes``: the numbers of its axes in the machine."""
 
@@ -61,6 +70,15 @@ class CoordinateSystems:
     def count(self) -> int:
         """The number of nested active systems."""
         return len(self._outer)
+
+    def direction(self, axis: int) -> list[float]:
+        """Return the direction of an axis of the innermost system, among those of the machine."""
+        return list(self._matrix[axis::3])
+
+    @property
+    def shift(self) -> tuple[float, ...]:
+        """Where the zero of the active system is, by axis, in mm or degrees; 0 without any."""
+        return self._origin
 
     # --- positions ------------------------------------------------------------------------------
 
@@ -145,6 +163,20 @@ class CoordinateSystems:
         outer = self._outer.pop()
         yield from self._activate(outer.origin, outer.matrix, source, number)
         return outer.offsets
+
+    def suspend(self, source: int, number: int) -> Generator[Command, None, SuspendedSystems]:
+        """Deactivate all systems for a while; return what ``resume`` activates again."""
+        suspended = SuspendedSystems(self._origin, self._matrix, tuple(self._outer))
+        if self._outer:
+            self._outer.clear()
+            yield from self._activate((0.0,) * len(self._axes), IDENTITY, source, number)
+        return suspended
+
+    def resume(self, suspended: SuspendedSystems, source: int, number: int) -> Iterator[Command]:
+        """Activate the systems that ``suspend`` has deactivated."""
+        if suspended.outer:
+            self._outer[:] = suspended.outer
+            yield from self._activate(suspended.origin, suspended.matrix, source, number)
 
     def _activate(
         self, origin: tuple[float, ...], matrix: Matrix, source: int, number: int

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Span
+from nctakt.decoder.state.axis_places import AxisIndices, ChannelPlaces
 from nctakt.decoder.state.call_stack import OpenCall
 from nctakt.decoder.state.controller_data import ControllerData
 from nctakt.decoder.state.in_force import InForce
@@ -27,9 +28,9 @@ if TYPE_CHECKING:
     from nctakt.decoder.state.kept_trees import KeptTrees
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(slots=True)
 class DecoderEnvironment:
-    """One channel as its decoder sees it.
+    """One channel as its decoder sees it; only its axes change (``ChannelPlaces``).
 
     ``tools``: those of the list, by number. ``axis_numbers``: axis name -> index in the path's
     positions. ``cells``: the machine's memory, ``memory``: the same as bytes. ``source_id``:
@@ -42,13 +43,14 @@ class DecoderEnvironment:
     each block is marked. ``controller_data``: data behind V.G and V.S. ``living_cycles``: cycles
     left by earlier programs. ``moving_axes``: returns the names of the axes in independent motion.
     ``history_size``: the number of blocks in the history of the path. ``signals``: those between
-    the channels. ``poll`` is called while the decoder works. ``kept_cycles``: cycles of earlier
-    runs, if runs follow each other.
+    the channels. ``places``: the axes of the channel and those that it can fetch. ``poll`` is
+    called while the decoder works. ``kept_cycles``: cycles of earlier runs, if runs follow each
+    other.
     """
 
     names: NameTable
     parameters: ChannelParameters
-    axis_numbers: Mapping[str, int]
+    axis_numbers: AxisIndices
     axes: tuple[AxisConfiguration, ...]
     offsets: ActiveOffsets
     tools: Mapping[int, Tool]
@@ -71,6 +73,7 @@ class DecoderEnvironment:
     history_size: int
     signals: DecoderSignals
     poll: Callable[[], None]
+    places: ChannelPlaces
     kept_cycles: KeptTrees | None = None
 
 

@@ -7,10 +7,19 @@ are converted on input (G70).
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
+from typing import NamedTuple
+
 from nctakt.base.dataclass import dataclass, field
+from nctakt.base.diagnostics import Span
+from nctakt.decoder.state.arcs import PLANES, Arc
 from nctakt.decoder.state.call_stack import CallStack
-from nctakt.decoder.state.path_limits import LimitState
+from nctakt.decoder.state.contour_frame import ContourFrame
+from nctakt.decoder.state.path_limits import MAX_BEND, LimitState, bend_of
+from nctakt.decoder.state.shape_commands import ShapeState
+from nctakt.kernel.base import arithmetic
 from nctakt.lists.declared.tools import NO_TOOL, Tool
+from nctakt.lists.machine.axis_configuration import AxisConfiguration
 from nctakt.lists.machine.channel_configuration import (
     CENTRE_GROUP,
     DIMENSION_GROUP,
@@ -37,11 +46,16 @@ from nctakt.nc.vocabulary.functions import (
     RAPID,
     group_of,
 )
+from nctakt.nc.vocabulary.orientation import ANGLE
+from nctakt.nc.vocabulary.path_keywords import HSC_CURVES
 
 MM_PER_INCH = 25.4
 
 #: Approaches without a way around a corner, to a contour and from it.
 _DIRECT_MODES = (APPROACH_DIRECT, APPROACH_INNER_CORNER, DEPART_WITHOUT_MOTION)
+
+#: Default of CONTERROR of ``#HSC``, mm.
+HSC_ERROR_MM = 0.1
 
 #: Default of the contouring deviation, mm.
 DEVIATION_MM = 1.0
@@ -51,7 +65,8 @@ DEVIATION_MM = 1.0
 class CompensationState:
     """The programmed state of tool radius compensation (MO-9).
 
-    ``side``: 1 left of the contour (G41), -1 right of it (G42), 0 off; ``radius`` in mm.
+    ``side``: 1 left of the contour (G41), -1 right of it (G42), 0 off, the other way round where
+    mirroring reverses the contour (``is_reversed``); ``radius`` in mm.
     ``by_arc``: arcs around outer corners (G26). ``masks``: contour elements that the tool cannot
     follow are left out (G141). ``adapts_feed``: F applies to the contour (G11). ``has_left_path``:
     the tool is off the programmed path. ``end``: the tool's position at the end of the contour
@@ -59,6 +74,7 @@ class CompensationState:
     """
 
     side: int = 0
+    is_reversed: bool = False
     radius: float = 0.0
     by_arc: bool = False
     mode: int = APPROACH_INDIRECT
@@ -73,7 +89,7 @@ class CompensationState:
             return "G40"
         if before != 0.0:
             return "G41/G42"
-        return "G41" if self.side > 0 else "G42"
+        return self.word
 
     @property
     def is_direct(self) -> bool:
@@ -88,28 +104,90 @@ class CompensationState:
     @property
     def word(self) -> str:
         """The active word, G41 or G42."""
-        return f"G{COMPENSATION_LEFT if self.side > 0 else COMPENSATION_RIGHT}"
+        is_left = (self.side > 0) is not self.is_reversed
+        return f"G{COMPENSATION_LEFT if is_left else COMPENSATION_RIGHT}"
 
 
 @dataclass(slots=True)
 class ContourState:
-    """The mode of ``#CONTOUR MODE`` and its sizes in mm, by keyword."""
+    """The mode of ``#CONTOUR MODE`` and its sizes in mm, by keyword.
+
+    ``max_bend``: the largest change of direction that is rounded (``path_limits.py``).
+    """
 
     mode: str = "DEV"
+    max_bend: float = MAX_BEND
     sizes: dict[str, float] = field(
         default_factory=lambda: dict.fromkeys(
-            ("PATH_DEV", "PATH_DIST", "PRE_DIST", "POST_DIST"), DEVIATION_MM
+            ("PATH_DEV", "PATH_DIST", "SYM_DIST", "PRE_DIST", "POST_DIST"), DEVIATION_MM
         )
     )
 
     @property
     def size(self) -> float:
         """The deviation at a corner; negative: the distance from it; 0: it stays sharp."""
-        if self.mode == "DIST":
-            return -min(self.sizes["PRE_DIST"], self.sizes["POST_DIST"])
-        if self.mode == "DIST_SOFT":
-            return -max(self.sizes["PATH_DIST"], 0.0)
+        match self.mode:
+            case "DIST" | "POS":
+                return -min(self.sizes["PRE_DIST"], self.sizes["POST_DIST"])
+            case "DIST_SOFT":
+                return -max(self.sizes["PATH_DIST"], 0.0)
+            case "DIST_MASTER":
+                return -max(self.sizes["SYM_DIST"], 0.0)
         return self.sizes["PATH_DEV"]
+
+
+class LastArc(NamedTuple):
+    """What V.G tells of the last arc: itself, its begin in mm, its words and centre, their unit."""
+
+    arc: Arc
+    begin: Sequence[float]
+    words: Mapping[str, tuple[Span, float]]
+    programmed_centre: tuple[float, float] | None
+    unit_mm: float
+
+    def word(self, name: str) -> float:
+        """Return I, J or K in mm; 0 if the block had none."""
+        return self.words[name][1] * self.unit_mm if name in self.words else 0.0
+
+    @property
+    def radius(self) -> float:
+        """The radius in mm."""
+        x = self.begin[self.arc.first] - self.arc.centre_first
+        y = self.begin[self.arc.second] - self.arc.centre_second
+        return arithmetic.square_root(x * x + y * y)
+
+    @property
+    def correction(self) -> tuple[float, float]:
+        """How far the programmed centre was moved, in mm."""
+        x, y = self.programmed_centre or (self.arc.centre_first, self.arc.centre_second)
+        return (self.arc.centre_first - x, self.arc.centre_second - y)
+
+
+@dataclass(slots=True)
+class HscState:
+    """``#HSC``: its ``curve`` may leave the polygon by ``deviation_mm`` or, without a name, by
+    ``error_mm``; ``mode``: OPMODE.
+
+    ``deviation_mm`` and ``max_angle_deg`` are ``None`` where the channel list says them.
+    """
+
+    is_on: bool = False
+    curve: str = HSC_CURVES[0]
+    deviation_mm: float | None = None
+    max_angle_deg: float | None = None
+    mode: int = 1
+    error_mm: float = HSC_ERROR_MM
+
+    def deviation(self, listed_mm: float) -> float:
+        """Return the deviation at a corner in mm; ``listed_mm``: that of the channel list."""
+        if not self.curve:
+            return self.error_mm
+        return listed_mm if self.deviation_mm is None else self.deviation_mm
+
+    def max_bend(self, listed_deg: float) -> float:
+        """Return the largest change of direction that is rounded; the angle 0 means any."""
+        angle = listed_deg if self.max_angle_deg is None else self.max_angle_deg
+        return bend_of(angle) if self.curve and angle > 0.0 else MAX_BEND
 
 
 @dataclass(slots=True)
@@ -118,7 +196,8 @@ class PathState:
 
     ``limits_jerk``: the slope is an S-curve (P-CHAN-00071). ``radius``: the last R, 0 before the
     first. ``contour``: how corners are rounded. ``has_diameters``: absolute positions of the face
-    axis are diameters (G51).
+    axis are diameters (G51). ``turning_plane``: the axes of the plane of #FACE or #CYL.
+    ``hsc_deviation``: that of ``#HSC`` in mm, 0 while it is off.
     """
 
     plane: int
@@ -129,23 +208,81 @@ class PathState:
     contouring: bool = False
     contour: ContourState = field(default_factory=ContourState)
     has_diameters: bool = False
+    turning_plane: tuple[int, int] | None = None
+    last_arc: LastArc | None = None
     compensation: CompensationState = field(default_factory=CompensationState)
+    hsc: HscState = field(default_factory=HscState)
+    hsc_deviation: float = 0.0
+
+    @property
+    def plane_axes(self) -> tuple[int, int]:
+        """The axes of the plane in which arcs and contours lie."""
+        return self.turning_plane or PLANES[self.plane]
 
     @property
     def rounding(self) -> float:
-        """How corners are rounded: the deviation in mm; negative: the distance from the corner."""
-        return self.contour.size
+        """How corners are rounded: the deviation in mm; negative: the distance from the corner;
+        0: not at all.
+        """
+        return self.contour.size if self.contouring else self.hsc_deviation
 
 
 @dataclass(slots=True)
 class ToolState:
     """The tool; ``number``: the last T; ``record``: the last D; ``tool``: the record that D
-    selects.
+    selects. ``length_axis``: the index of the axis of its length, and the sign (``#TLAX``).
     """
 
     number: int = 0
     record: int = 0
     tool: Tool = NO_TOOL
+    length_axis: tuple[int, int] | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class FeedGroup:
+    """The axes that F refers to, other than the linear ones (``#FGROUP``).
+
+    ``axes``: their indices with a factor of their ways; empty: the linear ones. ``is_weakest``: F
+    is the speed of the axis that needs the longest time. ``rotary`` counts at ``radius`` mm, -1:
+    none does.
+    """
+
+    axes: Mapping[int, float] = field(default_factory=dict)
+    is_weakest: bool = False
+    rotary: int = -1
+    radius: float = 0.0
+
+    @property
+    def is_linear(self) -> bool:
+        """Whether F refers to the linear axes, as ever."""
+        return not self.axes and not self.is_weakest and self.rotary < 0
+
+    def after_exchange(self, moved: Mapping[int, int]) -> FeedGroup | None:
+        """Return the group without the axes that the channel has given away.
+
+        ``moved``: old indices -> new ones of those that it keeps.
+        """
+        axes = {moved[index]: factor for index, factor in self.axes.items() if index in moved}
+        group = FeedGroup(axes, self.is_weakest, moved.get(self.rotary, -1), self.radius)
+        return None if group.is_linear else group
+
+
+@dataclass(frozen=True, slots=True)
+class CornerFeed:
+    """The feed that G13 slows down to at the end of a block, over ``distance_mm`` (#CORNER PARAM).
+
+    ``feed``: mm/s, or with ``is_share`` a factor of F.
+    """
+
+    distance_mm: float
+    feed: float
+    is_share: bool
+
+    def feed_mm_s(self, programmed_mm_s: float) -> float:
+        """Return the feed at the end of a block whose F is ``programmed_mm_s``, at most that."""
+        slow = self.feed * programmed_mm_s if self.is_share else self.feed
+        return min(slow, programmed_mm_s)
 
 
 @dataclass(slots=True)
@@ -155,7 +292,7 @@ class FeedState:
 
     ``follows_spindle``: the feed under G95 follows the speed of the spindle as it is (#TURN).
     Overrides are factors for feed and rapid blocks, of the path and by axis index. ``group``: the
-    axes whose path F applies to (``#FGROUP``); empty: the linear ones.
+    axes whose path F applies to, ``None``: the linear ones. ``slows_at_ends``: G13, to ``corner``.
     """
 
     feed_mode: int = FEED_PER_MINUTE
@@ -165,7 +302,9 @@ class FeedState:
     share_pct: float = 0.0
     path_override: tuple[float, float] = (1.0, 1.0)
     axis_overrides: dict[int, tuple[float, float]] = field(default_factory=dict)
-    group: frozenset[int] = frozenset()
+    group: FeedGroup | None = None
+    corner: CornerFeed | None = None
+    slows_at_ends: bool = False
 
     @property
     def block_time_s(self) -> float:
@@ -192,15 +331,62 @@ class ThreadState:
     has_noted_tapping: bool = False
 
 
+@dataclass(frozen=True, slots=True)
+class Measured:
+    """What a measuring block has found for one axis, in mm or degrees.
+
+    ``has_touched``: the signal came. ``value``: with all offsets, in the active coordinate system;
+    ``acs_value``: of the axis itself; ``pcs_value``: as programmed. ``deviation``: from the target.
+    """
+
+    has_touched: bool = False
+    value: float = 0.0
+    acs_value: float = 0.0
+    pcs_value: float = 0.0
+    deviation: float = 0.0
+
+
+@dataclass(slots=True)
+class MeasuringState:
+    """How G100 measures until the end of the program, and what it has measured by axis index.
+
+    ``type``: 0: that of the list. ``needs_signal``: ``None``: as the list says. ``lead``: mm in
+    front of the target where a simulated probe touches (SIMU_OFFSET). ``level``: the value of
+    HLI.PROBE that is the signal.
+    """
+
+    type: int = 0
+    needs_signal: bool | None = None
+    lead: float = 0.0
+    level: int = 1
+    measured: dict[int, Measured] = field(default_factory=dict)
+
+
+@dataclass(slots=True)
+class LimitsOfProgram:
+    """Software limits in mm or degrees, by axis index; ``programmed``: those of G98 and G99."""
+
+    programmed: dict[int, tuple[float, float]] = field(default_factory=dict)
+
+    def of(self, axis: AxisConfiguration, index: int) -> tuple[float, float]:
+        """Return the limits of an axis in force: those of the program, else of its list."""
+        listed = (axis.software_limit_low, axis.software_limit_high)
+        return self.programmed.get(index, listed) if self.programmed else listed
+
+
 @dataclass(slots=True)
 class ModalState:
     """The modal state; ``motion``: an active G function; ``feed_mm_s``: under G94, 0 before an F.
 
     ``parameters``: P1, P2, … ``measures``: edge banding is on (G108). ``message_file``: the file of
-    saved messages (#FILENAME). ``not_plain``: the active G functions that plain lines do not know,
-    by group. ``monitored``: the axes at a fixed stop or on their way to it.
+    saved messages, ``named_programs``: those of M6 and G80 … by word (#FILENAME).
+    ``not_plain``: the active G functions that plain lines do not know, by group.
+    ``monitored``: the axes at a fixed stop or on their way to it.
     ``has_read_signal``: the last ``#SIGNAL READ`` has taken one. ``limits``: weights, and the
-    limits of the path.
+    limits of the path. ``shapes``: chamfers and roundings. ``measuring``: with a touch probe.
+    ``is_searching``: block search has not come to its start block. ``orientation``: what A, B, C
+    are under a transformation. ``wcs``, ``mcs``: V.A.WCS and V.A.MCS by axis, in mm or degrees.
+    ``frame``: mirroring, rotation and scaling. ``block_number``: the last N.
     """
 
     motion: int
@@ -212,6 +398,7 @@ class ModalState:
     tool: ToolState = field(default_factory=ToolState)
     parameters: dict[int, float] = field(default_factory=dict)
     message_file: str = ""
+    named_programs: dict[str, str] = field(default_factory=dict)
     measures: bool = False
     feed: FeedState = field(default_factory=FeedState)
     thread: ThreadState = field(default_factory=ThreadState)
@@ -220,6 +407,15 @@ class ModalState:
     monitored: set[str] = field(default_factory=set)
     has_read_signal: bool = False
     limits: LimitState = field(default_factory=LimitState)
+    shapes: ShapeState = field(default_factory=ShapeState)
+    measuring: MeasuringState = field(default_factory=MeasuringState)
+    orientation: str = ANGLE
+    is_searching: bool = False
+    wcs: dict[int, float] = field(default_factory=dict)
+    mcs: dict[int, float] = field(default_factory=dict)
+    software_limits: LimitsOfProgram = field(default_factory=LimitsOfProgram)
+    frame: ContourFrame = field(default_factory=ContourFrame)
+    block_number: int = 0
 
     @property
     def rapid(self) -> bool:
@@ -235,8 +431,12 @@ class ModalState:
         """
         feed = self.feed
         has_override = feed.path_override != (1.0, 1.0) or bool(feed.axis_overrides)
-        has_feed_of_its_own = has_override or bool(feed.group)
-        return not self.not_plain and not has_feed_of_its_own and not self.monitored
+        if self.orientation != ANGLE or self.limits.weights_blocks:
+            return False
+        has_feed_of_its_own = has_override or feed.group is not None
+        if has_feed_of_its_own or self.shapes.spline.is_on or self.frame.is_active:
+            return False
+        return not self.not_plain and not self.monitored
 
     def note(self, function: int) -> None:
         """Note a G function that becomes active, for ``allows_plain_lines``."""

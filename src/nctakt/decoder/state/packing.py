@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from nctakt.decoder.state.axis_commands import Home, Refer, SetSoftwareLimits
 from nctakt.decoder.state.commands import (
     AwaitAcknowledge,
     AwaitSignal,
@@ -54,6 +55,8 @@ from nctakt.decoder.state.commands import (
 )
 from nctakt.decoder.state.in_force import ModalMark
 from nctakt.decoder.state.limit_commands import SetLimits
+from nctakt.decoder.state.probe_commands import Touch, TouchEnd
+from nctakt.decoder.state.start_block import SingleStep
 from nctakt.kernel import rows
 
 
@@ -128,6 +131,19 @@ def pack(command: Command, reference: int = 0) -> list[float]:
         case Measure():
             row = [rows.MEASURE, *head, command.function, command.ticks, command.residual]
             return [*row, command.value is not None, command.value or 0]
+        case Touch():
+            row = [rows.TOUCH, *head, command.part, command.ticks, command.level]
+            return [*row, command.continues, command.needed, command.may_be_pressed]
+        case TouchEnd():
+            return [rows.TOUCH_END, *head]
+        case Home():
+            return [rows.HOME, *head, command.axis, command.distance, command.speed]
+        case Refer():
+            return [rows.REFER, *head, command.axis, command.position]
+        case SetSoftwareLimits():
+            return [rows.SOFTWARE_LIMITS, *head, command.axis, command.low, command.high]
+        case SingleStep():
+            return [rows.SINGLE_STEP, *head, command.is_disabled]
         case ClearHistory():
             return [rows.CLEAR_HISTORY, *head]
         case CuttingSpeed():

@@ -7,12 +7,14 @@ always relate to the values of the lists.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable
 from dataclasses import replace
 from types import MappingProxyType
 
 from nctakt.base.dataclass import dataclass, field
 from nctakt.kernel import rows
+from nctakt.lists.machine.dynamic_weights import WeightRow
 from nctakt.nc.vocabulary.functions import (
     FEED_ACCELERATION_WEIGHT,
     FEED_ACCELERATION_WEIGHTS,
@@ -32,6 +34,12 @@ from nctakt.nc.vocabulary.path_keywords import VECTOR_BLOCKS
 MAX_BEND = 1.99
 
 
+def bend_of(angle_deg: float) -> float:
+    """Return a change of direction as the length of two unit vectors' difference."""
+    half = math.radians(min(max(angle_deg, 0.0), 180.0)) / 2.0
+    return min(2.0 * math.sin(half), MAX_BEND)
+
+
 @dataclass(frozen=True, slots=True)
 class AxisWeights:
     """The weights of one axis as factors; 1 leaves the value of its list."""
@@ -43,6 +51,41 @@ class AxisWeights:
     feed_ramp: float = 1.0
     rapid_ramp: float = 1.0
 
+
+@dataclass(frozen=True, slots=True)
+class BlockWeights:
+    """The weights of one block by its length or radius, as factors of all axes' limits."""
+
+    rapid: tuple[float, float, float] = (1.0, 1.0, 1.0)
+    feed: tuple[float, float, float] = (1.0, 1.0, 1.0)
+
+    def with_row(self, row: WeightRow | None, *, is_rapid: bool, is_capped: bool) -> BlockWeights:
+        """Return these weights times those of a row; ``is_capped``: at most 1 but the ramps."""
+        if row is None:
+            return self
+        top = 1.0 if is_capped else 1e9
+        before = self.rapid if is_rapid else self.feed
+        factors = (
+            before[0] * min(row.speed, top),
+            before[1] * min(row.acceleration, top),
+            before[2] * row.ramp,
+        )
+        return replace(self, rapid=factors) if is_rapid else replace(self, feed=factors)
+
+    def of(self, weights: AxisWeights) -> AxisWeights:
+        """Return the weights of an axis times these."""
+        return AxisWeights(
+            weights.speed * self.feed[0],
+            weights.rapid_speed * self.rapid[0],
+            weights.feed_acceleration * self.feed[1],
+            weights.rapid_acceleration * self.rapid[1],
+            weights.feed_ramp * self.feed[2],
+            weights.rapid_ramp * self.rapid[2],
+        )
+
+
+#: The weights of a block without any.
+BLOCK_UNWEIGHTED = BlockWeights()
 
 #: What each function weights; the others are accepted without effect.
 _WEIGHTED = MappingProxyType(
@@ -76,6 +119,8 @@ class LimitState:
     ``feed`` limits feed blocks, ``rapid`` rapid ones; 0: no limit. ``vector``: the same by the
     keywords of ``#VECTOR LIMIT``, for FEED and for RAPID. ``rounded_part`` of a line and changes of
     direction up to ``max_bend`` (``kernel/path/segment_limits.py``) are for rounded corners.
+    ``weights_motions`` (bits of P-CHAN-00190) and ``weights_arcs``: blocks have weights by their
+    length or radius; ``block``: those of the last one.
     """
 
     weights: dict[int, AxisWeights] = field(default_factory=dict)
@@ -87,6 +132,14 @@ class LimitState:
     )
     rounded_part: float = 0.5
     max_bend: float = MAX_BEND
+    weights_motions: int = 0
+    weights_arcs: bool = False
+    block: BlockWeights = BLOCK_UNWEIGHTED
+
+    @property
+    def weights_blocks(self) -> bool:
+        """Whether blocks may have weights by their length or radius."""
+        return self.weights_motions != 0 or self.weights_arcs
 
     def weigh(self, function: int, axes: Iterable[int], pct: dict[int, float]) -> bool:
         """Process a weight of ``axes`` in per cent; those without one are at 100 %.
@@ -105,6 +158,6 @@ class LimitState:
     @property
     def is_reduced(self) -> bool:
         """Whether the limits are not those of the lists."""
-        if any(self.feed) or any(self.rapid):
+        if any(self.feed) or any(self.rapid) or self.block != BLOCK_UNWEIGHTED:
             return True
         return any(weights != AxisWeights() for weights in self.weights.values())

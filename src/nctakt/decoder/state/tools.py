@@ -9,7 +9,7 @@ move nothing by themselves.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from typing import NoReturn, Protocol
 
@@ -27,7 +27,9 @@ from nctakt.lists.declared.tools import (
 )
 from nctakt.messages.checked_values import INDEX_OUT_OF_RANGE
 from nctakt.messages.tools import (
+    INVALID_TOOL_LIFE_FACTOR,
     INVALID_TOOL_NUMBER,
+    INVALID_TOOL_VALUE,
     TOOL_LENGTH_WITHOUT_AXIS,
     TOOL_NOT_IN_LIST,
     TOOL_NOT_VALID,
@@ -35,6 +37,7 @@ from nctakt.messages.tools import (
     UNKNOWN_TOOL,
 )
 from nctakt.messages.transformations import (
+    KINEMATIC_NOT_POSSIBLE,
     KINEMATIC_OF_TOOL_DIFFERS,
     PARAMETER_DURING_TRANSFORMATION,
 )
@@ -44,11 +47,20 @@ from nctakt.nc.vocabulary.system_variables import SystemVariable
 #: Sum of the indices of the first three axes; minus those of a plane: the axis normal to it.
 _MAIN_AXES = 0 + 1 + 2
 
+#: The third main axis, Z.
+_THIRD_AXIS = 2
+
 #: The axes whose offsets of the tool a transformation ignores (P-TOOL-00006).
 _LINEAR_AXES = 3
 
 #: The largest number behind T or D; the code of a T function has no room for more.
 MAX_TOOL_NUMBER = 999_999_999
+
+
+#: Basic, sister and variant number of a tool.
+Identity = tuple[int, int, int]
+#: Their names in variables.
+_PARTS = ("BASIC", "SISTER", "VARIANT")
 
 
 class Fail(Protocol):
@@ -67,22 +79,61 @@ class ActiveTool:
 
     def name(self, word: Word, value: float) -> int:
         """Process T, and return its number for the PLC; the tool list has it, if there is one."""
-        number = self._number(word, value)
-        if number and self._environment.tools and number not in self._environment.tools:
-            self._fail(TOOL_NOT_IN_LIST, word.span, tool=number)
-        self._state.tool.number = number
+        number = self._number(word.name, word.span, value)
+        self.prepare((number, 0, 0), word.span)
         return number
+
+    def prepare(self, identity: Identity, span: Span) -> None:
+        """Process ``#TOOL PREP`` or T for the tool with this ID."""
+        if any(identity) and self._environment.tools and self._with(identity) is None:
+            self._fail(TOOL_NOT_IN_LIST, span, tool=_shown(identity))
+        self._state.tool.number = identity[0]
 
     def select(self, word: Word, value: float) -> None:
         """Select the data of a valid tool of the list, or none with the number 0."""
-        number = self._number(word, value)
-        tool = NO_TOOL if number == 0 else self._environment.tools.get(number)
+        number = self._number(word.name, word.span, value)
+        self.select_identity((number, 0, 0), f"{word.name}{number}", word.span)
+
+    def select_identity(self, identity: Identity, command: str, span: Span) -> None:
+        """Select the data of the valid tool with this ID, or none with 0."""
+        tool = self._with(identity) if any(identity) else NO_TOOL
+        number = identity[0]
         if tool is None:
-            self._fail(UNKNOWN_TOOL, word.span, tool=number)
+            self._fail(UNKNOWN_TOOL, span, tool=_shown(identity))
         if tool is not NO_TOOL and not tool.valid:
-            self._fail(TOOL_NOT_VALID, word.span, tool=number)
-        self._change_radius(tool.radius, f"{word.name}{number}", word.span)
-        self._select_kinematic(tool, word.span)
+            self._fail(TOOL_NOT_VALID, span, tool=_shown(identity))
+        if tool is not NO_TOOL:
+            for message, values in self._environment.parameters.tool_selection.mistakes(tool):
+                self._fail(message, span, tool=_shown(identity), **values)
+        self._take(tool, number, command, span)
+
+    def refresh(self, span: Span) -> None:
+        """Take the data of the active tool from the list again (``#TOOL REFRESH``)."""
+        tool = self._listed(self._state.tool.tool.number)
+        if tool is not None:
+            self._take(tool, self._state.tool.record, "#TOOL REFRESH", span)
+
+    def _listed(self, index: int) -> Tool | None:
+        """Return the tool of the list with this index, as programs have changed it."""
+        changed = self._environment.controller_data.tools
+        return changed.get(index) or self._environment.tools.get(index)
+
+    def _with(self, identity: Identity) -> Tool | None:
+        """Return the tool of the list with this ID."""
+        tools = self._environment.tools
+        tool = tools.get(identity[0])
+        if tool is None or tool.identity != identity:
+            every = (one for one in tools.values() if one.identity == identity)
+            tool = next(every, None)
+        return None if tool is None else self._listed(tool.number)
+
+    def _take(self, tool: Tool, number: int, command: str, span: Span) -> None:
+        """Let this tool be the active one."""
+        self._change_radius(tool.radius, command, span)
+        self._select_kinematic(tool, span)
+        suspended = self._environment.offsets.suspended
+        if suspended is not None and not suspended.is_without_tools:
+            suspended.has_tool = True
         self._state.tool.record = number
         self._state.tool.tool = tool
 
@@ -90,17 +141,29 @@ class ActiveTool:
         """Select the kinematic of a tool that names one (P-TOOL-00011)."""
         transformation = self._environment.offsets.transformation
         identity = transformation.kinematics.id_of_tool(tool)
-        active = transformation.kinematic
+        suspended = self._environment.offsets.suspended
+        active = transformation.steps[0] if suspended is None else suspended.steps[0]
         if identity and active is not None and active.id != identity:
             self._fail(KINEMATIC_OF_TOOL_DIFFERS, span, tool=identity, active=active.id)
+        if active is not None:
+            kinematics = transformation.kinematics
+            reason = kinematics.refusal(kinematics.with_tool(active, tool))
+            if reason is not None:
+                self._fail(KINEMATIC_NOT_POSSIBLE, span, id=active.id, reason=reason)
         if identity:
             transformation.selected[0] = identity
 
-    def _number(self, word: Word, value: float) -> int:
+    def _number(self, word: str, span: Span, value: float) -> int:
         number = int(arithmetic.round_half_even(value))
         if number != value or not 0 <= number <= MAX_TOOL_NUMBER:
-            self._fail(INVALID_TOOL_NUMBER, word.span, word=word.name, value=value)
+            self._fail(INVALID_TOOL_NUMBER, span, word=word, value=value)
         return number
+
+    def identity(self, numbers: Sequence[float], command: str, span: Span) -> Identity:
+        """Return the ID of basic, sister and variant number; missing ones are 0."""
+        parts = [self._number(command, span, number) for number in numbers]
+        basic, sister, variant = [*parts, 0, 0][:3]
+        return (basic, sister, variant)
 
     def _change_radius(self, radius: float, command: str, span: Span) -> None:
         """Set the radius for the next motion between G41 or G42 and G40."""
@@ -113,22 +176,36 @@ class ActiveTool:
 
     def offsets(self, span: Span, number: int) -> Iterator[Command]:
         """Yield the offsets of the tool in the current plane; a transformation has its length."""
+        if not self._environment.offsets.has_tool_offsets:
+            return
         tool, plane = self._state.tool.tool, self._state.path.plane
         offsets = dict(tool.axis_offsets)
         transformation = self._environment.offsets.transformation
+        source = self._environment.source_id(span)
         if transformation.is_transformation:
-            source = self._environment.source_id(span)
             self._state.positions = yield from transformation.change_tool(
                 tool, self._state.positions, source, number
             )
             offsets = {axis: value for axis, value in offsets.items() if axis >= _LINEAR_AXES}
         elif tool.length:
-            normal = _MAIN_AXES - sum(PLANES[plane])
+            normal, sign = self._length_axis(plane)
             if normal >= len(self._environment.axes):
                 self._fail(TOOL_LENGTH_WITHOUT_AXIS, span, length=tool.length, plane=plane)
-            offsets[normal] = offsets.get(normal, 0.0) + tool.length
-        source = self._environment.source_id(span)
+            offsets[normal] = offsets.get(normal, 0.0) + sign * tool.length
+        if transformation.plane is not None:
+            self._state.positions = yield from transformation.change_tool_of_plane(
+                offsets, self._state.positions, source, number
+            )
+            mapped = transformation.plane.mapped
+            offsets = {axis: value for axis, value in offsets.items() if axis not in mapped}
         yield from self._environment.offsets.set_tool(offsets, source, number)
+
+    def _length_axis(self, plane: int) -> tuple[int, int]:
+        """Return the index of the axis along which the length acts, and the sign."""
+        if self._state.tool.length_axis is not None:
+            return self._state.tool.length_axis
+        keeps_axis = self._environment.parameters.tool_selection.keeps_length_axis
+        return (_THIRD_AXIS if keeps_axis else _MAIN_AXES - sum(PLANES[plane])), 1
 
     # --- V.G -------------------------------------------------------------------------------------
 
@@ -147,11 +224,7 @@ class ActiveTool:
             return float(state.number if system_variable.subject == "T_AKT" else state.record)
         tool = state.tool
         if system_variable.number is not None:
-            number = int(index(system_variable.number))
-            listed = NO_TOOL if number == 0 else self._environment.tools.get(number)
-            if listed is None:
-                self._fail(UNKNOWN_TOOL, system_variable.number.span, tool=number)
-            tool = listed
+            tool = self._numbered(system_variable.number, index)
         unit = self._state.length_unit_mm
         match system_variable.subject:
             case "R":
@@ -169,12 +242,30 @@ class ActiveTool:
                 return float(tool.kinematic_parameters.get(parameter, 0))
             case "KIN_ID":
                 return float(tool.kinematic_id)
+            case "TYPE":
+                return float(tool.type)
+            case "ME":
+                return float(tool.is_inch)
+            case "BASIC" | "SISTER" | "VARIANT":
+                return float(tool.identity[_PARTS.index(system_variable.subject)])
+            case "SISTER_VALID":
+                return float(tool.sister_is_valid)
+            case "VARIANT_VALID":
+                return float(tool.variant_is_valid)
             case "OK":
                 return float(tool.valid)
             case "SRK_ID":
                 return float(tool.cutter_position)
             case _:
                 return float(tool.spindle_number)
+
+    def _numbered(self, number: Expression, index: Callable[[Expression], float]) -> Tool:
+        """Return the tool of V.G.WZ[5]; raises ``DecodeError``."""
+        value = int(index(number))
+        listed = NO_TOOL if value == 0 else self._with((value, 0, 0))
+        if listed is None:
+            self._fail(UNKNOWN_TOOL, number.span, tool=value)
+        return listed
 
     def _axis_offset(
         self,
@@ -183,13 +274,21 @@ class ActiveTool:
         tool: Tool,
         index: Callable[[Expression], float],
     ) -> float:
-        if system_variable.element is None:
-            axis = self._environment.axis_numbers[system_variable.axis]
-        else:
-            axis = self._element(variable, system_variable, len(self._environment.axes), index)
+        axis = self._axis(variable, system_variable, index)
         offset = tool.axis_offsets.get(axis, 0.0)
         is_linear = self._environment.axes[axis].is_linear
         return offset / self._state.length_unit_mm if is_linear else offset
+
+    def _axis(
+        self,
+        variable: Variable,
+        system_variable: SystemVariable,
+        index: Callable[[Expression], float],
+    ) -> int:
+        """Return the index of the axis in the channel."""
+        if system_variable.element is None:
+            return self._environment.axis_numbers[system_variable.axis]
+        return self._element(variable, system_variable, len(self._environment.axes), index)
 
     def _element(
         self,
@@ -226,15 +325,72 @@ class ActiveTool:
         parameters = {**state.tool.kinematic_parameters, parameter: value}
         state.tool = replace(state.tool, kinematic_parameters=parameters)
 
+    def write_life(self, factor: str, value: float, span: Span) -> None:
+        """Set V.TLM.TIME_FACT or V.TLM.DIST_FACT, at least 0."""
+        if value < 0.0:
+            self._fail(INVALID_TOOL_LIFE_FACTOR, span, variable=f"V.TLM.{factor}", value=value)
+        self._environment.controller_data.tool_life_factors[factor] = value
+
     def write(
-        self, system_variable: SystemVariable, value: float, span: Span, number: int
+        self,
+        variable: Variable,
+        system_variable: SystemVariable,
+        value: float,
+        index: Callable[[Expression], float],
+        number: int,
     ) -> Iterator[Command]:
-        """Set radius or length of the active tool until the next D."""
+        """Change the active tool until the next D, or a tool of the list until the next start-up.
+
+        Radius, length, free values, offsets of axes, validity, numbers, what it adds to kinematics.
+        """
         state = self._state.tool
+        changes_list = system_variable.number is not None
+        tool = state.tool
+        if system_variable.number is not None:
+            tool = self._numbered(system_variable.number, index)
         length = value * self._state.length_unit_mm
+        match system_variable.subject:
+            case "R":
+                tool = replace(tool, radius=length)
+            case "L":
+                tool = replace(tool, length=length)
+            case "P":
+                parameter = self._element(variable, system_variable, MAX_PARAMETERS, index)
+                tool = replace(tool, parameters={**tool.parameters, parameter: value})
+            case "KIN_PARAM":
+                count = MAX_KINEMATIC_PARAMETERS
+                parameter = self._element(variable, system_variable, count, index)
+                added = {**tool.kinematic_parameters, parameter: value}
+                tool = replace(tool, kinematic_parameters=added)
+            case "OK":
+                tool = replace(tool, valid=arithmetic.is_true(value))
+            case "SRK_ID":
+                tool = replace(tool, cutter_position=self._whole(variable, value))
+            case "SPDL_AX_NR":
+                tool = replace(tool, spindle_number=self._whole(variable, value))
+            case "KIN_ID":
+                tool = replace(tool, kinematic_id=self._whole(variable, value))
+            case _:
+                axis = self._axis(variable, system_variable, index)
+                offset = length if self._environment.axes[axis].is_linear else value
+                tool = replace(tool, axis_offsets={**tool.axis_offsets, axis: offset})
+        if changes_list:
+            if tool.number:
+                self._environment.controller_data.tools[tool.number] = tool
+            return
         if system_variable.subject == "R":
-            self._change_radius(length, "V.G.WZ_AKT.R", span)
-            state.tool = replace(state.tool, radius=length)
-        else:
-            state.tool = replace(state.tool, length=length)
-            yield from self.offsets(span, number)
+            self._change_radius(length, "V.G.WZ_AKT.R", variable.span)
+        state.tool = tool
+        if system_variable.subject in ("L", "V"):
+            yield from self.offsets(variable.span, number)
+
+    def _whole(self, variable: Variable, value: float) -> int:
+        """Return a value of a tool that is a whole number of at least 0."""
+        if value < 0.0 or value != int(value):
+            self._fail(INVALID_TOOL_VALUE, variable.span, value=value)
+        return int(value)
+
+
+def _shown(identity: Identity) -> str:
+    """Return an ID as it is written: ``5``, ``5, 2, 1``."""
+    return ", ".join(map(str, identity)) if any(identity[1:]) else str(identity[0])

@@ -12,6 +12,7 @@ from functools import cached_property
 from typing import NoReturn
 
 from nctakt.base.diagnostics import Message, Span
+from nctakt.decoder.state.axis_places import AxisNotInChannelError
 from nctakt.decoder.state.commands import (
     Answer,
     Command,
@@ -68,6 +69,10 @@ Evaluation = Generator[Command, Answer, float]
 _FUNCTIONS = frozenset(
     ("SQRT", "EXP", "DEXP", "LN", "LOG", "SIN", "COS", "TAN", "COT", "ASIN", "ACOS", "ATAN2", "INV")
 )
+
+
+#: The command that empties the channel by itself.
+EXPLICIT_FLUSH = "#FLUSH"
 
 
 class Evaluator:
@@ -369,8 +374,7 @@ class Evaluator:
     def _system(self, variable: tree.Variable) -> float:
         """Return the value of a V.G or V.A variable."""
         environment = self.environment
-        system = system_variable(variable, tuple(environment.axis_numbers))
-        assert system is not None
+        system = self.system_of(variable)
         if system.kind == "timer":
             assert system.number is not None
             number = self._index(system.number)
@@ -385,9 +389,21 @@ class Evaluator:
             return environment.controller_data.timers.read(int(number))
         if system.kind == "spindle":
             return self.spindle_value(variable, system)
+        if system.kind == "tool life":
+            return environment.controller_data.tool_life_factors[system.subject]
         if system.kind == "tool":
             return self.tool.read(variable, system, self._index)
         return self.system.read(variable, system)
+
+    def system_of(self, variable: tree.Variable) -> SystemVariable:
+        """Return the meaning of a V.G or V.A variable that the checker knows.
+
+        Raise ``AxisNotInChannelError`` where the channel does not have the axis now.
+        """
+        system = system_variable(variable, tuple(self.environment.axis_numbers))
+        if system is None:
+            raise AxisNotInChannelError(variable.parts[-1].name)
+        return system
 
     def _flush_before(self, variable: tree.Variable, number: int) -> Generator[Command, Answer]:
         """Empty the channel before a variable that shows a present position."""
@@ -429,12 +445,16 @@ class Evaluator:
         return cell
 
     def check_flush_allowed(self, command: str, span: Span) -> None:
-        """Raise ``DecodeError`` 20651 while compensation is active, because it cannot wait
-        (RC-308).
+        """Raise ``DecodeError`` 20651 while compensation or a spline is active, because these
+        cannot wait (RC-308).
         """
         compensation = self.state.path.compensation
         if compensation.side:
             self.fail(FLUSH_DURING_COMPENSATION, span, command=command, word=compensation.word)
+        if self.state.path.hsc.is_on and command == EXPLICIT_FLUSH:
+            self.fail(FLUSH_DURING_COMPENSATION, span, command=command, word="#HSC ON")
+        if self.state.shapes.spline.is_on:
+            self.fail(FLUSH_DURING_COMPENSATION, span, command=command, word="#SPLINE ON")
 
     def warn(self, message: Message, span: Span, **values: object) -> None:
         """Report a warning at ``span``."""

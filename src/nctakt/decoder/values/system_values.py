@@ -9,28 +9,44 @@ later programs until the next start-up.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from pathlib import Path
 
-from nctakt.base.diagnostics import NOTHING
+from nctakt.base.diagnostics import NOTHING, Span
+from nctakt.decoder.state.axis_places import AxisNotInChannelError
 from nctakt.decoder.state.commands import SetOffset
 from nctakt.decoder.state.environment import DecoderEnvironment
-from nctakt.decoder.state.modal_state import ModalState
+from nctakt.decoder.state.modal_state import Measured, ModalState
 from nctakt.decoder.state.tools import Fail
 from nctakt.kernel import codes
 from nctakt.kernel.base import arithmetic
 from nctakt.lists.declared.kinematics import MAX_PARAMETERS
 from nctakt.lists.declared.offsets import MAX_GROUPS
-from nctakt.lists.machine.kinematics import Kinematic
+from nctakt.lists.machine.kinematics import UNIVERSAL, Kinematic
+from nctakt.lists.machine.universal_kinematic import (
+    BASE,
+    ENTRIES,
+    MAX_BASE,
+    PARAMETER,
+    entry_of,
+)
 from nctakt.messages.checked_values import INDEX_OUT_OF_RANGE
 from nctakt.messages.offsets import UNKNOWN_ZERO_OFFSET
-from nctakt.messages.transformations import UNKNOWN_KINEMATIC
+from nctakt.messages.transformations import (
+    NOT_OF_KINEMATIC,
+    PARAMETER_NOT_PUBLIC,
+    UNKNOWN_KINEMATIC,
+)
 from nctakt.nc.tree import Expression, Variable
 from nctakt.nc.vocabulary.functions import FEED_PER_REVOLUTION, FEED_SHARE, INVERSE_TIME_FEED
 from nctakt.nc.vocabulary.resolution import path_text
-from nctakt.nc.vocabulary.system_names import ROWS, SystemRow
+from nctakt.nc.vocabulary.system_names import BY_PATH, ROWS, SystemRow
 from nctakt.nc.vocabulary.system_variables import SystemVariable
 from nctakt.nc.vocabulary.variable_table import Location
 
 Index = Callable[[Expression], float]
+
+#: Values of axes that are neither lengths nor angles.
+_WITHOUT_UNIT = ("MODE", "MERF", "RERF")
 
 
 class SystemValues:
@@ -49,27 +65,43 @@ class SystemValues:
     def read(self, variable: Variable, system: SystemVariable) -> float:
         """Return the current value."""
         if system.kind == "channel":
+            if system.element is not None:
+                count = BY_PATH["G", system.subject].elements
+                element = self._element(variable, system.element, count)
+                return self._of_arc(element)
             return self._of_channel(system.subject)
         if system.kind == "kinematic":
-            kinematic, index = self._kinematic(variable, system)
-            return kinematic.parameters.get(index, 0.0)
+            kinematic = self._kinematic(system)
+            indices = self._indices_of_kinematic(variable, system)
+            entry = entry_of(kinematic, system.subject, indices)
+            if entry is not None:
+                self._check_entry(kinematic, system, variable.span)
+                return kinematic.entries.get(entry, 0.0)
+            numbers = kinematic.base if system.subject == BASE else kinematic.parameters
+            return numbers.get(indices[0], 0.0)
         axis = self._axis_index(variable, system)
         value = self._of_axis(system.subject, axis)
         if value is None:
             groups = self._environment.offsets.zero_groups
             value = groups.get(self._group(variable, system), {}).get(axis, 0.0)
-        return self._in_units(value, axis)
+        return value if system.subject in _WITHOUT_UNIT else self._in_units(value, axis)
 
     def present(self) -> Iterator[tuple[SystemRow, str, float]]:
         """Yield each variable with its axis, if it has one, and its value; no numbered offsets."""
         for row in ROWS:
+            if row.elements:
+                continue
             if not row.has_axis:
                 yield row, "", self._of_channel(row.path)
                 continue
             for axis, index in self._environment.axis_numbers.items():
+                if self._environment.places.is_free(index):
+                    continue
                 value = self._of_axis(row.path, index)
                 if value is not None:
-                    yield row, axis, self._in_units(value, index)
+                    if row.path not in _WITHOUT_UNIT:
+                        value = self._in_units(value, index)
+                    yield row, axis, value
 
     def _in_units(self, value: float, axis: int) -> float:
         """Return a value of an axis in the program's unit."""
@@ -84,26 +116,60 @@ class SystemValues:
         """Return the value of an axis in mm or degrees; ``None`` for one of a numbered offset."""
         axis = self._environment.axes[index]
         offsets = self._environment.offsets
+        axis_name = list(self._environment.axis_numbers)[index]
         match subject:
             case "ABS":
                 return offsets.inside(self._state.positions)[index]
-            case "PROG" | "MENT":
+            case "MENT":
+                position = offsets.inside(self._state.positions)[index] - offsets.total(index)
+                return -position if index in self._state.frame.mirrored else position
+            case "PROG":
                 return offsets.inside(self._state.positions)[index] - offsets.total(index)
             case "ACT_POS":
                 measured = [self._measured(other) for other in range(len(self._environment.axes))]
                 return offsets.inside(measured)[index] - offsets.total(index)
             case "ACS.ABS":
                 return self._measured(index)
-            case "+SWE" | "+SWE_MDS":
+            case "+SWE":
+                return self._state.software_limits.of(axis, index)[1]
+            case "-SWE":
+                return self._state.software_limits.of(axis, index)[0]
+            case "REF":
+                return self._environment.controller_data.references.get(axis_name, 0.0)
+            case "RERF":
+                return float(axis_name in self._environment.controller_data.references)
+            case "+SWE_MDS":
                 return axis.software_limit_high
-            case "-SWE" | "-SWE_MDS":
+            case "-SWE_MDS":
                 return axis.software_limit_low
+            case "MODE":
+                return float(axis.mode)
+            case "SOFFS":
+                return offsets.value(index, codes.MANUAL_OFFSET)
+            case "SELECTED_CS.TRANS":
+                return offsets.systems.shift[index]
             case "BZP":
                 return offsets.value(index, codes.ADD_ZERO_OFFSET)
             case "PZV":
                 return offsets.value(index, codes.CLAMP_OFFSET)
+            case "MESS":
+                return self._measured_by_probe(index).value
+            case "MOFFS":
+                return self._measured_by_probe(index).deviation
+            case "MEIN":
+                return offsets.value(index, codes.MEASURE_OFFSET)
+            case "MEAS.ACS.VALUE":
+                return self._measured_by_probe(index).acs_value
+            case "MEAS.PCS.VALUE":
+                return self._measured_by_probe(index).pcs_value
+            case "MERF":
+                return float(self._measured_by_probe(index).has_touched)
             case "MODULO_VALUE":
                 return axis.modulo_range
+            case "WCS":
+                return self._state.wcs.get(index, 0.0)
+            case "MCS":
+                return self._state.mcs.get(index, 0.0)
             case "NP_AKT.V":
                 return offsets.value(index, codes.ZERO_OFFSET)
         return None
@@ -112,6 +178,26 @@ class SystemValues:
         state = self._state
         unit = self._environment.parameters.program_start.feed_unit_mm_min
         match subject:
+            case "MEAS_TYPE":
+                listed = self._environment.parameters.measuring.type
+                return float(state.measuring.type or listed)
+            case "BLOCK_NR" | "SATZ_NR":
+                return float(state.block_number)
+            case "PROG_NR":
+                name = Path(state.call_stack.frames[0].text.source.file).stem.lstrip("%O")
+                return float(name) if name.isdecimal() else 0.0
+            case "I" | "J" | "K":
+                arc = state.path.last_arc
+                return 0.0 if arc is None else arc.word(subject) / state.length_unit_mm
+            case "R":
+                arc = state.path.last_arc
+                return 0.0 if arc is None else arc.radius / state.length_unit_mm
+            case "ROT_ACTIVE":
+                return float(state.frame.is_turned)
+            case "ROT_ANGLE":
+                return state.frame.angle_deg
+            case "ROT_CENTER1" | "ROT_CENTER2":
+                return state.frame.centre[int(subject[-1]) - 1] / state.length_unit_mm
             case "MASS_MM":
                 return float(state.inch)
             case "FEEDRATE_MODE":
@@ -133,12 +219,22 @@ class SystemValues:
                 return state.feed_mm_s * 60.0 / per_minute
         return 0.0  # MASS_360: angles are degrees
 
+    def _of_arc(self, index: int) -> float:
+        """Return how far the centre of the last arc was moved, in the program's unit."""
+        arc = self._state.path.last_arc
+        return 0.0 if arc is None else arc.correction[index] / self._state.length_unit_mm
+
+    def _measured_by_probe(self, axis: int) -> Measured:
+        return self._state.measuring.measured.get(axis, Measured())
+
     def _measured(self, axis: int) -> float:
         """Return the actual position of an axis in mm or degrees."""
         return self._environment.cells[self._cell(axis)]
 
     def _cell(self, axis: int) -> int:
         name = list(self._environment.axis_numbers)[axis]
+        if self._environment.places.is_free(axis):
+            raise AxisNotInChannelError(name)
         location = self._environment.names.resolve("RTA", [("ACS", 0), ("CUR_POS", 0), (name, 0)])
         assert isinstance(location, Location)
         return location.cell
@@ -153,17 +249,48 @@ class SystemValues:
         assert system.number is not None
         return self._element(variable, system.number, MAX_GROUPS)
 
-    def _kinematic(self, variable: Variable, system: SystemVariable) -> tuple[Kinematic, int]:
-        """Return the kinematic and the index of V.G.KIN[9].PARAM[0]."""
+    def _kinematic(self, system: SystemVariable) -> Kinematic:
+        """Return the kinematic of V.G.KIN[9].PARAM[0]."""
         assert system.number is not None
-        assert system.element is not None
         kinematics = self._environment.offsets.transformation.kinematics
         id_ = int(self._index(system.number))
         kinematic = kinematics.find(0, id_)
         if kinematic is None:
             known = ", ".join(map(str, sorted(kinematics.transformations.steps[0]))) or NOTHING
             self._fail(UNKNOWN_KINEMATIC, system.number.span, id=id_, known=known)
-        return kinematic, self._element(variable, system.element, MAX_PARAMETERS)
+        return kinematic
+
+    def _indices_of_kinematic(self, variable: Variable, system: SystemVariable) -> tuple[int, ...]:
+        """Return the indices behind that of the kinematic."""
+        sizes = ENTRIES.get(system.subject, (MAX_BASE,))
+        if system.subject == PARAMETER:
+            sizes = (MAX_PARAMETERS,)
+        return tuple(
+            self._element(variable, index, count)
+            for index, count in zip(system.further, sizes, strict=True)
+        )
+
+    def _check_entry(self, kinematic: Kinematic, system: SystemVariable, span: Span) -> None:
+        """Raise ``DecodeError`` for a name of type 91 at a kinematic of another type."""
+        if kinematic.type != UNIVERSAL:
+            name = system.subject.upper()
+            self._fail(NOT_OF_KINEMATIC, span, name=name, id=kinematic.id, type=kinematic.type)
+
+    def _write_kinematic(self, variable: Variable, system: SystemVariable, value: float) -> None:
+        """Assign a number of a kinematic."""
+        kinematics = self._environment.offsets.transformation.kinematics
+        kinematic = self._kinematic(system)
+        indices = self._indices_of_kinematic(variable, system)
+        entry = entry_of(kinematic, system.subject, indices)
+        if entry is not None:
+            self._check_entry(kinematic, system, variable.span)
+            kinematics.set_entry(kinematic, entry, value)
+        elif system.subject == BASE:
+            kinematics.set_base(kinematic, indices[0], value)
+        elif kinematic.type == UNIVERSAL:
+            self._fail(PARAMETER_NOT_PUBLIC, variable.span, index=indices[0], id=kinematic.id)
+        else:
+            kinematics.set_parameter(kinematic, indices[0], value)
 
     def _element(self, variable: Variable, index: Expression, count: int) -> int:
         number = int(self._index(index))
@@ -172,16 +299,35 @@ class SystemValues:
             self._fail(INDEX_OUT_OF_RANGE, index.span, variable=name, index=number, count=count)
         return number
 
+    def copy_offset(
+        self, target: Variable, value: Variable, source: int, number: int
+    ) -> Iterator[SetOffset]:
+        """Copy a zero offset of all axes: ``V.G.NP[12].ALL = V.G.NP_AKT.ALL``."""
+        offsets = self._environment.offsets
+        axes = range(len(self._environment.axes))
+        if value.parts[0].indices:
+            listed = offsets.zero_groups.get(self._whole_group(value), {})
+            values = {axis: listed.get(axis, 0.0) for axis in axes}
+        else:
+            values = {axis: offsets.value(axis, codes.ZERO_OFFSET) for axis in axes}
+        if target.parts[0].indices:
+            offsets.zero_groups[self._whole_group(target)] = values
+            return
+        for axis, shift in values.items():
+            yield from offsets.set_zero(axis, shift, source, number)
+
+    def _whole_group(self, variable: Variable) -> int:
+        return self._element(variable, variable.parts[0].indices[0], MAX_GROUPS)
+
     # --- writing --------------------------------------------------------------------------------
 
     def write(
         self, variable: Variable, system: SystemVariable, value: float, source: int, number: int
     ) -> Iterator[SetOffset]:
-        """Assign a zero offset, active or in the list, the default group, or of a kinematic."""
+        """Assign a zero offset, the default group, a kinematic's parameter, or a position."""
         offsets = self._environment.offsets
         if system.kind == "kinematic":
-            kinematic, index = self._kinematic(variable, system)
-            offsets.transformation.kinematics.set_parameter(kinematic, index, value)
+            self._write_kinematic(variable, system, value)
             return
         if system.kind == "channel":
             group = arithmetic.round_half_even(value)
@@ -192,7 +338,11 @@ class SystemValues:
         axis = self._axis_index(variable, system)
         if self._environment.axes[axis].is_linear:
             value *= self._state.length_unit_mm
-        if system.subject == "NP_AKT.V":
+        if system.subject == "WCS":
+            self._state.wcs[axis] = value
+        elif system.subject == "MCS":
+            self._state.mcs[axis] = value
+        elif system.subject == "NP_AKT.V":
             yield from offsets.set_zero(axis, value, source, number)
         else:
             offsets.zero_groups.setdefault(self._group(variable, system), {})[axis] = value

@@ -35,7 +35,7 @@ from nctakt.nc.vocabulary.resolution import (
     path_text,
     resolve_aggregate,
 )
-from nctakt.nc.vocabulary.system_variables import SYSTEM_FAMILIES, system_variable
+from nctakt.nc.vocabulary.system_variables import SYSTEM_FAMILIES, is_whole_offset
 from nctakt.nc.vocabulary.variable_table import Aggregate, Location
 
 Evaluation = Generator[Command, Answer, float]
@@ -61,6 +61,13 @@ class Values(Evaluator):
             yield from self.store(statement.target, result, number)
             return
         value = to_tree(value)
+        if isinstance(value, tree.Variable) and is_whole_offset(value):
+            assert isinstance(statement.target, tree.Variable)
+            for index in (*indices_of(statement.target), *indices_of(value)):
+                yield from self._fetch(index, number)
+            source = self.environment.source_id(statement.span)
+            yield from self.system.copy_offset(statement.target, value, source, number)
+            return
         if isinstance(value, tree.ArrayLiteral):
             assert isinstance(statement.target, tree.Variable)
             items = yield from self.program_values.items(value, number, self.evaluate_any)
@@ -145,17 +152,19 @@ class Values(Evaluator):
         self, target: tree.Variable, value: float | str, number: int
     ) -> Generator[Command, Answer]:
         """Assign to V.G: the active tool, zero offsets."""
-        system = system_variable(target, tuple(self.environment.axis_numbers))
-        assert system is not None
+        system = self.system_of(target)
         if isinstance(value, str):
             self.fail(TEXT_INSTEAD_OF_NUMBER, target.span, name=path_text(target))
         for index in indices_of(target):
             yield from self._fetch(index, number)
-        if system.subject == "KIN_PARAM":
+        if system.subject == "KIN_PARAM" and system.number is None:
             self.tool.write_kinematic_parameter(target, system, value, self._index)
             return
         if system.kind == "tool":
-            yield from self.tool.write(system, value, target.span, number)
+            yield from self.tool.write(target, system, value, self._index, number)
+            return
+        if system.kind == "tool life":
+            self.tool.write_life(system.subject, value, target.span)
             return
         source = self.environment.source_id(target.span)
         yield from self.system.write(target, system, value, source, number)

@@ -46,6 +46,8 @@ cdef class Axes:
     @cython.locals(i=Py_ssize_t, step=double, sent=double, lag=double)
     cdef void follow(self) noexcept nogil
     @cython.locals(half=double)
+    @cython.locals(shift=double)
+    cdef void refer(self, Py_ssize_t axis, double position) noexcept nogil
     cdef double distance(self, Py_ssize_t i, double begin, double end) noexcept nogil
     @cython.locals(i=Py_ssize_t)
     cdef void begin_tick(self) noexcept nogil

@@ -18,7 +18,8 @@ it. The cells of an axis are written where its positions are others than those s
 (``shown_…``), and where the systems have changed (``is_shifted``).
 
 ``on_path`` tells which axes the current block moves, ``independent`` which ones move on their own
-(MO-13); ``independent_pct`` is the override of the latter (RC-305).
+(MO-13); ``independent_pct`` is the override of the latter (RC-305). These, ``command`` and
+``target`` have one element more, for places of a channel without an axis (``path_axes.py``).
 """
 
 from __future__ import annotations
@@ -39,7 +40,7 @@ class Axes:
         self.cells = memoryview(memory).cast("d")
         self.first_cell = first_cell
         self.count = count
-        self.command = memoryview(bytearray(8 * count)).cast("d")
+        self.command = memoryview(bytearray(8 * (count + 1))).cast("d")
         self.has_lag = False
         self.is_late = False
         self.lag_d = memoryview(bytearray(8 * count)).cast("d")
@@ -48,11 +49,11 @@ class Axes:
         self.followed = memoryview(bytearray(8 * count)).cast("d")
         self.drive_d = memoryview(bytearray(8 * count)).cast("d")
         self.unsent = memoryview(bytearray(8 * count)).cast("d")
-        self.target = memoryview(bytearray(8 * count)).cast("d")
+        self.target = memoryview(bytearray(8 * (count + 1))).cast("d")
         self.modulo_low = memoryview(bytearray(8 * count)).cast("d")
         self.modulo_range = memoryview(bytearray(8 * count)).cast("d")
-        self.on_path = memoryview(bytearray(8 * count)).cast("q")
-        self.independent = memoryview(bytearray(8 * count)).cast("q")
+        self.on_path = memoryview(bytearray(8 * (count + 1))).cast("q")
+        self.independent = memoryview(bytearray(8 * (count + 1))).cast("q")
         self.override_mode = memoryview(bytearray(8 * count)).cast("q")
         self.override_pct = memoryview(bytearray(8 * count)).cast("d")
         self.max_override_pct = memoryview(bytearray(8 * count)).cast("d")
@@ -157,17 +158,17 @@ class Axes:
     def publish_tip(self, number: int) -> None:
         """Write the positions of the axes of map ``number`` in MCS, IPO and PCS."""
         self.transformations.map_forward(number, self.command, codes.TIP_OF_COMMAND)
-        self.transformations.map_forward(number, self.target, codes.TIP_OF_TARGET)
+        self.transformations.map_targets(number, self.target)
         if self.has_lag or self.has_stops:
             for i in range(self.count):
                 self.actual[i] = self.actual_position(i)
             self.transformations.map_forward(number, self.actual, codes.TIP_OF_ACTUAL)
         else:
             self.transformations.copy_tip(codes.TIP_OF_COMMAND, codes.TIP_OF_ACTUAL)
-        for k in range(self.transformations.joints(number)):
-            if not self.transformations.is_mapped(number, k):
+        for k in range(self.transformations.joint_count):
+            if not self.transformations.joint_mapped[k]:
                 continue
-            i = self.transformations.member(number, k)
+            i = self.transformations.joint_members[k]
             command = self.transformations.tip(codes.TIP_OF_COMMAND, k)
             actual = self.transformations.tip(codes.TIP_OF_ACTUAL, k)
             target = self.transformations.tip(codes.TIP_OF_TARGET, k)
@@ -326,6 +327,16 @@ class Axes:
         check_index(index, self.count, "axis")
         self.override_mode[index] = mode
         self.max_override_pct[index] = max_pct
+
+    def refer(self, axis: int, position: float) -> None:
+        """Let the place where an axis stands be this position (G74); nothing moves."""
+        shift = position - self.command[axis]
+        self.command[axis] = position
+        self.target[axis] = position
+        self.followed[axis] += shift
+        self.unsent[axis] += shift
+        self.has_moved = True
+        self.publish()
 
     def positions(self) -> list[float]:
         """Command positions of all axes in ACS, in mm or degrees."""

@@ -18,11 +18,15 @@ cdef class AxisMotions:
     cdef readonly Py_ssize_t fault_count
     cdef Py_ssize_t reported_count
     cdef Py_ssize_t requested_axis
+    cdef bint has_exchanged
     cdef long long source
     cdef long long serial
     cdef long long[::1] enabled
     cdef double[::1] low
     cdef double[::1] high
+    cdef double[::1] listed_low
+    cdef double[::1] listed_high
+    cdef long long[::1] is_homing
     cdef double[::1] limit_v
     cdef double[::1] limit_a
     cdef double[::1] limit_j

@@ -36,12 +36,16 @@ class AxisMotions:
         self.fault_count = 0
         self.reported_count = 0
         self.requested_axis = 0
+        self.has_exchanged = False
         self.source = 0
         self.serial = 0
         # The axis list.
         self.enabled = memoryview(bytearray(8 * count)).cast("q")
         self.low = memoryview(bytearray(8 * count)).cast("d")
         self.high = memoryview(bytearray(8 * count)).cast("d")
+        self.listed_low = memoryview(bytearray(8 * count)).cast("d")
+        self.listed_high = memoryview(bytearray(8 * count)).cast("d")
+        self.is_homing = memoryview(bytearray(8 * count)).cast("q")
         self.limit_v = memoryview(bytearray(8 * count)).cast("d")
         self.limit_a = memoryview(bytearray(8 * count)).cast("d")
         self.limit_j = memoryview(bytearray(8 * count)).cast("d")
@@ -84,19 +88,32 @@ class AxisMotions:
             self.axes.show_state(axis, codes.STANDSTILL)
 
     def configure(
-        self, axis: int, *, low: float, high: float, speed: float, acceleration: float, jerk: float
+        self,
+        axis: int,
+        *,
+        low: float,
+        high: float,
+        speed: float,
+        acceleration: float,
+        jerk: float,
+        is_enabled: bool = True,
     ) -> None:
-        """Let an axis move on its own within these limits (P-AXIS-00457); jerk 0: trapezoid."""
+        """Let an axis move on its own within these limits; jerk 0: trapezoid.
+
+        ``is_enabled``: cycles and the PLC may move it (P-AXIS-00457).
+        """
         check_index(axis, self.count, "axis")
-        self.enabled[axis] = 1
-        self.low[axis] = low
-        self.high[axis] = high
+        self.enabled[axis] = is_enabled
+        self.low[axis] = self.listed_low[axis] = low
+        self.high[axis] = self.listed_high[axis] = high
         self.limit_v[axis] = speed
         self.limit_a[axis] = acceleration
         self.limit_j[axis] = jerk
 
     def is_beyond(self, axis: int, target: float) -> int:
         """Return 60158 for a target above the software limits, 60159 for one below them, else 0."""
+        if self.is_homing[axis]:
+            return 0
         if self.axes.modulo_range[axis] > 0.0 or self.low[axis] <= target <= self.high[axis]:
             return 0
         return 60159 if target < self.low[axis] else 60158
@@ -217,6 +234,7 @@ class AxisMotions:
         self.kind[axis] = codes.IDLE
         self.axes.independent[axis] = 0
         self.held[axis] = 0
+        self.is_homing[axis] = 0
         self.owner[axis] = 0
         self.active_count -= 1
         self.speed[axis] = 0.0
@@ -340,6 +358,10 @@ class AxisMotions:
         return 0
 
     # --- Python's side --------------------------------------------------------------------------
+
+    def limits_of(self, axis: int) -> tuple[float, float]:
+        """Return the software limits of an axis in force, in mm or degrees."""
+        return (self.low[axis], self.high[axis])
 
     def next_failed(self) -> int:
         """Axis of the next error event that was not asked for yet."""

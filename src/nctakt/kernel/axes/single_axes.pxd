@@ -29,11 +29,15 @@ cdef class SingleAxes(AxisMotions):
     ) noexcept nogil
     @cython.locals(message=int)
     cdef int stop(self, Py_ssize_t axis, long long owner) noexcept nogil
-    cdef int refusal(self, Py_ssize_t axis, int mode) noexcept nogil
+    cdef int refusal(self, Py_ssize_t axis, int mode, long long owner) noexcept nogil
+    @cython.locals(before=cython.longlong)
+    cdef int is_foreign(self, Py_ssize_t axis, long long owner) noexcept nogil
     cdef void put(
         self, Py_ssize_t axis, int kind, double value, double speed_v, int direction, int mode,
         long long owner
     ) noexcept nogil
+    @cython.locals(axis=Py_ssize_t, distance=double, speed_v=double)
+    cdef int take(self, double[::1] queue, Py_ssize_t row, int kind) noexcept nogil
     @cython.locals(axis=Py_ssize_t)
     cdef void hold(self, long long owner) noexcept nogil
     @cython.locals(axis=Py_ssize_t, is_endless=cython.bint)

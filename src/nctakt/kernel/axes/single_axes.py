@@ -33,7 +33,7 @@ class SingleAxes(AxisMotions):
 
         ``direction`` (``codes.POSITIVE`` …) counts for modulo axes only.
         """
-        message = self.refusal(axis, mode)
+        message = self.refusal(axis, mode, owner)
         if message == 0:
             message = self.is_beyond(axis, target)
         if message == 0:
@@ -42,7 +42,7 @@ class SingleAxes(AxisMotions):
 
     def move_by(self, axis: int, distance: float, speed_v: float, mode: int, owner: int) -> int:
         """Move by a distance, from the commanded position, or BUFFERED from the goal."""
-        message = self.refusal(axis, mode)
+        message = self.refusal(axis, mode, owner)
         start = self.axes.command[axis]
         if mode == codes.BUFFERED and self.kind[axis] == codes.TO_POSITION:
             start = self.goal[axis]
@@ -54,22 +54,24 @@ class SingleAxes(AxisMotions):
 
     def run_endless(self, axis: int, speed_v: float, direction: int, mode: int, owner: int) -> int:
         """Move without a target in a direction (0: the present one) up to the software limit."""
-        message = self.refusal(axis, mode)
+        message = self.refusal(axis, mode, owner)
         if message == 0:
             self.put(axis, codes.ENDLESS, 0.0, speed_v, direction, mode, owner)
         return message
 
     def stop(self, axis: int, owner: int) -> int:
         """Brake to a standstill; give up the axis' motions, whoever commanded them."""
-        message = self.refusal(axis, codes.ABORTING)
+        message = self.refusal(axis, codes.ABORTING, owner)
         if message == 0:
             self.give_up(axis)
         return message
 
-    def refusal(self, axis: int, mode: int) -> int:
+    def refusal(self, axis: int, mode: int, owner: int) -> int:
         """Return the message that refuses a command for the axis now; 0 if none does."""
         if not self.enabled[axis]:
             return 50966
+        if self.has_exchanged and self.is_foreign(axis, owner):
+            return 50899
         if self.closed[axis]:
             return 900810
         if self.axes.on_path[axis]:
@@ -77,6 +79,13 @@ class SingleAxes(AxisMotions):
         if self.fault[axis]:
             return 60213
         return 1704 if mode == codes.BUFFERED and self.next_kind[axis] else 0
+
+    def is_foreign(self, axis: int, owner: int) -> int:
+        """Return whether a cycle commands an axis that its channel does not have (any more)."""
+        if owner == 0 or owner >= codes.PLC_OWNER:
+            return 0
+        before = (self.in_channel[axis] - 1) * codes.CYCLE_OWNERS
+        return 0 if before < owner <= before + codes.CYCLE_OWNERS else 1
 
     def put(
         self,
@@ -101,6 +110,27 @@ class SingleAxes(AxisMotions):
         self.next_held[axis] = 0
         if mode == codes.ABORTING or self.kind[axis] == codes.IDLE:
             self.begin(axis)
+
+    def take(self, queue: memoryview[float], row: int, kind: int) -> int:
+        """Execute HOME, REFER or SOFTWARE_LIMITS; return 0, or the message that refuses it."""
+        axis = int(queue[row + rows.HOMED_AXIS])
+        if kind == rows.SOFTWARE_LIMITS:
+            self.low[axis] = queue[row + rows.LIMIT_LOW]
+            self.high[axis] = queue[row + rows.LIMIT_HIGH]
+            return 0
+        if self.closed[axis]:
+            return 900810
+        if self.axes.on_path[axis] or self.kind[axis] != codes.IDLE:
+            return 50603
+        if kind == rows.REFER:
+            self.axes.refer(axis, queue[row + rows.HOMING_DISTANCE])
+            return 0
+        self.order(int(queue[row + rows.SOURCE]), 0)
+        self.is_homing[axis] = 1
+        distance = queue[row + rows.HOMING_DISTANCE]
+        speed_v = queue[row + rows.HOMING_SPEED]
+        self.put(axis, codes.BY_DISTANCE, distance, speed_v, codes.PRESENT, codes.ABORTING, 0)
+        return 0
 
     # --- what owners do with all their motions --------------------------------------------------
 
@@ -183,7 +213,7 @@ class SingleAxes(AxisMotions):
     def all_free(self, members: memoryview[int], count: int) -> int:
         """Return whether none of these axes moves on its own."""
         for i in range(count):
-            if not self.is_free(members[i]):
+            if members[i] < self.count and not self.is_free(members[i]):
                 return 0
         return 1
 
@@ -191,7 +221,7 @@ class SingleAxes(AxisMotions):
         """Take the errors of all these axes (``take_fault``); return the last one's message."""
         last_message = 0
         for i in range(count):
-            message = self.take_fault(members[i])
+            message = self.take_fault(members[i]) if members[i] < self.count else 0
             if message:
                 last_message = message
         return last_message
@@ -213,10 +243,15 @@ class SingleAxes(AxisMotions):
             return codes.MOVES_ENDLESSLY
         return codes.STANDS if self.is_free(axis) else codes.MOVES_STILL
 
-    def assign_to_channel(self, axis: int) -> None:
-        """Let a channel have this axis: it gets the axis' errors, and resets it."""
+    def assign_to_channel(self, axis: int, channel: int = 1) -> None:
+        """Let a channel, from 1, have this axis: it gets its errors, and resets it; 0: none."""
         bounds.check_index(axis, self.count, "axis")
-        self.in_channel[axis] = 1
+        bounds.check_range(channel, 0, codes.MAX_SIGNAL_CHANNEL, "channel")
+        self.in_channel[axis] = channel
+
+    def note_exchange(self) -> None:
+        """Note that an axis has changed its channel: cycles may name foreign ones from here on."""
+        self.has_exchanged = True
 
     def reset(self, axis: int) -> None:
         """Brake the axis, whoever moves it, and clear its error (RC-007).
@@ -224,6 +259,8 @@ class SingleAxes(AxisMotions):
         Until ``reopen`` it takes no command, else the reset might never end.
         """
         self.closed[axis] = 1
+        self.low[axis] = self.listed_low[axis]
+        self.high[axis] = self.listed_high[axis]
         self.give_up(axis)
         self.clear_fault(axis)
 

@@ -487,7 +487,7 @@ class Spindles:
             for spindle in range(self.count)
             if self.mode[spindle] == codes.POSITIONING
             or (
-                self.mode[spindle]
+                self.mode[spindle] not in (codes.STANDING, codes.COUPLED)
                 and (self.function[spindle] == codes.SPINDLE_STOP or self.is_held[spindle])
             )
         )

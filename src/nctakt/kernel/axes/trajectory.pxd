@@ -2,7 +2,8 @@
 # C types of trajectory.py.
 cimport cython
 from libc cimport math
-from nctakt.kernel cimport codes, rows
+from nctakt.kernel cimport codes
+from nctakt.kernel.axes cimport plan_rows
 
 @cython.final
 cdef class Trajectories:

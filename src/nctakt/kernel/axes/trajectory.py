@@ -23,19 +23,20 @@ from __future__ import annotations
 
 import math
 
-from nctakt.kernel import codes, rows
+from nctakt.kernel import codes
+from nctakt.kernel.axes import plan_rows
 from nctakt.kernel.base.bounds import check_size
 
 
 class Trajectories:
-    """The plans of ``count`` axes, a row each (``rows.py``).
+    """The plans of ``count`` axes, a row each (``plan_rows.py``).
 
     The last phase of a plan goes on with the speed that was reached.
     """
 
     def __init__(self, count: int) -> None:
         check_size(count, "number of axes")
-        self.rows = memoryview(bytearray(8 * rows.PLAN_WIDTH * max(1, count))).cast("d")
+        self.rows = memoryview(bytearray(8 * plan_rows.PLAN_WIDTH * max(1, count))).cast("d")
         self.distance_d = 0.0
         self.speed_v = 0.0
         self.acceleration_a = 0.0
@@ -156,22 +157,22 @@ class Trajectories:
 
         The times of one plan have to rise from call to call.
         """
-        row = axis * rows.PLAN_WIDTH
-        phase = int(self.rows[row + rows.PLAN_PHASE])
-        last = int(self.rows[row + rows.PLAN_LAST])
-        begin = row + rows.PLAN_PHASES + rows.PHASE_WIDTH * phase
-        behind = begin + rows.PHASE_WIDTH
-        while phase < last and time_t >= self.rows[behind + rows.PHASE_TIME]:
+        row = axis * plan_rows.PLAN_WIDTH
+        phase = int(self.rows[row + plan_rows.PLAN_PHASE])
+        last = int(self.rows[row + plan_rows.PLAN_LAST])
+        begin = row + plan_rows.PLAN_PHASES + plan_rows.PHASE_WIDTH * phase
+        behind = begin + plan_rows.PHASE_WIDTH
+        while phase < last and time_t >= self.rows[behind + plan_rows.PHASE_TIME]:
             phase += 1
             begin = behind
-            behind += rows.PHASE_WIDTH
-        self.rows[row + rows.PLAN_PHASE] = phase
-        since = time_t - self.rows[begin + rows.PHASE_TIME]
-        speed_v = self.rows[begin + rows.PHASE_SPEED]
-        rise_a = self.rows[begin + rows.PHASE_ACCELERATION]
-        jerk = self.rows[begin + rows.PHASE_JERK]
+            behind += plan_rows.PHASE_WIDTH
+        self.rows[row + plan_rows.PLAN_PHASE] = phase
+        since = time_t - self.rows[begin + plan_rows.PHASE_TIME]
+        speed_v = self.rows[begin + plan_rows.PHASE_SPEED]
+        rise_a = self.rows[begin + plan_rows.PHASE_ACCELERATION]
+        jerk = self.rows[begin + plan_rows.PHASE_JERK]
         half = 0.5 * since
-        self.distance_d = self.rows[begin + rows.PHASE_DISTANCE] + since * (
+        self.distance_d = self.rows[begin + plan_rows.PHASE_DISTANCE] + since * (
             speed_v + half * (rise_a + since * jerk / 3.0)
         )
         self.speed_v = speed_v + since * (rise_a + half * jerk)
@@ -179,11 +180,11 @@ class Trajectories:
 
     def rewind(self, axis: int) -> None:
         """Allow ``evaluate`` for an earlier time again."""
-        self.rows[axis * rows.PLAN_WIDTH + rows.PLAN_PHASE] = 0.0
+        self.rows[axis * plan_rows.PLAN_WIDTH + plan_rows.PLAN_PHASE] = 0.0
 
     def duration_t(self, axis: int) -> float:
         """Time until the target, or the speed, is reached, in s."""
-        return self.rows[axis * rows.PLAN_WIDTH + rows.PLAN_DURATION]
+        return self.rows[axis * plan_rows.PLAN_WIDTH + plan_rows.PLAN_DURATION]
 
     def stopping_d(self, start_v: float, start_a: float, limit_a: float, limit_j: float) -> float:
         """Distance that braking at once takes, in mm or degrees."""
@@ -405,8 +406,8 @@ class Trajectories:
 
     def begin(self, axis: int, top_v: float, limit_a: float, limit_j: float) -> None:
         """Begin an empty plan of an axis."""
-        self.row = axis * rows.PLAN_WIDTH
-        self.rows[self.row + rows.PLAN_PHASE] = 0.0
+        self.row = axis * plan_rows.PLAN_WIDTH
+        self.rows[self.row + plan_rows.PLAN_PHASE] = 0.0
         self.count = 0
         self.end_t = 0.0
         self.end_d = 0.0
@@ -427,12 +428,12 @@ class Trajectories:
 
     def put_phase(self, start_a: float, jerk_j: float) -> None:
         """Write the phase that begins at the plan's present end."""
-        begin = self.row + rows.PLAN_PHASES + rows.PHASE_WIDTH * self.count
-        self.rows[begin + rows.PHASE_TIME] = self.end_t
-        self.rows[begin + rows.PHASE_DISTANCE] = self.end_d
-        self.rows[begin + rows.PHASE_SPEED] = self.end_v
-        self.rows[begin + rows.PHASE_ACCELERATION] = start_a
-        self.rows[begin + rows.PHASE_JERK] = jerk_j
+        begin = self.row + plan_rows.PLAN_PHASES + plan_rows.PHASE_WIDTH * self.count
+        self.rows[begin + plan_rows.PHASE_TIME] = self.end_t
+        self.rows[begin + plan_rows.PHASE_DISTANCE] = self.end_d
+        self.rows[begin + plan_rows.PHASE_SPEED] = self.end_v
+        self.rows[begin + plan_rows.PHASE_ACCELERATION] = start_a
+        self.rows[begin + plan_rows.PHASE_JERK] = jerk_j
 
     def fade(self, fading_j: float) -> float:
         """Append the fading of the start's acceleration; return the plan's length so far."""
@@ -467,8 +468,8 @@ class Trajectories:
 
     def finish(self) -> None:
         """Append the last phase: the speed that was reached is kept."""
-        self.rows[self.row + rows.PLAN_LAST] = self.count
-        self.rows[self.row + rows.PLAN_DURATION] = self.end_t
+        self.rows[self.row + plan_rows.PLAN_LAST] = self.count
+        self.rows[self.row + plan_rows.PLAN_DURATION] = self.end_t
         self.put_phase(0.0, 0.0)
 
     # --- Python's side --------------------------------------------------------------------------

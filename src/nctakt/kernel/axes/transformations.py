@@ -17,7 +17,9 @@ from nctakt.kernel.kinematics.maps import KinematicMaps
 class Transformations:
     """The active maps of a machine's channels, by the first axis of the channel; 0: none.
 
-    ``maps``: all maps of the machine.
+    ``maps``: all maps of the machine. ``joint_axes``, ``joint_members``, ``joint_mapped``: of the
+    ``joint_count`` joints of map ``named``, since a map never changes. ``mapped_targets``: the
+    targets that are kept under map ``target_number``.
     """
 
     def __init__(self, axis_count: int) -> None:
@@ -29,6 +31,13 @@ class Transformations:
         self.mapped = memoryview(bytearray(8 * axis_count)).cast("d")
         self.near = memoryview(bytearray(8 * axis_count)).cast("d")
         self.tips = memoryview(bytearray(8 * codes.TIPS * codes.TIP_AXES)).cast("d")
+        self.named = 0
+        self.joint_count = 0
+        self.joint_axes = memoryview(bytearray(8 * codes.TIP_AXES)).cast("q")
+        self.joint_members = memoryview(bytearray(8 * codes.TIP_AXES)).cast("q")
+        self.joint_mapped = memoryview(bytearray(8 * codes.TIP_AXES)).cast("q")
+        self.target_number = 0
+        self.mapped_targets = memoryview(bytearray(8 * codes.TIP_AXES)).cast("d")
 
     def activate(self, slot: int, number: int) -> None:
         """Let map ``number`` be active in the channel whose first axis is ``slot``; 0: none."""
@@ -43,30 +52,66 @@ class Transformations:
 
     # --- the tip --------------------------------------------------------------------------------
 
+    def second_step(self, row: int) -> int:
+        """Return the row of the second step behind that of a map, 0 if it has none."""
+        second = int(self.maps.values[row + map_rows.SECOND_STEP])
+        return second * map_rows.MAP_WIDTH
+
     def joint(self, number: int, k: int) -> int:
-        """Return the column of a joint of map ``number``."""
-        return number * map_rows.MAP_WIDTH + map_rows.JOINTS + k * map_rows.JOINT_WIDTH
+        """Return the column of a joint of map ``number``; those of a second step come behind."""
+        row = number * map_rows.MAP_WIDTH
+        count = int(self.maps.values[row + map_rows.JOINT_COUNT])
+        if k >= count:
+            row = self.second_step(row)
+            k -= count
+        return row + map_rows.JOINTS + k * map_rows.JOINT_WIDTH
 
     def joints(self, number: int) -> int:
-        """Return the number of joints of map ``number``."""
-        return int(self.maps.values[number * map_rows.MAP_WIDTH + map_rows.JOINT_COUNT])
+        """Return the number of joints of map ``number``, with those of a second step."""
+        row = number * map_rows.MAP_WIDTH
+        count = int(self.maps.values[row + map_rows.JOINT_COUNT])
+        row = self.second_step(row)
+        further = int(self.maps.values[row + map_rows.JOINT_COUNT])
+        return count + further if row else count
 
     def axis_of(self, number: int, k: int) -> int:
         """Return the axis of a joint, by its place in the channel."""
         return int(self.maps.values[self.joint(number, k) + map_rows.JOINT_AXIS])
 
-    def member(self, number: int, k: int) -> int:
-        """Return the axis of a joint, by its number in the machine."""
-        return int(self.maps.values[self.joint(number, k) + map_rows.JOINT_MEMBER])
-
     def map_forward(self, number: int, machine: memoryview[float], tip: int) -> None:
         """Keep what is shown of one kind of positions, from those of the machine's axes."""
-        for k in range(self.joints(number)):
-            self.gathered[self.axis_of(number, k)] = machine[self.member(number, k)]
+        if number != self.named:
+            self.name_joints(number)
+        for k in range(self.joint_count):
+            self.gathered[self.joint_axes[k]] = machine[self.joint_members[k]]
         self.maps.forward(number, self.gathered, self.near, self.mapped)
-        for k in range(self.joints(number)):
-            axis = self.axis_of(number, k)
-            self.tips[codes.TIP_AXES * tip + k] = self.mapped[axis]
+        for k in range(self.joint_count):
+            self.tips[codes.TIP_AXES * tip + k] = self.mapped[self.joint_axes[k]]
+
+    def map_targets(self, number: int, machine: memoryview[float]) -> None:
+        """Keep what is shown of the targets; they change from block to block only."""
+        if number != self.named:
+            self.name_joints(number)
+        is_kept = number == self.target_number
+        for k in range(self.joint_count):
+            target = machine[self.joint_members[k]]
+            if target != self.mapped_targets[k]:
+                self.mapped_targets[k] = target
+                is_kept = False
+        if not is_kept:
+            self.target_number = number
+            self.map_forward(number, machine, codes.TIP_OF_TARGET)
+
+    def name_joints(self, number: int) -> None:
+        """Keep axes and members of the joints of map ``number``."""
+        self.named = number
+        self.joint_count = self.joints(number)
+        for k in range(self.joint_count):
+            self.joint_axes[k] = self.axis_of(number, k)
+            self.joint_members[k] = int(
+                self.maps.values[self.joint(number, k) + map_rows.JOINT_MEMBER]
+            )
+            self.joint_mapped[k] = self.is_mapped(number, k)
 
     def copy_tip(self, tip: int, to: int) -> None:
         """Keep the same under another kind."""
@@ -82,11 +127,43 @@ class Transformations:
         if self.maps.values[self.joint(number, k) + map_rows.JOINT_IS_ROTARY] == 0.0:
             return 1
         row = number * map_rows.MAP_WIDTH
+        if k >= self.maps.values[row + map_rows.JOINT_COUNT]:
+            row = self.second_step(row)
+        return 1 if self.maps.values[row + map_rows.PROGRAMMING] != map_rows.MACHINE_ANGLES else 0
+
+    def is_lateral(self, number: int) -> int:
+        """Return whether a map develops a cylinder: nothing turns otherwise than in proportion."""
+        row = number * map_rows.MAP_WIDTH
+        return 1 if self.maps.values[row + map_rows.PROGRAMMING] == map_rows.LATERAL else 0
+
+    def plane_axis(self, number: int) -> int:
+        """Return the rotary axis that is programmed in mm under map ``number``, -1 for none."""
+        row = number * map_rows.MAP_WIDTH
+        if self.maps.values[row + map_rows.PROGRAMMING] < map_rows.FACE_PLANE:
+            return -1
+        return int(self.maps.values[row + map_rows.SECOND_PLACE])
+
+    def is_rotary(self, number: int, axis: int) -> int:
+        """Return whether an axis of the channel is a rotary one of map ``number``."""
+        for k in range(self.joints(number)):
+            if self.axis_of(number, k) == axis:
+                return self.maps.values[self.joint(number, k) + map_rows.JOINT_IS_ROTARY] > 0.0
+        return 0
+
+    def turns_otherwise(self, number: int) -> int:
+        """Return whether rotary axes turn otherwise than what is programmed for them."""
+        row = number * map_rows.MAP_WIDTH
+        if self.maps.values[row + map_rows.SECOND_STEP] > 0.0:
+            return 1
+        if self.is_lateral(number):
+            return 0
         return 1 if self.maps.values[row + map_rows.PROGRAMMING] != map_rows.MACHINE_ANGLES else 0
 
     def rotation(self, number: int, start: memoryview[float], target: memoryview[float]) -> float:
         """Return the sum of the angles in degrees by which the rotary axes of a map differ."""
         total = 0.0
+        if self.is_lateral(number):
+            return total
         for k in range(self.joints(number)):
             if self.maps.values[self.joint(number, k) + map_rows.JOINT_IS_ROTARY] > 0.0:
                 axis = self.axis_of(number, k)

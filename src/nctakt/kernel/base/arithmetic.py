@@ -162,7 +162,9 @@ def sine(degrees: float) -> float:
     """SIN of an angle in degrees; exact at the multiples of 30 that have exact values."""
     if not is_finite(degrees):
         return NAN
-    angle = math.fabs(math.fmod(degrees, 360.0))
+    angle = math.fabs(degrees)
+    if angle >= 360.0:
+        angle = math.fmod(angle, 360.0)
     sign = 1.0 if degrees >= 0.0 else -1.0
     if angle <= 45.0:
         return sign * _small_sine(angle)
@@ -179,7 +181,9 @@ def cosine(degrees: float) -> float:
     """COS of an angle in degrees; exact at the multiples of 30 that have exact values."""
     if not is_finite(degrees):
         return NAN
-    angle = math.fabs(math.fmod(degrees, 360.0))
+    angle = math.fabs(degrees)
+    if angle >= 360.0:
+        angle = math.fmod(angle, 360.0)
     if angle <= 45.0:
         return _small_cosine(angle)
     if angle < 135.0:

@@ -13,11 +13,13 @@ def check_map(row: list[float], axis_count: int) -> None:
         check_finite(value, "number of a map")
     check_column(row, map_rows.SLOT, 0, axis_count - 1)
     check_column(row, map_rows.AXIS_COUNT, map_rows.VECTOR_X, axis_count)
-    check_column(row, map_rows.PROGRAMMING, map_rows.MACHINE_ANGLES, map_rows.TWO_ANGLES)
+    check_column(row, map_rows.PROGRAMMING, map_rows.MACHINE_ANGLES, map_rows.LATERAL)
     if row[map_rows.PROGRAMMING] == map_rows.VECTOR:
         check_column(row, map_rows.AXIS_COUNT, map_rows.VECTOR_Z + 1, axis_count)
     places = int(row[map_rows.AXIS_COUNT])
-    check_column(row, map_rows.JOINT_COUNT, map_rows.VECTOR_X, map_rows.MAX_JOINTS)
+    is_chain = row[map_rows.PROGRAMMING] < map_rows.FACE_PLANE
+    fewest = map_rows.VECTOR_X if is_chain else 1
+    check_column(row, map_rows.JOINT_COUNT, fewest, map_rows.MAX_JOINTS)
     count = int(row[map_rows.JOINT_COUNT])
     check_column(row, map_rows.LEADING_COUNT, 0, count)
     check_column(row, map_rows.TRAILING_FIRST, 0, count)

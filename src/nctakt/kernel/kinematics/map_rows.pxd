@@ -19,10 +19,15 @@ cdef enum:
     MACHINE_ANGLES = 0
     VECTOR = 1
     TWO_ANGLES = 2
+    FACE_PLANE = 3
+    LATERAL = 4
     REACHED = 0
     OUT_OF_REACH = 1
     NO_DIRECTION = 2
     SINGULAR = 3
+    AXIS_OUTSIDE = 0
+    WAY_OUT_OF_REACH = 1
+    AXIS_JUMPS = 2
     SLOT = 0
     AXIS_COUNT = 1
     PROGRAMMING = 2

@@ -20,7 +20,9 @@ FIRST_X, FIRST_Y, FIRST_Z, SECOND_X, SECOND_Y, SECOND_Z, THIRD_X, THIRD_Y, THIRD
     MACHINE_ANGLES,  # the positions of the rotary axes themselves
     VECTOR,  # a vector along the tool, in the places 3 to 5
     TWO_ANGLES,  # angles of an ideal chain of two rotary axes
-) = range(3)
+    FACE_PLANE,  # with the first axis a place in mm on the face that turns with the rotary axis
+    LATERAL,  # mm on the surface of a cylinder that turns with the rotary axis
+) = range(5)
 
 #: What ``inverse`` answers.
 (
@@ -29,6 +31,13 @@ FIRST_X, FIRST_Y, FIRST_Z, SECOND_X, SECOND_Y, SECOND_Z, THIRD_X, THIRD_Y, THIRD
     NO_DIRECTION,  # the vector along the tool is zero
     SINGULAR,  # rotary axes have turned two linear ones into one direction, or three into a plane
 ) = range(4)
+
+#: Why the axes cannot follow a block.
+(
+    AXIS_OUTSIDE,  # one leaves its limits
+    WAY_OUT_OF_REACH,  # no position of the axes leads to a point of it
+    AXIS_JUMPS,  # one would have to jump: a pole
+) = range(3)
 
 #: Columns of every map.
 (
@@ -49,7 +58,7 @@ FIRST_X, FIRST_Y, FIRST_Z, SECOND_X, SECOND_Y, SECOND_Z, THIRD_X, THIRD_Y, THIRD
     FIRST_JOINT,  # complete: the column where the first rotary joint begins …
     SECOND_JOINT,  # … and the second one
     FIRST_PLACE,  # ``TWO_ANGLES``: the axis that the first angle is programmed with …
-    SECOND_PLACE,  # … and the second one
+    SECOND_PLACE,  # … and the second one; ``FACE_PLANE``, ``LATERAL``: the radial and rotary axis
     FIRST_DIRECTION,  # three columns: the axis of the first angle; the tool's direction at 0, 0
     _FIRST_DIRECTION_Y,
     _FIRST_DIRECTION_Z,

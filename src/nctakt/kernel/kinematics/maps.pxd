@@ -2,7 +2,7 @@
 # C types of maps.py.
 cimport cython
 from nctakt.kernel.base cimport arithmetic
-from nctakt.kernel.kinematics cimport map_rows
+from nctakt.kernel.kinematics cimport map_rows, rotating_planes
 from nctakt.kernel.kinematics.orientation cimport Orientation
 
 cdef double SMALLEST_WHOLE
@@ -44,6 +44,8 @@ cdef class KinematicMaps:
     cpdef int aim(
         self, Py_ssize_t number, double[::1] vector, double[::1] near, double[::1] results
     ) noexcept nogil
+    @cython.locals(row=Py_ssize_t, joint=Py_ssize_t, first=Py_ssize_t, second=Py_ssize_t)
+    cpdef void other_aim(self, Py_ssize_t number, double[::1] results) noexcept nogil
     cpdef void direction(
         self, Py_ssize_t number, double[::1] positions, double[::1] results
     ) noexcept nogil

@@ -18,7 +18,7 @@ from __future__ import annotations
 
 from nctakt.kernel.base import arithmetic
 from nctakt.kernel.base.bounds import check_range, check_size
-from nctakt.kernel.kinematics import map_rows
+from nctakt.kernel.kinematics import map_rows, rotating_planes
 from nctakt.kernel.kinematics.map_checks import check_column, check_map
 from nctakt.kernel.kinematics.orientation import Orientation
 
@@ -120,6 +120,9 @@ class KinematicMaps:
         """``forward`` of one step."""
         for i in range(int(self.values[row + map_rows.AXIS_COUNT])):
             results[i] = positions[i]
+        if self.values[row + map_rows.PROGRAMMING] >= map_rows.FACE_PLANE:
+            rotating_planes.to_plane(self.values, row, positions, results)
+            return
         self.place_tip(row, positions)
         results[map_rows.X] = self.x
         results[map_rows.Y] = self.y
@@ -166,6 +169,8 @@ class KinematicMaps:
         for i in range(int(self.values[row + map_rows.AXIS_COUNT])):
             results[i] = positions[i]
         answer = map_rows.REACHED
+        if self.values[row + map_rows.PROGRAMMING] >= map_rows.FACE_PLANE:
+            return rotating_planes.to_axes(self.values, row, positions, near, results)
         if self.values[row + map_rows.PROGRAMMING] != map_rows.MACHINE_ANGLES:
             answer = self.turn_axes(row, positions, near, results)
         self.x = positions[map_rows.X]
@@ -200,6 +205,20 @@ class KinematicMaps:
         if self.values[row + map_rows.PROGRAMMING] == map_rows.MACHINE_ANGLES:
             return self.turn_onto_direction(row, near, results)
         return self.name_direction(row, near, results)
+
+    def other_aim(self, number: int, results: memoryview[float]) -> None:
+        """Put the other solution of the last ``aim`` into the rotary places of ``results``."""
+        row = number * map_rows.MAP_WIDTH
+        first = int(self.values[row + map_rows.FIRST_PLACE])
+        second = int(self.values[row + map_rows.SECOND_PLACE])
+        if self.values[row + map_rows.PROGRAMMING] == map_rows.MACHINE_ANGLES:
+            joint = int(self.values[row + map_rows.FIRST_JOINT])
+            first = int(self.values[row + joint + map_rows.JOINT_AXIS])
+            joint = int(self.values[row + map_rows.SECOND_JOINT])
+            second = int(self.values[row + joint + map_rows.JOINT_AXIS])
+        if self.values[row + map_rows.PROGRAMMING] != map_rows.VECTOR:
+            results[first] = self.orientation.other_first
+            results[second] = self.orientation.other_second
 
     def direction(
         self, number: int, positions: memoryview[float], results: memoryview[float]

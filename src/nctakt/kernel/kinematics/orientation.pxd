@@ -28,7 +28,7 @@ cdef class Orientation:
     @cython.locals(
         u_x=double, u_y=double, u_z=double, n_x=double, n_y=double, n_z=double, sine2=double,
         c=double, g=double, h=double, e=double, m_x=double, m_y=double, m_z=double,
-        ordinate=double, abscissa=double, rest=double, middle=double, aside=double
+        ordinate=double, abscissa=double, rest=double, middle=double, aside=double, angle=double
     )
     cdef int solve(
         self, double[::1] values, Py_ssize_t p, Py_ssize_t q, Py_ssize_t t, double near_first,

@@ -18,7 +18,11 @@ ROUNDING = 1e-13
 
 
 class Orientation:
-    """Solves for two angles; ``first`` and ``second`` hold them, ``x``, ``y``, ``z`` a vector."""
+    """Solves for two angles.
+
+    ``first`` and ``second`` hold them, ``other_first`` and ``other_second`` the other solution;
+    ``x``, ``y``, ``z`` a vector.
+    """
 
     def __init__(self) -> None:
         self.first = 0.0
@@ -129,8 +133,12 @@ class Orientation:
         if distance(self.other_first, near_first) + distance(self.other_second, near_second) < (
             distance(self.first, near_first) + distance(self.second, near_second)
         ):
+            angle = self.first
             self.first = self.other_first
+            self.other_first = angle
+            angle = self.second
             self.second = self.other_second
+            self.other_second = angle
         return map_rows.REACHED
 
     def turn_onto(

@@ -4,8 +4,14 @@ cimport cython
 from nctakt.kernel cimport rows
 from nctakt.kernel.base cimport arithmetic
 
+@cython.locals(ramp=double, half=double, peak=double)
+cdef double rest_to_rest_time(
+    double distance, double speed, double limit_a, double limit_j
+) noexcept nogil
+
 cdef class ArcLimits:
     cdef readonly Py_ssize_t count
+    cdef Py_ssize_t room
     cdef double[::1] max_v
     cdef double[::1] max_a
     cdef double[::1] first_parts

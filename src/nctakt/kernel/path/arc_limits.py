@@ -18,7 +18,24 @@ from __future__ import annotations
 
 from nctakt.kernel import rows
 from nctakt.kernel.base import arithmetic
-from nctakt.kernel.base.bounds import check_index
+from nctakt.kernel.base.bounds import check_index, check_range
+
+
+def rest_to_rest_time(distance: float, speed: float, limit_a: float, limit_j: float) -> float:
+    """Time in s of a distance from rest to rest with limited jerk."""
+    ramp = limit_a / limit_j
+    if speed < limit_a * ramp:
+        ramp = 2.0 * arithmetic.square_root(speed / limit_j)
+    else:
+        ramp += speed / limit_a
+    if speed * ramp <= distance:
+        return distance / speed + ramp
+    ramp = limit_a / limit_j
+    if distance < 2.0 * limit_a * ramp * ramp:
+        return 4.0 * arithmetic.power(0.5 * distance / limit_j, 1.0 / 3.0)
+    half = 0.5 * limit_a * ramp
+    peak = arithmetic.square_root(half * half + limit_a * distance) - half
+    return distance / peak + peak / limit_a + ramp
 
 
 class ArcLimits:
@@ -30,10 +47,11 @@ class ArcLimits:
     length up to each border.
     """
 
-    def __init__(self, count: int) -> None:
+    def __init__(self, count: int, room: int = 0) -> None:
         self.count = count
-        self.max_v = memoryview(bytearray(8 * max(1, count))).cast("d")
-        self.max_a = memoryview(bytearray(8 * max(1, count))).cast("d")
+        self.room = max(1, count, room)
+        self.max_v = memoryview(bytearray(8 * self.room)).cast("d")
+        self.max_a = memoryview(bytearray(8 * self.room)).cast("d")
         borders = 8 * (rows.MAX_PIECES + 1)
         self.first_parts = memoryview(bytearray(borders)).cast("d")
         self.second_parts = memoryview(bytearray(borders)).cast("d")
@@ -53,6 +71,11 @@ class ArcLimits:
         check_index(self.count, min(len(max_v), len(max_a)) + 1, "number of axes")
         self.max_v = max_v
         self.max_a = max_a
+
+    def set_count(self, count: int) -> None:
+        """Let there be ``count`` axes; raise ``ValueError`` if there is no room for them."""
+        check_range(count, 0, self.room, "number of axes")
+        self.count = count
 
     def open(self, segments: memoryview[float], row: int) -> None:
         """Take the arc of the segment at ``row``."""

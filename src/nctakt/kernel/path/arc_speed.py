@@ -19,8 +19,8 @@ from nctakt.kernel.path.trapezoid_profile import TrapezoidProfile
 class ArcSpeed(ArcLimits):
     """The plan of one path on its current arc, which it puts into ``profile``."""
 
-    def __init__(self, count: int, profile: TrapezoidProfile) -> None:
-        super().__init__(count)
+    def __init__(self, count: int, profile: TrapezoidProfile, room: int = 0) -> None:
+        super().__init__(count, room)
         self.profile = profile
         self.highs = memoryview(bytearray(8 * (rows.MAX_PIECES + 1))).cast("d")
         self.lows = memoryview(bytearray(8 * (rows.MAX_PIECES + 1))).cast("d")

@@ -116,8 +116,8 @@ class BackwardMotion(History):
         self.was_paused = self.panel.is_paused
         self.was_released = self.panel.is_released
         self.panel.is_paused = False
-        self.number = self.path.used if self.path.is_front_over else self.path.used - 1
-        self.front_number = self.number
+        self.front_number = self.path.used if self.path.is_front_over else self.path.used - 1
+        self.number, self.front_map = self.front_number, self.path.shown_map()
         for i in range(self.path.count):
             axis = self.path.members[i]
             self.foreign[i] = (
@@ -161,6 +161,7 @@ class BackwardMotion(History):
         source = int(self.path.history_rows[self.path.front + rows.SOURCE])
         self.record.event(rows.EVENT_RETRACED, source, rows.RETRACE_FRONT)
         self.path.release()
+        self.path.show_map(self.front_map)
         self.path.show_standstill()
         self.path.is_active = not self.path.is_front_over
         if self.path.is_active:

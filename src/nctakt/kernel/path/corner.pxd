@@ -3,6 +3,7 @@
 cimport cython
 from nctakt.kernel cimport rows
 from nctakt.kernel.base cimport arithmetic
+from nctakt.kernel.path cimport cubic
 from nctakt.kernel.path cimport geometry
 from nctakt.kernel.path.segment_limits cimport SegmentLimits
 
@@ -16,6 +17,7 @@ cdef class Corner:
     cdef double[::1] steps
     cdef double[::1] shares
     cdef double[::1] turns
+    cdef double[::1] unused
     cdef double centripetal_share
     cdef double last_centripetal_share
     cdef double last_length

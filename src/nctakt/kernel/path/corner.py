@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from nctakt.kernel import rows
 from nctakt.kernel.base import arithmetic
-from nctakt.kernel.path import geometry
+from nctakt.kernel.path import cubic, geometry
 from nctakt.kernel.path.segment_limits import SegmentLimits
 
 
@@ -20,8 +20,8 @@ class Corner:
     it; ``entering_curve`` and ``leaving_curve``: the change of these per mm. ``steps``, ``shares``
     and ``turns``: what the corner asks of each axis, as it is passed. ``centripetal_share``: of an
     arc's acceleration; ``corner_v``: with which the newest segment is entered, 0 without a limit
-    of the jerk; ``is_rounded``: a rounding leads into it; ``is_bent``: a transformation bends the
-    way of the axes on it. ``last_…``: the same of the segment
+    of the jerk; ``is_rounded``: a rounding leads into it; ``is_bent``: a transformation or a spline
+    bends the way of the axes on it. ``last_…``: the same of the segment
     before; ``last_length`` is its programmed length in mm, ``last_deviation`` the distance in mm
     at which the path may pass its end, negative: at which it leaves the line before it.
     ``last_part`` and ``last_bend``: which part of a line a rounding may take, and up to which
@@ -30,7 +30,7 @@ class Corner:
 
     def __init__(self, limits: SegmentLimits) -> None:
         self.limits = limits
-        room = 8 * max(1, limits.count)
+        room = 8 * limits.room
         self.entering = memoryview(bytearray(room)).cast("d")
         self.leaving = memoryview(bytearray(room)).cast("d")
         self.entering_curve = memoryview(bytearray(room)).cast("d")
@@ -38,6 +38,7 @@ class Corner:
         self.steps = memoryview(bytearray(room)).cast("d")
         self.shares = memoryview(bytearray(room)).cast("d")
         self.turns = memoryview(bytearray(room)).cast("d")
+        self.unused = memoryview(bytearray(room)).cast("d")
         self.centripetal_share = 0.0
         self.last_centripetal_share = 0.0
         self.last_length = 0.0
@@ -62,6 +63,18 @@ class Corner:
             for i in range(self.limits.count):
                 self.entering[i] = self.limits.transformed.entering[i]
             return
+        if cubic.is_cubic(segments, row):
+            self.is_bent = True
+            cubic.differentiate(
+                segments,
+                row,
+                self.limits.count,
+                0.0,
+                self.entering,
+                self.entering_curve,
+                self.unused,
+            )
+            return
         geometry.tangent(segments, row, self.limits.count, 0, self.entering)
 
     def enter_curve(self, segments: memoryview[float], row: int) -> None:
@@ -69,6 +82,8 @@ class Corner:
         if segments[row + rows.TRANSFORMATION] > 0.0:
             for i in range(self.limits.count):
                 self.entering_curve[i] = self.limits.transformed.entering_curve[i]
+            return
+        if cubic.is_cubic(segments, row):
             return
         geometry.curvature(segments, row, self.limits.count, 0, self.entering_curve)
 
@@ -79,6 +94,10 @@ class Corner:
             for i in range(self.limits.count):
                 self.leaving[i] = self.limits.transformed.leaving[i]
                 self.leaving_curve[i] = self.limits.transformed.leaving_curve[i]
+        elif cubic.is_cubic(segments, row):
+            cubic.differentiate(
+                segments, row, self.limits.count, 1.0, self.leaving, self.leaving_curve, self.unused
+            )
         else:
             geometry.tangent(segments, row, self.limits.count, 1, self.leaving)
             if segments[row + rows.JERK] > 0.0:

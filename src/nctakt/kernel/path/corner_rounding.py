@@ -35,7 +35,7 @@ class CornerRounding:
     def __init__(self, limits: SegmentLimits, corner: Corner) -> None:
         self.limits = limits
         self.corner = corner
-        self.width = rows.segment_width(limits.count)
+        self.width = rows.segment_width(limits.room)
         self.row = memoryview(bytearray(8 * self.width)).cast("d")
         self.spare = memoryview(bytearray(16 * self.width)).cast("d")
 

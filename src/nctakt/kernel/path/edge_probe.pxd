@@ -22,9 +22,7 @@ cdef class EdgeProbe:
     cdef double residual_d
     cdef double joint_d
 
-    cdef void arm(
-        self, long long source, long long function, long long ticks, double residual_d
-    ) noexcept nogil
+    cdef void arm(self, long long source, double[::1] queue, Py_ssize_t row) noexcept nogil
     cdef void clear(self) noexcept nogil
     @cython.locals(rest_d=double)
     cdef int watch(self, long long tick) noexcept nogil

@@ -38,13 +38,15 @@ class EdgeProbe:
         self.residual_d = 0.0
         self.joint_d = 0.0
 
-    def arm(self, source: int, function: int, ticks: int, residual_d: float) -> None:
-        """Measure in the next block; ``function`` goes out ``residual_d`` behind the edge."""
+    def arm(self, source: int, queue: memoryview[float], row: int) -> None:
+        """Measure in the next block as the command at ``row`` says."""
         self.phase = codes.SEEKS_EDGE
         self.source = source
-        self.function = function
-        self.ticks = ticks
-        self.residual_d = residual_d
+        self.function = int(queue[row + rows.MEASURE_FUNCTION])
+        self.ticks = int(queue[row + rows.MEASURE_TICKS])
+        self.residual_d = queue[row + rows.MEASURE_RESIDUAL]
+        self.has_value = queue[row + rows.MEASURE_HAS_VALUE] != 0.0
+        self.value = int(queue[row + rows.MEASURE_VALUE])
 
     def clear(self) -> None:
         """Stop measuring."""

@@ -21,9 +21,8 @@ cdef class FixedStops:
     cdef readonly long long count
     cdef readonly long long detected_count
 
-    cdef void arm(
-        self, Py_ssize_t i, long long source, double[::1] queue, Py_ssize_t row
-    ) noexcept nogil
+    @cython.locals(i=Py_ssize_t)
+    cdef void take(self, double[::1] queue, Py_ssize_t row) noexcept nogil
     cdef void disarm(self, Py_ssize_t i) noexcept nogil
     @cython.locals(i=Py_ssize_t)
     cdef void clear(self) noexcept nogil

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: MIT
 """Moving to a fixed stop: axes of the path that run into an obstacle and notice it (MO-12).
 
-An axis is monitored from ``arm`` to ``disarm``. It is at its stop when its command is farther from
-its actual position than its limit for so many ticks, within a part of the block's length. Each axis
-shows it in its cells FIXED_STOP.ACTIVE, DETECTED and ACS.POS (``axes.py``).
+An axis is monitored from the command that says so (``take``) to ``disarm``. It is at its stop when
+its command is farther from its actual position than its limit for so many ticks, within a part of
+the block's length. Each axis shows it in its cells FIXED_STOP.ACTIVE, DETECTED and ACS.POS
+(``axes.py``).
 """
 
 from __future__ import annotations
@@ -22,7 +23,7 @@ class FixedStops:
     def __init__(self, path: Path, record: Record) -> None:
         self.path = path
         self.record = record
-        room = max(1, path.count)
+        room = path.room
         self.active = memoryview(bytearray(8 * room)).cast("q")
         self.detected = memoryview(bytearray(8 * room)).cast("q")
         self.needed = memoryview(bytearray(8 * room)).cast("q")
@@ -35,12 +36,15 @@ class FixedStops:
         self.count = 0
         self.detected_count = 0
 
-    def arm(self, i: int, source: int, queue: memoryview[float], row: int) -> None:
-        """Monitor an axis as the command at ``row`` says."""
+    def take(self, queue: memoryview[float], row: int) -> None:
+        """Monitor the axis of the command at ``row`` from now on, or no longer."""
+        i = int(queue[row + rows.FIXED_STOP_AXIS])
         self.disarm(i)
+        if queue[row + rows.FIXED_STOP_IS_ON] == 0.0:
+            return
         self.count += 1
         self.active[i] = 1
-        self.sources[i] = source
+        self.sources[i] = int(queue[row + rows.SOURCE])
         self.limit_d[i] = queue[row + rows.FIXED_STOP_LIMIT]
         self.min_ticks[i] = int(queue[row + rows.FIXED_STOP_TICKS])
         self.from_part[i] = queue[row + rows.FIXED_STOP_FROM]

@@ -4,6 +4,7 @@ cimport cython
 from nctakt.kernel cimport codes
 from nctakt.kernel cimport rows
 from nctakt.kernel.base cimport arithmetic
+from nctakt.kernel.path cimport cubic
 
 cdef double total_length(double[::1] segments, Py_ssize_t row) noexcept nogil
 cdef double length_with_rounding(double[::1] segments, Py_ssize_t row) noexcept nogil

@@ -18,6 +18,7 @@ from __future__ import annotations
 
 from nctakt.kernel import codes, rows
 from nctakt.kernel.base import arithmetic
+from nctakt.kernel.path import cubic
 
 
 def total_length(segments: memoryview[float], row: int) -> float:
@@ -55,7 +56,7 @@ def moves_axis(segments: memoryview[float], row: int, count: int, i: int) -> int
         return 1
     if segments[row + rows.SHAPE] == rows.ROUNDING:
         return 1 if segments[curve_end + count] != segments[target] else 0
-    return 0
+    return cubic.moves_axis(segments, row, count, i) if cubic.is_cubic(segments, row) else 0
 
 
 def stage_length(segments: memoryview[float], row: int, stage: int) -> float:
@@ -124,6 +125,9 @@ def locate(
         locate_on_rounding(segments, row, count, distance, positions)
         return
     part = distance / segments[row + rows.LENGTH]
+    if segments[row + rows.SHAPE] == rows.CUBIC:
+        cubic.locate(segments, row, count, part, positions)
+        return
     for i in range(count):
         begin = segments[start + i]
         positions[i] = begin + (segments[target + i] - begin) * part

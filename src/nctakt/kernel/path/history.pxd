@@ -14,6 +14,7 @@ cdef class History:
     cdef long long[::1] foreign
     cdef long long number
     cdef long long front_number
+    cdef long long front_map
     cdef long long[::1] stretch
     cdef Py_ssize_t max_stretch
     cdef long long stretch_end

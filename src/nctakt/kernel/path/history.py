@@ -30,9 +30,10 @@ class History:
         self.path = path
         self.look_ahead = ahead
         self.goal = Goal()
-        self.foreign = memoryview(bytearray(8 * max(1, path.count))).cast("q")
+        self.foreign = memoryview(bytearray(8 * path.room)).cast("q")
         self.number = 0
         self.front_number = 0
+        self.front_map = 0
         self.stretch = memoryview(bytearray(8 * MAX_STRETCH)).cast("q")
         self.max_stretch = MAX_STRETCH
         self.stretch_end = 0

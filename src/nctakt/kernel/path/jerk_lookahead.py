@@ -38,7 +38,7 @@ class JerkLookAhead:
         self.corner = corner
         self.goal = Goal()
         self.stored = Goal()
-        self.width = rows.segment_width(limits.count)
+        self.width = rows.segment_width(limits.room)
         self.capacity = 0
         self.blocks = blocks
 

@@ -38,13 +38,15 @@ class LookAhead:
     blocks are looked ahead; ``capacity``: rows of the queue.
     """
 
-    def __init__(self, count: int, cycle_time_us: int, blocks: int, max_factor: float) -> None:
-        self.limits = SegmentLimits(count, cycle_time_us, max_factor)
+    def __init__(
+        self, count: int, cycle_time_us: int, blocks: int, max_factor: float, room: int = 0
+    ) -> None:
+        self.limits = SegmentLimits(count, cycle_time_us, max_factor, room)
         self.corner = Corner(self.limits)
         self.rounding = CornerRounding(self.limits, self.corner)
         self.jerk = JerkLookAhead(self.limits, self.corner, blocks)
         self.blocks = blocks
-        self.width = rows.segment_width(count)
+        self.width = rows.segment_width(self.limits.room)
         self.capacity = 0
         self.spare = memoryview(bytearray(16 * self.width)).cast("d")
 

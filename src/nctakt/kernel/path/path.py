@@ -32,17 +32,22 @@ class Path(PathAxes):
     """
 
     def __init__(
-        self, axes: Axes, members: list[int], cycle_time_us: int, history_size: int = 0
+        self,
+        axes: Axes,
+        members: list[int],
+        cycle_time_us: int,
+        history_size: int = 0,
+        room: int = 0,
     ) -> None:
         check_size(history_size, "size of the history")
-        super().__init__(axes, members)
+        super().__init__(axes, members, room)
         self.cycle_time_t = cycle_time_us / 1e6
         self.cycle_time_us = cycle_time_us
-        self.width = rows.segment_width(len(members))
+        self.width = rows.segment_width(self.room)
         self.history_size = history_size
         self.ring_size = history_size + 1
         self.history_rows = memoryview(bytearray(8 * self.ring_size * self.width)).cast("d")
-        self.ends = memoryview(bytearray(8 * max(1, len(members)))).cast("d")
+        self.ends = memoryview(bytearray(8 * self.room)).cast("d")
         self.used = 0
         self.oldest = 0
         self.front = 0
@@ -53,10 +58,10 @@ class Path(PathAxes):
         self.is_dwell = False
         self.dwell_ticks = 0
         self.profile = TrapezoidProfile()
-        self.arc = ArcSpeed(len(members), self.profile)
+        self.arc = ArcSpeed(len(members), self.profile, self.room)
         self.pieces = 0
         self.jerk_profile = JerkProfile(self.cycle_time_t)
-        self.positions = memoryview(bytearray(8 * max(1, len(members)))).cast("d")
+        self.positions = memoryview(bytearray(8 * self.room)).cast("d")
         self.stage = 0
         self.stage_end_d = 0.0
         self.factor = 1.0
@@ -79,6 +84,7 @@ class Path(PathAxes):
         self.row = (self.used % self.ring_size) * self.width
         for i in range(self.width):
             self.history_rows[self.row + i] = queue[queue_row + i]
+        self.history_rows[self.row + rows.SHOWN_TRANSFORMATION] = self.shown_map()
         self.front = self.row
         if self.history_size > 0:
             self.remember()

@@ -9,6 +9,7 @@ from nctakt.kernel.kinematics.maps cimport KinematicMaps
 cdef class PathAxes:
     cdef Axes axes
     cdef readonly Py_ssize_t count
+    cdef readonly Py_ssize_t room
     cdef long long[::1] members
     cdef long long[::1] moved
     cdef Py_ssize_t moved_count
@@ -22,8 +23,11 @@ cdef class PathAxes:
     cdef double[::1] near
     cdef double[::1] standing
 
+    cdef int is_place_free(self, Py_ssize_t i) noexcept nogil
     @cython.locals(number=Py_ssize_t)
     cdef void transform(self, double[::1] queue, Py_ssize_t row) noexcept nogil
+    cdef long long shown_map(self) noexcept nogil
+    cdef void show_map(self, long long number) noexcept nogil
     @cython.locals(i=Py_ssize_t, message=int)
     cdef int refusal(self, Py_ssize_t queue_row, double[::1] queue) noexcept nogil
     cdef int obstacle(self, Py_ssize_t queue_row, double[::1] queue, Py_ssize_t i) noexcept nogil
@@ -36,8 +40,11 @@ cdef class PathAxes:
     cdef int is_there(
         self, double[::1] segments, Py_ssize_t row, Py_ssize_t column, Py_ssize_t i
     ) noexcept nogil
-    @cython.locals(i=Py_ssize_t, number=Py_ssize_t)
     cdef void put_transformed(self, double[::1] positions) noexcept nogil
+    @cython.locals(i=Py_ssize_t, number=Py_ssize_t)
+    cdef void stand_at(self, double[::1] positions) noexcept nogil
+    @cython.locals(i=Py_ssize_t)
+    cdef void to_axes(self, double[::1] positions) noexcept nogil
     @cython.locals(continues=int, i=Py_ssize_t, distance=double)
     cdef int continues_from(self, double[::1] ends) noexcept nogil
     @cython.locals(k=Py_ssize_t, i=Py_ssize_t)

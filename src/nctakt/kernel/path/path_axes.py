@@ -5,41 +5,74 @@ from __future__ import annotations
 
 from nctakt.kernel import codes, rows
 from nctakt.kernel.axes.axes import Axes
-from nctakt.kernel.base.bounds import check_index
+from nctakt.kernel.base.bounds import check_index, check_range
 from nctakt.kernel.path import geometry
 
 
 class PathAxes:
     """Axes of one channel's path, ``members`` among those of the machine.
 
+    The axis at index i of ``members`` is the one at place i of the channel; the number behind the
+    last axis of the machine stands at a place without one. ``room``: how many places there can be.
+
     ``maps``: the transformations; ``standing``: the axes at one end of a transformed segment.
     ``row``: where the row of the current segment stands in ``history_rows``; ``direction``: 1
     forward over it, -1 backward. ``moved``: the axes that the path has.
     """
 
-    def __init__(self, axes: Axes, members: list[int]) -> None:
+    def __init__(self, axes: Axes, members: list[int], room: int) -> None:
         self.axes = axes
-        self.count = len(members)
-        self.members = memoryview(bytearray(8 * max(1, len(members)))).cast("q")
-        for i, axis in enumerate(members):
+        self.room = max(1, room, len(members))
+        self.count = 0
+        self.members = memoryview(bytearray(8 * self.room)).cast("q")
+        for axis in members:
             check_index(axis, axes.count, "axis")
-            self.members[i] = axis
-        self.moved = memoryview(bytearray(8 * max(1, len(members)))).cast("q")
+        self.set_axes(members)
+        self.moved = memoryview(bytearray(8 * self.room)).cast("q")
         self.moved_count = 0
         self.refused_axis = 0
         self.history_rows = memoryview(bytearray(8)).cast("d")
         self.maps = axes.transformations.maps
         self.slot = members[0] if members else 0
-        self.unmapped = memoryview(bytearray(8 * max(1, len(members)))).cast("d")
-        self.near = memoryview(bytearray(8 * max(1, len(members)))).cast("d")
-        self.standing = memoryview(bytearray(8 * max(1, len(members)))).cast("d")
+        self.unmapped = memoryview(bytearray(8 * self.room)).cast("d")
+        self.near = memoryview(bytearray(8 * self.room)).cast("d")
+        self.standing = memoryview(bytearray(8 * self.room)).cast("d")
         self.row = 0
         self.direction = 1
+
+    def set_axes(self, members: list[int]) -> None:
+        """Let the path have these axes; ``axes.count`` stands for a place without one.
+
+        Raise ``ValueError`` for an unknown axis, or for more of them than there is room for.
+        """
+        check_range(len(members), 0, self.room, "number of axes")
+        for axis in members:
+            check_range(axis, 0, self.axes.count, "axis")
+        self.count = len(members)
+        for i, axis in enumerate(members):
+            self.members[i] = axis
+
+    def own_axes(self) -> list[int]:
+        """Return the axes at the places of the channel, as ``set_axes`` takes them."""
+        return [int(self.members[i]) for i in range(self.count)]
+
+    def is_place_free(self, i: int) -> int:
+        """Return whether no axis stands at a place of the channel."""
+        return 1 if self.members[i] == self.axes.count else 0
 
     def transform(self, queue: memoryview[float], row: int) -> None:
         """Let the transformation of the command at ``row`` be active (MO-8)."""
         number = int(queue[row + rows.TRANSFORMATION_NUMBER])
         self.axes.transform(self.slot, number)
+
+    def shown_map(self) -> int:
+        """Return the number of the map that the channel's positions are shown by, 0 for none."""
+        return int(self.axes.transformations.active[self.slot])
+
+    def show_map(self, number: int) -> None:
+        """Show the channel's positions by a map, as when a segment of the history was moved."""
+        if number != self.axes.transformations.active[self.slot]:
+            self.axes.transform(self.slot, number)
 
     def refusal(self, queue_row: int, queue: memoryview[float]) -> int:
         """Return the message that refuses a segment; 0 if the path can take it.
@@ -108,6 +141,7 @@ class PathAxes:
         But for those that have a motion of their own by now (MO-13).
         """
         self.moved_count = 0
+        self.show_map(int(self.history_rows[self.row + rows.SHOWN_TRANSFORMATION]))
         for i in range(self.count):
             if not self.axes.independent[self.members[i]]:
                 self.claim_axis(i)
@@ -116,6 +150,7 @@ class PathAxes:
     def claim_free(self, column: int) -> None:
         """Claim the axes whose position is the one at ``column``, for backward motion (MO-7)."""
         self.moved_count = 0
+        self.show_map(int(self.history_rows[self.row + rows.SHOWN_TRANSFORMATION]))
         self.stand(self.row, self.history_rows, column)
         for i in range(self.count):
             if not self.axes.independent[self.members[i]]:
@@ -143,7 +178,8 @@ class PathAxes:
     def publish_overrides(self, operator_pct: float) -> None:
         """Publish TOTAL of the members' independent motions (RC-305)."""
         for i in range(self.count):
-            self.axes.publish_override(self.members[i], operator_pct)
+            if not self.is_place_free(i):
+                self.axes.publish_override(self.members[i], operator_pct)
 
     def show_standstill(self) -> None:
         """Show the axes of an ended segment at a standstill, unless they move on their own."""
@@ -166,11 +202,22 @@ class PathAxes:
 
     def put_transformed(self, positions: memoryview[float]) -> None:
         """Put the axes that the segment moves where its map has them for ``positions``."""
+        self.stand_at(positions)
+        self.put_standing()
+
+    def stand_at(self, positions: memoryview[float]) -> None:
+        """Put the positions of the axes for those of a transformed segment into ``standing``."""
         for i in range(self.count):
             self.near[i] = self.axes.command[self.members[i]]
         number = int(self.history_rows[self.row + rows.TRANSFORMATION])
         self.maps.inverse(number, positions, self.near, self.standing)
-        self.put_standing()
+
+    def to_axes(self, positions: memoryview[float]) -> None:
+        """Replace positions of the current segment by those of the axes."""
+        if self.history_rows[self.row + rows.TRANSFORMATION] > 0.0:
+            self.stand_at(positions)
+            for i in range(self.count):
+                positions[i] = self.standing[i]
 
     def continues_from(self, ends: memoryview[float]) -> int:
         """Return whether a transformed segment starts where the axes were at the last end.

@@ -4,6 +4,7 @@ cimport cython
 from nctakt.kernel cimport rows
 from nctakt.kernel.axes.spindles cimport Spindles
 from nctakt.kernel.base cimport arithmetic
+from nctakt.kernel.path cimport arc_limits
 from nctakt.kernel.path cimport geometry
 from nctakt.kernel.path.arc_limits cimport ArcLimits
 from nctakt.kernel.path.transformed_limits cimport TransformedLimits
@@ -11,6 +12,7 @@ from nctakt.kernel.path.transformed_limits cimport TransformedLimits
 @cython.final
 cdef class SegmentLimits:
     cdef readonly Py_ssize_t count
+    cdef readonly Py_ssize_t room
     cdef double max_factor
     cdef double tick_t
     cdef long long[::1] linear
@@ -58,6 +60,8 @@ cdef class SegmentLimits:
 
     @cython.locals(share=double)
     cdef double measure(self, double[::1] segments, Py_ssize_t row) noexcept nogil
+    @cython.locals(share=double, limit_v=double, limit_a=double, curvature=double)
+    cdef double measure_bent(self, double[::1] segments, Py_ssize_t row) noexcept nogil
     @cython.locals(
         spindle=Py_ssize_t, turn=double, limit_v=double, limit_a=double, limit_j=double
     )
@@ -76,10 +80,6 @@ cdef class SegmentLimits:
     )
     cdef void limit_jerk_on_arc(
         self, double[::1] segments, Py_ssize_t row, double[::1] shares, double[::1] turns
-    ) noexcept nogil
-    @cython.locals(ramp=double, half=double, peak=double)
-    cdef double rest_to_rest_time(
-        self, double distance, double speed, double limit_a, double limit_j
     ) noexcept nogil
     cdef void stand_at_end(self, double[::1] segments, Py_ssize_t row) noexcept nogil
     @cython.locals(

@@ -16,7 +16,7 @@ from nctakt.kernel import rows
 from nctakt.kernel.axes.spindles import Spindles
 from nctakt.kernel.base import arithmetic
 from nctakt.kernel.base.bounds import check_index
-from nctakt.kernel.path import geometry
+from nctakt.kernel.path import arc_limits, geometry
 from nctakt.kernel.path.arc_limits import ArcLimits
 from nctakt.kernel.path.transformed_limits import TransformedLimits
 
@@ -28,19 +28,19 @@ class SegmentLimits:
     others, ``…_slope_a`` with limited jerk. A speed is at most ``max_factor`` times the programmed
     one (P-CHAN-00056). ``has_jerk_limit``: a segment had a limit of the jerk.
 
-    Programs change the limits between two segments (weights, ``#VECTOR LIMIT``). ``is_reduced``:
-    they are not those of the lists; an arc then has one acceleration. ``listed_v`` and
-    ``listed_a``: those of the lists. ``kept_…``: the limits of the segment before, while
-    ``has_changed``. ``vector``: limits along the path, of feed blocks and of rapid ones, 0 none.
-    ``rounded_part``: of a line that a rounded corner may take; ``max_bend``: the largest change of
-    direction that is rounded, as a length of two unit vectors' difference.
+    Programs change the limits between two segments. ``is_reduced``: they are not those of the
+    lists (``listed_v``, ``listed_a``); an arc then has one acceleration. ``kept_…``: the limits of
+    the segment before, while ``has_changed``. ``vector``: limits along the path, of feed blocks and
+    of rapid ones, 0 none. ``rounded_part``: of a line that a rounded corner may take; ``max_bend``:
+    the largest change of direction that is rounded, as a length of two unit vectors' difference.
     """
 
-    def __init__(self, count: int, cycle_time_us: int, max_factor: float) -> None:
+    def __init__(self, count: int, cycle_time_us: int, max_factor: float, places: int = 0) -> None:
         self.count = count
+        self.room = max(1, count, places)
         self.max_factor = max(1.0, max_factor)
         self.tick_t = cycle_time_us / 1e6
-        room = 8 * max(1, count)
+        room = 8 * self.room
         self.linear = memoryview(bytearray(room)).cast("q")
         self.rapid_v = memoryview(bytearray(room)).cast("d")
         self.max_v = memoryview(bytearray(room)).cast("d")
@@ -63,9 +63,9 @@ class SegmentLimits:
         self.has_changed = False
         self.rounded_part = 0.5
         self.max_bend = 1.99
-        self.arcs = ArcLimits(count)
+        self.arcs = ArcLimits(count, self.room)
         self.arcs.share(self.listed_v, self.listed_a)
-        self.transformed = TransformedLimits(count, self.linear)
+        self.transformed = TransformedLimits(count, self.linear, self.room)
         self.transformed.limit(self.rapid_v, self.max_v, self.rapid_a, self.feed_a)
         self.transformed.limit_slope(
             self.rapid_slope_a, self.feed_slope_a, self.rapid_j, self.feed_j
@@ -97,6 +97,12 @@ class SegmentLimits:
         check_index(index, self.count, "axis")
         self.rapid_slope_a[index], self.feed_slope_a[index] = accelerations
         self.rapid_j[index], self.feed_j[index] = jerks
+
+    def set_count(self, count: int) -> None:
+        """Let the path have ``count`` places; raise ``ValueError`` if there is no room for them."""
+        self.arcs.set_count(count)
+        self.transformed.set_count(count)
+        self.count = count
 
     # --- limits that programs change ------------------------------------------------------------
 
@@ -177,20 +183,34 @@ class SegmentLimits:
         share = 0.0
         segments[row + rows.LENGTH] = self.straight_length(segments, row)
         if segments[row + rows.TRANSFORMATION] > 0.0:
-            self.has_jerk_limit |= segments[row + rows.HAS_JERK_LIMIT] > 0.0
-            share = self.transformed.measure(segments, row, self.max_factor)
-            if segments[row + rows.HAS_JERK_LIMIT] > 0.0:
-                self.stand_at_end(segments, row)
-            return share
-        if segments[row + rows.SHAPE] == rows.ARC:
+            return self.measure_bent(segments, row)
+        if segments[row + rows.SHAPE] == rows.LINE:
+            self.bound(segments, row)
+        elif segments[row + rows.SHAPE] == rows.ARC:
             share = self.measure_arc(segments, row)
         else:
-            self.bound(segments, row)
+            return self.measure_bent(segments, row)
         if segments[row + rows.HAS_JERK_LIMIT] > 0.0:
             self.limit_jerk(segments, row)
         if segments[row + rows.THREAD] == rows.TAPPING:
             self.limit_tap(segments, row)
         segments[row + rows.CORNER_SPEED] = 0.0
+        return share
+
+    def measure_bent(self, segments: memoryview[float], row: int) -> float:
+        """Prepare a segment on which the way of the axes is bent; return as ``measure``."""
+        share = self.transformed.measure(segments, row, self.max_factor)
+        if self.is_reduced:
+            limit_v = self.vector_limit(segments, row, rows.VECTOR_SPEED)
+            limit_a = self.vector_limit(segments, row, rows.RADIAL_ACCELERATION)
+            curvature = max(self.transformed.curvature(), 1e-9)
+            limit_v = min(limit_v, arithmetic.square_root(limit_a / curvature))
+            segments[row + rows.MAX_SPEED] = min(segments[row + rows.MAX_SPEED], limit_v)
+            limit_a = self.vector_limit(segments, row, rows.VECTOR_ACCELERATION)
+            segments[row + rows.ACCELERATION] = min(segments[row + rows.ACCELERATION], limit_a)
+        if segments[row + rows.HAS_JERK_LIMIT] > 0.0:
+            self.has_jerk_limit = True
+            self.stand_at_end(segments, row)
         return share
 
     def limit_tap(self, segments: memoryview[float], row: int) -> None:
@@ -279,7 +299,7 @@ class SegmentLimits:
                     jerk = plane_j * plane_j - crossing_j * crossing_j
                     jerk = min(arithmetic.square_root(jerk) - turned_j, outer_j)
                     if jerk > 0.01 * plane_j:
-                        time = self.rest_to_rest_time(distance, speed, ramp_a, jerk)
+                        time = arc_limits.rest_to_rest_time(distance, speed, ramp_a, jerk)
                         if time < best_t:
                             best_t = time
                             segments[row + rows.MAX_SPEED] = speed / part
@@ -287,24 +307,6 @@ class SegmentLimits:
                             segments[row + rows.JERK] = jerk / part
                 ramp_a *= 0.7
             speed *= 0.88
-
-    def rest_to_rest_time(
-        self, distance: float, speed: float, limit_a: float, limit_j: float
-    ) -> float:
-        """Time in s of a distance from rest to rest with limited jerk."""
-        ramp = limit_a / limit_j
-        if speed < limit_a * ramp:
-            ramp = 2.0 * arithmetic.square_root(speed / limit_j)
-        else:
-            ramp += speed / limit_a
-        if speed * ramp <= distance:
-            return distance / speed + ramp
-        ramp = limit_a / limit_j
-        if distance < 2.0 * limit_a * ramp * ramp:
-            return 4.0 * arithmetic.power(0.5 * distance / limit_j, 1.0 / 3.0)
-        half = 0.5 * limit_a * ramp
-        peak = arithmetic.square_root(half * half + limit_a * distance) - half
-        return distance / peak + peak / limit_a + ramp
 
     def stand_at_end(self, segments: memoryview[float], row: int) -> None:
         """Let a segment end at a standstill."""

@@ -59,11 +59,13 @@ cdef class Threads:
     cdef double braking_d(self, double path_v) noexcept nogil
     cdef void settle(self) noexcept nogil
     @cython.locals(
-        row=Py_ssize_t, is_tap=bint, turn=double,
+        row=Py_ssize_t, is_tap=bint, spindle=Py_ssize_t, turn=double,
         angle=double, spindle_v=double
     )
     cdef void turn_spindle(self) noexcept nogil
-    @cython.locals(length_d=double, off=double)
+    @cython.locals(angle=double)
+    cdef void leave_tap(self) noexcept nogil
+    @cython.locals(off=double)
     cdef void couple(self, double angle, double turn) noexcept nogil
     cdef void uncouple(self) noexcept nogil
     cdef int stands_before(self, double thread) noexcept nogil

@@ -239,35 +239,48 @@ class Threads:
         is_tap = (
             not self.path.is_dwell and self.path.history_rows[row + rows.THREAD] == rows.TAPPING
         )
+        spindle = int(self.path.history_rows[row + rows.FEED_SPINDLE]) if is_tap else 0
+        spindle -= 1
+        if self.state == codes.WITH_TAP and spindle != self.spindle:
+            self.leave_tap()
         if is_tap:
+            self.spindle = spindle
             turn = self.path.history_rows[row + rows.THREAD_TURN]
             angle = self.path.history_rows[row + rows.THREAD_ANGLE] + turn * self.path.covered_d
-            self.spindle = int(self.path.history_rows[row + rows.FEED_SPINDLE])
-            self.spindle -= 1
             if self.spindles.mode[self.spindle] != codes.COUPLED and self.path.is_active:
                 self.couple(self.path.history_rows[row + rows.THREAD_ANGLE], turn)
             if self.spindles.mode[self.spindle] == codes.COUPLED:
                 spindle_v = turn * self.path.speed_v * self.path.direction
                 self.spindles.follow(self.spindle, angle, spindle_v)
+                self.turn = turn
+                self.length_d = geometry.total_length(self.path.history_rows, row)
                 self.angle = self.path.history_rows[row + rows.THREAD_ANGLE]
-                self.angle += turn * geometry.total_length(self.path.history_rows, row)
+                self.angle += turn * self.length_d
         if not is_tap or not self.path.is_active:
             self.uncouple()
 
+    def leave_tap(self) -> None:
+        """Leave the spindle at the end of the tap where the path has left it within the tick."""
+        if self.spindles.mode[self.spindle] == codes.COUPLED:
+            angle = self.angle
+            if self.path.direction < 0:
+                angle -= self.turn * self.length_d
+            self.spindles.follow(self.spindle, angle, 0.0)
+        self.uncouple()
+
     def couple(self, angle: float, turn: float) -> None:
         """Couple a resting spindle, whose angle has to be that at an end of the block."""
+        self.source = int(self.path.history_rows[self.path.row + rows.SOURCE])
         if not self.spindles.is_resting(self.spindle):
             self.fault = 901508
             return
         self.state = codes.WITH_TAP
-        if self.path.is_retracing:
-            length_d = geometry.total_length(self.path.history_rows, self.path.row)
-            if self.path.direction < 0:
-                angle += turn * length_d
-            off = spindles.wrapped(angle - self.spindles.position[self.spindle] + 180.0) - 180.0
-            if off > 1e-6 or off < -1e-6:
-                self.fault = 901510
-                return
+        if self.path.direction < 0:
+            angle += turn * geometry.total_length(self.path.history_rows, self.path.row)
+        off = spindles.wrapped(angle - self.spindles.position[self.spindle] + 180.0) - 180.0
+        if off > 1e-6 or off < -1e-6:
+            self.fault = 901510
+            return
         self.spindles.mode[self.spindle] = codes.COUPLED
 
     def uncouple(self) -> None:

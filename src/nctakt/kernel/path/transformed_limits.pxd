@@ -4,10 +4,13 @@ cimport cython
 from nctakt.kernel cimport rows
 from nctakt.kernel.axes.transformations cimport Transformations
 from nctakt.kernel.base cimport arithmetic
+from nctakt.kernel.path cimport cubic
 
 cdef double MAX_STEP
 cdef double MIN_STEP
+cdef double CUBIC_TURN
 cdef double END_STEP
+cdef Py_ssize_t MAX_SAMPLES
 cdef double MARGIN
 cdef double BEND_A
 cdef double BEND_J
@@ -16,6 +19,7 @@ cdef double BEND_RAMP_J
 @cython.final
 cdef class TransformedLimits:
     cdef Py_ssize_t count
+    cdef Py_ssize_t room
     cdef Transformations transformations
     cdef long long[::1] linear
     cdef double[::1] rapid_v
@@ -29,6 +33,9 @@ cdef class TransformedLimits:
     cdef double free_a
     cdef double free_j
     cdef double turn
+    cdef Py_ssize_t steps
+    cdef bint is_even
+    cdef Py_ssize_t plane_axis
     cdef double[::1] near
     cdef double[::1] point
     cdef double[::1] start
@@ -43,6 +50,13 @@ cdef class TransformedLimits:
     cdef double[::1] entering_curve
     cdef double[::1] leaving_curve
 
+    @cython.locals(i=Py_ssize_t)
+    cdef void start_at(self, double[::1] axes, long long[::1] members) noexcept nogil
+    cdef void transform(self, Py_ssize_t number) noexcept nogil
+    @cython.locals(i=Py_ssize_t, k=Py_ssize_t, widest=double, angle=double)
+    cdef void count_samples(
+        self, double[::1] segments, Py_ssize_t row, Py_ssize_t number, double arc
+    ) noexcept nogil
     cdef void share(self, Transformations transformations)
     @cython.locals(
         start=Py_ssize_t, target=Py_ssize_t, i=Py_ssize_t, begin=double, first=Py_ssize_t,
@@ -52,10 +66,14 @@ cdef class TransformedLimits:
     cdef void locate(
         self, double[::1] segments, Py_ssize_t row, double part, Py_ssize_t sample
     ) noexcept nogil
-    @cython.locals(start=Py_ssize_t, i=Py_ssize_t, number=Py_ssize_t, angle=double)
+    @cython.locals(start=Py_ssize_t, i=Py_ssize_t, number=Py_ssize_t, angle=double, arc=double)
     cdef void measure_turn(self, double[::1] segments, Py_ssize_t row) noexcept nogil
     @cython.locals(length=double, i=Py_ssize_t, slope=double)
     cdef void survey(self, double[::1] segments, Py_ssize_t row) noexcept nogil
+    @cython.locals(steps=Py_ssize_t, number=Py_ssize_t, part=double, i=Py_ssize_t)
+    cdef void survey_cubic(self, double[::1] segments, Py_ssize_t row) noexcept nogil
+    @cython.locals(curvature2=double, i=Py_ssize_t)
+    cdef double curvature(self) noexcept nogil
     @cython.locals(
         steps=Py_ssize_t, part=double, step_d=double, number=Py_ssize_t, i=Py_ssize_t
     )

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What the axes allow on a transformed segment: their positions over its length (MO-1).
+"""What the axes allow on a transformed segment, or a cubic: their positions over its length (MO-1).
 
 The map bends the way of the axes where rotary axes turn. A segment is sampled at least every three
 degrees of what turns on it; differences of the samples give the change of each axis with the length
@@ -13,12 +13,18 @@ from __future__ import annotations
 from nctakt.kernel import rows
 from nctakt.kernel.axes.transformations import Transformations
 from nctakt.kernel.base import arithmetic
+from nctakt.kernel.base.bounds import check_range
+from nctakt.kernel.path import cubic
 
 #: Degrees between two samples: at most, and on shorter turns at least.
 MAX_STEP = 3.0
+#: Degrees that a piece of a spline counts as.
+CUBIC_TURN = 48.0
 MIN_STEP = 1.5
 #: Degrees between the samples for the direction at an end.
 END_STEP = 0.1
+#: Samples of a segment at most, where the axes turn otherwise than what is programmed.
+MAX_SAMPLES = 4096
 #: What differences of samples may miss of the largest value.
 MARGIN = 1.01
 #: Shares of acceleration and jerk that the bend takes at most, of the jerk with its two terms.
@@ -32,14 +38,15 @@ class TransformedLimits:
 
     ``first``, ``second``, ``third``: the largest changes of each axis with the length; ``entering``
     … ``leaving_curve``: first and second change at its start and its end. ``turn``: the degrees by
-    which anything turns on it, 0: the axes' way is straight. ``free_a``, ``free_j``: the shares of
-    acceleration and jerk that a bend leaves at least.
+    which anything turns on it, 0: the axes' way is straight; ``is_even``: all along alike.
+    ``free_a``, ``free_j``: the shares of acceleration and jerk that a bend leaves at least.
     """
 
-    def __init__(self, count: int, linear: memoryview[int]) -> None:
+    def __init__(self, count: int, linear: memoryview[int], places: int) -> None:
         self.count = count
         self.linear = linear
-        room = 8 * max(1, count)
+        self.room = places
+        room = 8 * places
         self.rapid_v = memoryview(bytearray(room)).cast("d")
         self.max_v = memoryview(bytearray(room)).cast("d")
         self.rapid_a = memoryview(bytearray(room)).cast("d")
@@ -52,6 +59,9 @@ class TransformedLimits:
         self.free_a = 1.0 - BEND_A
         self.free_j = 1.0 - BEND_J - BEND_RAMP_J
         self.turn = 0.0
+        self.steps = 1
+        self.is_even = True
+        self.plane_axis = -1
         self.near = memoryview(bytearray(room)).cast("d")
         self.point = memoryview(bytearray(room)).cast("d")
         self.start = memoryview(bytearray(room)).cast("d")
@@ -65,6 +75,24 @@ class TransformedLimits:
         self.leaving = memoryview(bytearray(room)).cast("d")
         self.entering_curve = memoryview(bytearray(room)).cast("d")
         self.leaving_curve = memoryview(bytearray(room)).cast("d")
+
+    def start_at(self, axes: memoryview[float], members: memoryview[int]) -> None:
+        """Take where the axes stand: of two solutions the next segment starts at the nearer one."""
+        for i in range(self.count):
+            self.near[i] = axes[members[i]]
+
+    def set_count(self, count: int) -> None:
+        """Let there be ``count`` axes; raise ``ValueError`` if there is no room for them."""
+        check_range(count, 0, self.room, "number of axes")
+        self.count = count
+
+    def transform(self, number: int) -> None:
+        """Count a rotary axis as a linear one from the next segment on where a map has it in mm."""
+        if self.plane_axis >= 0:
+            self.linear[self.plane_axis] = 0
+        self.plane_axis = self.transformations.plane_axis(number)
+        if self.plane_axis >= 0:
+            self.linear[self.plane_axis] = 1
 
     def share(self, transformations: Transformations) -> None:
         """Use the maps of the machine."""
@@ -113,6 +141,8 @@ class TransformedLimits:
             y = segments[start + second] - segments[row + rows.ARC_SECOND_CENTRE]
             self.point[first] = segments[row + rows.ARC_FIRST_CENTRE] + x * cosine - y * sine
             self.point[second] = segments[row + rows.ARC_SECOND_CENTRE] + x * sine + y * cosine
+        if cubic.is_cubic(segments, row):
+            cubic.locate(segments, row, self.count, part, self.point)
         number = int(segments[row + rows.TRANSFORMATION])
         self.transformations.maps.inverse(number, self.point, self.near, self.result)
         for i in range(self.count):
@@ -126,10 +156,44 @@ class TransformedLimits:
             self.start[i] = segments[start + i]
             self.target[i] = segments[start + self.count + i]
         number = int(segments[row + rows.TRANSFORMATION])
-        self.turn = self.transformations.rotation(number, self.start, self.target)
+        arc = 0.0
         if segments[row + rows.SHAPE] == rows.ARC:
             angle = segments[row + rows.ARC_ANGLE]
-            self.turn += angle if angle >= 0.0 else 0.0 - angle
+            arc = angle if angle >= 0.0 else 0.0 - angle
+        if cubic.is_cubic(segments, row):
+            arc = CUBIC_TURN
+        self.is_even = not self.transformations.turns_otherwise(number)
+        if not self.is_even:
+            self.count_samples(segments, row, number, arc)
+            return
+        self.turn = arc + self.transformations.rotation(number, self.start, self.target)
+        self.steps = int(self.turn / MAX_STEP)
+        self.steps += 1
+
+    def count_samples(self, segments: memoryview[float], row: int, number: int, arc: float) -> None:
+        """Settle the turn, and how many samples keep what turns between two of them small.
+
+        Beside a pole an axis turns far on a short way. ``arc``: the angle of an arc in degrees.
+        """
+        for i in range(self.count):
+            self.first[i] = self.near[i]
+        self.steps = 2
+        while True:
+            self.steps *= 2
+            self.turn = arc
+            widest = 0.0
+            for i in range(self.count):
+                self.near[i] = self.first[i]
+            self.locate(segments, row, 0.0, 0)
+            for k in range(1, self.steps + 1):
+                for i in range(self.count):
+                    self.start[i] = self.near[i]
+                self.locate(segments, row, 1.0 * k / self.steps, 0)
+                angle = self.transformations.rotation(number, self.start, self.near)
+                self.turn += angle
+                widest = max(widest, angle + arc / self.steps)
+            if widest <= MAX_STEP or self.steps >= MAX_SAMPLES:
+                return
 
     def survey(self, segments: memoryview[float], row: int) -> None:
         """Sample a segment whose length is known."""
@@ -156,11 +220,37 @@ class TransformedLimits:
         self.sample_end(segments, row, 0.0, self.entering)
         self.sample_end(segments, row, 1.0, self.leaving)
 
+    def survey_cubic(self, segments: memoryview[float], row: int) -> None:
+        """Survey a piece of a spline whose positions are those of the axes."""
+        for i in range(self.count):
+            self.first[i] = 0.0
+            self.second[i] = 0.0
+            self.third[i] = 0.0
+        steps = int(CUBIC_TURN / MAX_STEP)
+        for number in range(steps + 1):
+            part = number * MAX_STEP / CUBIC_TURN
+            cubic.differentiate(segments, row, self.count, part, self.point, self.near, self.result)
+            for i in range(self.count):
+                self.first[i] = max(self.first[i], self.point[i], 0.0 - self.point[i])
+                self.second[i] = max(self.second[i], self.near[i], 0.0 - self.near[i])
+                self.third[i] = max(self.third[i], self.result[i], 0.0 - self.result[i])
+
+    def curvature(self) -> float:
+        """Return a bound of the curvature of the surveyed segment, per mm."""
+        curvature2 = 0.0
+        for i in range(self.count):
+            if self.linear[i]:
+                curvature2 += self.second[i] * self.second[i]
+        return arithmetic.square_root(curvature2)
+
     def sample_bend(self, segments: memoryview[float], row: int) -> None:
         """Sample a segment on which something turns, one step beyond either end."""
-        steps = int(self.turn / MAX_STEP)
-        steps += 1
-        part = max(1.0 / steps, MIN_STEP / self.turn)
+        steps = self.steps
+        part = 1.0 / steps
+        if self.is_even or self.turn < MIN_STEP:
+            part = max(part, MIN_STEP / self.turn)
+            if not self.is_even:
+                part = min(part, 1.0)
         step_d = part * segments[row + rows.LENGTH]
         for number in range(-1, steps + 2):
             for i in range(3 * self.count):
@@ -194,6 +284,8 @@ class TransformedLimits:
     ) -> None:
         """Settle the direction of the axes' way at an end."""
         step = END_STEP / self.turn
+        if not self.is_even:
+            step = min(0.1, step, END_STEP / self.steps)
         self.locate(segments, row, part - step, 0)
         self.locate(segments, row, part + step, 1)
         step_d = 2.0 * step * segments[row + rows.LENGTH]
@@ -267,7 +359,7 @@ class TransformedLimits:
     # --- a segment -----------------------------------------------------------------------------
 
     def measure(self, segments: memoryview[float], row: int, max_factor: float) -> float:
-        """Prepare length, speeds and acceleration of a transformed segment.
+        """Prepare length, speeds and acceleration of a transformed segment, or of a cubic.
 
         Return the share of the accelerations that the bend of the axes' way takes. The corner at
         its end is not rounded.
@@ -275,7 +367,12 @@ class TransformedLimits:
         segments[row + rows.DEVIATION] = 0.0
         if segments[row + rows.SHAPE] == rows.ARC:
             segments[row + rows.LENGTH] = self.arc_length(segments, row)
-        self.survey(segments, row)
+        if cubic.is_cubic(segments, row):
+            cubic.measure(segments, row, self.count, self.linear)
+        if segments[row + rows.TRANSFORMATION] > 0.0:
+            self.survey(segments, row)
+        else:
+            self.survey_cubic(segments, row)
         is_rapid = segments[row + rows.MOTION] == rows.RAPID_MOTION
         if is_rapid:
             segments[row + rows.SPEED] = self.highest_speed(self.rapid_v)

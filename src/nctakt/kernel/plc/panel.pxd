@@ -17,6 +17,7 @@ cdef class Panel:
     cdef readonly bint is_running
     cdef public bint is_paused
     cdef bint is_released
+    cdef bint is_step_locked
     cdef readonly bint backward_motion
     cdef bint turns_back
     cdef readonly bint probe
@@ -26,8 +27,10 @@ cdef class Panel:
     cdef readonly bint start_taken
     cdef readonly bint reset_taken
 
-    @cython.locals(cell=Py_ssize_t, is_backward=bint)
+    @cython.locals(cell=Py_ssize_t, is_backward=bint, is_single=bint)
     cdef void latch(self) noexcept nogil
+    @cython.locals(is_single=bint)
+    cdef void lock_step(self, bint is_locked) noexcept nogil
     cdef void take_start(self, int can_start) noexcept nogil
     cdef int permits_block(self, long long line, bint moves_axis, bint is_started) noexcept nogil
     cdef int stop_for_program(self, bint is_optional) noexcept nogil

@@ -3,7 +3,8 @@
 
 Each value has a cell (``cells.PANEL_OVERRIDE`` …). Whoever plays the PLC writes the commands' cells
 between two ticks; the tick works with the copies that ``latch`` has made. START and RESET are keys:
-the tick that finds one pressed takes it and writes 0.
+the tick that takes one writes 0. START waits while a reset lasts: who presses both, one behind the
+other, need not know which tick comes between them.
 """
 
 from __future__ import annotations
@@ -17,8 +18,9 @@ class Panel:
 
     ``is_armed``: a program is selected and waits for START. ``is_running``: a program runs.
     ``is_paused``: single block has stopped the channel in front of a block, or the program has
-    (M00). ``start_taken`` and ``reset_taken`` tell Python what it has to do. ``turns_back``:
-    backward motion is commanded, and was not in the tick before.
+    (M00). ``is_step_locked``: single block has no effect. ``start_taken`` and ``reset_taken`` tell
+    Python what it has to do. ``turns_back``: backward motion is commanded, and was not in the tick
+    before.
     """
 
     def __init__(self, memory: bytearray, first_cell: int) -> None:
@@ -29,6 +31,7 @@ class Panel:
         self.is_running = False
         self.is_paused = False
         self.is_released = False
+        self.is_step_locked = False
         self.block_line = -1
         self.block_moves = False
         self.start_taken = False
@@ -60,6 +63,7 @@ class Panel:
         self.is_running = True
         self.start_taken = False
         self.is_paused = False
+        self.is_step_locked = False
         self.is_released = True
         self.block_line = -1
         self.block_moves = False
@@ -81,7 +85,8 @@ class Panel:
         cell = self.first_cell
         self.override_pct = max(self.cells[cell + cells.PANEL_OVERRIDE], 0.0)
         self.feed_hold = self.cells[cell + cells.PANEL_FEED_HOLD] != 0.0
-        self.single_block = self.cells[cell + cells.PANEL_SINGLE_BLOCK] != 0.0
+        is_single = self.cells[cell + cells.PANEL_SINGLE_BLOCK] != 0.0
+        self.single_block = is_single and not self.is_step_locked
         self.start_pressed = self.cells[cell + cells.PANEL_START] != 0.0
         self.reset_pressed = self.cells[cell + cells.PANEL_RESET] != 0.0
         self.plc_present = self.cells[cell + cells.PANEL_PLC_PRESENT] != 0.0
@@ -90,14 +95,19 @@ class Panel:
         self.backward_motion = is_backward
         self.probe = self.cells[cell + cells.PANEL_PROBE] != 0.0
         self.optional_stop = self.cells[cell + cells.PANEL_OPTIONAL_STOP] != 0.0
-        if self.start_pressed:
-            self.cells[cell + cells.PANEL_START] = 0.0
         if self.reset_pressed:
             self.cells[cell + cells.PANEL_RESET] = 0.0
             self.reset_taken = True
 
+    def lock_step(self, is_locked: bool) -> None:
+        """Let single block have no effect from here on, or again (``#SINGLE STEP``)."""
+        is_single = self.cells[self.first_cell + cells.PANEL_SINGLE_BLOCK] != 0.0
+        self.is_step_locked = is_locked
+        self.single_block = is_single and not is_locked
+
     def take_start(self, can_start: int) -> None:
         """Take START: continue where the channel has stopped, else the selected program."""
+        self.cells[self.first_cell + cells.PANEL_START] = 0.0
         if self.is_paused:
             self.is_paused = False
             self.is_released = True

@@ -2,6 +2,7 @@
 # C types of axes.py.
 from nctakt.kernel.axes.axes cimport Axes
 from nctakt.kernel.axes.axis_motions cimport AxisMotions
+from nctakt.kernel.axes.c_axis cimport CAxis
 from nctakt.kernel.axes.coordinates cimport Offsets, Turns
 from nctakt.kernel.axes.spindles cimport Spindles
 from nctakt.kernel.axes.trajectory cimport Trajectories
@@ -17,6 +18,7 @@ cpdef copy_offsets(Offsets source, Offsets target)
 cpdef tuple arrays_of_offsets(Offsets part)
 cpdef copy_turns(Turns source, Turns target)
 cpdef tuple arrays_of_turns(Turns part)
+cpdef copy_c_axis(CAxis source, CAxis target)
 cpdef copy_spindles(Spindles source, Spindles target)
 cpdef tuple arrays_of_spindles(Spindles part)
 cpdef copy_trajectories(Trajectories source, Trajectories target)

@@ -13,6 +13,7 @@ from typing import Any
 
 from nctakt.kernel.axes.axes import Axes
 from nctakt.kernel.axes.axis_motions import AxisMotions
+from nctakt.kernel.axes.c_axis import CAxis
 from nctakt.kernel.axes.coordinates import Offsets, Turns
 from nctakt.kernel.axes.spindles import Spindles
 from nctakt.kernel.axes.trajectory import Trajectories
@@ -66,6 +67,7 @@ def copy_axis_motions(source: AxisMotions, target: AxisMotions) -> None:
     target.fault_count = source.fault_count
     target.reported_count = source.reported_count
     target.requested_axis = source.requested_axis
+    target.has_exchanged = source.has_exchanged
     target.source = source.source
     target.serial = source.serial
     target.failed_count = source.failed_count
@@ -76,6 +78,9 @@ def arrays_of_axis_motions(part: AxisMotions) -> Arrays:
         part.enabled,
         part.low,
         part.high,
+        part.listed_low,
+        part.listed_high,
+        part.is_homing,
         part.limit_v,
         part.limit_a,
         part.limit_j,
@@ -132,6 +137,13 @@ def arrays_of_turns(part: Turns) -> Arrays:
         part.third,
         part.matrix,
     )
+
+
+def copy_c_axis(source: CAxis, target: CAxis) -> None:
+    target.axis = source.axis
+    target.spindle = source.spindle
+    target.last = source.last
+    target.is_active = source.is_active
 
 
 def copy_spindles(source: Spindles, target: Spindles) -> None:
@@ -218,6 +230,9 @@ def arrays_of_trajectories(part: Trajectories) -> Arrays:
 
 def copy_transformations(source: Transformations, target: Transformations) -> None:
     target.active_count = source.active_count
+    target.named = source.named
+    target.joint_count = source.joint_count
+    target.target_number = source.target_number
 
 
 def arrays_of_transformations(part: Transformations) -> Arrays:
@@ -227,6 +242,10 @@ def arrays_of_transformations(part: Transformations) -> Arrays:
         part.mapped,
         part.near,
         part.tips,
+        part.joint_axes,
+        part.joint_members,
+        part.joint_mapped,
+        part.mapped_targets,
     )
 
 
@@ -267,6 +286,7 @@ COPIERS: MappingProxyType[type, Callable[..., None]] = MappingProxyType(
         Transformations: copy_transformations,
         Axes: copy_axes,
         AxisMotions: copy_axis_motions,
+        CAxis: copy_c_axis,
         Offsets: copy_offsets,
         Turns: copy_turns,
         Spindles: copy_spindles,

@@ -12,6 +12,7 @@ from nctakt.kernel.kernel cimport Kernel
 from nctakt.kernel.plc.axis_requests cimport AxisRequests
 from nctakt.kernel.plc.panel cimport Panel
 from nctakt.kernel.plc.technology_slots cimport Hli, Section
+from nctakt.kernel.tick.axis_exchange cimport AxisExchange
 from nctakt.kernel.tick.block_scope cimport BlockScope
 from nctakt.kernel.tick.channel cimport Channel
 from nctakt.kernel.tick.channel_signals cimport ChannelSignals
@@ -56,3 +57,5 @@ cpdef tuple arrays_of_loop_body(LoopBody part)
 cpdef copy_signal_board(SignalBoard source, SignalBoard target)
 cpdef tuple arrays_of_signal_board(SignalBoard part)
 cpdef copy_channel_signals(ChannelSignals source, ChannelSignals target)
+cpdef copy_axis_exchange(AxisExchange source, AxisExchange target)
+cpdef tuple arrays_of_axis_exchange(AxisExchange part)

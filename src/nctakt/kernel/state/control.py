@@ -22,6 +22,7 @@ from nctakt.kernel.kernel import Kernel
 from nctakt.kernel.plc.axis_requests import AxisRequests
 from nctakt.kernel.plc.panel import Panel
 from nctakt.kernel.plc.technology_slots import Hli, Section
+from nctakt.kernel.tick.axis_exchange import AxisExchange
 from nctakt.kernel.tick.block_scope import BlockScope
 from nctakt.kernel.tick.channel import Channel
 from nctakt.kernel.tick.channel_signals import ChannelSignals
@@ -217,6 +218,7 @@ def copy_panel(source: Panel, target: Panel) -> None:
     target.is_running = source.is_running
     target.is_paused = source.is_paused
     target.is_released = source.is_released
+    target.is_step_locked = source.is_step_locked
     target.backward_motion = source.backward_motion
     target.turns_back = source.turns_back
     target.probe = source.probe
@@ -359,6 +361,16 @@ def arrays_of_signal_board(part: SignalBoard) -> Arrays:
     )
 
 
+def copy_axis_exchange(source: AxisExchange, target: AxisExchange) -> None:
+    target.is_waiting = source.is_waiting
+    target.source = source.source
+    target.since = source.since
+
+
+def arrays_of_axis_exchange(part: AxisExchange) -> Arrays:
+    return (part.awaited,)
+
+
 def copy_channel_signals(source: ChannelSignals, target: ChannelSignals) -> None:
     target.is_decoder_waiting = source.is_decoder_waiting
     target.awaited_number = source.awaited_number
@@ -395,6 +407,7 @@ COPIERS: MappingProxyType[type, Callable[..., None]] = MappingProxyType(
         CommandQueue: copy_command_queue,
         LoopBody: copy_loop_body,
         SignalBoard: copy_signal_board,
+        AxisExchange: copy_axis_exchange,
         ChannelSignals: copy_channel_signals,
     }
 )
@@ -402,6 +415,7 @@ COPIERS: MappingProxyType[type, Callable[..., None]] = MappingProxyType(
 #: Class -> what returns its arrays.
 ARRAYS: MappingProxyType[type, Callable[..., Arrays]] = MappingProxyType(
     {
+        AxisExchange: arrays_of_axis_exchange,
         Record: arrays_of_record,
         Timers: arrays_of_timers,
         Context: arrays_of_context,

@@ -18,6 +18,7 @@ from nctakt.kernel.path.path cimport Path
 from nctakt.kernel.path.path_axes cimport PathAxes
 from nctakt.kernel.path.segment_limits cimport SegmentLimits
 from nctakt.kernel.path.threads cimport Threads
+from nctakt.kernel.path.touch_probe cimport TouchProbe
 from nctakt.kernel.path.transformed_limits cimport TransformedLimits
 from nctakt.kernel.path.trapezoid_profile cimport TrapezoidProfile
 
@@ -48,6 +49,8 @@ cpdef copy_path_axes(PathAxes source, PathAxes target)
 cpdef tuple arrays_of_path_axes(PathAxes part)
 cpdef copy_segment_limits(SegmentLimits source, SegmentLimits target)
 cpdef tuple arrays_of_segment_limits(SegmentLimits part)
+cpdef copy_touch_probe(TouchProbe source, TouchProbe target)
+cpdef tuple arrays_of_touch_probe(TouchProbe part)
 cpdef copy_transformed_limits(TransformedLimits source, TransformedLimits target)
 cpdef tuple arrays_of_transformed_limits(TransformedLimits part)
 cpdef copy_trapezoid_profile(TrapezoidProfile source, TrapezoidProfile target)

@@ -28,6 +28,7 @@ from nctakt.kernel.path.path import Path
 from nctakt.kernel.path.path_axes import PathAxes
 from nctakt.kernel.path.segment_limits import SegmentLimits
 from nctakt.kernel.path.threads import Threads
+from nctakt.kernel.path.touch_probe import TouchProbe
 from nctakt.kernel.path.transformed_limits import TransformedLimits
 from nctakt.kernel.path.trapezoid_profile import TrapezoidProfile
 
@@ -115,6 +116,7 @@ def arrays_of_corner(part: Corner) -> Arrays:
         part.steps,
         part.shares,
         part.turns,
+        part.unused,
     )
 
 
@@ -172,6 +174,7 @@ def copy_goal(source: Goal, target: Goal) -> None:
 def copy_history(source: History, target: History) -> None:
     target.number = source.number
     target.front_number = source.front_number
+    target.front_map = source.front_map
     target.stretch_end = source.stretch_end
     target.limit_a = source.limit_a
     target.limit_j = source.limit_j
@@ -307,6 +310,9 @@ def arrays_of_segment_limits(part: SegmentLimits) -> Arrays:
 def copy_transformed_limits(source: TransformedLimits, target: TransformedLimits) -> None:
     target.count = source.count
     target.turn = source.turn
+    target.steps = source.steps
+    target.is_even = source.is_even
+    target.plane_axis = source.plane_axis
     target.rapid_v = source.rapid_v
     target.max_v = source.max_v
     target.rapid_a = source.rapid_a
@@ -379,6 +385,22 @@ def copy_threads(source: Threads, target: Threads) -> None:
     target.fault = source.fault
 
 
+def copy_touch_probe(source: TouchProbe, target: TouchProbe) -> None:
+    target.is_seeking = source.is_seeking
+    target.is_braking = source.is_braking
+    target.has_touched = source.has_touched
+    target.source = source.source
+    target.touch_part = source.touch_part
+    target.ticks = source.ticks
+    target.touch_level = source.touch_level
+    target.continues = source.continues
+    target.is_needed = source.is_needed
+
+
+def arrays_of_touch_probe(part: TouchProbe) -> Arrays:
+    return (part.values,)
+
+
 #: Class -> what copies its state.
 COPIERS: MappingProxyType[type, Callable[..., None]] = MappingProxyType(
     {
@@ -398,6 +420,7 @@ COPIERS: MappingProxyType[type, Callable[..., None]] = MappingProxyType(
         PathAxes: copy_path_axes,
         SegmentLimits: copy_segment_limits,
         Threads: copy_threads,
+        TouchProbe: copy_touch_probe,
         TransformedLimits: copy_transformed_limits,
         TrapezoidProfile: copy_trapezoid_profile,
     }
@@ -417,6 +440,7 @@ ARRAYS: MappingProxyType[type, Callable[..., Arrays]] = MappingProxyType(
         Path: arrays_of_path,
         PathAxes: arrays_of_path_axes,
         SegmentLimits: arrays_of_segment_limits,
+        TouchProbe: arrays_of_touch_probe,
         TransformedLimits: arrays_of_transformed_limits,
     }
 )

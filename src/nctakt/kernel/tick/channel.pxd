@@ -2,18 +2,20 @@
 # C types of channel.py.
 cimport cython
 from nctakt.kernel cimport cells, codes, rows
+from nctakt.kernel.axes.c_axis cimport CAxis
 from nctakt.kernel.base cimport arithmetic
 from nctakt.kernel.base.record cimport Record
 from nctakt.kernel.cycles.context cimport Context
 from nctakt.kernel.cycles.cycles cimport CycleManager
 from nctakt.kernel.path.backward cimport BackwardMotion
-from nctakt.kernel.path.edge_probe cimport EdgeProbe
 from nctakt.kernel.path.fixed_stops cimport FixedStops
+from nctakt.kernel.path.measuring cimport Measuring
 from nctakt.kernel.path.override cimport Overrides
 from nctakt.kernel.path.path cimport Path
 from nctakt.kernel.path.threads cimport Threads
 from nctakt.kernel.plc.panel cimport Panel
 from nctakt.kernel.plc.technology_slots cimport Hli
+from nctakt.kernel.tick.axis_exchange cimport AxisExchange
 from nctakt.kernel.tick.channel_signals cimport ChannelSignals
 from nctakt.kernel.tick.command_bounds cimport check_command
 from nctakt.kernel.tick.command_execution cimport CommandExecutor
@@ -33,9 +35,11 @@ cdef class Channel:
     cdef readonly CycleManager manager
     cdef readonly Context context
     cdef readonly ChannelSignals signals
+    cdef readonly AxisExchange exchange
+    cdef CAxis c_axis
     cdef FixedStops fixed_stops
     cdef bint is_at_fixed_stop
-    cdef EdgeProbe edge_probe
+    cdef Measuring measuring
     cdef Threads threads
     cdef Overrides overrides
     cdef readonly BackwardMotion backward
@@ -52,12 +56,13 @@ cdef class Channel:
     cdef bint has_warned_of_wait
     cdef bint has_warned_of_spindle
 
-    @cython.locals(commands=Py_ssize_t, single=Py_ssize_t)
+    @cython.locals(commands=Py_ssize_t, single=Py_ssize_t, cycles=Py_ssize_t)
     cdef Py_ssize_t event_bound(self) noexcept nogil
     @cython.locals(has_slot=bint)
     cdef int needs_python(self) noexcept nogil
     @cython.locals(state=int)
     cdef int can_accept(self) noexcept nogil
+    @cython.locals(is_stuck=bint)
     cdef int activity(self) noexcept nogil
     cdef int is_idle(self) noexcept nogil
     @cython.locals(is_empty=bint, can_go=bint)
@@ -66,16 +71,16 @@ cdef class Channel:
     cdef void begin_tick(self, long long tick) noexcept nogil
     cdef void run_cycles(self) noexcept nogil
     @cython.locals(
-        factor=double, is_cutting=bint, is_stopping=bint, is_single=bint, has_time_left=int,
-        total_pct=double, number=Py_ssize_t
+        factor=double, is_cutting=bint, was_retracing=bint, is_away=bint, fault=int,
+        is_stopping=bint, is_single=bint, has_time_left=int, total_pct=double, number=Py_ssize_t
     )
     cdef void interpolate(self) noexcept nogil
     @cython.locals(cycle_pct=double, factor=double)
     cdef double override(self) noexcept nogil
     cdef void watch_stops(self) noexcept nogil
-    @cython.locals(has_time_left=int)
+    @cython.locals(has_time_left=int, is_held=bint)
     cdef int step_back(self, double factor, int is_stopping) noexcept nogil
-    @cython.locals(waits=bint, row=Py_ssize_t, source=cython.longlong)
+    @cython.locals(waits=bint, is_held=bint, row=Py_ssize_t, source=cython.longlong)
     cdef void warn_of_wait(self) noexcept nogil
     @cython.locals(number=double, is_rapid=double)
     cdef void publish_block(self) noexcept nogil

@@ -21,6 +21,7 @@ from nctakt.kernel.path.lookahead import LookAhead
 from nctakt.kernel.path.override import Overrides
 from nctakt.kernel.path.path import Path
 from nctakt.kernel.plc.technology_slots import Hli
+from nctakt.kernel.tick.axis_exchange import AxisExchange
 from nctakt.kernel.tick.command_bounds import check_command
 from nctakt.kernel.tick.command_execution import CommandExecutor
 from nctakt.kernel.tick.command_queue import CommandQueue
@@ -63,13 +64,17 @@ class Channel:
         self.manager = manager
         self.context = self.executor.context
         self.signals = self.executor.signals
+        self.exchange = AxisExchange(
+            path, look_ahead.limits, single_axes, self.signals, self.context.spindles
+        )
+        self.c_axis = self.exchange.c_axis
         self.fixed_stops = self.executor.fixed_stops
         self.is_at_fixed_stop = False
-        self.edge_probe = self.executor.edge_probe
+        self.measuring = self.executor.measuring
         self.threads = self.executor.threads
         self.overrides = Overrides(self.context)
         self.backward = BackwardMotion(path, hli.panel, record, look_ahead, self.overrides)
-        self.waits = WaitReasons(self.executor, self.overrides)
+        self.waits = WaitReasons(self.executor, self.overrides, self.exchange)
         self.overrides.max_pct = max_override_pct
         self.total_pct = 100.0
         self.low_water = max(LOW_WATER, look_ahead.blocks)
@@ -82,8 +87,7 @@ class Channel:
         self.starved_since = -1
         self.has_warned_of_wait = False
         self.has_warned_of_spindle = False
-        for i in range(self.path.count):
-            single_axes.assign_to_channel(self.path.members[i])
+        self.exchange.set_signals(self.signals)
 
     # --- Python's side, between two runs --------------------------------------------------------
 
@@ -114,15 +118,8 @@ class Channel:
         """Highest number of events of a tick: a few for each command, cycle and slot."""
         commands = self.queue.tail - self.queue.head
         single = self.context.single_axes.event_bound(commands) + self.context.spindles.count
-        return (
-            12
-            + self.path.count
-            + self.hli.waiting_count()
-            + single
-            + 3 * commands
-            + self.manager.events_bound
-            + self.manager.capacity
-        )
+        cycles = self.manager.events_bound + self.manager.capacity
+        return 12 + self.path.count + self.hli.waiting_count() + single + 3 * commands + cycles
 
     # --- the tick -------------------------------------------------------------------------------
 
@@ -139,6 +136,8 @@ class Channel:
         if self.answer_ready:
             return codes.ANSWER
         if self.signals.is_decoder_waiting and self.can_accept():
+            return codes.ANSWER
+        if self.exchange.is_waiting and self.exchange.can_exchange():
             return codes.ANSWER
         if self.is_paced:
             return codes.DONE
@@ -167,7 +166,8 @@ class Channel:
             return codes.AT_WORK
         if self.queue.head < self.queue.tail:
             return codes.STUCK if self.signals.is_stuck() else codes.AT_WORK
-        return codes.STUCK if self.signals.is_decoder_waiting else codes.AT_WORK
+        is_stuck = self.signals.is_decoder_waiting or self.exchange.is_stuck()
+        return codes.STUCK if is_stuck else codes.AT_WORK
 
     def is_idle(self) -> int:
         """Return whether nothing is queued or current, and no cycle waits for its block's end."""
@@ -201,8 +201,8 @@ class Channel:
         self.context.spindles.latch()
         if self.panel.reset_pressed:
             self.begin_reset()
-        elif self.panel.start_pressed:
-            self.panel.take_start(not self.executor.is_stopped and not self.executor.is_resetting)
+        elif self.panel.start_pressed and not self.executor.is_resetting:
+            self.panel.take_start(not self.executor.is_stopped)
         if self.is_reset_due:
             self.is_reset_due = False
             if self.record.records_answers:
@@ -210,7 +210,8 @@ class Channel:
             self.hli.clear()
             self.manager.reset()
             for i in range(self.path.count):
-                self.context.single_axes.reset(self.path.members[i])
+                if not self.path.is_place_free(i):
+                    self.context.single_axes.reset(self.path.members[i])
         self.cells[self.first_cell + cells.CHANNEL_OVERRIDE_VEL_CYCLE] = 100.0
 
     def run_cycles(self) -> None:
@@ -226,6 +227,7 @@ class Channel:
         """Advance the path by a tick with the present override (RC-305, MO-5)."""
         factor = self.override()
         is_cutting = self.threads.is_cutting
+        was_retracing = self.path.is_retracing
         is_stopping = (
             self.executor.is_stopped
             or self.executor.is_resetting
@@ -234,13 +236,8 @@ class Channel:
         )
         if self.executor.is_looping and not self.path.is_retracing:
             self.executor.prolong_loop()
-        if (
-            self.edge_probe.phase != codes.NOT_MEASURING
-            and self.path.is_active
-            and not self.path.is_retracing
-        ):
-            if self.edge_probe.watch(self.context.tick):
-                is_stopping = True
+        if self.measuring.watch(self.context.tick):
+            is_stopping = True
         self.publish_block()
         self.path.publish_overrides(self.panel.override_pct)
         is_single = self.panel.single_block and not is_cutting
@@ -255,11 +252,14 @@ class Channel:
             has_time_left = self.path.step(factor, is_stopping)
         if has_time_left:
             self.pass_block_ends(is_stopping)
-        if self.threads.state != codes.WITHOUT_THREAD or self.path.is_retracing:
+        is_away = was_retracing or self.path.is_retracing
+        if self.threads.state != codes.WITHOUT_THREAD or is_away:
             self.threads.settle()
         if self.threads.fault:
             number = self.threads.spindle_number()
-            self.executor.report(self.threads.source, self.threads.take_fault(), number)
+            fault = self.threads.take_fault()
+            if not self.executor.is_stopped:
+                self.executor.report(self.threads.source, fault, number)
         total_pct = arithmetic.round_half_even(self.total_pct)
         self.cells[self.first_cell + cells.CHANNEL_OVERRIDE_VEL_TOTAL] = total_pct
         if self.fixed_stops.count > 0 and not self.path.is_retracing:
@@ -308,11 +308,8 @@ class Channel:
                 self.record.event(rows.EVENT_ERROR, 0, 0, 50453)
             return self.path.step(factor, is_stopping)
         if not self.path.is_retracing:
-            if (
-                self.executor.is_stopped
-                or self.executor.is_resetting
-                or not self.backward.can_take_over()
-            ):
+            is_held = self.executor.is_stopped or self.executor.is_resetting
+            if is_held or not self.backward.can_take_over():
                 self.warn_of_wait()
                 return self.path.step(factor, 1)
             self.backward.leave()
@@ -332,12 +329,8 @@ class Channel:
         if self.panel.turns_back or self.executor.is_resetting:
             self.has_warned_of_wait = False
         waits = self.queue.head < self.queue.tail and not self.path.is_active
-        if (
-            waits
-            and not self.has_warned_of_wait
-            and not self.executor.is_stopped
-            and not self.executor.is_resetting
-        ):
+        is_held = self.executor.is_stopped or self.executor.is_resetting
+        if waits and not self.has_warned_of_wait and not is_held:
             self.has_warned_of_wait = True
             row = self.queue.head % self.queue.capacity * self.queue.width
             source = int(self.queue.rows[row + rows.SOURCE])
@@ -407,6 +400,8 @@ class Channel:
                 self.end_reset()
         if self.context.single_axes.fault_count > 0:
             self.report_axes()
+        if self.c_axis.is_active:
+            self.c_axis.follow()
         self.context.spindles.step(self.context.tick, self.hli.has_default_plc())
         self.hli.run_default_plc(self.context.tick)
         self.panel.publish(state, self.executor.error_message)
@@ -453,13 +448,14 @@ class Channel:
             return
         self.executor.is_resetting = False
         for i in range(self.path.count):
-            self.context.single_axes.reopen(self.path.members[i])
+            if not self.path.is_place_free(i):
+                self.context.single_axes.reopen(self.path.members[i])
         self.path.abandon()
         self.threads.clear()
         self.executor.give_up_loop()
         self.is_at_fixed_stop = False
         self.fixed_stops.clear()
-        self.edge_probe.clear()
+        self.measuring.clear()
         self.queue.head = self.queue.tail
         self.queue.timed_count = 0
         self.queue.started = -1
@@ -469,6 +465,7 @@ class Channel:
         """Set the signals that all channels share; the channel's number, from 1."""
         self.executor.set_signals(board, number)
         self.signals = self.executor.signals
+        self.exchange.set_signals(self.signals)
 
     def request_reset(self) -> None:
         """Request a reset, which begins with the next tick."""
@@ -484,6 +481,7 @@ class Channel:
         self.executor.waiting = 0
         self.answer_ready = False
         self.signals.reset()
+        self.exchange.reset()
         self.executor.program_ended = False
         self.panel.is_paused = False
 

@@ -48,6 +48,12 @@ _MIN_LENGTH = {
     rows.FIXED_STOP_END: rows.ARGUMENTS,
     rows.MEASURE: rows.MEASURE_VALUE + 1,
     rows.MEASURE_END: rows.ARGUMENTS,
+    rows.TOUCH: rows.TOUCH_MAY_BE_PRESSED + 1,
+    rows.TOUCH_END: rows.ARGUMENTS,
+    rows.HOME: rows.HOMING_SPEED + 1,
+    rows.REFER: rows.HOMING_DISTANCE + 1,
+    rows.SOFTWARE_LIMITS: rows.LIMIT_HIGH + 1,
+    rows.SINGLE_STEP: rows.ARGUMENTS + 1,
     rows.CLEAR_HISTORY: rows.ARGUMENTS,
     rows.EMPTY_BLOCK: rows.ARGUMENTS,
     rows.CUTTING_SPEED: rows.CUTTING_LIMIT + 1,
@@ -86,6 +92,8 @@ def check_command(executor: CommandExecutor, command: list[Any]) -> None:
     elif kind == rows.SET_OFFSET:
         check_index(command[rows.OFFSET_AXIS], axes, "axis")
         check_index(command[rows.OFFSET_KIND], codes.OFFSET_KINDS, "kind of offset")
+    elif kind in (rows.HOME, rows.REFER, rows.SOFTWARE_LIMITS):
+        check_index(command[rows.HOMED_AXIS], axes, "axis")
     elif kind == rows.SET_ORIGIN:
         check_index(command[rows.ORIGIN_AXIS], axes, "axis")
     elif kind == rows.SET_TURN:

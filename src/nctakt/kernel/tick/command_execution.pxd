@@ -3,8 +3,8 @@
 cimport cython
 from nctakt.kernel cimport cells, codes, rows
 from nctakt.kernel.cycles.cycles cimport CycleManager
-from nctakt.kernel.path.edge_probe cimport EdgeProbe
 from nctakt.kernel.path.fixed_stops cimport FixedStops
+from nctakt.kernel.path.measuring cimport Measuring
 from nctakt.kernel.path.threads cimport Threads
 from nctakt.kernel.plc.technology_slots cimport Hli
 from nctakt.kernel.cycles.context cimport Context
@@ -30,7 +30,7 @@ cdef class CommandExecutor:
     cdef readonly CycleManager manager
     cdef BlockScope block_scope
     cdef readonly FixedStops fixed_stops
-    cdef readonly EdgeProbe edge_probe
+    cdef readonly Measuring measuring
     cdef readonly Context context
     cdef Threads threads
     cdef public Timers program_timers
@@ -53,17 +53,15 @@ cdef class CommandExecutor:
     cdef void take_commands(self, long long tick) noexcept nogil
     @cython.locals(row=Py_ssize_t, kind=int)
     cdef void take_due(self, long long tick) noexcept nogil
-    @cython.locals(stands=bint)
+    @cython.locals(moves=bint)
     cdef int is_at_stand(self) noexcept nogil
     cdef int is_reversing(self) noexcept nogil
     @cython.locals(source=cython.longlong, how=int)
     cdef void take_loop(self, Py_ssize_t row) noexcept nogil
-    @cython.locals(member=Py_ssize_t)
-    cdef void take_fixed_stop(self, Py_ssize_t row) noexcept nogil
     @cython.locals(source=cython.longlong, member=Py_ssize_t)
     cdef void take_fixed_stop_end(self, Py_ssize_t row) noexcept nogil
-    @cython.locals(source=cython.longlong, function=cython.longlong, ticks=cython.longlong)
-    cdef void take_measure(self, Py_ssize_t row) noexcept nogil
+    @cython.locals(source=cython.longlong, message=int)
+    cdef void take_part(self, Py_ssize_t row, int kind) noexcept nogil
     @cython.locals(outcome=int)
     cdef int take_measure_end(self, long long tick, Py_ssize_t row) noexcept nogil
     @cython.locals(is_enabled=bint)
@@ -75,7 +73,7 @@ cdef class CommandExecutor:
     cdef int enter_block(self, Py_ssize_t row) noexcept nogil
     @cython.locals(kind=int)
     cdef bint is_motion(self, Py_ssize_t row) noexcept nogil
-    @cython.locals(timer=int, message=int)
+    @cython.locals(timer=int)
     cdef int take(self, long long tick, Py_ssize_t row, int kind) noexcept nogil
     @cython.locals(
         source=cython.longlong, number=cython.longlong, serial=cython.longlong, name=double,

@@ -11,8 +11,8 @@ from nctakt.kernel.base.record import Record
 from nctakt.kernel.base.timers import Timers
 from nctakt.kernel.cycles.context import Context
 from nctakt.kernel.cycles.cycles import CycleManager
-from nctakt.kernel.path.edge_probe import EdgeProbe
 from nctakt.kernel.path.fixed_stops import FixedStops
+from nctakt.kernel.path.measuring import Measuring
 from nctakt.kernel.path.threads import Threads
 from nctakt.kernel.plc.technology_slots import Hli
 from nctakt.kernel.tick.block_scope import BlockScope
@@ -48,7 +48,7 @@ class CommandExecutor:
         self.block_scope = BlockScope(manager, record)
         self.fixed_stops = FixedStops(queue.path, record)
         edge_cell = first_cell + cells.CHANNEL_MEAS_DELTA
-        self.edge_probe = EdgeProbe(queue.path, hli, record, memory, edge_cell)
+        self.measuring = Measuring(queue.path, hli, record, memory, edge_cell)
         self.context = Context(memory, record, hli, timers, single_axes, manager.spindles)
         self.threads = Threads(queue.path, self.context)
         self.program_timers = timers
@@ -123,9 +123,8 @@ class CommandExecutor:
 
     def is_at_stand(self) -> int:
         """Return whether the path stands between two blocks with none started ahead."""
-        stands = self.path.speed_v == 0.0 and not self.path.is_active
-        stands = stands and not self.path.continues_block()
-        return 1 if stands and self.queue.started < self.queue.head else 0
+        moves = self.path.speed_v != 0.0 or self.path.is_active or self.path.continues_block()
+        return 0 if moves or self.queue.started >= self.queue.head else 1
 
     def is_reversing(self) -> int:
         """Return whether the path walks over its history or is about to: no command is taken."""
@@ -189,12 +188,14 @@ class CommandExecutor:
             self.program_timers.command(int(self.queue.rows[row + rows.TIMER_ACTION]), timer, tick)
         elif kind == rows.CLEAR_HISTORY:
             self.path.forget()
-        elif kind == rows.MEASURE:
-            self.take_measure(row)
+        elif kind in (rows.MEASURE, rows.TOUCH, rows.TOUCH_END):
+            self.take_part(row, kind)
         elif kind == rows.MEASURE_END:
             return self.take_measure_end(tick, row)
+        elif kind in (rows.HOME, rows.REFER, rows.SOFTWARE_LIMITS):
+            self.take_part(row, kind)
         elif kind == rows.FIXED_STOP:
-            self.take_fixed_stop(row)
+            self.fixed_stops.take(self.queue.rows, row)
         elif kind == rows.FIXED_STOP_END:
             self.take_fixed_stop_end(row)
         elif kind == rows.LOOP_BEGIN:
@@ -209,8 +210,9 @@ class CommandExecutor:
             return self.take_signal(tick, row, kind)
         elif kind == rows.GIVE_UP:
             self.queue.timed_count -= 1
-            message = int(self.queue.rows[row + rows.GIVE_UP_MESSAGE])
-            self.report(int(self.queue.rows[row + rows.SOURCE]), message, 0.0)
+            self.report(self.taken_source, int(self.queue.rows[row + rows.GIVE_UP_MESSAGE]), 0.0)
+        elif kind == rows.SINGLE_STEP:
+            self.panel.lock_step(self.queue.rows[row + rows.ARGUMENTS] != 0.0)
         elif kind == rows.MODAL_MARK:
             self.modal = int(self.queue.rows[row + rows.MODAL_NUMBER])
         elif kind in (rows.MESSAGE, rows.FREEZE, rows.BLOCK_MARK, rows.WAIT_MARK):
@@ -362,8 +364,8 @@ class CommandExecutor:
     def take_loop(self, row: int) -> None:
         """Begin a realtime loop; without its condition it is skipped."""
         self.cells[self.first_cell + cells.CHANNEL_LOOP_COUNT] = 0.0
-        self.is_skipping = self.cells[self.first_cell + cells.CHANNEL_LOOP_ENABLED] == 0.0
-        self.is_looping = not self.is_skipping
+        self.is_looping = self.cells[self.first_cell + cells.CHANNEL_LOOP_ENABLED] != 0.0
+        self.is_skipping = not self.is_looping
         self.panel.show_loop(self.is_looping)
         source = int(self.queue.rows[row + rows.SOURCE])
         how = rows.LOOP_SKIPPED if self.is_skipping else rows.LOOP_BEGUN
@@ -376,16 +378,6 @@ class CommandExecutor:
             while self.queue.needs_pass():
                 self.queue.repeat_body()
 
-    def take_fixed_stop(self, row: int) -> None:
-        """Monitor an axis from now on, or no longer."""
-        member = int(self.queue.rows[row + rows.FIXED_STOP_AXIS])
-        if self.queue.rows[row + rows.FIXED_STOP_IS_ON] != 0.0:
-            self.fixed_stops.arm(
-                member, int(self.queue.rows[row + rows.SOURCE]), self.queue.rows, row
-            )
-        else:
-            self.fixed_stops.disarm(member)
-
     def take_fixed_stop_end(self, row: int) -> None:
         """End the block that moves to a fixed stop."""
         self.queue.timed_count -= 1
@@ -394,18 +386,26 @@ class CommandExecutor:
             source = int(self.queue.rows[row + rows.SOURCE])
             self.report(source, 50886, self.path.members[member])
 
-    def take_measure(self, row: int) -> None:
-        """Start measuring in the next block."""
+    def take_part(self, row: int, kind: int) -> None:
+        """Hand a command to the probes or the axes, and report the message that refuses it."""
         source = int(self.queue.rows[row + rows.SOURCE])
-        function = int(self.queue.rows[row + rows.MEASURE_FUNCTION])
-        ticks = int(self.queue.rows[row + rows.MEASURE_TICKS])
-        self.edge_probe.arm(source, function, ticks, self.queue.rows[row + rows.MEASURE_RESIDUAL])
-        self.edge_probe.has_value = self.queue.rows[row + rows.MEASURE_HAS_VALUE] != 0.0
-        self.edge_probe.value = int(self.queue.rows[row + rows.MEASURE_VALUE])
+        message = 0
+        if kind == rows.MEASURE:
+            self.measuring.edge_probe.arm(source, self.queue.rows, row)
+        elif kind == rows.TOUCH:
+            message = self.measuring.touch_probe.arm(source, self.queue.rows, row)
+        elif kind == rows.TOUCH_END:
+            message = self.measuring.touch_probe.finish()
+        else:
+            message = self.context.single_axes.take(self.queue.rows, row, kind)
+            if kind == rows.REFER:
+                self.path.forget()
+        if message:
+            self.report(source, message, self.queue.rows[row + rows.HOMED_AXIS])
 
     def take_measure_end(self, tick: int, row: int) -> int:
         """Finish measuring in a block; return 0 while its function waits for the PLC."""
-        outcome = self.edge_probe.finish(tick)
+        outcome = self.measuring.edge_probe.finish(tick)
         if outcome == 0:
             return 0
         self.queue.timed_count -= 1
@@ -439,7 +439,7 @@ class CommandExecutor:
         self.queue.timed_count -= 1
         self.path.forget()
         self.fixed_stops.clear()
-        self.edge_probe.clear()
+        self.measuring.clear()
         self.manager.end_program()
         program = int(self.queue.rows[row + rows.PROGRAM_NUMBER])
         source = int(self.queue.rows[row + rows.SOURCE])

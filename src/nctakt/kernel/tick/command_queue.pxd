@@ -29,7 +29,7 @@ cdef class CommandQueue:
     @cython.locals(row=Py_ssize_t, first=Py_ssize_t, i=Py_ssize_t)
     cpdef put_segment(
         self, double source, double number, start, target, int motion, double feed_v,
-        int exact_stop, double deviation, int limits_jerk, arc, pace=*
+        int exact_stop, double deviation, int limits_jerk, arc, pace=*, curve=*
     )
     @cython.locals(length=double, oldest=Py_ssize_t)
     cdef void prepare(self, Py_ssize_t row) noexcept nogil

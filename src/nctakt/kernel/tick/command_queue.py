@@ -54,7 +54,11 @@ class CommandQueue:
         self.tail += 1
         kind = int(command[rows.KIND])
         if kind == rows.SET_TRANSFORMATION:
+            if self.transformation == 0:
+                axes = self.path.axes.command
+                self.look_ahead.limits.transformed.start_at(axes, self.path.members)
             self.transformation = int(command[rows.TRANSFORMATION_OF_SEGMENTS])
+            self.look_ahead.limits.transformed.transform(self.transformation)
         if kind in rows.TIMED_KINDS:
             self.timed_count += 1
         if not self.is_transparent(kind):
@@ -97,6 +101,7 @@ class CommandQueue:
         limits_jerk: bool,
         arc: Sequence[float] | None,
         pace: Sequence[float] | None = None,
+        curve: Sequence[float] | None = None,
     ) -> None:
         """Append a segment, and let the path go on into it from the one before.
 
@@ -105,7 +110,8 @@ class CommandQueue:
         slope is an S-curve; the path stops where the slope changes. ``arc``: first and second axis
         of the plane, centre, angle in degrees. ``pace``: the columns of a segment from
         ``rows.SPEED_OVERRIDE`` on, whose override counts in its speed from here on; then, if given,
-        the speed at its end, 0: as the next segment.
+        the speed at its end, 0: as the next segment. ``curve``: the inner control points of a
+        cubic, all first ones, then all second ones.
         """
         row = self.next_row()
         self.begin_segment(row, source, number, motion, exact_stop, limits_jerk)
@@ -119,6 +125,11 @@ class CommandQueue:
             self.rows[row + rows.SHAPE] = rows.ARC
             for i in range(rows.ARC_WIDTH):
                 self.rows[row + rows.ARC_FIRST_AXIS + i] = arc[i]
+        if curve is not None:
+            self.rows[row + rows.SHAPE] = rows.CUBIC
+            first += 2 * self.path.count
+            for i in range(2 * self.path.count):
+                self.rows[first + i] = curve[i]
         if pace is not None:
             for i in range(rows.PACE_WIDTH):
                 self.rows[row + rows.SPEED_OVERRIDE + i] = pace[i]
@@ -350,6 +361,8 @@ class CommandQueue:
             rows.SET_OFFSET,
             rows.SET_ORIGIN,
             rows.SET_TURN,
+            rows.SOFTWARE_LIMITS,
+            rows.SINGLE_STEP,
             rows.FREEZE,
             rows.LOOP_PASS,
             rows.CLEAR_HISTORY,

@@ -4,6 +4,7 @@ cimport cython
 from nctakt.kernel cimport rows
 from nctakt.kernel.path.override cimport Overrides
 from nctakt.kernel.path.path cimport Path
+from nctakt.kernel.tick.axis_exchange cimport AxisExchange
 from nctakt.kernel.tick.command_execution cimport CommandExecutor
 from nctakt.kernel.tick.command_queue cimport CommandQueue
 
@@ -13,6 +14,7 @@ cdef class WaitReasons:
     cdef CommandQueue queue
     cdef Path path
     cdef Overrides overrides
+    cdef AxisExchange exchange
 
     @cython.locals(spindle=Py_ssize_t)
     cdef Py_ssize_t resting_spindle(self) noexcept nogil

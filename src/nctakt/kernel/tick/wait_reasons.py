@@ -5,14 +5,18 @@ from __future__ import annotations
 
 from nctakt.kernel import rows
 from nctakt.kernel.path.override import Overrides
+from nctakt.kernel.tick.axis_exchange import AxisExchange
 from nctakt.kernel.tick.command_execution import CommandExecutor
 
 
 class WaitReasons:
     """The reasons of one channel, found where its commands are executed."""
 
-    def __init__(self, executor: CommandExecutor, overrides: Overrides) -> None:
+    def __init__(
+        self, executor: CommandExecutor, overrides: Overrides, exchange: AxisExchange
+    ) -> None:
         self.executor = executor
+        self.exchange = exchange
         self.queue = executor.queue
         self.path = executor.path
         self.overrides = overrides
@@ -55,6 +59,9 @@ class WaitReasons:
         signals = self.executor.signals
         if self.queue.head == self.queue.tail and signals.is_decoder_waiting:
             return ("signal", signals.awaited_source, 0)
+        if self.exchange.is_waiting:
+            missing = self.exchange.missing()
+            return ("exchange" if missing else "", self.exchange.source, 0)
         if self.queue.head == self.queue.tail:
             return ("condition" if signals.awaits_tick else "", signals.awaited_source, 0)
         word, detail = self._of_command(row)
@@ -93,7 +100,7 @@ class WaitReasons:
         if kind == rows.AWAIT_SIGNAL:
             return ("signal" if self.executor.signals.is_stuck() else "", 0)
         if kind == rows.MEASURE_END:
-            return ("acknowledgement", self.executor.edge_probe.function)
+            return ("acknowledgement", self.executor.measuring.edge_probe.function)
         if kind == rows.POSITIONS and self.executor.context.single_axes.request_state(
             self.queue.rows, row
         ):

@@ -9,6 +9,8 @@ angles of rotary axes share their parameters. Gear steps: ``getriebe[i]``.
 from __future__ import annotations
 
 from nctakt.base.diagnostics import Text
+from nctakt.lists.declared.homing import AXIS_HOMING
+from nctakt.lists.declared.measuring import AXIS_MEASURING
 from nctakt.lists.format.parameter import Limit, Parameter, Value, ValueType
 from nctakt.lists.format.reader import ListDialect
 from nctakt.lists.format.schema import Schema
@@ -144,8 +146,8 @@ _CHARACTER = (
         "kenngr.achs_mode",
         ValueType.UNS32,
         1,
-        "Modes as bits: 1 linear, 4 modulo, 0x40 face axis, 0x400 modulo for a linear axis",
-        "Betriebsarten als Bits: 1 linear, 4 Modulo, 0x40 Planachse, 0x400 Modulo, Linearachse",
+        "Modes as bits: 1 linear, 4 modulo, 0x40 face axis, 0x200 C axis, 0x400 modulo linear",
+        "Als Bits: 1 linear, 4 Modulo, 0x40 Planachse, 0x200 C-Achse, 0x400 Modulo, Linearachse",
     ),
     _axis(
         "P-AXIS-00457",
@@ -424,6 +426,6 @@ AXIS = Schema(
     "axis",
     Text("Axis list", "Achsliste"),
     ListDialect(),
-    _HEADER + _CHARACTER + _GEAR_STEP + _RAMPS,
+    _HEADER + _CHARACTER + AXIS_MEASURING + AXIS_HOMING + _GEAR_STEP + _RAMPS,
     ParameterTable("axis.tsv"),
 )

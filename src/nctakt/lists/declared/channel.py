@@ -8,9 +8,13 @@ What they yield is in ``channel_configuration.py``; the tables of M and H functi
 from __future__ import annotations
 
 from nctakt.base.diagnostics import Text
+from nctakt.lists.declared.dynamic_weights import DYNAMIC_WEIGHTS
+from nctakt.lists.declared.feed_groups import FEED_GROUPS
 from nctakt.lists.declared.kinematics import KINEMATICS
+from nctakt.lists.declared.measuring import CHANNEL_MEASURING
 from nctakt.lists.declared.path_limits import PATH_LIMITS
 from nctakt.lists.declared.technology_functions import SPINDLE_FUNCTIONS, TECHNOLOGY, TOOL
+from nctakt.lists.declared.tool_selection import CHANNEL_TOOLS
 from nctakt.lists.format.parameter import MAX_UNS16, MAX_UNS32, Alias, Parameter, Value, ValueType
 from nctakt.lists.format.reader import ListDialect
 from nctakt.lists.format.schema import Schema
@@ -110,6 +114,15 @@ _SPINDLES = (
         "S",
         "Name of the main spindle in NC programs; begins with S",
         "Name der Hauptspindel in NC-Programmen; beginnt mit S",
+        high=NAME_LENGTH,
+    ),
+    _channel(
+        "P-CHAN-00010",
+        "default_ax_name_of_spindle",
+        ValueType.STRING,
+        "",
+        "Name of the axis that the main spindle is after #CAX without a name",
+        "Name der Achse, die die Hauptspindel nach #CAX ohne Namen ist",
         high=NAME_LENGTH,
     ),
     _channel(
@@ -216,28 +229,6 @@ _PROGRAMS = (
     ),
 )
 
-_TOOLS = (
-    _channel(
-        "P-CHAN-00014",
-        "einrechnen_mit_t",
-        ValueType.BOOLEAN,
-        False,
-        "T also selects the offsets D of the same number",
-        "T wählt zugleich die Korrektur D gleicher Nummer an",
-    ),
-    Parameter(
-        "P-CHAN-00271",
-        "flush.d_cmd",
-        ValueType.NAME,
-        "D",
-        Text(
-            "FAW_D: the channel is emptied, and waited for, in front of each D",
-            "FAW_D: vor jedem D wird der Kanal geleert und darauf gewartet",
-        ),
-        names={"D": None, "FAW_D": None},
-    ),
-)
-
 _DEFAULTS = (
     _channel(
         "P-CHAN-00056",
@@ -294,6 +285,34 @@ _DEFAULTS = (
         False,
         "Each rapid block ends with an exact stop",
         "Jeder Eilgangsatz endet mit einem Genauhalt",
+    ),
+    _channel(
+        "P-CHAN-00273",
+        "disable_chamfers_roundings",
+        ValueType.BOOLEAN,
+        False,
+        "Chamfers and roundings (G301, G302, #CHR, #CHF, #RND) are errors",
+        "Fasen und Rundungen (G301, G302, #CHR, #CHF, #RND) sind Fehler",
+    ),
+    _channel(
+        "P-CHAN-00122",
+        "hsc.bspline.path_deviation",
+        ValueType.REAL64,
+        2000.0,
+        "Default of PATH_DEV of #HSC",
+        "Voreinstellung von PATH_DEV bei #HSC",
+        low=0,
+        unit="0.1 µm",
+    ),
+    _channel(
+        "P-CHAN-00125",
+        "hsc.bspline.max_angle",
+        ValueType.REAL64,
+        0.0,
+        "Default of MAX_ANGLE of #HSC",
+        "Voreinstellung von MAX_ANGLE bei #HSC",
+        low=0,
+        unit="1e-4°",
     ),
     _channel(
         "P-CHAN-00059",
@@ -460,9 +479,12 @@ CHANNEL = Schema(
     + TECHNOLOGY
     + TOOL
     + _PROGRAMS
-    + _TOOLS
+    + CHANNEL_TOOLS
     + KINEMATICS
     + PATH_LIMITS
+    + FEED_GROUPS
+    + DYNAMIC_WEIGHTS
+    + CHANNEL_MEASURING
     + _DEFAULTS
     + _REALTIME,
     ParameterTable("channel.tsv"),

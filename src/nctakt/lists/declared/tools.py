@@ -38,7 +38,9 @@ class Tool:
     free values (P-TOOL-00007). ``spindle_number``: the logical number of the spindle that
     holds the tool; 0: none. ``kinematic_id``: the kinematic that its selection preselects (P-TOOL-
     00011); 0: none. ``kinematic_parameters``: index -> what is added to a parameter of the
-    kinematic of the first step, in 0.1 µm or 1e-4° (P-TOOL-00009).
+    kinematic of the first step, in 0.1 µm or 1e-4° (P-TOOL-00009). ``type``: P-TOOL-00001;
+    ``is_inch``: lengths of the list are inches. ``identity``: basic, sister and variant number by
+    which programs select it; 0 for one that is not valid.
     """
 
     number: int
@@ -51,6 +53,11 @@ class Tool:
     spindle_number: int
     kinematic_id: int
     kinematic_parameters: Mapping[int, float]
+    type: int = 0
+    is_inch: bool = False
+    identity: tuple[int, int, int] = (0, 0, 0)
+    sister_is_valid: bool = False
+    variant_is_valid: bool = False
 
 
 #: The tool of D0: no dimensions.
@@ -74,6 +81,15 @@ def _tool(
 
 
 _DIMENSIONS = (
+    _tool(
+        "P-TOOL-00001",
+        "typ",
+        ValueType.UNS16,
+        0,
+        "Kind of tool: 0 milling, 1 turning, 2 grinding",
+        "Art des Werkzeugs: 0 Fräsen, 1 Drehen, 2 Schleifen",
+        high=3,
+    ),
     _tool(
         "P-TOOL-00005",
         "gueltig",
@@ -137,6 +153,59 @@ _DIMENSIONS = (
     ),
 )
 
+_IDENTITY = (
+    Parameter(
+        "P-TOOL-00140",
+        "tool_data_with_id",
+        ValueType.BOOLEAN,
+        False,
+        Text(
+            "Programs select tools by their IDs, not by their index in the list",
+            "Programme wählen Werkzeuge nach ihrer ID statt nach dem Index der Liste",
+        ),
+    ),
+    _tool(
+        "P-TOOL-00141",
+        "tool_id.basic",
+        ValueType.SGN32,
+        0,
+        "Basic number of the ID",
+        "Grundnummer der ID",
+    ),
+    _tool(
+        "P-TOOL-00142",
+        "tool_id.sister",
+        ValueType.SGN32,
+        0,
+        "Number of the sister tool",
+        "Nummer des Schwesterwerkzeugs",
+    ),
+    _tool(
+        "P-TOOL-00143",
+        "tool_id.variant",
+        ValueType.SGN32,
+        0,
+        "Number of the variant",
+        "Nummer der Variante",
+    ),
+    _tool(
+        "P-TOOL-00144",
+        "tool_id.sister_valid",
+        ValueType.BOOLEAN,
+        False,
+        "The number of the sister tool is valid",
+        "Die Nummer des Schwesterwerkzeugs ist gültig",
+    ),
+    _tool(
+        "P-TOOL-00145",
+        "tool_id.variant_valid",
+        ValueType.BOOLEAN,
+        False,
+        "The number of the variant is valid",
+        "Die Nummer der Variante ist gültig",
+    ),
+)
+
 _SPINDLE = (
     _tool(
         "P-TOOL-00012",
@@ -172,7 +241,7 @@ TOOLS = Schema(
     "tools",
     Text("Tool list", "Werkzeugliste"),
     ListDialect(),
-    _DIMENSIONS + _SPINDLE + _KINEMATIC,
+    _DIMENSIONS + _IDENTITY + _SPINDLE + _KINEMATIC,
     ParameterTable("tools.tsv"),
 )
 
@@ -186,7 +255,7 @@ def tools_configuration(
     """
     tools: dict[int, Tool] = {}
     for number in values.indices("wz[]"):
-        if number == 0:
+        if number == 0 and not values.flag("tool_data_with_id"):
             if _has_dimensions(values):
                 values.report(collector, TOOL_ZERO_WITHOUT_DIMENSIONS, _first_key(values, 0))
             continue
@@ -242,4 +311,21 @@ def _tool_of(values: Values, number: int, linear: tuple[bool, ...], collector: C
             index: values.integer("wz[].kinematic.param[]", number, index)
             for index in values.indices("wz[].kinematic.param[]", number)
         },
+        values.integer("wz[].typ", number),
+        scale != 1.0,
+        _identity(values, number),
+        values.flag("wz[].tool_id.sister_valid", number),
+        values.flag("wz[].tool_id.variant_valid", number),
     )
+
+
+def _identity(values: Values, number: int) -> tuple[int, int, int]:
+    """Return the ID by which programs select a tool: its index, or that of the list."""
+    basic, sister, variant = (
+        values.integer(f"wz[].tool_id.{part}", number) for part in ("basic", "sister", "variant")
+    )
+    if not values.flag("tool_data_with_id"):
+        return (number, 0, 0)
+    has_sister = values.flag("wz[].tool_id.sister_valid", number)
+    has_variant = values.flag("wz[].tool_id.variant_valid", number)
+    return (basic, sister if has_sister else 0, variant if has_variant else 0)

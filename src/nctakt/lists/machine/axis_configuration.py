@@ -14,6 +14,8 @@ from math import inf
 from nctakt.base.dataclass import dataclass
 from nctakt.lists.declared.axis import LINEAR_TYPE, ROTARY_TYPE, SPINDLE_TYPE
 from nctakt.lists.format.values import Values
+from nctakt.lists.machine.homing import AxisHoming, axis_homing
+from nctakt.lists.machine.measuring import AxisMeasuring, axis_measuring
 from nctakt.messages import Collector
 from nctakt.messages.machine import (
     AXIS_BEYOND_LIMIT,
@@ -33,6 +35,8 @@ _MODULO_BIT = 0x4
 _MODULO_LINEAR_BIT = 0x400
 #: The bit of P-AXIS-00015 for the face axis of a lathe.
 _FACE_BIT = 0x40
+#: The bit of P-AXIS-00015 for an axis that #FACE and #CYL can turn a part with.
+_C_AXIS_BIT = 0x200
 
 
 class AxisType(enum.Enum):
@@ -142,7 +146,8 @@ class AxisConfiguration:
     ``max_override_pct``: P-AXIS-00109. ``follows_exactly``:
     actual position = command position (P-AXIS-00096). ``obstacle``: what the axis cannot pass, in
     mm or degrees; 0: nothing. ``file``: the list that describes the axis. ``is_face``: it is the
-    face axis of a lathe, whose position is a radius (P-AXIS-00015).
+    face axis of a lathe, whose position is a radius; ``is_c_axis``: the C axis of a lathe
+    (both P-AXIS-00015). ``mode``: all of P-AXIS-00015.
     """
 
     logical_number: int
@@ -161,6 +166,10 @@ class AxisConfiguration:
     dynamics: AxisDynamics
     file: str
     is_face: bool = False
+    is_c_axis: bool = False
+    mode: int = 1
+    measuring: AxisMeasuring = AxisMeasuring()
+    homing: AxisHoming = AxisHoming()
 
     @property
     def is_linear(self) -> bool:
@@ -228,6 +237,10 @@ def axis_configuration(values: Values, collector: Collector) -> AxisConfiguratio
         _active_gear(values, gears, collector),
         values.file,
         bool(mode & _FACE_BIT),
+        bool(mode & _C_AXIS_BIT),
+        mode,
+        axis_measuring(values),
+        axis_homing(values),
     )
 
 

@@ -43,6 +43,16 @@ class ChannelSpindle:
         return self.spindle.name
 
 
+def c_axis_index(main: ChannelSpindle | None, axes: Sequence[AxisConfiguration]) -> int:
+    """Return the index of the main spindle that can be an axis of the path; -1: it cannot.
+
+    The CNC must turn it, and its list have the mode of a C axis (P-AXIS-00015).
+    """
+    if main is None or main.index is None or not axes[main.index].is_c_axis:
+        return -1
+    return main.index
+
+
 def channel_axes(
     parameters: ChannelParameters,
     values: Values,

@@ -17,13 +17,16 @@ from nctakt.lists.declared.technology_functions import (
     process_time_us,
     split,
     technology_functions,
-    tool_output,
 )
 from nctakt.lists.format.controller_numbers import bound_number
 from nctakt.lists.format.parameter import with_indices
 from nctakt.lists.format.values import Values
+from nctakt.lists.machine.dynamic_weights import DynamicWeights, dynamic_weights
+from nctakt.lists.machine.feed_groups import ListedFeedGroup, listed_feed_group
 from nctakt.lists.machine.kinematic_lists import transformations
 from nctakt.lists.machine.kinematics import Transformations
+from nctakt.lists.machine.measuring import ChannelMeasuring, channel_measuring
+from nctakt.lists.machine.tool_selection import ToolSelection, tool_selection
 from nctakt.messages import Collector
 from nctakt.messages.lists import (
     PARAMETER_OUT_OF_RANGE,
@@ -172,25 +175,13 @@ class CentreTolerance:
 
 
 @dataclass(frozen=True, slots=True)
-class ToolSelection:
-    """Further effects of T and D: P-CHAN-00014, P-CHAN-00271, P-CHAN-00086.
-
-    ``by_t``: T also selects the offsets of its number. ``flushes``: the channel is flushed before a
-    D word. ``output``: how T goes to the PLC, ``None``: not at all.
-    """
-
-    by_t: bool
-    flushes: bool
-    output: TechnologyFunction | None
-
-
-@dataclass(frozen=True, slots=True)
 class ChannelParameters:
     """The parameters of a channel list.
 
     ``m_functions`` and ``h_functions``: number -> function, only those that are defined.
     ``path_limits``: those of ``#VECTOR LIMIT ON`` without a value, by keyword: mm/min, and mm/s²
-    with ``path_limits_per_s``, else mm/min². ``context_*``: P-CHAN-00409 … 00411.
+    with ``path_limits_per_s``, else mm/min². ``context_*``: P-CHAN-00409 … 00411. ``c_axis_name``:
+    P-CHAN-00010, of the axis of #CAX.
     """
 
     axes: tuple[NamedAxis, ...]
@@ -201,6 +192,9 @@ class ChannelParameters:
     implicit_programs: ImplicitPrograms
     program_start: ProgramStart
     exact_stop_after_g00: bool
+    allows_corners: bool
+    hsc_deviation_mm: float
+    hsc_angle_deg: float
     max_override_pct: float
     realtime_cycles: RealtimeCycleLimits
     channel_variables_bytes: int
@@ -215,6 +209,11 @@ class ChannelParameters:
     context_sda: int
     context_com: int
     transformations: Transformations
+    measuring: ChannelMeasuring
+    keeps_listed_limits: bool
+    c_axis_name: str
+    feed_group: ListedFeedGroup
+    dynamic_weights: DynamicWeights
 
     def function(self, letter: str, number: int) -> TechnologyFunction:
         """Return a function that is defined; T is the same one for all tools."""
@@ -237,6 +236,9 @@ def channel_parameters(values: Values, collector: Collector) -> ChannelParameter
         _implicit_programs(values),
         _program_start(values, collector),
         values.flag("exact_stop_after_g00"),
+        not values.flag("disable_chamfers_roundings"),
+        values.real("hsc.bspline.path_deviation") / 10_000,
+        values.real("hsc.bspline.max_angle") / 10_000,
         values.integer("max_vb_override") / 10,
         _realtime_cycles(values, collector),
         values.integer("configuration.decoder.v_ch_memory"),
@@ -246,17 +248,18 @@ def channel_parameters(values: Values, collector: Collector) -> ChannelParameter
         CentreTolerance(
             values.real("mittelpkt_diff") / 10_000, values.integer("mittelpkt_faktor") / 1000
         ),
-        ToolSelection(
-            values.flag("einrechnen_mit_t"),
-            values.text("flush.d_cmd") == "FAW_D",
-            tool_output(values, collector),
-        ),
+        tool_selection(values, collector),
         {name: values.real(key) for name, key in PATH_LIMITS.items()},
         values.text("vector.acc_dec_unit") == "MM_S2",
         values.integer("schedule.context.geo"),
         values.integer("schedule.context.sda"),
         values.integer("schedule.context.com"),
         transformations(values, len(axes), collector),
+        channel_measuring(values),
+        values.flag("range_check_prog_soft_limits"),
+        values.text("default_ax_name_of_spindle"),
+        listed_feed_group(values),
+        dynamic_weights(values, collector),
     )
 
 

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
+from functools import cache
 from pathlib import Path
 from types import MappingProxyType
 
@@ -46,6 +47,7 @@ from nctakt.lists.machine.axis_configuration import AxisConfiguration, axis_conf
 from nctakt.lists.machine.channel_axes import (
     ChannelAxis,
     ChannelSpindle,
+    c_axis_index,
     channel_axes,
     channel_spindles,
 )
@@ -159,11 +161,29 @@ class Machine:
         """Whether this is the built-in demo machine."""
         return self.folder == DEMO_FOLDER
 
+    @property
+    def path_axes(self) -> dict[int, int]:
+        """Logical number -> index in ``axes`` of the axes that turn no spindle."""
+        turning = {
+            spindle.spindle.logical_number
+            for channel in self.channels
+            for spindle in channel.spindles
+        }
+        numbers = enumerate(axis.logical_number for axis in self.axes)
+        return {number: index for index, number in numbers if number not in turning}
+
+    def c_axis_of(self, channel: ChannelConfiguration) -> int:
+        """Return the index in ``axes`` of the spindle that ``#CAX`` makes an axis; -1: none."""
+        return c_axis_index(channel.main_spindle, self.axes)
+
     def __repr__(self) -> str:
         count = len(self.channels)
         channels = "1 channel" if count == 1 else f"{count} channels"
         axes = ", ".join(axis.name for axis in self.axes)
         return f"<Machine {self.name}: {channels}, axes {axes}, tick {Time(self.cycle_time_us)}>"
+
+
+_BUILT_IN_FOLDERS = frozenset(DEMO_FOLDER.parent / name for name in BUILT_IN_MACHINES)
 
 
 def load_machine(
@@ -189,6 +209,24 @@ def load_machine(
     root = None if root is None else arguments.path("root", root)
     access = access or FileAccess()
     folder = DEMO_FOLDER if folder is None else machine_folder(arguments.path("folder", folder))
+    is_usual = root is None and detail == "summary" and rtconf == STANDARD_OPTIONS
+    if is_usual and folder in _BUILT_IN_FOLDERS and not access.replaces_files:
+        machine, read = _built_in(folder)
+        access.note_all(read)
+        return machine
+    return _machine_of(folder, root, detail, rtconf, access)
+
+
+@cache
+def _built_in(folder: Path) -> tuple[Machine, FileAccess]:
+    """Return a machine of the package, read once, and the access that has read its lists."""
+    access = FileAccess()
+    return _machine_of(folder, None, "summary", STANDARD_OPTIONS, access), access
+
+
+def _machine_of(
+    folder: Path, root: Path | None, detail: Detail, rtconf: RtconfOptions, access: FileAccess
+) -> Machine:
     collector = Collector()
     startup_file = _startup_file(folder, collector)
     user_folder = folder if folder.is_dir() else None

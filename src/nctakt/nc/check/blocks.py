@@ -22,7 +22,6 @@ from nctakt.messages.checked_blocks import (
     EXCLUSIVE_WORDS,
     EXTRA_PARAMETERS,
     FUNCTION_NOT_DEFINED,
-    G60_WITHOUT_MOTION,
     G163_WITHOUT_RADIUS,
     INVALID_FUNCTION_NUMBER,
     NO_PROGRAM_FOR_G_FUNCTION,
@@ -39,17 +38,21 @@ from nctakt.messages.offsets import (
     UNKNOWN_ZERO_OFFSET,
 )
 from nctakt.messages.program_structure import (
-    INVALID_RETURN_OPTION,
     PROGRAM_END_IN_SUBPROGRAM,
     SUBPROGRAM_END_IN_MAIN_PROGRAM,
 )
 from nctakt.messages.spindles import NOT_A_SPINDLE_WORD
+from nctakt.nc.check.block_rules import BlockChecker, GivenWords
 from nctakt.nc.check.dwells import check_dwell, dwell_of
 from nctakt.nc.check.expressions import ValueChecker
 from nctakt.nc.check.findings import Findings
-from nctakt.nc.check.motion_words import check_arc
+from nctakt.nc.check.frames import (
+    check_scale_factors,
+)
 from nctakt.nc.check.path_commands import check_path_axis
+from nctakt.nc.check.returns import check_return
 from nctakt.nc.check.spindle_commands import SpindleChecker
+from nctakt.nc.check.splines import SWITCHES, VECTORS
 from nctakt.nc.check.weights import check_weight, is_neutral
 from nctakt.nc.tree import (
     AxisWord,
@@ -58,7 +61,6 @@ from nctakt.nc.tree import (
     BracketCommand,
     Expression,
     Keyword,
-    Name,
     Number,
     OffsetCommand,
     StringWord,
@@ -67,17 +69,16 @@ from nctakt.nc.tree import (
 from nctakt.nc.vocabulary import support_level
 from nctakt.nc.vocabulary.axis_commands import has_function, is_axis_command
 from nctakt.nc.vocabulary.entries import Entry, Support
-from nctakt.nc.vocabulary.function_rows import Form, Group
+from nctakt.nc.vocabulary.file_names import CHANGE
+from nctakt.nc.vocabulary.function_rows import WITH_AXES, Form, Group
 from nctakt.nc.vocabulary.functions import (
     BLOCK_TRANSITIONS,
-    EXACT_STOP_ONCE,
-    MOTIONS,
     PROGRAM_ENDS,
-    REFERENCE_OFFSET,
     RETURN_COMMANDS,
     SUBPROGRAM_ENDS,
     TOOL_CHANGE,
 )
+from nctakt.nc.vocabulary.orientation import VECTOR_WORDS
 from nctakt.nc.vocabulary.spindle_commands import split
 
 #: Kinds of offsets in ``#SUPPRESS OFFSETS`` (RC-407).
@@ -93,7 +94,8 @@ Role = Literal["main", "called", "either"]
 
 @dataclass(slots=True)
 class _BlockState:
-    """The words of a block so far: their names, the G function of each group, any unknown word.
+    """The words of a block so far: their names, the G function of each group, any unknown word,
+    whether a G function is computed.
 
     A block that begins with an unknown word is usually not NC text, so one report is enough.
     """
@@ -104,10 +106,13 @@ class _BlockState:
     groups: dict[Group, str] = field(default_factory=dict)
     unknown: bool = False
     axis_words: tuple[AxisWord, ...] = ()
+    words: set[str] = field(default_factory=set)
+    functions: set[float] = field(default_factory=set)
+    is_computed: bool = False
 
 
 class WordChecker:
-    """Checks blocks of one channel."""
+    """Checks blocks of one channel; ``axes``: the names that it knows."""
 
     def __init__(
         self, channel: ChannelParameters, values: ValueChecker, findings: Findings
@@ -115,9 +120,12 @@ class WordChecker:
         self._channel = channel
         self._values = values
         self._findings = findings
-        self.axes = tuple(axis.name for axis in channel.axes)
+        self.axes = values.axes
+        self._components = VECTOR_WORDS if any(channel.transformations.steps) else ()
         self.spindles = tuple(spindle.name for spindle in channel.spindles)
         self._commands = SpindleChecker(channel, values, findings, in_cycle=False)
+        self._together = BlockChecker(channel, self.axes[:3], findings)
+        self.joins_motions = False
 
     def block(self, block: Block, role: Role = "either") -> None:
         """Check one block of a program in this role."""
@@ -134,7 +142,7 @@ class WordChecker:
         for word in words:
             match word:
                 case AxisWord():
-                    self._axis(word, state)
+                    self._axis(word, state, self._components)
                 case Word():
                     self._word(word, state)
                 case BracketCommand():
@@ -143,15 +151,15 @@ class WordChecker:
                     if not self.bracket(word, state):
                         self._unknown(word, state)
                 case StringWord():
-                    pass  # expanded when the block is decoded
-        check_arc(block, self._findings)
-        self._exact_stop(block)
-        self._reference(block)
+                    state.is_computed = True  # expanded when the block is decoded
+        given = GivenWords(state.words.union(state.names), state.functions)
+        self.joins_motions |= state.is_computed
+        self.joins_motions |= self._together.check(block, given)
 
     # --- axes, feed ------------------------------------------------------------------------------
 
-    def _axis(self, word: AxisWord, state: _BlockState) -> None:
-        if word.name not in self.axes:
+    def _axis(self, word: AxisWord, state: _BlockState, others: tuple[str, ...] = ()) -> None:
+        if word.name not in self.axes and word.name not in others:
             self._unknown(word, state)
         else:
             self._value(word, state)
@@ -188,7 +196,11 @@ class WordChecker:
         self._findings.report(WORD_VALUE_MISSING, word.span, word=word.name)
 
     def _word(self, word: Word, state: _BlockState) -> None:
+        state.words.add(word.name)
         if word.name in _NUMBERED:
+            if word.name == "G" and isinstance(word.value, Number):
+                state.functions.add(word.value.value)
+            state.is_computed |= word.name == "G" and not isinstance(word.value, Number)
             self._numbered(word, state)
             return
         if word.name == "N" and state.returns:
@@ -198,6 +210,8 @@ class WordChecker:
             self._findings.report(
                 NOT_A_SPINDLE_WORD, word.span, word=written, nearest=f"{word.name}[M3 REV=1000]"
             )
+            return
+        if word.name in SWITCHES or word.name in VECTORS:
             return
         entry = support_level.word(word.name)
         if entry is None:
@@ -252,7 +266,8 @@ class WordChecker:
 
     def _g(self, word: Word, number: int, state: _BlockState) -> None:
         entry = support_level.g_function(number)
-        if number in self._channel.implicit_programs.g:
+        is_named = f"G{number}" in self._findings.named_programs
+        if is_named or number in self._channel.implicit_programs.g:
             for argument in word.arguments:
                 self._values.any_value(argument)
             return
@@ -279,7 +294,7 @@ class WordChecker:
             check_weight(word, self._values, self._findings)
         elif word.additional is not None or word.arguments:
             self._findings.report(EXTRA_PARAMETERS, word.span, word=entry.name)
-        if entry.form is Form.AXIS_WEIGHTS and not state.axis_words:
+        if entry.form in WITH_AXES and not state.axis_words:
             self._findings.report(COMMAND_WITHOUT_AXIS, word.span, command=entry.name)
         group = Group.CONTOURING if number in BLOCK_TRANSITIONS else entry.group
         if group is None:
@@ -322,25 +337,12 @@ class WordChecker:
     def _technology_entry(self, letter: str, number: int) -> Entry | None:
         if letter == "H":
             return support_level.h_function(number, self._channel.h_functions)
-        if number == TOOL_CHANGE and self._channel.implicit_programs.m6:
+        listed = self._channel.implicit_programs
+        if number == TOOL_CHANGE and (listed.m6 or CHANGE in self._findings.named_programs):
             return support_level.word("L")
         return support_level.m_function(number, self._channel.m_functions)
 
     # --- other words -----------------------------------------------------------------------------
-
-    def _return(self, command: BracketCommand, state: _BlockState | None) -> None:
-        """Check ``M17 [MAIN]`` and ``M17 [JUMPS=2]``, each with or without a label."""
-        if state is not None and state.role == "main":
-            self._findings.report(SUBPROGRAM_END_IN_MAIN_PROGRAM, command.span, word=command.name)
-        seen: dict[str, None] = {}
-        for item in command.items:
-            kind = _return_option(item)
-            if not kind or kind in seen:
-                written = self._findings.written(item.span)
-                self._findings.report(INVALID_RETURN_OPTION, item.span, word=written)
-            elif isinstance(item, Keyword) and item.name == "JUMPS" and item.value is not None:
-                self._values.value(item.value)
-            seen[kind] = None
 
     def _is_of_path(self, command: BracketCommand) -> bool:
         """Check ``X[OVERRIDE …]`` or ``X[FIXED_STOP …]``; return whether it is one of them."""
@@ -361,17 +363,14 @@ class WordChecker:
         if name in self.axes:
             form, shown = "X[…]", f"{name}[…]"
         elif name in RETURN_COMMANDS:
-            self._return(command, state)
+            check_return(
+                command, state is not None and state.role == "main", self._values, self._findings
+            )
             return True
         else:
             return False
         self._findings.report_support(support_level.form(form), command.span, shown)
         return True
-
-    def _exact_stop(self, block: Block) -> None:
-        stop = next((word for word in block.words if _is_g(word, EXACT_STOP_ONCE)), None)
-        if stop is not None and not any(isinstance(word, AxisWord) for word in block.words):
-            self._findings.report(G60_WITHOUT_MOTION, stop.span)
 
     # --- offsets ---------------------------------------------------------------------------------
 
@@ -399,22 +398,8 @@ class WordChecker:
                     UNKNOWN_ZERO_OFFSET, value.span, group=group, highest=MAX_GROUPS - 1
                 )
 
-    def _reference(self, block: Block) -> None:
-        """Check that G92 has axis words, whose values are offsets, and no motion."""
-        reference = next((word for word in block.words if _is_g(word, REFERENCE_OFFSET)), None)
-        if reference is None:
-            return
-        if not any(isinstance(word, AxisWord) for word in block.words):
-            self._findings.report(COMMAND_WITHOUT_AXIS, reference.span, command="G92")
-        for word in block.words:
-            if any(_is_g(word, motion) for motion in MOTIONS):
-                written = self._findings.written(word.span)
-                self._findings.report(
-                    MOTION_WORD_WITH_OFFSETS, word.span, word=written, command="G92"
-                )
-
     def offsets(self, command: OffsetCommand, role: Role) -> None:
-        """Check ``#PSET`` and ``#PRESET``, which need axes, and ``#SUPPRESS OFFSETS`` with any
+        """Check ``#PSET``, ``#PRESET`` and ``#SCALE`` with axes, ``#SUPPRESS OFFSETS`` with any
         motion.
         """
         name = f"#{command.name}"
@@ -437,7 +422,8 @@ class WordChecker:
                     self._findings.report(
                         MOTION_WORD_WITH_OFFSETS, other.span, word=written, command=name
                     )
-        needs_axis = command.name != "PRESET"
+        check_scale_factors(command, self._findings)
+        needs_axis = command.name not in ("PRESET", "SCALE ON")
         if needs_axis and not any(isinstance(word, AxisWord) for word in command.words):
             self._findings.report(COMMAND_WITHOUT_AXIS, command.span, command=name)
 
@@ -446,25 +432,6 @@ def _returns(word: BlockWord) -> bool:
     if isinstance(word, BracketCommand):
         return word.name in RETURN_COMMANDS
     return any(_is_m(word, number) for number in SUBPROGRAM_ENDS)
-
-
-def _return_option(item: Keyword | Expression) -> str:
-    """Return the kind of an item in the brackets of M17: "calls", "label", or empty if unknown."""
-    if isinstance(item, Name):
-        return "label"
-    if not isinstance(item, Keyword):
-        return ""
-    if item.name == "JUMPS":
-        return "calls" if item.value is not None else ""
-    if item.name == "N":
-        return "label" if isinstance(item.value, Number) else ""
-    if item.value is not None or item.arguments:
-        return ""
-    return "calls" if item.name == "MAIN" else "label"
-
-
-def _is_g(word: BlockWord, number: int) -> bool:
-    return _is(word, "G", number)
 
 
 def _is_m(word: BlockWord, number: int) -> bool:

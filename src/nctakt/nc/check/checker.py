@@ -9,7 +9,7 @@ may lead there. ``inspection.py`` applies the checker to a whole text.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 
 from nctakt.base.dataclass import dataclass
@@ -33,21 +33,27 @@ from nctakt.messages.checked_cycles import (
 )
 from nctakt.messages.program_structure import BLOCK_NUMBER_BEFORE_HASH_IF
 from nctakt.nc.check.axis_commands import AxisCommandChecker
+from nctakt.nc.check.axis_exchange import ExchangeChecker
 from nctakt.nc.check.blocks import Role, WordChecker
 from nctakt.nc.check.calls import CallChecker
 from nctakt.nc.check.coordinate_systems import check_cs_command
 from nctakt.nc.check.expressions import ValueChecker
 from nctakt.nc.check.findings import Findings, FindingsState
 from nctakt.nc.check.hash_commands import CommandChecker
+from nctakt.nc.check.machine_coordinates import check_machine_command
 from nctakt.nc.check.macros import MacroExpander
+from nctakt.nc.check.measuring import check_meas
 from nctakt.nc.check.path_commands import check_path_command
 from nctakt.nc.check.program_variables import ProgramVariableChecker
 from nctakt.nc.check.realtime_cycles import CycleChecker
 from nctakt.nc.check.realtime_loops import LoopChecker
+from nctakt.nc.check.rotating_planes import check_plane_command
 from nctakt.nc.check.signals import SignalChecker
+from nctakt.nc.check.splines import check_spline_command
+from nctakt.nc.check.tools import check_tool_command
 from nctakt.nc.check.transformations import check_transformation
 from nctakt.nc.check.user_errors import UserErrorChecker
-from nctakt.nc.outline import SignalUse, labels_in
+from nctakt.nc.outline import AxisUse, SignalUse, labels_in
 from nctakt.nc.parse.open_structures import is_false
 from nctakt.nc.source import Source
 from nctakt.nc.tree import (
@@ -100,12 +106,14 @@ _REFUSED_OPTIONS = ("INFO", "SYN", "ACK")
 class CheckerState:
     """The state of a checker between two statements.
 
-    ``targets``: the labels that the section's jumps name, with the spans of the jumps.
+    ``targets``: the labels that the section's jumps name, with the spans of the jumps. ``fetched``:
+    names of fetched axes with their numbers.
     """
 
     role: Role
     targets: Mapping[str, tuple[Span, ...]]
     findings: FindingsState
+    fetched: tuple[tuple[str, int | None], ...]
 
     @property
     def size(self) -> int:
@@ -122,10 +130,18 @@ class Checker:
     """Checks the statements of one program in their order."""
 
     def __init__(
-        self, source: Source, names: NameTable, channel: ChannelParameters, collector: Collector
+        self,
+        source: Source,
+        names: NameTable,
+        channel: ChannelParameters,
+        collector: Collector,
+        named_programs: Iterable[str] = (),
     ) -> None:
         self._findings = Findings(source, collector)
-        axes = tuple(axis.name for axis in channel.axes)
+        self._findings.named_programs.update(named_programs)
+        names = names.own_table()
+        axes = [axis.name for axis in channel.axes]
+        self._names = names
         self._values = ValueChecker(names, axes, self._findings, in_cycle=False)
         self._words = WordChecker(channel, self._values, self._findings)
         in_cycle = ValueChecker(names, axes, self._findings, in_cycle=True)
@@ -138,6 +154,7 @@ class Checker:
         self._program_variables = ProgramVariableChecker(self._values, self._findings)
         self._commands = CommandChecker(self._values, axes, self._findings)
         self._signals = SignalChecker(self._values, axes, self._findings)
+        self._exchange = ExchangeChecker(channel, names, axes, self._values, self._findings)
         self._macros = MacroExpander(names, self._macro)
         self._loops = 0
         self._switches = 0
@@ -149,13 +166,14 @@ class Checker:
     def state(self) -> CheckerState:
         """What the check of later statements depends on."""
         targets = {name: tuple(spans) for name, spans in self.targets.items()}
-        return CheckerState(self._role, targets, self._findings.state)
+        return CheckerState(self._role, targets, self._findings.state, self._exchange.fetched)
 
     def resume(self, state: CheckerState) -> None:
         """Go on from a state."""
         self._role = state.role
         self.targets = {name: list(spans) for name, spans in state.targets.items()}
         self._findings.resume(state.findings)
+        self._exchange.resume(state.fetched)
 
     def begin(self, role: Role) -> None:
         """Begin a main program or a subprogram."""
@@ -167,9 +185,27 @@ class Checker:
         """Return the calls by a constant name since the last call of this method."""
         return self._calls.take()
 
+    @property
+    def joins_motions(self) -> bool:
+        """Whether a statement so far lets motions depend on their neighbours."""
+        return self._words.joins_motions
+
+    @property
+    def named_programs(self) -> frozenset[str]:
+        """The words whose program ``#FILE NAME`` has named so far."""
+        return frozenset(self._findings.named_programs)
+
     def take_signals(self) -> list[SignalUse]:
         """Return what was sent or waited for since the last call of this method."""
         return self._signals.take()
+
+    def take_exchanges(self) -> list[AxisUse]:
+        """Return what was fetched or given since the last call of this method."""
+        return self._exchange.take()
+
+    def has_fetched(self, names: Iterable[object]) -> bool:
+        """Return whether one of these names is that of a fetched axis."""
+        return not self._names.fetched.keys().isdisjoint(names)
 
     def _macro(self, text: StringLiteral) -> Expression | None:
         """Return a placeholder number for a macro that is or may be defined, else ``None``."""
@@ -370,11 +406,23 @@ class Checker:
             return
         elif check_cs_command(command, self._values, self._findings):
             return
+        elif check_machine_command(command, self._values, self._findings):
+            return
+        elif check_plane_command(command, self._words.axes, self._values, self._findings):
+            return
         elif check_transformation(command, self._values, self._findings):
             return
+        elif check_meas(command, self._words.axes, self._values, self._findings):
+            return
+        elif check_tool_command(command, self._words.axes, self._values, self._findings):
+            return
+        elif check_spline_command(command, self._values, self._findings):
+            self._words.joins_motions = True
         elif words == ["DELETE"]:
             self._program_variables.delete(command)
         elif self._commands.command(command, words) or self._signals.command(command):
+            pass
+        elif self._exchange.command(command):
             pass
         elif entry.support is Support.SIMULATED:
             forms = forms_of(entry.name)

@@ -10,8 +10,10 @@ decoder.
 from __future__ import annotations
 
 from nctakt.base.dataclass import dataclass
+from nctakt.base.diagnostics import Text
 from nctakt.messages.checked_blocks import INVALID_COMMAND_FORM
 from nctakt.messages.coordinate_systems import INVALID_COORDINATE_SYSTEM_NAME
+from nctakt.messages.motion import COMMAND_WORD_NOT_SIMULATED
 from nctakt.nc.check.expressions import ValueChecker
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.tree import Bracket, Expression, HashCommand, Keyword, Name, Number
@@ -24,7 +26,13 @@ ACTIONS = ("DEF", "ON", "OFF", "OFF ALL", "ADD", "SELECT")
 
 #: Maximum length of a system's name, and the names reserved for kinematics.
 MAX_CHARACTERS = 8
-RESERVED = ("ACS", "IMCS", "MCS")
+MACHINE_SYSTEM, INTERMEDIATE_SYSTEM = "MCS", "IMCS"
+RESERVED = ("ACS", INTERMEDIATE_SYSTEM, MACHINE_SYSTEM)
+
+_MEANING_OF_MCS = Text(
+    "no system of the stack is active, offsets and the transformation stay",
+    "kein System des Stapels ist aktiv, Verschiebungen und Transformation bleiben",
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,7 +106,17 @@ def check_cs_command(command: HashCommand, values: ValueChecker, findings: Findi
         forms = forms_of(name if name in FORMS else "#CS")
         findings.report(INVALID_COMMAND_FORM, command.span, command=name, forms=forms)
         return True
-    if len(parsed.name) > MAX_CHARACTERS or parsed.name in RESERVED:
+    if parsed.action == "SELECT" and parsed.name == INTERMEDIATE_SYSTEM:
+        findings.report(
+            COMMAND_WORD_NOT_SIMULATED,
+            command.span,
+            command="#CS SELECT",
+            word=INTERMEDIATE_SYSTEM,
+            names=MACHINE_SYSTEM,
+        )
+    elif parsed.action == "SELECT" and parsed.name == MACHINE_SYSTEM:
+        findings.report_simplified("#CS SELECT [MCS]", _MEANING_OF_MCS, command.span)
+    elif len(parsed.name) > MAX_CHARACTERS or parsed.name in RESERVED:
         maximum = MAX_CHARACTERS
         findings.report(
             INVALID_COORDINATE_SYSTEM_NAME, command.span, name=parsed.name, maximum=maximum

@@ -73,7 +73,7 @@ from nctakt.nc.vocabulary.resolution import (
     resolve_aggregate,
     variables_in,
 )
-from nctakt.nc.vocabulary.system_variables import system_variable
+from nctakt.nc.vocabulary.system_variables import is_whole_offset, system_variable
 from nctakt.nc.vocabulary.variable_table import (
     DECLARED,
     Aggregate,
@@ -97,7 +97,7 @@ class ValueChecker:
         self, names: NameTable, axes: Sequence[str], findings: Findings, *, in_cycle: bool
     ) -> None:
         self._names = names
-        self._axes = axes
+        self.axes = axes
         self._missing = MissingNames(names, axes, findings)
         self._findings = findings
         self._in_cycle = in_cycle
@@ -281,8 +281,9 @@ class ValueChecker:
         if is_program_variable(variable):
             self._program_variable(variable)
             return
-        system = system_variable(variable, self._axes)
+        system = system_variable(variable, self.axes)
         if system is not None:
+            self._missing.report_spindle(variable, system)
             for index in system.indices:
                 self.value(index)
             return
@@ -314,8 +315,11 @@ class ValueChecker:
         if self._in_cycle and entry is not None and entry.support is Support.REFUSED:
             self._asynchronous(target)
             return
-        system = system_variable(target, self._axes)
-        if system is not None and system.is_writable:
+        system = system_variable(target, self.axes)
+        if system is not None:
+            if not system.is_writable:
+                name = path_text(target)
+                self._findings.report(VARIABLE_READ_ONLY, target.span, name=name)
             return
         location = self._found(target)
         if location is None or not self._may(target, location, Access.WRITE):
@@ -347,6 +351,9 @@ class ValueChecker:
         self.line(target, value)
         if isinstance(value, ArrayLiteral):
             self._list_of_values(target, value)
+        elif self._copies_offsets(statement):
+            for index in (*indices_of(target), *indices_of(value)):  # type: ignore[arg-type]
+                self.value(index)
         elif isinstance(value, Variable) and self._aggregates.is_aggregate(value):
             self._aggregates.copy(statement, value)
         elif isinstance(target, Variable) and self.is_text(target):
@@ -360,6 +367,12 @@ class ValueChecker:
                 self.text(value)
             else:
                 self.value(value)
+
+    def _copies_offsets(self, statement: Assignment) -> bool:
+        """Return whether a program copies the zero offset of all axes."""
+        sides = (statement.target, statement.value)
+        is_copy = all(isinstance(side, Variable) and is_whole_offset(side) for side in sides)
+        return is_copy and statement.operator == "=" and not self._in_cycle
 
     def _assigned_text(self, statement: Assignment, target: Variable) -> None:
         """Check a text that is assigned or appended to a variable."""
@@ -425,14 +438,15 @@ class ValueChecker:
 
     def _found(self, variable: Variable) -> Location | None:
         """Return the location of a variable and check its indices; report it if there is none."""
-        entry = support_level.variable_family(variable.family)
+        entry = support_level.variable(variable)
         if entry is None:
             nearest = support_level.nearest_family(variable.family) or "–"
             name = path_text(variable)
             self._findings.report(UNKNOWN_VARIABLE, variable.span, name=name, nearest=nearest)
             return None
         if entry.support is not Support.SIMULATED:
-            self._findings.report_support(entry, variable.span, path_text(variable))
+            if not self._missing.report_axis(variable):
+                self._findings.report_support(entry, variable.span, path_text(variable))
             return None
         for index in indices_of(variable):
             self.value(index)

@@ -16,8 +16,9 @@ from nctakt.messages.motion import SIMPLIFIED
 from nctakt.nc.source import Source
 from nctakt.nc.vocabulary.entries import Entry, Support
 
-#: State of ``Findings``: the notes given once, the macros so far, whether calls may define others.
-FindingsState = tuple[tuple[str, ...], frozenset[str], bool]
+#: State of ``Findings``: the notes given once, the macros so far, whether calls may define others,
+#: the words that call a program named so far.
+FindingsState = tuple[tuple[str, ...], frozenset[str], bool, frozenset[str]]
 
 
 class Findings:
@@ -30,17 +31,21 @@ class Findings:
         #: Macros that the program has defined so far; calls may define others.
         self.macros: set[str] = set()
         self.has_other_macros = False
+        #: The words whose program the program has named so far: M6, G80 …
+        self.named_programs: set[str] = set()
 
     @property
     def state(self) -> FindingsState:
         """What later findings depend on."""
-        return tuple(self._reported), frozenset(self.macros), self.has_other_macros
+        named = frozenset(self.named_programs)
+        return tuple(self._reported), frozenset(self.macros), self.has_other_macros, named
 
     def resume(self, state: FindingsState) -> None:
         """Go on from a state."""
-        reported, macros, self.has_other_macros = state
+        reported, macros, self.has_other_macros, named = state
         self._reported = dict.fromkeys(reported)
         self.macros = set(macros)
+        self.named_programs = set(named)
 
     def report(self, message: Message, span: Span, **values: object) -> None:
         """Add a diagnostic."""
@@ -51,6 +56,13 @@ class Findings:
         if str(message.id) not in self._reported:
             self._reported[str(message.id)] = None
             self.report(message, span)
+
+    def report_each(self, message: Message, span: Span, **values: object) -> None:
+        """Add a note once per program for each of its values."""
+        key = f"{message.id} {tuple(values.values())}"
+        if key not in self._reported:
+            self._reported[key] = None
+            self.report(message, span, **values)
 
     def line_of(self, span: Span) -> str:
         """Return the line of a span."""

@@ -2,7 +2,7 @@
 """The forms of ``#`` commands of the main program.
 
 In: ``#TIMER``, ``#FILENAME``, ``#CHANNEL INIT``, ``#BACKWARD STORAGE CLEAR``, ``#DISABLE MODAL
-CYCLE``, ``#FGROUP``. Out: diagnostics.
+CYCLE``. Out: diagnostics.
 """
 
 from __future__ import annotations
@@ -11,14 +11,29 @@ from collections.abc import Sequence
 
 from nctakt.base.text import close_names
 from nctakt.messages.checked_blocks import INVALID_COMMAND_FORM, UNKNOWN_COMMAND_OPTION
+from nctakt.messages.motion import COMMAND_WORD_NOT_SIMULATED
 from nctakt.nc.check.expressions import ValueChecker
+from nctakt.nc.check.feed_groups import check_feed_group
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.tree import Bracket, Expression, HashCommand, Keyword, Name, Timer
 from nctakt.nc.vocabulary.command_forms import forms_of
+from nctakt.nc.vocabulary.file_names import (
+    MESSAGES,
+    NAMED_FILES,
+    is_file_name,
+    named_files,
+    names_program,
+)
 
 _TIMER_ACTIONS = ("START", "STOP", "READ", "CLEAR")
 _POSITIONS = ("CMDPOS", "ACTPOS")
-_WITHOUT_ARGUMENTS = (("BACKWARD", "STORAGE", "CLEAR"), ("DISABLE", "MODAL", "CYCLE"))
+_STEP_WORDS = ("DISABLE", "ENABLE")
+_WITHOUT_ARGUMENTS = (
+    ("BACKWARD", "STORAGE", "CLEAR"),
+    ("DISABLE", "MODAL", "CYCLE"),
+    ("BLOCKSEARCH", "LOCKED"),
+    ("BLOCKSEARCH", "RELEASED"),
+)
 
 
 class CommandChecker:
@@ -44,12 +59,14 @@ class CommandChecker:
 
     def command(self, command: HashCommand, words: Sequence[str]) -> bool:
         """Check one of these commands; return false for any other."""
-        if tuple(words) in (("FILENAME",), ("FILE", "NAME")):
+        if is_file_name(words):
             self._file(command)
         elif tuple(words) == ("CHANNEL", "INIT"):
             self._channel(command)
-        elif tuple(words) == ("FGROUP",):
-            self._feed_group(command)
+        elif check_feed_group(command, self._axes, self._values, self._findings):
+            return True
+        elif tuple(words) == ("SINGLE", "STEP"):
+            self._single_step(command)
         elif tuple(words) in _WITHOUT_ARGUMENTS:
             if command.arguments:
                 name = "#" + " ".join(words)
@@ -61,13 +78,16 @@ class CommandChecker:
         return True
 
     def _file(self, command: HashCommand) -> None:
-        """Check ``#FILENAME [MSG=file]``."""
-        items = self._items(command, "#FILENAME")
-        for item in items:
-            if not isinstance(item, Keyword) or item.name != "MSG" or item.value is None:
-                self._option("#FILENAME", self._findings.written(item.span), ("MSG",), item)
-            elif not isinstance(item.value, Name):
-                self._values.text(item.value)
+        """Check ``#FILENAME [MSG=file G80="file"]``."""
+        for key, file, item in named_files(self._items(command, "#FILENAME")):
+            is_known = key == MESSAGES or names_program(key)
+            if not is_known or file is None:
+                self._option("#FILENAME", self._findings.written(item.span), NAMED_FILES, item)
+                continue
+            if key != MESSAGES:
+                self._findings.named_programs.add(key)
+            if not isinstance(file, Name):
+                self._values.text(file)
 
     def _channel(self, command: HashCommand) -> None:
         """Check ``#CHANNEL INIT [CMDPOS]``, also without brackets."""
@@ -77,13 +97,21 @@ class CommandChecker:
             if not isinstance(item, Keyword) or item.name not in _POSITIONS or item.value:
                 self._option("#CHANNEL INIT", self._findings.written(item.span), _POSITIONS, item)
 
-    def _feed_group(self, command: HashCommand) -> None:
-        """Check ``#FGROUP [X, Y]``; without brackets it is that of the program start."""
-        items = self._items(command, "#FGROUP") if command.arguments else ()
-        for item in items:
-            name = axis_name(item)
-            if name not in self._axes:
-                self._option("#FGROUP", self._findings.written(item.span), self._axes, item)
+    def _single_step(self, command: HashCommand) -> None:
+        """Check ``#SINGLE STEP [DISABLE]``; the distance of blocks is not simulated."""
+        name = "#SINGLE STEP"
+        items = self._items(command, name)
+        if len(items) > 1:
+            forms = forms_of(name)
+            self._findings.report(INVALID_COMMAND_FORM, command.span, command=name, forms=forms)
+        for item in items[:1]:
+            if isinstance(item, Keyword) and item.name == "RESOLUTION":
+                names = ", ".join(_STEP_WORDS)
+                self._findings.report(
+                    COMMAND_WORD_NOT_SIMULATED, item.span, command=name, word=item.name, names=names
+                )
+            elif axis_name(item) not in _STEP_WORDS:
+                self._option(name, self._findings.written(item.span), _STEP_WORDS, item)
 
     def _items(self, command: HashCommand, name: str) -> tuple[Keyword | Expression, ...]:
         """Return the items of the command's only bracket; report any other form."""
@@ -105,8 +133,15 @@ class CommandChecker:
         )
 
 
+def single_step_word(command: HashCommand) -> str:
+    """Return the word of a checked ``#SINGLE STEP``."""
+    (bracket,) = command.arguments
+    assert isinstance(bracket, Bracket)
+    return axis_name(bracket.items[0])
+
+
 def axis_name(item: Keyword | Expression) -> str:
-    """Return the name in an item of ``#FGROUP``, else an empty text."""
+    """Return the name that an item is, else an empty text."""
     if isinstance(item, Name) or (isinstance(item, Keyword) and item.value is None):
         return item.name
     return ""

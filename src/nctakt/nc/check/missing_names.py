@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from dataclasses import replace
 
 from nctakt.messages.checked_values import (
     STRUCTURE_USED_AS_VALUE,
@@ -17,8 +18,9 @@ from nctakt.messages.checked_values import (
     WRONG_INDEX_COUNT,
 )
 from nctakt.nc.check.findings import Findings
-from nctakt.nc.tree import Variable
+from nctakt.nc.tree import Part, Variable
 from nctakt.nc.vocabulary.resolution import indices_of, path_text
+from nctakt.nc.vocabulary.system_variables import SystemVariable, system_variable
 from nctakt.nc.vocabulary.variable_table import DECLARED, Location, NameTable, NotFound, Problem
 
 _INDEX = re.compile(r"\[\d+\]")
@@ -37,13 +39,7 @@ class MissingNames:
         report, span = self._findings.report, variable.span
         match missing.reason:
             case Problem.UNKNOWN if self._lacks_axis(variable):
-                report(
-                    UNKNOWN_AXIS_OF_VARIABLE,
-                    span,
-                    name=path_text(variable),
-                    axis=variable.parts[-1].name,
-                    axes=", ".join(self._axes),
-                )
+                self._report_lacking(variable)
             case Problem.UNKNOWN:
                 nearest = (
                     self._with_axis(variable) or self._spelled(variable) or missing.nearest or "–"
@@ -60,6 +56,40 @@ class MissingNames:
                 )
             case Problem.STRUCTURE:
                 report(STRUCTURE_USED_AS_VALUE, span, name=missing.name, member=missing.nearest)
+
+    def report_axis(self, variable: Variable) -> bool:
+        """Report V.A or V.G without an axis, or of one that the channel lacks; return whether it is
+        such a variable.
+        """
+        if not variable.parts:
+            return False
+        if system_variable(variable, (variable.parts[-1].name,)) is not None:
+            self._report_lacking(variable)
+            return True
+        axis = Part(variable.span, self._axes[0]) if self._axes else variable.parts[-1]
+        completed = replace(variable, parts=(*variable.parts, axis))
+        if system_variable(completed, self._axes) is None:
+            return False
+        name, nearest = path_text(variable), path_text(completed)
+        self._findings.report(UNKNOWN_VARIABLE, variable.span, name=name, nearest=nearest)
+        return True
+
+    def report_spindle(self, variable: Variable, system: SystemVariable) -> None:
+        """Report V.SPDL or V.SPDL_PROG of a spindle that the channel lacks."""
+        spindles = self._names.spindles
+        if system.kind == "spindle" and system.axis and system.axis not in spindles:
+            nearest = ", ".join(spindles) or "–"
+            name = path_text(variable)
+            self._findings.report(UNKNOWN_VARIABLE, variable.span, name=name, nearest=nearest)
+
+    def _report_lacking(self, variable: Variable) -> None:
+        self._findings.report(
+            UNKNOWN_AXIS_OF_VARIABLE,
+            variable.span,
+            name=path_text(variable),
+            axis=variable.parts[-1].name,
+            axes=", ".join(self._axes),
+        )
 
     def _with_axis(self, variable: Variable) -> str:
         """Return ``V.RTA.ACS.ACT_POS.X`` if only the axis is missing at the end, else an empty

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from nctakt.messages.checked_blocks import EXCLUSIVE_WORDS
 from nctakt.messages.feed import FEED_NOT_POSITIVE
 from nctakt.messages.motion import ARC_WITH_CENTRE_AND_RADIUS
 from nctakt.nc.check.findings import Findings
@@ -19,6 +20,8 @@ from nctakt.nc.vocabulary.functions import (
     CONTOURING_ONCE,
     EXACT_STOP_ONCE,
     FEED_PER_MINUTE,
+    FEED_RAMPS,
+    FEED_STEPS,
     members,
 )
 
@@ -75,6 +78,26 @@ def leaves_arc(block: Block, *, before: bool) -> bool:
         return True
     others = any(not isinstance(word, AxisWord | Word) for word in block.words)
     return before and not others and all(function in _BESIDE_TARGETS for function in functions)
+
+
+def functions_of(block: Block) -> dict[int, AxisWord | Word]:
+    """Return the words of the G functions whose numbers are constants."""
+    return {
+        round(word.value.value): word
+        for word in _words(block, "G")
+        if isinstance(word.value, Number)
+    }
+
+
+def check_feed_ramps(block: Block, findings: Findings) -> None:
+    """Report ramps of the feed that exclude each other: G193, G293, and either of G08 and G09."""
+    functions = functions_of(block)
+    ramps = [number for number in functions if number in FEED_RAMPS]
+    others = ramps[1:] + [step for step in FEED_STEPS if step in functions]
+    for number in others if ramps else ():
+        word = functions[number]
+        written = findings.written(word.span)
+        findings.report(EXCLUSIVE_WORDS, word.span, word=written, other=f"G{ramps[0]}")
 
 
 def _functions(block: Block) -> list[float | None]:

@@ -17,15 +17,18 @@ from nctakt.messages.checked_blocks import (
     INVALID_COMMAND_FORM,
     WORD_VALUE_MISSING,
 )
+from nctakt.messages.checked_cycles import DUPLICATE_KEYWORD
+from nctakt.messages.hsc import INVALID_HSC_VALUE
 from nctakt.messages.motion import (
     COMMAND_WORD_NOT_SIMULATED,
+    CONTOUR_SHARE_OUT_OF_RANGE,
     INVALID_CONTOUR_DEVIATION,
     INVALID_VECTOR_LIMIT,
     UNKNOWN_COMMAND_KEYWORD,
 )
 from nctakt.nc.check.expressions import ValueChecker
 from nctakt.nc.check.findings import Findings
-from nctakt.nc.check.path_notes import check_old_slope, tell_simplified
+from nctakt.nc.check.path_notes import check_old_slope, tell_curve, tell_simplified
 from nctakt.nc.tree import (
     Bracket,
     BracketCommand,
@@ -40,6 +43,9 @@ from nctakt.nc.vocabulary.path_keywords import (
     ACTIONS,
     CONTOUR_MODES,
     CONTOUR_NUMBERS,
+    CONTOUR_SHARES,
+    HSC_CURVES,
+    HSC_NUMBERS,
     SLOPES,
     VECTOR_BLOCKS,
     VECTOR_LIMITS,
@@ -81,16 +87,33 @@ class Form:
         return tuple(dict.fromkeys(every))
 
 
+#: The highest OPMODE of ``#HSC``; the lowest is 1.
+HIGHEST_HSC_MODE = 2
+#: Words of ``#DYNAMIC WEIGHT``: by the length of a motion, by the radius of an arc.
+DYNAMIC_WEIGHTS = ("PATH", "CURVE")
+#: Keywords of ``#CORNER PARAM`` with a number; all of them and UNIT are needed.
+CORNER_NUMBERS = ("DIST", "FEED")
 _CONTOURING = Form(
     (*CONTOUR_MODES, *ACTIONS, "CHECK_JERK", "CONST_VEL"),
     (*(name for mode in CONTOUR_MODES.values() for name in mode), *CONTOUR_NUMBERS),
 )
 
+_HSC = Form(HSC_CURVES, HSC_NUMBERS)
+
 #: The commands by their words.
 FORMS = {
+    "HSC": _HSC,
+    "HSC ON": Form(_HSC.words, _HSC.numbers, needs_bracket=False),
+    "HSC OFF": Form(_HSC.words, _HSC.numbers, needs_bracket=False),
     "CONTOUR MODE": _CONTOURING,
     "CONTOUR MODE ON": Form(_CONTOURING.words, _CONTOURING.numbers, needs_bracket=False),
     "CONTOUR MODE OFF": Form(needs_bracket=False),
+    "CORNER PARAM": Form(numbers=CORNER_NUMBERS, names={"UNIT": ("FWORD", "PERCENT")}),
+    "DYNAMIC WEIGHT ON": Form(DYNAMIC_WEIGHTS),
+    "DYNAMIC WEIGHT OFF": Form(DYNAMIC_WEIGHTS),
+    "ROTATION ON": Form(numbers=("ANGLE", "CENTER1", "CENTER2"), needs_bracket=False),
+    "ROTATION OFF": Form(needs_bracket=False),
+    "SCALE OFF": Form(needs_bracket=False),
     "SET SLOPE PROFIL": Form(needs_bracket=False),
     "SLOPE": Form(numbers=("NO_OPT",), names={"TYPE": SLOPES}),
     "SLOPE DEFAULT": Form(needs_bracket=False),
@@ -158,13 +181,21 @@ def check_path_command(command: HashCommand, values: ValueChecker, findings: Fin
         return False
     bracket = command.arguments[0] if len(command.arguments) == 1 else None
     says_something = isinstance(bracket, Bracket) and bool(bracket.items)
+    if name == "CORNER PARAM":
+        words = {item.name for item in keywords(command)}
+        says_something = says_something and words.issuperset((*CORNER_NUMBERS, "UNIT"))
     if not says_something and (form.needs_bracket or command.arguments):
         forms = forms_of(f"#{_without_switch(name)}")
         findings.report(INVALID_COMMAND_FORM, command.span, command=f"#{name}", forms=forms)
         return True
-    modes = [item for item in keywords(command) if item.name in CONTOUR_MODES]
-    if len(modes) > 1:
-        findings.report(EXCLUSIVE_WORDS, modes[1].span, word=modes[1].name, other=modes[0].name)
+    tell_curve(command, name, findings)
+    for names in (CONTOUR_MODES, ACTIONS, HSC_CURVES):
+        given = [item for item in keywords(command) if item.name in names]
+        others = [item for item in given if item.name != given[0].name]
+        if others:
+            word, other = others[0].name, given[0].name
+            findings.report(EXCLUSIVE_WORDS, others[0].span, word=word, other=other)
+    check_repetition(name, keywords(command), findings)
     for argument in command.arguments:
         if name == "SET SLOPE PROFIL":
             check_old_slope(argument, values, findings)
@@ -173,10 +204,19 @@ def check_path_command(command: HashCommand, values: ValueChecker, findings: Fin
             _refuse(f"#{name}", findings.written(argument.span), (), argument.span, findings)
             continue
         for item in argument.items:
-            _check_item(form, f"#{name}", item, values, findings)
+            check_item(form, f"#{name}", item, values, findings)
             if isinstance(item, Keyword):
                 tell_simplified(f"#{name}", item, argument.items, findings)
     return True
+
+
+def check_repetition(name: str, items: Sequence[Keyword], findings: Findings) -> None:
+    """Report keywords that are given twice."""
+    found: set[str] = set()
+    for item in items:
+        if item.name in found:
+            findings.report(DUPLICATE_KEYWORD, item.span, command=f"#{name}", word=item.name)
+        found.add(item.name)
 
 
 def check_path_axis(command: BracketCommand, values: ValueChecker, findings: Findings) -> bool:
@@ -189,13 +229,14 @@ def check_path_axis(command: BracketCommand, values: ValueChecker, findings: Fin
         forms = f"{command.name}[{first.name} {_AXIS_EXAMPLES[first.name]}]"
         findings.report(INVALID_COMMAND_FORM, first.span, command=name, forms=forms)
     for item in command.items:
-        _check_item(form, name, item, values, findings)
+        check_item(form, name, item, values, findings)
     return True
 
 
-def _check_item(
+def check_item(
     form: Form, name: str, item: Keyword | Expression, values: ValueChecker, findings: Findings
 ) -> None:
+    """Check an item of a command's bracket against its form."""
     if not isinstance(item, Keyword):
         _refuse(name, findings.written(item.span), form.keywords, item.span, findings)
         return
@@ -205,7 +246,7 @@ def _check_item(
         findings.report(WORD_VALUE_MISSING, item.span, word=item.name)
     elif item.value is not None and item.name in (*form.numbers, *form.defaults):
         values.value(item.value)
-        _check_number(item, findings)
+        _check_number(name, item, findings)
     elif item.name not in form.names or not isinstance(item.value, Name):
         word = item.name if item.name not in form.keywords else findings.written(item.span)
         _refuse(name, word, form.keywords, item.span, findings)
@@ -214,20 +255,50 @@ def _check_item(
         _refuse(f"{name} [{item.name}]", item.value.name, names, item.value.span, findings)
 
 
-def _check_number(item: Keyword, findings: Findings) -> None:
+def _check_number(command: str, item: Keyword, findings: Findings) -> None:
     """Report a constant out of its range."""
     value = item.value
     if item.name in VECTOR_LIMITS and isinstance(value, Number) and value.value <= 0.0:
         word = item.name
         findings.report(INVALID_VECTOR_LIMIT, value.span, word=word, value=value.value)
+    if command.startswith("#HSC") and isinstance(value, Number):
+        if not is_hsc_value(item.name, value.value):
+            word = item.name
+            findings.report(INVALID_HSC_VALUE, value.span, word=word, value=value.value)
+        return
+    if not command.startswith("#CONTOUR MODE"):
+        return
+    if item.name in CONTOUR_SHARES and isinstance(value, Number):
+        highest = CONTOUR_SHARES[item.name]
+        if not 0.0 <= value.value <= highest:
+            word = item.name
+            findings.report(
+                CONTOUR_SHARE_OUT_OF_RANGE,
+                value.span,
+                word=word,
+                value=value.value,
+                highest=highest,
+            )
+        return
     sizes = {name for names in CONTOUR_MODES.values() for name in names}
-    if item.name in sizes and isinstance(value, Number) and not is_size(item.name, value.value):
+    if not isinstance(value, Number) or item.name not in sizes:
+        return
+    if not any(is_size(item.name, value.value, mode) for mode in CONTOUR_MODES):
         findings.report(INVALID_CONTOUR_DEVIATION, value.span, value=value.value)
 
 
-def is_size(keyword: str, value: float) -> bool:
-    """Return whether a keyword of ``#CONTOUR MODE`` may have this value."""
-    return value > 0.0 or (keyword == "PATH_DIST" and value == -1.0)
+def is_hsc_value(keyword: str, value: float) -> bool:
+    """Return whether a keyword of ``#HSC`` may have this value."""
+    if keyword == "OPMODE":
+        return value in range(1, HIGHEST_HSC_MODE + 1)
+    return value >= 0.0
+
+
+def is_size(keyword: str, value: float, mode: str) -> bool:
+    """Return whether a keyword of ``#CONTOUR MODE`` may have this value in a mode."""
+    if keyword in ("PATH_DIST", "SYM_DIST") and value == -1.0:
+        return True
+    return value > 0.0 or (value == 0.0 and mode == "POS" and keyword in CONTOUR_MODES["POS"])
 
 
 def _refuse(name: str, word: str, allowed: Sequence[str], span: Span, findings: Findings) -> None:

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Notes on settings of the path of which no public source settles all, once per program.
 
-In: checked keywords of ``#CONTOUR MODE``, ``#SLOPE``, ``#VECTOR LIMIT``. Out: notes that say what
-nctakt does.
+In: checked keywords of ``#CONTOUR MODE``, ``#HSC``, ``#SLOPE``, ``#VECTOR LIMIT``. Out: notes that
+say what nctakt does.
 """
 
 from __future__ import annotations
@@ -13,9 +13,10 @@ from nctakt.base.diagnostics import Text
 from nctakt.messages.checked_blocks import INVALID_COMMAND_FORM
 from nctakt.nc.check.expressions import ValueChecker
 from nctakt.nc.check.findings import Findings
-from nctakt.nc.tree import Bracket, Expression, Keyword, Name, Number
+from nctakt.nc.tree import Bracket, Expression, HashCommand, Keyword, Name, Number
 from nctakt.nc.vocabulary.command_forms import forms_of
-from nctakt.nc.vocabulary.path_keywords import SLOPES
+from nctakt.nc.vocabulary.path_keywords import HSC_MODES, HSC_NUMBERS, SLOPES
+from nctakt.nc.vocabulary.simplifications import HSC_CONTOUR
 
 _LIKE_DEV = Text(
     "each corner between two lines is rounded, as with DEV",
@@ -24,6 +25,14 @@ _LIKE_DEV = Text(
 _LIKE_DIST = Text(
     "as DIST with the distance PATH_DIST",
     "wie DIST mit dem Abstand PATH_DIST",
+)
+_LIKE_DIST_MASTER = Text(
+    "as DIST with the distance SYM_DIST",
+    "wie DIST mit dem Abstand SYM_DIST",
+)
+_LIKE_DIST_ZERO = Text(
+    "as DIST; a distance of 0 keeps the corner sharp",
+    "wie DIST; mit dem Abstand 0 bleibt die Ecke scharf",
 )
 _NOTHING = Text("it changes nothing", "es ändert nichts")
 _BEHIND = Text(
@@ -36,6 +45,8 @@ _AS_TRAPEZ = Text(
 )
 _CONTOUR_NOTES = {
     "DIST_SOFT": _LIKE_DIST,
+    "DIST_MASTER": _LIKE_DIST_MASTER,
+    "POS": _LIKE_DIST_ZERO,
     "PTP": _LIKE_DEV,
     "PRE_ACTION": _BEHIND,
     "INTER_ACTION": _BEHIND,
@@ -60,6 +71,8 @@ _CONTOUR_NOTES = {
         _NOTHING,
     ),
 }
+#: Keywords of ``#HSC`` without an effect.
+_IDLE_HSC_KEYWORDS = frozenset(HSC_NUMBERS) - {*HSC_MODES, "PATH_DEV", "MAX_ANGLE"}
 _VECTOR_NOTES = {
     "DEC": Text(
         "the path speeds up and brakes with the lower one of ACC and DEC",
@@ -67,6 +80,12 @@ _VECTOR_NOTES = {
     ),
     "TRANS_ACC": _NOTHING,
 }
+
+
+def tell_curve(command: HashCommand, name: str, findings: Findings) -> None:
+    """Tell once which contour ``#HSC ON`` has."""
+    if name == "HSC ON":
+        findings.report_simplified("#HSC", HSC_CONTOUR, command.span)
 
 
 def tell_simplified(
@@ -84,6 +103,9 @@ def tell_simplified(
                 "die Kurve beginnt und endet im kleineren Abstand von PRE_DIST und POST_DIST",
             )
         command = "#CONTOUR MODE"
+    elif command.startswith("#HSC") and item.name in _IDLE_HSC_KEYWORDS:
+        meaning = _NOTHING
+        command = "#HSC"
     elif command.startswith("#VECTOR LIMIT ON"):
         meaning = _VECTOR_NOTES.get(item.name)
         command = "#VECTOR LIMIT"

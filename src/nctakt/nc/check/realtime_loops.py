@@ -15,6 +15,7 @@ from nctakt.messages.backward import NOT_ALLOWED_IN_RT_WHILE, RT_WHILE_NESTED
 from nctakt.messages.checked_cycles import REALTIME_CYCLES_OFF
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.check.signals import is_in_block_order
+from nctakt.nc.check.splines import SWITCHES
 from nctakt.nc.tree import (
     Assignment,
     AxisWord,
@@ -95,7 +96,7 @@ class LoopChecker:
             return False
         if word.name == "G":
             return isinstance(word.value, Number) and word.value.value in MOTIONS
-        return word.name in _VALUES
+        return word.name in _VALUES or word.name in SWITCHES
 
     def _writes(self, statement: Assignment) -> bool:
         target = statement.target

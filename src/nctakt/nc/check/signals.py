@@ -7,7 +7,7 @@ for other forms. Values that are not constant are checked when they are decoded.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Span, Text
@@ -139,7 +139,7 @@ def constant(expression: Expression | None) -> int | None:
 class SignalChecker:
     """Checks the commands of one program; ``uses``: what it sends and waits for."""
 
-    def __init__(self, values: ValueChecker, axes: tuple[str, ...], findings: Findings) -> None:
+    def __init__(self, values: ValueChecker, axes: Sequence[str], findings: Findings) -> None:
         self._values = values
         self._axes = axes
         self._findings = findings
@@ -298,7 +298,7 @@ class SignalChecker:
             )
         )
 
-    def _option(self, command: str, word: str, names: tuple[str, ...], span: Span) -> None:
+    def _option(self, command: str, word: str, names: Sequence[str], span: Span) -> None:
         near = close_names(word.upper(), names)
         listed = ", ".join([*near, *(name for name in names if name not in near)])
         self._findings.report(

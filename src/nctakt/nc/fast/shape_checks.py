@@ -35,7 +35,7 @@ from nctakt.nc.tree import (
     While,
     Word,
 )
-from nctakt.nc.vocabulary.functions import ENDS
+from nctakt.nc.vocabulary.functions import ENDS, MIRRORING_OF_AXES
 from nctakt.nc.vocabulary.operators import FUNCTIONS
 
 #: Words whose number may be any but 0.
@@ -127,6 +127,8 @@ def _of_word(word: BlockWord) -> Iterator[Number]:
         case Word(name="M"):
             if not isinstance(word.value, Number) or word.value.value in ENDS:
                 raise _UndecidedError
+        case Word(name="G", value=Number() as number) if number.value == MIRRORING_OF_AXES:
+            raise _UndecidedError
         case Word():
             if word.name in VALUE_WORDS and word.value is not None:
                 yield from _of_value(word.value)

@@ -20,7 +20,7 @@ from nctakt.base.diagnostics import Span, number_text
 from nctakt.base.line_shift import LineShift
 from nctakt.lists.declared.tools import Tool
 from nctakt.lists.declared.variables import SCALARS
-from nctakt.lists.machine.channel_configuration import ToolSelection
+from nctakt.lists.machine.tool_selection import ToolSelection
 from nctakt.messages import Collector
 from nctakt.messages.lints import (
     ARC_LIKELY_WITHOUT_CENTRE,
@@ -472,3 +472,6 @@ class Linter:
             self._findings.report(message, word.span, tool=number)
         elif number > 0 and is_selected and not self._tools[number].valid:
             self._findings.report(TOOL_NOT_VALID, word.span, tool=number)
+        elif number > 0 and is_selected:
+            for message, values in self._selection.mistakes(self._tools[number]):
+                self._findings.report(message, word.span, tool=number, **values)

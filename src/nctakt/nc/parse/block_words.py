@@ -2,9 +2,9 @@
 """The words of a block -> statements.
 
 In: a block's text behind its head. Out: a ``Block``, or assignments, calls and macro definitions;
-one line may hold several. Words need no blanks between them and allow blanks nearly everywhere.
-Blocks of letters and numbers only, the majority in most programs, are read with one pattern per
-word.
+one line may hold several, and a jump behind G310. Words need no blanks between them and allow
+blanks nearly everywhere. Blocks of letters and numbers only, the majority in most programs, are
+read with one pattern per word.
 """
 
 from __future__ import annotations
@@ -17,6 +17,7 @@ from nctakt.base.diagnostics import Span
 from nctakt.base.text import nearest
 from nctakt.messages.nc_text import NAME_EXPECTED, TEXT_NOT_CLOSED
 from nctakt.messages.program_structure import CYCLE_CALL_WITHOUT_NAME, INVALID_CALL_PARAMETER
+from nctakt.nc.parse.block_head import parse_label
 from nctakt.nc.parse.expressions import (
     EQUALS,
     FUNCTION_NAMES,
@@ -44,19 +45,24 @@ from nctakt.nc.tree import (
     BlockWord,
     BracketCommand,
     Expression,
+    Goto,
     Head,
+    If,
     Keyword,
     MacroDefinition,
     Number,
     OffsetCommand,
     OffsetCommandName,
+    Part,
     Statement,
     StringLiteral,
     StringWord,
     SubprogramCall,
+    Variable,
     VariableBlock,
     Word,
 )
+from nctakt.nc.vocabulary.functions import INTERRUPTIBLE
 
 #: Letters that the name of an axis may begin with.
 AXIS_LETTERS = frozenset("ABCQUVWXYZ")
@@ -72,11 +78,20 @@ _PLAIN_KINDS: dict[str, tuple[type[AxisWord] | type[Word], str]] = {
     for letter in ascii_letters
 }
 _TARGET = re.compile(r"\s*(?:Vs?\.|@?P(?:\d|\[))", re.IGNORECASE)
+_GOTO = re.compile(r"\s*(\$GOTO)(?!\w)", re.IGNORECASE)
+_END_OF_WORDS = re.compile(f"{_TARGET.pattern}|{_GOTO.pattern}", re.IGNORECASE)
 _ASSIGN = re.compile(r"\s*([-+*/]?=)(?!=)")
 _LETTERS = re.compile(r"\s*([^\W\d]+)")
 _NAMED = re.compile(r"\s*([^\W\d]+)(\d*)\s*=(?!=)")
 _NAMED_COMMAND = re.compile(r"\s*([^\W\d]+\d+)(?=\s*\[)")
-_OF_SPINDLE = re.compile(r"\s*(S\.(?:POS|OFFSET))(?![^\W\d])", re.IGNORECASE)
+_LONG_NAME = re.compile(
+    r"""\s*( S\.(?:POS|OFFSET)(?![^\W\d])
+          | \#\s*(?:CHR|CHF|RND|FRC)(?=\s*=)
+          | \#\s*ANG(?!\w)
+          | \#\s*(?:SET\s+)?SPLINE\s+(?:ON|OFF)\b
+          | \#\s*(?:AKIMA\s+(?:START|END)VECTOR|SET\s+ASPLINE\s+(?:STARTTANG|ZIELTANG))\b )""",
+    re.IGNORECASE | re.VERBOSE,
+)
 _GLUED = re.compile(rf"(?:Vs?\.|@|P(?:\d|\[)|(?:{FUNCTION_NAMES})\s*\[)", re.IGNORECASE)
 #: A text that may hold names of macros between \" and \".
 _MACRO_TEXT = re.compile(r'\s*"((?:[^"\\]|\\"|\\(?!"))*)"')
@@ -88,7 +103,9 @@ _CALL = re.compile(
           | (?=[A-Z\d])(?![A-Z]+\d*\s*(?:=|\[)) )         # or glued: LM06, but not LX=5""",
     re.VERBOSE,
 )
-_OFFSETS = re.compile(r"\s*#\s*(PSET|PRESET|SUPPRESS\s+OFFSETS)(?!\w)", re.IGNORECASE)
+_OFFSETS = re.compile(
+    r"\s*#\s*(PSET|PRESET|SUPPRESS\s+OFFSETS|SCALE(?!\s+OFF(?!\w))(?:\s+ON)?)(?!\w)", re.IGNORECASE
+)
 _CALL_CYCLE = re.compile(r"\s*CYCLE(?=\s*\[)", re.IGNORECASE)
 _CALL_NAME = re.compile(r"\s*([^\s\[\]\"]+)")
 _NAME_KEYWORD = re.compile(r"\s*(NAME)\s*=", re.IGNORECASE)
@@ -119,14 +136,54 @@ def parse_plain(text: BlockText, head: Head) -> Block | None:
 
 
 def parse_content(text: BlockText, head: Head) -> list[Statement]:
-    """Return the statements of the rest of the block, at least one; the first has the head."""
+    """Return the statements of the rest of the block, at least one; the first has the head.
+
+    All of them have its skip level.
+    """
     plain = parse_plain(text, head)
     if plain is not None:
         return [plain]
     statements = [_statement(text, head)]
-    while not text.at_end():
-        statements.append(_statement(text, NO_HEAD))
+    rest = NO_HEAD if head.skip is None else Head(skip=head.skip)
+    while not text.at_end() and text.looking_at(_GOTO) is None:
+        statements.append(_statement(text, rest))
+    if not text.at_end():
+        statements.append(_jump_of(statements[-1], text, rest))
     return statements
+
+
+def _jump_of(block: Statement, text: BlockText, head: Head) -> Statement:
+    """Return the ``$GOTO`` of ``G310 X10 $GOTO[A]``: a jump if the first axis has touched.
+
+    Raises ``BlockError`` behind another block.
+    """
+    words = block.words if isinstance(block, Block) else ()
+    axis = next((word.name for word in words if isinstance(word, AxisWord)), "")
+    if not axis or not any(_interrupts(word) for word in words):
+        raise unreadable(text)
+    match = text.match(_GOTO)
+    assert match is not None
+    start = match.start(1)
+    label = parse_label(text)
+    if label is None:
+        raise expected(text, NAME_EXPECTED)
+    span = text.span(start, text.pos)
+    has_touched = Variable(span, "A", (Part(span, "MERF"), Part(span, axis)))
+    return If(span, head, None, has_touched, (Goto(span, NO_HEAD, label),))
+
+
+def _interrupts(word: BlockWord) -> bool:
+    return (
+        isinstance(word, Word)
+        and word.name == "G"
+        and isinstance(word.value, Number)
+        and word.value.value == INTERRUPTIBLE
+    )
+
+
+def begins_with_word(text: BlockText) -> bool:
+    """Return whether the rest of a block begins with a word like ``#CHR=2``."""
+    return text.looking_at(_LONG_NAME) is not None
 
 
 def parse_offsets(text: BlockText, head: Head) -> OffsetCommand | None:
@@ -151,7 +208,7 @@ def _statement(text: BlockText, head: Head) -> Statement:
         return _assignment(text, head)
     words: list[BlockWord] = []
     call: _Call | None = None
-    while not text.at_end() and text.looking_at(_TARGET) is None:
+    while not text.at_end() and text.looking_at(_END_OF_WORDS) is None:
         quoted = text.match(STRING)
         if quoted is not None:
             if not words and text.match(EQUALS) is not None:
@@ -250,10 +307,11 @@ def _called_name(text: BlockText) -> Expression:
 
 
 def _word(text: BlockText) -> BlockWord:
-    of_spindle = text.match(_OF_SPINDLE)
-    if of_spindle is not None:
-        name = of_spindle[1].upper()
-        return _make(text, name, of_spindle.start(1), _optional_value(text, equals=True))
+    long_name = text.match(_LONG_NAME)
+    if long_name is not None:
+        name = " ".join(long_name[1].upper().split()).replace("# ", "#")
+        value = None if " " in name else _optional_value(text, equals=True)
+        return _make(text, name, long_name.start(1), value)
     named = text.match(_NAMED)
     if named is not None:
         return _named_word(text, named)

@@ -51,6 +51,8 @@ from nctakt.nc.vocabulary.operators import TEXT_FUNCTIONS
 CYCLE_ACTIONS = ("START", "HOLD", "CONTINUE", "ABORT ACTION", "DELETE")
 
 _HASH = re.compile(r"\s*#\s*")
+_SIGNED_AXIS = re.compile(r"\s*([^\W\d]\w*)\s*([-+])(?=\s*[\],])")
+_AXIS_NAME = re.compile(r"\s*([A-CQU-Z][^\W\d]*\d+)\s*(?=[],])", re.IGNORECASE)
 _SIGNAL_VALUE = re.compile(r"\s*([Pp])\s*\[")
 _WORD = re.compile(r"\s*([^\W\d]\w*)(?!\w|\s*=|\.\w)")
 
@@ -124,6 +126,39 @@ def _signal_item(text: BlockText, depth: int) -> Item:
     return Keyword(span, "P", parse_expression(text), (index,))
 
 
+def _axes(text: BlockText) -> Argument:
+    """Return the items of commands about axes, whose names may end in digits: ``[X1, 4, 3]``."""
+    if text.looking_at(OPENING) is None:
+        return _argument(text)
+    start = text.skip_blanks()
+    items = parse_items(text, 0, _axis_item)
+    return Bracket(text.span(start, text.pos), items)
+
+
+def _axis_item(text: BlockText, depth: int) -> Item:
+    match = text.looking_at(_AXIS_NAME)
+    if match is None:
+        return parse_item(text, depth)
+    text.pos = match.end(1)
+    return Keyword(text.span(*match.span(1)), match[1].upper())
+
+
+def _signed_axes(text: BlockText) -> Argument:
+    """Return axes with their signs (``#TLAX [Z+]``), which are part of the name."""
+    if text.looking_at(OPENING) is None:
+        return _argument(text)
+    start = text.skip_blanks()
+    items = parse_items(text, 0, _signed_axis)
+    return Bracket(text.span(start, text.pos), items)
+
+
+def _signed_axis(text: BlockText, depth: int) -> Item:
+    match = text.match(_SIGNED_AXIS)
+    if match is None:
+        return parse_item(text, depth)
+    return Keyword(text.span(match.start(1), match.end(2)), match[1].upper() + match[2])
+
+
 def _components(text: BlockText) -> Argument:
     """Return values in brackets by position (``#CS``); an empty position is 0."""
     if text.looking_at(OPENING) is None:
@@ -145,6 +180,28 @@ def _components(text: BlockText) -> Argument:
     return Bracket(text.span(start, text.pos), tuple(items))
 
 
+def _tolerances(text: BlockText) -> Argument:
+    """Return keywords whose value may follow without ``=`` (``#HSC``)."""
+    if text.looking_at(OPENING) is None:
+        return _argument(text)
+    start = text.skip_blanks()
+    items = parse_items(text, 0, _tolerance_item)
+    return Bracket(text.span(start, text.pos), items)
+
+
+def _tolerance_item(text: BlockText, depth: int) -> Item:
+    item = parse_item(text, depth)
+    if not isinstance(item, Keyword) or item.value is not None:
+        return item
+    if len(item.arguments) == 1 and not isinstance(item.arguments[0], Keyword):
+        return Keyword(item.span, item.name, item.arguments[0])
+    if item.arguments or not starts_value(text):
+        return item
+    value = parse_item(text, depth)
+    assert not isinstance(value, Keyword)
+    return Keyword(item.span, item.name, value)
+
+
 def _argument(text: BlockText) -> Argument:
     if text.looking_at(OPENING) is not None:
         start = text.skip_blanks()
@@ -155,8 +212,14 @@ def _argument(text: BlockText) -> Argument:
 
 #: The readers of an argument of commands whose brackets have items of their own.
 _BRACKETS: dict[str, Callable[[BlockText], Argument]] = {
+    "AX": _axes,
+    "CALL": _axes,
     "CS": _components,
+    "HSC": _tolerances,
+    "PUT": _axes,
+    "SET": _axes,
     "SIGNAL": _signal,
+    "TLAX": _signed_axes,
     "WAIT": _signal,
 }
 

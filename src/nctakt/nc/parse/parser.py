@@ -15,7 +15,7 @@ from nctakt.base.diagnostics import Diagnostic, Span
 from nctakt.messages import Collector
 from nctakt.messages.nc_text import ONLY_DECLARATIONS_IN_VAR, PROGRAM_EMPTY, SECOND_MAIN_PROGRAM
 from nctakt.nc.parse.block_head import parse_head, parse_program_start
-from nctakt.nc.parse.block_words import parse_content
+from nctakt.nc.parse.block_words import begins_with_word, parse_content
 from nctakt.nc.parse.controls import control_line, hash_line
 from nctakt.nc.parse.declarations import parse_declaration, whole_declaration
 from nctakt.nc.parse.expressions import unreadable
@@ -144,7 +144,7 @@ def _block(text: BlockText, lexer: Lexer, structures: StructureStack) -> None:
                 return
         if first == "$":
             control_line(text, head, structures)
-        elif first == "#":
+        elif first == "#" and not begins_with_word(text):
             hash_line(text, head, structures)
         elif first == "%":
             _program_start(text, structures)

@@ -74,12 +74,12 @@ class HashCommand(Statement):
     arguments: tuple[Bracket | Keyword | Expression, ...]
 
 
-OffsetCommandName = Literal["PSET", "PRESET", "SUPPRESS OFFSETS"]
+OffsetCommandName = Literal["PSET", "PRESET", "SUPPRESS OFFSETS", "SCALE", "SCALE ON"]
 
 
 @dataclass(frozen=True, slots=True)
 class OffsetCommand(Statement):
-    """``#PSET X0``, ``#PRESET X0``, ``#SUPPRESS OFFSETS [ZERO] X0``.
+    """``#PSET X0``, ``#PRESET X0``, ``#SUPPRESS OFFSETS [ZERO] X0``, ``#SCALE ON X2``.
 
     ``name``: the words behind ``#``. ``kinds``: the items in brackets. ``words``: the rest.
     """

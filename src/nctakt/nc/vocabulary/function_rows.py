@@ -27,6 +27,7 @@ class Group(enum.Enum):
     FEED_ADAPTATION = "feed adaptation"
     PLANE = "plane"
     MIRROR = "mirror"
+    ROTATION = "rotation"
     TRANSITION = "transition"
     COMPENSATION = "compensation"
     ZERO_OFFSET = "zero offset"
@@ -40,10 +41,12 @@ class Group(enum.Enum):
     MASKING = "masking"
     ARC_CENTRE = "arc centre"
     CENTRE_CORRECTION = "centre correction"
+    SPLINE = "spline"
     CONTOURING = "contouring"
     EXACT_STOP = "exact stop"
-    AXIS_WEIGHTS = "weights of axes"
+    AXIS_VALUES = "values of axes"
     DECELERATION = "deceleration"
+    CORNER_DECELERATION = "deceleration at corners"
 
 
 class Form(enum.Enum):
@@ -56,8 +59,16 @@ class Form(enum.Enum):
     ZERO_OFFSET = "G159=2"
     RADIUS = "G163=5"
     SUBPROGRAM = "G80 [1, 2]"
+    CORNER = "G301 I5"
     AXIS_WEIGHTS = "G130 X100"
     WEIGHT = "G131=100"
+    MEASURING = "G100 X10"
+    AXIS_VALUES = "G101 X1"
+    MIRRORED_AXES = "G351 X-1"
+
+
+#: Forms that need axis words.
+WITH_AXES = frozenset((Form.AXIS_WEIGHTS, Form.AXIS_VALUES, Form.MEASURING, Form.MIRRORED_AXES))
 
 
 class Role(enum.Enum):
@@ -124,9 +135,9 @@ def refused(number: int, en: str, de: str, instead: Text = NOTHING_INSTEAD) -> G
     return replace(simulated(number, en, de), support=REFUSED, instead=instead)
 
 
-def simplified(number: int, en: str, de: str, how: Text) -> GFunction:
+def simplified(number: int, en: str, de: str, how: Text, *, plain: bool = True) -> GFunction:
     """Return the row of a function that no source settles; ``how``: what nctakt does, told once."""
-    return replace(simulated(number, en, de, plain=True), instead=how)
+    return replace(simulated(number, en, de, plain=plain), instead=how)
 
 
 def weight(number: int, en: str, de: str, *, accepted: bool = False) -> GFunction:
@@ -138,7 +149,13 @@ def weight(number: int, en: str, de: str, *, accepted: bool = False) -> GFunctio
 def axis_weights(number: int, en: str, de: str, *, accepted: bool = False) -> GFunction:
     """Return the row of a function whose axis words weight their axes in per cent."""
     row = weight(number, en, de, accepted=accepted)
-    return replace(row, form=Form.AXIS_WEIGHTS, group=Group.AXIS_WEIGHTS)
+    return replace(row, form=Form.AXIS_WEIGHTS, group=Group.AXIS_VALUES)
+
+
+def axis_values(number: int, en: str, de: str) -> GFunction:
+    """Return the row of a function whose axis words are values of its own, no targets."""
+    row = simulated(number, en, de, Form.AXIS_VALUES, plain=True)
+    return replace(row, group=Group.AXIS_VALUES)
 
 
 def neutral_weights(number: int, en: str, de: str) -> GFunction:

@@ -22,6 +22,7 @@ from nctakt.nc.vocabulary.function_rows import (
     MFunction,
     Role,
     accepted,
+    axis_values,
     axis_weights,
     by_number,
     group,
@@ -34,6 +35,7 @@ from nctakt.nc.vocabulary.function_rows import (
     subprograms,
     weight,
 )
+from nctakt.nc.vocabulary.simplifications import AKIMA_CURVE, AS_G900, CORNER_FEED, FEED_RAMP
 
 # --- numbers of the functions that are simulated -------------------------------------------------
 
@@ -46,6 +48,8 @@ TAPPING_FUNCTIONS = (TAPPING_BY_FEED, TAPPING, TAP_RETRACTION)
 THREADS = (THREAD_CUTTING, *TAPPING_FUNCTIONS)
 CENTRE_FEED, CONTOUR_FEED = 10, 11
 PLANE_XY, PLANE_ZX, PLANE_YZ = 17, 18, 19
+MIRRORING_OF_AXES = 351
+MIRRORED_BY_PLANE = {20: (), 21: (0,), 22: (1,), 23: (0, 1)}
 LINEAR_TRANSITIONS, CIRCULAR_TRANSITIONS = 25, 26
 COMPENSATION_OFF, COMPENSATION_LEFT, COMPENSATION_RIGHT = 40, 41, 42
 COMPENSATIONS = (COMPENSATION_LEFT, COMPENSATION_RIGHT)
@@ -54,18 +58,29 @@ DIAMETER_ON = 51
 ZERO_OFFSETS = (53, 54, 55, 56, 57, 58, 59)
 NUMBERED_ZERO_OFFSET = 159
 EXACT_STOP_ONCE, CONTOURING_ONCE = 60, 61
+FEED_STEPS, FEED_RAMPS = (8, 9), (193, 293)
+CORNER_DECELERATION = 13
 INCH, MILLIMETRES = 70, 71
+ROTATION_ON, ROTATION_OFF = 68, 69
+#: What ends mirroring and rotation, and what takes axis words for them.
+MAPS_OFF = (20, ROTATION_OFF)
+MAPS_BY_AXES = frozenset((MIRRORING_OF_AXES, ROTATION_ON))
+MAP_FUNCTIONS = MAPS_BY_AXES.union(MAPS_OFF, MIRRORED_BY_PLANE)
 ABSOLUTE, RELATIVE = 90, 91
 REFERENCE_OFFSET = 92
 CUTTING_SPEED, CONSTANT_SPEED, SPINDLE_LIMIT = 96, 97, 196
 INVERSE_TIME_FEED, FEED_PER_MINUTE, FEED_PER_REVOLUTION, FEED_SHARE = 93, 94, 95, 194
+HOMING, NEGATIVE_LIMIT, POSITIVE_LIMIT = 74, 98, 99
+MEASURING, MEASURING_CONTINUES, INTERRUPTIBLE = 100, 106, 310
+MEASURING_OFFSET_ON, MEASURING_OFFSET_OFF = 101, 102
 EDGE_BANDING_OFF, EDGE_BANDING = 107, 108
 APPROACH_DIRECT, APPROACH_INDIRECT = 138, 139
 APPROACH_PERPENDICULAR, APPROACH_INNER_CORNER, DEPART_WITHOUT_MOTION = 237, 238, 239
 MASKING_OFF, MASKING_ON = 140, 141
 ABSOLUTE_CENTRE, RELATIVE_CENTRE = 161, 162
-ARC_RADIUS = 163
-NO_OVERRIDE = 166
+ARC_RADIUS, NO_OVERRIDE = 163, 166
+SPLINE_OFF, SPLINE_ON = (150, 151)
+CHAMFER, ROUNDING = INSERTIONS = (301, 302)
 CONTOURING_OFF, CONTOURING_ON = 260, 261
 EXACT_STOP_OFF, EXACT_STOP_ON = 359, 360
 #: Weights in per cent: of named axes, of all axes.
@@ -80,13 +95,6 @@ RAPID_RAMP_WEIGHTS, RAPID_RAMP_WEIGHT = 232, 233
 CLOCKWISE, COUNTERCLOCKWISE, SPINDLE_STOP, SPINDLE_POSITION = 3, 4, 5, 19
 #: The M function that a program of the channel list may replace (P-CHAN-00118).
 TOOL_CHANGE = 6
-
-
-#: How a feed changes that is to be interpolated over a block.
-AT_ONCE = Text(
-    "the feed changes with the acceleration of the axes at the block's start",
-    "der Vorschub ändert sich am Satzanfang mit der Beschleunigung der Achsen",
-)
 
 #: All known G functions by number.
 G_FUNCTIONS: Mapping[int, GFunction] = by_number(
@@ -107,8 +115,11 @@ G_FUNCTIONS: Mapping[int, GFunction] = by_number(
         simulated(DWELL, "dwell", "Verweilzeit", Form.TIME),
         simulated(8, "acceleration at the block's start", "Beschleunigen am Satzanfang"),
         simulated(9, "deceleration at the block's end", "Bremsen am Satzende"),
-        accepted(12, "corner deceleration off", "Eckenverzögerung aus"),
-        refused(13, "corner deceleration on", "Eckenverzögerung ein"),
+    ),
+    group(
+        Group.CORNER_DECELERATION,
+        plain(12, "corner deceleration off", "Eckenverzögerung aus"),
+        simplified(13, "corner deceleration on", "Eckenverzögerung ein", CORNER_FEED, plain=False),
     ),
     group(
         Group.FEED_ADAPTATION,
@@ -123,11 +134,11 @@ G_FUNCTIONS: Mapping[int, GFunction] = by_number(
     ),
     group(
         Group.MIRROR,
-        accepted(20, "mirroring off", "Spiegeln aus"),
-        refused(21, "mirroring", "Spiegeln"),
-        refused(22, "mirroring", "Spiegeln"),
-        refused(23, "mirroring", "Spiegeln"),
-        refused(351, "mirroring of named axes", "Spiegeln genannter Achsen"),
+        plain(20, "mirroring off", "Spiegeln aus"),
+        simulated(21, "mirroring of the plane's first axis", "erste Achse der Ebene spiegeln"),
+        simulated(22, "mirroring of the plane's second axis", "zweite Achse der Ebene spiegeln"),
+        simulated(23, "mirroring of both axes of the plane", "beide Achsen der Ebene spiegeln"),
+        simulated(MIRRORING_OF_AXES, "mirroring of axes", "Achsen spiegeln", Form.MIRRORED_AXES),
     ),
     group(
         Group.TRANSITION,
@@ -195,10 +206,13 @@ G_FUNCTIONS: Mapping[int, GFunction] = by_number(
         plain(MILLIMETRES, "lengths in mm", "Längen in mm"),
     ),
     group(
+        Group.ROTATION,
+        simulated(ROTATION_ON, "rotation of the contour", "Konturdrehung"),
+        plain(ROTATION_OFF, "rotation of the contour off", "Konturdrehung aus"),
+    ),
+    group(
         None,
-        refused(68, "rotation in the plane", "Drehung in der Ebene"),
-        refused(69, "rotation off", "Drehung aus"),
-        refused(74, "homing", "Referenzfahrt"),
+        axis_values(HOMING, "homing", "Referenzpunktfahrt"),
     ),
     subprograms(80, 89),
     group(
@@ -228,12 +242,12 @@ G_FUNCTIONS: Mapping[int, GFunction] = by_number(
     ),
     group(
         None,
-        refused(98, "negative software limit", "negativer Software-Endschalter"),
-        refused(99, "positive software limit", "positiver Software-Endschalter"),
-        refused(100, "measuring", "Messen"),
-        refused(101, "measuring offsets included", "Messversatz einrechnen"),
-        refused(102, "measuring offsets taken out", "Messversatz herausrechnen"),
-        refused(106, "measuring on the way to a target", "Messen auf dem Weg zum Ziel"),
+        axis_values(NEGATIVE_LIMIT, "negative software limit", "negativer Software-Endschalter"),
+        axis_values(POSITIVE_LIMIT, "positive software limit", "positiver Software-Endschalter"),
+        simulated(MEASURING, "measuring", "Messen", Form.MEASURING),
+        axis_values(MEASURING_OFFSET_ON, "measuring offset on", "Messversatz einrechnen"),
+        axis_values(MEASURING_OFFSET_OFF, "measuring offset off", "Messversatz herausrechnen"),
+        simulated(MEASURING_CONTINUES, "on after measuring", "Weiterfahrt nach dem Messen"),
     ),
     group(
         Group.EDGE_BANDING,
@@ -323,19 +337,18 @@ G_FUNCTIONS: Mapping[int, GFunction] = by_number(
         plain(MASKING_ON, "contour masking on", "Konturausblendung ein"),
     ),
     group(
+        Group.SPLINE,
+        plain(SPLINE_OFF, "spline off", "Spline aus"),
+        simplified(SPLINE_ON, "spline on", "Spline ein", AKIMA_CURVE, plain=False),
+    ),
+    group(
         None,
-        accepted(150, "spline off", "Spline aus"),
-        refused(151, "spline on", "Spline ein"),
         refused(160, "zero offset of named axes", "Nullpunktverschiebung genannter Achsen"),
     ),
     group(
         Group.ARC_CENTRE,
         plain(ABSOLUTE_CENTRE, "absolute centres of arcs", "Kreismittelpunkte absolut"),
         plain(RELATIVE_CENTRE, "relative centres of arcs", "Kreismittelpunkte relativ"),
-    ),
-    group(
-        None,
-        simulated(ARC_RADIUS, "radius of arcs, as R", "Radius von Kreisen, wie R", Form.RADIUS),
     ),
     group(
         Group.CENTRE_CORRECTION,
@@ -348,9 +361,10 @@ G_FUNCTIONS: Mapping[int, GFunction] = by_number(
     ),
     group(
         None,
+        simulated(ARC_RADIUS, "radius of arcs, as R", "Radius von Kreisen, wie R", Form.RADIUS),
         simulated(NO_OVERRIDE, "override 100 % for this block", "Override 100 % für diesen Satz"),
         accepted(167, "spindle override 100 %", "Spindel-Override 100 %"),
-        simplified(193, "feed linear over the way", "Vorschub linear über dem Weg", AT_ONCE),
+        simplified(193, "feed linear over the way", "Vorschub linear über dem Weg", FEED_RAMP),
         simulated(SPINDLE_LIMIT, "highest spindle speed of G96", "höchste Drehzahl zu G96"),
         refused(200, "manual mode", "Handbetrieb"),
         refused(201, "manual mode beside the path", "Handbetrieb neben der Bahn"),
@@ -373,10 +387,10 @@ G_FUNCTIONS: Mapping[int, GFunction] = by_number(
         weight(
             RAPID_RAMP_WEIGHT, "weight of ramp times, rapid", "Gewichtung der Eilgang-Rampenzeiten"
         ),
-        simplified(293, "feed linear over time", "Vorschub linear über der Zeit", AT_ONCE),
-        refused(301, "chamfer", "Fase"),
-        refused(302, "rounding", "Rundung"),
-        refused(310, "interruptible block", "unterbrechbarer Satz"),
+        simplified(293, "feed linear over time", "Vorschub linear über der Zeit", FEED_RAMP),
+        simulated(CHAMFER, "chamfer", "Fase", Form.CORNER),
+        simulated(ROUNDING, "rounding", "Rundung", Form.CORNER),
+        simulated(INTERRUPTIBLE, "interruptible block", "unterbrechbarer Satz", Form.MEASURING),
         axis_weights(333, "weight of an axis' feed hold", "Achse bei Vorschubhalt", accepted=True),
         weight(334, "weight of feed hold", "Bremsen bei Vorschubhalt", accepted=True),
         axis_weights(338, "weight of an axis' hold ramp", "Achsrampe, Vorschubhalt", accepted=True),
@@ -397,27 +411,14 @@ G_FUNCTIONS: Mapping[int, GFunction] = by_number(
         Group.DECELERATION,
         plain(900, "deceleration in front of the block's end", "Bremsen vor dem Satzende"),
         simplified(
-            901,
-            "deceleration behind the block's end",
-            "Bremsen hinter dem Satzende",
-            Text(
-                "the path brakes in front of the block's end, as with G900",
-                "die Bahn bremst wie bei G900 vor dem Satzende",
-            ),
+            901, "deceleration behind the block's end", "Bremsen hinter dem Satzende", AS_G900
         ),
     ),
 )
 
 _M_ROWS = (
-    m_function(
-        0, "programmed stop, until START", "programmierter Halt, bis START", Role.PROGRAM_STOP
-    ),
-    m_function(
-        1,
-        "optional stop, with HLI.OPTIONAL_STOP",
-        "wahlweiser Halt, mit HLI.OPTIONAL_STOP",
-        Role.OPTIONAL_STOP,
-    ),
+    m_function(0, "stop until START", "Halt bis START", Role.PROGRAM_STOP),
+    m_function(1, "stop if HLI.OPTIONAL_STOP", "Halt bei HLI.OPTIONAL_STOP", Role.OPTIONAL_STOP),
     m_function(2, "program end", "Programmende", Role.PROGRAM_END),
     m_function(CLOCKWISE, "spindle clockwise", "Spindel im Uhrzeigersinn", Role.SPINDLE),
     m_function(
@@ -462,6 +463,8 @@ def _of_role(*roles: Role) -> tuple[int, ...]:
 AXIS_WEIGHTS = frozenset(
     row.number for row in G_FUNCTIONS.values() if row.form is Form.AXIS_WEIGHTS
 )
+#: Other functions whose axis words are no targets.
+AXIS_VALUES = frozenset(row.number for row in G_FUNCTIONS.values() if row.form is Form.AXIS_VALUES)
 #: G functions whose value is a weight of all axes.
 WEIGHTS = frozenset(row.number for row in G_FUNCTIONS.values() if row.form is Form.WEIGHT)
 

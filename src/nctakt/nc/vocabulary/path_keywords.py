@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The keywords of ``#SLOPE``, ``#CONTOUR MODE`` and ``#VECTOR LIMIT``."""
+"""The keywords of ``#SLOPE``, ``#CONTOUR MODE``, ``#VECTOR LIMIT`` and ``#HSC``."""
 
 from __future__ import annotations
 
@@ -11,10 +11,14 @@ CONTOUR_MODES = {
     "DEV": ("PATH_DEV",),
     "DIST": ("PRE_DIST", "POST_DIST"),
     "DIST_SOFT": ("PATH_DIST",),
+    "DIST_MASTER": ("SYM_DIST",),
+    "POS": ("PRE_DIST", "POST_DIST"),
     "PTP": ("PATH_DEV", "PATH_DIST"),
 }
 #: When M and H functions of a rounded corner act.
 ACTIONS = ("PRE_ACTION", "INTER_ACTION", "POST_ACTION")
+#: Keywords of ``#CONTOUR MODE`` from 0 up to a highest value, in per cent and degrees.
+CONTOUR_SHARES = {"REMAIN_PART": 100.0, "MAX_ANGLE": 180.0}
 #: Further keywords of ``#CONTOUR MODE`` with a number.
 CONTOUR_NUMBERS = (
     "REMAIN_PART",
@@ -35,3 +39,19 @@ CONTOUR_NUMBERS = (
 #: The limits of ``#VECTOR LIMIT``, and the blocks that they may be for.
 VECTOR_LIMITS = ("VEL", "ACC", "DEC", "JERK", "RADIAL_ACC", "RADIAL_JERK", "TRANS_ACC")
 VECTOR_BLOCKS = ("FEED", "RAPID")
+
+#: The curves of ``#HSC`` with a name, keywords of the one without (OPMODE), all with a number.
+HSC_CURVES = ("BSPLINE", "SURFACE")
+HSC_MODES = ("OPMODE", "CONTERROR")
+HSC_NUMBERS = (
+    "PATH_DEV",
+    "TRACK_DEV",
+    "MERGE",
+    "AUTO_OFF_PATH",
+    "AUTO_OFF_TRACK",
+    "AUTO_OFF_G00",
+    "AUTO_OFF_G60",
+    "MAX_PATH_LENGTH",
+    "MAX_ANGLE",
+    *HSC_MODES,
+)

@@ -12,8 +12,9 @@ from types import MappingProxyType
 
 from nctakt.base.text import close_names
 from nctakt.lists.declared.technology_functions import TechnologyFunction
+from nctakt.nc.tree import Variable
 from nctakt.nc.vocabulary.commands import COMMANDS, CONTROLS, FORMS, VARIABLES
-from nctakt.nc.vocabulary.entries import SIMULATED, Entry, Kind
+from nctakt.nc.vocabulary.entries import SIMULATED, Entry, Kind, Support
 from nctakt.nc.vocabulary.function_rows import GFunction
 from nctakt.nc.vocabulary.functions import G_FUNCTIONS, M_FUNCTIONS
 from nctakt.nc.vocabulary.operators import FUNCTIONS
@@ -83,6 +84,15 @@ def hash_command(words: Sequence[str]) -> Entry | None:
 def variable_family(family: str) -> Entry | None:
     """Return the entry of a family of variables: ``E``, ``RTG``; ``P`` stands for V.P.NAME."""
     return VARIABLES.get(f"V.{family}")
+
+
+def variable(written: Variable) -> Entry | None:
+    """Return the entry of a variable that is refused by its first name, else of its family."""
+    names = [part.name for part in written.parts[:1]]
+    entry = VARIABLES.get(".".join(("V", written.family, *names)))
+    if entry is not None and entry.support is Support.REFUSED:
+        return entry
+    return variable_family(written.family)
 
 
 def expression_function(name: str) -> Entry | None:

@@ -11,18 +11,24 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Literal, NamedTuple
 
+from nctakt.lists.machine.universal_kinematic import BASE, ENTRIES, PARAMETER
 from nctakt.nc.tree import Expression, Part, Variable
 from nctakt.nc.vocabulary.resolution import is_program_variable
 from nctakt.nc.vocabulary.spindle_variables import SPINDLE_BY_PATH, SPINDLE_FAMILIES
 from nctakt.nc.vocabulary.system_names import BY_PATH
 
-SYSTEM_FAMILIES = ("G", "A", *SPINDLE_FAMILIES)
+SYSTEM_FAMILIES = ("G", "A", "TOOL", "TLM", *SPINDLE_FAMILIES)
 
 #: Timers of the main program: IDs 0 … 127.
 TIMERS = 128
 
+#: The ID of a tool.
+_IDENTITY = ("BASIC", "SISTER", "VARIANT", "SISTER_VALID", "VARIANT_VALID")
 #: Single values of a tool: radius, length, validity, cutting edge, spindle, kinematic.
-_TOOL_VALUES = ("R", "L", "OK", "SRK_ID", "SPDL_AX_NR", "KIN_ID")
+_TOOL_VALUES = ("R", "L", "OK", "SRK_ID", "SPDL_AX_NR", "KIN_ID", "TYPE", "ME", *_IDENTITY)
+_WRITABLE_TOOL_VALUES = ("R", "L", "OK", "SRK_ID", "SPDL_AX_NR", "KIN_ID")
+#: Factors of the acquisition of tool life.
+_LIFE_FACTORS = ("TIME_FACT", "DIST_FACT")
 
 
 class SystemVariable(NamedTuple):
@@ -32,21 +38,23 @@ class SystemVariable(NamedTuple):
     ``number``: of a timer or kinematic, or of a tool or zero offset other than the active one;
     ``element``: of a parameter, axis or spindle, ``axis``: the axis or spindle if it is named
     instead. ``is_writable``: programs may assign to it. ``waits``: reading it empties the channel
-    first.
+    first. ``further``: the indices of a number of a kinematic.
     """
 
-    kind: Literal["timer", "tool", "axis", "channel", "spindle", "kinematic"]
+    kind: Literal["timer", "tool", "tool life", "axis", "channel", "spindle", "kinematic"]
     subject: str = ""
     number: Expression | None = None
     element: Expression | None = None
     axis: str = ""
     is_writable: bool = False
     waits: bool = False
+    further: tuple[Expression, ...] = ()
 
     @property
     def indices(self) -> list[Expression]:
         """The index expressions to evaluate."""
-        return [index for index in (self.number, self.element) if index is not None]
+        named = [index for index in (self.number, self.element) if index is not None]
+        return [*named, *self.further]
 
 
 def system_variable(variable: Variable, axes: Sequence[str]) -> SystemVariable | None:
@@ -57,9 +65,18 @@ def system_variable(variable: Variable, axes: Sequence[str]) -> SystemVariable |
         return SystemVariable("timer", "", indices[0])
     if not variable.parts:
         return None
+    if variable.family in ("TOOL", "TLM"):
+        return None if indices or len(names) != 1 else _of_tool_data(variable.family, names[0])
     if variable.family in SPINDLE_FAMILIES:
         return _of_spindles(variable)
     return _of_row(variable, axes) or _of_kinematic(variable) or _of_tools(variable, axes)
+
+
+def _of_tool_data(family: str, name: str) -> SystemVariable | None:
+    """Return the meaning of ``V.TOOL.BASIC``, ``V.TLM.TIME_FACT``."""
+    if family == "TOOL":
+        return SystemVariable("tool", name) if name in _IDENTITY else None
+    return SystemVariable("tool life", name, is_writable=True) if name in _LIFE_FACTORS else None
 
 
 def _of_spindles(variable: Variable) -> SystemVariable | None:
@@ -91,7 +108,12 @@ def _of_row(variable: Variable, axes: Sequence[str]) -> SystemVariable | None:
     row = BY_PATH.get(
         (variable.family, "NP[1].V" if number is not None and path == "NP.V" else path)
     )
-    if row is None or row.has_axis != bool(axis or element is not None):
+    has_element = axis or element is not None
+    if (
+        row is None
+        or (row.has_axis or row.elements > 0) != bool(has_element)
+        or (row.elements and axis)
+    ):
         return None
     if (number is not None) != (row.path == "NP[1].V"):
         return None
@@ -105,19 +127,21 @@ def _without(part: Part) -> Part:
 
 
 def _of_kinematic(variable: Variable) -> SystemVariable | None:
-    """Return the meaning of ``KIN[9].PARAM[0]``."""
-    if variable.family != "G" or [part.name for part in variable.parts] != ["KIN", "PARAM"]:
+    """Return the meaning of ``KIN[9].PARAM[0]``, ``KIN[91].AXIS[3].POINT[2]``."""
+    first, rest = variable.parts[0], variable.parts[1:]
+    if variable.family != "G" or first.name != "KIN" or len(first.indices) != 1:
         return None
-    indices = [part.indices for part in variable.parts]
-    if any(len(index) != 1 for index in indices):
+    path = ".".join(part.name.lower() + "[]" * len(part.indices) for part in rest)
+    if path not in (PARAMETER, BASE) and path not in ENTRIES:
         return None
-    return SystemVariable("kinematic", "PARAM", indices[0][0], indices[1][0], is_writable=True)
+    indices = tuple(index for part in rest for index in part.indices)
+    return SystemVariable("kinematic", path, first.indices[0], further=indices, is_writable=True)
 
 
 def _of_tools(variable: Variable, axes: Sequence[str]) -> SystemVariable | None:
     """Return the meaning of ``WZ_AKT.R``, ``WZ[5].V.X``, ``WZR``, ``T_AKT``, ``D_AKT``.
 
-    ``WZ_AKT.KIN_PARAM[0]`` may be written, too.
+    Type, unit and ID of a tool are read only.
     """
     if variable.family != "G":
         return None
@@ -135,15 +159,25 @@ def _of_tools(variable: Variable, axes: Sequence[str]) -> SystemVariable | None:
     names = [part.name for part in rest]
     indices = [index for part in rest for index in part.indices]
     if len(names) == 1 and names[0] in _TOOL_VALUES and not indices:
-        is_writable = number is None and names[0] in ("R", "L")
+        is_writable = names[0] in _WRITABLE_TOOL_VALUES
         return SystemVariable("tool", names[0], number, is_writable=is_writable)
-    if names == ["KIN_PARAM"] and len(indices) == 1:
-        return SystemVariable("tool", names[0], number, indices[0], is_writable=number is None)
-    if len(names) == 1 and names[0] in ("V", "P") and len(indices) == 1:
-        return SystemVariable("tool", names[0], number, indices[0])
+    if len(names) == 1 and names[0] in ("KIN_PARAM", "V", "P") and len(indices) == 1:
+        return SystemVariable("tool", names[0], number, indices[0], is_writable=True)
     if len(names) == 2 and names[0] == "V" and names[1] in axes and not indices:
-        return SystemVariable("tool", "V", number, axis=names[1])
+        return SystemVariable("tool", "V", number, axis=names[1], is_writable=True)
     return None
+
+
+def is_whole_offset(variable: Variable) -> bool:
+    """Return whether the variable is a zero offset of all axes: ``V.G.NP[1].ALL``, ``NP_AKT.ALL``.
+
+    They are copied as a whole only, one to the other.
+    """
+    if variable.family != "G" or [part.name for part in variable.parts[1:]] != ["ALL"]:
+        return False
+    first, last = variable.parts
+    count = {"NP": 1, "NP_AKT": 0}.get(first.name)
+    return len(first.indices) == count and not last.indices
 
 
 def is_decoder_data(variable: Variable) -> bool:

@@ -9,6 +9,7 @@ when a program is checked or decoded; the tick knows only cells. Realtime variab
 
 from __future__ import annotations
 
+import copy
 import enum
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -115,6 +116,7 @@ class ChannelNames:
     ``linear``: numbers of axes whose positions are lengths; ``spindles``: names; ``modulo``:
     numbers of modulo axes; ``single``: numbers of axes that may move independently (P-AXIS-00457).
     ``ranges``: number of an axis -> its software limits or modulo range; infinite where missing.
+    ``logical``: logical numbers of the axes that the channel can fetch -> numbers in the machine.
     """
 
     axes: tuple[tuple[str, int], ...]
@@ -125,6 +127,7 @@ class ChannelNames:
     modulo: frozenset[int] = frozenset()
     single: frozenset[int] = frozenset()
     ranges: Mapping[int, tuple[float, float]] = field(default_factory=dict)
+    logical: Mapping[int, int] = field(default_factory=dict)
 
 
 def _row_cells(rows: Sequence[RealtimeVariable]) -> int:
@@ -201,19 +204,14 @@ class NameTable:
     def __init__(self, layout: Layout, index: int, channel: ChannelNames) -> None:
         self._layout = layout
         self._index = index
+        self._channel = channel
+        self._is_shared = True
         self._axes = dict(channel.axes)
+        #: Names of axes that a program fetches, with their logical numbers if these are known.
+        self.fetched: dict[str, int | None] = {}
         self._linear = channel.linear
         self.spindles = channel.spindles
-        self._axis_traits = {
-            name: AxisTraits(
-                number,
-                number in channel.linear,
-                number in channel.modulo,
-                number in channel.single,
-                *channel.ranges.get(number, (-inf, inf)),
-            )
-            for name, number in channel.axes
-        }
+        self._axis_traits = {name: self._traits(number) for name, number in channel.axes}
         self._variables: dict[str, dict[str, tuple[Node, int]]] = {"E": {}, "CH": {}}
         for variable in channel.external:
             cell = layout.allocate(variable)
@@ -225,6 +223,53 @@ class NameTable:
         self._locations: dict[tuple[object, ...], Location | NotFound] = {}
         self._rtg = _offsets(CHANNEL_VARIABLES)
         self._rta = _offsets(AXIS_VARIABLES)
+
+    def _traits(self, number: int) -> AxisTraits:
+        channel = self._channel
+        return AxisTraits(
+            number,
+            number in channel.linear,
+            number in channel.modulo,
+            number in channel.single,
+            *channel.ranges.get(number, (-inf, inf)),
+        )
+
+    def own_table(self) -> NameTable:
+        """Return a table that may learn names of axes: a copy of one that others use, too."""
+        if not self._is_shared:
+            return self
+        table = copy.copy(self)
+        table._is_shared = False
+        table.fetched = {}
+        return table
+
+    def own_copy(self) -> NameTable:
+        """Return a copy with the same names, which may learn others."""
+        table = copy.copy(self)
+        table.fetched = dict(self.fetched)
+        return table
+
+    def learn_axis(self, name: str, number: int | None) -> None:
+        """Let a name stand for the axis with a logical number, ``None`` for one not known yet.
+
+        Names that the table has stay what they are.
+        """
+        if name in self._axes or (name in self.fetched and number is None):
+            return
+        self.fetched[name] = number
+        if number is not None and number in self._channel.logical:
+            self.place_axis(name, self._channel.logical[number])
+
+    def can_fetch(self, number: int) -> bool:
+        """Return whether the channel can have the axis with a logical number."""
+        return number in self._channel.logical
+
+    def place_axis(self, name: str, number: int) -> None:
+        """Let a name stand for an axis of the machine from here on."""
+        if self._axes.get(name) != number:
+            self._axes = {**self._axes, name: number}
+            self._axis_traits = {**self._axis_traits, name: self._traits(number)}
+            self._locations = {}
 
     def axis(self, name: str) -> AxisTraits | None:
         """Return the traits of an axis of the channel; ``None`` for any other name."""

@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: MIT
+"""``#TOOL DATA``, ``#TOOL PREP``, ``#TOOL REFRESH``: D and T for tools with an ID; ``#TLAX``."""
+
+from __future__ import annotations
+
+from collections.abc import Generator
+
+from nctakt.decoder.blocks.block_decoder import BlockDecoder
+from nctakt.decoder.blocks.technology_output import tool_function
+from nctakt.decoder.state.commands import Answer, Command, Flush
+from nctakt.decoder.values.variables import Values
+from nctakt.nc import tree
+from nctakt.nc.check.tools import numbers_of, signed_axis
+
+
+class ToolCommands:
+    """Decodes these commands for one program."""
+
+    def __init__(self, values: Values, blocks: BlockDecoder) -> None:
+        self._blocks = blocks
+        self._values = values
+        self._environment = values.environment
+
+    def length_axis(self, command: tree.HashCommand, number: int) -> Generator[Command, Answer]:
+        """Execute ``#TLAX [Z-]`` or ``#TLAX DEFAULT``; it moves nothing by itself."""
+        signed, axis = signed_axis(command), None
+        if signed is not None:
+            axis = self._environment.axis_numbers[signed[0]], signed[1]
+        self._values.state.tool.length_axis = axis
+        yield from self._values.tool.offsets(command.span, number)
+
+    def command(self, command: tree.HashCommand, number: int) -> Generator[Command, Answer]:
+        """Execute one of these commands."""
+        name = command.words[1].name
+        tool, span = self._values.tool, command.span
+        if name == "REFRESH":
+            tool.refresh(span)
+            yield from self._blocks.change_tool(span, number)
+            return
+        numbers = []
+        for expression in numbers_of(command) or ():
+            numbers.append((yield from self._values.evaluate(expression, number)))
+        identity = tool.identity(numbers, f"#TOOL {name}", span)
+        selection = self._environment.parameters.tool_selection
+        if name == "PREP":
+            tool.prepare(identity, span)
+            yield from self._blocks.tools.flush_before_t(span, number)
+            if selection.output is not None:
+                function = tool_function(self._values, span, identity[0], selection.output, number)
+                yield function.output
+                yield function.wait
+            if not selection.by_t:
+                return
+        if selection.flushes:
+            self._values.check_flush_allowed(f"#TOOL {name}", span)
+            yield Flush(self._environment.source_id(span), number, True)
+        tool.select_identity(identity, f"#TOOL {name}", span)
+        yield from self._blocks.change_tool(span, number)

@@ -1,0 +1,263 @@
+# SPDX-License-Identifier: MIT
+"""``#CALL AX``, ``#PUT AX``, ``#SET AX``, ``#AX REQUEST``, ``#AX RELEASE``, ``#AX DEF``, ``#CAX``.
+
+In: checked nodes. Out: position requests and ``ExchangeAxes`` commands; from their answers on the
+decoder has other axes. A channel first gives axes and then takes others, all of them at once, so
+that two channels can swap axes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Generator
+
+from nctakt.base.diagnostics import Span, Text
+from nctakt.decoder.axis_limits import set_limits
+from nctakt.decoder.flow.c_axis import CAxisCommands
+from nctakt.decoder.state.axis_places import (
+    AxisNotInChannelError,
+    AxisPlace,
+    ExchangeAxes,
+    Places,
+    indices_of,
+    trimmed,
+)
+from nctakt.decoder.state.commands import Answer, Command, PositionRequest
+from nctakt.decoder.values.variables import Values
+from nctakt.messages.axis_exchange import (
+    AXIS_NOT_IN_CHANNEL,
+    AXIS_OF_SPINDLE,
+    AXIS_TWICE,
+    EXCHANGE_IN_SEARCH,
+    EXCHANGE_UNDER_TRANSFORMATION,
+    INVALID_AXIS_PLACE,
+    UNKNOWN_AXIS_NUMBER,
+)
+from nctakt.nc import tree
+from nctakt.nc.check.axis_exchange import GIVING, ExchangeCommand, FetchedAxis, exchange_command
+from nctakt.nc.check.c_axis import is_c_axis
+
+Decoded = Generator[Command, Answer]
+
+
+class AxisExchange:
+    """Decodes these commands for one program; ``adapt`` is called when the axes are others."""
+
+    def __init__(self, values: Values, adapt: Callable[[], None]) -> None:
+        self._values = values
+        self._environment = values.environment
+        self._places = values.environment.places
+        self._c_axis = CAxisCommands(values)
+        self._adapt = adapt
+
+    def run(
+        self,
+        commands: Decoded,
+        members: list[int],
+        current: Callable[[], tree.Statement | None],
+    ) -> Decoded:
+        """Run a program with the axes of its list; ``current`` returns the statement at work."""
+        try:
+            yield from self._restore(members)
+            yield from commands
+        except AxisNotInChannelError as error:
+            statement = current()
+            assert statement is not None
+            self._refuse(error.name, statement)
+
+    def _restore(self, members: list[int]) -> Decoded:
+        """Give and take until the channel has the axes of its list; ``members``: those it has."""
+        places = self._places
+        own = places.members(places.listed)
+        if members == own:
+            return
+        yield ExchangeAxes(0, 0, tuple(i for i in own if i in members and places.holder(i)), ())
+        answer = yield ExchangeAxes(0, 0, tuple(own), tuple(i for i in own if i not in members))
+        assert isinstance(answer, tuple)
+        self._values.state.positions = list(answer)
+
+    def command(self, command: tree.HashCommand, number: int) -> Decoded:
+        """Execute one of the commands."""
+        name, target = "#CAX", self._places.present
+        if is_c_axis(command):
+            target = yield from self._c_axis.target(command, number)
+            if target == self._places.present:
+                return
+        else:
+            parsed = exchange_command(command)
+            assert parsed is not None
+            name = f"#{parsed.action}"
+            decode = self._without if parsed.action in GIVING else self._with
+            target = yield from decode(parsed, number)
+        self._check(name, target, command.span)
+        self._values.check_flush_allowed(name, command.span)
+        yield from self._change(target, command.span, number)
+
+    # --- the axes that a command asks for -------------------------------------------------------
+
+    def _without(self, parsed: ExchangeCommand, number: int) -> Generator[Command, Answer, Places]:
+        """Return the present places without the axes that a command gives."""
+        numbers = []
+        for expression in parsed.numbers:
+            numbers.append((yield from self._values.evaluate(expression, number)))
+        present = self._places.present
+        if parsed.is_all:
+            return ()
+        return trimmed(
+            [
+                None
+                if slot is None
+                or slot.name in parsed.names
+                or self._places.logical(slot.index) in numbers
+                else slot
+                for slot in present
+            ]
+        )
+
+    def _with(self, parsed: ExchangeCommand, number: int) -> Generator[Command, Answer, Places]:
+        """Return the places with the axes that a command fetches."""
+        places: list[AxisPlace | None] = []
+        if parsed.keeps_others:
+            places = list(self._places.present)
+        elif parsed.from_default:
+            places = list(self._places.listed)
+        fetched = []
+        for axis in parsed.fetched:
+            fetched.append((axis, *(yield from self._axis(axis, number))))
+        if not parsed.keeps_others:
+            moved = {index for _, index, _ in fetched}
+            places = [None if one is None or one.index in moved else one for one in places]
+        for axis, index, position in fetched:
+            self._put(places, axis, AxisPlace(axis.name, index), position)
+        return trimmed(places)
+
+    def _axis(self, axis: FetchedAxis, number: int) -> Generator[Command, Answer, tuple[int, int]]:
+        """Return number in the machine and place of an axis to be fetched."""
+        places = self._places
+        value = yield from self._values.evaluate(axis.number, number)
+        if value in places.spindles:
+            spindle, channel = places.spindles[int(value)]
+            self._values.fail(
+                AXIS_OF_SPINDLE,
+                axis.number.span,
+                value=int(value),
+                spindle=spindle,
+                channel=channel,
+            )
+        if value not in places.by_number:
+            known = ", ".join(map(str, sorted(places.by_number)))
+            self._values.fail(UNKNOWN_AXIS_NUMBER, axis.number.span, value=value, numbers=known)
+        slot = yield from self._values.evaluate(axis.slot, number)
+        if not 0 <= slot < places.room or slot != int(slot):
+            highest = places.room - 1
+            self._values.fail(INVALID_AXIS_PLACE, axis.slot.span, value=slot, highest=highest)
+        return places.by_number[int(value)], int(slot)
+
+    def _put(
+        self, places: list[AxisPlace | None], axis: FetchedAxis, new: AxisPlace, position: int
+    ) -> None:
+        """Put an axis at its place; nothing happens if the channel has it there or elsewhere."""
+        if new in places:
+            return
+        for slot, other in enumerate(places):
+            if other is None:
+                continue
+            same: object = None
+            if other.index == new.index:
+                same = Text(f"number {self._logical(new)}", f"die Nummer {self._logical(new)}")
+            elif other.name == new.name:
+                same = Text(f"the name {new.name}", f"der Name {new.name}")
+            elif slot == position:
+                same = Text(f"index {position}", f"der Index {position}")
+            if same is not None:
+                self._values.fail(
+                    AXIS_TWICE,
+                    axis.span,
+                    what=same,
+                    first=self._logical(other),
+                    second=self._logical(new),
+                )
+        places += [None] * (position + 1 - len(places))
+        places[position] = new
+
+    def _logical(self, slot: AxisPlace) -> int:
+        return self._places.logical(slot.index)
+
+    def _check(self, name: str, target: Places, span: Span) -> None:
+        """Refuse an exchange while a system or a transformation is active."""
+        offsets = self._environment.offsets
+        if self._values.state.is_searching:
+            self._values.fail(EXCHANGE_IN_SEARCH, span, command=name)
+        if target != self._places.present and (
+            offsets.systems.is_active
+            or offsets.transformation.is_active
+            or self._values.state.frame.is_active
+        ):
+            self._values.fail(EXCHANGE_UNDER_TRANSFORMATION, span, command=name)
+
+    # --- the exchange ---------------------------------------------------------------------------
+
+    def _change(self, target: Places, span: Span, number: int) -> Decoded:
+        """Let path and axes stand, give the axes that go, then take those that come."""
+        places = self._places
+        source = self._environment.source_id(span)
+        before = places.present
+        own_indices = {slot.index for slot in before if slot is not None}
+        target_indices = {slot.index for slot in target if slot is not None}
+        answer = yield PositionRequest(source, number, tuple(sorted(own_indices)))
+        assert isinstance(answer, tuple)
+        self._values.state.positions = list(answer)
+        if target == before:
+            return
+        if own_indices - target_indices and target_indices - own_indices:
+            kept = trimmed(
+                [None if one is None or one.index not in target_indices else one for one in before]
+            )
+            answer = yield ExchangeAxes(source, number, tuple(places.members(kept)), ())
+        awaited = tuple(sorted(target_indices - own_indices))
+        answer = yield ExchangeAxes(source, number, tuple(places.members(target)), awaited)
+        assert isinstance(answer, tuple)
+        self._take(target, answer)
+        state = self._values.state
+        if state.limits.is_reduced:
+            yield set_limits(self._environment.axes, state.limits, source, number)
+
+    def _take(self, target: Places, positions: tuple[float, ...]) -> None:
+        """Let the decoder have other axes."""
+        environment, state = self._environment, self._values.state
+        before = self._places.present
+        self._places.present = target
+        environment.axis_numbers = indices_of(target)
+        environment.axes = tuple(map(self._places.axis_of, target))
+        environment.offsets.exchange(self._places.own_axes(target))
+        for slot in target:
+            if slot is not None:
+                environment.names.place_axis(slot.name, slot.index)
+        state.positions = list(positions)
+        moved = {
+            old: new
+            for old, slot in enumerate(before)
+            for new, other in enumerate(target)
+            if slot is not None and other is not None and slot.index == other.index
+        }
+        state.limits.weights = {
+            moved[slot]: weights for slot, weights in state.limits.weights.items() if slot in moved
+        }
+        state.feed.axis_overrides = {
+            moved[slot]: override
+            for slot, override in state.feed.axis_overrides.items()
+            if slot in moved
+        }
+        if state.feed.group is not None:
+            state.feed.group = state.feed.group.after_exchange(moved)
+        self._adapt()
+
+    def _refuse(self, name: str, statement: tree.Statement) -> None:
+        """Fail because a statement names an axis that the channel does not have."""
+        words = getattr(statement, "words", ())
+        span = next((word.span for word in words if word.name == name), statement.span)
+        index = self._environment.names.axis(name)
+        channel = 0 if index is None else self._places.holder(index.number)
+        holder = Text("no channel has it", "kein Kanal hat sie")
+        if channel:
+            holder = Text(f"channel {channel} has it", f"Kanal {channel} hat sie")
+        self._values.fail(AXIS_NOT_IN_CHANNEL, span, axis=name, holder=holder)

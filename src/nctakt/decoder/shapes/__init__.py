@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: MIT
+"""Motions that follow from several blocks: chamfers, roundings, splines."""

@@ -1,0 +1,24 @@
+# SPDX-License-Identifier: MIT
+"""A motion that waits for the next one."""
+
+from __future__ import annotations
+
+from nctakt.base.dataclass import dataclass, field
+from nctakt.base.diagnostics import Span
+from nctakt.decoder.state.commands import Command, Segment
+from nctakt.decoder.state.shape_commands import InsertCorner
+
+
+@dataclass(slots=True)
+class HeldMotion:
+    """A motion and the commands behind it; ``time_s``: the duration of its block under G93.
+
+    ``corner``: what is inserted at its end, behind ``corner_at`` of these commands.
+    """
+
+    segment: Segment
+    span: Span
+    time_s: float
+    between: list[Command] = field(default_factory=list)
+    corner: InsertCorner | None = None
+    corner_at: int = 0

@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: MIT
+"""Commands for single axes of the machine, by their numbers: homing, software limits."""
+
+from __future__ import annotations
+
+from nctakt.base.dataclass import dataclass
+from nctakt.decoder.state.commands import Command
+
+
+@dataclass(frozen=True, slots=True)
+class Home(Command):
+    """An axis begins to move to its zero pulse, by so many mm or degrees with mm/s or degrees/s."""
+
+    axis: int
+    distance: float
+    speed: float
+
+
+@dataclass(frozen=True, slots=True)
+class Refer(Command):
+    """The place where an axis stands is this position, in mm or degrees."""
+
+    axis: int
+    position: float
+
+
+@dataclass(frozen=True, slots=True)
+class SetSoftwareLimits(Command):
+    """The software limits of the independent motions of an axis, in mm or degrees."""
+
+    axis: int
+    low: float
+    high: float

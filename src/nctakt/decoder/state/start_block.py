@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: MIT
+"""Parts of a program: where it begins by block search, where it has no single block."""
+
+from __future__ import annotations
+
+from nctakt.base.dataclass import dataclass
+from nctakt.base.diagnostics import Span, Text
+from nctakt.decoder.state.commands import Command
+
+
+@dataclass(frozen=True, slots=True)
+class SingleStep(Command):
+    """Single block has no effect from here on, or again (``#SINGLE STEP``)."""
+
+    is_disabled: bool
+
+
+@dataclass(frozen=True, slots=True)
+class StartBlock:
+    """A line of the main program's file, or the N word of one of its blocks; 0: not by this."""
+
+    line: int = 0
+    number: int = 0
+
+    def is_at(self, span: Span, file: str, number: int) -> bool:
+        """Return whether the statement at ``span`` with this N word is the start block."""
+        if span.file != file:
+            return False
+        return span.line == self.line if self.line else 0 < self.number == number
+
+    @property
+    def shown(self) -> Text:
+        """The block as users name it."""
+        if self.line:
+            return Text(f"line {self.line}", f"Zeile {self.line}")
+        return Text(f"N{self.number}", f"N{self.number}")

@@ -1,0 +1,28 @@
+# SPDX-License-Identifier: MIT
+# C types of axis_exchange.py.
+cimport cython
+from nctakt.kernel cimport codes, rows
+from nctakt.kernel.axes.c_axis cimport CAxis
+from nctakt.kernel.axes.single_axes cimport SingleAxes
+from nctakt.kernel.axes.spindles cimport Spindles
+from nctakt.kernel.path.path cimport Path
+from nctakt.kernel.path.segment_limits cimport SegmentLimits
+from nctakt.kernel.tick.channel_signals cimport ChannelSignals
+
+@cython.final
+cdef class AxisExchange:
+    cdef Path path
+    cdef SegmentLimits limits
+    cdef SingleAxes single_axes
+    cdef ChannelSignals signals
+    cdef readonly CAxis c_axis
+    cdef long long[::1] awaited
+    cdef readonly bint is_waiting
+    cdef readonly long long source
+    cdef readonly long long since
+
+    @cython.locals(axis=Py_ssize_t)
+    cdef int can_exchange(self) noexcept nogil
+    @cython.locals(axis=Py_ssize_t)
+    cdef int is_stuck(self) noexcept nogil
+    cdef void reset(self) noexcept nogil

@@ -1,0 +1,130 @@
+# SPDX-License-Identifier: MIT
+"""Messages about axes that change their channel."""
+
+from __future__ import annotations
+
+from nctakt.messages.catalogue import error, warning
+
+AXIS_NOT_IN_CHANNEL = error(
+    901800,
+    en="axis {axis} does not belong to this channel here; {holder}",
+    de="die Achse {axis} gehört hier nicht zu diesem Kanal; {holder}",
+    remedy_en="Fetch it first, for example #CALL AX [{axis}, 4, 3]; its channel gives it: #PUT AX.",
+    remedy_de="Sie vorher holen, zum Beispiel #CALL AX [{axis}, 4, 3]; ihr Kanal gibt sie mit "
+    "#PUT AX ab.",
+    axis=("the axis", "die Achse"),
+    holder=("which channel has it", "welcher Kanal sie hat"),
+    reaction=2,
+    clearing=3,
+)
+UNKNOWN_AXIS_NUMBER = error(
+    901801,
+    en="{value} is not the logical number of an axis of this machine: {numbers}",
+    de="{value} ist keine logische Nummer einer Achse dieser Maschine: {numbers}",
+    remedy_en="Choose one of these; kopf.achs_nr of each axis list has its number.",
+    remedy_de="Eine davon wählen; kopf.achs_nr jeder Achsliste enthält ihre Nummer.",
+    value=("the value", "der Wert"),
+    numbers=("the numbers of the axes", "die Nummern der Achsen"),
+    reaction=2,
+    clearing=3,
+)
+INVALID_AXIS_PLACE = error(
+    901802,
+    en="{value} is not the index of an axis in this channel: 0 … {highest}",
+    de="{value} ist kein Index einer Achse in diesem Kanal: 0 … {highest}",
+    remedy_en="Choose a whole number in this range; 0 … 2 are the main axes.",
+    remedy_de="Eine ganze Zahl in diesem Bereich wählen; 0 … 2 sind die Hauptachsen.",
+    value=("the value", "der Wert"),
+    highest=("the highest index", "der höchste Index"),
+    reaction=2,
+    clearing=3,
+)
+AXIS_TWICE = error(
+    901803,
+    en="{what} would belong to two axes of the channel: number {first} and number {second}",
+    de="{what} würde zu zwei Achsen des Kanals gehören: Nummer {first} und Nummer {second}",
+    remedy_en="Give each axis a name, a number and an index of its own, or give one away before.",
+    remedy_de="Jeder Achse einen eigenen Namen, eine eigene Nummer und einen eigenen Index geben "
+    "oder eine vorher abgeben.",
+    what=("the name, number or index", "Name, Nummer oder Index"),
+    first=("the number of the first axis", "die Nummer der ersten Achse"),
+    second=("the number of the second axis", "die Nummer der zweiten Achse"),
+    reaction=2,
+    clearing=3,
+)
+UNSUITABLE_AXIS_NAME = error(
+    901804,
+    en="{name} cannot be the name of an axis",
+    de="{name} kann kein Achsname sein",
+    remedy_en="Begin the name with one of the letters A B C Q U V W X Y Z.",
+    remedy_de="Den Namen mit einem der Buchstaben A B C Q U V W X Y Z beginnen.",
+    name=("the name", "der Name"),
+    reaction=2,
+    clearing=3,
+)
+AXIS_OPTION_REFUSED = error(
+    901805,
+    en="{option} is not simulated: offsets of a fetched axis always begin at 0",
+    de="{option} wird nicht simuliert: Verschiebungen einer geholten Achse beginnen immer bei 0",
+    remedy_en="Leave it out; program offsets behind the command, for example with G54.",
+    remedy_de="Weglassen; Verschiebungen hinter dem Befehl programmieren, zum Beispiel mit G54.",
+    option=("the option", "die Option"),
+    reaction=2,
+    clearing=3,
+)
+EXCHANGE_UNDER_TRANSFORMATION = error(
+    901806,
+    en="{command} while a coordinate system, a transformation or a mapped contour is active",
+    de="{command}, während Koordinatensystem, Transformation oder abgebildete Kontur aktiv sind",
+    remedy_en="Switch it off before: #CS OFF ALL, #TRAFO OFF, #ROTATION OFF.",
+    remedy_de="Vorher abwählen: #CS OFF ALL, #TRAFO OFF, #ROTATION OFF.",
+    command=("the command", "der Befehl"),
+    reaction=2,
+    clearing=3,
+)
+EXCHANGE_IN_SEARCH = error(
+    901809,
+    en="{command} in front of the start block: a block search does not exchange axes",
+    de="{command} vor dem Startsatz: ein Satzvorlauf tauscht keine Achsen",
+    remedy_en="Begin at a block in front of the command, or let the search pass it by.",
+    remedy_de="An einem Satz vor dem Befehl beginnen oder ihn im Vorlauf überspringen.",
+    command=("the command", "der Befehl"),
+    reaction=2,
+    clearing=3,
+)
+AXIS_OF_SPINDLE = error(
+    901807,
+    en="axis number {value} turns spindle {spindle} of channel {channel} and cannot be fetched",
+    de="die Achse Nummer {value} dreht Spindel {spindle} von Kanal {channel} und kann nicht geholt "
+    "werden",
+    remedy_en="Fetch another axis; exchange of spindles (S[PUTAX]) is not simulated.",
+    remedy_de="Eine andere Achse holen; der Tausch von Spindeln (S[PUTAX]) wird nicht simuliert.",
+    value=("the logical number", "die logische Nummer"),
+    spindle=("the spindle", "die Spindel"),
+    channel=("its channel", "ihr Kanal"),
+    reaction=2,
+    clearing=3,
+)
+AXIS_NEVER_GIVEN = warning(
+    901808,
+    en="no program of this run gives axis number {number}, which channel {channel} has",
+    de="kein Programm dieses Laufs gibt die Achse Nummer {number} ab, die Kanal {channel} hat",
+    remedy_en="Program #PUT AX in channel {channel}; without it the command waits for ever.",
+    remedy_de="#PUT AX in Kanal {channel} programmieren; sonst wartet der Befehl endlos.",
+    number=("the logical number", "die logische Nummer"),
+    channel=("the channel that has it", "der Kanal, der sie hat"),
+)
+CYCLE_AXIS_NOT_IN_CHANNEL = error(
+    50899,
+    en="axis {axis} does not belong to the channel of this realtime cycle (any more)",
+    de="die Achse {axis} gehört nicht (mehr) zum Kanal dieses Echtzeit-Zyklus",
+    remedy_en="End the cycle before the axis is given away, or let the channel fetch it back.",
+    remedy_de="Den Zyklus beenden, bevor die Achse abgegeben wird, oder die Achse zurückholen.",
+    cause_en="The axis was exchanged: a cycle keeps the axis that its name stood for when the "
+    "cycle was defined.",
+    cause_de="Die Achse wurde getauscht: ein Zyklus behält die Achse, für die der Name stand, als "
+    "der Zyklus definiert wurde.",
+    axis=("the axis", "die Achse"),
+    reaction=6,
+    clearing=6,
+)

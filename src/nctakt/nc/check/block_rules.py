@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: MIT
+"""What the words of a block may not be together (nc-programs).
+
+In: a block whose words are checked one by one. Out: diagnostics about several of them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from nctakt.lists.machine.channel_configuration import ChannelParameters
+from nctakt.messages.checked_blocks import G60_WITHOUT_MOTION
+from nctakt.messages.offsets import COMMAND_WITHOUT_AXIS, MOTION_WORD_WITH_OFFSETS
+from nctakt.nc.check.contour_lines import ANGLE_WORD, check_contour_line
+from nctakt.nc.check.corners import FEED_WORD, SIZE_WORDS, check_corners
+from nctakt.nc.check.findings import Findings
+from nctakt.nc.check.frames import check_mirrored_axes, check_rotation_block
+from nctakt.nc.check.measuring import check_measuring_block
+from nctakt.nc.check.motion_words import RADIUS_WORD, check_arc, check_feed_ramps, functions_of
+from nctakt.nc.check.splines import SWITCHES, VECTORS, check_spline_words
+from nctakt.nc.tree import AxisWord, Block
+from nctakt.nc.vocabulary.functions import (
+    ARC_RADIUS,
+    EXACT_STOP_ONCE,
+    FEED_RAMPS,
+    INSERTIONS,
+    INTERRUPTIBLE,
+    MEASURING,
+    MEASURING_CONTINUES,
+    MIRRORING_OF_AXES,
+    MOTIONS,
+    REFERENCE_OFFSET,
+    ROTATION_ON,
+)
+
+_CORNER_WORDS = frozenset((*SIZE_WORDS, FEED_WORD))
+_CORNER_FUNCTIONS = frozenset(INSERTIONS)
+_SPLINE_WORDS = frozenset((*SWITCHES, *VECTORS))
+_RULED = frozenset(
+    (
+        EXACT_STOP_ONCE,
+        MEASURING,
+        MEASURING_CONTINUES,
+        INTERRUPTIBLE,
+        MIRRORING_OF_AXES,
+        REFERENCE_OFFSET,
+        ROTATION_ON,
+        *FEED_RAMPS,
+    )
+)
+
+
+class GivenWords(NamedTuple):
+    """The names of a block's words, and its G functions with constant numbers."""
+
+    names: set[str]
+    functions: set[float]
+
+
+class BlockChecker:
+    """Checks whole blocks of one channel; ``main_axes``: names of its first three axes."""
+
+    def __init__(
+        self, channel: ChannelParameters, main_axes: Sequence[str], findings: Findings
+    ) -> None:
+        self._channel = channel
+        self._main_axes = main_axes
+        self._findings = findings
+
+    def check(self, block: Block, given: GivenWords) -> bool:
+        """Check a block; return whether its words insert a chamfer or rounding."""
+        inserts = False
+        names, functions = given
+        if not (_CORNER_WORDS.isdisjoint(names) and _CORNER_FUNCTIONS.isdisjoint(functions)):
+            inserts = check_corners(block, self._channel, self._findings)
+        if ANGLE_WORD in names:
+            check_contour_line(block, functions, self._channel, self._findings)
+        if not _SPLINE_WORDS.isdisjoint(names):
+            check_spline_words(block, self._main_axes, self._findings)
+        if RADIUS_WORD in names or ARC_RADIUS in functions:
+            check_arc(block, self._findings)
+        if not _RULED.isdisjoint(functions):
+            check_measuring_block(block, self._findings)
+            check_mirrored_axes(block, self._findings)
+            check_rotation_block(block, self._findings)
+            check_feed_ramps(block, self._findings)
+            self._exact_stop(block)
+            self._reference(block)
+        return inserts
+
+    def _exact_stop(self, block: Block) -> None:
+        stop = functions_of(block).get(EXACT_STOP_ONCE)
+        if stop is not None and not any(isinstance(word, AxisWord) for word in block.words):
+            self._findings.report(G60_WITHOUT_MOTION, stop.span)
+
+    def _reference(self, block: Block) -> None:
+        """Check that G92 has axis words, whose values are offsets, and no motion."""
+        functions = functions_of(block)
+        reference = functions.get(REFERENCE_OFFSET)
+        if reference is None:
+            return
+        if not any(isinstance(word, AxisWord) for word in block.words):
+            self._findings.report(COMMAND_WITHOUT_AXIS, reference.span, command="G92")
+        for function, word in functions.items():
+            if function in MOTIONS:
+                written = self._findings.written(word.span)
+                self._findings.report(
+                    MOTION_WORD_WITH_OFFSETS, word.span, word=written, command="G92"
+                )

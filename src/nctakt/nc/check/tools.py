@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: MIT
+"""``#TOOL DATA``, ``#TOOL PREP``, ``#TOOL REFRESH``, ``#TLAX``: the forms of these commands."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from nctakt.messages.checked_blocks import INVALID_COMMAND_FORM
+from nctakt.nc.check.expressions import ValueChecker
+from nctakt.nc.check.findings import Findings
+from nctakt.nc.tree import Bracket, Expression, HashCommand, Keyword
+from nctakt.nc.vocabulary.command_forms import forms_of
+
+_MAIN_AXES = 3
+_SIGNS = {"+": 1, "-": -1}
+#: The commands, with the largest number of values in their bracket.
+COMMANDS = {"TOOL DATA": 3, "TOOL PREP": 3, "TOOL REFRESH": 0}
+
+
+def numbers_of(command: HashCommand) -> tuple[Expression, ...] | None:
+    """Return the numbers of an ID in the bracket of a command; ``None`` for another form."""
+    highest = COMMANDS[" ".join(word.name for word in command.words)]
+    if highest == 0:
+        return None if command.arguments else ()
+    bracket = command.arguments[0] if len(command.arguments) == 1 else None
+    if not isinstance(bracket, Bracket) or not 0 < len(bracket.items) <= highest:
+        return None
+    numbers = tuple(item for item in bracket.items if isinstance(item, Expression))
+    return numbers if len(numbers) == len(bracket.items) else None
+
+
+def signed_axis(command: HashCommand) -> tuple[str, int] | None:
+    """Return the axis of ``#TLAX [Z-]`` with its sign; ``None`` for another form."""
+    bracket = command.arguments[0] if len(command.arguments) == 1 else None
+    item = bracket.items[0] if isinstance(bracket, Bracket) and len(bracket.items) == 1 else None
+    if not isinstance(item, Keyword) or item.name[-1] not in _SIGNS:
+        return None
+    return item.name[:-1], _SIGNS[item.name[-1]]
+
+
+def _check_length_axis(
+    command: HashCommand, name: str, main_axes: Sequence[str], findings: Findings
+) -> None:
+    if name == "TLAX DEFAULT":
+        is_right = not command.arguments
+    else:
+        signed = signed_axis(command)
+        is_right = name == "TLAX" and signed is not None and signed[0] in main_axes
+    if not is_right:
+        forms = forms_of("#TLAX")
+        findings.report(INVALID_COMMAND_FORM, command.span, command="#TLAX", forms=forms)
+
+
+def check_tool_command(
+    command: HashCommand, axes: Sequence[str], values: ValueChecker, findings: Findings
+) -> bool:
+    """Check the command; return false for another command. ``axes``: those of the channel."""
+    name = " ".join(word.name for word in command.words)
+    if command.words[0].name == "TLAX":
+        _check_length_axis(command, name, axes[:_MAIN_AXES], findings)
+        return True
+    if name not in COMMANDS:
+        return False
+    numbers = numbers_of(command)
+    if numbers is None:
+        forms = forms_of(f"#{name}")
+        findings.report(INVALID_COMMAND_FORM, command.span, command=f"#{name}", forms=forms)
+    for number in numbers or ():
+        values.value(number)
+    return True

@@ -1,0 +1,174 @@
+# SPDX-License-Identifier: MIT
+"""Block search: --from-line, --from-block, #BLOCKSEARCH; docs/conformance.md."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from decided import numbers, perform, told
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from random_seeds import MANY
+
+from nctakt.base.failure import Failure
+from nctakt.cli import main
+from nctakt.debugger.arguments import Arguments
+from nctakt.debugger.launch import read_configuration
+from nctakt.run.controller import Controller
+from nctakt.run.program_loader import NcText
+from nctakt.session.session import Session
+
+PROGRAM = """%MAIN
+N10 G00 X10 Y20
+N20 M3 S500
+N30 V.P.COUNT = 3
+N40 G92 X1
+N50 G01 X50 F6000
+N60 $FOR P1 = 0, 2, 1
+N70 G91 Y5
+N80 $ENDFOR
+N90 #BLOCKSEARCH LOCKED
+N100 G90 X55
+N110 #BLOCKSEARCH LOCKED
+N120 #BLOCKSEARCH RELEASED
+N130 X60
+N140 #MSG ["%f %f %f", V.A.ABS.X, V.A.ABS.Y, V.P.COUNT]
+N150 M30
+"""
+
+
+@pytest.mark.parametrize("how", [{"from_line": 14}, {"from_block": 130}, {}])
+def test_the_state_is_that_of_a_whole_run(how: dict[str, int]) -> None:
+    """Positions, offsets, variables, spindles; loops are walked through."""
+    run = perform(PROGRAM, **how)
+    assert [one.text for one in run.messages] == ["61.000000 35.000000 3.000000"]
+    assert [text.partition(" ")[2] for text in told(run, "spindle")] == ["spindle S M3 500"]
+    assert numbers(run) == ([901731] if how else [])
+
+
+def test_the_axes_go_straight_to_the_start_of_the_block() -> None:
+    """From 0 to X51 + 4, Y35 at rapid traverse, then with the feed of the program."""
+    run = perform(PROGRAM, from_line=14, signals=["X.ACS.ACT_POS", "Y.ACS.ACT_POS"])
+    axes = (run.trace[f"{axis}.ACS.ACT_POS"].tolist() for axis in "XY")
+    rows = list(zip(*axes, strict=True))
+    approach = [(x, y) for x, y in rows if y < 35.0]
+    assert len(approach) > 50
+    assert all(x * 35.0 == pytest.approx(y * 56.0, abs=1e-6) for x, y in approach)
+    assert rows[-1] == (61.0, 35.0)
+
+
+def test_functions_messages_and_cycles_in_front_of_it() -> None:
+    """M and H functions and messages are left out; realtime cycles run, those of a block do not."""
+    cycle = "#RT CYCLE [ID={0} SCOPE={1}]\nV.E.COUNT += 1\n#RT CYCLE END\n"
+    program = f'M100\n#MSG ["no"]\n{cycle.format(1, "BLOCK")}G04 X1\n#MSG ["yes"]\nM30'
+    run = perform(program, from_line=7)
+    assert told(run, "output", "created") == []
+    assert [one.text for one in run.messages] == ["yes"]
+    program = f"{cycle.format(1, 'PROG')}G04 X1\nG04 X0.01\nM30"
+    assert len(told(perform(program, from_line=5), "created")) == 1
+
+
+def test_what_it_cannot_pass() -> None:
+    """21399 in a locked part, 50717 for G74, 901730 for a block that is not reached."""
+    assert numbers(perform(PROGRAM, from_block=100)) == [21399]
+    assert numbers(perform("G74 X1\nG01 X1 F100\nM30", from_line=2)) == [50717]
+    assert numbers(perform(PROGRAM, from_line=99)) == [901730]
+    assert numbers(perform("G01 X1 F100\nM30", from_block=7)) == [901730]
+
+
+def test_a_subprogram_called_in_a_locked_part_is_locked() -> None:
+    """207611019: subprograms included; a second LOCKED changes nothing."""
+    text = "%L SUB\nN5 G91 X1 F6000\nM17\n%MAIN\n#BLOCKSEARCH LOCKED\nLL SUB\n"
+    text += "#BLOCKSEARCH RELEASED\nLL SUB\nM30\n"
+    assert numbers(perform(text, from_line=2)) == [21399]
+    assert perform(text).state == "ended"
+
+
+def test_a_wrong_start_is_told() -> None:
+    """Types, both places at once."""
+    with pytest.raises(Failure, match="901732"):
+        Controller().run("x.nc", from_line=1, from_block=1)
+    with pytest.raises(Failure):
+        Controller().run("x.nc", from_line=0)
+
+
+@pytest.mark.slow
+def test_a_session_begins_there_and_goes_back(tmp_path: Path) -> None:
+    """The session of a tape, one of its own, and the tape that it saves."""
+    first, second = tmp_path / "first.tape", tmp_path / "second.tape"
+    with Session(NcText("part.nc", PROGRAM), from_block=130) as session:
+        session.run()
+        assert [one.text for one in session.result().messages] == ["61.000000 35.000000 3.000000"]
+        session.save(first)
+        session.go_to(3)
+        session.write({"HLI.OVERRIDE": 50.0})
+        last = session.run().tick
+        session.save(second)
+    with Session.of_tape(second) as session:
+        assert session.run().tick == last
+        assert session.read("V.RTA.ACS.ACT_POS.X", "V.RTA.ACS.ACT_POS.Y") == [61.0, 35.0]
+        assert numbers(session.result()) == [901731]
+    assert main(["replay", str(first)]) == 0
+    with pytest.raises(Failure, match="901732"):
+        Session(NcText("part.nc", PROGRAM), from_line=1, from_block=1)
+
+
+def test_a_debugger_may_begin_there(tmp_path: Path) -> None:
+    """The launch configuration has fromLine and fromBlock."""
+    (tmp_path / "part.nc").write_text(PROGRAM)
+    words = {"program": "part.nc", "cwd": str(tmp_path), "fromBlock": 130}
+    configuration = read_configuration(Arguments(words), ())
+    assert (configuration.from_line, configuration.from_block) == (None, 130)
+
+
+def test_measuring_in_front_of_it_is_an_error() -> None:
+    """50718, for G310 as well; a block that is skipped does not measure."""
+    for text in ("G100 X10 F600", "#MEAS MODE [5]\nG310 G01 X10 F600 $GOTO[A]"):
+        assert numbers(perform(f"{text}\n[A] X1\nX2\nM30", from_line=text.count("\n") + 3)) == [
+            50718
+        ]
+    assert numbers(perform("/G100 X10 F600\nG01 X1 F600\nM30", from_line=2, skip=[1])) == [901731]
+
+
+def test_compensated_contours_begin_with_the_way_to_the_start() -> None:
+    """G41 in force there leads to the contour from where the tool is."""
+    text = "V.G.WZ_AKT.R = 5\nG41 G01 X10 Y0 F6000\nX20\nX30\nG40 Y50\nM30"
+    run = perform(text, from_line=4, signals=["Y.ACS.ACT_POS"])
+    assert run.state == "ended", run.diagnostics
+    assert any(abs(y - 5.0) < 1e-9 for y in run.trace["Y.ACS.ACT_POS"].tolist())
+
+
+_WORDS = st.sampled_from(
+    ["X10", "Y-5 Z3", "G91", "G90", "G92 X2", "G54", "G53", "G70", "G71", "D1", "D0", "P1 = P1 + 1",
+     "XP1", "G02 X5 Y5 I2 J1 F6000", "G01 F6000", "G00", "G99 X900", "#CS ON [1, 2, 3, 0, 0, 90]",
+     "#CS OFF", "G01 Z1 F6000"]
+)  # fmt: skip
+
+
+@settings(max_examples=200 if MANY else 6, deadline=None)
+@given(st.lists(_WORDS, min_size=3, max_size=12), st.data())
+def test_any_block_ends_the_program_where_it_ends(words: list[str], data: st.DataObject) -> None:
+    """A run from any line of a program without branches has the positions of the whole run."""
+    text = "\n".join([*words, '#MSG ["%f %f %f %f", V.A.ABS.X, V.A.ABS.Y, V.A.ABS.Z, P1]', "M30"])
+    whole = perform(text)
+    if whole.state != "ended":
+        return
+    line = data.draw(st.integers(1, len(words)))
+    run = perform(text, from_line=line)
+    assert [one.text for one in run.messages] == [one.text for one in whole.messages]
+
+
+def test_the_command_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """--from-line, --from-block, and a tape of it."""
+    program, tape = tmp_path / "part.nc", tmp_path / "run.tape"
+    program.write_text(PROGRAM)
+    arguments = ["run", str(program), "--lang", "de", "--from-line", "14", "--record", str(tape)]
+    assert main(arguments) == 0
+    shown = capsys.readouterr()
+    assert "61.000000 35.000000 3.000000" in shown.out
+    assert "das Programm beginnt bei Zeile 14" in shown.err
+    assert main(["replay", str(tape)]) == 0
+    assert "61.000000 35.000000 3.000000" in capsys.readouterr().out
+    assert main(["run", str(program), "--from-line", "1", "--from-block", "10"]) == 2
+    assert "901732" in capsys.readouterr().err

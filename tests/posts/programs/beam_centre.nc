@@ -1,0 +1,56 @@
+% Rafter 12
+N2 (---- general ----)
+N4 (LOAD=4 DATE=03.11.25)
+N6 L prepare.up
+N8 V.P.LENGTH = 640.0
+N10 V.P.HEIGHT = 120.0
+N12 G54 G161
+N14 #VAR
+N16 V.P.TOOLS[4] = [1, 2, 0, 0]
+N18 V.P.CS_X = 0
+N20 #ENDVAR
+N22 L check_tools.up
+N24 T2 LM06
+N26 L before_offset.up
+N28 D2
+N30 #RTCP ON
+N32 M3 S750
+N34 #MCS ON
+N36 G90 G40 G00 Y    20.00 Z   300.00 A    30.00 C    90.00 
+N38 #MCS OFF
+N40 G90 G40 G00 A    30.00 C   -90.00 
+N42 M3 S1400
+N44 G90 G40 G00 X   120.00 Y    75.00 
+N46 G90 G40 G00 Z   118.50 
+N48 (---- cut 1 ----)
+N50 L macro_start.up
+N52 #CS DEF [5] [ 120.00,     75.00,      0.00,    -90.00,      0.00,     90.00]
+N54 #CS ON [5]
+N56 V.P.CS_X = 120.0 V.P.LENGTH = 75.0
+N58 G40 G00 X200.000    Y-78.500   Z0.000     
+N60 G40 G01 X200.000    Y0.600      Z0.000      F3000
+N62 G40 G01 X-0.000     Y0.600      Z0.000      F6000
+N64 G40 G01 X0.000      Y-78.500    Z0.000      F40500
+N66 #CS OFF
+N68 L macro_end.up (back to the channel's system)
+N70 (END)
+N72 M05 
+N74 #MCS ON
+N76 G90 G40 G00 Y    20.00 Z   300.00 C    90.00 
+N78 G90 G40 G00 A     0.00 C     0.00 
+N80 #MCS OFF
+N82 #RTCP OFF
+N84 D0
+N86 G162
+N88 #DELETE V.P.TOOLS
+N90 #VAR
+N92 V.P.TOOLS[4] = [0, 0, 0, 0]
+N94 #ENDVAR
+N96 L check_tools.up (NONE)
+N98 M30
+N100 (after the end)
+N102 #COMMENT BEGIN
+N104 	[PART]
+N106 		LENGTH: "640.0"
+N108 	[ENDPART]
+N110 #COMMENT END

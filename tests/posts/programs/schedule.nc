@@ -1,0 +1,10 @@
+; weld schedule
+#VAR
+V.L.SET = @P1
+#ENDVAR
+$IF V.L.SET == 0
+M100
+$ELSE
+M101
+$ENDIF
+M17

@@ -280,7 +280,7 @@ def test_with_a_limit_of_the_jerk_an_arc_is_entered_slowly() -> None:
 def test_other_slopes_and_modes_are_refused_by_name() -> None:
     """900706: what is not simulated would change positions or times; 21401: no deviation."""
     assert numbers(perform("#SLOPE [TYPE=SLOW]\nM30")) == [900706]
-    assert numbers(perform("#CONTOUR MODE [POS PRE_DIST=1 X5]\nM30")) == [900706]
+    assert numbers(perform("#CONTOUR MODE [DEV PATH_DEV=1 X5]\nM30")) == [900706]
     assert numbers(perform("#CONTOUR MODE [DEV PATH_DEV=0]\nM30")) == [21401]
 
 

@@ -259,7 +259,8 @@ def test_plain_blocks_follow_the_table_of_functions(
     forms = {Form.ZERO_OFFSET: "G159=1", Form.AXIS_WEIGHTS: f"{row.name} X50"}
     forms |= {Form.AXIS_VALUES: f"{row.name} X50", Form.MIRRORED_AXES: "G351 Z-1\nG01"}
     word = forms.get(row.form, row.name)
-    lines = ["M3 S600", "G01 F60 G26", "V.G.WZ_AKT.R = 0.01", f"{word} F60", "Y1"]
+    lines = ["#CORNER PARAM [DIST=1 UNIT=PERCENT FEED=50]", "M3 S600", "G01 F60 G26"]
+    lines += ["V.G.WZ_AKT.R = 0.01", f"{word} F60", "Y1"]
     lines += [f"X{10 * i} Y{i % 2 * 5}" for i in range(1, 8)]
     content = "\n".join([*lines, "G40 X0 Y0", "M30"])
     taken = counted(monkeypatch)

@@ -70,6 +70,7 @@ ADDED = {
     "_may": {"name"},
     "_whole": {"value"},
     "HeldMotion": {"radius"},
+    "UnusableKinematicError": {"id", "key"},
     "expected": {"found", "symbol"},
     "Finding": {"value", "word"},
     "get": {"said", "values"},

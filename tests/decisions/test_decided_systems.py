@@ -105,7 +105,7 @@ def test_the_next_program_has_no_system() -> None:
     [
         ("#CS ON", 20821),
         ("#CS ON [3]", 20821),
-        ("$FOR P1 = 1, 6, 1\n#CS DEF [P1] [1, 2, 3]\n$ENDFOR", 20826),
+        ("$FOR P1 = 1, 6, 1\n#CS DEF [P1] [1, 2, 3]\n$ENDFOR", 21234),
         ("#CS ON [0,0,0,10]\nG02 X10 I5 F100", 900842),
         ("#CS ON [0,0,0,180]\nD1 G41 G01 X10 F100", 900845),
         ("D1 G41 G01 X10 F100\n#CS ON [1,0,0]", 20802),
@@ -185,7 +185,7 @@ def test_single_axes_are_in_no_system() -> None:
         ("#CS ADD [A]", 900233),
         ("#CS ADD [1, 2] [1]", 900233),
         ("#CS SELECT [A] [1]", 900233),
-        ("#CS MODE ON", 900200),
+        ("#CS MODE ON", 900233),
     ],
 )
 def test_systems_with_names_have_limits(program: str, number: int) -> None:

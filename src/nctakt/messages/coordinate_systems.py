@@ -1,30 +1,46 @@
 # SPDX-License-Identifier: MIT
-"""Messages about the program's coordinate systems, ``#CS``."""
+"""Messages about the program's coordinate systems, ``#CS``, ``#ACS``, ``#BCS``."""
 
 from __future__ import annotations
 
 from nctakt.messages.cases import by_beginning
 from nctakt.messages.catalogue import error, warning
 
+_KIND = ("CS, ACS or BCS", "CS, ACS oder BCS")
 COORDINATE_SYSTEM_NOT_STORED = error(
     20821,
-    known_as=(900840, 20820),
-    en="coordinate system {id} is not stored",
-    de="das Koordinatensystem {id} ist nicht gespeichert",
-    remedy_en="Define it first with #CS DEF [{id}] [shift, angles]. Stored: {known}",
-    remedy_de="Vorher mit #CS DEF [{id}] [Verschiebung, Winkel] definieren. Gespeichert: {known}",
-    id=("the number of the coordinate system", "die Nummer des Koordinatensystems"),
-    known=("the stored coordinate systems", "die gespeicherten Koordinatensysteme"),
+    known_as=(900840,),
+    en="coordinate system {id} of #{kind} is not stored",
+    de="das Koordinatensystem {id} von #{kind} ist nicht gespeichert",
+    remedy_en="Define it first with #{kind} DEF [1] [shift, angles], or in the channel list. "
+    "Known: {known}",
+    remedy_de="Vorher mit #{kind} DEF [1] [Verschiebung, Winkel] oder in der Kanalliste "
+    "definieren. Bekannt: {known}",
+    kind=_KIND,
+    id=("the number or name of the coordinate system", "Nummer oder Name des Koordinatensystems"),
+    known=("the known coordinate systems", "die bekannten Koordinatensysteme"),
+    reaction=2,
+    clearing=3,
+)
+INVALID_COORDINATE_SYSTEM_NUMBER = error(
+    20820,
+    en="#{kind}: {id} is not a valid number for a coordinate system",
+    de="#{kind}: {id} ist keine gültige Nummer für ein Koordinatensystem",
+    remedy_en="Program a number above 0.",
+    remedy_de="Eine Nummer über 0 programmieren.",
+    kind=_KIND,
+    id=("the number", "die Nummer"),
     reaction=2,
     clearing=3,
 )
 NO_COORDINATE_SYSTEM_ACTIVE = warning(
     20824,
     known_as=(900841,),
-    en="#CS OFF, but no coordinate system is active",
-    de="#CS OFF, aber kein Koordinatensystem ist aktiv",
-    remedy_en="Remove it; #CS OFF ALL is allowed where none is active.",
-    remedy_de="Entfernen; #CS OFF ALL ist erlaubt, wenn keines aktiv ist.",
+    en="#{kind} OFF, but no such coordinate system is active",
+    de="#{kind} OFF, aber kein solches Koordinatensystem ist aktiv",
+    remedy_en="Remove it; #{kind} OFF ALL is allowed where none is active.",
+    remedy_de="Entfernen; #{kind} OFF ALL ist erlaubt, wenn keines aktiv ist.",
+    kind=_KIND,
     reaction=1,
     clearing=1,
 )
@@ -52,12 +68,23 @@ LINEAR_AXES_MISSING = error(
     clearing=3,
 )
 TOO_MANY_COORDINATE_SYSTEMS = error(
-    20826,
+    21234,
     known_as=(900844,),
-    en="more than {maximum} coordinate systems are stored",
-    de="mehr als {maximum} Koordinatensysteme sind gespeichert",
-    remedy_en="Reuse a number, or use #CS ON with values and without a number.",
-    remedy_de="Eine Nummer wiederverwenden oder #CS ON mit Werten und ohne Nummer verwenden.",
+    en="more than {maximum} coordinate systems of #{kind} are stored",
+    de="mehr als {maximum} Koordinatensysteme von #{kind} sind gespeichert",
+    remedy_en="Reuse a number, or use #{kind} ON with values and without a number.",
+    remedy_de="Eine Nummer wiederverwenden oder #{kind} ON mit Werten und ohne Nummer verwenden.",
+    kind=_KIND,
+    maximum=("the maximum number", "die größte Anzahl"),
+    reaction=2,
+    clearing=3,
+)
+TOO_MANY_ACTIVE_SYSTEMS = error(
+    20826,
+    en="more than {maximum} coordinate systems are active at a time",
+    de="mehr als {maximum} Koordinatensysteme sind zugleich aktiv",
+    remedy_en="Switch off those that are no longer used, with #CS OFF, #ACS OFF or #BCS OFF.",
+    remedy_de="Nicht mehr benutzte mit #CS OFF, #ACS OFF oder #BCS OFF ausschalten.",
     maximum=("the maximum number", "die größte Anzahl"),
     reaction=2,
     clearing=3,
@@ -78,7 +105,7 @@ WORD_IN_ROTATED_COORDINATE_SYSTEM = error(
 COORDINATE_SYSTEM_DURING_COMPENSATION = error(
     900846,
     known_as=(20608, 20671),
-    cases=by_beginning("command", {"#CS": 20802}),
+    cases=by_beginning("command", {"#CS": 20802, "#ACS": 20802}),
     en="{command} while tool radius compensation is active",
     de="{command} bei aktiver Werkzeugradiuskorrektur",
     remedy_en="Write it before G41 and G42, or after G40 and the motion that leaves the contour.",

@@ -110,10 +110,10 @@ class MachineCoordinates:
         """Convert between V.A.WCS and V.A.MCS."""
         if self._offsets.transformation.is_active or self._offsets.systems.is_active:
             self._values.fail(CONVERSION_DURING_TRANSFORMATION, span, command=command.shown)
-        components = None
+        system = None
         if command.system is not None:
             value = yield from self._values.evaluate(command.system, number)
-            components = self._systems.stored(value, span)
+            system = self._systems.stored(value, span)
         map_number = 0
         if command.has_kinematic:
             map_number = self._transformations.selected_map(command.shown, span)
@@ -127,7 +127,7 @@ class MachineCoordinates:
         source, target = (state.wcs, state.mcs) if to_machine else (state.mcs, state.wcs)
         given = [source.get(axis, 0.0) for axis in range(len(state.positions))]
         result, answer_code = self._offsets.converted(
-            given, state.positions, components, map_number, to_machine
+            given, state.positions, system, map_number, to_machine
         )
         if answer_code != map_rows.REACHED:
             reason = REASONS[answer_code]

@@ -27,6 +27,7 @@ from nctakt.decoder.state.commands import (
     ProgramTimer,
     UserMessage,
 )
+from nctakt.decoder.state.coordinate_systems import LAYERS
 from nctakt.decoder.state.start_block import SingleStep
 from nctakt.decoder.values.texts import FormatError, format_text
 from nctakt.decoder.values.variables import Values
@@ -46,9 +47,9 @@ from nctakt.nc.vocabulary.file_names import MESSAGES, is_file_name, named_files
 from nctakt.nc.vocabulary.system_variables import TIMERS
 
 #: Commands of coordinates and transformations that ``#MCS ON`` excludes, by their first words.
-_NOT_IN_MCS = ("CS", "CYL", "FACE", "RTCP", "TLC", "TRAFO")
+_NOT_IN_MCS = ("ACS", "BCS", "CS", "CYL", "FACE", "RTCP", "TLC", "TRAFO")
 #: Those that #FACE and #CYL exclude, unless they switch something off.
-_NOT_IN_PLANE = ("CS", "KIN", "MCS", "PTP", "RTCP", "TLC", "TRAFO")
+_NOT_IN_PLANE = ("ACS", "BCS", "CS", "KIN", "MCS", "PTP", "RTCP", "TLC", "TRAFO")
 
 
 class HashCommands:
@@ -82,7 +83,7 @@ class HashCommands:
         yield from self._transformations.end_program(span)
 
     def command(self, command: tree.HashCommand, number: int) -> Generator[Command, Answer]:
-        """Execute ``#DELETE``, ``#CS``, ``#TRAFO``, ``#MCS``, ``#FACE``, ``#FILENAME``,
+        """Execute ``#DELETE``, ``#CS``, ``#ACS``, ``#TRAFO``, ``#MCS``, ``#FACE``, ``#FILENAME``,
         ``#CHANNEL INIT``, ``#BACKWARD STORAGE CLEAR``.
 
         Other commands have no effect.
@@ -102,7 +103,7 @@ class HashCommands:
             yield SingleStep(source, number, single_step_word(command) == "DISABLE")
         elif words[0] == "MEAS":
             yield from self._measuring.command(command, number)
-        elif words[0] == "CS":
+        elif words[0] in LAYERS:
             yield from self._systems.command(command, number)
         elif words == ("TOOL", "ORI", "CS"):
             yield from self._tool.command(command.span, number)

@@ -1,18 +1,21 @@
 # SPDX-License-Identifier: MIT
-"""Nested coordinate systems of the program, shifted and rotated: ``#CS`` (MO-8).
+"""Nested coordinate systems of the program, shifted and rotated: ``#CS``, ``#ACS``, ``#BCS`` (MO-8).
 
-A system has an origin for each axis of the channel and a rotation matrix over the first three axes.
+The systems of ``#BCS`` are below all of ``#ACS``, which are below all of ``#CS``; those of one kind
+lie in the order of their activation. A system has an origin for each axis of the channel and a rotation matrix over the first three axes.
 Coordinates p with the active offsets s and the tool offset t give the axis positions origin +
 matrix * (p + s) + t. The tool offset is not rotated: it acts along the axes.
 
 In: the six components of ``#CS ON``: a shift along three axes in mm and three angles in degrees;
 the third turns about the third axis, the second about the resulting second axis, the first about
-the resulting first axis. Out: commands for the realtime part, positions inside and outside.
+the resulting first axis; in fixed rotation mode (P-CHAN-00393) each about the axis as it was
+before all turns. Out: commands for the realtime part, positions inside and outside.
 """
 
 from __future__ import annotations
 
 from collections.abc import Generator, Iterator, Sequence
+from dataclasses import replace
 
 from nctakt.base.dataclass import dataclass
 from nctakt.decoder.state.arcs import PLANES, Arc
@@ -33,22 +36,38 @@ ASKEW = 1e-12
 SavedOffsets = tuple[tuple[float, ...], ...]
 
 
-@dataclass(frozen=True, slots=True)
-class _OuterSystem:
-    """The state outside of a system, restored when it is left."""
-
-    origin: tuple[float, ...]
-    matrix: Matrix
-    offsets: SavedOffsets
+#: The kinds of systems, from the bottom up: the command that activates them.
+LAYERS = ("BCS", "ACS", "CS")
 
 
 @dataclass(frozen=True, slots=True)
-class SuspendedSystems:
-    """Systems that are off for a while: the innermost one, and what lies outside of each."""
+class Placement:
+    """Where a system lies in the one below: its shift in mm, its rotation matrix."""
 
-    origin: tuple[float, ...]
+    shift: tuple[float, float, float]
     matrix: Matrix
-    outer: tuple[_OuterSystem, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class LowerOffsets:
+    """The offsets of the coordinates below a system, by axis and kind, in mm or degrees.
+
+    ``shift``: their sum by axis without the tool's. ``axis_count``: only those of so many first
+    axes begin anew in the system (P-CHAN-00397).
+    """
+
+    values: SavedOffsets
+    shift: tuple[float, ...]
+    axis_count: int
+
+
+@dataclass(frozen=True, slots=True)
+class ActiveSystem:
+    """An active system: its index in ``LAYERS``, where it lies, the offsets below it."""
+
+    layer: int
+    placement: Placement
+    lower: LowerOffsets
 
 
 class CoordinateSystems:
@@ -58,18 +77,22 @@ class CoordinateSystems:
         self._axes = tuple(axes)
         self._origin = (0.0,) * len(axes)
         self._matrix = IDENTITY
-        self._outer: list[_OuterSystem] = []
+        self._systems: list[ActiveSystem] = []
         self._has_been_active = False
 
     @property
     def is_active(self) -> bool:
         """Whether a system is on."""
-        return bool(self._outer)
+        return bool(self._systems)
 
     @property
     def count(self) -> int:
-        """The number of nested active systems."""
-        return len(self._outer)
+        """The number of active systems of all kinds."""
+        return len(self._systems)
+
+    def count_of(self, layer: int) -> int:
+        """Return the number of active systems of a kind, an index of ``LAYERS``."""
+        return sum(system.layer == layer for system in self._systems)
 
     def direction(self, axis: int) -> list[float]:
         """Return the direction of an axis of the innermost system, among those of the machine."""
@@ -129,58 +152,85 @@ class CoordinateSystems:
         normal = sum(range(MAIN_AXES)) - sum(PLANES[plane])
         return self._matrix[4 * normal] > 1.0 - ASKEW
 
+    def placement(self) -> Placement:
+        """Return the innermost system as one that lies where all active ones do.
+
+        It is the same place for one that is activated alone, with the same offsets below.
+        """
+        lower = self._systems[0].lower.shift if self._systems else (0.0,) * MAIN_AXES
+        first, second, third = (self._origin[axis] - lower[axis] for axis in range(MAIN_AXES))
+        return Placement((first, second, third), self._matrix)
+
     # --- commands -------------------------------------------------------------------------------
 
     def begin_program(self) -> Iterator[Command]:
         """Yield the commands that deactivate all systems of the previous program."""
-        self._outer.clear()
+        self._systems.clear()
         if self._has_been_active:
-            yield from self._activate((0.0,) * len(self._axes), IDENTITY, 0, 0)
+            yield from self._activate(0, 0)
         self._has_been_active = False
 
     def enter(
-        self,
-        components: Sequence[float],
-        shift: Sequence[float],
-        kept: SavedOffsets,
-        source: int,
-        number: int,
-    ) -> Iterator[Command]:
-        """Activate a system inside the active one; ``shift``: the active offsets."""
-        six = (*components, *(0.0,) * (6 - len(components)))
-        begin = list(shift)
-        for axis in range(3):
-            begin[axis] += six[axis]
-        begin[:3] = _turned(self._matrix, begin[:3])
-        origin = tuple(a + b for a, b in zip(self._origin, begin, strict=True))
-        self._outer.append(_OuterSystem(self._origin, self._matrix, kept))
+        self, layer: int, placement: Placement, lower: LowerOffsets, source: int, number: int
+    ) -> Generator[Command, None, bool]:
+        """Activate a system above those of its kind; return whether it is the innermost one.
+
+        ``lower``: the active offsets, which the innermost system takes. Between others a system
+        takes those of the system above, which then begins at its origin.
+        """
+        index = sum(system.layer <= layer for system in self._systems)
+        is_innermost = index == len(self._systems)
+        if not is_innermost:
+            above = self._systems[index]
+            values = tuple((0.0,) * len(axis) for axis in above.lower.values)
+            without = replace(above.lower, values=values, shift=(0.0,) * len(self._axes))
+            self._systems[index], lower = replace(above, lower=without), above.lower
+        self._systems.insert(index, ActiveSystem(layer, placement, lower))
         self._has_been_active = True
-        matrix = _product(self._matrix, rotation(six[3], six[4], six[5]))
-        yield from self._activate(origin, matrix, source, number)
+        yield from self._activate(source, number)
+        return is_innermost
 
-    def leave(self, source: int, number: int) -> Generator[Command, None, SavedOffsets]:
-        """Restore the outer system; return its offsets."""
-        outer = self._outer.pop()
-        yield from self._activate(outer.origin, outer.matrix, source, number)
-        return outer.offsets
+    def leave(
+        self, layer: int, source: int, number: int
+    ) -> Generator[Command, None, LowerOffsets | None]:
+        """Deactivate the last system of a kind; return the offsets below it.
 
-    def suspend(self, source: int, number: int) -> Generator[Command, None, SuspendedSystems]:
+        ``None`` if it is not the innermost one: its own offsets are lost, the active ones stay.
+        """
+        index = sum(system.layer <= layer for system in self._systems) - 1
+        left = self._systems.pop(index)
+        is_innermost = index == len(self._systems)
+        if not is_innermost:
+            self._systems[index] = replace(self._systems[index], lower=left.lower)
+        yield from self._activate(source, number)
+        return left.lower if is_innermost else None
+
+    def suspend(self, source: int, number: int) -> Generator[Command, None, list[ActiveSystem]]:
         """Deactivate all systems for a while; return what ``resume`` activates again."""
-        suspended = SuspendedSystems(self._origin, self._matrix, tuple(self._outer))
-        if self._outer:
-            self._outer.clear()
-            yield from self._activate((0.0,) * len(self._axes), IDENTITY, source, number)
+        suspended = list(self._systems)
+        if suspended:
+            self._systems.clear()
+            yield from self._activate(source, number)
         return suspended
 
-    def resume(self, suspended: SuspendedSystems, source: int, number: int) -> Iterator[Command]:
-        """Activate the systems that ``suspend`` has deactivated."""
-        if suspended.outer:
-            self._outer[:] = suspended.outer
-            yield from self._activate(suspended.origin, suspended.matrix, source, number)
-
-    def _activate(
-        self, origin: tuple[float, ...], matrix: Matrix, source: int, number: int
+    def resume(
+        self, suspended: Sequence[ActiveSystem], source: int, number: int
     ) -> Iterator[Command]:
+        """Activate the systems that ``suspend`` has deactivated."""
+        if suspended:
+            self._systems[:] = suspended
+            yield from self._activate(source, number)
+
+    def _activate(self, source: int, number: int) -> Iterator[Command]:
+        """Compute the innermost system from all; yield the commands that activate it."""
+        origin, matrix = (0.0,) * len(self._axes), IDENTITY
+        for system in self._systems:
+            begin = list(system.lower.shift)
+            for axis in range(MAIN_AXES):
+                begin[axis] += system.placement.shift[axis]
+            begin[:3] = _turned(matrix, begin[:3])
+            origin = tuple(a + b for a, b in zip(origin, begin, strict=True))
+            matrix = _product(matrix, system.placement.matrix)
         self._origin, self._matrix = origin, matrix
         for axis, value in zip(self._axes, origin, strict=True):
             yield SetOrigin(source, number, axis, value)
@@ -188,15 +238,18 @@ class CoordinateSystems:
         yield SetTurn(source, number, (first, second, third), matrix if self.is_active else ())
 
 
-def rotation(about_first: float, about_second: float, about_third: float) -> Matrix:
-    """Return the rotation matrix of three angles in degrees."""
+def placement_of(components: Sequence[float], *, is_fixed: bool = False) -> Placement:
+    """Return where a system of up to six components lies; ``is_fixed``: P-CHAN-00393."""
+    first, second, third, *angles = (*components, *(0.0,) * (6 - len(components)))
+    about_first, about_second, about_third = angles
     a, b = arithmetic.cosine(about_first), arithmetic.sine(about_first)
     c, d = arithmetic.cosine(about_second), arithmetic.sine(about_second)
     e, f = arithmetic.cosine(about_third), arithmetic.sine(about_third)
-    third = (e, -f, 0.0, f, e, 0.0, 0.0, 0.0, 1.0)
-    second = (c, 0.0, d, 0.0, 1.0, 0.0, -d, 0.0, c)
-    first = (1.0, 0.0, 0.0, 0.0, a, -b, 0.0, b, a)
-    return _product(_product(third, second), first)
+    turn_third = (e, -f, 0.0, f, e, 0.0, 0.0, 0.0, 1.0)
+    turn_second = (c, 0.0, d, 0.0, 1.0, 0.0, -d, 0.0, c)
+    turn_first = (1.0, 0.0, 0.0, 0.0, a, -b, 0.0, b, a)
+    outer, inner = (turn_first, turn_third) if is_fixed else (turn_third, turn_first)
+    return Placement((first, second, third), _product(_product(outer, turn_second), inner))
 
 
 def _turned(matrix: Matrix, vector: Sequence[float]) -> list[float]:

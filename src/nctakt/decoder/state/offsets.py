@@ -16,10 +16,13 @@ from nctakt.base.dataclass import dataclass
 from nctakt.decoder.kinematics.selection import ChannelAxes
 from nctakt.decoder.state.commands import Command, SetOffset
 from nctakt.decoder.state.coordinate_systems import (
+    LAYERS,
     MAIN_AXES,
+    ActiveSystem,
     CoordinateSystems,
+    LowerOffsets,
+    Placement,
     SavedOffsets,
-    SuspendedSystems,
 )
 from nctakt.decoder.state.transformation import NO_STEPS, ActiveTransformation, Steps
 from nctakt.kernel import codes
@@ -63,7 +66,7 @@ class SuspendedCoordinates:
 
     steps: Steps
     map_number: int
-    systems: SuspendedSystems
+    systems: list[ActiveSystem]
     offsets: SavedOffsets
     is_without_tools: bool
     has_tool: bool = False
@@ -156,14 +159,14 @@ class ActiveOffsets:
         self,
         positions: Sequence[float],
         near: Sequence[float],
-        components: Sequence[float] | None,
+        system: Placement | None,
         map_number: int,
         to_machine: bool,
     ) -> tuple[list[float], int]:
         """Return programmed positions as those of the axes, or the other way round.
 
-        In between lie the offsets, a system of ``components`` that is not active, and a map; the
-        axes stand at ``near``. Returns ``REACHED`` as well, or why no position leads there.
+        In between lie the offsets, a ``system`` that is not active, and a map; the axes stand at
+        ``near``. Returns ``REACHED`` as well, or why no position leads there.
         """
         systems = CoordinateSystems(self._axes)
         without_tool = codes.ALL_OFFSETS - KEYWORDS["TOOL"]
@@ -171,10 +174,12 @@ class ActiveOffsets:
         tool = self._tool(codes.ALL_OFFSETS)
         if map_number:
             tool[:MAIN_AXES] = [0.0] * MAIN_AXES  # the map has them
-        if components is None:
+        if system is None:
             tool = [a + b for a, b in zip(shift, tool, strict=True)]
         else:
-            list(systems.enter(components, shift, (), 0, 0))  # nothing is activated by it
+            lower = LowerOffsets((), tuple(shift), 0)
+            # No command: nothing is activated by it.
+            list(systems.enter(LAYERS.index("CS"), system, lower, 0, 0))
         if to_machine:
             outside = systems.outside(positions, tool)
             return self.transformation.mapped(map_number, outside, near, to_machine)
@@ -182,22 +187,31 @@ class ActiveOffsets:
         return systems.inside(inside, tool), answer
 
     def enter_system(
-        self, components: Sequence[float], source: int, number: int
+        self, layer: int, placement: Placement, axis_count: int, source: int, number: int
     ) -> Iterator[Command]:
-        """Activate a system (``#CS ON``): the active offsets shift it and restart at 0 in it."""
-        without_tool = codes.ALL_OFFSETS - KEYWORDS["TOOL"]
-        shift = [self.total(axis, without_tool) for axis in range(len(self._axes))]
-        kept = tuple(tuple(values) for values in self._values)
-        yield from self.systems.enter(components, shift, kept, source, number)
-        for kind in KINDS_IN_SYSTEMS:
-            yield from self._set_group(kind, {}, source, number)
+        """Activate a system: the active offsets shift it and restart at 0 in it.
 
-    def leave_system(self, source: int, number: int) -> Iterator[Command]:
-        """Leave a system (``#CS OFF``) and restore the previous offsets."""
-        kept = yield from self.systems.leave(source, number)
-        for kind in KINDS_IN_SYSTEMS:
-            before = {axis: values[kind] for axis, values in enumerate(kept)}
-            yield from self._set_group(kind, before, source, number)
+        Those of the first ``axis_count`` axes, if it is the innermost system; one that lies below
+        others takes the offsets of the one above.
+        """
+        without_tool = codes.ALL_OFFSETS - KEYWORDS["TOOL"]
+        count = len(self._axes)
+        own = range(min(axis_count, count))
+        shift = [self.total(axis, without_tool) if axis in own else 0.0 for axis in range(count)]
+        kept = tuple(tuple(values) for values in self._values)
+        lower = LowerOffsets(kept, tuple(shift), len(own))
+        is_innermost = yield from self.systems.enter(layer, placement, lower, source, number)
+        for kind in KINDS_IN_SYSTEMS if is_innermost else ():
+            for axis in own:
+                yield from self._set(axis, kind, 0.0, source, number)
+
+    def leave_system(self, layer: int, source: int, number: int) -> Iterator[Command]:
+        """Leave the last system of a kind; restore the offsets before the innermost one."""
+        lower = yield from self.systems.leave(layer, source, number)
+        if lower is not None:
+            for kind in KINDS_IN_SYSTEMS:
+                for axis in range(lower.axis_count):
+                    yield from self._set(axis, kind, lower.values[axis][kind], source, number)
 
     # --- machine coordinates --------------------------------------------------------------------
 

@@ -8,6 +8,7 @@ What they yield is in ``channel_configuration.py``; the tables of M and H functi
 from __future__ import annotations
 
 from nctakt.base.diagnostics import Text
+from nctakt.lists.declared.coordinate_systems import COORDINATE_SYSTEMS
 from nctakt.lists.declared.dynamic_weights import DYNAMIC_WEIGHTS
 from nctakt.lists.declared.feed_groups import FEED_GROUPS
 from nctakt.lists.declared.kinematics import KINEMATICS
@@ -483,6 +484,7 @@ CHANNEL = Schema(
     + KINEMATICS
     + PATH_LIMITS
     + FEED_GROUPS
+    + COORDINATE_SYSTEMS
     + DYNAMIC_WEIGHTS
     + CHANNEL_MEASURING
     + _DEFAULTS

@@ -21,6 +21,7 @@ from nctakt.lists.declared.technology_functions import (
 from nctakt.lists.format.controller_numbers import bound_number
 from nctakt.lists.format.parameter import with_indices
 from nctakt.lists.format.values import Values
+from nctakt.lists.machine.coordinate_systems import ListedSystems, listed_systems
 from nctakt.lists.machine.dynamic_weights import DynamicWeights, dynamic_weights
 from nctakt.lists.machine.feed_groups import ListedFeedGroup, listed_feed_group
 from nctakt.lists.machine.kinematic_lists import transformations
@@ -214,6 +215,7 @@ class ChannelParameters:
     c_axis_name: str
     feed_group: ListedFeedGroup
     dynamic_weights: DynamicWeights
+    coordinate_systems: ListedSystems
 
     def function(self, letter: str, number: int) -> TechnologyFunction:
         """Return a function that is defined; T is the same one for all tools."""
@@ -260,6 +262,7 @@ def channel_parameters(values: Values, collector: Collector) -> ChannelParameter
         values.text("default_ax_name_of_spindle"),
         listed_feed_group(values),
         dynamic_weights(values, collector),
+        listed_systems(values),
     )
 
 

@@ -1,13 +1,16 @@
 # SPDX-License-Identifier: MIT
-"""``#CS``: the coordinate systems of a program (MO-8).
+"""``#CS``, ``#ACS``, ``#BCS``: the coordinate systems of a program (MO-8).
 
 In: the tree of a command. Out: a ``CsCommand``, and diagnostics for anything other than ``#CS
-DEF|ON [id] [v1, v2, v3, a1, a2, a3]``, ``#CS ON``, ``#CS OFF``, ``#CS OFF ALL``, ``#CS ADD [name]
-[v1 … a3]``, ``#CS SELECT [name]``. A single value in brackets is the ID. Shared by checker and
-decoder.
+DEF|ON [id] [v1, v2, v3, a1, a2, a3]``, ``#CS ON``, ``#CS OFF``, ``#CS OFF ALL``, ``#CS DEF ACT
+[id]``, the same with ``#ACS`` and ``#BCS``, ``#CS ADD [name] [v1 … a3]``, ``#CS SELECT [name]``,
+``#CS MODE ON|OFF [keyword]``. A single value in brackets is the ID, a single word that of a system
+of the channel list. Shared by checker and decoder.
 """
 
 from __future__ import annotations
+
+from collections.abc import Sequence
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Text
@@ -22,7 +25,17 @@ from nctakt.nc.vocabulary.command_forms import FORMS, forms_of
 #: Maximum number of components: a shift along three axes, three angles.
 MAX_COMPONENTS = 6
 
-ACTIONS = ("DEF", "ON", "OFF", "OFF ALL", "ADD", "SELECT")
+#: What each kind of system has, and what only those of ``#CS`` have.
+COMMON_ACTIONS = ("DEF", "DEF ACT", "ON", "OFF", "OFF ALL")
+ACTIONS = {
+    "CS": (*COMMON_ACTIONS, "ADD", "SELECT", "MODE ON", "MODE OFF"),
+    "ACS": COMMON_ACTIONS,
+    "BCS": COMMON_ACTIONS,
+}
+
+#: What ``#CS MODE`` switches (P-CHAN-00393, P-CHAN-00397).
+FIXED_ROTATION, OWN_OFFSETS = "ROTATION_MODE_FIXED", "AXES_OFFSETS_LAYER_SPECIFIC"
+MODES = (FIXED_ROTATION, OWN_OFFSETS)
 
 #: Maximum length of a system's name, and the names reserved for kinematics.
 MAX_CHARACTERS = 8
@@ -37,47 +50,85 @@ _MEANING_OF_MCS = Text(
 
 @dataclass(frozen=True, slots=True)
 class CsCommand:
-    """A ``#CS`` command; ``components``: ``None`` for a stored system, the last one without an ID.
+    """A command; ``components``: ``None`` for a stored system, the last one without an ID.
 
-    ``name``: that of ADD and SELECT.
+    ``kind``: CS, ACS or BCS. ``name``: that of ADD and SELECT, of a system of the channel list, the
+    word of MODE.
     """
 
+    kind: str
     action: str
-    identity: Expression | None
-    components: tuple[Expression, ...] | None
+    identity: Expression | None = None
+    components: tuple[Expression, ...] | None = None
     name: str = ""
+
+    @property
+    def shown(self) -> str:
+        """The command as programs write it."""
+        return f"#{self.kind} {self.action}"
 
 
 def cs_command(command: HashCommand) -> CsCommand | None:
     """Return the parsed command; ``None`` if its form is unknown."""
-    words = [word.name for word in command.words]
-    action = " ".join(words[1:])
-    if words[0] != "CS" or action not in ACTIONS:
+    kind, *words = (word.name for word in command.words)
+    action = " ".join(words)
+    if action not in ACTIONS.get(kind, ()):
         return None
     name = ""
     arguments = list(command.arguments)
+    if action.startswith("MODE"):
+        name = _mode(arguments)
+        return CsCommand(kind, action, name=name) if name else None
     if action in ("ADD", "SELECT"):
         name = _name(arguments.pop(0)) if arguments else ""
         if not name or (action == "SELECT") != (not arguments):
             return None
-    brackets: list[tuple[Expression, ...]] = []
-    for argument in arguments:
-        if not isinstance(argument, Bracket):
-            return None
-        values = tuple(item for item in argument.items if isinstance(item, Expression))
-        if len(values) != len(argument.items) or not 0 < len(values) <= MAX_COMPONENTS:
-            return None
-        brackets.append(values)
+    elif action == "ON" and arguments:
+        name = _name(arguments[0])
+        if name:
+            return CsCommand(kind, action, name=name) if len(arguments) == 1 else None
+    brackets = _values(arguments)
+    if brackets is None:
+        return None
     if name:
-        return CsCommand(action, None, brackets[0] if brackets else None, name)
+        return CsCommand(kind, action, None, brackets[0] if brackets else None, name)
     if action.startswith("OFF"):
-        return CsCommand(action, None, None) if not brackets else None
+        return CsCommand(kind, action) if not brackets else None
     identity = None
     if brackets and len(brackets[0]) == 1:
         identity = brackets.pop(0)[0]
     if len(brackets) > 1 or (action == "DEF" and not brackets):
         return None
-    return CsCommand(action, identity, brackets[0] if brackets else None)
+    if action == "DEF ACT" and brackets:
+        return None
+    return CsCommand(kind, action, identity, brackets[0] if brackets else None)
+
+
+def _values(
+    arguments: Sequence[Bracket | Keyword | Expression],
+) -> list[tuple[Expression, ...]] | None:
+    """Return the values in each of several brackets; ``None`` if there is something else."""
+    brackets: list[tuple[Expression, ...]] = []
+    for argument in arguments:
+        if not isinstance(argument, Bracket):
+            return None
+        values = tuple(item for item in argument.items if isinstance(item, Expression))
+        is_word = any(isinstance(value, Name) for value in values)
+        if is_word or len(values) != len(argument.items) or not 0 < len(values) <= MAX_COMPONENTS:
+            return None
+        brackets.append(values)
+    return brackets
+
+
+def _mode(arguments: Sequence[Bracket | Keyword | Expression]) -> str:
+    """Return the word of ``#CS MODE``; empty for anything but a known one, or one with a value."""
+    if len(arguments) != 1 or not isinstance(arguments[0], Bracket):
+        return ""
+    items = arguments[0].items
+    if len(items) != 1 or not isinstance(items[0], Keyword):
+        return ""
+    is_known = items[0].name in MODES
+    return "" if is_known and items[0].value is not None else items[0].name
 
 
 def _name(argument: Bracket | Keyword | Expression) -> str:
@@ -97,15 +148,34 @@ def _name(argument: Bracket | Keyword | Expression) -> str:
 
 def check_cs_command(command: HashCommand, values: ValueChecker, findings: Findings) -> bool:
     """Check the command; return false for another command."""
-    words = [word.name for word in command.words]
-    if words[0] != "CS" or " ".join(words[1:]) not in ("", *ACTIONS):
+    kind, *words = (word.name for word in command.words)
+    if kind not in ACTIONS or " ".join(words) not in ("", *ACTIONS[kind]):
         return False
     parsed = cs_command(command)
     if parsed is None:
-        name = "#" + " ".join(words)
-        forms = forms_of(name if name in FORMS else "#CS")
+        name = " ".join(["#" + kind, *words])
+        forms = forms_of(name if name in FORMS else "#" + kind)
         findings.report(INVALID_COMMAND_FORM, command.span, command=name, forms=forms)
         return True
+    if parsed.action.startswith("MODE"):
+        if parsed.name not in MODES:
+            findings.report(
+                COMMAND_WORD_NOT_SIMULATED,
+                command.span,
+                command=parsed.shown,
+                word=parsed.name,
+                names=", ".join(MODES),
+            )
+    elif parsed.action in ("ADD", "SELECT"):
+        _check_name(parsed, command, findings)
+    for value in (parsed.identity, *(parsed.components or ())):
+        if value is not None:
+            values.value(value)
+    return True
+
+
+def _check_name(parsed: CsCommand, command: HashCommand, findings: Findings) -> None:
+    """Check the name of a system of the stack."""
     if parsed.action == "SELECT" and parsed.name == INTERMEDIATE_SYSTEM:
         findings.report(
             COMMAND_WORD_NOT_SIMULATED,
@@ -121,7 +191,3 @@ def check_cs_command(command: HashCommand, values: ValueChecker, findings: Findi
         findings.report(
             INVALID_COORDINATE_SYSTEM_NAME, command.span, name=parsed.name, maximum=maximum
         )
-    for value in (parsed.identity, *(parsed.components or ())):
-        if value is not None:
-            values.value(value)
-    return True

@@ -212,7 +212,9 @@ def _argument(text: BlockText) -> Argument:
 
 #: The readers of an argument of commands whose brackets have items of their own.
 _BRACKETS: dict[str, Callable[[BlockText], Argument]] = {
+    "ACS": _components,
     "AX": _axes,
+    "BCS": _components,
     "CALL": _axes,
     "CS": _components,
     "HSC": _tolerances,

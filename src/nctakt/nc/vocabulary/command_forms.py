@@ -7,10 +7,24 @@ from nctakt.base.diagnostics import NOTHING
 
 #: Command -> examples of its forms; each is a line that a program may have.
 FORMS: dict[str, tuple[str, ...]] = {
+    "#ACS": (
+        "#ACS DEF [1] [10, 0, 0, 0, 0, 30]",
+        "#ACS ON [1]",
+        "#ACS ON",
+        "#ACS OFF",
+        "#ACS OFF ALL",
+    ),
     "#AX DEF": ("#AX DEF [X, 1, 0] [C, 4, 3]", "#AX DEF DEFAULT [C, 4, 3]", "#AX DEF DEFAULT"),
     "#AX RELEASE": ("#AX RELEASE [X, C]", "#AX RELEASE NBR [1, 4]", "#AX RELEASE ALL"),
     "#AX REQUEST": ("#AX REQUEST [C, 4, 3]",),
     "#BACKWARD STORAGE CLEAR": ("#BACKWARD STORAGE CLEAR",),
+    "#BCS": (
+        "#BCS DEF [1] [10, 0, 0, 0, 0, 30]",
+        "#BCS ON [1]",
+        "#BCS ON",
+        "#BCS OFF",
+        "#BCS OFF ALL",
+    ),
     "#BLOCKSEARCH LOCKED": ("#BLOCKSEARCH LOCKED",),
     "#BLOCKSEARCH RELEASED": ("#BLOCKSEARCH RELEASED",),
     "#CALL AX": ("#CALL AX [C, 4, 3]", "#CALL AX FAST [C, 4, 3] [Y, 5, 1]"),
@@ -37,8 +51,10 @@ FORMS: dict[str, tuple[str, ...]] = {
         "#CS ON",
         "#CS OFF",
         "#CS OFF ALL",
+        "#CS DEF ACT [2]",
     ),
     "#CS ADD": ("#CS ADD [WCS] [10, 0, 0, 0, 0, 30]",),
+    "#CS MODE": ("#CS MODE ON [ROTATION_MODE_FIXED]", "#CS MODE OFF [ROTATION_MODE_FIXED]"),
     "#CS SELECT": ("#CS SELECT [WCS]",),
     "#CYL": ("#CYL [Z, C, X60]", "#CYL OFF"),
     "#CYL OFF": ("#CYL OFF",),

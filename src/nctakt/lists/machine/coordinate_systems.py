@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: MIT
+"""The coordinate systems in the values of channel lists."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from nctakt.base.dataclass import dataclass
+from nctakt.lists.declared.coordinate_systems import COMPONENTS
+from nctakt.lists.format.values import Values
+
+
+@dataclass(frozen=True, slots=True)
+class ListedSystems:
+    """Six components (mm, degrees) by name in upper case, P-CHAN-00490 … 496.
+
+    ``is_rotation_fixed``: P-CHAN-00393. ``has_own_offsets``: P-CHAN-00397.
+    """
+
+    systems: Mapping[str, tuple[float, ...]]
+    is_rotation_fixed: bool
+    has_own_offsets: bool
+
+
+def listed_systems(values: Values) -> ListedSystems:
+    """Return what a channel list says about coordinate systems; those without a name are none.
+
+    Of two paths in a channel the first counts.
+    """
+    systems = {}
+    for index in values.indices("coordinate_system.def[]"):
+        name = values.text("coordinate_system.def[].id", index).upper()
+        keys = [f"coordinate_system.def[].path[].{component}" for _, component, *_ in COMPONENTS]
+        components = tuple(values.real(key, index, 0) for key in keys)
+        if name:
+            systems[name] = components
+    return ListedSystems(
+        systems,
+        values.flag("coordinate_system.rotation_mode_fixed"),
+        values.flag("coordinate_system.axes_offsets_layer_specific"),
+    )

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""Nested coordinate systems of the program, shifted and rotated: ``#CS``, ``#ACS``, ``#BCS`` (MO-8).
+"""Nested coordinate systems of the program, shifted and rotated: ``#CS``, ``#ACS``, ``#BCS``.
 
 The systems of ``#BCS`` are below all of ``#ACS``, which are below all of ``#CS``; those of one kind
-lie in the order of their activation. A system has an origin for each axis of the channel and a rotation matrix over the first three axes.
-Coordinates p with the active offsets s and the tool offset t give the axis positions origin +
-matrix * (p + s) + t. The tool offset is not rotated: it acts along the axes.
+lie in the order of their activation. A system has an origin for each axis of the channel and a
+rotation matrix over the first three axes. Coordinates p with the active offsets s and the tool
+offset t give the axis positions origin + matrix * (p + s) + t (MO-8). The tool offset is not
+rotated: it acts along the axes.
 
 In: the six components of ``#CS ON``: a shift along three axes in mm and three angles in degrees;
 the third turns about the third axis, the second about the resulting second axis, the first about

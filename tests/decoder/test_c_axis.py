@@ -110,6 +110,7 @@ def test_the_axis_begins_at_the_angle_of_the_spindle(lathe: Machine) -> None:
         ("#CS ON [1,2,3,0,0,0]\n#CAX", 901806),
         ("#CAX\n#CAX OFF\nG01 C10 F1000", 901800),
         ("#CAX\n#CAX [S, B]", 901803),
+        ("#MAIN SPINDLE [S2]\n#CAX [C]", 901872),
     ],
 )
 def test_what_is_refused(lathe: Machine, line: str, number: int) -> None:
@@ -118,6 +119,13 @@ def test_what_is_refused(lathe: Machine, line: str, number: int) -> None:
 
 def test_what_changes_nothing(lathe: Machine) -> None:
     assert problems(run_of(lathe, "#CAX OFF", "#CAX [C]", "#CAX [S, C]", "G01 C9 F999")) == []
+
+
+def test_another_main_spindle_turns_beside_the_c_axis(lathe: Machine) -> None:
+    """ID 21980: behind #CAX, #MAIN SPINDLE gives G95 a spindle again; S1 is the axis C."""
+    lines = ("#CAX [S1, C]", "#MAIN SPINDLE [S2]", "M3 S600", "G04 X2", "G95 F0.1", "G01 X1 C5")
+    assert problems(run_of(lathe, *lines)) == []
+    assert problems(run_of(lathe, *lines, "S1[M3 REV100]")) == [901818]
 
 
 def test_a_spindle_without_the_mode_cannot_be_an_axis() -> None:

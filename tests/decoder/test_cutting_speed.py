@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 import nctakt
+from nctakt.base.diagnostics import Severity
 from nctakt.results.run import Run
 from nctakt.run.controller import Controller, NcText
 
@@ -165,3 +166,14 @@ def test_g51_does_nothing_without_a_face_axis() -> None:
     """The demo machine has none."""
     result = run(None, "N10 G51 G00 X100\nM30")
     assert values_of(result, 10, "X.ACS.ACT_POS")[-1][0] == pytest.approx(100.0, abs=0.1)
+
+
+def test_the_main_spindle_does_not_change_under_g96(lathe: Path) -> None:
+    """901871 (choice): the cutting speed is that of one spindle; behind G97 another may follow."""
+    begin = "N10 G18 G00 X50\nN20 G96 S100 M03\n"
+    result = run(lathe, f"{begin}#MAIN SPINDLE [S2]\nM30")
+    assert [found.id for found in result.diagnostics if found.severity is Severity.ERROR] == [
+        901871
+    ]
+    result = run(lathe, f"{begin}N30 G97\n#MAIN SPINDLE [S2]\nN40 G96 S50 M03\nN50 G97\nM30")
+    assert result.state == "ended", result.diagnostics

@@ -46,3 +46,16 @@ SPINDLE_IS_C_AXIS = error(
     reaction=2,
     clearing=3,
 )
+C_AXIS_OF_OTHER_SPINDLE = error(
+    901872,
+    en="#CAX: another spindle than that of the channel list is the main spindle",
+    de="#CAX: eine andere Spindel als die der Kanalliste ist die Hauptspindel",
+    remedy_en="Program #MAIN SPINDLE before it: only the spindle of main_spindle_ax_nr can be an "
+    "axis here.",
+    remedy_de="Davor #MAIN SPINDLE programmieren: nur die Spindel von main_spindle_ax_nr kann hier "
+    "eine Achse sein.",
+    cause_en="nctakt makes the C axis of one spindle of a channel.",
+    cause_de="nctakt bildet die C-Achse aus einer Spindel des Kanals.",
+    reaction=2,
+    clearing=3,
+)

@@ -140,7 +140,7 @@ DESCRIBED_COUNT_MISMATCH = warning(
 )
 UNKNOWN_MAIN_SPINDLE = warning(
     21037,
-    known_as=(900072, 21306),
+    known_as=(900072,),
     en="main_spindle_ax_nr: no spindle of the channel has the logical number {logical}",
     de="main_spindle_ax_nr: keine Spindel des Kanals hat die logische Nummer {logical}",
     remedy_en="Use the logical number of one of the spindles of the channel.",

@@ -75,13 +75,34 @@ NOT_A_SPINDLE_WORD = error(
 )
 NO_MAIN_SPINDLE = error(
     21961,
-    known_as=(900473, 21306),
+    known_as=(900473,),
     en="the channel has no main spindle",
     de="der Kanal hat keine Hauptspindel",
     remedy_en="Name one (main_spindle_ax_nr, P-CHAN-00051), or use the name of a spindle: S2[M3 "
     "REV=1000]",
     remedy_de="Eine nennen (main_spindle_ax_nr, P-CHAN-00051) oder eine Spindel mit Namen "
     "ansprechen: S2[M3]",
+)
+NO_SUCH_SPINDLE = error(
+    21306,
+    en="#MAIN SPINDLE: the channel has no spindle {spindle}",
+    de="#MAIN SPINDLE: der Kanal hat keine Spindel {spindle}",
+    remedy_en="Program the name or the logical number of one of its spindles. Known: {known}",
+    remedy_de="Name oder logische Nummer einer seiner Spindeln programmieren. Bekannt: {known}",
+    spindle=("the name or number as written", "Name oder Nummer, wie geschrieben"),
+    known=("names of the spindles", "Namen der Spindeln"),
+    reaction=2,
+    clearing=3,
+)
+MAIN_SPINDLE_IN_USE = error(
+    901871,
+    en="#MAIN SPINDLE while {word} is active",
+    de="#MAIN SPINDLE, solange {word} aktiv ist",
+    remedy_en="Program G97 before it.",
+    remedy_de="Davor G97 programmieren.",
+    word=("what acts on the main spindle", "was auf die Hauptspindel wirkt"),
+    reaction=2,
+    clearing=3,
 )
 INVALID_SPINDLE_SPEED = error(
     20991,

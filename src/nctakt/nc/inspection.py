@@ -112,7 +112,7 @@ def plain_scanner(channel: ChannelParameters, axes: Iterable[str]) -> PlainScann
     """Return the scanner of plain blocks of a channel with these ``axes``; those with the name of
     a spindle are left out.
     """
-    spindles = [spindle.name for spindle in channel.spindles]
+    spindles = channel.spindle_names
     return PlainScanner(["" if name in spindles else name for name in axes])
 
 

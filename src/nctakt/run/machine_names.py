@@ -44,6 +44,7 @@ class MachineNames:
                     single,
                     ranges,
                     _fetched(configuration, channel),
+                    channel.parameters.spindle_names,
                 )
                 for channel in configuration.channels
             ],

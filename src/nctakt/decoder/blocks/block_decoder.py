@@ -32,7 +32,7 @@ from nctakt.decoder.blocks.moved_axes import MovedAxes
 from nctakt.decoder.blocks.orientation import Orientation
 from nctakt.decoder.blocks.path_motion import CENTRE_WORDS, PathMotion
 from nctakt.decoder.blocks.rotating_planes import check_function
-from nctakt.decoder.blocks.spindles import SpindleWords, is_revolutions, names_of
+from nctakt.decoder.blocks.spindles import SpindleWords, is_revolutions
 from nctakt.decoder.blocks.targets import Targets
 from nctakt.decoder.blocks.technology_output import (
     TechnologyOutputs,
@@ -113,9 +113,9 @@ class BlockDecoder:
         self._state = values.state
         marks = values.environment.marks_blocks
         self._in_force = InForceMarks(values.environment, values.state) if marks else None
-        self._spindles = SpindleWords(values, CuttingSpeeds(values))
-        threads = ThreadMotion(values, self._spindles)
-        feed_rate = FeedRate(values, self._spindles)
+        self.spindles = SpindleWords(values, CuttingSpeeds(values))
+        threads = ThreadMotion(values, self.spindles)
+        feed_rate = FeedRate(values, self.spindles)
         self.path = PathMotion(values, feed_rate, threads)
         self.ramps = FeedRamps(values, feed_rate)
         self.weighting = DynamicWeighting(values, feed_rate)
@@ -129,7 +129,7 @@ class BlockDecoder:
         self.tools = ToolWords(values, self.moved)
         self.orientation = Orientation(values, self.moved)
         self.has_motion = False
-        self._spindle_names = names_of(self._environment.parameters.spindles)
+        self._spindle_names = self._environment.parameters.spindle_names
 
     def offsets(self, command: tree.OffsetCommand, number: int) -> Generator[Command, Answer]:
         """Execute ``#PSET``, ``#PRESET`` or ``#SCALE``."""
@@ -236,7 +236,7 @@ class BlockDecoder:
         rest: Sequence[tree.BlockWord] = block.words
         if DWELL in numbers:
             rest = [word for word in rest if not is_revolutions(word)]
-            content.dwell_s = yield from self._spindles.dwell_s(block, number)
+            content.dwell_s = yield from self.spindles.dwell_s(block, number)
         commands, words = split(rest, self._spindle_names)
         for word in words:
             if isinstance(word, tree.AxisWord):
@@ -285,13 +285,13 @@ class BlockDecoder:
         if self._state.motion in THREADS and content.path.centre:
             self.path.threads.pitches(content.path.centre)
             content.path.centre = {}
-        if commands or self._spindles.is_concerned(numbers):
-            yield from self._spindles.speed_functions(numbers, number)
+        if commands or self.spindles.is_concerned(numbers):
+            yield from self.spindles.speed_functions(numbers, number)
         for command in commands:
             if self._state.motion in TAPPING_FUNCTIONS:
                 yield from self.path.threads.speed(command, number)
                 continue
-            content.functions += yield from self._spindles.functions(command, number)
+            content.functions += yield from self.spindles.functions(command, number)
         if DWELL in numbers and content.axes:
             content.dwell_s = content.axes.pop()[1]
         if not _TAKING_AXES.isdisjoint(numbers):

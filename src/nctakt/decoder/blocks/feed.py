@@ -206,20 +206,20 @@ class FeedRate:
 
     def _per_revolution(self, feed_state: FeedState, span: Span) -> tuple[float, int, float]:
         """Return the feed under G95; for a spindle of the PLC from its programmed speed."""
-        for index, spindle in enumerate(self._environment.parameters.spindles):
-            if not spindle.is_main:
-                continue
-            modal = self._spindles.modal.get(index)
-            if modal is None or modal.function == SPINDLE_STOP or modal.speed <= 0.0:
-                self._values.fail(FEED_PER_REVOLUTION_SPINDLE_STOPPED, span, spindle=spindle.name)
-            speed = modal.speed
-            if self._spindles.cutting.is_active:
-                speed = self._spindles.cutting.limit_of(index)
-            feed = feed_state.per_revolution_mm * speed / 60.0
-            if spindle.plc_controlled or not feed_state.follows_spindle:
-                return feed, -1, 0.0
-            return feed, index, speed * DEGREES_PER_S
-        self._values.fail(FEED_PER_REVOLUTION_WITHOUT_SPINDLE, span)
+        index = self._state.main_spindle
+        if index < 0:
+            self._values.fail(FEED_PER_REVOLUTION_WITHOUT_SPINDLE, span)
+        spindle = self._environment.parameters.spindles[index]
+        modal = self._spindles.modal.get(index)
+        if modal is None or modal.function == SPINDLE_STOP or modal.speed <= 0.0:
+            self._values.fail(FEED_PER_REVOLUTION_SPINDLE_STOPPED, span, spindle=spindle.name)
+        speed = modal.speed
+        if self._spindles.cutting.is_active:
+            speed = self._spindles.cutting.limit_of(index)
+        feed = feed_state.per_revolution_mm * speed / 60.0
+        if spindle.plc_controlled or not feed_state.follows_spindle:
+            return feed, -1, 0.0
+        return feed, index, speed * DEGREES_PER_S
 
     def _max_axis_feed(
         self, start: Sequence[float], target: Sequence[float], arc: Arc | None

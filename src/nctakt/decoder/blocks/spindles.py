@@ -29,10 +29,13 @@ from nctakt.messages.spindles import (
     DWELL_WITHOUT_SPINDLE,
     INVALID_SPINDLE_SPEED,
     M19_WITHOUT_SPEED,
+    MAIN_SPINDLE_IN_USE,
+    NO_SUCH_SPINDLE,
     SPINDLE_AXIS_LIST_MISSING,
     SPINDLE_SPEED_LIMITED,
 )
 from nctakt.nc import tree
+from nctakt.nc.check.main_spindle import main_spindle_command
 from nctakt.nc.vocabulary.functions import (
     CLOCKWISE,
     CONSTANT_SPEED,
@@ -76,6 +79,7 @@ class SpindleWords:
 
     def __post_init__(self) -> None:
         self.values.spindle_value = self.value
+        self.values.state.main_spindle = main_of(self.values.environment.parameters.spindles)
 
     def value(self, variable: tree.Variable, system: SystemVariable) -> float:
         """Return V.SPDL or V.SPDL_PROG; raises ``DecodeError`` for an unknown spindle."""
@@ -84,7 +88,7 @@ class SpindleWords:
             return float(len(spindles))
         index = self._index_of(variable, system)
         modal = self.modal.get(index, _Modal())
-        if system.subject in OF_MAIN_SPINDLE and not spindles[index].is_main:
+        if system.subject in OF_MAIN_SPINDLE and index != self.values.state.main_spindle:
             return 0.0
         match system.subject:
             case "LOG_AX_NR":
@@ -104,7 +108,8 @@ class SpindleWords:
         return self.dwell_turns
 
     def _index_of(self, variable: tree.Variable, system: SystemVariable) -> int:
-        names = names_of(self.values.environment.parameters.spindles)
+        environment = self.values.environment
+        names = names_of(environment.parameters.spindles)
         if system.element is not None:
             index = int(self.values.constant_value(system.element) or 0)
             if not 0 <= index < len(names):
@@ -116,11 +121,30 @@ class SpindleWords:
                     count=len(names),
                 )
             return index
-        if system.axis not in names:
-            near = nearest(system.axis, names) or NOTHING
+        index = index_of(self.values, system.axis)
+        if index < 0:
+            near = nearest(system.axis, environment.parameters.spindle_names) or NOTHING
             name = path_text(variable)
             self.values.fail(UNKNOWN_VARIABLE, variable.span, name=name, nearest=near)
-        return names.index(system.axis)
+        return index
+
+    def choose_main(self, statement: tree.HashCommand, number: int) -> Generator[Command, Answer]:
+        """Execute ``#MAIN SPINDLE``: another spindle takes S, M3 … M5, M19, G95 and G96."""
+        command = main_spindle_command(statement)
+        assert command is not None
+        spindles = self.values.environment.parameters.spindles
+        if self.cutting.is_active:
+            self.values.fail(MAIN_SPINDLE_IN_USE, statement.span, word="G96")
+        if command.number is None:
+            index = index_of(self.values, command.name) if command.name else main_of(spindles)
+        else:
+            value = yield from self.values.evaluate(command.number, number)
+            numbers = [spindle.logical_number for spindle in spindles]
+            if value not in numbers:
+                known = ", ".join(map(str, numbers))
+                self.values.fail(NO_SUCH_SPINDLE, statement.span, spindle=f"{value:g}", known=known)
+            index = numbers.index(int(value))
+        self.values.state.main_spindle = index
 
     def is_concerned(self, numbers: Mapping[int, Span]) -> bool:
         """Return whether a block has G96, G97 or G196."""
@@ -143,10 +167,11 @@ class SpindleWords:
         """Return the job of a command as a function of the block; empty if there is none."""
         index, spindle = self._spindle(command)
         modal = self.modal.setdefault(index, _Modal())
-        is_cutting = spindle.is_main and self.cutting.is_active
+        is_main = index == self.values.state.main_spindle
+        is_cutting = is_main and self.cutting.is_active
         if command.speed is not None:
             speed = yield from self._speed(command.speed, number)
-            if spindle.is_main and self.cutting.sets_limit:
+            if is_main and self.cutting.sets_limit:
                 span = command.speed.span
                 yield from self.cutting.set_limit(speed, index, span, number)
                 if not command.functions:
@@ -197,11 +222,9 @@ class SpindleWords:
         """Return the time in s of ``count`` revolutions of the main spindle at its programmed
         speed.
         """
-        for index, spindle in enumerate(self.values.environment.parameters.spindles):
-            modal = self.modal.get(index)
-            if spindle.is_main and modal is not None and modal.function in _DIRECTIONS:
-                if modal.speed > 0.0:
-                    return 60.0 * count / modal.speed
+        modal = self.modal.get(self.values.state.main_spindle)
+        if modal is not None and modal.function in _DIRECTIONS and modal.speed > 0.0:
+            return 60.0 * count / modal.speed
         self.values.fail(DWELL_WITHOUT_SPINDLE, span)
 
     def _job(
@@ -242,22 +265,41 @@ def is_revolutions(word: tree.BlockWord) -> bool:
     return isinstance(word, tree.Word) and word.name == "S"
 
 
+def main_of(spindles: Sequence[Spindle]) -> int:
+    """Return the index of the main spindle of the channel list (P-CHAN-00051); -1 without one."""
+    return next((index for index, spindle in enumerate(spindles) if spindle.is_main), -1)
+
+
+def index_of(values: Values, name: str) -> int:
+    """Return the index of a spindle by its name in the program; -1 for an unknown one.
+
+    The name of the main spindle, like none at all, is that of the one that ``#MAIN SPINDLE`` has
+    made it; the others have their names in the channel list (P-CHAN-00007).
+    """
+    spindles = values.environment.parameters.spindles
+    listed_main = main_of(spindles)
+    if not name or (listed_main >= 0 and name == spindles[listed_main].name):
+        return values.state.main_spindle
+    for index, spindle in enumerate(spindles):
+        if name in (spindle.name, spindle.list_name):
+            return index
+    return -1
+
+
 def find(values: Values, name: str, span: Span) -> tuple[int, Spindle]:
     """Return index and configuration of the spindle with this name; empty: the main spindle."""
-    for index, spindle in enumerate(values.environment.parameters.spindles):
-        if spindle.name == name or (spindle.is_main and not name):
-            if not spindle.plc_controlled and index not in values.environment.max_spindle_speeds:
-                values.fail(
-                    SPINDLE_AXIS_LIST_MISSING,
-                    span,
-                    spindle=spindle.name,
-                    logical=spindle.logical_number,
-                )
-            c_axis = values.environment.places.c_axis_name if spindle.is_main else ""
-            if c_axis:
-                values.fail(SPINDLE_IS_C_AXIS, span, spindle=spindle.name, axis=c_axis)
-            return index, spindle
-    raise AssertionError(name)
+    index = index_of(values, name)
+    assert index >= 0, name
+    spindle = values.environment.parameters.spindles[index]
+    if not spindle.plc_controlled and index not in values.environment.max_spindle_speeds:
+        values.fail(
+            SPINDLE_AXIS_LIST_MISSING, span, spindle=spindle.name, logical=spindle.logical_number
+        )
+    # The C axis is made of the main spindle of the list.
+    c_axis = values.environment.places.c_axis_name if spindle.is_main else ""
+    if c_axis:
+        values.fail(SPINDLE_IS_C_AXIS, span, spindle=spindle.name, axis=c_axis)
+    return index, spindle
 
 
 def warn_of_speed(values: Values, index: int, speed: float, span: Span) -> None:

@@ -11,7 +11,7 @@ from collections.abc import Mapping, Sequence
 
 from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Span
-from nctakt.decoder.blocks.spindles import cycle_statement, names_of
+from nctakt.decoder.blocks.spindles import cycle_statement
 from nctakt.decoder.blocks.technology_output import process_ticks
 from nctakt.decoder.blocks.user_errors import parts
 from nctakt.decoder.cycles.axis_actions import ActionBuilder
@@ -188,7 +188,7 @@ class CycleBuilder:
         """The M and H functions and single-axis commands of a block, in their order (RC-403)."""
         environment = self._values.environment
         built: list[Statement] = []
-        commands, words = split(block.words, names_of(environment.parameters.spindles))
+        commands, words = split(block.words, environment.parameters.spindle_names)
         for command in commands:
             cost = command_steps(command, self._names)
             built.append(cycle_statement(self._values, self._builder, command, cost))

@@ -10,12 +10,13 @@ from __future__ import annotations
 from collections.abc import Generator
 
 from nctakt.base.diagnostics import Text
+from nctakt.decoder.blocks.spindles import main_of
 from nctakt.decoder.state.axis_places import AxisPlace, Places, trimmed
 from nctakt.decoder.state.commands import Answer, AwaitSpindle, Command, SpindleJob
 from nctakt.decoder.state.coordinate_systems import MAIN_AXES
 from nctakt.decoder.values.variables import Values
 from nctakt.messages.axis_exchange import AXIS_TWICE
-from nctakt.messages.c_axis import C_AXIS_IN_PLANE
+from nctakt.messages.c_axis import C_AXIS_IN_PLANE, C_AXIS_OF_OTHER_SPINDLE
 from nctakt.nc import tree
 from nctakt.nc.check.c_axis import CAxisCommand, c_axis_command
 from nctakt.nc.vocabulary.functions import SPINDLE_STOP
@@ -41,8 +42,9 @@ class CAxisCommands:
             return self._places.present
         target = self._with(command, statement)
         source = self._environment.source_id(statement.span)
-        spindles = self._environment.parameters.spindles
-        index = [spindle.is_main for spindle in spindles].index(True)
+        index = main_of(self._environment.parameters.spindles)
+        if self._values.state.main_spindle != index:
+            self._values.fail(C_AXIS_OF_OTHER_SPINDLE, statement.span)
         yield SpindleJob(source, number, index, SPINDLE_STOP, 0.0, 0.0, 0, 0)
         yield AwaitSpindle(source, number, index)
         return target

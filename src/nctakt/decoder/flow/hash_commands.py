@@ -59,6 +59,7 @@ class HashCommands:
         self._values = values
         self._splines = blocks.path.splines
         self._environment = values.environment
+        self._spindles = blocks.spindles
         self._systems = CsCommands(values)
         self._measuring = Measuring(values)
         self._tools = ToolCommands(values, blocks)
@@ -105,6 +106,8 @@ class HashCommands:
             yield from self._measuring.command(command, number)
         elif words[0] in LAYERS:
             yield from self._systems.command(command, number)
+        elif words == ("MAIN", "SPINDLE"):
+            yield from self._spindles.choose_main(command, number)
         elif words == ("TOOL", "ORI", "CS"):
             yield from self._tool.command(command.span, number)
         elif " ".join(words) in COMMANDS:

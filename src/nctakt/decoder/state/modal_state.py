@@ -416,6 +416,7 @@ class ModalState:
     software_limits: LimitsOfProgram = field(default_factory=LimitsOfProgram)
     frame: ContourFrame = field(default_factory=ContourFrame)
     block_number: int = 0
+    main_spindle: int = -1
 
     @property
     def rapid(self) -> bool:

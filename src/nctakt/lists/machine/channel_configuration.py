@@ -217,6 +217,13 @@ class ChannelParameters:
     dynamic_weights: DynamicWeights
     coordinate_systems: ListedSystems
 
+    @property
+    def spindle_names(self) -> tuple[str, ...]:
+        """The names of spindles in programs; that of the list is also one of the main spindle."""
+        names = [spindle.name for spindle in self.spindles]
+        listed = [spindle.list_name for spindle in self.spindles if spindle.list_name]
+        return tuple(dict.fromkeys([*names, *listed]))
+
     def function(self, letter: str, number: int) -> TechnologyFunction:
         """Return a function that is defined; T is the same one for all tools."""
         if letter == "T":

@@ -122,7 +122,7 @@ class WordChecker:
         self._findings = findings
         self.axes = values.axes
         self._components = VECTOR_WORDS if any(channel.transformations.steps) else ()
-        self.spindles = tuple(spindle.name for spindle in channel.spindles)
+        self.spindles = channel.spindle_names
         self._commands = SpindleChecker(channel, values, findings, in_cycle=False)
         self._together = BlockChecker(channel, self.axes[:3], findings)
         self.joins_motions = False

@@ -52,13 +52,13 @@ def c_axis_command(command: HashCommand) -> CAxisCommand | None:
     bracket = command.arguments[0]
     if not is_on or len(command.arguments) > 1 or not isinstance(bracket, Bracket):
         return None
-    names = [_name(item) for item in bracket.items]
+    names = [spindle_name(item) for item in bracket.items]
     if not all(names) or not 0 < len(names) <= 2:
         return None
     return CAxisCommand(True, names[0] if len(names) == 2 else "", names[-1])
 
 
-def _name(item: Keyword | Expression) -> str:
+def spindle_name(item: Keyword | Expression) -> str:
     """Return a name in brackets; ``S2`` reads as the word S with the value 2."""
     match item:
         case Keyword(value=Number(value=value)) if value == int(value):
@@ -80,7 +80,7 @@ def check_c_axis(
     if not parsed.is_on:
         return ""
     main = next((one for one in channel.spindles if one.is_main), None)
-    if parsed.spindle and (main is None or parsed.spindle != main.name):
+    if parsed.spindle and (main is None or parsed.spindle not in (main.name, main.list_name)):
         known = NOTHING if main is None else main.name
         findings.report(NOT_THE_MAIN_SPINDLE, command.span, spindle=parsed.spindle, main=known)
         return ""

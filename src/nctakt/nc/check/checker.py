@@ -42,6 +42,7 @@ from nctakt.nc.check.findings import Findings, FindingsState
 from nctakt.nc.check.hash_commands import CommandChecker
 from nctakt.nc.check.machine_coordinates import check_machine_command
 from nctakt.nc.check.macros import MacroExpander
+from nctakt.nc.check.main_spindle import check_main_spindle
 from nctakt.nc.check.measuring import check_meas
 from nctakt.nc.check.path_commands import check_path_command
 from nctakt.nc.check.program_variables import ProgramVariableChecker
@@ -143,6 +144,7 @@ class Checker:
         axes = [axis.name for axis in channel.axes]
         self._names = names
         self._values = ValueChecker(names, axes, self._findings, in_cycle=False)
+        self._channel = channel
         self._words = WordChecker(channel, self._values, self._findings)
         in_cycle = ValueChecker(names, axes, self._findings, in_cycle=True)
         single = AxisCommandChecker(names, self._words, in_cycle, self._findings)
@@ -405,6 +407,8 @@ class Checker:
         elif check_path_command(command, self._values, self._findings):
             return
         elif check_cs_command(command, self._values, self._findings):
+            return
+        elif check_main_spindle(command, self._channel, self._values, self._findings):
             return
         elif check_machine_command(command, self._values, self._findings):
             return

@@ -142,8 +142,12 @@ def _name(argument: Bracket | Keyword | Expression) -> str:
         return ""
     if item.value is None:
         return item.name
+    # ``W2`` reads as a keyword with a value, which ``W=2`` is.
     number = item.value
-    return f"{item.name}{number.value:.0f}" if isinstance(number, Number) else ""
+    is_one_word = number.span.column == item.span.column + len(item.name)
+    if not isinstance(number, Number) or not is_one_word:
+        return ""
+    return f"{item.name}{number.value:.0f}"
 
 
 def check_cs_command(command: HashCommand, values: ValueChecker, findings: Findings) -> bool:

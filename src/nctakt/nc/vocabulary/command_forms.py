@@ -75,6 +75,7 @@ FORMS: dict[str, tuple[str, ...]] = {
     "#FGROUP ROT": ("#FGROUP ROT [AX=C REF=40]", "#FGROUP ROT"),
     "#FGROUP WAXIS": ("#FGROUP WAXIS",),
     "#FLUSH": ("#FLUSH", "#FLUSH WAIT", "#FLUSH CONTINUE"),
+    "#MAIN SPINDLE": ("#MAIN SPINDLE [S2]", "#MAIN SPINDLE [11]", "#MAIN SPINDLE"),
     "#MEAS": (
         "#MEAS [TYPE=1 ERR_NO_SIGNAL=0]",
         "#MEAS [EDGE=NEG]",

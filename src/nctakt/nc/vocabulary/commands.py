@@ -207,7 +207,7 @@ COMMANDS = table(
     ),
     ("#LOAD CONFIG", REFUSED, "load a stored configuration", "gespeicherte Konfiguration laden"),
     ("#MACHINE DATA", REFUSED, "parameters of axes", "Achsparameter"),
-    ("#MAIN SPINDLE", REFUSED, "main spindle", "Hauptspindel"),
+    ("#MAIN SPINDLE", SIMULATED, "change of the main spindle", "Wechsel der Hauptspindel"),
     ("#MANUAL LIMITS", REFUSED, "limits of manual mode", "Grenzen des Handbetriebs"),
     ("#MARK", REFUSED, "mark", "Marke"),
     ("#MCS", SIMULATED, "machine coordinates", "Maschinenkoordinaten"),

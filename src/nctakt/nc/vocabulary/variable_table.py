@@ -113,10 +113,10 @@ class NotFound:
 class ChannelNames:
     """The names of one channel: its axes with their numbers in the machine, and its variables.
 
-    ``linear``: numbers of axes whose positions are lengths; ``spindles``: names; ``modulo``:
-    numbers of modulo axes; ``single``: numbers of axes that may move independently (P-AXIS-00457).
-    ``ranges``: number of an axis -> its software limits or modulo range; infinite where missing.
-    ``logical``: logical numbers of the axes that the channel can fetch -> numbers in the machine.
+    ``linear``: numbers of axes whose positions are lengths; ``spindles``: names, of which programs
+    know ``spindle_names``; ``modulo``: numbers of modulo axes; ``single``: of axes that may move
+    independently (P-AXIS-00457). ``ranges``: number of an axis -> software limits or modulo range.
+    ``logical``: logical numbers of axes that the channel can fetch -> numbers in the machine.
     """
 
     axes: tuple[tuple[str, int], ...]
@@ -128,6 +128,7 @@ class ChannelNames:
     single: frozenset[int] = frozenset()
     ranges: Mapping[int, tuple[float, float]] = field(default_factory=dict)
     logical: Mapping[int, int] = field(default_factory=dict)
+    spindle_names: tuple[str, ...] = ()
 
 
 def _row_cells(rows: Sequence[RealtimeVariable]) -> int:
@@ -210,7 +211,7 @@ class NameTable:
         #: Names of axes that a program fetches, with their logical numbers if these are known.
         self.fetched: dict[str, int | None] = {}
         self._linear = channel.linear
-        self.spindles = channel.spindles
+        self.spindles = channel.spindle_names or channel.spindles
         self._axis_traits = {name: self._traits(number) for name, number in channel.axes}
         self._variables: dict[str, dict[str, tuple[Node, int]]] = {"E": {}, "CH": {}}
         for variable in channel.external:

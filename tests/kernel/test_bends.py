@@ -60,10 +60,10 @@ def test_a_corner_that_is_as_fast_without_a_bend_stays() -> None:
 
 
 def test_what_stands_between_the_blocks_comes_behind_the_bend() -> None:
-    """The bend belongs to its first block; M100, which does not stop the path, comes behind it."""
-    lines = "G01 X50 F12000\nM100\nY50\nM30"
+    """The bend belongs to its first block; a message between the blocks comes behind it."""
+    lines = 'G01 X50 F12000\n#MSG ["x"]\nY50\nM30'
     run, places = performed(f"{SLOPE}\nG261\n{lines}")
-    told = [event.tick for event in run.events if event.kind == "output"]
+    told = [event.tick for event in run.events if event.kind == "message"]
     assert len(told) == 1
     half = 6.0 / math.sqrt(2.0)
     assert places[told[0] - 2][1] < half <= places[told[0]][1]

@@ -15,7 +15,6 @@ from nctakt.decoder.blocks.block_decoder import BlockDecoder
 from nctakt.decoder.blocks.path_settings import PathSettings
 from nctakt.decoder.blocks.software_limits import listed_limits_again
 from nctakt.decoder.blocks.user_errors import user_error
-from nctakt.decoder.compensation import Compensation
 from nctakt.decoder.cycles.builder import SCOPES, CycleDefinition
 from nctakt.decoder.cycles.kept_cycles import CyclePlace, built_cycle
 from nctakt.decoder.cycles.keywords import keyword_of, word_of
@@ -30,7 +29,7 @@ from nctakt.decoder.flow.macros import Macros
 from nctakt.decoder.flow.modal_calls import ModalCalls
 from nctakt.decoder.flow.realtime_loops import RealtimeLoops
 from nctakt.decoder.flow.signals import Signals
-from nctakt.decoder.shapes.shaping import Shaping
+from nctakt.decoder.motion_stages import MotionStages
 from nctakt.decoder.state.call_stack import MAX_CALL_DEPTH, MAX_NESTING, CallFrame
 from nctakt.decoder.state.commands import (
     CONTROL_ACTIONS,
@@ -106,13 +105,12 @@ class ProgramDecoder:
         self._block_decoder = BlockDecoder(self._values, self._uncertain_axes)
         path = self._block_decoder.path
         self._path_settings = PathSettings(self._values, self._block_decoder)
-        self._shaping = Shaping(self._values, path, self._pass_time)
-        self._compensation = Compensation(self._values, path, self._pass_contour_time)
+        self._stages = MotionStages(self._values, path, self._pass_time)
         self._calls = Calls(self._values)
         self._macros = Macros(environment, self._values.fail, state.named_programs)
         self._hash_commands = HashCommands(self._values, self._block_decoder)
         self._loops = RealtimeLoops(
-            self._values, self._block_decoder, self._statements, self._shaping.shape_body
+            self._values, self._block_decoder, self._statements, self._stages.loop_body
         )
         self._signals = Signals(self._values, self._block_decoder.moved.request)
         self._flow = Flow(self._values, self._statements, self._count_pass)
@@ -124,8 +122,8 @@ class ProgramDecoder:
             self._values,
             self._uncertain_axes,
             self._block_decoder.technology,
-            self._shaping,
-            self._compensation,
+            self._stages,
+            self._stages.compensation,
             MAX_BLOCKS_WITHOUT_TIME,
         )
         self._exchange = AxisExchange(self._values, self._plain.adapt)
@@ -148,7 +146,7 @@ class ProgramDecoder:
         if self._search.is_active:
             commands = self._search.filter(commands, program.main.span)
         commands = self._exchange.run(commands, members, lambda: self._current)
-        return self._compensation.compensate(self._shaping.shape(commands))
+        return self._stages.run(commands)
 
     def _run(self, program: ProgramText) -> Generator[Command, Answer]:
         yield from self._hash_commands.begin_program(program.main.span)
@@ -176,12 +174,7 @@ class ProgramDecoder:
 
     def pass_time(self, command: Command) -> None:
         """Note that the consumer has taken a command that takes time."""
-        if not self._compensation.is_releasing and not self._shaping.is_releasing:
-            self._pass_time(command)
-
-    def _pass_contour_time(self, command: Command) -> None:
-        if not self._shaping.is_releasing:
-            self._pass_time(command)
+        self._stages.pass_time(command)
 
     def _pass_time(self, command: Command) -> None:
         self._blocks = 0

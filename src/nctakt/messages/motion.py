@@ -120,6 +120,20 @@ INVALID_CONTOUR_DEVIATION = error(
     reaction=2,
     clearing=3,
 )
+CURVE_OUTSIDE_LIMITS = error(
+    901871,
+    en="the curve of #CONTOUR MODE takes axis {axis} to {position}, outside {low} … {high}",
+    de="die Kurve von #CONTOUR MODE führt Achse {axis} auf {position}, außerhalb {low} … {high}",
+    remedy_en="Move the interim point or the corner away from the limit (P-AXIS-00177, -00178).",
+    remedy_de="Zwischenpunkt oder Ecke von der Grenze weg verlegen (P-AXIS-00177, -00178).",
+    axis=("name of the axis", "Name der Achse"),
+    position=(
+        "a position on the curve in mm or degrees",
+        "eine Position der Kurve in mm oder Grad",
+    ),
+    low=("lower limit", "untere Grenze"),
+    high=("upper limit", "obere Grenze"),
+)
 CONTOUR_SHARE_OUT_OF_RANGE = error(
     901870,
     en="{word} {value} of #CONTOUR MODE is not within 0 … {highest}",

@@ -120,8 +120,8 @@ class BlockDecoder:
         self.ramps = FeedRamps(values, feed_rate)
         self.weighting = DynamicWeighting(values, feed_rate)
         self.frame = FrameCommands(values)
-        self._targets = Targets(values, self.path)
-        self._lines = ContourLines(values, self._targets, self.path)
+        self.targets = Targets(values, self.path)
+        self._lines = ContourLines(values, self.targets, self.path)
         self.technology = TechnologyOutputs()
         self._measuring = Measuring(values)
         self._axis_functions = AxisFunctions(values, self._measuring, uncertain_axes)
@@ -148,7 +148,7 @@ class BlockDecoder:
                 yield from offsets.release(axis, source, number)
                 continue
             programmed = yield from self._values.evaluate(word.value, number)
-            value = self._targets.in_axis_unit(axis, programmed)
+            value = self.targets.in_axis_unit(axis, programmed)
             yield from self.moved.request([word.name], command.span, number)
             position = offsets.inside(self._state.positions)[axis]
             yield from offsets.preset(axis, position, value, source, number)
@@ -347,7 +347,7 @@ class BlockDecoder:
         if content.is_reference:
             for word, value in content.axes:
                 axis = self._environment.axis_numbers[word.name]
-                shift = self._targets.in_axis_unit(axis, value)
+                shift = self.targets.in_axis_unit(axis, value)
                 relative = not self._state.absolute
                 yield from offsets.add_zero(axis, shift, relative, source, number)
             content.axes.clear()
@@ -412,7 +412,7 @@ class BlockDecoder:
         if not self._uncertain_axes.is_empty:
             yield from self.moved.request(self.moved.programmed(content), span, number)
         start = self._state.positions
-        target = self._targets.of(content, span)
+        target = self.targets.of(content, span)
         segment = self.path.segment(start, target, content.path, span, number)
         self._state.positions = target
         if segment is None:
@@ -439,7 +439,7 @@ class BlockDecoder:
         modal = self._state.motion
         if modal != RAPID:
             self._state.motion = LINE
-        target = self._targets.of(content, span)
+        target = self.targets.of(content, span)
         segment = self.path.segment(self._state.positions, target, content.path, span, number)
         self._state.motion, self._state.positions = modal, target
         if segment is not None:

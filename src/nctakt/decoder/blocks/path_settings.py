@@ -27,6 +27,7 @@ from nctakt.messages.motion import (
 from nctakt.nc import tree
 from nctakt.nc.check.path_commands import command_name, is_hsc_value, is_size, keywords
 from nctakt.nc.vocabulary.path_keywords import (
+    ACTIONS,
     CONTOUR_MODES,
     CONTOUR_SHARES,
     HSC_CURVES,
@@ -58,6 +59,7 @@ class PathSettings:
         self._threads = blocks.path.threads
         self._ramps = blocks.ramps
         self._weighting = blocks.weighting
+        self._targets = blocks.targets
         self._environment = values.environment
         self._state = values.state
 
@@ -93,12 +95,18 @@ class PathSettings:
         """Execute ``#CONTOUR MODE``."""
         path, limits = self._state.path, self._state.limits
         before = limits.rounded_part
+        point: dict[int, float] = {}
         for keyword in keywords(command):
             if keyword.name in CONTOUR_MODES:
                 path.contour.mode = keyword.name
+            if keyword.name in ACTIONS:
+                path.contour.action = keyword.name
             if keyword.value is None:
                 continue
             value = yield from self._values.evaluate(keyword.value, number)
+            if keyword.name in self._environment.axis_numbers:
+                point[self._environment.axis_numbers[keyword.name]] = value
+                continue
             if keyword.name in _SIZES:
                 if not is_size(keyword.name, value, path.contour.mode):
                     self._values.fail(INVALID_CONTOUR_DEVIATION, keyword.value.span, value=value)
@@ -117,6 +125,8 @@ class PathSettings:
                 limits.rounded_part = 0.5 - 0.005 * value
             elif keyword.name == "MAX_ANGLE":
                 path.contour.max_bend = bend_of(value)
+        if point:
+            path.contour.point = self._targets.positions_of(point)
         yield from self._limit_bends(command.span, number, limits.rounded_part != before)
         switch = command.words[-1].name
         if switch in ("ON", "OFF"):

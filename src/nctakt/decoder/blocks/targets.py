@@ -7,7 +7,7 @@ positions, inside the software limits. Mistakes raise ``DecodeError``.
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterable, Sequence
+from collections.abc import Container, Iterable, Mapping, Sequence
 
 from nctakt.base.diagnostics import Span
 from nctakt.decoder.blocks.block_content import BlockContent
@@ -60,6 +60,23 @@ class Targets:
             for index, word_span in spans.items():
                 self._path.check_limit(index, target[index], word_span)
         return target
+
+    def positions_of(self, programmed: Mapping[int, float]) -> dict[int, float]:
+        """Return the axis positions of an absolute point, of which these axes are programmed.
+
+        Where the program's coordinates are not those of the axes, it is one of all main axes.
+        """
+        offsets, frame = self._environment.offsets, self._state.frame
+        target = offsets.inside(self._state.positions)
+        totals = [offsets.total(index) for index in range(len(target))]
+        values = frame.inside([value - total for value, total in zip(target, totals, strict=True)])
+        for index, value in programmed.items():
+            values[index] = self.in_axis_unit(index, value)
+        mapped = frame.outside(values)
+        positions = offsets.outside([a + b for a, b in zip(mapped, totals, strict=True)])
+        is_mapped = frame.is_active or offsets.systems.is_active
+        axes: Iterable[int] = range(MAIN_AXES) if is_mapped else programmed
+        return {index: positions[index] for index in axes}
 
     def _shortened(self, target: Sequence[float], axes: Iterable[int]) -> list[float]:
         """Return where a line to ``target`` comes to the first software limit of these axes."""

@@ -49,7 +49,7 @@ class PendingContour(Protocol):
 
 
 class HeldMotions(Protocol):
-    """What a program holds of its motions until it knows the next one (``shapes/shaping.py``)."""
+    """What a program holds of its motions until it knows the next one (``motion_stages.py``)."""
 
     @property
     def needs_next(self) -> bool:
@@ -116,7 +116,7 @@ class PlainBlocks:
             return blocks
         self._export_state(reader.source.file)
         plain = self._plain_lines
-        if plain.leaves_last and not plain.is_followed(lines.group, lines.index):
+        if plain.is_left(lines.group, lines.index):
             return blocks
         plain.blocks = blocks
         self._lines = lines
@@ -151,11 +151,11 @@ class PlainBlocks:
     def _is_unshaped(self) -> bool:
         """Whether no plain line changes the motions before it, nor waits with them."""
         state = self._state
-        if state.shapes.open_line is not None:
+        if state.shapes.open_line is not None or self._held.needs_next:
             return False
-        if not state.shapes.waits_for_next:
-            return True
-        return not self._held.needs_next and not state.path.compensation.is_active
+        if state.path.contouring and state.path.contour.is_own:
+            return False
+        return not state.shapes.waits_for_next or not state.path.compensation.is_active
 
     @property
     def _is_transformed_otherwise(self) -> bool:
@@ -172,6 +172,7 @@ class PlainBlocks:
         is_linear = environment.offsets.transformation.is_linear
         self._file = file
         plain.leaves_last = state.shapes.waits_for_next
+        plain.leaves_functions = state.path.contouring and not state.path.compensation.is_active
         for index, axis in enumerate(environment.axes):
             is_free = axis.is_modulo or is_transformed
             low, high = state.software_limits.of(axis, index)

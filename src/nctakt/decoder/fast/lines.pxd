@@ -13,6 +13,7 @@ cdef class PlainLines:
     cdef readonly TransformedWay axis_check
     cdef public bint is_transformed
     cdef public bint leaves_last
+    cdef public bint leaves_functions
     cdef readonly Py_ssize_t count
     cdef double[::1] positions
     cdef double[::1] start
@@ -40,6 +41,9 @@ cdef class PlainLines:
     cpdef Py_ssize_t fill(
         self, CommandQueue queue, Py_ssize_t timed, list lines, Py_ssize_t index, long long number
     ) except -1
+    cpdef bint is_left(self, list lines, Py_ssize_t index) except -1
+    @cython.locals(begins=int, character=Py_UCS4)
+    cdef int may_output(self, str line)
     @cython.locals(
         scanner=PlainScanner,
         end=Py_ssize_t,

@@ -24,7 +24,8 @@ class PlainLines:
     line 0, column 0, -1 for a text without source numbers. ``blocks``: the number of blocks since
     the last one that takes time, ``max_blocks``: its maximum. ``block_number``: the last N.
     ``is_transformed``: the positions are transformed; ``axis_check`` checks the limits of the axes
-    then. ``leaves_last``: a motion that no plain one follows at once is left to the tree.
+    then. ``leaves_last``: a motion that no plain one follows at once is left to the tree;
+    ``leaves_functions``: one that M or H functions may follow.
     """
 
     def __init__(
@@ -39,6 +40,7 @@ class PlainLines:
         self.axis_check = axis_check
         self.is_transformed = False
         self.leaves_last = False
+        self.leaves_functions = False
         self.count = count
         size = 8 * max(1, count)
         #: Where the axes are; where the latest block begins and ends: mm or degrees.
@@ -89,7 +91,7 @@ class PlainLines:
         """
         end = len(lines)
         while index < end and queue.timed_count < timed:
-            if self.leaves_last and not self.is_followed(lines, index):
+            if self.is_left(lines, index):
                 return index
             what = self.decode(lines[index], number)
             if what == 0:
@@ -120,6 +122,28 @@ class PlainLines:
                         self.limits_jerk,
                     )
         return index
+
+    def is_left(self, lines: list[str], index: int) -> bool:
+        """Return whether ``lines[index]`` is left to the tree for what follows it."""
+        if self.leaves_last:
+            return self.is_followed(lines, index) == 0
+        if self.leaves_functions and (
+            index + 1 == len(lines) or self.may_output(lines[index + 1]) != 0
+        ):
+            return self.is_followed(lines, index) == 0
+        return False
+
+    def may_output(self, line: str) -> int:
+        """Return whether a line may be another one than that of a motion alone."""
+        begins = 0
+        for character in line:
+            if character in "MHSmhs":
+                return 1
+            if begins == 0 and character != " ":
+                if character not in "NGXYZ":
+                    return 1
+                begins = 1
+        return 1 - begins
 
     def is_followed(self, lines: list[str], index: int) -> int:
         """Return whether ``lines[index]`` moves, and the next line that is not empty moves on.

@@ -14,6 +14,7 @@ from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Span
 from nctakt.decoder.state.arcs import PLANES, Arc
 from nctakt.decoder.state.call_stack import CallStack
+from nctakt.decoder.state.contour_form import ContourState
 from nctakt.decoder.state.contour_frame import ContourFrame
 from nctakt.decoder.state.path_limits import MAX_BEND, LimitState, bend_of
 from nctakt.decoder.state.shape_commands import ShapeState
@@ -56,9 +57,6 @@ _DIRECT_MODES = (APPROACH_DIRECT, APPROACH_INNER_CORNER, DEPART_WITHOUT_MOTION)
 
 #: Default of CONTERROR of ``#HSC``, mm.
 HSC_ERROR_MM = 0.1
-
-#: Default of the contouring deviation, mm.
-DEVIATION_MM = 1.0
 
 
 @dataclass(slots=True)
@@ -106,34 +104,6 @@ class CompensationState:
         """The active word, G41 or G42."""
         is_left = (self.side > 0) is not self.is_reversed
         return f"G{COMPENSATION_LEFT if is_left else COMPENSATION_RIGHT}"
-
-
-@dataclass(slots=True)
-class ContourState:
-    """The mode of ``#CONTOUR MODE`` and its sizes in mm, by keyword.
-
-    ``max_bend``: the largest change of direction that is rounded (``path_limits.py``).
-    """
-
-    mode: str = "DEV"
-    max_bend: float = MAX_BEND
-    sizes: dict[str, float] = field(
-        default_factory=lambda: dict.fromkeys(
-            ("PATH_DEV", "PATH_DIST", "SYM_DIST", "PRE_DIST", "POST_DIST"), DEVIATION_MM
-        )
-    )
-
-    @property
-    def size(self) -> float:
-        """The deviation at a corner; negative: the distance from it; 0: it stays sharp."""
-        match self.mode:
-            case "DIST" | "POS":
-                return -min(self.sizes["PRE_DIST"], self.sizes["POST_DIST"])
-            case "DIST_SOFT":
-                return -max(self.sizes["PATH_DIST"], 0.0)
-            case "DIST_MASTER":
-                return -max(self.sizes["SYM_DIST"], 0.0)
-        return self.sizes["PATH_DEV"]
 
 
 class LastArc(NamedTuple):

@@ -404,7 +404,7 @@ class Checker:
             self._findings.report(UNKNOWN_COMMAND, command.span, word=name, nearest=nearest)
         elif words == ["EXPL", "SYN"] and not command.arguments:
             return
-        elif check_path_command(command, self._values, self._findings):
+        elif check_path_command(command, self._values, self._words.axes[:3], self._findings):
             return
         elif check_cs_command(command, self._values, self._findings):
             return

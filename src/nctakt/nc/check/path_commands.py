@@ -173,12 +173,18 @@ def _without_switch(name: str) -> str:
     return " ".join(words)
 
 
-def check_path_command(command: HashCommand, values: ValueChecker, findings: Findings) -> bool:
+def check_path_command(
+    command: HashCommand, values: ValueChecker, main_axes: Sequence[str], findings: Findings
+) -> bool:
     """Check one of these commands; return false for any other."""
     name = command_name(command)
     form = FORMS.get(name)
     if form is None:
         return False
+    if form.words == _CONTOURING.words:
+        modes = [item.name for item in keywords(command) if item.name in CONTOUR_MODES]
+        point = main_axes if modes in ([], ["POS"]) else ()
+        form = Form(form.words, (*form.numbers, *point), needs_bracket=form.needs_bracket)
     bracket = command.arguments[0] if len(command.arguments) == 1 else None
     says_something = isinstance(bracket, Bracket) and bool(bracket.items)
     if name == "CORNER PARAM":

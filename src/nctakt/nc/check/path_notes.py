@@ -30,15 +30,11 @@ _LIKE_DIST_MASTER = Text(
     "as DIST with the distance SYM_DIST",
     "wie DIST mit dem Abstand SYM_DIST",
 )
-_LIKE_DIST_ZERO = Text(
-    "as DIST; a distance of 0 keeps the corner sharp",
-    "wie DIST; mit dem Abstand 0 bleibt die Ecke scharf",
+_OWN_CURVE = Text(
+    "both halves of the curve are two cubics; without a point they meet where they bend evenly",
+    "beide Kurvenhälften sind zwei Kubiken; ohne Punkt treffen sie sich, wo sie gleich krümmen",
 )
 _NOTHING = Text("it changes nothing", "es ändert nichts")
-_BEHIND = Text(
-    "M and H functions of the corner act behind the curve",
-    "M- und H-Funktionen der Ecke wirken hinter der Kurve",
-)
 _AS_TRAPEZ = Text(
     "as TRAPEZ, whose ramps take the same time",
     "wie TRAPEZ, dessen Rampen gleich lange dauern",
@@ -46,10 +42,8 @@ _AS_TRAPEZ = Text(
 _CONTOUR_NOTES = {
     "DIST_SOFT": _LIKE_DIST,
     "DIST_MASTER": _LIKE_DIST_MASTER,
-    "POS": _LIKE_DIST_ZERO,
+    "POS": _OWN_CURVE,
     "PTP": _LIKE_DEV,
-    "PRE_ACTION": _BEHIND,
-    "INTER_ACTION": _BEHIND,
     "MAX_ANGLE": Text(
         "corners that change the direction by more degrees are not rounded",
         "Ecken mit größerer Richtungsänderung (Grad) werden nicht verschliffen",
@@ -98,10 +92,7 @@ def tell_simplified(
         if item.name == "POST_DIST" and any(
             isinstance(other, Keyword) and other.name == "PRE_DIST" for other in items
         ):
-            meaning = Text(
-                "the curve begins and ends at the smaller one of PRE_DIST and POST_DIST",
-                "die Kurve beginnt und endet im kleineren Abstand von PRE_DIST und POST_DIST",
-            )
+            meaning = _OWN_CURVE
         command = "#CONTOUR MODE"
     elif command.startswith("#HSC") and item.name in _IDLE_HSC_KEYWORDS:
         meaning = _NOTHING

@@ -181,7 +181,7 @@ def _components(text: BlockText) -> Argument:
 
 
 def _tolerances(text: BlockText) -> Argument:
-    """Return keywords whose value may follow without ``=`` (``#HSC``)."""
+    """Return keywords whose value may follow without ``=`` (``#HSC``, ``#CONTOUR``)."""
     if text.looking_at(OPENING) is None:
         return _argument(text)
     start = text.skip_blanks()
@@ -216,6 +216,7 @@ _BRACKETS: dict[str, Callable[[BlockText], Argument]] = {
     "AX": _axes,
     "BCS": _components,
     "CALL": _axes,
+    "CONTOUR": _tolerances,
     "CS": _components,
     "HSC": _tolerances,
     "PUT": _axes,

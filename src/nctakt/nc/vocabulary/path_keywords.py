@@ -16,7 +16,11 @@ CONTOUR_MODES = {
     "PTP": ("PATH_DEV", "PATH_DIST"),
 }
 #: When M and H functions of a rounded corner act.
-ACTIONS = ("PRE_ACTION", "INTER_ACTION", "POST_ACTION")
+PRE_ACTION, INTER_ACTION, POST_ACTION = ACTIONS = (
+    "PRE_ACTION",
+    "INTER_ACTION",
+    "POST_ACTION",
+)
 #: Keywords of ``#CONTOUR MODE`` from 0 up to a highest value, in per cent and degrees.
 CONTOUR_SHARES = {"REMAIN_PART": 100.0, "MAX_ANGLE": 180.0}
 #: Further keywords of ``#CONTOUR MODE`` with a number.

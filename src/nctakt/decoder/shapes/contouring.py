@@ -1,0 +1,315 @@
+# SPDX-License-Identifier: MIT
+"""Curves over corners that the realtime part does not round itself (``#CONTOUR MODE``, MO-3).
+
+The last stage of the decoder, behind the compensation of the tool's radius: commands in, commands
+out. The realtime part rounds corners of two lines that meet without anything between them. Here are
+those with M and H functions, which act in front of the curve, at its interim point or behind it,
+and those whose curve begins and ends at different distances or has a given interim point. A motion
+that contours is held until the next one arrives.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Generator, Iterator
+from dataclasses import replace
+
+from nctakt.base.dataclass import dataclass, field
+from nctakt.base.diagnostics import Span
+from nctakt.decoder.blocks.path_motion import PathMotion
+from nctakt.decoder.fast.handover import PlainRun
+from nctakt.decoder.shapes import contour_curve, cubics
+from nctakt.decoder.shapes.contour_curve import Joint
+from nctakt.decoder.state.commands import (
+    Answer,
+    AwaitAcknowledge,
+    AwaitSpindle,
+    BlockMark,
+    Command,
+    DecoderWait,
+    EmptyBlock,
+    ProgramEnd,
+    Segment,
+    SpindleJob,
+    TechnologyOutput,
+    UserMessage,
+    WaitMark,
+    WriteText,
+    WriteVariable,
+    waits,
+)
+from nctakt.decoder.state.contour_form import ContourForm
+from nctakt.decoder.state.environment import DecodeError
+from nctakt.decoder.state.feed_modifiers import FeedModifiers
+from nctakt.decoder.state.packing import takes_time
+from nctakt.decoder.values.variables import Values
+from nctakt.kernel import rows
+from nctakt.messages.motion import CURVE_OUTSIDE_LIMITS
+from nctakt.nc.vocabulary.path_keywords import INTER_ACTION, POST_ACTION, PRE_ACTION
+
+#: A change of direction below this is none, as in the realtime part.
+SAME_DIRECTION = 1e-6
+
+#: Distances from the corner up to this are none, mm.
+NO_DISTANCE_MM = 1e-6
+
+#: Maximum number of commands behind a held motion.
+MAX_BETWEEN = 1000
+
+_ACTIONS = TechnologyOutput | AwaitAcknowledge | SpindleJob | AwaitSpindle
+#: What may stand between two motions that a curve joins.
+_WITHOUT_CONTOUR = (
+    _ACTIONS | BlockMark | EmptyBlock | UserMessage | WaitMark | WriteText | WriteVariable
+)
+
+
+@dataclass(slots=True)
+class _Held:
+    """A motion that contours, with what stands behind it.
+
+    ``form``: the curve at its end. ``used``: what the curve at its begin has taken of it, mm.
+    """
+
+    segment: Segment
+    span: Span
+    form: ContourForm
+    used: float
+    between: list[Command] = field(default_factory=list)
+
+    @property
+    def has_actions(self) -> bool:
+        """Whether M or H functions stand behind the motion."""
+        return any(isinstance(command, _ACTIONS) for command in self.between)
+
+    @property
+    def is_joined(self) -> bool:
+        """Whether a curve of here joins the motion with the next one."""
+        if not self.form.is_own and not self.has_actions:
+            return False
+        return all(isinstance(command, _WITHOUT_CONTOUR) for command in self.between)
+
+
+class Contouring:
+    """Rounds corners of one program; ``pass_time`` is called for held commands as if they were
+    taken.
+
+    ``is_releasing``: commands are yielded for which it has been called.
+    """
+
+    def __init__(
+        self, values: Values, path: PathMotion, pass_time: Callable[[Command], None]
+    ) -> None:
+        self._values = values
+        self._environment = values.environment
+        self._state = values.state
+        self._path = path
+        self._pass_time = pass_time
+        self._held: _Held | None = None
+        self._linear = [
+            index for index, axis in enumerate(self._environment.axes) if axis.is_linear
+        ]
+        self.is_releasing = False
+
+    @property
+    def needs_next(self) -> bool:
+        """Whether the next motion shapes what is held."""
+        return self._held is not None and (self._held.has_actions or self._held.form.is_own)
+
+    def contour(self, commands: Generator[Command, Answer]) -> Generator[Command, Answer]:
+        """Yield the commands of a program with its corners rounded; raises ``DecodeError``."""
+        answer: Answer = None
+        try:
+            while True:
+                try:
+                    command = commands.send(answer)
+                except StopIteration:
+                    return
+                except DecodeError:
+                    yield from self._finish()
+                    raise
+                if self._held is None and not (
+                    isinstance(command, Segment) and command.deviation != 0.0
+                ):
+                    answer = yield command
+                    continue
+                answer = yield from self._take(command)
+        finally:
+            commands.close()
+
+    def plain_body(self, body: list[Command]) -> list[Command]:
+        """Return the commands of a realtime loop's body, whose corners have no curves of here."""
+        form = self._state.path.contour.form(self._state.limits)
+        if not form.is_own:
+            return body
+        return [
+            replace(command, deviation=form.plain_deviation)
+            if isinstance(command, Segment) and command.deviation != 0.0
+            else command
+            for command in body
+        ]
+
+    def _take(self, command: Command) -> Generator[Command, Answer, Answer]:
+        """Process one command of the program; return its answer."""
+        held = self._held
+        if isinstance(command, Segment):
+            yield from self._segment(command)
+            return None
+        assert held is not None
+        if isinstance(command, PlainRun | DecoderWait | ProgramEnd) or waits(command):
+            yield from self._finish()
+            return (yield command)
+        if len(held.between) >= MAX_BETWEEN:
+            yield from self._finish()
+            return (yield command)
+        held.between.append(command)
+        if takes_time(command):
+            self._pass_time(command)
+        return None
+
+    def _segment(self, segment: Segment) -> Iterator[Command]:
+        """Process a motion: it ends what is held, and is held itself if it contours."""
+        held, self._held = self._held, None
+        used = 0.0
+        if held is not None:
+            rest = segment
+            if held.is_joined:
+                rest = yield from self._join(held, segment)
+            else:
+                yield from self._release(held)
+            used = _way(segment, rest, self._linear)
+            segment = rest
+        if not self._contours(segment):
+            yield segment
+            return
+        self._pass_time(segment)
+        form = self._state.path.contour.form(self._state.limits)
+        self._held = _Held(segment, self._path.span, form, used)
+
+    def _contours(self, segment: Segment) -> bool:
+        """Return whether the corner at the end of a motion may get a curve of here."""
+        modifiers = segment.modifiers
+        if segment.deviation == 0.0 or segment.curve is not None:
+            return False
+        if self._state.path.hsc.is_on and not self._state.path.contouring:
+            return False
+        if modifiers is not None and (modifiers.end_feed > 0.0 or modifiers.thread):
+            return False
+        transformation = self._environment.offsets.transformation
+        return self._state.feed.block_time_s == 0.0 and not transformation.is_active
+
+    def _finish(self) -> Iterator[Command]:
+        """Release the held motion; no further one joins it."""
+        held, self._held = self._held, None
+        if held is not None:
+            yield from self._release(held)
+
+    def _release(self, held: _Held) -> Iterator[Command]:
+        """Yield a motion whose corner is left to the realtime part, and what stands behind it."""
+        segment = held.segment
+        if held.form.is_own:
+            segment = replace(segment, deviation=held.form.plain_deviation)
+        yield from self._passed([segment, *held.between])
+
+    def _passed(self, commands: list[Command]) -> Iterator[Command]:
+        """Yield commands whose time has passed."""
+        self.is_releasing = True
+        yield from commands
+        self.is_releasing = False
+
+    # --- the curve ------------------------------------------------------------------------------
+
+    def _join(self, held: _Held, segment: Segment) -> Generator[Command, None, Segment]:
+        """Yield what stands up to the end of the curve between two motions; return the rest.
+
+        Where no curve fits, the corner is left to the realtime part.
+        """
+        form = held.form
+        before = Joint(held.segment, self._linear, form.part, is_before=True, used=held.used)
+        behind = Joint(segment, self._linear, form.part, is_before=False)
+        turn = contour_curve.turn_of(before, behind, self._linear)
+        is_plain = (
+            segment.curve is None
+            and segment.start == held.segment.target
+            and segment.limits_jerk == held.segment.limits_jerk
+            and _has_thread(segment) == _has_thread(held.segment)
+            and SAME_DIRECTION < turn <= form.max_bend
+        )
+        halves = (0.0, 0.0)
+        if is_plain:
+            halves = contour_curve.distances(before, behind, turn, form.deviation, form.distances)
+        if max(halves) <= NO_DISTANCE_MM and not (is_plain and form.point):
+            yield from self._release(held)
+            return segment
+        first, last = before.without(halves[0]), behind.without(halves[1])
+        middle = contour_curve.interim_point(
+            segment.start, (before.corner_slope, behind.corner_slope), halves, form.point
+        )
+        pieces = contour_curve.curve(
+            before.end(first), behind.end(last), halves, middle, self._linear
+        )
+        self._check_limits([cubic for half in pieces for cubic in half], held.span)
+        one, two = (self._motions(half, held.segment, segment) for half in pieces)
+        two[-1] = replace(two[-1], continues_block=held.segment.continues_block)
+        begin = replace(first, deviation=0.0, continues_block=True)
+        action = form.action if held.has_actions else POST_ACTION
+        commands: list[Command] = [begin]
+        commands += held.between if action == PRE_ACTION else []
+        commands += one
+        commands += held.between if action == INTER_ACTION else []
+        commands += two
+        commands += held.between if action == POST_ACTION else []
+        yield from self._passed(commands)
+        return last
+
+    def _motions(self, half: list[cubics.Cubic], before: Segment, behind: Segment) -> list[Segment]:
+        """Return a half of the curve as motions of the block in front of the corner.
+
+        It is rapid only between rapid motions, and has the lower one of two feeds.
+        """
+        is_feed = before.is_feed or behind.is_feed
+        feeds = [segment.feed for segment in (before, behind) if segment.is_feed]
+        modifiers = before.modifiers
+        if modifiers == FeedModifiers():
+            modifiers = None
+        return [
+            replace(
+                before,
+                start=cubic[0],
+                target=cubic[3],
+                motion=rows.FEED_MOTION if is_feed else rows.RAPID_MOTION,
+                feed=min(feeds, default=0.0),
+                deviation=0.0,
+                arc=None,
+                modifiers=modifiers,
+                curve=(*cubic[1], *cubic[2]),
+                continues_block=True,
+            )
+            for piece in half
+            for cubic in cubics.divided(piece, self._linear)
+        ]
+
+    def _check_limits(self, pieces: list[cubics.Cubic], span: Span) -> None:
+        """Raise ``DecodeError`` if an axis leaves its software limits on the curve."""
+        for index, axis in enumerate(self._environment.axes):
+            low, high = self._state.software_limits.of(axis, index)
+            for piece in () if axis.is_modulo else pieces:
+                for position in cubics.extremes(piece, index):
+                    if not low <= position <= high:
+                        self._values.fail(
+                            CURVE_OUTSIDE_LIMITS,
+                            span,
+                            axis=axis.name,
+                            position=position,
+                            low=low,
+                            high=high,
+                        )
+
+
+def _has_thread(segment: Segment) -> bool:
+    return segment.modifiers is not None and segment.modifiers.thread != rows.NO_THREAD
+
+
+def _way(segment: Segment, rest: Segment, linear: list[int]) -> float:
+    """Return which length of a motion is not in its rest, mm."""
+    if rest is segment:
+        return 0.0
+    return contour_curve.length_of(segment, linear) - contour_curve.length_of(rest, linear)

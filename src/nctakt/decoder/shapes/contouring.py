@@ -175,7 +175,7 @@ class Contouring:
                 rest = yield from self._join(held, segment)
             else:
                 yield from self._release(held)
-            used = _way(segment, rest, self._linear)
+            used = _used_length(segment, rest, self._linear)
             segment = rest
         if not self._contours(segment):
             yield segment
@@ -308,7 +308,7 @@ def _has_thread(segment: Segment) -> bool:
     return segment.modifiers is not None and segment.modifiers.thread != rows.NO_THREAD
 
 
-def _way(segment: Segment, rest: Segment, linear: list[int]) -> float:
+def _used_length(segment: Segment, rest: Segment, linear: list[int]) -> float:
     """Return which length of a motion is not in its rest, mm."""
     if rest is segment:
         return 0.0

@@ -133,9 +133,9 @@ def test_the_interim_point_is_one_of_the_program(before: str, point: str) -> Non
 
 
 def test_a_curve_stays_within_the_limits() -> None:
-    """901871: the interim point may lie where an axis must not go."""
+    """901873: the interim point may lie where an axis must not go."""
     run = run_of(f"#CONTOUR MODE [POS PRE_DIST=1 POST_DIST=2 X50 Y-9999]\nG261\n{LINES}")
-    assert [error.id for error in run.errors] == [901871]
+    assert [error.id for error in run.errors] == [901873]
 
 
 @pytest.mark.parametrize("slope", ["STEP", "TRAPEZ"])

@@ -121,7 +121,7 @@ INVALID_CONTOUR_DEVIATION = error(
     clearing=3,
 )
 CURVE_OUTSIDE_LIMITS = error(
-    901871,
+    901873,
     en="the curve of #CONTOUR MODE takes axis {axis} to {position}, outside {low} … {high}",
     de="die Kurve von #CONTOUR MODE führt Achse {axis} auf {position}, außerhalb {low} … {high}",
     remedy_en="Move the interim point or the corner away from the limit (P-AXIS-00177, -00178).",

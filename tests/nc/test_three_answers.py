@@ -110,7 +110,6 @@ def test_what_nobody_knows_is_an_error(block: str) -> None:
 @pytest.mark.parametrize(
     ("block", "instead"),
     [
-        ("G05 G41", "begin it with an arc"),
         ("G236", "G138 leads to the contour directly"),
         ("#TRC [REMOVE_MASKED_BLOCKS]", "G140 and G141"),
     ],

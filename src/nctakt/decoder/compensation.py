@@ -30,11 +30,10 @@ from nctakt.decoder.fast.handover import PlainRun
 from nctakt.decoder.pending_motion import (
     PendingMotion,
     at_tool,
-    block_length,
     plain_span,
-    share_of_contour,
+    segments_of,
 )
-from nctakt.decoder.state.arcs import SAME_POINT_MM, Arc
+from nctakt.decoder.state.arcs import SAME_POINT_MM
 from nctakt.decoder.state.commands import Answer, Command, DecoderWait, ProgramEnd, Segment, waits
 from nctakt.decoder.state.environment import DecodeError
 from nctakt.decoder.state.packing import takes_time
@@ -138,7 +137,7 @@ class Compensation:
             return
         compensation = self._state.compensation
         distance = compensation.side * compensation.radius
-        if distance != self._distance and compensation.mode in (
+        if distance != self._distance and compensation.approach in (
             APPROACH_PERPENDICULAR,
             DEPART_WITHOUT_MOTION,
         ):
@@ -156,15 +155,21 @@ class Compensation:
         self._enter(segment, (x, y, x_2, y_2), distance)
         compensation.has_left_path = True
         tool = self.tool
-        tool.set_corners(compensation.by_arc, compensation.is_direct)
+        is_tangential = compensation.is_tangential or (
+            tool.is_open and self._motions[-1].tangent is not None
+        )
+        tool.set_corners(compensation.by_arc, compensation.is_direct or is_tangential)
         if not tool.is_open:
             at = (x, y) if self._at is None else self._at
             self._at = at
-            tool.begin(*at, self._distance == 0.0 and compensation.mode == APPROACH_PERPENDICULAR)
+            tool.begin(
+                *at,
+                self._distance == 0.0 and compensation.approach == APPROACH_PERPENDICULAR,
+            )
         elif not tool.add():
             self._fail(self._motions.pop())
-        self._distance = distance
-        self._keep(segment)
+        before, self._distance = self._distance, distance
+        self._keep(segment, before)
         if tool.crossed:
             self._tell_crossing()
         if not self._is_closed_one:
@@ -200,21 +205,21 @@ class Compensation:
                 tool.line(*ends, d, d, is_feed)
             elif d * before > 0.0:
                 tool.line(*ends, before, d, is_feed)
-            elif compensation.mode == APPROACH_PERPENDICULAR:
+            elif compensation.approach == APPROACH_PERPENDICULAR:
                 tool.line(*ends, d, d, is_feed)
             else:
                 tool.line(*ends, 0.0, 0.0, False)
             return
         if d * before > 0.0 and d != before:
             self._values.fail(RADIUS_CHANGE_IN_ARC, self._path.span)
-        if d != before and compensation.mode != APPROACH_PERPENDICULAR:
+        if d != before and compensation.approach != APPROACH_PERPENDICULAR:
             change = compensation.change_from(before)
             self._values.fail(COMPENSATION_NEEDS_LINE, self._path.span, change=change)
         if not tool.arc(*ends, d, *segment.arc[2:]) and not tool.masks:
             self._values.fail(TOOL_TOO_LARGE_FOR_ARC, self._path.span, radius=abs(d))
 
-    def _keep(self, segment: Segment) -> None:
-        """Hold the motion until the next one arrives."""
+    def _keep(self, segment: Segment, before: float) -> None:
+        """Hold the motion until the next one arrives; ``before``: the distance in front of it."""
         number, compensation = self.tool.number, self._state.compensation
         misfit = LINE_REVERSED_BY_RADIUS if segment.arc is None else ARC_REVERSED_BY_RADIUS
         if segment.arc is not None and not self.tool.last_motion_fits():
@@ -227,6 +232,7 @@ class Compensation:
             misfit,
             self._values.state.feed.block_time_s,
             compensation.adapts_feed,
+            compensation.take_tangent(segment, self._state.plane_axes, before, self._distance),
         )
         self._motions.append(motion)
         self._spans.append((number, self._path.span))
@@ -350,6 +356,8 @@ class Compensation:
             return True
         if self._waits_for_loops or compensation.mode == APPROACH_INNER_CORNER:
             return False
+        if compensation.is_tangential:
+            return False
         if compensation.side * compensation.radius != self._distance:
             return False
         if len(self._motions) != 1 or not self.tool.is_open:
@@ -357,6 +365,7 @@ class Compensation:
         held = self._motions[0].segment
         return (
             not self._motions[0].between
+            and self._motions[0].tangent is None
             and held.arc is None
             and held.modifiers is None
             and self._motions[0].time_s == 0.0
@@ -445,8 +454,11 @@ class Compensation:
 
     def _commands(self, motion: PendingMotion) -> list[Command]:
         """Return the pieces of a motion and the commands behind it."""
-        commands: list[Command] = list(self._segments(motion, self._pieces(motion)))
         plane = self._state.plane_axes
+        pieces = self._pieces(motion)
+        commands: list[Command] = list(
+            segments_of(motion, pieces, self._environment.axes, plane, self._path.check_piece)
+        )
         commands += [at_tool(command, plane, self._at) for command in motion.between]
         return commands
 
@@ -456,44 +468,12 @@ class Compensation:
         while (shape := self.tool.take(motion.number)) != contour_rows.NOTHING:
             if shape == contour_rows.GAP:
                 self._fail(motion)
-            piece = self.tool.taken()
-            pieces.append((piece, self.tool.taken_length()))
+            piece, length = self.tool.taken(), self.tool.taken_length()
+            if motion.tangent is not None and shape == contour_rows.LINE:
+                piece, length = motion.tangent.arc(piece)
+            pieces.append((piece, length))
             self._at = (piece[2], piece[3])
         if not pieces and self._moves_others(motion.segment):
             assert self._at is not None
             pieces.append(((*self._at, *self._at, 0.0), 0.0))
         return pieces
-
-    def _segments(
-        self, motion: PendingMotion, pieces: list[tuple[_Piece, float]]
-    ) -> Iterator[Segment]:
-        """Yield the pieces of a motion as segments; only the last one stops exactly."""
-        first, second = self._state.plane_axes
-        segment = motion.segment
-        if motion.time_s > 0.0 and segment.is_feed and pieces:
-            lengths = [length for _, length in pieces]
-            length = block_length(segment, lengths, self._environment.axes, (first, second))
-            segment = replace(segment, feed=length / motion.time_s)
-        for number, (piece, _) in enumerate(pieces):
-            is_last = number == len(pieces) - 1
-            start = list(segment.start if number == 0 else segment.target)
-            target = list(segment.target)
-            start[first], start[second] = piece[:2]
-            target[first], target[second] = piece[2:4]
-            row = arc = None
-            feed = segment.feed
-            if piece[contour_rows.SHAPE] == contour_rows.ARC:
-                arc = Arc(first, second, *piece[5:8])
-                row = arc.row
-                if motion.adapts and segment.is_feed and motion.time_s == 0.0:
-                    feed *= share_of_contour(segment, row, start)
-            self._path.check_piece(start, target, arc, (first, second), motion.span)
-            yield replace(
-                segment,
-                start=tuple(start),
-                target=tuple(target),
-                feed=feed,
-                exact_stop=segment.exact_stop and is_last,
-                arc=row,
-                continues_block=not is_last,
-            )

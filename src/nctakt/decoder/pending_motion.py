@@ -4,13 +4,16 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 
 from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Message, Span
 from nctakt.base.source_ids import NO_SOURCE, unpack
+from nctakt.decoder.contour import rows
+from nctakt.decoder.state.arcs import Arc
 from nctakt.decoder.state.commands import Command, Segment
+from nctakt.decoder.tangential_arc import Tangent
 from nctakt.kernel.base import arithmetic
 from nctakt.lists.machine.axis_configuration import AxisConfiguration
 
@@ -23,6 +26,7 @@ class PendingMotion:
 
     ``radius``: of the tool, mm; ``misfit``: the message if the tool does not fit. ``time_s``: the
     duration of its block under G93, 0 without. ``adapts``: F applies to the contour (G11).
+    ``tangent``: it leads to the contour, or from it, in an arc (G05).
     """
 
     number: int
@@ -32,6 +36,7 @@ class PendingMotion:
     misfit: Message
     time_s: float
     adapts: bool
+    tangent: Tangent | None = None
     between: list[Command] = field(default_factory=list)
 
 
@@ -78,6 +83,49 @@ def block_length(
             rise = segment.target[index] - segment.start[index]
             first2 += rise * rise
     return arithmetic.square_root(first2) + sum(lengths[1:])
+
+
+def segments_of(
+    motion: PendingMotion,
+    pieces: list[tuple[tuple[float, ...], float]],
+    axes: Sequence[AxisConfiguration],
+    plane: tuple[int, int],
+    check: Callable[[list[float], list[float], Arc | None, tuple[int, int], Span], None],
+) -> Iterator[Segment]:
+    """Yield the pieces of a motion, with their lengths, as segments; only the last one stops
+    exactly.
+
+    ``check`` is called for each of them.
+    """
+    first, second = plane
+    segment = motion.segment
+    if motion.time_s > 0.0 and segment.is_feed and pieces:
+        lengths = [length for _, length in pieces]
+        length = block_length(segment, lengths, axes, plane)
+        segment = replace(segment, feed=length / motion.time_s)
+    for number, (piece, _) in enumerate(pieces):
+        is_last = number == len(pieces) - 1
+        start = list(segment.start if number == 0 else segment.target)
+        target = list(segment.target)
+        start[first], start[second] = piece[:2]
+        target[first], target[second] = piece[2:4]
+        row = arc = None
+        feed = segment.feed
+        if piece[rows.SHAPE] == rows.ARC:
+            arc = Arc(first, second, *piece[5:8])
+            row = arc.row
+            if motion.adapts and segment.is_feed and motion.time_s == 0.0:
+                feed *= share_of_contour(segment, row, start)
+        check(start, target, arc, plane, motion.span)
+        yield replace(
+            segment,
+            start=tuple(start),
+            target=tuple(target),
+            feed=feed,
+            exact_stop=segment.exact_stop and is_last,
+            arc=row,
+            continues_block=not is_last,
+        )
 
 
 def plain_span(source: int, file: str, line_text: Callable[[Span], str]) -> Span:

@@ -327,6 +327,20 @@ G238_DURING_COMPENSATION = error(
     "verlässt.",
     word=("the word as written", "das Wort, wie geschrieben"),
 )
+TANGENTIAL_WITH_G238 = warning(
+    21316,
+    en="G05 has no effect with G238",
+    de="G05 wirkt mit G238 nicht",
+    remedy_en="Remove G05, or begin the contour with G138 or G139.",
+    remedy_de="G05 entfernen oder die Kontur mit G138 oder G139 anfahren.",
+)
+TANGENTIAL_ALONE = error(
+    901874,
+    en="G05 needs G40, G41 or G42 in its block",
+    de="G05 braucht G40, G41 oder G42 in seinem Satz",
+    remedy_en="Write G05 beside the function that begins or ends the compensation.",
+    remedy_de="G05 neben die Funktion schreiben, die die Korrektur beginnt oder beendet.",
+)
 SIDE_CHANGE_WITH_G238 = error(
     90115,
     known_as=(900958,),

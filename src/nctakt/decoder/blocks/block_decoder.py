@@ -89,6 +89,7 @@ from nctakt.nc.vocabulary.functions import (
     RAPID,
     REFERENCE_OFFSET,
     ROTATION_ON,
+    TANGENTIAL_APPROACH,
     TAPPING_FUNCTIONS,
     THREADS,
     WEIGHTS,
@@ -307,6 +308,8 @@ class BlockDecoder:
     def _functions(self, numbers: Mapping[int, Span], content: BlockContent) -> None:
         """Execute the G functions of a block; modal ones take effect at once."""
         content.updates_tool_offsets = any(function in PLANES for function in numbers)
+        if TANGENTIAL_APPROACH in numbers:
+            self.path.go_tangentially(numbers[TANGENTIAL_APPROACH])
         for function, span in numbers.items():
             self._state.note(function)
             if self._in_force is not None:

@@ -23,6 +23,7 @@ from nctakt.decoder.state.modal_state import LastArc
 from nctakt.decoder.values.variables import Values
 from nctakt.kernel import codes, rows
 from nctakt.kernel.kinematics import map_rows
+from nctakt.messages import diagnostic
 from nctakt.messages.coordinate_systems import ARC_PLANE_ASKEW, WORD_IN_ROTATED_COORDINATE_SYSTEM
 from nctakt.messages.decoder import TARGET_OUTSIDE_LIMITS
 from nctakt.messages.frames import ARC_SCALED_UNEQUALLY
@@ -36,6 +37,7 @@ from nctakt.messages.tools import (
     G238_DURING_COMPENSATION,
     NO_RADIUS_TO_COMPENSATE,
     PLANE_CHANGE_DURING_COMPENSATION,
+    TANGENTIAL_WITH_G238,
 )
 from nctakt.messages.transformations import (
     ARC_DURING_PTP,
@@ -153,7 +155,7 @@ class PathMotion:
         """Process G40; after G239 the program continues from the tool's position."""
         compensation = self._state.path.compensation
         compensation.side = 0
-        if compensation.has_left_path and compensation.mode == DEPART_WITHOUT_MOTION:
+        if compensation.has_left_path and compensation.approach == DEPART_WITHOUT_MOTION:
             for axis, value in zip(self._state.path.plane_axes, compensation.end, strict=True):
                 self._state.positions[axis] = value
 
@@ -177,6 +179,15 @@ class PathMotion:
         mode = self._state.path.compensation.mode
         if function != mode and APPROACH_INNER_CORNER in (function, mode):
             self._values.fail(G238_DURING_COMPENSATION, span, word=f"G{function}")
+
+    def go_tangentially(self, span: Span) -> None:
+        """Process G05, which G238 ignores."""
+        compensation = self._state.path.compensation
+        if compensation.mode == APPROACH_INNER_CORNER:
+            text = self._environment.line_text(span)
+            self._environment.warn(diagnostic(TANGENTIAL_WITH_G238, span, text))
+            return
+        compensation.is_tangential = True
 
     def compensate(self, function: int, span: Span) -> None:
         """Activate G41 or G42 with the active tool."""

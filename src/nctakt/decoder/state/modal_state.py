@@ -14,10 +14,12 @@ from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Span
 from nctakt.decoder.state.arcs import PLANES, Arc
 from nctakt.decoder.state.call_stack import CallStack
+from nctakt.decoder.state.commands import Segment
 from nctakt.decoder.state.contour_form import ContourState
 from nctakt.decoder.state.contour_frame import ContourFrame
 from nctakt.decoder.state.path_limits import MAX_BEND, LimitState, bend_of
 from nctakt.decoder.state.shape_commands import ShapeState
+from nctakt.decoder.tangential_arc import Tangent
 from nctakt.kernel.base import arithmetic
 from nctakt.lists.declared.tools import NO_TOOL, Tool
 from nctakt.lists.machine.axis_configuration import AxisConfiguration
@@ -67,7 +69,8 @@ class CompensationState:
     mirroring reverses the contour (``is_reversed``); ``radius`` in mm.
     ``by_arc``: arcs around outer corners (G26). ``masks``: contour elements that the tool cannot
     follow are left out (G141). ``adapts_feed``: F applies to the contour (G11). ``has_left_path``:
-    the tool is off the programmed path. ``end``: the tool's position at the end of the contour
+    the tool is off the programmed path. ``is_tangential``: the next motion to the contour or from
+    it is an arc (G05). ``end``: the tool's position at the end of the contour
     (G239), in the plane.
     """
 
@@ -79,6 +82,7 @@ class CompensationState:
     masks: bool = False
     adapts_feed: bool = False
     has_left_path: bool = False
+    is_tangential: bool = False
     end: tuple[float, float] = (0.0, 0.0)
 
     def change_from(self, before: float) -> str:
@@ -88,6 +92,25 @@ class CompensationState:
         if before != 0.0:
             return "G41/G42"
         return self.word
+
+    @property
+    def approach(self) -> int:
+        """How the next motion leads to the contour or from it: with G05 as with G138."""
+        return APPROACH_DIRECT if self.is_tangential else self.mode
+
+    def take_tangent(
+        self, segment: Segment, plane: tuple[int, int], before: float, behind: float
+    ) -> Tangent | None:
+        """Return the arc of a motion behind G05 that changes the distance of the tool.
+
+        ``before`` and ``behind``: the distances in mm to the left.
+        """
+        if not self.is_tangential or before == behind or before * behind != 0.0:
+            return None
+        self.is_tangential = False
+        point = segment.target if before == 0.0 else segment.start
+        corner = (point[plane[0]], point[plane[1]])
+        return Tangent(corner, before + behind, leads_to=before == 0.0)
 
     @property
     def is_direct(self) -> bool:

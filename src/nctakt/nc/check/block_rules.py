@@ -12,6 +12,7 @@ from typing import NamedTuple
 from nctakt.lists.machine.channel_configuration import ChannelParameters
 from nctakt.messages.checked_blocks import G60_WITHOUT_MOTION
 from nctakt.messages.offsets import COMMAND_WITHOUT_AXIS, MOTION_WORD_WITH_OFFSETS
+from nctakt.messages.tools import TANGENTIAL_ALONE
 from nctakt.nc.check.contour_lines import ANGLE_WORD, check_contour_line
 from nctakt.nc.check.corners import FEED_WORD, SIZE_WORDS, check_corners
 from nctakt.nc.check.findings import Findings
@@ -22,6 +23,8 @@ from nctakt.nc.check.splines import SWITCHES, VECTORS, check_spline_words
 from nctakt.nc.tree import AxisWord, Block
 from nctakt.nc.vocabulary.functions import (
     ARC_RADIUS,
+    COMPENSATION_OFF,
+    COMPENSATIONS,
     EXACT_STOP_ONCE,
     FEED_RAMPS,
     INSERTIONS,
@@ -32,6 +35,7 @@ from nctakt.nc.vocabulary.functions import (
     MOTIONS,
     REFERENCE_OFFSET,
     ROTATION_ON,
+    TANGENTIAL_APPROACH,
 )
 
 _CORNER_WORDS = frozenset((*SIZE_WORDS, FEED_WORD))
@@ -46,6 +50,7 @@ _RULED = frozenset(
         MIRRORING_OF_AXES,
         REFERENCE_OFFSET,
         ROTATION_ON,
+        TANGENTIAL_APPROACH,
         *FEED_RAMPS,
     )
 )
@@ -86,6 +91,7 @@ class BlockChecker:
             check_rotation_block(block, self._findings)
             check_feed_ramps(block, self._findings)
             self._exact_stop(block)
+            self._tangential(block)
             self._reference(block)
         return inserts
 
@@ -93,6 +99,12 @@ class BlockChecker:
         stop = functions_of(block).get(EXACT_STOP_ONCE)
         if stop is not None and not any(isinstance(word, AxisWord) for word in block.words):
             self._findings.report(G60_WITHOUT_MOTION, stop.span)
+
+    def _tangential(self, block: Block) -> None:
+        functions = functions_of(block)
+        word = functions.get(TANGENTIAL_APPROACH)
+        if word is not None and functions.keys().isdisjoint((COMPENSATION_OFF, *COMPENSATIONS)):
+            self._findings.report(TANGENTIAL_ALONE, word.span)
 
     def _reference(self, block: Block) -> None:
         """Check that G92 has axis words, whose values are offsets, and no motion."""

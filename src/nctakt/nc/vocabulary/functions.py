@@ -35,7 +35,13 @@ from nctakt.nc.vocabulary.function_rows import (
     subprograms,
     weight,
 )
-from nctakt.nc.vocabulary.simplifications import AKIMA_CURVE, AS_G900, CORNER_FEED, FEED_RAMP
+from nctakt.nc.vocabulary.simplifications import (
+    AKIMA_CURVE,
+    AS_G900,
+    CORNER_FEED,
+    FEED_RAMP,
+    TANGENTIAL_ARC,
+)
 
 # --- numbers of the functions that are simulated -------------------------------------------------
 
@@ -75,6 +81,7 @@ MEASURING, MEASURING_CONTINUES, INTERRUPTIBLE = 100, 106, 310
 MEASURING_OFFSET_ON, MEASURING_OFFSET_OFF = 101, 102
 EDGE_BANDING_OFF, EDGE_BANDING = 107, 108
 APPROACH_DIRECT, APPROACH_INDIRECT = 138, 139
+TANGENTIAL_APPROACH = 5
 APPROACH_PERPENDICULAR, APPROACH_INNER_CORNER, DEPART_WITHOUT_MOTION = 237, 238, 239
 MASKING_OFF, MASKING_ON = 140, 141
 ABSOLUTE_CENTRE, RELATIVE_CENTRE = 161, 162
@@ -318,18 +325,6 @@ G_FUNCTIONS: Mapping[int, GFunction] = by_number(
             "end of compensation without motion",
             "Abwahl der WRK ohne Bewegung",
         ),
-        refused(
-            5,
-            "tangential begin of compensation",
-            "tangentiale Anwahl der WRK",
-            Text(
-                "For a tangential way to the contour begin it with an arc (G02, G03), and let a "
-                "line with G41 or G42 lead to that; G40 with a line behind an arc leaves it so.",
-                "Für eine tangentiale Anfahrt die Kontur mit einem Kreisbogen (G02, G03) beginnen, "
-                "an den eine Gerade mit G41 oder G42 führt; G40 mit einer Geraden hinter einem "
-                "Kreisbogen fährt so ab.",
-            ),
-        ),
     ),
     group(
         Group.MASKING,
@@ -361,6 +356,12 @@ G_FUNCTIONS: Mapping[int, GFunction] = by_number(
     ),
     group(
         None,
+        simplified(
+            TANGENTIAL_APPROACH,
+            "tangential begin and end of compensation",
+            "tangentiale An- und Abwahl der WRK",
+            TANGENTIAL_ARC,
+        ),
         simulated(ARC_RADIUS, "radius of arcs, as R", "Radius von Kreisen, wie R", Form.RADIUS),
         simulated(NO_OVERRIDE, "override 100 % for this block", "Override 100 % für diesen Satz"),
         accepted(167, "spindle override 100 %", "Spindel-Override 100 %"),

@@ -18,6 +18,10 @@ AS_G900 = Text(
     "the path brakes in front of the block's end, as with G900",
     "die Bahn bremst wie bei G900 vor dem Satzende",
 )
+TANGENTIAL_ARC = Text(
+    "the arc begins or ends beside the contour as with G138, at whatever corner",
+    "der Bogen beginnt oder endet wie bei G138 neben der Kontur, an jeder Ecke",
+)
 AKIMA_CURVE = Text(
     "with the type AKIMA the curve is that of Akima (1970), axis by axis over the chords' length",
     "beim Typ AKIMA ist es die Kurve von Akima (1970), achsweise über der Länge der Sehnen",

@@ -13,7 +13,7 @@ from nctakt.base.source_ids import NO_SOURCE, unpack
 from nctakt.decoder.contour import rows
 from nctakt.decoder.state.arcs import Arc
 from nctakt.decoder.state.commands import Command, Segment
-from nctakt.decoder.tangential_arc import Tangent
+from nctakt.decoder.state.tangential_arc import Tangent
 from nctakt.kernel.base import arithmetic
 from nctakt.lists.machine.axis_configuration import AxisConfiguration
 

@@ -19,7 +19,7 @@ from nctakt.decoder.state.contour_form import ContourState
 from nctakt.decoder.state.contour_frame import ContourFrame
 from nctakt.decoder.state.path_limits import MAX_BEND, LimitState, bend_of
 from nctakt.decoder.state.shape_commands import ShapeState
-from nctakt.decoder.tangential_arc import Tangent
+from nctakt.decoder.state.tangential_arc import Tangent
 from nctakt.kernel.base import arithmetic
 from nctakt.lists.declared.tools import NO_TOOL, Tool
 from nctakt.lists.machine.axis_configuration import AxisConfiguration

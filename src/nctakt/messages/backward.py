@@ -158,3 +158,21 @@ EDGE_NOT_FOUND = error(
     reaction=6,
     clearing=6,
 )
+OPTIONAL_PART_WORDS = error(
+    22132,
+    en="#OPTIONAL EXECUTION has APPROACH and SIMULATE",
+    de="#OPTIONAL EXECUTION hat APPROACH und SIMULATE",
+    remedy_en="Remove one of them.",
+    remedy_de="Eines davon entfernen.",
+    reaction=2,
+    clearing=3,
+)
+OPTIONAL_PART_SWITCHED_TWICE = error(
+    22143,
+    en="#OPTIONAL EXECUTION has more than one of ON, OFF and CLEAR",
+    de="#OPTIONAL EXECUTION hat mehr als eines von ON, OFF und CLEAR",
+    remedy_en="Write one of them.",
+    remedy_de="Eines davon schreiben.",
+    reaction=2,
+    clearing=3,
+)

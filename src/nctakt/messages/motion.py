@@ -120,6 +120,15 @@ INVALID_CONTOUR_DEVIATION = error(
     reaction=2,
     clearing=3,
 )
+FILTER_NOT_SIMULATED = error(
+    901875,
+    en="#FILTER: axis {axis} has a FIR filter of type {type}, which is not simulated",
+    de="#FILTER: die Achse {axis} hat einen FIR-Filter vom Typ {type}, der nicht simuliert wird",
+    remedy_en="Set vib_guard.type (P-AXIS-00586) to 0 for a run without filters.",
+    remedy_de="vib_guard.type (P-AXIS-00586) für einen Lauf ohne Filter auf 0 setzen.",
+    axis=("name of the axis", "Name der Achse"),
+    type=("the type of its filter", "der Typ ihres Filters"),
+)
 CURVE_OUTSIDE_LIMITS = error(
     901873,
     en="the curve of #CONTOUR MODE takes axis {axis} to {position}, outside {low} … {high}",

@@ -6,7 +6,7 @@ In: checked nodes. Out: commands, or changes of the decoder's state.
 
 from __future__ import annotations
 
-from collections.abc import Generator
+from collections.abc import Generator, Iterator
 
 from nctakt.base.diagnostics import Span
 from nctakt.decoder.blocks.block_decoder import BlockDecoder
@@ -35,11 +35,13 @@ from nctakt.messages.contour_lines import CONTOUR_LINE_INCOMPLETE
 from nctakt.messages.decoder import MSG_FORMAT_MISMATCH, UNKNOWN_TIMER
 from nctakt.messages.fixed_stops import POSITION_AT_FIXED_STOP
 from nctakt.messages.memory import NUMBER_INSTEAD_OF_TEXT
+from nctakt.messages.motion import FILTER_NOT_SIMULATED
 from nctakt.messages.transformations import NOT_IN_MACHINE_COORDINATES
 from nctakt.nc import tree
 from nctakt.nc.check import splines
 from nctakt.nc.check.hash_commands import single_step_word
 from nctakt.nc.check.machine_coordinates import CONVERSIONS, MACHINE_COMMANDS
+from nctakt.nc.check.optional_parts import is_for_simulation
 from nctakt.nc.check.rotating_planes import PLANE_COMMANDS
 from nctakt.nc.check.tools import COMMANDS as TOOL_COMMANDS
 from nctakt.nc.check.transformations import COMMANDS
@@ -67,6 +69,7 @@ class HashCommands:
         self._tool = ToolOrientation(values, self._transformations, blocks)
         self._machine = MachineCoordinates(values, self._systems, self._transformations)
         self._planes = RotatingPlanes(values, self._transformations)
+        self._is_part_simulated = False
 
     def begin_program(self, span: Span) -> Generator[Command, Answer]:
         """Begin a program with the offsets and the transformation of the lists."""
@@ -122,6 +125,10 @@ class HashCommands:
             yield from self._file(command, number)
         elif words == ("BACKWARD", "STORAGE", "CLEAR"):
             yield ClearHistory(self._environment.source_id(command.span), number)
+        elif words[:2] == ("OPTIONAL", "EXECUTION"):
+            yield from self._optional_part(command, number)
+        elif words[0] == "FILTER":
+            self._refuse_filters(words[-1], command.span)
         elif words == ("CHANNEL", "INIT"):
             source = self._environment.source_id(command.span)
             self._check_free(command)
@@ -129,6 +136,22 @@ class HashCommands:
             answer = yield PositionRequest(source, number)
             assert isinstance(answer, tuple)
             self._values.state.positions = list(answer)
+
+    def _optional_part(self, command: tree.HashCommand, number: int) -> Iterator[Command]:
+        """Let no backward motion go into a part that it would leave out."""
+        switch = command.words[2].name
+        if switch == "ON":
+            self._is_part_simulated = is_for_simulation(command)
+        if switch == "CLEAR" or not self._is_part_simulated:
+            yield ClearHistory(self._environment.source_id(command.span), number)
+        if switch == "OFF":
+            self._is_part_simulated = False
+
+    def _refuse_filters(self, switch: str, span: Span) -> None:
+        """Raise ``DecodeError`` where an axis has a filter that ``#FILTER`` would switch on."""
+        for axis in self._environment.axes if switch != "OFF" else ():
+            if axis.filter_type != 0:
+                self._values.fail(FILTER_NOT_SIMULATED, span, axis=axis.name, type=axis.filter_type)
 
     def _check_coordinates(self, words: tuple[str, ...], span: Span) -> None:
         """Check that no other coordinates are asked for between ``#MCS ON`` and ``#MCS OFF``."""

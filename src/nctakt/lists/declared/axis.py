@@ -150,6 +150,14 @@ _CHARACTER = (
         "Als Bits: 1 linear, 4 Modulo, 0x40 Planachse, 0x200 C-Achse, 0x400 Modulo, Linearachse",
     ),
     _axis(
+        "P-AXIS-00586",
+        "vib_guard.type",
+        ValueType.UNS32,
+        0,
+        "Kind of FIR filter; #FILTER ON is refused unless it is 0",
+        "Art des FIR-Filters; außer bei 0 ist #FILTER ON nicht möglich",
+    ),
+    _axis(
         "P-AXIS-00457",
         "kenngr.enable_single_axis",
         ValueType.BOOLEAN,

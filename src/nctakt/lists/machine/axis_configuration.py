@@ -147,7 +147,7 @@ class AxisConfiguration:
     actual position = command position (P-AXIS-00096). ``obstacle``: what the axis cannot pass, in
     mm or degrees; 0: nothing. ``file``: the list that describes the axis. ``is_face``: it is the
     face axis of a lathe, whose position is a radius; ``is_c_axis``: the C axis of a lathe
-    (both P-AXIS-00015). ``mode``: all of P-AXIS-00015.
+    (both P-AXIS-00015). ``mode``: all of P-AXIS-00015. ``filter_type``: of its FIR filter, 0 none.
     """
 
     logical_number: int
@@ -170,6 +170,7 @@ class AxisConfiguration:
     mode: int = 1
     measuring: AxisMeasuring = AxisMeasuring()
     homing: AxisHoming = AxisHoming()
+    filter_type: int = 0
 
     @property
     def is_linear(self) -> bool:
@@ -241,6 +242,7 @@ def axis_configuration(values: Values, collector: Collector) -> AxisConfiguratio
         mode,
         axis_measuring(values),
         axis_homing(values),
+        values.integer("vib_guard.type"),
     )
 
 

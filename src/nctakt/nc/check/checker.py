@@ -44,6 +44,7 @@ from nctakt.nc.check.machine_coordinates import check_machine_command
 from nctakt.nc.check.macros import MacroExpander
 from nctakt.nc.check.main_spindle import check_main_spindle
 from nctakt.nc.check.measuring import check_meas
+from nctakt.nc.check.neutral_settings import check_setting
 from nctakt.nc.check.path_commands import check_path_command
 from nctakt.nc.check.program_variables import ProgramVariableChecker
 from nctakt.nc.check.realtime_cycles import CycleChecker
@@ -407,6 +408,8 @@ class Checker:
         elif check_path_command(command, self._values, self._words.axes[:3], self._findings):
             return
         elif check_cs_command(command, self._values, self._findings):
+            return
+        elif check_setting(command, self._values, self._findings):
             return
         elif check_main_spindle(command, self._channel, self._values, self._findings):
             return

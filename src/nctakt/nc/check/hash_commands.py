@@ -15,6 +15,7 @@ from nctakt.messages.motion import COMMAND_WORD_NOT_SIMULATED
 from nctakt.nc.check.expressions import ValueChecker
 from nctakt.nc.check.feed_groups import check_feed_group
 from nctakt.nc.check.findings import Findings
+from nctakt.nc.check.optional_parts import check_optional
 from nctakt.nc.tree import Bracket, Expression, HashCommand, Keyword, Name, Timer
 from nctakt.nc.vocabulary.command_forms import forms_of
 from nctakt.nc.vocabulary.file_names import (
@@ -67,6 +68,8 @@ class CommandChecker:
             return True
         elif tuple(words) == ("SINGLE", "STEP"):
             self._single_step(command)
+        elif words[:2] == ["OPTIONAL", "EXECUTION"]:
+            check_optional(command, self._values, self._findings)
         elif tuple(words) in _WITHOUT_ARGUMENTS:
             if command.arguments:
                 name = "#" + " ".join(words)

@@ -78,7 +78,7 @@ _STARTS_VALUE = re.compile(
 )
 
 _KEYWORD = re.compile(r"\s*([^\W\d]+(?:\.[^\W\d]+)*)")
-_KEYWORD_AND_DIGITS = re.compile(r"\s*([^\W\d]+\d+)\s*=(?!=)")
+_KEYWORD_AND_DIGITS = re.compile(r"\s*([^\W\d]+\d+(?:_\w+)?)\s*=(?!=)")
 _CALL_KEYWORD = re.compile(r"\s*(@[^\W\d]+\d*)\s*=(?!=)")
 _GLUED_VALUE = re.compile(r"[-+]?\.?\d")
 

@@ -94,6 +94,13 @@ FORMS: dict[str, tuple[str, ...]] = {
     "#MCS": ("#MCS ON", "#MCS ON [EX TOOL]", "#MCS OFF"),
     "#MCS TO WCS": ("#MCS TO WCS", "#MCS TO WCS [CS 1]", "#MCS TO WCS [KIN]"),
     "#MSG": ('#MSG ["text"]', '#MSG ["%d of %f", V.E.COUNT, P1]'),
+    "#OPTIONAL EXECUTION": (
+        "#OPTIONAL EXECUTION ON",
+        "#OPTIONAL EXECUTION ON [SIMULATE]",
+        "#OPTIONAL EXECUTION ON [SIMULATE MASK=3]",
+        "#OPTIONAL EXECUTION OFF",
+        "#OPTIONAL EXECUTION CLEAR",
+    ),
     "#ORI MODE": ("#ORI MODE [ANGLE]", "#ORI MODE [VECTOR_2DOF]"),
     "#OVERRIDE": ("#OVERRIDE [FEED_FACT=50]", "#OVERRIDE [RAPID_FACT=50]"),
     "#PRESET": ("#PRESET X10",),

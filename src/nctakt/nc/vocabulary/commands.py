@@ -175,9 +175,9 @@ COMMANDS = table(
     ("#FILENAME", SIMULATED, "names of files", "Namen von Dateien"),
     (
         "#FILTER",
-        REFUSED,
-        "filter of axes, whose words are not published",
-        "Filter der Achsen, dessen Worte nicht veröffentlicht sind",
+        ACCEPTED,
+        "FIR filters of axes, which do not act without a type (P-AXIS-00586)",
+        "FIR-Filter der Achsen, die ohne Typ (P-AXIS-00586) nicht wirken",
     ),
     ("#FREE TOOL CHANGE", REFUSED, "tool change", "Werkzeugwechsel"),
     ("#FRICTION", REFUSED, "friction compensation", "Reibkompensation"),
@@ -202,8 +202,13 @@ COMMANDS = table(
     (
         "#LAH",
         REFUSED,
-        "settings of look-ahead, whose words are not published",
-        "Einstellungen des Look-ahead, deren Worte nicht veröffentlicht sind",
+        "smoothing of the path's speed, whose method is not published",
+        "Glättung der Bahngeschwindigkeit, deren Verfahren nicht veröffentlicht ist",
+        Text(
+            "SMOOTH_PATH_VEL=0 is accepted; #VECTOR LIMIT limits speed and acceleration.",
+            "SMOOTH_PATH_VEL=0 ist erlaubt; #VECTOR LIMIT begrenzt Geschwindigkeit und "
+            "Beschleunigung.",
+        ),
     ),
     ("#LOAD CONFIG", REFUSED, "load a stored configuration", "gespeicherte Konfiguration laden"),
     ("#MACHINE DATA", REFUSED, "parameters of axes", "Achsparameter"),
@@ -221,7 +226,12 @@ COMMANDS = table(
     ("#MEAS", SIMULATED, "measuring: type, signal", "Messen: Typ, Signal"),
     ("#MICROJOINT", REFUSED, "micro joint", "Mikrosteg"),
     ("#NIBBLE", REFUSED, "nibbling", "Nibbeln"),
-    ("#OPTIONAL EXECUTION", REFUSED, "optional execution", "wahlweise Ausführung"),
+    (
+        "#OPTIONAL EXECUTION",
+        SIMULATED,
+        "part that backward motion leaves out",
+        "Teil, den die Rückwärtsfahrt auslässt",
+    ),
     (
         "#ORI MODE",
         SIMULATED,
@@ -303,8 +313,12 @@ COMMANDS = table(
     (
         "#TRANSVELMIN",
         REFUSED,
-        "lowest speed between blocks, whose form is not published",
-        "kleinste Übergangsgeschwindigkeit, deren Form nicht veröffentlicht ist",
+        "lowest speed at corners, which would take axes beyond their accelerations",
+        "kleinste Geschwindigkeit an Ecken, die Achsen über ihre Beschleunigung führte",
+        Text(
+            "G261 rounds corners and keeps speed there.",
+            "G261 verschleift Ecken und hält dort Geschwindigkeit.",
+        ),
     ),
     (
         "#TRC",

@@ -10,6 +10,12 @@ from nctakt.decoder.state.axis_commands import Home, Refer, SetSoftwareLimits
 from nctakt.decoder.state.commands import Command
 from nctakt.decoder.state.packing import pack
 from nctakt.decoder.state.probe_commands import Touch, TouchEnd
+from nctakt.decoder.state.spindle_commands import (
+    AwaitSpindle,
+    CuttingSpeed,
+    SpindleJob,
+    SpindleLimits,
+)
 from nctakt.decoder.state.start_block import SingleStep
 from nctakt.kernel import rows
 
@@ -55,7 +61,7 @@ CASES: list[tuple[type[Command], dict[str, object], int, dict[int, float]]] = [
         {rows.AWAITED_FUNCTION: 11},
     ),
     (
-        commands.SpindleJob,
+        SpindleJob,
         {
             "spindle": 11,
             "function": 12,
@@ -74,7 +80,7 @@ CASES: list[tuple[type[Command], dict[str, object], int, dict[int, float]]] = [
             rows.JOB_TICKS: 16,
         },
     ),
-    (commands.AwaitSpindle, {"spindle": 11}, rows.AWAIT_SPINDLE, {rows.JOB_SPINDLE: 11}),
+    (AwaitSpindle, {"spindle": 11}, rows.AWAIT_SPINDLE, {rows.JOB_SPINDLE: 11}),
     (
         commands.WriteVariable,
         {"cell": 11, "value": 12.0, "is_reported": True},
@@ -260,7 +266,7 @@ CASES: list[tuple[type[Command], dict[str, object], int, dict[int, float]]] = [
     (commands.ClearHistory, {}, rows.CLEAR_HISTORY, {}),
     (commands.EmptyBlock, {}, rows.EMPTY_BLOCK, {}),
     (
-        commands.CuttingSpeed,
+        CuttingSpeed,
         {"spindle": 1, "surface_v": 2000.0, "axis": 2, "centre": 5.0, "limit_v": 9000.0},
         rows.CUTTING_SPEED,
         {
@@ -269,6 +275,17 @@ CASES: list[tuple[type[Command], dict[str, object], int, dict[int, float]]] = [
             rows.CUTTING_AXIS: 2,
             rows.CUTTING_CENTRE: 5.0,
             rows.CUTTING_LIMIT: 9000.0,
+        },
+    ),
+    (
+        SpindleLimits,
+        {"spindle": 1, "low_v": 2.0, "high_v": 3.0, "acceleration": 4.0},
+        rows.SPINDLE_LIMITS,
+        {
+            rows.LIMITED_SPINDLE: 1,
+            rows.LIMITED_LOW: 2.0,
+            rows.LIMITED_HIGH: 3.0,
+            rows.LIMITED_ACCELERATION: 4.0,
         },
     ),
     (commands.LoopBegin, {}, rows.LOOP_BEGIN, {}),
@@ -345,4 +362,5 @@ def test_each_command_is_packed() -> None:
         one for one in vars(commands).values() if isinstance(one, type) and issubclass(one, Command)
     }
     declared |= {Touch, TouchEnd, Home, Refer, SetSoftwareLimits, SingleStep}
+    declared |= {SpindleJob, AwaitSpindle, CuttingSpeed, SpindleLimits}
     assert {case[0] for case in CASES} == declared - _NOT_QUEUED

@@ -63,13 +63,14 @@ from __future__ import annotations
     REMOVE_SIGNAL,  # #SIGNAL REMOVE SYN
     MODAL_MARK,  # other functions are in force from here on
     CUTTING_SPEED,  # G96, G97: the speed of a spindle follows an axis, or no longer
+    SPINDLE_LIMITS,  # a spindle gets those of its tool when it starts from standstill
     TOUCH,  # the next motion measures with a touch probe (G100)
     TOUCH_END,  # the motion that measures is over
     HOME,  # an axis begins to move to its zero pulse (G74)
     REFER,  # the position where an axis stands
     SOFTWARE_LIMITS,  # others for the independent motions of an axis (G98, G99)
     SINGLE_STEP,  # #SINGLE STEP; its argument: 1 where it is disabled
-) = range(1, 50)
+) = range(1, 51)
 
 #: The kinds that take or may take time.
 TIMED_KINDS = frozenset(
@@ -165,6 +166,8 @@ def _arguments(count: int) -> range:
     CUTTING_CENTRE,  # mm: where that axis has the radius 0
     CUTTING_LIMIT,  # highest speed, degrees/s; 0: none but that of the spindle
 ) = _arguments(5)
+# SPINDLE_LIMITS: index in the channel, least and highest speed, degrees/s; degrees/s²; 0: none
+LIMITED_SPINDLE, LIMITED_LOW, LIMITED_HIGH, LIMITED_ACCELERATION = _arguments(4)
 (
     MARK_TICK,  # BLOCK_MARK: tick in which the block was decoded
     MARK_CALLS,  # number of the open calls (``run/event_registry.py``)
@@ -368,12 +371,8 @@ PACE_WIDTH = 7
 #: Values of ``MOTION``.
 FEED_MOTION, RAPID_MOTION = range(2)
 
-#: Values of ``THREAD``.
-(
-    NO_THREAD,
-    CUTTING,  # the path follows the spindle (G33)
-    TAPPING,  # the spindle follows the path (G63, G331, G332)
-) = range(3)
+#: Values of ``THREAD``: the path follows the spindle (G33), or the spindle the path (G63, G331).
+NO_THREAD, CUTTING, TAPPING = range(3)
 
 #: Values of ``SHAPE``: an arc is a helix with further axes, a rounding rounds a corner with a limit
 #: of the jerk, a cubic is a piece of a spline.

@@ -13,7 +13,8 @@ from collections.abc import Container, Iterator
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Span
 from nctakt.decoder.state.arcs import PLANES
-from nctakt.decoder.state.commands import Command, CuttingSpeed
+from nctakt.decoder.state.commands import Command
+from nctakt.decoder.state.spindle_commands import CuttingSpeed
 from nctakt.decoder.values.variables import Values
 from nctakt.messages.cutting import (
     CUTTING_DECIDED,

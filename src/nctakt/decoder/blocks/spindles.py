@@ -16,7 +16,8 @@ from nctakt.base.diagnostics import NOTHING, Span
 from nctakt.base.text import nearest
 from nctakt.decoder.blocks.cutting_speed import CuttingSpeeds
 from nctakt.decoder.blocks.technology_output import BlockFunction, process_ticks
-from nctakt.decoder.state.commands import Answer, AwaitSpindle, Command, SpindleJob
+from nctakt.decoder.state.commands import Answer, Command
+from nctakt.decoder.state.spindle_commands import AwaitSpindle, SpindleJob
 from nctakt.decoder.values.expressions import ExpressionBuilder
 from nctakt.decoder.values.fusing import Operand, constant
 from nctakt.decoder.values.variables import Values

@@ -17,7 +17,6 @@ from nctakt.decoder.state.axis_commands import SetSoftwareLimits
 from nctakt.decoder.state.commands import (
     Answer,
     Command,
-    CuttingSpeed,
     CycleControl,
     DecoderWait,
     Dwell,
@@ -32,7 +31,6 @@ from nctakt.decoder.state.commands import (
     SetOrigin,
     SetTransformation,
     SetTurn,
-    SpindleJob,
     UserErrorReport,
     UserErrorStop,
     UserErrorValue,
@@ -40,6 +38,7 @@ from nctakt.decoder.state.commands import (
     WriteVariable,
 )
 from nctakt.decoder.state.limit_commands import SetLimits
+from nctakt.decoder.state.spindle_commands import CuttingSpeed, SpindleJob, SpindleLimits
 from nctakt.decoder.state.start_block import SingleStep, StartBlock
 from nctakt.decoder.values.variables import Values
 from nctakt.kernel import codes
@@ -66,6 +65,7 @@ _PASSING = (
     SetTransformation,
     SetTurn,
     SingleStep,
+    SpindleLimits,
     UserErrorReport,
     UserErrorStop,
     UserErrorValue,

@@ -12,8 +12,9 @@ from collections.abc import Generator
 from nctakt.base.diagnostics import Text
 from nctakt.decoder.blocks.spindles import main_of
 from nctakt.decoder.state.axis_places import AxisPlace, Places, trimmed
-from nctakt.decoder.state.commands import Answer, AwaitSpindle, Command, SpindleJob
+from nctakt.decoder.state.commands import Answer, Command
 from nctakt.decoder.state.coordinate_systems import MAIN_AXES
+from nctakt.decoder.state.spindle_commands import AwaitSpindle, SpindleJob
 from nctakt.decoder.values.variables import Values
 from nctakt.messages.axis_exchange import AXIS_TWICE
 from nctakt.messages.c_axis import C_AXIS_IN_PLANE, C_AXIS_OF_OTHER_SPINDLE

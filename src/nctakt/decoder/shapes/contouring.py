@@ -22,14 +22,12 @@ from nctakt.decoder.shapes.contour_curve import Joint
 from nctakt.decoder.state.commands import (
     Answer,
     AwaitAcknowledge,
-    AwaitSpindle,
     BlockMark,
     Command,
     DecoderWait,
     EmptyBlock,
     ProgramEnd,
     Segment,
-    SpindleJob,
     TechnologyOutput,
     UserMessage,
     WaitMark,
@@ -41,6 +39,7 @@ from nctakt.decoder.state.contour_form import ContourForm
 from nctakt.decoder.state.environment import DecodeError
 from nctakt.decoder.state.feed_modifiers import FeedModifiers
 from nctakt.decoder.state.packing import takes_time
+from nctakt.decoder.state.spindle_commands import AwaitSpindle, SpindleJob
 from nctakt.decoder.values.variables import Values
 from nctakt.kernel import rows
 from nctakt.messages.motion import CURVE_OUTSIDE_LIMITS

@@ -111,44 +111,6 @@ class AwaitAcknowledge(Command):
 
 
 @dataclass(frozen=True, slots=True)
-class SpindleJob(Command):
-    """M ``function`` 3, 4, 5 or 19 of a spindle (by its place in the channel).
-
-    Degrees and degrees per second; ``direction`` 0 of M19: the shortest way. ``ticks``: how long a
-    spindle of the PLC takes.
-    """
-
-    spindle: int
-    function: int
-    speed_v: float
-    position: float
-    direction: int
-    ticks: int
-
-
-@dataclass(frozen=True, slots=True)
-class CuttingSpeed(Command):
-    """The surface at the tool gets the speed ``surface_v`` in mm/s; 0: no longer (G96, G97).
-
-    ``axis``: number of the face axis in the machine, ``centre``: where its radius is 0, in mm.
-    ``limit_v``: highest speed in degrees per second, 0 for that of the spindle.
-    """
-
-    spindle: int
-    surface_v: float = 0.0
-    axis: int = 0
-    centre: float = 0.0
-    limit_v: float = 0.0
-
-
-@dataclass(frozen=True, slots=True)
-class AwaitSpindle(Command):
-    """Goes on when the spindle has reached its speed or position, or the PLC has acknowledged."""
-
-    spindle: int
-
-
-@dataclass(frozen=True, slots=True)
 class WriteVariable(Command):
     """A synchronous variable gets a value when this is taken (RC-308).
 

@@ -12,11 +12,9 @@ from nctakt.decoder.state.axis_commands import Home, Refer, SetSoftwareLimits
 from nctakt.decoder.state.commands import (
     AwaitAcknowledge,
     AwaitSignal,
-    AwaitSpindle,
     BlockMark,
     ClearHistory,
     Command,
-    CuttingSpeed,
     CycleControl,
     Dwell,
     EmptyBlock,
@@ -43,7 +41,6 @@ from nctakt.decoder.state.commands import (
     SetOrigin,
     SetTransformation,
     SetTurn,
-    SpindleJob,
     TechnologyOutput,
     UserErrorReport,
     UserErrorStop,
@@ -56,6 +53,12 @@ from nctakt.decoder.state.commands import (
 from nctakt.decoder.state.in_force import ModalMark
 from nctakt.decoder.state.limit_commands import SetLimits
 from nctakt.decoder.state.probe_commands import Touch, TouchEnd
+from nctakt.decoder.state.spindle_commands import (
+    AwaitSpindle,
+    CuttingSpeed,
+    SpindleJob,
+    SpindleLimits,
+)
 from nctakt.decoder.state.start_block import SingleStep
 from nctakt.kernel import rows
 
@@ -149,6 +152,9 @@ def pack(command: Command, reference: int = 0) -> list[float]:
         case CuttingSpeed():
             row = [rows.CUTTING_SPEED, *head, command.spindle, command.surface_v]
             return [*row, command.axis, command.centre, command.limit_v]
+        case SpindleLimits():
+            row = [rows.SPINDLE_LIMITS, *head, command.spindle, command.low_v]
+            return [*row, command.high_v, command.acceleration]
         case EmptyBlock():
             return [rows.EMPTY_BLOCK, *head]
         case MeasureEnd():

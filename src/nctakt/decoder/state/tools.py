@@ -18,6 +18,7 @@ from nctakt.decoder.state.arcs import PLANES
 from nctakt.decoder.state.commands import Command
 from nctakt.decoder.state.environment import DecoderEnvironment
 from nctakt.decoder.state.modal_state import ModalState
+from nctakt.decoder.state.spindle_commands import SpindleLimits
 from nctakt.kernel.base import arithmetic
 from nctakt.lists.declared.tools import (
     MAX_KINEMATIC_PARAMETERS,
@@ -53,6 +54,9 @@ _THIRD_AXIS = 2
 #: The axes whose offsets of the tool a transformation ignores (P-TOOL-00006).
 _LINEAR_AXES = 3
 
+#: Degrees per second are 1000 of the tool list's units.
+_SPEED_UNITS = 1000.0
+
 #: The largest number behind T or D; the code of a T function has no room for more.
 MAX_TOOL_NUMBER = 999_999_999
 
@@ -76,6 +80,7 @@ class ActiveTool:
         self._environment = environment
         self._state = state
         self._fail = fail
+        self._limiting_tool: Tool | None = None
 
     def name(self, word: Word, value: float) -> int:
         """Process T, and return its number for the PLC; the tool list has it, if there is one."""
@@ -175,7 +180,11 @@ class ActiveTool:
         compensation.radius = radius
 
     def offsets(self, span: Span, number: int) -> Iterator[Command]:
-        """Yield the offsets of the tool in the current plane; a transformation has its length."""
+        """Yield the offsets of the tool in the current plane; a transformation has its length.
+
+        A new tool brings the limits of its spindle.
+        """
+        yield from self._spindle_limits(span, number)
         if not self._environment.offsets.has_tool_offsets:
             return
         tool, plane = self._state.tool.tool, self._state.path.plane
@@ -199,6 +208,19 @@ class ActiveTool:
             mapped = transformation.plane.mapped
             offsets = {axis: value for axis, value in offsets.items() if axis not in mapped}
         yield from self._environment.offsets.set_tool(offsets, source, number)
+
+    def _spindle_limits(self, span: Span, number: int) -> Iterator[Command]:
+        """Yield the limits that a tool has for its spindle; one without any changes nothing."""
+        tool = self._state.tool.tool
+        is_known = tool is self._limiting_tool
+        if is_known or not tool.spindle_number or not (any(tool.speeds) or tool.acceleration):
+            return
+        self._limiting_tool = tool
+        low, high = (speed / _SPEED_UNITS for speed in tool.speeds)
+        for index, spindle in enumerate(self._environment.parameters.spindles):
+            if spindle.logical_number == tool.spindle_number and not spindle.plc_controlled:
+                source = self._environment.source_id(span)
+                yield SpindleLimits(source, number, index, low, high, tool.acceleration)
 
     def _length_axis(self, plane: int) -> tuple[int, int]:
         """Return the index of the axis along which the length acts, and the sign."""
@@ -256,6 +278,10 @@ class ActiveTool:
                 return float(tool.valid)
             case "SRK_ID":
                 return float(tool.cutter_position)
+            case "S_MIN_SPEED" | "S_MAX_SPEED":
+                return tool.speeds[system_variable.subject == "S_MAX_SPEED"]
+            case "S_MAX_ACC":
+                return tool.acceleration
             case _:
                 return float(tool.spindle_number)
 

@@ -4,6 +4,7 @@ cimport cython
 from libc cimport math
 from nctakt.kernel cimport cells, codes, rows
 from nctakt.kernel.axes.axes cimport Axes
+from nctakt.kernel.axes.spindle_limits cimport SpindleLimits
 from nctakt.kernel.base cimport arithmetic
 from nctakt.kernel.base.record cimport Record
 from nctakt.kernel.axes.trajectory cimport Trajectories
@@ -19,10 +20,8 @@ cdef class Spindles:
     cdef Record record
     cdef double cycle_t
     cdef Trajectories plans
+    cdef readonly SpindleLimits limits
     cdef long long[::1] is_plc
-    cdef double[::1] limit_v
-    cdef double[::1] limit_a
-    cdef double[::1] limit_j
     cdef double[::1] position
     cdef double[::1] speed_v
     cdef double[::1] acceleration
@@ -44,9 +43,6 @@ cdef class Spindles:
     cdef long long[::1] job
     cdef double[::1] reached_v
     cdef double[::1] laps
-    cdef double[::1] bound_v
-    cdef double[::1] bound_a
-    cdef double[::1] bound_j
     cdef double[::1] surface_v
     cdef long long[::1] face_axis
     cdef double[::1] centre_d
@@ -77,11 +73,9 @@ cdef class Spindles:
     @cython.locals(begin=double)
     cdef double turned_by(self, Py_ssize_t spindle, long long tick) noexcept nogil
     cdef int is_at_speed(self, Py_ssize_t spindle) noexcept nogil
-    cdef void bind(
-        self, Py_ssize_t spindle, double limit_v, double limit_a, double limit_j
-    ) noexcept nogil
     cdef void follow(self, Py_ssize_t spindle, double angle, double speed_v) noexcept nogil
     cdef void uncouple(self, Py_ssize_t spindle) noexcept nogil
+    cdef void take(self, double[::1] queue, Py_ssize_t row, int kind) noexcept nogil
     @cython.locals(spindle=Py_ssize_t, was_on=bint, is_on=bint)
     cdef void take_cutting_speed(self, double[::1] queue, Py_ssize_t row) noexcept nogil
     @cython.locals(

@@ -17,6 +17,7 @@ import math
 
 from nctakt.kernel import cells, codes, rows
 from nctakt.kernel.axes.axes import Axes
+from nctakt.kernel.axes.spindle_limits import SpindleLimits
 from nctakt.kernel.axes.trajectory import Trajectories
 from nctakt.kernel.base import arithmetic
 from nctakt.kernel.base.bounds import check_cells, check_index, check_size
@@ -45,9 +46,7 @@ class Spindles:
         self.cycle_t = cycle_time_us * 1e-6
         self.plans = Trajectories(count)
         self.is_plc = memoryview(bytearray(size)).cast("q")
-        self.limit_v = memoryview(bytearray(size)).cast("d")
-        self.limit_a = memoryview(bytearray(size)).cast("d")
-        self.limit_j = memoryview(bytearray(size)).cast("d")
+        self.limits = SpindleLimits(count)
         self.position = memoryview(bytearray(size)).cast("d")
         self.speed_v = memoryview(bytearray(size)).cast("d")
         self.acceleration = memoryview(bytearray(size)).cast("d")
@@ -69,9 +68,6 @@ class Spindles:
         self.job = memoryview(bytearray(size)).cast("q")
         self.reached_v = memoryview(bytearray(size)).cast("d")
         self.laps = memoryview(bytearray(size)).cast("d")
-        self.bound_v = memoryview(bytearray(size)).cast("d")
-        self.bound_a = memoryview(bytearray(size)).cast("d")
-        self.bound_j = memoryview(bytearray(size)).cast("d")
         self.surface_v = memoryview(bytearray(size)).cast("d")
         self.face_axis = memoryview(bytearray(size)).cast("q")
         self.centre_d = memoryview(bytearray(size)).cast("d")
@@ -97,9 +93,7 @@ class Spindles:
         """Set the limits of a spindle, degrees and seconds; a PLC spindle has none."""
         check_index(spindle, self.count, "spindle")
         self.is_plc[spindle] = plc
-        self.limit_v[spindle] = speed
-        self.limit_a[spindle] = acceleration
-        self.limit_j[spindle] = jerk
+        self.limits.configure(spindle, speed, acceleration, jerk)
 
     # --- jobs -----------------------------------------------------------------------------------
 
@@ -130,9 +124,11 @@ class Spindles:
         if self.is_plc[spindle]:
             self.commanded_v[spindle] = speed_v
             return
-        speed_v = min(speed_v, self.limit_v[spindle])
-        if self.bound_v[spindle] > 0.0:
-            speed_v = min(speed_v, self.bound_v[spindle])
+        if self.mode[spindle] == codes.STANDING:
+            self.limits.take_over(spindle)
+        if function != codes.SPINDLE_POSITION:
+            speed_v = self.limits.endless_v(spindle, speed_v)
+        speed_v = self.limits.bounded_v(spindle, speed_v)
         self.commanded_v[spindle] = 0.0 - speed_v if function == codes.SPINDLE_BACKWARD else speed_v
         self.plan(spindle, tick)
 
@@ -164,11 +160,7 @@ class Spindles:
             self.active_count += 1
         else:
             self.count_laps(spindle, tick)
-        limit_a, limit_j = self.limit_a[spindle], self.limit_j[spindle]
-        if self.bound_a[spindle] > 0.0:
-            limit_a = min(limit_a, self.bound_a[spindle])
-            if self.bound_j[spindle] > 0.0:
-                limit_j = min(limit_j, self.bound_j[spindle]) if limit_j > 0.0 else 0.0
+        limit_a, limit_j = self.limits.bounded_a(spindle), self.limits.bounded_j(spindle)
         self.begin_position[spindle] = self.position[spindle]
         self.begin_tick[spindle] = tick
         if self.function[spindle] == codes.SPINDLE_POSITION and not self.is_held[spindle]:
@@ -201,8 +193,8 @@ class Spindles:
         braking = self.plans.stopping_d(
             self.speed_v[spindle],
             self.acceleration[spindle],
-            self.limit_a[spindle],
-            self.limit_j[spindle],
+            self.limits.acceleration_a[spindle],
+            self.limits.jerk_j[spindle],
         )
         remaining = wrapped(self.commanded_position[spindle] - self.position[spindle] - braking)
         if direction == 0 and self.speed_v[spindle] != 0.0:
@@ -236,12 +228,6 @@ class Spindles:
             return 0
         return 1 if self.speed_v[spindle] == self.commanded_v[spindle] else 0
 
-    def bind(self, spindle: int, limit_v: float, limit_a: float, limit_j: float) -> None:
-        """Let the spindle change its speed only as an axis can follow it; 0: as it can itself."""
-        self.bound_v[spindle] = limit_v
-        self.bound_a[spindle] = limit_a
-        self.bound_j[spindle] = limit_j
-
     def follow(self, spindle: int, angle: float, speed_v: float) -> None:
         """Couple a spindle with the path, and turn it to an angle, at a speed."""
         self.mode[spindle] = codes.COUPLED
@@ -255,6 +241,15 @@ class Spindles:
         self.speed_v[spindle] = 0.0
         self.acceleration[spindle] = 0.0
         self.publish(spindle)
+
+    # --- settings of the program ----------------------------------------------------------------
+
+    def take(self, queue: memoryview[float], row: int, kind: int) -> None:
+        """Take the limits of a tool, or a constant cutting speed."""
+        if kind == rows.SPINDLE_LIMITS:
+            self.limits.take(queue, row)
+        else:
+            self.take_cutting_speed(queue, row)
 
     # --- constant cutting speed (G96) -----------------------------------------------------------
 
@@ -277,12 +272,13 @@ class Spindles:
             if self.surface_v[spindle] > 0.0 and self.turns_freely(spindle):
                 distance = self.axes.command[self.face_axis[spindle]] - self.centre_d[spindle]
                 radius = math.fabs(distance)
-                limit_v = self.limit_v[spindle]
+                limit_v = self.limits.speed_v[spindle]
                 if self.surface_limit_v[spindle] > 0.0:
                     limit_v = min(limit_v, self.surface_limit_v[spindle])
                 speed_v = limit_v
                 if radius * limit_v > self.surface_v[spindle] * DEGREES_PER_RADIAN:
                     speed_v = self.surface_v[spindle] * DEGREES_PER_RADIAN / radius
+                speed_v = min(self.limits.endless_v(spindle, speed_v), limit_v)
                 if self.function[spindle] == codes.SPINDLE_BACKWARD:
                     speed_v = 0.0 - speed_v
                 if speed_v != self.commanded_v[spindle]:
@@ -291,7 +287,7 @@ class Spindles:
 
     def turns_freely(self, spindle: int) -> int:
         """Return whether an endless job turns the spindle, and no thread is cut with it."""
-        is_bound = self.is_held[spindle] or self.bound_a[spindle] > 0.0
+        is_bound = self.is_held[spindle] or self.limits.bound_a[spindle] > 0.0
         if is_bound or self.mode[spindle] != codes.TURNING:
             return 0
         return 1 if self.function[spindle] != codes.SPINDLE_STOP else 0

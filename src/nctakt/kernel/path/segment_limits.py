@@ -221,9 +221,9 @@ class SegmentLimits:
         spindle -= 1
         turn = segments[row + rows.THREAD_TURN]
         turn = turn if turn > 0.0 else 0.0 - turn
-        limit_v = self.spindles.limit_v[spindle] / turn
-        limit_a = self.spindles.limit_a[spindle] / turn
-        limit_j = self.spindles.limit_j[spindle] / turn
+        limit_v = self.spindles.limits.speed_v[spindle] / turn
+        limit_a = self.spindles.limits.acceleration_a[spindle] / turn
+        limit_j = self.spindles.limits.jerk_j[spindle] / turn
         segments[row + rows.MAX_SPEED] = min(segments[row + rows.MAX_SPEED], limit_v)
         segments[row + rows.ACCELERATION] = min(segments[row + rows.ACCELERATION], limit_a)
         if segments[row + rows.JERK] > 0.0:

@@ -117,7 +117,7 @@ class Threads:
         turn = self.path.history_rows[row + rows.THREAD_TURN]
         self.turn = turn if self.turn > 0.0 else 0.0 - turn
         self.length_d = geometry.total_length(self.path.history_rows, row)
-        self.spindles.bind(
+        self.spindles.limits.bind(
             self.spindle,
             self.path.history_rows[row + rows.MAX_SPEED] * turn,
             self.path.history_rows[row + rows.ACCELERATION] * turn,
@@ -313,7 +313,7 @@ class Threads:
         """End all threads: the spindle is on its own again."""
         self.uncouple()
         if self.is_cutting:
-            self.spindles.bind(self.spindle, 0.0, 0.0, 0.0)
+            self.spindles.limits.bind(self.spindle, 0.0, 0.0, 0.0)
         self.is_cutting = False
         self.state = codes.WITHOUT_THREAD
         self.delay_t = -1.0

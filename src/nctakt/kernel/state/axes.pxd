@@ -4,6 +4,7 @@ from nctakt.kernel.axes.axes cimport Axes
 from nctakt.kernel.axes.axis_motions cimport AxisMotions
 from nctakt.kernel.axes.c_axis cimport CAxis
 from nctakt.kernel.axes.coordinates cimport Offsets, Turns
+from nctakt.kernel.axes.spindle_limits cimport SpindleLimits
 from nctakt.kernel.axes.spindles cimport Spindles
 from nctakt.kernel.axes.trajectory cimport Trajectories
 from nctakt.kernel.axes.transformations cimport Transformations
@@ -21,6 +22,8 @@ cpdef tuple arrays_of_turns(Turns part)
 cpdef copy_c_axis(CAxis source, CAxis target)
 cpdef copy_spindles(Spindles source, Spindles target)
 cpdef tuple arrays_of_spindles(Spindles part)
+cpdef copy_spindle_limits(SpindleLimits source, SpindleLimits target)
+cpdef tuple arrays_of_spindle_limits(SpindleLimits part)
 cpdef copy_trajectories(Trajectories source, Trajectories target)
 cpdef tuple arrays_of_trajectories(Trajectories part)
 cpdef copy_transformations(Transformations source, Transformations target)

@@ -15,6 +15,7 @@ from nctakt.kernel.axes.axes import Axes
 from nctakt.kernel.axes.axis_motions import AxisMotions
 from nctakt.kernel.axes.c_axis import CAxis
 from nctakt.kernel.axes.coordinates import Offsets, Turns
+from nctakt.kernel.axes.spindle_limits import SpindleLimits
 from nctakt.kernel.axes.spindles import Spindles
 from nctakt.kernel.axes.trajectory import Trajectories
 from nctakt.kernel.axes.transformations import Transformations
@@ -160,9 +161,6 @@ def arrays_of_spindles(part: Spindles) -> Arrays:
     return (
         part.cells,
         part.is_plc,
-        part.limit_v,
-        part.limit_a,
-        part.limit_j,
         part.position,
         part.speed_v,
         part.acceleration,
@@ -184,13 +182,31 @@ def arrays_of_spindles(part: Spindles) -> Arrays:
         part.job,
         part.reached_v,
         part.laps,
-        part.bound_v,
-        part.bound_a,
-        part.bound_j,
         part.surface_v,
         part.face_axis,
         part.centre_d,
         part.surface_limit_v,
+    )
+
+
+def copy_spindle_limits(source: SpindleLimits, target: SpindleLimits) -> None:
+    target.count = source.count
+
+
+def arrays_of_spindle_limits(part: SpindleLimits) -> Arrays:
+    return (
+        part.speed_v,
+        part.acceleration_a,
+        part.jerk_j,
+        part.low_v,
+        part.own_v,
+        part.own_a,
+        part.tool_low_v,
+        part.tool_v,
+        part.tool_a,
+        part.bound_v,
+        part.bound_a,
+        part.bound_j,
     )
 
 
@@ -290,6 +306,7 @@ COPIERS: MappingProxyType[type, Callable[..., None]] = MappingProxyType(
         Offsets: copy_offsets,
         Turns: copy_turns,
         Spindles: copy_spindles,
+        SpindleLimits: copy_spindle_limits,
         Trajectories: copy_trajectories,
     }
 )
@@ -304,6 +321,7 @@ ARRAYS: MappingProxyType[type, Callable[..., Arrays]] = MappingProxyType(
         Offsets: arrays_of_offsets,
         Turns: arrays_of_turns,
         Spindles: arrays_of_spindles,
+        SpindleLimits: arrays_of_spindle_limits,
         Trajectories: arrays_of_trajectories,
     }
 )

@@ -57,6 +57,7 @@ _MIN_LENGTH = {
     rows.CLEAR_HISTORY: rows.ARGUMENTS,
     rows.EMPTY_BLOCK: rows.ARGUMENTS,
     rows.CUTTING_SPEED: rows.CUTTING_LIMIT + 1,
+    rows.SPINDLE_LIMITS: rows.LIMITED_ACCELERATION + 1,
     rows.SIGNAL: rows.SIGNAL_FIRST_VALUE + codes.SIGNAL_VALUES,
     rows.AWAIT_SIGNAL: rows.AWAITED_OVERTAKES + 1,
     rows.REMOVE_SIGNAL: rows.REMOVED_IS_RANGE + 1,
@@ -87,6 +88,9 @@ def check_command(executor: CommandExecutor, command: list[Any]) -> None:
         spindles = executor.context.spindles.count
         check_index(command[rows.CUTTING_SPINDLE], spindles, "spindle")
         check_index(command[rows.CUTTING_AXIS], axes, "axis")
+    elif kind == rows.SPINDLE_LIMITS:
+        spindles = executor.context.spindles.count
+        check_index(command[rows.LIMITED_SPINDLE], spindles, "spindle")
     elif kind == rows.FIXED_STOP:
         check_index(command[rows.FIXED_STOP_AXIS], executor.path.count, "axis of the channel")
     elif kind == rows.SET_OFFSET:

@@ -181,8 +181,8 @@ class CommandExecutor:
             return self.take_spindle(tick, row)
         elif kind == rows.AWAIT_SPINDLE:
             return self.take_spindle_wait(row)
-        elif kind == rows.CUTTING_SPEED:
-            self.context.spindles.take_cutting_speed(self.queue.rows, row)
+        elif kind in (rows.CUTTING_SPEED, rows.SPINDLE_LIMITS):
+            self.context.spindles.take(self.queue.rows, row, kind)
         elif kind == rows.TIMER:
             timer = int(self.queue.rows[row + rows.TIMER_NUMBER])
             self.program_timers.command(int(self.queue.rows[row + rows.TIMER_ACTION]), timer, tick)

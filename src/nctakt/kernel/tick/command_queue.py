@@ -368,6 +368,7 @@ class CommandQueue:
             rows.CLEAR_HISTORY,
             rows.EMPTY_BLOCK,
             rows.CUTTING_SPEED,
+            rows.SPINDLE_LIMITS,
             rows.SIGNAL,
             rows.REMOVE_SIGNAL,
         ):

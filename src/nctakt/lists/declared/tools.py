@@ -27,6 +27,7 @@ MAX_KINEMATIC_PARAMETERS = 75
 _LENGTH_UNITS = 10_000
 _MM_PER_INCH = 25.4
 _LENGTH = "0.1 µm, 0.0001 inch"
+_SPEED = "1e-3°/s"
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,7 +41,9 @@ class Tool:
     00011); 0: none. ``kinematic_parameters``: index -> what is added to a parameter of the
     kinematic of the first step, in 0.1 µm or 1e-4° (P-TOOL-00009). ``type``: P-TOOL-00001;
     ``is_inch``: lengths of the list are inches. ``identity``: basic, sister and variant number by
-    which programs select it; 0 for one that is not valid.
+    which programs select it; 0 for one that is not valid. ``speeds``: the least and the highest
+    one of its spindle in 1e-3 degrees per second, ``acceleration`` in degrees per second²; 0: that
+    of the spindle.
     """
 
     number: int
@@ -58,6 +61,8 @@ class Tool:
     identity: tuple[int, int, int] = (0, 0, 0)
     sister_is_valid: bool = False
     variant_is_valid: bool = False
+    speeds: tuple[float, float] = (0.0, 0.0)
+    acceleration: float = 0.0
 
 
 #: The tool of D0: no dimensions.
@@ -75,9 +80,11 @@ def _tool(
     low: int | None = None,
     high: int | None = None,
     unit: str = "",
+    also: tuple[float, ...] = (),
 ) -> Parameter:
     path = f"wz[0..{MAX_TOOLS - 1}].{path}"
-    return Parameter(id_, path, type_, default, Text(en, de), low=low, high=high, unit=unit)
+    text = Text(en, de)
+    return Parameter(id_, path, type_, default, text, low=low, high=high, unit=unit, also=also)
 
 
 _DIMENSIONS = (
@@ -215,6 +222,40 @@ _SPINDLE = (
         "Logical number of the spindle that holds the tool; 0: none",
         "Logische Nummer der Spindel, die das Werkzeug hält; 0: keine",
     ),
+    _tool(
+        "P-TOOL-00013",
+        "vb_min",
+        ValueType.REAL64,
+        0.0,
+        "Least speed of the spindle with the tool, in endless rotation",
+        "Kleinste Drehzahl der Spindel mit dem Werkzeug, beim Endlosdrehen",
+        low=0,
+        unit=_SPEED,
+    ),
+    _tool(
+        "P-TOOL-00014",
+        "vb_max",
+        ValueType.REAL64,
+        0.0,
+        "Highest speed of the spindle with the tool; 0: that of the spindle",
+        "Höchste Drehzahl der Spindel mit dem Werkzeug; 0: die der Spindel",
+        low=1,
+        high=2_000_000_000,
+        unit=_SPEED,
+        also=(0.0,),
+    ),
+    _tool(
+        "P-TOOL-00015",
+        "a_max",
+        ValueType.REAL64,
+        0.0,
+        "Highest acceleration of the spindle with the tool; 0: that of the spindle",
+        "Höchste Beschleunigung der Spindel mit dem Werkzeug; 0: die der Spindel",
+        low=1,
+        high=100_000_000,
+        unit="°/s²",
+        also=(0.0,),
+    ),
 )
 
 _KINEMATIC = (
@@ -316,6 +357,8 @@ def _tool_of(values: Values, number: int, linear: tuple[bool, ...], collector: C
         _identity(values, number),
         values.flag("wz[].tool_id.sister_valid", number),
         values.flag("wz[].tool_id.variant_valid", number),
+        (values.real("wz[].vb_min", number), values.real("wz[].vb_max", number)),
+        values.real("wz[].a_max", number),
     )
 
 

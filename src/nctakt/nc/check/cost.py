@@ -63,7 +63,7 @@ def _block(block: Block, names: NameTable) -> int:
     """Return the cost of a block: one per M or H function, one plus its values per spindle
     command.
     """
-    commands, others = split(block.words, names.spindles)
+    commands, others = split(block.words, names.spindle_names)
     steps = sum(word_steps(word, names) for word in others)
     return steps + sum(command_steps(command, names) for command in commands)
 

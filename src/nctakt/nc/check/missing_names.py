@@ -76,7 +76,7 @@ class MissingNames:
 
     def report_spindle(self, variable: Variable, system: SystemVariable) -> None:
         """Report V.SPDL or V.SPDL_PROG of a spindle that the channel lacks."""
-        spindles = self._names.spindles
+        spindles = self._names.spindle_names
         if system.kind == "spindle" and system.axis and system.axis not in spindles:
             nearest = ", ".join(spindles) or "–"
             name = path_text(variable)

@@ -24,8 +24,14 @@ TIMERS = 128
 
 #: The ID of a tool.
 _IDENTITY = ("BASIC", "SISTER", "VARIANT", "SISTER_VALID", "VARIANT_VALID")
+#: The limits of its spindle that a tool brings.
+_SPINDLE_LIMITS = ("S_MIN_SPEED", "S_MAX_SPEED", "S_MAX_ACC")
 #: Single values of a tool: radius, length, validity, cutting edge, spindle, kinematic.
-_TOOL_VALUES = ("R", "L", "OK", "SRK_ID", "SPDL_AX_NR", "KIN_ID", "TYPE", "ME", *_IDENTITY)
+_TOOL_VALUES = (
+    *("R", "L", "OK", "SRK_ID", "SPDL_AX_NR", "KIN_ID", "TYPE", "ME"),
+    *_SPINDLE_LIMITS,
+    *_IDENTITY,
+)
 _WRITABLE_TOOL_VALUES = ("R", "L", "OK", "SRK_ID", "SPDL_AX_NR", "KIN_ID")
 #: Factors of the acquisition of tool life.
 _LIFE_FACTORS = ("TIME_FACT", "DIST_FACT")

@@ -113,9 +113,9 @@ class NotFound:
 class ChannelNames:
     """The names of one channel: its axes with their numbers in the machine, and its variables.
 
-    ``linear``: numbers of axes whose positions are lengths; ``spindles``: names, of which programs
-    know ``spindle_names``; ``modulo``: numbers of modulo axes; ``single``: of axes that may move
-    independently (P-AXIS-00457). ``ranges``: number of an axis -> software limits or modulo range.
+    ``linear``, ``modulo``, ``single``: numbers of axes whose positions are lengths, of modulo axes,
+    of axes that may move independently (P-AXIS-00457). Programs know ``spindles`` by
+    ``spindle_names``. ``ranges``: number of an axis -> its software limits or modulo range.
     ``logical``: logical numbers of axes that the channel can fetch -> numbers in the machine.
     """
 
@@ -203,15 +203,14 @@ class NameTable:
     """The variables that the programs of one channel know."""
 
     def __init__(self, layout: Layout, index: int, channel: ChannelNames) -> None:
-        self._layout = layout
-        self._index = index
-        self._channel = channel
+        self._layout, self._index, self._channel = layout, index, channel
         self._is_shared = True
         self._axes = dict(channel.axes)
         #: Names of axes that a program fetches, with their logical numbers if these are known.
         self.fetched: dict[str, int | None] = {}
         self._linear = channel.linear
-        self.spindles = channel.spindle_names or channel.spindles
+        self.spindles = channel.spindles
+        self.spindle_names = channel.spindle_names or channel.spindles
         self._axis_traits = {name: self._traits(number) for name, number in channel.axes}
         self._variables: dict[str, dict[str, tuple[Node, int]]] = {"E": {}, "CH": {}}
         for variable in channel.external:

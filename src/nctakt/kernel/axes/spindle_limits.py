@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: MIT
+"""The limits of the spindles of one channel: of their axis lists, of their tools, of a thread.
+
+The limits of a tool count from the next start from standstill on, and stay until another tool
+brings its own (public manuals, "tool-related dynamic limiting"). A spindle that follows a thread
+is bound to what the axis of the path can do. Degrees and seconds.
+"""
+
+from __future__ import annotations
+
+from nctakt.kernel import rows
+
+
+class SpindleLimits:
+    """``speed_v``, ``acceleration_a`` and ``jerk_j`` are in force, ``low_v`` for endless jobs."""
+
+    def __init__(self, count: int) -> None:
+        size = 8 * max(1, count)
+        self.count = count
+        self.speed_v = memoryview(bytearray(size)).cast("d")
+        self.acceleration_a = memoryview(bytearray(size)).cast("d")
+        self.jerk_j = memoryview(bytearray(size)).cast("d")
+        self.low_v = memoryview(bytearray(size)).cast("d")
+        self.own_v = memoryview(bytearray(size)).cast("d")
+        self.own_a = memoryview(bytearray(size)).cast("d")
+        self.tool_low_v = memoryview(bytearray(size)).cast("d")
+        self.tool_v = memoryview(bytearray(size)).cast("d")
+        self.tool_a = memoryview(bytearray(size)).cast("d")
+        self.bound_v = memoryview(bytearray(size)).cast("d")
+        self.bound_a = memoryview(bytearray(size)).cast("d")
+        self.bound_j = memoryview(bytearray(size)).cast("d")
+
+    def configure(self, spindle: int, speed_v: float, acceleration_a: float, jerk_j: float) -> None:
+        """Set the limits of an axis list; the caller has checked the index."""
+        self.own_v[spindle] = speed_v
+        self.own_a[spindle] = acceleration_a
+        self.jerk_j[spindle] = jerk_j
+        self.take_over(spindle)
+
+    def take(self, queue: memoryview[float], row: int) -> None:
+        """Keep the limits of a tool for the next start (P-TOOL-00013 … 00015); 0: none."""
+        spindle = int(queue[row + rows.LIMITED_SPINDLE])
+        self.tool_low_v[spindle] = queue[row + rows.LIMITED_LOW]
+        self.tool_v[spindle] = queue[row + rows.LIMITED_HIGH]
+        self.tool_a[spindle] = queue[row + rows.LIMITED_ACCELERATION]
+
+    def take_over(self, spindle: int) -> None:
+        """Limit a spindle that stands as its axis list and its tool say."""
+        self.speed_v[spindle] = lower(self.own_v[spindle], self.tool_v[spindle])
+        self.acceleration_a[spindle] = lower(self.own_a[spindle], self.tool_a[spindle])
+        self.low_v[spindle] = min(self.tool_low_v[spindle], self.speed_v[spindle])
+
+    def bind(self, spindle: int, speed_v: float, acceleration_a: float, jerk_j: float) -> None:
+        """Bind the changes of speed to what an axis can follow; 0: to nothing."""
+        self.bound_v[spindle] = speed_v
+        self.bound_a[spindle] = acceleration_a
+        self.bound_j[spindle] = jerk_j
+
+    def endless_v(self, spindle: int, speed_v: float) -> float:
+        """Return the speed of an endless job, at least that of the tool; 0 stays 0."""
+        return max(speed_v, self.low_v[spindle]) if speed_v > 0.0 else speed_v
+
+    def bounded_v(self, spindle: int, speed_v: float) -> float:
+        """Return a speed that the spindle can have."""
+        return lower(min(speed_v, self.speed_v[spindle]), self.bound_v[spindle])
+
+    def bounded_a(self, spindle: int) -> float:
+        """Return the acceleration that a new plan has."""
+        return lower(self.acceleration_a[spindle], self.bound_a[spindle])
+
+    def bounded_j(self, spindle: int) -> float:
+        """Return the jerk that a new plan has; 0: unlimited."""
+        limit_j = self.jerk_j[spindle]
+        is_bound = self.bound_a[spindle] > 0.0 and self.bound_j[spindle] > 0.0
+        return min(limit_j, self.bound_j[spindle]) if is_bound and limit_j > 0.0 else limit_j
+
+
+def lower(limit: float, other: float) -> float:
+    """Return the lower one of two limits; the second is none if it is 0."""
+    return min(limit, other) if other > 0.0 else limit

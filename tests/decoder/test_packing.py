@@ -279,13 +279,16 @@ CASES: list[tuple[type[Command], dict[str, object], int, dict[int, float]]] = [
     ),
     (
         SpindleLimits,
-        {"spindle": 1, "low_v": 2.0, "high_v": 3.0, "acceleration": 4.0},
+        {"spindle": 1, "low_v": 2.0, "high_v": 3.0, "acceleration": 4.0, "jerk": 5.0}
+        | {"is_gear": True},
         rows.SPINDLE_LIMITS,
         {
             rows.LIMITED_SPINDLE: 1,
             rows.LIMITED_LOW: 2.0,
             rows.LIMITED_HIGH: 3.0,
             rows.LIMITED_ACCELERATION: 4.0,
+            rows.LIMITED_JERK: 5.0,
+            rows.LIMITED_BY_GEAR: 1.0,
         },
     ),
     (commands.LoopBegin, {}, rows.LOOP_BEGIN, {}),

@@ -166,8 +166,9 @@ def _arguments(count: int) -> range:
     CUTTING_CENTRE,  # mm: where that axis has the radius 0
     CUTTING_LIMIT,  # highest speed, degrees/s; 0: none but that of the spindle
 ) = _arguments(5)
-# SPINDLE_LIMITS: index in the channel, least and highest speed, degrees/s; degrees/s²; 0: none
+# SPINDLE_LIMITS: index in the channel, least and highest speed, degrees/s; degrees/s², /s³; 0: none
 LIMITED_SPINDLE, LIMITED_LOW, LIMITED_HIGH, LIMITED_ACCELERATION = _arguments(4)
+LIMITED_JERK, LIMITED_BY_GEAR = range(LIMITED_ACCELERATION + 1, LIMITED_ACCELERATION + 3)
 (
     MARK_TICK,  # BLOCK_MARK: tick in which the block was decoded
     MARK_CALLS,  # number of the open calls (``run/event_registry.py``)

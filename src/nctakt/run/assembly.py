@@ -19,6 +19,7 @@ from nctakt.decoder.state.axis_places import AxisPlace, ChannelPlaces, ExchangeA
 from nctakt.decoder.state.controller_data import controller_data
 from nctakt.decoder.state.environment import DecoderEnvironment
 from nctakt.decoder.state.offsets import ActiveOffsets
+from nctakt.decoder.state.spindle_gears import SpindleGears
 from nctakt.decoder.state.transformation import ActiveTransformation
 from nctakt.files.access import FileAccess
 from nctakt.hli.layout import PanelValue
@@ -36,7 +37,7 @@ from nctakt.run.event_registry import EventRegistry
 from nctakt.run.inputs import API, Inputs
 from nctakt.run.machine_names import SignalCell, channel_names, names_of_machine, prefix_of
 from nctakt.run.realtime_part import RealtimePart
-from nctakt.run.spindle_setup import all_names, max_speeds
+from nctakt.run.spindle_setup import all_names, gear_steps
 from nctakt.run.variable_access import VariableAccess
 
 
@@ -45,7 +46,7 @@ class AssembledChannel:
     """The parts of one channel; ``index`` counts from 0, ``members`` are indices of axes.
 
     ``panel`` are the operator's values by name, ``places`` its axes by their places, ``offsets``
-    the active offsets of these.
+    the active offsets of these, ``spindle_gears`` the gear steps of its spindles by their indices.
     """
 
     index: int
@@ -55,6 +56,7 @@ class AssembledChannel:
     panel: Mapping[str, PanelValue]
     places: ChannelPlaces
     offsets: ActiveOffsets
+    spindle_gears: Mapping[int, SpindleGears]
 
     @property
     def parameters(self) -> ChannelParameters:
@@ -149,6 +151,7 @@ class AssembledMachine:
                     self.channels[index].path.room,
                 ),
                 _offsets_of(channel, places, self.realtime),
+                gear_steps(configuration, index),
             )
             for index, (channel, names, panel) in enumerate(
                 channel_names(configuration, self._names)
@@ -244,7 +247,7 @@ class AssembledMachine:
             self.registry.add_user_text,
             self.registry.add_path,
             self.registry.add_modal,
-            max_speeds(self.configuration, channel),
+            own.spindle_gears,
             notice,
             subprogram,
             skip_levels,

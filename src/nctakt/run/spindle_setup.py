@@ -4,9 +4,10 @@
 from __future__ import annotations
 
 from nctakt.decoder.blocks.spindles import names_of
+from nctakt.decoder.state.spindle_gears import SpindleGear, SpindleGears
 from nctakt.kernel.axes.spindles import Spindles
 from nctakt.kernel.base.record import Record
-from nctakt.lists.machine.axis_configuration import AxisConfiguration
+from nctakt.lists.machine.axis_configuration import AxisConfiguration, AxisDynamics
 from nctakt.lists.machine.channel_configuration import Spindle
 from nctakt.lists.machine.machine import Machine
 from nctakt.nc.vocabulary.variable_table import Layout
@@ -34,24 +35,42 @@ def channel_spindles(
         if axis is None:
             realtime.configure(column, plc=spindle.plc_controlled, speed=0.0, acceleration=0.0)
             continue
-        slope = axis.dynamics.jerk_slope
-        jerk = slope.jerk if is_jerk_limited else 0.0
-        acceleration = axis.max_acceleration
-        if jerk > 0.0:
-            acceleration = min(slope.min_acceleration, axis.dynamics.max_acceleration)
-        speed = axis.max_speed
-        realtime.configure(column, plc=False, speed=speed, acceleration=acceleration, jerk=jerk)
+        gear = _gear(axis.dynamics, is_jerk_limited)
+        realtime.configure(
+            column,
+            plc=False,
+            speed=gear.speed_v,
+            acceleration=gear.acceleration,
+            jerk=gear.jerk,
+        )
     return realtime
 
 
-def max_speeds(configuration: Machine, index: int) -> dict[int, float]:
-    """Return the maximum speeds, in °/s, of a channel's spindles that the CNC turns.
+def gear_steps(configuration: Machine, index: int) -> dict[int, SpindleGears]:
+    """Return the gear steps of a channel's spindles that the CNC turns.
 
     The keys are their indices in the channel list; spindles without an axis list are missing.
     """
-    spindles = configuration.channels[index].parameters.spindles
-    axes = {i: _axis_of(configuration, spindle) for i, spindle in enumerate(spindles)}
-    return {i: axis.max_speed for i, axis in axes.items() if axis is not None}
+    parameters = configuration.channels[index].parameters
+    is_jerk_limited = parameters.program_start.slope_profile != 0
+    gears = {}
+    for column, spindle in enumerate(parameters.spindles):
+        axis = _axis_of(configuration, spindle)
+        if axis is not None:
+            steps = {step.gear_number: _gear(step, is_jerk_limited) for step in axis.gears}
+            gears[column] = SpindleGears(steps, axis.dynamics.gear_number)
+    return gears
+
+
+def _gear(dynamics: AxisDynamics, is_jerk_limited: bool) -> SpindleGear:
+    """Return the limits of a spindle in a gear step."""
+    slope = dynamics.jerk_slope
+    jerk = slope.jerk if is_jerk_limited else 0.0
+    acceleration = min(dynamics.feed_acceleration, dynamics.rapid_acceleration)
+    if jerk > 0.0:
+        acceleration = min(slope.min_acceleration, dynamics.max_acceleration)
+    position = dynamics.change_position
+    return SpindleGear(dynamics.max_speed, dynamics.rapid_speed, acceleration, jerk, position)
 
 
 def all_names(configuration: Machine) -> list[str]:

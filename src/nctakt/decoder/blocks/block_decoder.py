@@ -26,6 +26,7 @@ from nctakt.decoder.blocks.fixed_stops import (
     is_fixed_stop,
 )
 from nctakt.decoder.blocks.frame_commands import FrameCommands
+from nctakt.decoder.blocks.gear_changes import GearChanges
 from nctakt.decoder.blocks.in_force_marks import InForceMarks
 from nctakt.decoder.blocks.measuring import Measuring
 from nctakt.decoder.blocks.moved_axes import MovedAxes
@@ -114,7 +115,7 @@ class BlockDecoder:
         self._state = values.state
         marks = values.environment.marks_blocks
         self._in_force = InForceMarks(values.environment, values.state) if marks else None
-        self.spindles = SpindleWords(values, CuttingSpeeds(values))
+        self.spindles = SpindleWords(values, CuttingSpeeds(values), GearChanges(values))
         threads = ThreadMotion(values, self.spindles)
         feed_rate = FeedRate(values, self.spindles)
         self.path = PathMotion(values, feed_rate, threads)
@@ -239,6 +240,7 @@ class BlockDecoder:
             rest = [word for word in rest if not is_revolutions(word)]
             content.dwell_s = yield from self.spindles.dwell_s(block, number)
         commands, words = split(rest, self._spindle_names)
+        words = yield from self.spindles.change_gear(words, commands, number)
         for word in words:
             if isinstance(word, tree.AxisWord):
                 if word.value is not None:

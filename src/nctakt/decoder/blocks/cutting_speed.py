@@ -88,7 +88,7 @@ class CuttingSpeeds:
 
     def limit_of(self, spindle: int) -> float:
         """Return the highest speed under G96 in 1/min: G196, at most that of the spindle."""
-        highest = self.values.environment.max_spindle_speeds[spindle] / _DEGREES_PER_S
+        highest = self.values.environment.spindle_gears[spindle].gear.speed_v / _DEGREES_PER_S
         return min(highest, self.limit) if self.limit > 0.0 else highest
 
     def _command(self, spindle: int, span: Span, number: int) -> CuttingSpeed:

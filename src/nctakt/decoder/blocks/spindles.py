@@ -9,12 +9,14 @@ receives no job that is not output.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Generator, Mapping, Sequence
 
 from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import NOTHING, Span
 from nctakt.base.text import nearest
 from nctakt.decoder.blocks.cutting_speed import CuttingSpeeds
+from nctakt.decoder.blocks.gear_changes import GearChanges
 from nctakt.decoder.blocks.technology_output import BlockFunction, process_ticks
 from nctakt.decoder.state.commands import Answer, Command
 from nctakt.decoder.state.spindle_commands import AwaitSpindle, SpindleJob
@@ -42,6 +44,7 @@ from nctakt.nc.vocabulary.functions import (
     CONSTANT_SPEED,
     COUNTERCLOCKWISE,
     CUTTING_SPEED,
+    GEAR_STEP,
     SPINDLE_LIMIT,
     SPINDLE_POSITION,
     SPINDLE_STOP,
@@ -55,7 +58,7 @@ from nctakt.nc.vocabulary.system_variables import SystemVariable
 DEGREES_PER_S = 6.0
 
 #: G functions that say what S is.
-SPEED_FUNCTIONS = frozenset((CUTTING_SPEED, CONSTANT_SPEED, SPINDLE_LIMIT))
+SPEED_FUNCTIONS = frozenset((CUTTING_SPEED, CONSTANT_SPEED, SPINDLE_LIMIT, GEAR_STEP))
 
 _DIRECTIONS = {CLOCKWISE: 1, COUNTERCLOCKWISE: -1}
 
@@ -75,8 +78,10 @@ class SpindleWords:
 
     values: Values
     cutting: CuttingSpeeds
+    gears: GearChanges
     modal: dict[int, _Modal] = field(default_factory=dict)
     dwell_turns: float = 0.0
+    _loads_gear: bool = False
 
     def __post_init__(self) -> None:
         self.values.spindle_value = self.value
@@ -151,12 +156,33 @@ class SpindleWords:
         """Return whether a block has G96, G97 or G196."""
         return not SPEED_FUNCTIONS.isdisjoint(numbers)
 
+    def change_gear(
+        self, words: list[tree.BlockWord], commands: Sequence[SpindleCommand], number: int
+    ) -> Generator[Command, Answer, list[tree.BlockWord]]:
+        """Process M40 … M45; return the other words. A turning spindle goes on afterwards."""
+        others = []
+        for word in words:
+            stage = self.gears.stage_of(word)
+            if not stage:
+                others.append(word)
+                continue
+            index, _ = find(self.values, "", word.span)
+            is_changed = yield from self.gears.change(index, stage, word.span, number)
+            modal = self.modal.get(index, _Modal())
+            is_commanded = any(index_of(self.values, one.name) == index for one in commands)
+            if is_changed and modal.function in _DIRECTIONS and not is_commanded:
+                source = self.values.environment.source_id(word.span)
+                speed_v = DEGREES_PER_S * modal.speed
+                yield SpindleJob(source, number, index, modal.function, speed_v, 0.0, 0, 0)
+        return others
+
     def speed_functions(
         self, numbers: Mapping[int, Span], number: int
     ) -> Generator[Command, Answer]:
         """Process G96, G97 and G196 of a block, before its S."""
         self.cutting.sets_limit = False
-        found = SPEED_FUNCTIONS.intersection(numbers)
+        self._loads_gear = GEAR_STEP in numbers
+        found = SPEED_FUNCTIONS.intersection(numbers) - {GEAR_STEP}
         if found:
             span = numbers[min(found)]
             index, _ = find(self.values, "", span)
@@ -172,6 +198,10 @@ class SpindleWords:
         is_cutting = is_main and self.cutting.is_active
         if command.speed is not None:
             speed = yield from self._speed(command.speed, number)
+            if self._loads_gear:
+                span, is_turning = command.speed.span, modal.function in _DIRECTIONS
+                yield from self.gears.load(index, speed, span, number, turns=is_turning)
+                return []
             if is_main and self.cutting.sets_limit:
                 span = command.speed.span
                 yield from self.cutting.set_limit(speed, index, span, number)
@@ -181,6 +211,9 @@ class SpindleWords:
                 self.cutting.surface = speed
             else:
                 modal.speed = speed
+                stage = self.gears.chosen(index, speed, command.speed.span) if is_main else 0
+                if stage:
+                    yield from self.gears.change(index, stage, command.speed.span, number)
                 warn_of_speed(self.values, index, modal.speed, command.speed.span)
         if is_cutting and self.cutting.surface > 0.0:
             start, modal.speed = self.cutting.start(index, command.span, number)
@@ -292,7 +325,7 @@ def find(values: Values, name: str, span: Span) -> tuple[int, Spindle]:
     index = index_of(values, name)
     assert index >= 0, name
     spindle = values.environment.parameters.spindles[index]
-    if not spindle.plc_controlled and index not in values.environment.max_spindle_speeds:
+    if not spindle.plc_controlled and index not in values.environment.spindle_gears:
         values.fail(
             SPINDLE_AXIS_LIST_MISSING, span, spindle=spindle.name, logical=spindle.logical_number
         )
@@ -305,8 +338,9 @@ def find(values: Values, name: str, span: Span) -> tuple[int, Spindle]:
 
 def warn_of_speed(values: Values, index: int, speed: float, span: Span) -> None:
     """Warn if the requested speed in 1/min exceeds the limit of the spindle (P-AXIS-00212)."""
-    limit = values.environment.max_spindle_speeds.get(index)
-    if limit is None or speed * DEGREES_PER_S <= limit * (1.0 + 1e-9):
+    gears = values.environment.spindle_gears.get(index)
+    limit = math.inf if gears is None else gears.gear.speed_v
+    if speed * DEGREES_PER_S <= limit * (1.0 + 1e-9):
         return
     name = values.environment.parameters.spindles[index].name
     values.warn(SPINDLE_SPEED_LIMITED, span, spindle=name, limit=limit / DEGREES_PER_S, speed=speed)

@@ -135,9 +135,9 @@ class ThreadMotion:
         modal = self._spindles.modal.get(index)
         speed = 0.0 if modal is None or modal.function == SPINDLE_STOP else modal.speed
         spindle_v = DEGREES_PER_S * speed
-        spindle_v = min(spindle_v, self._environment.max_spindle_speeds[index])
+        spindle_v = min(spindle_v, self._environment.spindle_gears[index].gear.speed_v)
         if spindle_v == 0.0:
-            spindle_v = self._environment.max_spindle_speeds[index]
+            spindle_v = self._environment.spindle_gears[index].gear.speed_v
         pitch = abs(self._pitch(start, target, span))
         modifiers = FeedModifiers(
             1.0, True, index, spindle_v, rows.CUTTING, 360.0 / pitch, thread.offset

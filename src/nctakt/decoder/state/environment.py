@@ -17,6 +17,7 @@ from nctakt.decoder.state.controller_data import ControllerData
 from nctakt.decoder.state.in_force import InForce
 from nctakt.decoder.state.offsets import ActiveOffsets
 from nctakt.decoder.state.signals import DecoderSignals
+from nctakt.decoder.state.spindle_gears import SpindleGears
 from nctakt.decoder.state.uncertain_axes import LivingCycle
 from nctakt.lists.declared.tools import Tool
 from nctakt.lists.machine.axis_configuration import AxisConfiguration
@@ -35,17 +36,17 @@ class DecoderEnvironment:
     ``tools``: those of the list, by number. ``axis_numbers``: axis name -> index in the path's
     positions. ``cells``: the machine's memory, ``memory``: the same as bytes. ``source_id``:
     returns the number of a span (``base/source_ids.py``). ``line_text``: returns the line of a
-    span. ``max_spindle_speeds``: index -> maximum speed in degrees/s of the spindles that the CNC
-    turns. ``text_id``: returns the number of a text for a user error, ``path_id`` that of the open
-    programs, ``modal_id`` that of what is in force. ``warn``: receives findings that do not stop
-    the program. ``subprogram``: returns the text of a called file, by name, calling file and span;
-    raises ``DecodeError``. ``skip_levels``: blocks of these levels are skipped. ``marks_blocks``:
-    each block is marked. ``controller_data``: data behind V.G and V.S. ``living_cycles``: cycles
-    left by earlier programs. ``moving_axes``: returns the names of the axes in independent motion.
-    ``history_size``: the number of blocks in the history of the path. ``signals``: those between
-    the channels. ``places``: the axes of the channel and those that it can fetch. ``poll`` is
-    called while the decoder works. ``kept_cycles``: cycles of earlier runs, if runs follow each
-    other.
+    span. ``spindle_gears``: index -> the gear steps of a spindle that the CNC turns.
+    ``text_id``: returns the number of a text for a user error, ``path_id`` that of the open
+    programs, ``modal_id`` that of what is in force. ``warn``: receives findings that do not
+    stop the program. ``subprogram``: returns the text of a called file, by name, calling file
+    and span; raises ``DecodeError``. ``skip_levels``: blocks of these levels are skipped.
+    ``marks_blocks``: each block is marked. ``controller_data``: data behind V.G and V.S.
+    ``living_cycles``: cycles left by earlier programs. ``moving_axes``: returns the names of
+    the axes in independent motion. ``history_size``: the number of blocks in the history of the
+    path. ``signals``: those between the channels. ``places``: the axes of the channel and those
+    that it can fetch. ``poll`` is called while the decoder works. ``kept_cycles``: cycles of
+    earlier runs, if runs follow each other.
     """
 
     names: NameTable
@@ -62,7 +63,7 @@ class DecoderEnvironment:
     text_id: Callable[[str], int]
     path_id: Callable[[tuple[OpenCall, ...]], int]
     modal_id: Callable[[InForce], int]
-    max_spindle_speeds: Mapping[int, float]
+    spindle_gears: Mapping[int, SpindleGears]
     warn: Callable[[Diagnostic], None]
     subprogram: Callable[[str, str, Span], ProgramText]
     skip_levels: frozenset[int]

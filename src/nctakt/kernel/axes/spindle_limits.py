@@ -38,8 +38,16 @@ class SpindleLimits:
         self.take_over(spindle)
 
     def take(self, queue: memoryview[float], row: int) -> None:
-        """Keep the limits of a tool for the next start (P-TOOL-00013 … 00015); 0: none."""
+        """Keep the limits of a tool for the next start (P-TOOL-00013 … 00015), 0: none; or take
+        those of another gear step, while the spindle stands.
+        """
         spindle = int(queue[row + rows.LIMITED_SPINDLE])
+        if queue[row + rows.LIMITED_BY_GEAR] != 0.0:
+            self.own_v[spindle] = queue[row + rows.LIMITED_HIGH]
+            self.own_a[spindle] = queue[row + rows.LIMITED_ACCELERATION]
+            self.jerk_j[spindle] = queue[row + rows.LIMITED_JERK]
+            self.take_over(spindle)
+            return
         self.tool_low_v[spindle] = queue[row + rows.LIMITED_LOW]
         self.tool_v[spindle] = queue[row + rows.LIMITED_HIGH]
         self.tool_a[spindle] = queue[row + rows.LIMITED_ACCELERATION]

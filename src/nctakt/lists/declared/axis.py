@@ -310,6 +310,17 @@ _GEAR_STEP = (
         unit="0.01/s",
     ),
     _axis(
+        "P-AXIS-00078",
+        f"getriebe[0..{GEAR_STEPS - 1}].getr_schalt_pos",
+        ValueType.SGN32,
+        0,
+        "Where the spindle stands while this gear step is left",
+        "Wo die Spindel steht, während diese Getriebestufe verlassen wird",
+        unit=_POSITION,
+        at_least=Limit("P-AXIS-00177", is_exclusive=True),
+        at_most=Limit("P-AXIS-00178", is_exclusive=True),
+    ),
+    _axis(
         "P-AXIS-00126",
         f"getriebe[0..{GEAR_STEPS - 1}].moduloo",
         ValueType.SGN32,

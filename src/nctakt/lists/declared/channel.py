@@ -14,6 +14,7 @@ from nctakt.lists.declared.feed_groups import FEED_GROUPS
 from nctakt.lists.declared.kinematics import KINEMATICS
 from nctakt.lists.declared.measuring import CHANNEL_MEASURING
 from nctakt.lists.declared.path_limits import PATH_LIMITS
+from nctakt.lists.declared.spindle_gears import SPINDLE_GEARS
 from nctakt.lists.declared.technology_functions import SPINDLE_FUNCTIONS, TECHNOLOGY, TOOL
 from nctakt.lists.declared.tool_selection import CHANNEL_TOOLS
 from nctakt.lists.format.parameter import MAX_UNS16, MAX_UNS32, Alias, Parameter, Value, ValueType
@@ -485,6 +486,7 @@ CHANNEL = Schema(
     + PATH_LIMITS
     + FEED_GROUPS
     + COORDINATE_SYSTEMS
+    + SPINDLE_GEARS
     + DYNAMIC_WEIGHTS
     + CHANNEL_MEASURING
     + _DEFAULTS

@@ -94,7 +94,10 @@ class JerkSlope:
 
 @dataclass(frozen=True, slots=True)
 class AxisDynamics:
-    """Limits of one gear step; ``kv``, the gain of the position control, in 1/s."""
+    """Limits of one gear step; ``kv``, the gain of the position control, in 1/s.
+
+    ``change_position``: where the axis stands while the gear changes (P-AXIS-00078).
+    """
 
     gear_number: int
     max_speed: float
@@ -107,6 +110,7 @@ class AxisDynamics:
     kv: float
     modulo_low: float
     modulo_high: float
+    change_position: float
 
     @property
     def feed_acceleration(self) -> float:
@@ -148,6 +152,7 @@ class AxisConfiguration:
     mm or degrees; 0: nothing. ``file``: the list that describes the axis. ``is_face``: it is the
     face axis of a lathe, whose position is a radius; ``is_c_axis``: the C axis of a lathe
     (both P-AXIS-00015). ``mode``: all of P-AXIS-00015. ``filter_type``: of its FIR filter, 0 none.
+    ``gears``: the dynamics of all gear steps.
     """
 
     logical_number: int
@@ -171,6 +176,7 @@ class AxisConfiguration:
     measuring: AxisMeasuring = AxisMeasuring()
     homing: AxisHoming = AxisHoming()
     filter_type: int = 0
+    gears: tuple[AxisDynamics, ...] = ()
 
     @property
     def is_linear(self) -> bool:
@@ -243,6 +249,7 @@ def axis_configuration(values: Values, collector: Collector) -> AxisConfiguratio
         axis_measuring(values),
         axis_homing(values),
         values.integer("vib_guard.type"),
+        gears,
     )
 
 
@@ -330,6 +337,7 @@ def _dynamics(values: Values, step: int, collector: Collector) -> AxisDynamics:
         values.integer(f"{gear}.kv", step) / 100,
         modulo_low,
         modulo_high,
+        values.integer(f"{gear}.getr_schalt_pos", step) / POSITION_UNITS,
     )
 
 

@@ -27,6 +27,7 @@ from nctakt.lists.machine.feed_groups import ListedFeedGroup, listed_feed_group
 from nctakt.lists.machine.kinematic_lists import transformations
 from nctakt.lists.machine.kinematics import Transformations
 from nctakt.lists.machine.measuring import ChannelMeasuring, channel_measuring
+from nctakt.lists.machine.spindle_gears import ListedGears, listed_gears
 from nctakt.lists.machine.tool_selection import ToolSelection, tool_selection
 from nctakt.messages import Collector
 from nctakt.messages.lists import (
@@ -216,6 +217,7 @@ class ChannelParameters:
     feed_group: ListedFeedGroup
     dynamic_weights: DynamicWeights
     coordinate_systems: ListedSystems
+    gears: ListedGears
 
     @property
     def spindle_names(self) -> tuple[str, ...]:
@@ -270,6 +272,7 @@ def channel_parameters(values: Values, collector: Collector) -> ChannelParameter
         listed_feed_group(values),
         dynamic_weights(values, collector),
         listed_systems(values),
+        listed_gears(values),
     )
 
 

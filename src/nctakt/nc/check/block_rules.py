@@ -10,7 +10,8 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from nctakt.lists.machine.channel_configuration import ChannelParameters
-from nctakt.messages.checked_blocks import G60_WITHOUT_MOTION
+from nctakt.messages.checked_blocks import G60_WITHOUT_MOTION, INVALID_COMMAND_FORM
+from nctakt.messages.motion import COMMAND_WORD_NOT_SIMULATED
 from nctakt.messages.offsets import COMMAND_WITHOUT_AXIS, MOTION_WORD_WITH_OFFSETS
 from nctakt.messages.tools import TANGENTIAL_ALONE
 from nctakt.nc.check.contour_lines import ANGLE_WORD, check_contour_line
@@ -27,6 +28,7 @@ from nctakt.nc.vocabulary.functions import (
     COMPENSATIONS,
     EXACT_STOP_ONCE,
     FEED_RAMPS,
+    GEAR_STEP,
     INSERTIONS,
     INTERRUPTIBLE,
     MEASURING,
@@ -44,6 +46,7 @@ _SPLINE_WORDS = frozenset((*SWITCHES, *VECTORS))
 _RULED = frozenset(
     (
         EXACT_STOP_ONCE,
+        GEAR_STEP,
         MEASURING,
         MEASURING_CONTINUES,
         INTERRUPTIBLE,
@@ -93,7 +96,27 @@ class BlockChecker:
             self._exact_stop(block)
             self._tangential(block)
             self._reference(block)
+            self._gear_step(block)
         return inserts
+
+    def _gear_step(self, block: Block) -> None:
+        """Check that G112 has a spindle, and no axis: their gear steps do not change."""
+        word = functions_of(block).get(GEAR_STEP)
+        if word is None:
+            return
+        spindles = ("S", *self._channel.spindle_names)
+        if not any(getattr(other, "name", "") in spindles for other in block.words):
+            forms = "G112 S2"
+            self._findings.report(INVALID_COMMAND_FORM, word.span, command="G112", forms=forms)
+        for other in block.words:
+            if isinstance(other, AxisWord):
+                self._findings.report(
+                    COMMAND_WORD_NOT_SIMULATED,
+                    other.span,
+                    command="G112",
+                    word=other.name,
+                    names=", ".join(spindles[1:]),
+                )
 
     def _exact_stop(self, block: Block) -> None:
         stop = functions_of(block).get(EXACT_STOP_ONCE)

@@ -12,7 +12,7 @@ from dataclasses import replace
 from typing import Literal
 
 from nctakt.base.dataclass import dataclass, field
-from nctakt.base.diagnostics import number_text
+from nctakt.base.diagnostics import Text, number_text
 from nctakt.base.text import close_names
 from nctakt.lists.declared.offsets import MAX_GROUPS
 from nctakt.lists.machine.channel_configuration import ChannelParameters, program_parameter
@@ -73,6 +73,7 @@ from nctakt.nc.vocabulary.file_names import CHANGE
 from nctakt.nc.vocabulary.function_rows import WITH_AXES, Form, Group
 from nctakt.nc.vocabulary.functions import (
     BLOCK_TRANSITIONS,
+    GEAR_FUNCTIONS,
     PROGRAM_ENDS,
     RETURN_COMMANDS,
     SUBPROGRAM_ENDS,
@@ -109,6 +110,15 @@ class _BlockState:
     words: set[str] = field(default_factory=set)
     functions: set[float] = field(default_factory=set)
     is_computed: bool = False
+
+
+#: What is told once per program about gear changes.
+_GEAR_CHANGE = Text(
+    "the spindle turns to the position of the active step, the PLC acknowledges the M function, "
+    "then the limits of the new step count and the spindle goes on as before",
+    "die Spindel dreht auf die Position der aktiven Stufe, die SPS quittiert die M-Funktion, dann "
+    "gelten die Grenzen der neuen Stufe, und die Spindel dreht weiter wie zuvor",
+)
 
 
 class WordChecker:
@@ -316,6 +326,8 @@ class WordChecker:
         else:
             self._findings.report_support(entry, word.span, name)
             self._value_for_plc(word)
+            if word.name == "M" and number in GEAR_FUNCTIONS and self._channel.gears.is_enabled:
+                self._findings.report_simplified("M40 … M45", _GEAR_CHANGE, word.span)
 
     def _value_for_plc(self, word: Word) -> None:
         """Check the value that a function passes to the PLC: ``M110=130``."""

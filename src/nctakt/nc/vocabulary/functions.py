@@ -75,6 +75,7 @@ MAP_FUNCTIONS = MAPS_BY_AXES.union(MAPS_OFF, MIRRORED_BY_PLANE)
 ABSOLUTE, RELATIVE = 90, 91
 REFERENCE_OFFSET = 92
 CUTTING_SPEED, CONSTANT_SPEED, SPINDLE_LIMIT = 96, 97, 196
+GEAR_STEP, GEAR_FUNCTIONS = 112, range(40, 46)
 INVERSE_TIME_FEED, FEED_PER_MINUTE, FEED_PER_REVOLUTION, FEED_SHARE = 93, 94, 95, 194
 HOMING, NEGATIVE_LIMIT, POSITIVE_LIMIT = 74, 98, 99
 MEASURING, MEASURING_CONTINUES, INTERRUPTIBLE = 100, 106, 310
@@ -263,7 +264,7 @@ G_FUNCTIONS: Mapping[int, GFunction] = by_number(
     ),
     group(
         None,
-        refused(112, "gear change", "Getriebeschaltung"),
+        simulated(GEAR_STEP, "gear step of a spindle", "Getriebestufe einer Spindel"),
         refused(115, "influence on look-ahead", "Einfluss auf Look-ahead"),
         refused(116, "influence on look-ahead", "Einfluss auf Look-ahead"),
         accepted(117, "look-ahead on", "Look-ahead ein"),

@@ -306,7 +306,7 @@ OVERRIDE_IS_PERCENT = warning(
     remedy_en="An override is in percent: write {meant} for that share of the programmed speed.",
     remedy_de="Ein Override ist in Prozent: {meant} schreiben für diesen Anteil der programmierten "
     "Geschwindigkeit.",
-    word=("FEED_FACT or RAPID_FACT", "FEED_FACT oder RAPID_FACT"),
+    word=("FEED_FACT, RAPID_FACT or SPEED_FACT", "FEED_FACT, RAPID_FACT oder SPEED_FACT"),
     value=("the constant", "die Konstante"),
     meant=("the constant as a share, in percent", "die Konstante als Anteil, in Prozent"),
 )

@@ -41,6 +41,7 @@ class CuttingSpeeds:
     is_active: bool = False
     surface: float = 0.0
     limit: float = 0.0
+    factor: float = 1.0
     sets_limit: bool = False
     has_noted: bool = False
 
@@ -79,9 +80,10 @@ class CuttingSpeeds:
         axis = self._face_axis(span)
         radius = abs(self.values.state.positions[axis] - command.centre)
         limit = self.limit_of(spindle)
-        if radius * limit * 2.0 * math.pi > self.surface * 1000.0:
-            return command, self.surface * 1000.0 / (2.0 * math.pi * radius)
-        speed = self.surface * 1000.0 / (2.0 * math.pi * radius) if radius > 0.0 else math.inf
+        surface = self.surface * self.factor
+        if radius * limit * 2.0 * math.pi > surface * 1000.0:
+            return command, surface * 1000.0 / (2.0 * math.pi * radius)
+        speed = surface * 1000.0 / (2.0 * math.pi * radius) if radius > 0.0 else math.inf
         shown = "∞" if speed == math.inf else f"{speed:.6g}"
         self.values.warn(CUTTING_START_LIMITED, span, speed=shown, limit=limit)
         return command, limit
@@ -101,7 +103,7 @@ class CuttingSpeeds:
             environment.source_id(span),
             number,
             spindle,
-            self.surface * _MM_S_PER_M_MIN,
+            self.surface * self.factor * _MM_S_PER_M_MIN,
             traits.number,
             environment.offsets.total(axis),
             self.limit * _DEGREES_PER_S,

@@ -35,7 +35,6 @@ from nctakt.nc.vocabulary.functions import (
     FEED_PER_REVOLUTION,
     FEED_SHARE,
     INVERSE_TIME_FEED,
-    SPINDLE_STOP,
     THREADS,
 )
 
@@ -211,9 +210,9 @@ class FeedRate:
             self._values.fail(FEED_PER_REVOLUTION_WITHOUT_SPINDLE, span)
         spindle = self._environment.parameters.spindles[index]
         modal = self._spindles.modal.get(index)
-        if modal is None or modal.function == SPINDLE_STOP or modal.speed <= 0.0:
+        if modal is None or modal.turning_speed <= 0.0:
             self._values.fail(FEED_PER_REVOLUTION_SPINDLE_STOPPED, span, spindle=spindle.name)
-        speed = modal.speed
+        speed = modal.turning_speed
         if self._spindles.cutting.is_active:
             speed = self._spindles.cutting.limit_of(index)
         feed = feed_state.per_revolution_mm * speed / 60.0

@@ -28,6 +28,7 @@ from nctakt.kernel.cycles.spindle_commands import CommandSpindle
 from nctakt.lists.machine.channel_configuration import Spindle
 from nctakt.messages.c_axis import SPINDLE_IS_C_AXIS
 from nctakt.messages.checked_values import INDEX_OUT_OF_RANGE, UNKNOWN_VARIABLE
+from nctakt.messages.feed import INVALID_PROGRAM_OVERRIDE
 from nctakt.messages.spindles import (
     DWELL_WITHOUT_SPINDLE,
     INVALID_SPINDLE_SPEED,
@@ -39,6 +40,7 @@ from nctakt.messages.spindles import (
 )
 from nctakt.nc import tree
 from nctakt.nc.check.main_spindle import main_spindle_command
+from nctakt.nc.check.path_commands import OVERRIDE_MAX_PCT, OVERRIDE_MIN_PCT
 from nctakt.nc.vocabulary.functions import (
     CLOCKWISE,
     CONSTANT_SPEED,
@@ -65,11 +67,20 @@ _DIRECTIONS = {CLOCKWISE: 1, COUNTERCLOCKWISE: -1}
 
 @dataclass(slots=True)
 class _Modal:
-    """The modal words of a spindle: direction, revolutions per minute, degrees of M19."""
+    """The modal words of a spindle: direction, revolutions per minute, degrees of M19.
+
+    ``factor``: the override of the program (``S[OVERRIDE SPEED_FACT=50]``).
+    """
 
     function: int = SPINDLE_STOP
     speed: float = 0.0
     position: float = 0.0
+    factor: float = 1.0
+
+    @property
+    def turning_speed(self) -> float:
+        """The speed with the override of the program; 0 without M3 or M4."""
+        return self.speed * self.factor if self.function in _DIRECTIONS else 0.0
 
 
 @dataclass(slots=True)
@@ -172,7 +183,7 @@ class SpindleWords:
             is_commanded = any(index_of(self.values, one.name) == index for one in commands)
             if is_changed and modal.function in _DIRECTIONS and not is_commanded:
                 source = self.values.environment.source_id(word.span)
-                speed_v = DEGREES_PER_S * modal.speed
+                speed_v = DEGREES_PER_S * modal.turning_speed
                 yield SpindleJob(source, number, index, modal.function, speed_v, 0.0, 0, 0)
         return others
 
@@ -196,6 +207,12 @@ class SpindleWords:
         modal = self.modal.setdefault(index, _Modal())
         is_main = index == self.values.state.main_spindle
         is_cutting = is_main and self.cutting.is_active
+        if command.override is not None:
+            modal.factor = yield from self._factor(command.override, number)
+            if modal.function == SPINDLE_STOP:
+                return []
+        if is_main:
+            self.cutting.factor = modal.factor
         if command.speed is not None:
             speed = yield from self._speed(command.speed, number)
             if self._loads_gear:
@@ -216,7 +233,8 @@ class SpindleWords:
                     yield from self.gears.change(index, stage, command.speed.span, number)
                 warn_of_speed(self.values, index, modal.speed, command.speed.span)
         if is_cutting and self.cutting.surface > 0.0:
-            start, modal.speed = self.cutting.start(index, command.span, number)
+            start, speed = self.cutting.start(index, command.span, number)
+            modal.speed = speed / modal.factor
             yield start
         position = 0.0
         if command.position is not None:
@@ -237,7 +255,7 @@ class SpindleWords:
             key = "s"
         function = SPINDLE_POSITION if key == "m19" else modal.function
         direction = _DIRECTIONS[turns[0]] if turns else 0
-        speed = 0.0 if function == SPINDLE_STOP else modal.speed
+        speed = 0.0 if function == SPINDLE_STOP else modal.speed * modal.factor
         return self._job(
             command, number, (index, spindle, key), (function, speed, position, direction)
         )
@@ -257,8 +275,8 @@ class SpindleWords:
         speed.
         """
         modal = self.modal.get(self.values.state.main_spindle)
-        if modal is not None and modal.function in _DIRECTIONS and modal.speed > 0.0:
-            return 60.0 * count / modal.speed
+        if modal is not None and modal.turning_speed > 0.0:
+            return 60.0 * count / modal.turning_speed
         self.values.fail(DWELL_WITHOUT_SPINDLE, span)
 
     def _job(
@@ -289,6 +307,21 @@ class SpindleWords:
         if value < 0.0:
             self.values.fail(INVALID_SPINDLE_SPEED, expression.span, value=value)
         return value
+
+    def _factor(self, item: tree.Keyword, number: int) -> Generator[Command, Answer, float]:
+        """Return the override of a program as a factor."""
+        assert item.value is not None
+        pct = yield from self.values.evaluate(item.value, number)
+        if not OVERRIDE_MIN_PCT <= pct <= OVERRIDE_MAX_PCT:
+            self.values.fail(
+                INVALID_PROGRAM_OVERRIDE,
+                item.value.span,
+                word=item.name,
+                value=pct,
+                low=OVERRIDE_MIN_PCT,
+                high=OVERRIDE_MAX_PCT,
+            )
+        return pct / 100.0
 
     def _spindle(self, command: SpindleCommand) -> tuple[int, Spindle]:
         return find(self.values, command.name, command.span)

@@ -133,8 +133,7 @@ class ThreadMotion:
             self._values.warn(THREAD_ENTRY_DECIDED, span)
         index = self._spindle(span)
         modal = self._spindles.modal.get(index)
-        speed = 0.0 if modal is None or modal.function == SPINDLE_STOP else modal.speed
-        spindle_v = DEGREES_PER_S * speed
+        spindle_v = 0.0 if modal is None else DEGREES_PER_S * modal.turning_speed
         spindle_v = min(spindle_v, self._environment.spindle_gears[index].gear.speed_v)
         if spindle_v == 0.0:
             spindle_v = self._environment.spindle_gears[index].gear.speed_v

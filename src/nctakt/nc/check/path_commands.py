@@ -54,6 +54,7 @@ from nctakt.nc.vocabulary.path_keywords import (
 #: Bounds of programmed overrides, %, and their keywords: of feed blocks, of rapid ones.
 OVERRIDE_MIN_PCT, OVERRIDE_MAX_PCT = 0.1, 200.0
 OVERRIDE_FACTORS = ("FEED_FACT", "RAPID_FACT")
+SPINDLE_FACTOR = "SPEED_FACT"
 #: Keywords of ``#TURN``.
 TURN_KEYWORDS = (
     "ROT_FEED_CPL",

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Constants of programmed overrides: ``#OVERRIDE [FEED_FACT=50]``, ``X[OVERRIDE FEED_FACT=50]``.
+"""Constants of programmed overrides: ``#OVERRIDE [FEED_FACT=50]``, ``X[OVERRIDE FEED_FACT=50]``,
+``S[OVERRIDE SPEED_FACT=50]``.
 
 In: a command. Out: the error of a run (21419) where a value is out of the range, a warning (901158)
 where it is so small that a share was meant instead of per cent.
@@ -12,7 +13,12 @@ from collections.abc import Iterable
 from nctakt.messages.feed import INVALID_PROGRAM_OVERRIDE
 from nctakt.messages.lints import OVERRIDE_IS_PERCENT
 from nctakt.nc.check.findings import Findings
-from nctakt.nc.check.path_commands import OVERRIDE_FACTORS, OVERRIDE_MAX_PCT, OVERRIDE_MIN_PCT
+from nctakt.nc.check.path_commands import (
+    OVERRIDE_FACTORS,
+    OVERRIDE_MAX_PCT,
+    OVERRIDE_MIN_PCT,
+    SPINDLE_FACTOR,
+)
 from nctakt.nc.lint.constants import constant
 from nctakt.nc.tree import Keyword, Node
 
@@ -21,9 +27,9 @@ _LARGEST_SHARE = 1.0
 
 
 def check_overrides(items: Iterable[Node], findings: Findings) -> None:
-    """Report constants of FEED_FACT and RAPID_FACT that cannot be meant."""
+    """Report constants of FEED_FACT, RAPID_FACT and SPEED_FACT that cannot be meant."""
     for item in items:
-        if not isinstance(item, Keyword) or item.name not in OVERRIDE_FACTORS:
+        if not isinstance(item, Keyword) or item.name not in (*OVERRIDE_FACTORS, SPINDLE_FACTOR):
             continue
         value = None if item.value is None else constant(item.value)
         if item.value is None or value is None:

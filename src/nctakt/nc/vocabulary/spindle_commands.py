@@ -30,7 +30,8 @@ _POSITION = ("S.POS", "POS")
 class SpindleCommand:
     """The part of a block for one spindle; ``name`` is empty for the main spindle.
 
-    ``doubled``: duplicate words; ``wrong``: words that a spindle command cannot have.
+    ``doubled``: duplicate words; ``wrong``: words that a spindle command cannot have. ``override``:
+    the factor of ``S[OVERRIDE SPEED_FACT=50]`` in per cent, which has no other words.
     """
 
     name: str
@@ -40,6 +41,7 @@ class SpindleCommand:
     position: Expression | None
     doubled: list[Word | Keyword]
     wrong: list[BlockWord | Keyword | Expression]
+    override: Keyword | None = None
 
 
 def split(
@@ -79,6 +81,11 @@ def _function(word: Word | Keyword) -> int | None:
 
 def _bracket(command: BracketCommand) -> SpindleCommand:
     parsed = SpindleCommand(command.name, command.span, [], None, None, [], [])
+    match command.items:
+        case [Keyword(name="OVERRIDE", value=None), Keyword(name="SPEED_FACT") as factor]:
+            if factor.value is not None and not factor.arguments:
+                parsed.override = factor
+                return parsed
     for item in command.items:
         if isinstance(item, Keyword):
             _add(parsed, item)

@@ -90,6 +90,9 @@ def off_the_way(program: MotionProgram, places: np.ndarray, numbers: np.ndarray)
                 way.distance(places[begin:end], LINEAR),
                 following.distance(places[begin:end], LINEAR),
             )
+            for tick in np.flatnonzero(off > way.rounding + OFF_MM):
+                place = places[begin + tick]
+                off[tick] = min(way.nearest(place, LINEAR), following.nearest(place, LINEAR))
         if (worst := off.max()) > way.rounding + OFF_MM:
             found.append(f"N{number}: {worst:.3g} mm off its way, tick {begin + int(off.argmax())}")
     return found

@@ -77,6 +77,18 @@ class Way:
         wanted[:, second] = centre_y + begin_x * sine + begin_y * cosine
         return np.linalg.norm((places - wanted)[:, :count], axis=1)
 
+    def nearest(self, place: np.ndarray, count: int) -> float:
+        """How far a place is from the way, also where a helix is nearer at another angle."""
+        part = np.linspace(0.0, 1.0, 5001)
+        points = self.start + np.multiply.outer(part, self.target - self.start)
+        if self.arc is not None:
+            first, second, centre_x, centre_y, angle = self.arc
+            x, y = self.start[first] - centre_x, self.start[second] - centre_y
+            cosine, sine = np.cos(part * angle), np.sin(part * angle)
+            points[:, first] = centre_x + x * cosine - y * sine
+            points[:, second] = centre_y + x * sine + y * cosine
+        return float(np.linalg.norm((points - place)[:, :count], axis=1).min())
+
 
 class MotionProgram:
     """The program of a seed: ``text``, and ``ways``, by the numbers of its blocks."""

@@ -104,13 +104,37 @@ def test_a_distance_of_0_goes_to_the_corner() -> None:
 
 
 @pytest.mark.parametrize("slope", ["STEP", "TRAPEZ"])
-def test_lines_and_arcs_are_joined(slope: str) -> None:
+def test_lines_and_arcs_are_joined_at_distances(slope: str) -> None:
     """475073291: between lines and arcs; on an arc the distance is that along it, up to 90°."""
     arcs = "G01 X30 F3000\nG03 X50 Y20 I20 J0\nG02 X70 Y40 I20\nG01 X90\nM30"
     mode = "#CONTOUR MODE [DIST PRE_DIST=3 POST_DIST=5]"
     found = performed(f"#SLOPE [TYPE={slope}]\n{mode}\nG261\n{arcs}")[1]
     assert np.linalg.norm(found[:, :2] - (30.0, 0.0), axis=1).min() > 0.3
     assert found[-1, :2].tolist() == [90.0, 40.0]
+
+
+@pytest.mark.parametrize(
+    "lines", ["X20\nG03 X40 Y0 R25\nG01 Y40", "G03 X20 Y10 R40\nG02 X50 Y0 R30"]
+)
+def test_corners_with_arcs_are_rounded_within_the_deviation(lines: str) -> None:
+    """475073291: lines and arcs; with a limit of the jerk such corners are kept."""
+    begin = "G01 F3000 Y-20\n"
+    sharp = performed(f"{begin}{lines}\nG01 X0\nM30")[1][:, :2]
+    found = performed(f"#CONTOUR MODE [DEV PATH_DEV=0.5]\nG261\n{begin}{lines}\nG01 X0\nM30")[1][:, :2]
+    assert len(found) < len(sharp)
+    off = [np.linalg.norm(sharp - position, axis=1).min() for position in found[::5]]
+    assert 0.3 < max(off) < 0.52
+    jerk = "#SLOPE [TYPE=TRAPEZ]\n"
+    kept = performed(f"{jerk}{begin}G03 X20 Y10 R40\nG02 X50 Y0 R30\nM30")[1]
+    assert np.array_equal(performed(f"{jerk}G261\n{begin}G03 X20 Y10 R40\nG02 X50 Y0 R30\nM30")[1], kept)
+
+
+def test_arcs_behind_plain_lines_have_the_same_curves() -> None:
+    """The fast way of plain lines leaves the line in front of an arc to the tree."""
+    lines = "G01 F6000 X10\nX20 Y5\nX30\nG2 X40 Y-10 R10\nG01 X50\nX60\nG03 X60 Y30 R20\nM30"
+    slow = lines.replace("\nX", " ; P1\nX=").replace(" ; P1\nX=20", "\nX=20")
+    fast = performed(f"#CONTOUR MODE [DEV PATH_DEV=1]\nG261\n{lines}")[1]
+    assert np.array_equal(fast, performed(f"#CONTOUR MODE [DEV PATH_DEV=1]\nG261\n{slow}")[1])
 
 
 @pytest.mark.parametrize(
@@ -147,7 +171,12 @@ def test_a_curve_stays_within_the_limits() -> None:
 def test_functions_act_where_the_action_says(
     action: str, at: tuple[float, float], slope: str, lines: str
 ) -> None:
-    """475113099: in front of the curve, between its halves (default), behind it."""
+    """475113099: in front of the curve, between its halves (default), behind it.
+
+    What comes behind it leaves the corner to the realtime part, whose parabola is shorter.
+    """
+    if (action, slope) == ("POST_ACTION", "STEP"):
+        at = (50.0, 4.0 / math.sqrt(2.0))
     mode = f"#SLOPE [TYPE={slope}]\n#CONTOUR MODE [DEV PATH_DEV=1 {action}]\nG261\nG01 F6000\n"
     run, found = performed(f"{mode}{lines}Y50\nM30")
     (tick,) = [event.tick for event in run.events if event.kind == "output"]

@@ -26,7 +26,7 @@ class MotionStages:
         self._pass_time = pass_time
         self._shaping = Shaping(values, path, pass_time)
         self.compensation = Compensation(values, path, self._behind_shaping)
-        self._contouring = Contouring(values, path, self._behind_compensation)
+        self._contouring = Contouring(values, path, self._behind_compensation, self.compensation)
 
     @property
     def needs_next(self) -> bool:

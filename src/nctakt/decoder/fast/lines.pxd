@@ -42,7 +42,7 @@ cdef class PlainLines:
         self, CommandQueue queue, Py_ssize_t timed, list lines, Py_ssize_t index, long long number
     ) except -1
     cpdef bint is_left(self, list lines, Py_ssize_t index) except -1
-    @cython.locals(begins=int, character=Py_UCS4)
+    @cython.locals(begins=int, is_function=int, character=Py_UCS4)
     cdef int may_output(self, str line)
     @cython.locals(
         scanner=PlainScanner,

@@ -25,7 +25,7 @@ class PlainLines:
     the last one that takes time, ``max_blocks``: its maximum. ``block_number``: the last N.
     ``is_transformed``: the positions are transformed; ``axis_check`` checks the limits of the axes
     then. ``leaves_last``: a motion that no plain one follows at once is left to the tree;
-    ``leaves_functions``: one that M or H functions may follow.
+    ``leaves_functions``: one that M or H functions or an arc may follow.
     """
 
     def __init__(
@@ -134,11 +134,18 @@ class PlainLines:
         return False
 
     def may_output(self, line: str) -> int:
-        """Return whether a line may be another one than that of a motion alone."""
+        """Return whether a line may be another one than that of a straight motion alone."""
         begins = 0
+        is_function = 0
         for character in line:
             if character in "MHSmhs":
                 return 1
+            if character == "G":
+                is_function = 1
+            elif is_function == 1 and character != "0":
+                if character in "23":
+                    return 1
+                is_function = 0
             if begins == 0 and character != " ":
                 if character not in "NGXYZ":
                     return 1

@@ -14,11 +14,18 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
-from nctakt.decoder.shapes import corners
+from nctakt.decoder.shapes import corners, cubics
 from nctakt.decoder.shapes.cubics import Cubic, Point
 from nctakt.decoder.shapes.splines import slope_of
 from nctakt.decoder.state.arcs import RADIANS
 from nctakt.decoder.state.commands import Segment
+
+#: A change of direction up to this is none, as in the realtime part; beside arcs 0.01 degrees.
+SAME_DIRECTION = 1e-6
+SAME_DIRECTION_OF_ARCS = math.radians(0.01)
+
+#: Where a piece of a curve is compared with its motions.
+_SAMPLES = (0.2, 0.4, 0.6, 0.8, 1.0)
 
 #: The largest angle of an arc that a rounding may take, degrees.
 MAX_ARC_DEG = 90.0
@@ -117,6 +124,12 @@ def turn_of(before: Joint, behind: Joint, linear: Sequence[int]) -> float:
     return math.dist([leaving[axis] for axis in linear], [entering[axis] for axis in linear])
 
 
+def smallest_turn(before: Joint, behind: Joint) -> float:
+    """Return the change of the direction up to which a corner is none."""
+    has_arc = before.segment.arc is not None or behind.segment.arc is not None
+    return SAME_DIRECTION_OF_ARCS if has_arc else SAME_DIRECTION
+
+
 def distances(
     before: Joint, behind: Joint, turn: float, deviation: float, requested: tuple[float, float]
 ) -> tuple[float, float]:
@@ -170,6 +183,38 @@ def curve(
         _half(begin, middle, first, joined),
         [(d, c, b, a) for a, b, c, d in reversed(_half(back, middle, second, joined))],
     ]
+
+
+def deviation_of(
+    pieces: Sequence[Cubic], motions: Sequence[Segment], linear: Sequence[int]
+) -> float:
+    """Return how far a curve leaves two motions, at most; 0 without an arc."""
+    if all(segment.arc is None for segment in motions):
+        return 0.0
+    points = [cubics.point(piece, part) for piece in pieces for part in _SAMPLES]
+    return max(min(_off(segment, point, linear) for segment in motions) for point in points)
+
+
+def _off(segment: Segment, point: Point, linear: Sequence[int]) -> float:
+    """Return the distance of a point from the nearest one of a line, or that of its angle."""
+    begin, end = segment.start, segment.target
+    ends = min(_distance(begin, point, linear), _distance(end, point, linear))
+    if segment.arc is None:
+        along = sum((end[axis] - begin[axis]) * (point[axis] - begin[axis]) for axis in linear)
+        part = along / _distance(begin, end, linear) ** 2
+        nearest = list(cubics.between(begin, end, part))
+    else:
+        first, second, centre_1, centre_2, angle = segment.arc
+        from_1, from_2 = begin[int(first)] - centre_1, begin[int(second)] - centre_2
+        to_1, to_2 = point[int(first)] - centre_1, point[int(second)] - centre_2
+        turn = math.atan2(to_2, to_1) - math.atan2(from_2, from_1)
+        part = math.copysign(1.0, angle) * turn % math.tau / (abs(angle) * RADIANS)
+        nearest = list(cubics.between(begin, end, part))
+        size = math.hypot(from_1, from_2) / max(math.hypot(to_1, to_2), 1e-12)
+        nearest[int(first)], nearest[int(second)] = centre_1 + to_1 * size, centre_2 + to_2 * size
+    if not 0.0 < part < 1.0:
+        return ends
+    return min(ends, _distance(tuple(nearest), point, linear))
 
 
 def _distance(one: Point, other: Point, axes: Sequence[int]) -> float:

@@ -3,15 +3,16 @@
 
 The last stage of the decoder, behind the compensation of the tool's radius: commands in, commands
 out. The realtime part rounds corners of two lines that meet without anything between them. Here are
-those with M and H functions, which act in front of the curve, at its interim point or behind it,
-and those whose curve begins and ends at different distances or has a given interim point. A motion
-that contours is held until the next one arrives.
+those with arcs, those with M and H functions, which act in front of the curve, at its interim point
+or behind it, and those whose curve begins and ends at different distances or has a given interim
+point. A motion that contours is held until the next one arrives.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Generator, Iterator
 from dataclasses import replace
+from typing import Protocol
 
 from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Span
@@ -45,11 +46,11 @@ from nctakt.kernel import rows
 from nctakt.messages.motion import CURVE_OUTSIDE_LIMITS
 from nctakt.nc.vocabulary.path_keywords import INTER_ACTION, POST_ACTION, PRE_ACTION
 
-#: A change of direction below this is none, as in the realtime part.
-SAME_DIRECTION = 1e-6
-
 #: Distances from the corner up to this are none, mm.
 NO_DISTANCE_MM = 1e-6
+
+#: How often a curve beside an arc is shortened at most until it keeps the deviation.
+MAX_STEPS = 12
 
 #: Maximum number of commands behind a held motion.
 MAX_BETWEEN = 1000
@@ -66,12 +67,14 @@ class _Held:
     """A motion that contours, with what stands behind it.
 
     ``form``: the curve at its end. ``used``: what the curve at its begin has taken of it, mm.
+    ``is_compensated``: it is a piece of a compensated contour.
     """
 
     segment: Segment
     span: Span
     form: ContourForm
     used: float
+    is_compensated: bool
     between: list[Command] = field(default_factory=list)
 
     @property
@@ -79,29 +82,53 @@ class _Held:
         """Whether M or H functions stand behind the motion."""
         return any(isinstance(command, _ACTIONS) for command in self.between)
 
-    @property
-    def is_joined(self) -> bool:
-        """Whether a curve of here joins the motion with the next one."""
-        if not self.form.is_own and not self.has_actions:
+    def joins(self, segment: Segment, is_compensated: bool) -> bool:
+        """Return whether a curve of here joins the motion with the next one.
+
+        With a limit of the jerk an arc is left to the realtime part, which is faster there; so is
+        one of a compensated contour.
+        """
+        has_arc = self.segment.arc is not None or segment.arc is not None
+        is_behind = self.form.action == POST_ACTION and not any(
+            isinstance(command, AwaitAcknowledge | AwaitSpindle) for command in self.between
+        )
+        if not (
+            self.form.is_own
+            or (has_arc and not (self.segment.limits_jerk or self.is_compensated or is_compensated))
+            or (self.has_actions and not is_behind)
+        ):
             return False
         return all(isinstance(command, _WITHOUT_CONTOUR) for command in self.between)
 
 
+class Releasing(Protocol):
+    """The stage in front of this one."""
+
+    @property
+    def is_releasing(self) -> bool:
+        """Whether it yields pieces of a compensated contour."""
+
+
 class Contouring:
     """Rounds corners of one program; ``pass_time`` is called for held commands as if they were
-    taken.
+    taken; ``before``: the compensation of the tool's radius.
 
     ``is_releasing``: commands are yielded for which it has been called.
     """
 
     def __init__(
-        self, values: Values, path: PathMotion, pass_time: Callable[[Command], None]
+        self,
+        values: Values,
+        path: PathMotion,
+        pass_time: Callable[[Command], None],
+        before: Releasing,
     ) -> None:
         self._values = values
         self._environment = values.environment
         self._state = values.state
         self._path = path
         self._pass_time = pass_time
+        self._before = before
         self._held: _Held | None = None
         self._linear = [
             index for index, axis in enumerate(self._environment.axes) if axis.is_linear
@@ -167,10 +194,11 @@ class Contouring:
     def _segment(self, segment: Segment) -> Iterator[Command]:
         """Process a motion: it ends what is held, and is held itself if it contours."""
         held, self._held = self._held, None
+        is_compensated = self._before.is_releasing
         used = 0.0
         if held is not None:
             rest = segment
-            if held.is_joined:
+            if held.joins(segment, is_compensated):
                 rest = yield from self._join(held, segment)
             else:
                 yield from self._release(held)
@@ -181,7 +209,7 @@ class Contouring:
             return
         self._pass_time(segment)
         form = self._state.path.contour.form(self._state.limits)
-        self._held = _Held(segment, self._path.span, form, used)
+        self._held = _Held(segment, self._path.span, form, used, is_compensated)
 
     def _contours(self, segment: Segment) -> bool:
         """Return whether the corner at the end of a motion may get a curve of here."""
@@ -230,7 +258,7 @@ class Contouring:
             and segment.start == held.segment.target
             and segment.limits_jerk == held.segment.limits_jerk
             and _has_thread(segment) == _has_thread(held.segment)
-            and SAME_DIRECTION < turn <= form.max_bend
+            and contour_curve.smallest_turn(before, behind) < turn <= form.max_bend
         )
         halves = (0.0, 0.0)
         if is_plain:
@@ -238,13 +266,24 @@ class Contouring:
         if max(halves) <= NO_DISTANCE_MM and not (is_plain and form.point):
             yield from self._release(held)
             return segment
-        first, last = before.without(halves[0]), behind.without(halves[1])
-        middle = contour_curve.interim_point(
-            segment.start, (before.corner_slope, behind.corner_slope), halves, form.point
-        )
-        pieces = contour_curve.curve(
-            before.end(first), behind.end(last), halves, middle, self._linear
-        )
+        for _ in range(MAX_STEPS):
+            first, last = before.without(halves[0]), behind.without(halves[1])
+            middle = contour_curve.interim_point(
+                segment.start, (before.corner_slope, behind.corner_slope), halves, form.point
+            )
+            pieces = contour_curve.curve(
+                before.end(first), behind.end(last), halves, middle, self._linear
+            )
+            if form.deviation == 0.0:
+                break
+            off = contour_curve.deviation_of(
+                [cubic for half in pieces for cubic in half],
+                (held.segment, segment),
+                self._linear,
+            )
+            if off <= form.deviation:
+                break
+            halves = (0.8 * halves[0], 0.8 * halves[1])
         self._check_limits([cubic for half in pieces for cubic in half], held.span)
         one, two = (self._motions(half, held.segment, segment) for half in pieces)
         two[-1] = replace(two[-1], continues_block=held.segment.continues_block)

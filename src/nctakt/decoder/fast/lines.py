@@ -134,7 +134,7 @@ class PlainLines:
         return False
 
     def may_output(self, line: str) -> int:
-        """Return whether a line may be another one than that of a straight motion alone."""
+        """Return whether a line may output functions, or be an arc that a curve joins."""
         begins = 0
         is_function = 0
         for character in line:
@@ -143,7 +143,7 @@ class PlainLines:
             if character == "G":
                 is_function = 1
             elif is_function == 1 and character != "0":
-                if character in "23":
+                if character in "23" and not self.limits_jerk:
                     return 1
                 is_function = 0
             if begins == 0 and character != " ":

@@ -113,20 +113,21 @@ def _bend(arc: Segment, position: Point, length: float) -> list[float]:
     return bend
 
 
-def turn_of(before: Joint, behind: Joint, linear: Sequence[int]) -> float:
+def turn_of(before: Segment, behind: Segment, linear: Sequence[int]) -> float:
     """Return the change of the direction at a corner: the length of two unit vectors' difference.
 
     0 where a motion moves no linear axis.
     """
-    leaving, entering = before.corner_slope, behind.corner_slope
+    leaving = slope_of(before, linear, at_end=True)
+    entering = slope_of(behind, linear, at_end=False)
     if not leaving or not entering:
         return 0.0
     return math.dist([leaving[axis] for axis in linear], [entering[axis] for axis in linear])
 
 
-def smallest_turn(before: Joint, behind: Joint) -> float:
+def smallest_turn(before: Segment, behind: Segment) -> float:
     """Return the change of the direction up to which a corner is none."""
-    has_arc = before.segment.arc is not None or behind.segment.arc is not None
+    has_arc = before.arc is not None or behind.arc is not None
     return SAME_DIRECTION_OF_ARCS if has_arc else SAME_DIRECTION
 
 

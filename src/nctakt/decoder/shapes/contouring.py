@@ -250,20 +250,20 @@ class Contouring:
         Where no curve fits, the corner is left to the realtime part.
         """
         form = held.form
+        turn = contour_curve.turn_of(held.segment, segment, self._linear)
+        if (
+            segment.curve is not None
+            or not contour_curve.smallest_turn(held.segment, segment) < turn <= form.max_bend
+            or segment.start != held.segment.target
+            or segment.limits_jerk != held.segment.limits_jerk
+            or _has_thread(segment) != _has_thread(held.segment)
+        ):
+            yield from self._release(held)
+            return segment
         before = Joint(held.segment, self._linear, form.part, is_before=True, used=held.used)
         behind = Joint(segment, self._linear, form.part, is_before=False)
-        turn = contour_curve.turn_of(before, behind, self._linear)
-        is_plain = (
-            segment.curve is None
-            and segment.start == held.segment.target
-            and segment.limits_jerk == held.segment.limits_jerk
-            and _has_thread(segment) == _has_thread(held.segment)
-            and contour_curve.smallest_turn(before, behind) < turn <= form.max_bend
-        )
-        halves = (0.0, 0.0)
-        if is_plain:
-            halves = contour_curve.distances(before, behind, turn, form.deviation, form.distances)
-        if max(halves) <= NO_DISTANCE_MM and not (is_plain and form.point):
+        halves = contour_curve.distances(before, behind, turn, form.deviation, form.distances)
+        if max(halves) <= NO_DISTANCE_MM and not form.point:
             yield from self._release(held)
             return segment
         for _ in range(MAX_STEPS):

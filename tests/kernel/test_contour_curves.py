@@ -120,13 +120,17 @@ def test_corners_with_arcs_are_rounded_within_the_deviation(lines: str) -> None:
     """475073291: lines and arcs; with a limit of the jerk such corners are kept."""
     begin = "G01 F3000 Y-20\n"
     sharp = performed(f"{begin}{lines}\nG01 X0\nM30")[1][:, :2]
-    found = performed(f"#CONTOUR MODE [DEV PATH_DEV=0.5]\nG261\n{begin}{lines}\nG01 X0\nM30")[1][:, :2]
+    found = performed(f"#CONTOUR MODE [DEV PATH_DEV=0.5]\nG261\n{begin}{lines}\nG01 X0\nM30")[1][
+        :, :2
+    ]
     assert len(found) < len(sharp)
     off = [np.linalg.norm(sharp - position, axis=1).min() for position in found[::5]]
     assert 0.3 < max(off) < 0.52
     jerk = "#SLOPE [TYPE=TRAPEZ]\n"
     kept = performed(f"{jerk}{begin}G03 X20 Y10 R40\nG02 X50 Y0 R30\nM30")[1]
-    assert np.array_equal(performed(f"{jerk}G261\n{begin}G03 X20 Y10 R40\nG02 X50 Y0 R30\nM30")[1], kept)
+    assert np.array_equal(
+        performed(f"{jerk}G261\n{begin}G03 X20 Y10 R40\nG02 X50 Y0 R30\nM30")[1], kept
+    )
 
 
 def test_arcs_behind_plain_lines_have_the_same_curves() -> None:

@@ -20,7 +20,6 @@ from nctakt.messages.spindles import (
 )
 from nctakt.nc.check.expressions import ValueChecker
 from nctakt.nc.check.findings import Findings
-from nctakt.nc.lint.overrides import check_overrides
 from nctakt.nc.vocabulary.functions import (
     CLOCKWISE,
     COUNTERCLOCKWISE,
@@ -74,7 +73,6 @@ class SpindleChecker:
         if command.override is not None and command.override.value is not None:
             self._values.value(command.override.value)
             if not self._in_cycle:
-                check_overrides([command.override], self._findings)
                 return
         if command.wrong or command.doubled:
             return

@@ -256,6 +256,7 @@ V.P.PART = 2.6
 #OVERRIDE [RAPID_FACT=201] ; error 21419 "RAPID_FACT 201"
 #OVERRIDE [FEED_FACT=P1]
 X[OVERRIDE FEED_FACT=1] ; warning 901158 "FEED_FACT=1 is"
+S[OVERRIDE SPEED_FACT=0.5] ; warning 901158 "SPEED_FACT=0.5 is"
 X[OVERRIDE FEED_FACT=120]
 $IF V.RTA.ACS.ACT_POS.X > 99999 ; warning 901052 "this comparison is never true"
   $IF V.E.COUNT < 0 ; warning 900239 "V.E.COUNT is of type UNS32: this comparison is never true"

@@ -116,9 +116,8 @@ class BlockDecoder:
         marks = values.environment.marks_blocks
         self._in_force = InForceMarks(values.environment, values.state) if marks else None
         self.spindles = SpindleWords(values, CuttingSpeeds(values), GearChanges(values))
-        threads = ThreadMotion(values, self.spindles)
         feed_rate = FeedRate(values, self.spindles)
-        self.path = PathMotion(values, feed_rate, threads)
+        self.path = PathMotion(values, feed_rate, ThreadMotion(values, self.spindles))
         self.ramps = FeedRamps(values, feed_rate)
         self.weighting = DynamicWeighting(values, feed_rate)
         self.frame = FrameCommands(values)
@@ -240,7 +239,8 @@ class BlockDecoder:
             rest = [word for word in rest if not is_revolutions(word)]
             content.dwell_s = yield from self.spindles.dwell_s(block, number)
         commands, words = split(rest, self._spindle_names)
-        words = yield from self.spindles.change_gear(words, commands, number)
+        if self.spindles.gears.is_enabled:
+            words = yield from self.spindles.change_gear(words, commands, number)
         for word in words:
             if isinstance(word, tree.AxisWord):
                 if word.value is not None:

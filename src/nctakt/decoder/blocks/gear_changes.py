@@ -32,19 +32,19 @@ _HIGHEST_STAGE = 65_535
 
 
 class GearChanges:
-    """The gear changes of one program."""
+    """The gear changes of one program; ``is_enabled``: P-CHAN-00052."""
 
     def __init__(self, values: Values) -> None:
         self._values = values
         self._listed = values.environment.parameters.gears
+        self.is_enabled = self._listed.is_enabled
 
     def stage_of(self, word: BlockWord) -> int:
-        """Return the gear step of M40 … M45; 0 for other words, and where they are free."""
+        """Return the gear step of M40 … M45; 0 for other words."""
         if not isinstance(word, Word) or word.name != "M" or not isinstance(word.value, Number):
             return 0
         function = word.value.value
-        is_change = self._listed.is_enabled and function in GEAR_FUNCTIONS
-        return int(function) - GEAR_FUNCTIONS[0] + 1 if is_change else 0
+        return int(function) - GEAR_FUNCTIONS[0] + 1 if function in GEAR_FUNCTIONS else 0
 
     def chosen(self, index: int, speed: float, span: Span) -> int:
         """Return the gear step for a speed in 1/min; 0 where the speed does not choose.
@@ -53,7 +53,7 @@ class GearChanges:
         """
         spindle = self._values.environment.parameters.spindles[index]
         listed = self._listed.ranges.get(spindle.logical_number)
-        is_automatic = self._listed.is_enabled and listed is not None and listed.is_automatic
+        is_automatic = self.is_enabled and listed is not None and listed.is_automatic
         if not is_automatic or listed is None or speed == 0.0:
             return 0
         gears = self._gears(index, span)

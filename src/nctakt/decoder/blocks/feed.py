@@ -18,6 +18,7 @@ from nctakt.decoder.state.arcs import Arc
 from nctakt.decoder.state.commands import Answer, Command
 from nctakt.decoder.state.feed_modifiers import FeedModifiers
 from nctakt.decoder.state.modal_state import FeedState
+from nctakt.decoder.values.overrides import override_factor
 from nctakt.decoder.values.variables import Values
 from nctakt.kernel.base import arithmetic
 from nctakt.messages.decoder import G194_ABOVE_MAX_FEED, NO_FEED_ACTIVE
@@ -26,10 +27,9 @@ from nctakt.messages.feed import (
     FEED_NOT_POSITIVE,
     FEED_PER_REVOLUTION_SPINDLE_STOPPED,
     FEED_PER_REVOLUTION_WITHOUT_SPINDLE,
-    INVALID_PROGRAM_OVERRIDE,
 )
 from nctakt.nc import tree
-from nctakt.nc.check.path_commands import OVERRIDE_FACTORS, OVERRIDE_MAX_PCT, OVERRIDE_MIN_PCT
+from nctakt.nc.check.path_commands import OVERRIDE_FACTORS
 from nctakt.nc.vocabulary.functions import (
     FEED_PER_MINUTE,
     FEED_PER_REVOLUTION,
@@ -93,20 +93,11 @@ class FeedRate:
         for item in items:
             if not isinstance(item, tree.Keyword) or item.value is None:
                 continue
-            pct = yield from self._values.evaluate(item.value, number)
-            if not OVERRIDE_MIN_PCT <= pct <= OVERRIDE_MAX_PCT:
-                self._values.fail(
-                    INVALID_PROGRAM_OVERRIDE,
-                    item.value.span,
-                    word=item.name,
-                    value=pct,
-                    low=OVERRIDE_MIN_PCT,
-                    high=OVERRIDE_MAX_PCT,
-                )
+            factor = yield from override_factor(self._values, item, number)
             if item.name == OVERRIDE_FACTORS[0]:
-                feed = pct / 100.0
+                feed = factor
             else:
-                rapid = pct / 100.0
+                rapid = factor
         if axis is None:
             feed_state.path_override = (feed, rapid)
         else:

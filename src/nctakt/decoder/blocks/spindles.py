@@ -22,13 +22,13 @@ from nctakt.decoder.state.commands import Answer, Command
 from nctakt.decoder.state.spindle_commands import AwaitSpindle, SpindleJob
 from nctakt.decoder.values.expressions import ExpressionBuilder
 from nctakt.decoder.values.fusing import Operand, constant
+from nctakt.decoder.values.overrides import override_factor
 from nctakt.decoder.values.variables import Values
 from nctakt.kernel.cycles.instructions import Statement
 from nctakt.kernel.cycles.spindle_commands import CommandSpindle
 from nctakt.lists.machine.channel_configuration import Spindle
 from nctakt.messages.c_axis import SPINDLE_IS_C_AXIS
 from nctakt.messages.checked_values import INDEX_OUT_OF_RANGE, UNKNOWN_VARIABLE
-from nctakt.messages.feed import INVALID_PROGRAM_OVERRIDE
 from nctakt.messages.spindles import (
     DWELL_WITHOUT_SPINDLE,
     INVALID_SPINDLE_SPEED,
@@ -40,7 +40,6 @@ from nctakt.messages.spindles import (
 )
 from nctakt.nc import tree
 from nctakt.nc.check.main_spindle import main_spindle_command
-from nctakt.nc.check.path_commands import OVERRIDE_MAX_PCT, OVERRIDE_MIN_PCT
 from nctakt.nc.vocabulary.functions import (
     CLOCKWISE,
     CONSTANT_SPEED,
@@ -208,7 +207,7 @@ class SpindleWords:
         is_main = index == self.values.state.main_spindle
         is_cutting = is_main and self.cutting.is_active
         if command.override is not None:
-            modal.factor = yield from self._factor(command.override, number)
+            modal.factor = yield from override_factor(self.values, command.override, number)
             if modal.function == SPINDLE_STOP:
                 return []
         if is_main:
@@ -307,21 +306,6 @@ class SpindleWords:
         if value < 0.0:
             self.values.fail(INVALID_SPINDLE_SPEED, expression.span, value=value)
         return value
-
-    def _factor(self, item: tree.Keyword, number: int) -> Generator[Command, Answer, float]:
-        """Return the override of a program as a factor."""
-        assert item.value is not None
-        pct = yield from self.values.evaluate(item.value, number)
-        if not OVERRIDE_MIN_PCT <= pct <= OVERRIDE_MAX_PCT:
-            self.values.fail(
-                INVALID_PROGRAM_OVERRIDE,
-                item.value.span,
-                word=item.name,
-                value=pct,
-                low=OVERRIDE_MIN_PCT,
-                high=OVERRIDE_MAX_PCT,
-            )
-        return pct / 100.0
 
     def _spindle(self, command: SpindleCommand) -> tuple[int, Spindle]:
         return find(self.values, command.name, command.span)

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import pytest
+
 from nctakt.results.run import ProgramMessage, Run
 from nctakt.run.controller import Controller, NcText
 
@@ -31,15 +33,38 @@ def test_saved_messages_name_the_file_that_the_program_wants() -> None:
     ]
 
 
-def test_channel_init_waits_until_the_path_stands() -> None:
-    """What follows is decoded with the positions of then."""
-    text = "G00 X100\n#CHANNEL INIT [CMDPOS]\nG91 X10\nV.E.VALUE = V.RTA.ACS.ACT_POS.X\n"
+@pytest.mark.parametrize(
+    "command",
+    [
+        "#CHANNEL INIT [CMDPOS]",
+        "#CHANNEL INIT [CMDPOS AX=X AX=Y]",
+        "#CHANNEL INIT [ACTPOS AXNR=1]",
+        "#SET DEC LR SOLL",
+    ],
+)
+def test_channel_init_waits_until_the_path_stands(command: str) -> None:
+    """206703627, 206709515: what follows is decoded with the positions of then."""
+    text = f"G00 X100\n{command}\nG91 X10\nV.E.VALUE = V.RTA.ACS.ACT_POS.X\n"
     controller = Controller()
     result = controller.run(NcText("p.nc", text + "M30\n"), blocks=True)
     assert result.errors == ()
     assert controller.read("V.E.VALUE") == 110
     waits = [event.text for event in result.events if event.kind == "waits"]
     assert waits == ["positions", "read V.RTA.ACS.ACT_POS.X"]
+
+
+@pytest.mark.parametrize(
+    ("command", "number"),
+    [
+        ("#CHANNEL INIT [AX=X]", 900233),
+        ("#CHANNEL INIT [CMDPOS AX=Q]", 900706),
+        ("P1 = 99\n#CHANNEL INIT [CMDPOS AXNR=P1]", 901801),
+        ("#SET DEC LR SOLL [X]", 900233),
+    ],
+)
+def test_channel_init_names_axes_of_the_channel(command: str, number: int) -> None:
+    """Each mistake has its number."""
+    assert [one.id for one in run(command + "\n").diagnostics] == [number]
 
 
 def test_data_of_the_controller_are_read_when_the_block_is_decoded() -> None:

@@ -100,6 +100,7 @@ def test_old_and_smoother_slopes(command: str, like: str) -> None:
         # A parabola over a corner of 90° passes it at h·√2/4: h = 4·d/√2.
         ("DEV PATH_DEV=1", 4.0 / math.sqrt(2.0)),
         ("PTP PATH_DEV=1", 4.0 / math.sqrt(2.0)),
+        ("AUTO_DEV PATH_DEV=1", 4.0 / math.sqrt(2.0)),
         ("DIST PRE_DIST=5 POST_DIST=5", 5.0),
         ("DIST PRE_DIST=90 POST_DIST=90", 25.0),
         ("DIST PRE_DIST=90 POST_DIST=90 REMAIN_PART=20", 20.0),
@@ -152,6 +153,9 @@ def test_contour_modes_round_at_their_distance(mode: str, distance: float, slope
         ("#CONTOUR MODE [DIST_MASTER SYM_DIST=0]", 21401),
         ("P1 = 0\n#CONTOUR MODE [DIST POST_DIST=P1]", 21401),
         ("#CONTOUR MODE [DEV DIST]", 900210),
+        ("#CONTOUR MODE [AUTO_VEL]", 900706),
+        ("G261\n#CONTOUR MODE [DIST_SOFT]", 120698),
+        ("#CONTOUR MODE [DIST_SOFT]\nG261\n#CONTOUR MODE [DEV]", 120698),
         ("#CONTOUR MODE [DEV PRE_ACTION POST_ACTION]", 900210),
         ("#CONTOUR MODE [DEV REMAIN_PART=150]", 901870),
         ("P1 = -1\n#CONTOUR MODE [DEV MAX_ANGLE=P1]", 901870),

@@ -143,6 +143,17 @@ CURVE_OUTSIDE_LIMITS = error(
     low=("lower limit", "untere Grenze"),
     high=("upper limit", "obere Grenze"),
 )
+CONTOUR_MODE_WHILE_ON = error(
+    120698,
+    en="{mode} behind {before} while contouring is on",
+    de="{mode} nach {before} bei eingeschaltetem Überschleifen",
+    remedy_en="Write G260 in front of the change, and G261 behind it.",
+    remedy_de="Vor dem Wechsel G260 schreiben und dahinter G261.",
+    mode=("the new mode", "der neue Modus"),
+    before=("the mode before", "der Modus davor"),
+    reaction=2,
+    clearing=6,
+)
 CONTOUR_SHARE_OUT_OF_RANGE = error(
     901870,
     en="{word} {value} of #CONTOUR MODE is not within 0 … {highest}",

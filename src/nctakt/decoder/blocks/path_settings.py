@@ -19,6 +19,7 @@ from nctakt.decoder.values.variables import Values
 from nctakt.kernel import rows
 from nctakt.messages.hsc import HSC_MODE_WHILE_ON, INVALID_HSC_VALUE
 from nctakt.messages.motion import (
+    CONTOUR_MODE_WHILE_ON,
     CONTOUR_SHARE_OUT_OF_RANGE,
     INVALID_CONTOUR_DEVIATION,
     INVALID_VECTOR_LIMIT,
@@ -98,7 +99,7 @@ class PathSettings:
         point: dict[int, float] = {}
         for keyword in keywords(command):
             if keyword.name in CONTOUR_MODES:
-                path.contour.mode = keyword.name
+                self._change_mode(keyword)
             if keyword.name in ACTIONS:
                 path.contour.action = keyword.name
             if keyword.value is None:
@@ -131,6 +132,14 @@ class PathSettings:
         switch = command.words[-1].name
         if switch in ("ON", "OFF"):
             path.contouring = switch == "ON"
+
+    def _change_mode(self, keyword: tree.Keyword) -> None:
+        """Change the mode of ``#CONTOUR MODE``, to DIST_SOFT and from it only without G261."""
+        path, mode = self._state.path, keyword.name
+        before = path.contour.mode
+        if path.contouring and before != mode and "DIST_SOFT" in (before, mode):
+            self._values.fail(CONTOUR_MODE_WHILE_ON, keyword.span, mode=mode, before=before)
+        path.contour.mode = mode
 
     def _hsc(self, command: tree.HashCommand, number: int) -> Generator[Command, Answer]:
         """Execute ``#HSC``."""

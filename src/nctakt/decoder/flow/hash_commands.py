@@ -31,6 +31,7 @@ from nctakt.decoder.state.coordinate_systems import LAYERS
 from nctakt.decoder.state.start_block import SingleStep
 from nctakt.decoder.values.texts import FormatError, format_text
 from nctakt.decoder.values.variables import Values
+from nctakt.messages.axis_exchange import UNKNOWN_AXIS_NUMBER
 from nctakt.messages.contour_lines import CONTOUR_LINE_INCOMPLETE
 from nctakt.messages.decoder import MSG_FORMAT_MISMATCH, UNKNOWN_TIMER
 from nctakt.messages.fixed_stops import POSITION_AT_FIXED_STOP
@@ -42,9 +43,11 @@ from nctakt.nc.check import splines
 from nctakt.nc.check.hash_commands import single_step_word
 from nctakt.nc.check.machine_coordinates import CONVERSIONS, MACHINE_COMMANDS
 from nctakt.nc.check.optional_parts import is_for_simulation
+from nctakt.nc.check.path_commands import keywords
 from nctakt.nc.check.rotating_planes import PLANE_COMMANDS
 from nctakt.nc.check.tools import COMMANDS as TOOL_COMMANDS
 from nctakt.nc.check.transformations import COMMANDS
+from nctakt.nc.vocabulary.command_forms import INITS
 from nctakt.nc.vocabulary.file_names import MESSAGES, is_file_name, named_files
 from nctakt.nc.vocabulary.system_variables import TIMERS
 
@@ -129,10 +132,11 @@ class HashCommands:
             yield from self._optional_part(command, number)
         elif words[0] == "FILTER":
             self._refuse_filters(words[-1], command.span)
-        elif words == ("CHANNEL", "INIT"):
+        elif words in INITS:
             source = self._environment.source_id(command.span)
+            yield from self._check_numbers(command, number)
             self._check_free(command)
-            self._values.check_flush_allowed("#CHANNEL INIT", command.span)
+            self._values.check_flush_allowed("#" + " ".join(words), command.span)
             answer = yield PositionRequest(source, number)
             assert isinstance(answer, tuple)
             self._values.state.positions = list(answer)
@@ -160,6 +164,18 @@ class HashCommands:
             self._values.fail(NOT_IN_MACHINE_COORDINATES, span, command="#" + " ".join(words))
         if (words[0] in _NOT_IN_PLANE and words[-1] != "OFF") or " ".join(words) in CONVERSIONS:
             self._planes.check_other("#" + " ".join(words), span)
+
+    def _check_numbers(self, command: tree.HashCommand, number: int) -> Generator[Command, Answer]:
+        """Check that axes of ``#CHANNEL INIT [CMDPOS AXNR=1]`` are those of the channel."""
+        known = [axis.logical_number for axis in self._environment.axes]
+        for item in keywords(command):
+            if item.name == "AXNR" and item.value is not None:
+                value = yield from self._values.evaluate(item.value, number)
+                if value not in known:
+                    numbers = ", ".join(str(one) for one in known)
+                    self._values.fail(
+                        UNKNOWN_AXIS_NUMBER, item.value.span, value=value, numbers=numbers
+                    )
 
     def _check_free(self, command: tree.HashCommand) -> None:
         """Check that ``[ACTPOS]`` does not ask for an axis at a fixed stop (21964)."""

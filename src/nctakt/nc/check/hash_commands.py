@@ -16,8 +16,9 @@ from nctakt.nc.check.expressions import ValueChecker
 from nctakt.nc.check.feed_groups import check_feed_group
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.check.optional_parts import check_optional
+from nctakt.nc.check.path_commands import Form, check_item
 from nctakt.nc.tree import Bracket, Expression, HashCommand, Keyword, Name, Timer
-from nctakt.nc.vocabulary.command_forms import forms_of
+from nctakt.nc.vocabulary.command_forms import INIT, OLD_INIT, forms_of
 from nctakt.nc.vocabulary.file_names import (
     MESSAGES,
     NAMED_FILES,
@@ -34,6 +35,7 @@ _WITHOUT_ARGUMENTS = (
     ("DISABLE", "MODAL", "CYCLE"),
     ("BLOCKSEARCH", "LOCKED"),
     ("BLOCKSEARCH", "RELEASED"),
+    OLD_INIT,
 )
 
 
@@ -62,7 +64,7 @@ class CommandChecker:
         """Check one of these commands; return false for any other."""
         if is_file_name(words):
             self._file(command)
-        elif tuple(words) == ("CHANNEL", "INIT"):
+        elif tuple(words) == INIT:
             self._channel(command)
         elif check_feed_group(command, self._axes, self._values, self._findings):
             return True
@@ -93,12 +95,19 @@ class CommandChecker:
                 self._values.text(file)
 
     def _channel(self, command: HashCommand) -> None:
-        """Check ``#CHANNEL INIT [CMDPOS]``, also without brackets."""
+        """Check ``#CHANNEL INIT [CMDPOS AX=X]``, also without brackets."""
         if not command.arguments:
             return
-        for item in self._items(command, "#CHANNEL INIT"):
-            if not isinstance(item, Keyword) or item.name not in _POSITIONS or item.value:
-                self._option("#CHANNEL INIT", self._findings.written(item.span), _POSITIONS, item)
+        items = self._items(command, "#CHANNEL INIT")
+        form = Form(_POSITIONS, ("AXNR",), {"AX": tuple(self._axes)})
+        for item in items:
+            check_item(form, "#CHANNEL INIT", item, self._values, self._findings)
+        names = {item.name for item in items if isinstance(item, Keyword)}
+        if not names.isdisjoint(("AX", "AXNR")) and names.isdisjoint(_POSITIONS):
+            forms = forms_of("#CHANNEL INIT")
+            self._findings.report(
+                INVALID_COMMAND_FORM, command.span, command="#CHANNEL INIT", forms=forms
+            )
 
     def _single_step(self, command: HashCommand) -> None:
         """Check ``#SINGLE STEP [DISABLE]``; the distance of blocks is not simulated."""

@@ -46,6 +46,7 @@ from nctakt.nc.vocabulary.path_keywords import (
     CONTOUR_SHARES,
     HSC_CURVES,
     HSC_NUMBERS,
+    REFUSED_MODES,
     SLOPES,
     VECTOR_BLOCKS,
     VECTOR_LIMITS,
@@ -310,7 +311,7 @@ def is_size(keyword: str, value: float, mode: str) -> bool:
 
 def _refuse(name: str, word: str, allowed: Sequence[str], span: Span, findings: Findings) -> None:
     """Report a word that is misspelt or not simulated."""
-    near = nearest(word, allowed)
+    near = None if word in REFUSED_MODES else nearest(word, allowed)
     names = ", ".join(allowed) or NOTHING
     if near and near != word:
         findings.report(UNKNOWN_COMMAND_KEYWORD, span, command=name, word=word, nearest=near)

@@ -43,6 +43,7 @@ _CONTOUR_NOTES = {
     "DIST_SOFT": _LIKE_DIST,
     "DIST_MASTER": _LIKE_DIST_MASTER,
     "POS": _OWN_CURVE,
+    "AUTO_DEV": _LIKE_DEV,
     "PTP": _LIKE_DEV,
     "MAX_ANGLE": Text(
         "corners that change the direction by more degrees are not rounded",

@@ -37,6 +37,7 @@ from nctakt.nc.tree import (
     While,
     Word,
 )
+from nctakt.nc.vocabulary.command_forms import INITS
 from nctakt.nc.vocabulary.functions import COMPENSATION_OFF
 from nctakt.nc.vocabulary.resolution import indices_of, path_text, resolve, variables_in
 from nctakt.nc.vocabulary.variable_table import Location, NameTable
@@ -88,7 +89,7 @@ def _waits(statement: Statement) -> bool:
         case Timer():
             return statement.action == "READ" and bool(statement.options)
         case HashCommand():
-            return [word.name for word in statement.words] == ["CHANNEL", "INIT"]
+            return tuple(word.name for word in statement.words) in INITS
     return False
 
 

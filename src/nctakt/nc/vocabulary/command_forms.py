@@ -30,7 +30,12 @@ FORMS: dict[str, tuple[str, ...]] = {
     "#CALL AX": ("#CALL AX [C, 4, 3]", "#CALL AX FAST [C, 4, 3] [Y, 5, 1]"),
     "#CAX": ("#CAX [S, C]", "#CAX [C]", "#CAX OFF"),
     "#CAX OFF": ("#CAX OFF",),
-    "#CHANNEL INIT": ("#CHANNEL INIT", "#CHANNEL INIT [CMDPOS]", "#CHANNEL INIT [ACTPOS]"),
+    "#CHANNEL INIT": (
+        "#CHANNEL INIT",
+        "#CHANNEL INIT [CMDPOS]",
+        "#CHANNEL INIT [ACTPOS]",
+        "#CHANNEL INIT [CMDPOS AX=X AXNR=2]",
+    ),
     "#CONTOUR MODE": (
         "#CONTOUR MODE [DEV PATH_DEV=0.1]",
         "#CONTOUR MODE [DIST PRE_DIST=2 POST_DIST=2]",
@@ -113,6 +118,7 @@ FORMS: dict[str, tuple[str, ...]] = {
     ),
     "#SCALE": ("#SCALE ON X2 Y2", "#SCALE X2 Y2", "#SCALE ON", "#SCALE OFF"),
     "#SET AX": ("#SET AX [X, 1, 0] [C, 4, 3]", "#SET AX FAST [X, 1, 0] [C, 4, 3]"),
+    "#SET DEC LR SOLL": ("#SET DEC LR SOLL",),
     "#SIGNAL": ("#SIGNAL [ID=5 CH=2]", "#SIGNAL SYN [ID=5 COUNT=2 P[0]=1.5 CH=2 CH=3]"),
     "#SIGNAL READ": ("#SIGNAL READ [ID=5 CH=1]", "#SIGNAL READ [ID=5 P[0]=V.P.VALUE CH=1]"),
     "#SIGNAL REMOVE": ("#SIGNAL REMOVE [ID=5]", "#SIGNAL REMOVE SYN [IDMIN=5 IDMAX=9 CH=2]"),
@@ -153,6 +159,10 @@ FORMS: dict[str, tuple[str, ...]] = {
     "#WAIT FOR": ("#WAIT FOR P1 == 1",),
     "#WAIT INDP": ("#WAIT INDP [X, Y]", "#WAIT INDP ALL"),
 }
+
+
+#: The words of ``#CHANNEL INIT``, and of its old form.
+INIT, OLD_INIT = INITS = (("CHANNEL", "INIT"), ("SET", "DEC", "LR", "SOLL"))
 
 
 def forms_of(command: str) -> str:

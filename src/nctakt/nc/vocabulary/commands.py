@@ -253,6 +253,7 @@ COMMANDS = table(
     ("#SCENE", REFUSED, "scene of a visualisation", "Szene einer Visualisierung"),
     ("#SEGMENTATION", REFUSED, "division of blocks", "Teilung von Sätzen"),
     ("#SET", REFUSED, "old settings", "alte Einstellungen"),
+    ("#SET DEC LR SOLL", SIMULATED, "take over positions", "Positionen übernehmen"),
     ("#SET AX", SIMULATED, "the axes of the channel", "die Achsen des Kanals"),
     ("#SET AX LINK", REFUSED, "coupling of axes", "Achskopplung"),
     ("#SET SLOPE PROFIL", SIMULATED, "profile of acceleration", "Beschleunigungsprofil"),

@@ -9,12 +9,15 @@ SLOPES = ("STEP", "TRAPEZ", "SIN2", "HSC")
 #: The modes of ``#CONTOUR MODE`` that are simulated, each with the keywords of its size.
 CONTOUR_MODES = {
     "DEV": ("PATH_DEV",),
+    "AUTO_DEV": ("PATH_DEV",),
     "DIST": ("PRE_DIST", "POST_DIST"),
     "DIST_SOFT": ("PATH_DIST",),
     "DIST_MASTER": ("SYM_DIST",),
     "POS": ("PRE_DIST", "POST_DIST"),
     "PTP": ("PATH_DEV", "PATH_DIST"),
 }
+#: Modes whose curve follows from speeds in a way that is not public.
+REFUSED_MODES = ("AUTO_VEL",)
 #: When M and H functions of a rounded corner act.
 PRE_ACTION, INTER_ACTION, POST_ACTION = ACTIONS = (
     "PRE_ACTION",

@@ -88,6 +88,25 @@ def test_the_limits_outlive_the_program(tmp_path: Path) -> None:
     assert max(speeds) == pytest.approx(500.0)
 
 
+def test_a_speed_beyond_them_is_an_error_by_the_list(tmp_path: Path) -> None:
+    """P-AXIS-00474: 60312 for endless jobs beyond 100 … 500 1/min, with the override."""
+    changes = {
+        "werkz_d1.lis": TOOLS,
+        "achs_mds5.lis": ["kenngr.check_spindle_speed_in_tool_range 1"],
+    }
+    machine = changed_machine(changes, tmp_path / "machine")
+    for program, expected in (
+        ("M3 S1000", []),
+        ("D6\nM3 S1000", [60312]),
+        ("D6\nM4 S99", [60312]),
+        ("D6\nM3 S100\nS500\nM5\nM19 S50 S.POS10", []),
+        ("D6\nM3 S400\nS[OVERRIDE SPEED_FACT=150]", [60312]),
+        ("D7\nM3 S20", []),
+        ("D7\nM3 S201", [60312]),
+    ):
+        assert numbers(perform(f"{program}\nM30", Controller(machine))) == expected, program
+
+
 def test_programs_read_them(controller: Controller) -> None:
     """V.G.WZ: in the units of the list."""
     values = "V.G.WZ[6].S_MIN_SPEED, V.G.WZ[6].S_MAX_SPEED, V.G.WZ_AKT.S_MAX_ACC"

@@ -94,6 +94,20 @@ NO_SUCH_SPINDLE = error(
     reaction=2,
     clearing=3,
 )
+TOOL_SPEED_RANGE = error(
+    60312,
+    en="the tool of the spindle {spindle} turns with {low} … {high} 1/min, not with {speed}",
+    de="das Werkzeug der Spindel {spindle} dreht mit {low} … {high} 1/min, nicht mit {speed}",
+    remedy_en="Program another speed, or change wz[i].vb_min and wz[i].vb_max of the tool list.",
+    remedy_de="Eine andere Drehzahl programmieren oder wz[i].vb_min und wz[i].vb_max der "
+    "Werkzeugliste ändern.",
+    spindle=("name of the spindle", "Name der Spindel"),
+    speed=("the speed", "die Drehzahl"),
+    low=("least speed of the tool", "kleinste Drehzahl des Werkzeugs"),
+    high=("highest speed of the tool; 0: none", "größte Drehzahl des Werkzeugs; 0: keine"),
+    reaction=6,
+    clearing=6,
+)
 MAIN_SPINDLE_IN_USE = error(
     901871,
     en="#MAIN SPINDLE while {word} is active",

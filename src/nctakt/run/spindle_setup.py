@@ -58,7 +58,8 @@ def gear_steps(configuration: Machine, index: int) -> dict[int, SpindleGears]:
         axis = _axis_of(configuration, spindle)
         if axis is not None:
             steps = {step.gear_number: _gear(step, is_jerk_limited) for step in axis.gears}
-            gears[column] = SpindleGears(steps, axis.dynamics.gear_number)
+            active = axis.dynamics.gear_number
+            gears[column] = SpindleGears(steps, active, axis.checks_tool_speed)
     return gears
 
 

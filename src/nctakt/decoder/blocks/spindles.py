@@ -37,6 +37,7 @@ from nctakt.messages.spindles import (
     NO_SUCH_SPINDLE,
     SPINDLE_AXIS_LIST_MISSING,
     SPINDLE_SPEED_LIMITED,
+    TOOL_SPEED_RANGE,
 )
 from nctakt.nc import tree
 from nctakt.nc.check.main_spindle import main_spindle_command
@@ -255,6 +256,8 @@ class SpindleWords:
         function = SPINDLE_POSITION if key == "m19" else modal.function
         direction = _DIRECTIONS[turns[0]] if turns else 0
         speed = 0.0 if function == SPINDLE_STOP else modal.speed * modal.factor
+        if function in _DIRECTIONS:
+            check_tool_range(self.values, index, speed, command.span)
         return self._job(
             command, number, (index, spindle, key), (function, speed, position, direction)
         )
@@ -351,6 +354,17 @@ def find(values: Values, name: str, span: Span) -> tuple[int, Spindle]:
     if c_axis:
         values.fail(SPINDLE_IS_C_AXIS, span, spindle=spindle.name, axis=c_axis)
     return index, spindle
+
+
+def check_tool_range(values: Values, index: int, speed: float, span: Span) -> None:
+    """Check that a speed in 1/min is one of the tool in the spindle (P-AXIS-00474)."""
+    gears = values.environment.spindle_gears.get(index)
+    if gears is None or not gears.checks_tool or speed == 0.0:
+        return
+    low, high = (limit / DEGREES_PER_S for limit in gears.tool_range)
+    if speed < low or speed > (high or math.inf):
+        name = values.environment.parameters.spindles[index].name
+        values.fail(TOOL_SPEED_RANGE, span, spindle=name, speed=speed, low=low, high=high)
 
 
 def warn_of_speed(values: Values, index: int, speed: float, span: Span) -> None:

@@ -24,10 +24,16 @@ class SpindleGear:
 
 @dataclass(slots=True)
 class SpindleGears:
-    """The gear steps of a spindle by number; ``active``: after start-up that of P-AXIS-00079."""
+    """The gear steps of a spindle by number; ``active``: after start-up that of P-AXIS-00079.
+
+    ``tool_range``: least and highest speed of the tool in it, in degrees per second, 0: none;
+    ``checks_tool``: a speed beyond them is an error (P-AXIS-00474).
+    """
 
     steps: Mapping[int, SpindleGear]
     active: int
+    checks_tool: bool = False
+    tool_range: tuple[float, float] = (0.0, 0.0)
 
     @property
     def gear(self) -> SpindleGear:

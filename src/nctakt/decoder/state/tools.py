@@ -220,6 +220,9 @@ class ActiveTool:
         for index, spindle in enumerate(self._environment.parameters.spindles):
             if spindle.logical_number == tool.spindle_number and not spindle.plc_controlled:
                 source = self._environment.source_id(span)
+                gears = self._environment.spindle_gears.get(index)
+                if gears is not None:
+                    gears.tool_range = (low, high)
                 yield SpindleLimits(source, number, index, low, high, tool.acceleration)
 
     def _length_axis(self, plane: int) -> tuple[int, int]:

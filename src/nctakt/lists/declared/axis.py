@@ -166,6 +166,14 @@ _CHARACTER = (
         "Die Achse darf für sich, neben der Bahn, bewegt werden",
     ),
     _axis(
+        "P-AXIS-00474",
+        "kenngr.check_spindle_speed_in_tool_range",
+        ValueType.BOOLEAN,
+        False,
+        "A speed outside of the tool's range is an error, instead of being limited",
+        "Eine Drehzahl außerhalb des Werkzeugbereichs ist ein Fehler, statt begrenzt zu werden",
+    ),
+    _axis(
         "P-AXIS-00491",
         "kenngr.indp_override_mode",
         ValueType.UNS16,

@@ -152,7 +152,7 @@ class AxisConfiguration:
     mm or degrees; 0: nothing. ``file``: the list that describes the axis. ``is_face``: it is the
     face axis of a lathe, whose position is a radius; ``is_c_axis``: the C axis of a lathe
     (both P-AXIS-00015). ``mode``: all of P-AXIS-00015. ``filter_type``: of its FIR filter, 0 none.
-    ``gears``: the dynamics of all gear steps.
+    ``gears``: the dynamics of all gear steps. ``checks_tool_speed``: P-AXIS-00474.
     """
 
     logical_number: int
@@ -177,6 +177,7 @@ class AxisConfiguration:
     homing: AxisHoming = AxisHoming()
     filter_type: int = 0
     gears: tuple[AxisDynamics, ...] = ()
+    checks_tool_speed: bool = False
 
     @property
     def is_linear(self) -> bool:
@@ -250,6 +251,7 @@ def axis_configuration(values: Values, collector: Collector) -> AxisConfiguratio
         axis_homing(values),
         values.integer("vib_guard.type"),
         gears,
+        values.flag("kenngr.check_spindle_speed_in_tool_range"),
     )
 
 

@@ -13,7 +13,6 @@ from math import nan
 from nctakt.base.diagnostics import Span
 from nctakt.decoder.blocks.block_decoder import BlockDecoder
 from nctakt.decoder.blocks.path_settings import PathSettings
-from nctakt.decoder.blocks.software_limits import listed_limits_again
 from nctakt.decoder.blocks.user_errors import user_error
 from nctakt.decoder.cycles.builder import SCOPES, CycleDefinition
 from nctakt.decoder.cycles.kept_cycles import CyclePlace, built_cycle
@@ -150,7 +149,6 @@ class ProgramDecoder:
 
     def _run(self, program: ProgramText) -> Generator[Command, Answer]:
         yield from self._hash_commands.begin_program(program.main.span)
-        yield from listed_limits_again(self._environment)
         implicit = self._environment.parameters.implicit_programs
         self._calls.note_text(program)
         frame = CallFrame(program, program.main)

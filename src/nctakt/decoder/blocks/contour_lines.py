@@ -176,4 +176,4 @@ class ContourLines:
         content.axes.append((word, position / self._factor(axis)))
 
     def _name(self, axis: int) -> str:
-        return self._environment.axes[axis].name
+        return self._environment.places.name(axis)

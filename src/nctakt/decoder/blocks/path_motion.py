@@ -331,7 +331,12 @@ class PathMotion:
             low, high = self._state.software_limits.of(axis, index)
             if not axis.is_modulo and not low <= position <= high:
                 self._values.fail(
-                    ARC_OUTSIDE_LIMITS, span, axis=axis.name, position=position, low=low, high=high
+                    ARC_OUTSIDE_LIMITS,
+                    span,
+                    axis=self._environment.places.name(index),
+                    position=position,
+                    low=low,
+                    high=high,
                 )
 
     def check_piece(
@@ -363,12 +368,17 @@ class PathMotion:
         axis = self._environment.axes[index]
         if axis_check.obstacle == map_rows.AXIS_JUMPS:
             angle = axis_check.position
-            self._values.fail(WAY_THROUGH_POLE, span, axis=axis.name, angle=round(angle, 3))
+            self._values.fail(
+                WAY_THROUGH_POLE,
+                span,
+                axis=self._environment.places.name(index),
+                angle=round(angle, 3),
+            )
         low, high = self._state.software_limits.of(axis, index)
         self._values.fail(
             TRANSFORMED_WAY_OUTSIDE_LIMITS,
             span,
-            axis=axis.name,
+            axis=self._environment.places.name(index),
             position=axis_check.position,
             low=low,
             high=high,
@@ -385,5 +395,10 @@ class PathMotion:
         low, high = self._state.software_limits.of(axis, index)
         if not low <= position <= high and not axis.is_modulo:
             self._values.fail(
-                TARGET_OUTSIDE_LIMITS, span, axis=axis.name, position=position, low=low, high=high
+                TARGET_OUTSIDE_LIMITS,
+                span,
+                axis=self._environment.places.name(index),
+                position=position,
+                low=low,
+                high=high,
             )

@@ -7,7 +7,7 @@ They act on the path, when its blocks are decoded, and on independent motions
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from math import inf
 
 from nctakt.base.diagnostics import Span, Text
@@ -15,6 +15,7 @@ from nctakt.decoder.blocks.block_content import AxisValues
 from nctakt.decoder.state.axis_commands import SetSoftwareLimits
 from nctakt.decoder.state.commands import Command
 from nctakt.decoder.state.environment import DecoderEnvironment
+from nctakt.decoder.state.modal_state import ModalState
 from nctakt.decoder.values.variables import Values
 from nctakt.messages.homing import (
     NEGATIVE_LIMIT_IGNORED,
@@ -66,7 +67,9 @@ class SoftwareLimits:
                 self._values.fail(message, word.span, axis=word.name, value=value, other=other)
             limits = (value, high) if is_negative else (low, value)
             self._limits.programmed[index] = limits
-            yield from _limit(self._environment, index, *limits, source, number)
+            slot = self._environment.places.present[index]
+            assert slot is not None
+            yield from _limit(self._environment, slot.index, *limits, source, number)
 
     def _note_relative(self, function: int, span: Span) -> None:
         if not self._has_noted_relative:
@@ -74,24 +77,39 @@ class SoftwareLimits:
             self._values.warn(SIMPLIFIED, span, command=f"G{function}", meaning=_ADDED_TO_LIMIT)
 
 
-def listed_limits_again(environment: DecoderEnvironment) -> Iterator[Command]:
-    """Yield the limits of the lists where an earlier program has set others."""
+def listed_limits_again(
+    environment: DecoderEnvironment, axes: Collection[int], source: int, number: int
+) -> Iterator[Command]:
+    """Yield the limits of the lists for those of these axes that a program has limited.
+
+    ``axes``: their numbers in the machine.
+    """
     limited = environment.controller_data.limited_axes
-    for index in sorted(limited):
-        axis = environment.axes[index]
-        low, high = axis.software_limit_low, axis.software_limit_high
-        yield from _limit(environment, index, low, high, 0, 0)
-    limited.clear()
+    for axis in sorted(limited.intersection(axes)):
+        listed = environment.places.machine_axes[axis]
+        low, high = listed.software_limit_low, listed.software_limit_high
+        yield from _limit(environment, axis, low, high, source, number)
+        limited.discard(axis)
+
+
+def limits_of_program_again(
+    environment: DecoderEnvironment, state: ModalState, source: int, number: int
+) -> Iterator[Command]:
+    """Yield the limits of the program for the axes that the channel has after an exchange."""
+    for index, (low, high) in state.software_limits.programmed.items():
+        slot = environment.places.present[index]
+        assert slot is not None
+        yield from _limit(environment, slot.index, low, high, source, number)
 
 
 def _limit(
-    environment: DecoderEnvironment, index: int, low: float, high: float, source: int, number: int
+    environment: DecoderEnvironment, axis: int, low: float, high: float, source: int, number: int
 ) -> Iterator[Command]:
     """Set the limits of an axis for blocks under a transformation, and yield its command."""
-    axis = environment.names.axis(list(environment.axis_numbers)[index])
-    assert axis is not None
-    environment.controller_data.limited_axes.add(index)
-    if environment.axes[index].is_modulo:
+    environment.controller_data.limited_axes.add(axis)
+    if environment.places.machine_axes[axis].is_modulo:
         low, high = -inf, inf
-    environment.offsets.transformation.axis_check.limit(index, low, high)
-    yield SetSoftwareLimits(source, number, axis.number, low, high)
+    for index, slot in enumerate(environment.places.present):
+        if slot is not None and slot.index == axis:
+            environment.offsets.transformation.axis_check.limit(index, low, high)
+    yield SetSoftwareLimits(source, number, axis, low, high)

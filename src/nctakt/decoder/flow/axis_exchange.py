@@ -12,6 +12,7 @@ from collections.abc import Callable, Generator
 
 from nctakt.base.diagnostics import Span, Text
 from nctakt.decoder.axis_limits import set_limits
+from nctakt.decoder.blocks.software_limits import limits_of_program_again, listed_limits_again
 from nctakt.decoder.flow.c_axis import CAxisCommands
 from nctakt.decoder.state.axis_places import (
     AxisNotInChannelError,
@@ -22,6 +23,7 @@ from nctakt.decoder.state.axis_places import (
     trimmed,
 )
 from nctakt.decoder.state.commands import Answer, Command, PositionRequest
+from nctakt.decoder.state.exchanged_state import follow
 from nctakt.decoder.values.variables import Values
 from nctakt.messages.axis_exchange import (
     AXIS_NOT_IN_CHANNEL,
@@ -57,6 +59,8 @@ class AxisExchange:
     ) -> Decoded:
         """Run a program with the axes of its list; ``current`` returns the statement at work."""
         try:
+            limited = frozenset(self._environment.controller_data.limited_axes)
+            yield from listed_limits_again(self._environment, limited, 0, 0)
             yield from self._restore(members)
             yield from commands
         except AxisNotInChannelError as error:
@@ -183,13 +187,14 @@ class AxisExchange:
         return self._places.logical(slot.index)
 
     def _check(self, name: str, target: Places, span: Span) -> None:
-        """Refuse an exchange while a system or a transformation is active."""
+        """Refuse an exchange while a system or a transformation is active, or off for a while."""
         offsets = self._environment.offsets
         if self._values.state.is_searching:
             self._values.fail(EXCHANGE_IN_SEARCH, span, command=name)
         if target != self._places.present and (
             offsets.systems.is_active
             or offsets.transformation.is_active
+            or offsets.suspended is not None
             or self._values.state.frame.is_active
         ):
             self._values.fail(EXCHANGE_UNDER_TRANSFORMATION, span, command=name)
@@ -208,7 +213,9 @@ class AxisExchange:
         self._values.state.positions = list(answer)
         if target == before:
             return
-        if own_indices - target_indices and target_indices - own_indices:
+        given = own_indices - target_indices
+        yield from listed_limits_again(self._environment, given, source, number)
+        if given and target_indices - own_indices:
             kept = trimmed(
                 [None if one is None or one.index not in target_indices else one for one in before]
             )
@@ -218,6 +225,7 @@ class AxisExchange:
         assert isinstance(answer, tuple)
         self._take(target, answer)
         state = self._values.state
+        yield from limits_of_program_again(self._environment, state, source, number)
         if state.limits.is_reduced:
             yield set_limits(self._environment.axes, state.limits, source, number)
 
@@ -239,16 +247,7 @@ class AxisExchange:
             for new, other in enumerate(target)
             if slot is not None and other is not None and slot.index == other.index
         }
-        state.limits.weights = {
-            moved[slot]: weights for slot, weights in state.limits.weights.items() if slot in moved
-        }
-        state.feed.axis_overrides = {
-            moved[slot]: override
-            for slot, override in state.feed.axis_overrides.items()
-            if slot in moved
-        }
-        if state.feed.group is not None:
-            state.feed.group = state.feed.group.after_exchange(moved)
+        follow(state, moved)
         self._adapt()
 
     def _refuse(self, name: str, statement: tree.Statement) -> None:

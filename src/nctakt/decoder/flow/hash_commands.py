@@ -153,9 +153,12 @@ class HashCommands:
 
     def _refuse_filters(self, switch: str, span: Span) -> None:
         """Raise ``DecodeError`` where an axis has a filter that ``#FILTER`` would switch on."""
-        for axis in self._environment.axes if switch != "OFF" else ():
+        if switch == "OFF":
+            return
+        for index, axis in enumerate(self._environment.axes):
             if axis.filter_type != 0:
-                self._values.fail(FILTER_NOT_SIMULATED, span, axis=axis.name, type=axis.filter_type)
+                name = self._environment.places.name(index)
+                self._values.fail(FILTER_NOT_SIMULATED, span, axis=name, type=axis.filter_type)
 
     def _check_coordinates(self, words: tuple[str, ...], span: Span) -> None:
         """Check that no other coordinates are asked for between ``#MCS ON`` and ``#MCS OFF``."""

@@ -335,7 +335,7 @@ class Contouring:
                         self._values.fail(
                             CURVE_OUTSIDE_LIMITS,
                             span,
-                            axis=axis.name,
+                            axis=self._environment.places.name(index),
                             position=position,
                             low=low,
                             high=high,

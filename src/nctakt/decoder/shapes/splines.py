@@ -189,13 +189,13 @@ class Spline:
         for index, axis in enumerate(self._environment.axes):
             if axis.is_modulo:
                 continue
-            low, high = axis.software_limit_low, axis.software_limit_high
+            low, high = self._values.state.software_limits.of(axis, index)
             for position in cubics.extremes(piece, index):
                 if not low <= position <= high:
                     self._values.fail(
                         SPLINE_OUTSIDE_LIMITS,
                         span,
-                        axis=axis.name,
+                        axis=self._environment.places.name(index),
                         position=position,
                         low=low,
                         high=high,

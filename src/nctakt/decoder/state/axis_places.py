@@ -107,6 +107,10 @@ class ChannelPlaces:
         """The names of the places, as in ``indices_of``."""
         return tuple(indices_of(self.present))
 
+    def name(self, slot: int) -> str:
+        """Return the name of the axis at a place, as in programs; that in its list may differ."""
+        return self.names[slot]
+
     def is_free(self, slot: int) -> bool:
         """Return whether no axis stands at a place at this moment of decoding."""
         return self.present[slot] is None

@@ -65,9 +65,9 @@ class ControllerData:
     """The data that programs of one channel share.
 
     ``kept``: V.S, kept until the next start-up. ``references``: axis -> its reference position, of
-    those that were homed (G74). ``limited_axes``: the indices of those with software limits of a
-    program. ``tools``: tools of the list that programs have changed (V.G.WZ[5].R), by number.
-    ``tool_life_factors``: V.TLM.
+    those that were homed (G74). ``limited_axes``: numbers in the machine of those with software
+    limits of a program. ``tools``: tools of the list that programs have changed (V.G.WZ[5].R), by
+    number. ``tool_life_factors``: V.TLM.
     """
 
     def __init__(self, timers: ProgramTimers) -> None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What a program has said of its axes goes with them through ``#CALL AX``, ``#PUT AX``, ``#SET AX``.
+"""What a program says of its axes goes with them through ``#CALL AX``, ``#PUT AX``, ``#SET AX``.
 
 ``docs/conformance.md`` says what is decided about limits of axes that leave a channel.
 """

@@ -89,14 +89,16 @@ def set_limits(
 ) -> SetLimits:
     """Return the command with the limits that a program has set."""
     none = AxisWeights()
-    limits = tuple(
+    limits = [
         weighted_limits(axis, state.block.of(state.weights.get(index, none)))
         for index, axis in enumerate(axes)
-    )
+    ]
+    for master, slave, share in state.followed:
+        limits[master] = limits[master].lower_with(limits[slave], share)
     return SetLimits(
         source,
         number,
-        limits,
+        tuple(limits),
         tuple(state.feed),
         tuple(state.rapid),
         state.is_reduced,

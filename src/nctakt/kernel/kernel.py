@@ -205,8 +205,10 @@ class Kernel:
         self.lane.begin_tick(self.tick)
         self.record.channel = 0
         self.single_axes.step()
+        self.single_axes.follow_masters()
         if self.axes.has_lag:
             self.axes.follow()
+        self.single_axes.watch_slaves()
         self.axes.publish()
         self.lane.end_tick()
         self.record.channel = 0

@@ -55,6 +55,7 @@ cdef enum:
     REFER = 48
     SOFTWARE_LIMITS = 49
     SINGLE_STEP = 50
+    COUPLE = 51
     DWELL_TICKS = 3
     CYCLE_SLOT = 3
     CYCLE_STARTS = 4
@@ -151,6 +152,10 @@ cdef enum:
     LIMITED_AXIS = 3
     LIMIT_LOW = 4
     LIMIT_HIGH = 5
+    COUPLED_AXIS = 3
+    COUPLED_TO = 4
+    COUPLED_BY = 5
+    COUPLED_WITHIN = 6
     SIGNAL_NUMBER = 3
     SIGNAL_RECEIVERS = 4
     SIGNAL_COUNT = 5

@@ -70,7 +70,8 @@ from __future__ import annotations
     REFER,  # the position where an axis stands
     SOFTWARE_LIMITS,  # others for the independent motions of an axis (G98, G99)
     SINGLE_STEP,  # #SINGLE STEP; its argument: 1 where it is disabled
-) = range(1, 51)
+    COUPLE,  # an axis follows another one from here on, or no longer
+) = range(1, 52)
 
 #: The kinds that take or may take time.
 TIMED_KINDS = frozenset(
@@ -237,11 +238,9 @@ LIMITED_JERK, LIMITED_BY_GEAR = range(LIMITED_ACCELERATION + 1, LIMITED_ACCELERA
     HOMING_DISTANCE,  # mm, degrees; REFER: the position
     HOMING_SPEED,
 ) = _arguments(3)
-(
-    LIMITED_AXIS,  # number in the machine
-    LIMIT_LOW,  # mm, degrees
-    LIMIT_HIGH,
-) = _arguments(3)
+LIMITED_AXIS, LIMIT_LOW, LIMIT_HIGH = _arguments(3)  # number in the machine; mm, degrees
+# COUPLE: numbers in the machine, no master: -1; mm or degrees of actual positions, 0: any
+COUPLED_AXIS, COUPLED_TO, COUPLED_BY, COUPLED_WITHIN = _arguments(4)
 (
     SIGNAL_NUMBER,
     SIGNAL_RECEIVERS,  # mask of channels (``tick/signals.py``), 0: all

@@ -33,6 +33,7 @@ from nctakt.messages.checked_axes import (
     INDEPENDENT_MOTION_REFUSED,
 )
 from nctakt.messages.checked_values import CYCLE_INDEX_OUT_OF_RANGE
+from nctakt.messages.couplings import COUPLED_AXIS_MOVES_ALONE, GANTRY_ASKEW
 from nctakt.messages.feed import WAITING_FOR_MAIN_SPINDLE
 from nctakt.messages.fixed_stops import FIXED_STOP_NOT_FOUND
 from nctakt.messages.measuring import NO_PROBE_SIGNAL, PROBE_PRESSED
@@ -96,6 +97,7 @@ _MESSAGES = {
         BUFFERED_MOTION_WAITING,
         CHANNEL_BEING_RESET,
         CONTINUE_WITHOUT_EFFECT,
+        COUPLED_AXIS_MOVES_ALONE,
         CYCLES_EXCEED_DURATION,
         CYCLES_EXCEED_STEP_LIMIT,
         CYCLE_ACTIONS_FULL,
@@ -107,6 +109,7 @@ _MESSAGES = {
         CYCLE_VALUE_OUT_OF_RANGE,
         EDGE_NOT_FOUND,
         FIXED_STOP_NOT_FOUND,
+        GANTRY_ASKEW,
         HOLD_WITHOUT_EFFECT,
         INDEPENDENT_MOTION_NOT_PERMITTED,
         INDEPENDENT_MOTION_REFUSED,
@@ -249,7 +252,9 @@ def realtime_diagnostic(event: Event, machine: AssembledMachine) -> Diagnostic:
             | AXIS_IN_ERROR_STATE.id
             | BUFFERED_MOTION_WAITING.id
             | CHANNEL_BEING_RESET.id
+            | COUPLED_AXIS_MOVES_ALONE.id
             | CYCLE_AXIS_NOT_IN_CHANNEL.id
+            | GANTRY_ASKEW.id
         ):
             values = {"axis": machine.registry.axis(int(a))}
         case INDP_TARGET_OUTSIDE_LIMITS.id:

@@ -21,6 +21,7 @@ from nctakt.kernel.path.path import Path as KernelPath
 from nctakt.kernel.plc.panel import Panel
 from nctakt.kernel.plc.technology_slots import Hli
 from nctakt.kernel.tick.channel import Channel
+from nctakt.lists.machine.gantries import gantries
 from nctakt.lists.machine.machine import Machine
 from nctakt.nc.vocabulary.variable_table import Layout, Location
 from nctakt.run.spindle_setup import channel_spindles
@@ -49,6 +50,8 @@ class RealtimePart:
         self.cells = memoryview(self.memory).cast("d")
         self.record = Record(self.memory)
         self.axes = Axes(self.memory, layout.axis_cell(0), len(configuration.axes))
+        for slave, master, gantry in gantries(configuration.axes):
+            self.axes.set_gantry(slave, master, gantry.allowed_d, gantry.offset)
         self.single_axes = single_axes(configuration, self.axes, self.record)
         #: The axes that a path can have.
         self._path_axes = configuration.path_axes.values()

@@ -45,3 +45,8 @@ class BlockContent:
     continues: bool = False
     interrupts: bool = False
     angle_deg: float = 0.0
+
+    @property
+    def programmed(self) -> list[tree.AxisWord | tree.BracketCommand]:
+        """The words of axes that the block moves."""
+        return [*(word for word, _ in self.axes), *(word for word, _ in self.stops)]

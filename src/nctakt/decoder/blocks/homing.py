@@ -18,6 +18,7 @@ from nctakt.decoder.values.variables import Values
 from nctakt.kernel.base import arithmetic
 from nctakt.lists.machine.axis_configuration import AxisConfiguration
 from nctakt.messages.block_search import HOMING_DURING_SEARCH
+from nctakt.messages.couplings import HOMING_WHILE_COUPLED
 from nctakt.messages.homing import (
     HOMING_DURING_TRANSFORMATION,
     HOMING_NOT_ALLOWED,
@@ -36,6 +37,8 @@ class Homing:
     def home(self, words: AxisValues, span: Span, number: int) -> Generator[Command, Answer]:
         """Yield the motions of G74; the values of the words are their order, from 1 on."""
         offsets = self._environment.offsets
+        for group in self._values.state.couplings.groups:
+            self._values.fail(HOMING_WHILE_COUPLED, span, group=group)
         self._values.check_flush_allowed("G74", span)
         if self._values.state.is_searching:
             self._values.fail(HOMING_DURING_SEARCH, span)

@@ -13,6 +13,7 @@ from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Span
 from nctakt.decoder.blocks import segments
 from nctakt.decoder.blocks.corners import CornerWords
+from nctakt.decoder.blocks.coupled_axes import check_slaves
 from nctakt.decoder.blocks.feed import FeedRate
 from nctakt.decoder.blocks.splines import SplineWords
 from nctakt.decoder.blocks.threads import ThreadMotion
@@ -327,6 +328,7 @@ class PathMotion:
     def check_extremes(self, arc: Arc, start: Sequence[float], span: Span) -> None:
         """Raise ``DecodeError`` if the arc leaves the software limits between its ends."""
         for index, position in extremes(arc, start):
+            check_slaves(self._values, index, position, span)
             axis = self._environment.axes[index]
             low, high = self._state.software_limits.of(axis, index)
             if not axis.is_modulo and not low <= position <= high:
@@ -391,6 +393,7 @@ class PathMotion:
 
     def check_limit(self, index: int, position: float, span: Span) -> None:
         """Raise ``DecodeError`` if the target of an axis is outside its software limits."""
+        check_slaves(self._values, index, position, span)
         axis = self._environment.axes[index]
         low, high = self._state.software_limits.of(axis, index)
         if not low <= position <= high and not axis.is_modulo:

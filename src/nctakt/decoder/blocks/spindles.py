@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Generator, Mapping, Sequence
+from dataclasses import replace
 
 from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import NOTHING, Span
@@ -29,6 +30,11 @@ from nctakt.kernel.cycles.spindle_commands import CommandSpindle
 from nctakt.lists.machine.channel_configuration import Spindle
 from nctakt.messages.c_axis import SPINDLE_IS_C_AXIS
 from nctakt.messages.checked_values import INDEX_OUT_OF_RANGE, UNKNOWN_VARIABLE
+from nctakt.messages.couplings import (
+    MAIN_SPINDLE_AS_SLAVE,
+    NOT_WHILE_COUPLED,
+    SLAVE_PROGRAMMED,
+)
 from nctakt.messages.spindles import (
     DWELL_WITHOUT_SPINDLE,
     INVALID_SPINDLE_SPEED,
@@ -161,6 +167,10 @@ class SpindleWords:
                 known = ", ".join(map(str, numbers))
                 self.values.fail(NO_SUCH_SPINDLE, statement.span, spindle=f"{value:g}", known=known)
             index = numbers.index(int(value))
+        master = self.values.state.couplings.master_of_spindle(index)
+        if master >= 0:
+            names = {"slave": spindles[index].name, "master": spindles[master].name}
+            self.values.fail(MAIN_SPINDLE_AS_SLAVE, statement.span, **names)
         self.values.state.main_spindle = index
 
     def is_concerned(self, numbers: Mapping[int, Span]) -> bool:
@@ -197,6 +207,9 @@ class SpindleWords:
         if found:
             span = numbers[min(found)]
             index, _ = find(self.values, "", span)
+            if self.values.state.couplings.spindles(index):
+                word = f"G{min(found)}"
+                self.values.fail(NOT_WHILE_COUPLED, span, command=word, other="#AX LINK")
             yield from self.cutting.functions(numbers, index, span, number)
 
     def functions(
@@ -204,6 +217,10 @@ class SpindleWords:
     ) -> Generator[Command, Answer, list[BlockFunction]]:
         """Return the job of a command as a function of the block; empty if there is none."""
         index, spindle = self._spindle(command)
+        master = self.values.state.couplings.master_of_spindle(index)
+        if master >= 0:
+            name = self.values.environment.parameters.spindles[master].name
+            self.values.fail(SLAVE_PROGRAMMED, command.span, axis=spindle.name, master=name)
         modal = self.modal.setdefault(index, _Modal())
         is_main = index == self.values.state.main_spindle
         is_cutting = is_main and self.cutting.is_active
@@ -258,9 +275,13 @@ class SpindleWords:
         speed = 0.0 if function == SPINDLE_STOP else modal.speed * modal.factor
         if function in _DIRECTIONS:
             check_tool_range(self.values, index, speed, command.span)
-        return self._job(
-            command, number, (index, spindle, key), (function, speed, position, direction)
-        )
+        job = (function, speed, position, direction)
+        functions = self._job(command, number, (index, spindle, key), job)
+        for slave in self.values.state.couplings.spindles(index):
+            follower = self.values.environment.parameters.spindles[slave]
+            self.modal[slave] = replace(modal)
+            functions += self._job(command, number, (slave, follower, key), job)
+        return functions
 
     def dwell_s(self, block: tree.Block, number: int) -> Generator[Command, Answer, float | None]:
         """Return the dwell time in s of ``G04 S10``, revolutions of the main spindle."""

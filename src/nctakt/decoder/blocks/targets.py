@@ -11,6 +11,7 @@ from collections.abc import Container, Iterable, Mapping, Sequence
 
 from nctakt.base.diagnostics import Span
 from nctakt.decoder.blocks.block_content import BlockContent
+from nctakt.decoder.blocks.coupled_axes import check_way, check_words
 from nctakt.decoder.blocks.path_motion import PathMotion
 from nctakt.decoder.state.arcs import SAME_POINT_MM
 from nctakt.decoder.state.coordinate_systems import MAIN_AXES
@@ -21,6 +22,7 @@ class Targets:
     """The targets of one program's blocks."""
 
     def __init__(self, values: Values, path: PathMotion) -> None:
+        self._values = values
         self._environment = values.environment
         self._state = values.state
         self._path = path
@@ -33,6 +35,13 @@ class Targets:
 
     def of(self, content: BlockContent, span: Span) -> list[float]:
         """Return the axis positions at the end of the block."""
+        target = self._of(content, span)
+        if self._values.state.couplings.places:
+            check_words(self._values, content.programmed)
+            check_way(self._values, self._state.positions, target, span)
+        return target
+
+    def _of(self, content: BlockContent, span: Span) -> list[float]:
         offsets, kinds = self._environment.offsets, content.path.offset_kinds
         target = offsets.inside(self._state.positions, kinds)
         spans = {}

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Generator, Mapping, Sequence
 
 from nctakt.base.diagnostics import NOTHING, Span
+from nctakt.decoder.blocks.coupled_axes import check_uncoupled
 from nctakt.decoder.kinematics.rotating_planes import RotatingPlane
 from nctakt.decoder.state.commands import Answer, Command, PositionRequest
 from nctakt.decoder.state.transformation import NO_STEPS, Steps
@@ -202,6 +203,7 @@ class TransformationCommands:
 
         ``shown``: the command.
         """
+        check_uncoupled(self._values, shown, span)
         self.check_uncompensated(shown, span)
         source = self._environment.source_id(span)
         positions = yield from self.stop(shown, span, number)

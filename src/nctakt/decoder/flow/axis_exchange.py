@@ -34,6 +34,7 @@ from nctakt.messages.axis_exchange import (
     INVALID_AXIS_PLACE,
     UNKNOWN_AXIS_NUMBER,
 )
+from nctakt.messages.couplings import COUPLED_AXIS_GIVEN, COUPLED_AXIS_MOVED_TO_INDEX
 from nctakt.nc import tree
 from nctakt.nc.check.axis_exchange import GIVING, ExchangeCommand, FetchedAxis, exchange_command
 from nctakt.nc.check.c_axis import is_c_axis
@@ -189,6 +190,9 @@ class AxisExchange:
     def _check(self, name: str, target: Places, span: Span) -> None:
         """Refuse an exchange while a system or a transformation is active, or off for a while."""
         offsets = self._environment.offsets
+        for group, pairs in self._values.state.couplings.groups.items():
+            for axis in (axis for pair in pairs for axis in pair.axes):
+                self._check_coupled(name, target, axis, group, span)
         if self._values.state.is_searching:
             self._values.fail(EXCHANGE_IN_SEARCH, span, command=name)
         if target != self._places.present and (
@@ -198,6 +202,15 @@ class AxisExchange:
             or self._values.state.frame.is_active
         ):
             self._values.fail(EXCHANGE_UNDER_TRANSFORMATION, span, command=name)
+
+    def _check_coupled(self, name: str, target: Places, axis: int, group: int, span: Span) -> None:
+        """Refuse to give away an axis that is coupled, or to put it at another index."""
+        before = [one is not None and one.index == axis for one in self._places.present]
+        after = [one is not None and one.index == axis for one in target]
+        if any(before) and before.index(True) != (after.index(True) if any(after) else -1):
+            message = COUPLED_AXIS_MOVED_TO_INDEX if any(after) else COUPLED_AXIS_GIVEN
+            shown = self._places.name(before.index(True))
+            self._values.fail(message, span, command=name, axis=shown, group=group)
 
     # --- the exchange ---------------------------------------------------------------------------
 

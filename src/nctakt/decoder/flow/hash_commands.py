@@ -18,6 +18,7 @@ from nctakt.decoder.blocks.tool_commands import ToolCommands
 from nctakt.decoder.blocks.tool_orientation import ToolOrientation
 from nctakt.decoder.blocks.transformation_commands import TransformationCommands
 from nctakt.decoder.cycles.builder import TIMER_ACTIONS
+from nctakt.decoder.flow.couplings import Couplings
 from nctakt.decoder.state.commands import (
     Answer,
     ClearHistory,
@@ -40,6 +41,7 @@ from nctakt.messages.motion import FILTER_NOT_SIMULATED
 from nctakt.messages.transformations import NOT_IN_MACHINE_COORDINATES
 from nctakt.nc import tree
 from nctakt.nc.check import splines
+from nctakt.nc.check.couplings import is_coupling
 from nctakt.nc.check.hash_commands import single_step_word
 from nctakt.nc.check.machine_coordinates import CONVERSIONS, MACHINE_COMMANDS
 from nctakt.nc.check.optional_parts import is_for_simulation
@@ -67,6 +69,7 @@ class HashCommands:
         self._spindles = blocks.spindles
         self._systems = CsCommands(values)
         self._measuring = Measuring(values)
+        self._couplings = Couplings(values)
         self._tools = ToolCommands(values, blocks)
         self._transformations = TransformationCommands(values)
         self._tool = ToolOrientation(values, self._transformations, blocks)
@@ -78,6 +81,7 @@ class HashCommands:
         """Begin a program with the offsets and the transformation of the lists."""
         yield from self._environment.offsets.begin_program()
         yield from self._transformations.begin_program(span)
+        yield from self._couplings.begin_program(span)
 
     def end_program(self, span: Span) -> Generator[Command, Answer]:
         """End a program with the transformation that the lists want then.
@@ -87,6 +91,7 @@ class HashCommands:
         open_line = self._values.state.shapes.open_line
         if open_line is not None:
             self._values.fail(CONTOUR_LINE_INCOMPLETE, open_line)
+        yield from self._couplings.end_program(span)
         yield from self._transformations.end_program(span)
 
     def command(self, command: tree.HashCommand, number: int) -> Generator[Command, Answer]:
@@ -110,6 +115,8 @@ class HashCommands:
             yield SingleStep(source, number, single_step_word(command) == "DISABLE")
         elif words[0] == "MEAS":
             yield from self._measuring.command(command, number)
+        elif is_coupling(command):
+            yield from self._couplings.command(command, number)
         elif words[0] in LAYERS:
             yield from self._systems.command(command, number)
         elif words == ("MAIN", "SPINDLE"):

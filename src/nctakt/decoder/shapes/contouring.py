@@ -16,6 +16,7 @@ from typing import Protocol
 
 from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Span
+from nctakt.decoder.blocks.coupled_axes import check_slaves
 from nctakt.decoder.blocks.path_motion import PathMotion
 from nctakt.decoder.fast.handover import PlainRun
 from nctakt.decoder.shapes import contour_curve, cubics
@@ -331,6 +332,7 @@ class Contouring:
             low, high = self._state.software_limits.of(axis, index)
             for piece in () if axis.is_modulo else pieces:
                 for position in cubics.extremes(piece, index):
+                    check_slaves(self._values, index, position, span)
                     if not low <= position <= high:
                         self._values.fail(
                             CURVE_OUTSIDE_LIMITS,

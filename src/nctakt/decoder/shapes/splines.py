@@ -14,6 +14,7 @@ from dataclasses import replace
 from itertools import pairwise
 
 from nctakt.base.diagnostics import Span
+from nctakt.decoder.blocks.coupled_axes import check_slaves
 from nctakt.decoder.blocks.path_motion import PathMotion
 from nctakt.decoder.shapes import cubics
 from nctakt.decoder.shapes.akima import AkimaCurve
@@ -191,6 +192,7 @@ class Spline:
                 continue
             low, high = self._values.state.software_limits.of(axis, index)
             for position in cubics.extremes(piece, index):
+                check_slaves(self._values, index, position, span)
                 if not low <= position <= high:
                     self._values.fail(
                         SPLINE_OUTSIDE_LIMITS,

@@ -9,11 +9,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
+from nctakt.decoder.state.couplings import CoupledPair, KeptCouplings
 from nctakt.decoder.state.program_variables import Variables
 from nctakt.kernel import cells
 from nctakt.kernel.base.timers import Timers
 from nctakt.kernel.tick.channel import Channel
 from nctakt.lists.declared.tools import Tool
+from nctakt.lists.machine.channel_configuration import ChannelParameters
 from nctakt.lists.machine.machine import Machine
 
 #: Size in bytes of the latched values of the timers with SYN.
@@ -67,11 +69,12 @@ class ControllerData:
     ``kept``: V.S, kept until the next start-up. ``references``: axis -> its reference position, of
     those that were homed (G74). ``limited_axes``: numbers in the machine of those with software
     limits of a program. ``tools``: tools of the list that programs have changed (V.G.WZ[5].R), by
-    number. ``tool_life_factors``: V.TLM.
+    number. ``tool_life_factors``: V.TLM. ``couplings``: groups of coupled axes.
     """
 
-    def __init__(self, timers: ProgramTimers) -> None:
+    def __init__(self, timers: ProgramTimers, couplings: KeptCouplings) -> None:
         self.timers = timers
+        self.couplings = couplings
         self.kept: Variables = {}
         self.references: dict[str, float] = {}
         self.limited_axes: set[int] = set()
@@ -87,7 +90,22 @@ def controller_data(
     counting = Timers(latched, 0, configuration.cycle_time_us)
     timers = ProgramTimers(latched, tick, configuration.cycle_time_us)
     data = []
-    for channel in channels:
+    for channel, listed in zip(channels, configuration.channels, strict=True):
         channel.executor.program_timers = counting
-        data.append(ControllerData(timers))
+        data.append(ControllerData(timers, _couplings(configuration, listed.parameters)))
     return data
+
+
+def _couplings(configuration: Machine, parameters: ChannelParameters) -> KeptCouplings:
+    """Return the groups at start-up: 0 with those pairs of the list whose axes there are."""
+    listed = parameters.couplings
+    axes = {axis.logical_number: index for index, axis in enumerate(configuration.axes)}
+    spindles = {one.logical_number: index for index, one in enumerate(parameters.spindles)}
+    pairs = []
+    for pair in listed.pairs:
+        numbers = spindles if pair.is_spindle else axes
+        if pair.slave in numbers and pair.master in numbers:
+            slave, master = numbers[pair.slave], numbers[pair.master]
+            pairs.append(CoupledPair(slave, master, is_spindle=pair.is_spindle))
+    groups = {0: tuple(pairs)} if pairs else {}
+    return KeptCouplings(groups, listed.after_reset, listed.after_end)

@@ -18,6 +18,24 @@ class AxisLimits:
     slope_accelerations: tuple[float, float]
     jerks: tuple[float, float]
 
+    def lower_with(self, slave: AxisLimits, share: float) -> AxisLimits:
+        """Return these limits of a master so that a slave keeps its own.
+
+        ``share``: the part of the master's way that the slave goes.
+        """
+        return AxisLimits(
+            _lower(self.speeds, slave.speeds, share),
+            _lower(self.accelerations, slave.accelerations, share),
+            _lower(self.slope_accelerations, slave.slope_accelerations, share),
+            _lower(self.jerks, slave.jerks, share),
+        )
+
+
+def _lower(
+    own: tuple[float, float], slave: tuple[float, float], share: float
+) -> tuple[float, float]:
+    return min(own[0], slave[0] / share), min(own[1], slave[1] / share)
+
 
 @dataclass(frozen=True, slots=True)
 class SetLimits(Command):

@@ -17,12 +17,13 @@ from nctakt.decoder.state.call_stack import CallStack
 from nctakt.decoder.state.commands import Segment
 from nctakt.decoder.state.contour_form import ContourState
 from nctakt.decoder.state.contour_frame import ContourFrame
+from nctakt.decoder.state.couplings import ActiveCouplings
 from nctakt.decoder.state.path_limits import MAX_BEND, LimitState, bend_of
 from nctakt.decoder.state.shape_commands import ShapeState
+from nctakt.decoder.state.software_limits import LimitsOfProgram
 from nctakt.decoder.state.tangential_arc import Tangent
 from nctakt.kernel.base import arithmetic
 from nctakt.lists.declared.tools import NO_TOOL, Tool
-from nctakt.lists.machine.axis_configuration import AxisConfiguration
 from nctakt.lists.machine.channel_configuration import (
     CENTRE_GROUP,
     DIMENSION_GROUP,
@@ -356,18 +357,6 @@ class MeasuringState:
 
 
 @dataclass(slots=True)
-class LimitsOfProgram:
-    """Software limits in mm or degrees, by axis index; ``programmed``: those of G98 and G99."""
-
-    programmed: dict[int, tuple[float, float]] = field(default_factory=dict)
-
-    def of(self, axis: AxisConfiguration, index: int) -> tuple[float, float]:
-        """Return the limits of an axis in force: those of the program, else of its list."""
-        listed = (axis.software_limit_low, axis.software_limit_high)
-        return self.programmed.get(index, listed) if self.programmed else listed
-
-
-@dataclass(slots=True)
 class ModalState:
     """The modal state; ``motion``: an active G function; ``feed_mm_s``: under G94, 0 before an F.
 
@@ -379,7 +368,8 @@ class ModalState:
     limits of the path. ``shapes``: chamfers and roundings. ``measuring``: with a touch probe.
     ``is_searching``: block search has not come to its start block. ``orientation``: what A, B, C
     are under a transformation. ``wcs``, ``mcs``: V.A.WCS and V.A.MCS by axis, in mm or degrees.
-    ``frame``: mirroring, rotation and scaling. ``block_number``: the last N.
+    ``frame``: mirroring, rotation and scaling. ``block_number``: the last N. ``couplings``: axes
+    that follow others.
     """
 
     motion: int
@@ -410,6 +400,7 @@ class ModalState:
     frame: ContourFrame = field(default_factory=ContourFrame)
     block_number: int = 0
     main_spindle: int = -1
+    couplings: ActiveCouplings = field(default_factory=ActiveCouplings)
 
     @property
     def rapid(self) -> bool:
@@ -430,7 +421,7 @@ class ModalState:
         has_feed_of_its_own = has_override or feed.group is not None
         if has_feed_of_its_own or self.shapes.spline.is_on or self.frame.is_active:
             return False
-        return not self.not_plain and not self.monitored
+        return not (self.not_plain or self.monitored or self.couplings.places)
 
     def note(self, function: int) -> None:
         """Note a G function that becomes active, for ``allows_plain_lines``."""

@@ -50,6 +50,7 @@ from nctakt.decoder.state.commands import (
     WriteText,
     WriteVariable,
 )
+from nctakt.decoder.state.couplings import Couple
 from nctakt.decoder.state.in_force import ModalMark
 from nctakt.decoder.state.limit_commands import SetLimits
 from nctakt.decoder.state.probe_commands import Touch, TouchEnd
@@ -145,6 +146,9 @@ def pack(command: Command, reference: int = 0) -> list[float]:
             return [rows.REFER, *head, command.axis, command.position]
         case SetSoftwareLimits():
             return [rows.SOFTWARE_LIMITS, *head, command.axis, command.low, command.high]
+        case Couple():
+            row = [rows.COUPLE, *head, command.slave, command.master]
+            return [*row, command.factor, command.allowed_d]
         case SingleStep():
             return [rows.SINGLE_STEP, *head, command.is_disabled]
         case ClearHistory():

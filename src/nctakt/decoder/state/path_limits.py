@@ -120,7 +120,8 @@ class LimitState:
     keywords of ``#VECTOR LIMIT``, for FEED and for RAPID. ``rounded_part`` of a line and changes of
     direction up to ``max_bend`` (``kernel/path/segment_limits.py``) are for rounded corners.
     ``weights_motions`` (bits of P-CHAN-00190) and ``weights_arcs``: blocks have weights by their
-    length or radius; ``block``: those of the last one.
+    length or radius; ``block``: those of the last one. ``followed``: masters and their slaves by
+    index, with the share of a master's way that the slave goes: it keeps the limits of both.
     """
 
     weights: dict[int, AxisWeights] = field(default_factory=dict)
@@ -135,6 +136,7 @@ class LimitState:
     weights_motions: int = 0
     weights_arcs: bool = False
     block: BlockWeights = BLOCK_UNWEIGHTED
+    followed: tuple[tuple[int, int, float], ...] = ()
 
     @property
     def weights_blocks(self) -> bool:
@@ -158,6 +160,6 @@ class LimitState:
     @property
     def is_reduced(self) -> bool:
         """Whether the limits are not those of the lists."""
-        if any(self.feed) or any(self.rapid) or self.block != BLOCK_UNWEIGHTED:
+        if self.followed or any((*self.feed, *self.rapid)) or self.block != BLOCK_UNWEIGHTED:
             return True
         return any(weights != AxisWeights() for weights in self.weights.values())

@@ -119,12 +119,12 @@ class SystemValues:
         axis_name = list(self._environment.axis_numbers)[index]
         match subject:
             case "ABS":
-                return offsets.inside(self._state.positions)[index]
+                return self._position(index)
             case "MENT":
-                position = offsets.inside(self._state.positions)[index] - offsets.total(index)
+                position = self._position(index) - offsets.total(index)
                 return -position if index in self._state.frame.mirrored else position
             case "PROG":
-                return offsets.inside(self._state.positions)[index] - offsets.total(index)
+                return self._position(index) - offsets.total(index)
             case "ACT_POS":
                 measured = [self._measured(other) for other in range(len(self._environment.axes))]
                 return offsets.inside(measured)[index] - offsets.total(index)
@@ -174,10 +174,19 @@ class SystemValues:
                 return offsets.value(index, codes.ZERO_OFFSET)
         return None
 
+    def _position(self, index: int) -> float:
+        """Return where an axis is at the end of the block before, in the active system."""
+        positions = self._state.couplings.positions(self._state.positions)
+        return self._environment.offsets.inside(positions)[index]
+
     def _of_channel(self, subject: str) -> float:
         state = self._state
         unit = self._environment.parameters.program_start.feed_unit_mm_min
         match subject:
+            case "AX_LINK.NR":
+                return float(self._environment.controller_data.couplings.last)
+            case "AX_LINK.ACTIVE":
+                return float(bool(state.couplings.groups))
             case "MEAS_TYPE":
                 listed = self._environment.parameters.measuring.type
                 return float(state.measuring.type or listed)

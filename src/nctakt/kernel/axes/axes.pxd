@@ -4,6 +4,7 @@ cimport cython
 from nctakt.kernel cimport cells, codes, rows
 from nctakt.kernel.base cimport arithmetic
 from nctakt.kernel.axes.coordinates cimport Offsets, Turns
+from nctakt.kernel.axes.couplings cimport Couplings
 from nctakt.kernel.axes.transformations cimport Transformations
 
 @cython.final
@@ -35,6 +36,7 @@ cdef class Axes:
     cdef readonly Offsets offsets
     cdef Turns turns
     cdef readonly Transformations transformations
+    cdef readonly Couplings couplings
     cdef double[::1] actual
     cdef bint has_moved
     cdef bint is_shifted
@@ -42,12 +44,18 @@ cdef class Axes:
     cdef double[::1] shown_actual
     cdef double[::1] shown_target
 
+    @cython.locals(k=Py_ssize_t, i=Py_ssize_t, master=Py_ssize_t, command=double, state=int)
+    cdef void follow_masters(self) noexcept nogil
+    @cython.locals(k=Py_ssize_t, actual=double)
+    cdef Py_ssize_t askew_pair(self) noexcept nogil
+    @cython.locals(slave=Py_ssize_t, master=Py_ssize_t)
+    cdef void couple(self, double[::1] queue, Py_ssize_t row) noexcept nogil
     cdef Py_ssize_t cell_of(self, Py_ssize_t i) noexcept nogil
     @cython.locals(i=Py_ssize_t, step=double, sent=double, lag=double)
     cdef void follow(self) noexcept nogil
-    @cython.locals(half=double)
-    @cython.locals(shift=double)
+    @cython.locals(shift=double, k=Py_ssize_t)
     cdef void refer(self, Py_ssize_t axis, double position) noexcept nogil
+    @cython.locals(half=double)
     cdef double distance(self, Py_ssize_t i, double begin, double end) noexcept nogil
     @cython.locals(i=Py_ssize_t)
     cdef void begin_tick(self) noexcept nogil
@@ -78,7 +86,7 @@ cdef class Axes:
     ) noexcept nogil
     cdef void set_origin(self, Py_ssize_t axis, double value) noexcept nogil
     @cython.locals(axis=Py_ssize_t, offset=int)
-    cdef void take_offset(self, double[::1] queue, Py_ssize_t row, int kind) noexcept nogil
+    cdef void take(self, double[::1] queue, Py_ssize_t row, int kind) noexcept nogil
     cdef void turn(self, double[::1] queue, Py_ssize_t row) noexcept nogil
     cdef void publish_system(
         self, Py_ssize_t cell, double command, double actual, double target, double distance_to_go

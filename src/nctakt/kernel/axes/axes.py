@@ -26,6 +26,7 @@ from __future__ import annotations
 
 from nctakt.kernel import cells, codes, rows
 from nctakt.kernel.axes.coordinates import Offsets, Turns
+from nctakt.kernel.axes.couplings import Couplings
 from nctakt.kernel.axes.transformations import Transformations
 from nctakt.kernel.base import arithmetic
 from nctakt.kernel.base.bounds import check_cells, check_index, check_size
@@ -71,6 +72,7 @@ class Axes:
         self.offsets = Offsets(count)
         self.turns = Turns(count)
         self.transformations = Transformations(count)
+        self.couplings = Couplings(count)
         self.actual = memoryview(bytearray(8 * count)).cast("d")
         self.shown_command = memoryview(bytearray(8 * count)).cast("d")
         self.shown_actual = memoryview(bytearray(8 * count)).cast("d")
@@ -86,6 +88,44 @@ class Axes:
     def cell_of(self, i: int) -> int:
         """Return the first cell of an axis."""
         return self.first_cell + i * cells.AXIS_CELLS
+
+    def follow_masters(self) -> None:
+        """Put all slaves where their masters' commands have them (``couplings.py``)."""
+        for k in range(self.couplings.count - 1, -1, -1):
+            i = self.couplings.slave[k]
+            master = self.couplings.master[k]
+            command = self.couplings.follow(k, self.command[master])
+            self.target[i] = self.couplings.follow(k, self.target[master])
+            state = codes.STANDSTILL
+            if command != self.command[i]:
+                self.command[i] = command
+                self.has_moved = True
+                state = codes.SYNCHRONIZED_MOTION
+            self.show_state(i, state)
+
+    def askew_pair(self) -> int:
+        """Return the first pair whose actual positions differ too much, -1 for none."""
+        for k in range(self.couplings.count):
+            actual = self.actual_position(self.couplings.slave[k])
+            if self.couplings.is_askew(k, actual, self.actual_position(self.couplings.master[k])):
+                return k
+        return -1
+
+    def couple(self, queue: memoryview[float], row: int) -> None:
+        """Let an axis follow another one from here on, or no longer."""
+        slave = int(queue[row + rows.COUPLED_AXIS])
+        master = int(queue[row + rows.COUPLED_TO])
+        if master < 0:
+            self.couplings.uncouple(slave)
+            return
+        self.couplings.couple(
+            slave,
+            master,
+            queue[row + rows.COUPLED_BY],
+            queue[row + rows.COUPLED_WITHIN],
+            self.command[slave],
+            self.command[master],
+        )
 
     def follow(self) -> None:
         """Advance the drives by a tick, where any has a lag or gets its commands late."""
@@ -264,9 +304,14 @@ class Axes:
         self.has_moved = True
         self.publish()
 
-    def take_offset(self, queue: memoryview[float], row: int, kind: int) -> None:
-        """Set offset, origin or turn of a system: the cycles of this tick see it (MO-8)."""
-        if kind == rows.SET_TURN:
+    def take(self, queue: memoryview[float], row: int, kind: int) -> None:
+        """Set offset, origin or turn of a system: the cycles of this tick see it (MO-8).
+
+        Or a coupling.
+        """
+        if kind == rows.COUPLE:
+            self.couple(queue, row)
+        elif kind == rows.SET_TURN:
             self.turn(queue, row)
         elif kind == rows.SET_ORIGIN:
             axis = int(queue[row + rows.ORIGIN_AXIS])
@@ -335,8 +380,19 @@ class Axes:
         self.target[axis] = position
         self.followed[axis] += shift
         self.unsent[axis] += shift
+        for k in range(self.couplings.fixed_count):
+            if self.couplings.master[k] == axis:
+                self.refer(self.couplings.slave[k], self.couplings.follow(k, position))
         self.has_moved = True
         self.publish()
+
+    def set_gantry(self, index: int, master: int, allowed_d: float, offset: float) -> None:
+        """Let an axis follow ``master`` for ever, ``offset`` beside it (P-AXIS-00070, 00073).
+
+        ``allowed_d``: how far their actual positions may differ (P-AXIS-00072), 0: any way.
+        """
+        self.couplings.fix(index, master, allowed_d, offset)
+        self.set_position(index, self.command[master] + offset)
 
     def positions(self) -> list[float]:
         """Command positions of all axes in ACS, in mm or degrees."""
@@ -351,4 +407,7 @@ class Axes:
         self.drive_d[index] = 0.0
         self.lag_d[index] = 0.0
         self.target[index] = position
+        for k in range(self.couplings.fixed_count):
+            if self.couplings.master[k] == index:
+                self.set_position(self.couplings.slave[k], self.couplings.follow(k, position))
         self.publish_all()

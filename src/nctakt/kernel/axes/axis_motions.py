@@ -271,6 +271,27 @@ class AxisMotions:
             if self.kind[axis]:
                 self.step_axis(axis)
 
+    def follow_masters(self) -> None:
+        """Let slaves follow their masters, in front of the drives (``couplings.py``)."""
+        if self.axes.couplings.count > 0:
+            self.axes.follow_masters()
+
+    def watch_slaves(self) -> None:
+        """Stop with an error where the drives of a gantry are too far apart."""
+        pair = self.axes.askew_pair() if self.axes.couplings.watched_count > 0 else -1
+        if pair < 0:
+            return
+        axis = self.axes.couplings.master[pair]
+        if self.fault[axis]:
+            return
+        if self.kind[axis]:
+            self.fail(axis, 901879)
+            return
+        self.record.event(rows.EVENT_ERROR, 0, 0, 901879, axis)
+        self.fault[axis] = 901879 if self.in_channel[axis] else -901879
+        if self.in_channel[axis]:
+            self.fault_count += 1
+
     def step_axis(self, axis: int) -> None:
         """Advance one axis by a tick; plan anew where its limit has changed."""
         top_v = 0.0

@@ -74,6 +74,8 @@ class SingleAxes(AxisMotions):
             return 50899
         if self.closed[axis]:
             return 900810
+        if self.axes.couplings.closed[axis]:
+            return 21481
         if self.axes.on_path[axis]:
             return 50603
         if self.fault[axis]:
@@ -265,8 +267,9 @@ class SingleAxes(AxisMotions):
         self.clear_fault(axis)
 
     def reopen(self, axis: int) -> None:
-        """Let the axis take commands again behind the channel's reset."""
+        """Let the axis take commands again behind the channel's reset; it follows no master."""
         self.closed[axis] = 0
+        self.axes.couplings.uncouple(axis)
 
     def clear_fault(self, axis: int) -> int:
         """Leave ErrorStop (PLCopen's MC_Reset); return 0, or the message that refuses it."""

@@ -4,6 +4,7 @@ from nctakt.kernel.axes.axes cimport Axes
 from nctakt.kernel.axes.axis_motions cimport AxisMotions
 from nctakt.kernel.axes.c_axis cimport CAxis
 from nctakt.kernel.axes.coordinates cimport Offsets, Turns
+from nctakt.kernel.axes.couplings cimport Couplings
 from nctakt.kernel.axes.spindle_limits cimport SpindleLimits
 from nctakt.kernel.axes.spindles cimport Spindles
 from nctakt.kernel.axes.trajectory cimport Trajectories
@@ -19,6 +20,8 @@ cpdef copy_offsets(Offsets source, Offsets target)
 cpdef tuple arrays_of_offsets(Offsets part)
 cpdef copy_turns(Turns source, Turns target)
 cpdef tuple arrays_of_turns(Turns part)
+cpdef copy_couplings(Couplings source, Couplings target)
+cpdef tuple arrays_of_couplings(Couplings part)
 cpdef copy_c_axis(CAxis source, CAxis target)
 cpdef copy_spindles(Spindles source, Spindles target)
 cpdef tuple arrays_of_spindles(Spindles part)

@@ -15,6 +15,7 @@ from nctakt.kernel.axes.axes import Axes
 from nctakt.kernel.axes.axis_motions import AxisMotions
 from nctakt.kernel.axes.c_axis import CAxis
 from nctakt.kernel.axes.coordinates import Offsets, Turns
+from nctakt.kernel.axes.couplings import Couplings
 from nctakt.kernel.axes.spindle_limits import SpindleLimits
 from nctakt.kernel.axes.spindles import Spindles
 from nctakt.kernel.axes.trajectory import Trajectories
@@ -137,6 +138,25 @@ def arrays_of_turns(part: Turns) -> Arrays:
         part.second,
         part.third,
         part.matrix,
+    )
+
+
+def copy_couplings(source: Couplings, target: Couplings) -> None:
+    target.axis_count = source.axis_count
+    target.count = source.count
+    target.fixed_count = source.fixed_count
+    target.watched_count = source.watched_count
+
+
+def arrays_of_couplings(part: Couplings) -> Arrays:
+    return (
+        part.slave,
+        part.master,
+        part.factor,
+        part.slave_begin,
+        part.master_begin,
+        part.allowed_d,
+        part.closed,
     )
 
 
@@ -303,6 +323,7 @@ COPIERS: MappingProxyType[type, Callable[..., None]] = MappingProxyType(
         Axes: copy_axes,
         AxisMotions: copy_axis_motions,
         CAxis: copy_c_axis,
+        Couplings: copy_couplings,
         Offsets: copy_offsets,
         Turns: copy_turns,
         Spindles: copy_spindles,
@@ -318,6 +339,7 @@ ARRAYS: MappingProxyType[type, Callable[..., Arrays]] = MappingProxyType(
         Transformations: arrays_of_transformations,
         Axes: arrays_of_axes,
         AxisMotions: arrays_of_axis_motions,
+        Couplings: arrays_of_couplings,
         Offsets: arrays_of_offsets,
         Turns: arrays_of_turns,
         Spindles: arrays_of_spindles,

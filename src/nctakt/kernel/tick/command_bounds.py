@@ -54,6 +54,7 @@ _MIN_LENGTH = {
     rows.REFER: rows.HOMING_DISTANCE + 1,
     rows.SOFTWARE_LIMITS: rows.LIMIT_HIGH + 1,
     rows.SINGLE_STEP: rows.ARGUMENTS + 1,
+    rows.COUPLE: rows.COUPLED_WITHIN + 1,
     rows.CLEAR_HISTORY: rows.ARGUMENTS,
     rows.EMPTY_BLOCK: rows.ARGUMENTS,
     rows.CUTTING_SPEED: rows.CUTTING_LIMIT + 1,
@@ -98,6 +99,12 @@ def check_command(executor: CommandExecutor, command: list[Any]) -> None:
         check_index(command[rows.OFFSET_KIND], codes.OFFSET_KINDS, "kind of offset")
     elif kind in (rows.HOME, rows.REFER, rows.SOFTWARE_LIMITS):
         check_index(command[rows.HOMED_AXIS], axes, "axis")
+    elif kind == rows.COUPLE:
+        slave, master = command[rows.COUPLED_AXIS], command[rows.COUPLED_TO]
+        check_index(slave, axes, "axis")
+        if master != -1:
+            check_index(master, axes, "axis")
+            executor.path.axes.couplings.check(slave, master)
     elif kind == rows.SET_ORIGIN:
         check_index(command[rows.ORIGIN_AXIS], axes, "axis")
     elif kind == rows.SET_TURN:

@@ -171,8 +171,8 @@ class CommandExecutor:
             self.take_characters(row)
         elif kind == rows.PROGRAM_END:
             return self.take_program_end(tick, row)
-        elif kind in (rows.SET_OFFSET, rows.SET_ORIGIN, rows.SET_TURN):
-            self.path.axes.take_offset(self.queue.rows, row, kind)
+        elif kind in (rows.SET_OFFSET, rows.SET_ORIGIN, rows.SET_TURN, rows.COUPLE):
+            self.path.axes.take(self.queue.rows, row, kind)
         elif kind == rows.SET_TRANSFORMATION:
             self.path.transform(self.queue.rows, row)
         elif kind in (rows.USER_ERROR, rows.USER_VALUE, rows.USER_TEXT, rows.USER_STOP):

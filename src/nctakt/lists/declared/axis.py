@@ -9,6 +9,7 @@ angles of rotary axes share their parameters. Gear steps: ``getriebe[i]``.
 from __future__ import annotations
 
 from nctakt.base.diagnostics import Text
+from nctakt.lists.declared.couplings import AXIS_GANTRY
 from nctakt.lists.declared.homing import AXIS_HOMING
 from nctakt.lists.declared.measuring import AXIS_MEASURING
 from nctakt.lists.format.parameter import Limit, Parameter, Value, ValueType
@@ -453,6 +454,6 @@ AXIS = Schema(
     "axis",
     Text("Axis list", "Achsliste"),
     ListDialect(),
-    _HEADER + _CHARACTER + AXIS_MEASURING + AXIS_HOMING + _GEAR_STEP + _RAMPS,
+    _HEADER + _CHARACTER + AXIS_MEASURING + AXIS_GANTRY + AXIS_HOMING + _GEAR_STEP + _RAMPS,
     ParameterTable("axis.tsv"),
 )

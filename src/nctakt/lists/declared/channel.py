@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from nctakt.base.diagnostics import Text
 from nctakt.lists.declared.coordinate_systems import COORDINATE_SYSTEMS
+from nctakt.lists.declared.couplings import COUPLINGS
 from nctakt.lists.declared.dynamic_weights import DYNAMIC_WEIGHTS
 from nctakt.lists.declared.feed_groups import FEED_GROUPS
 from nctakt.lists.declared.kinematics import KINEMATICS
@@ -487,6 +488,7 @@ CHANNEL = Schema(
     + FEED_GROUPS
     + COORDINATE_SYSTEMS
     + SPINDLE_GEARS
+    + COUPLINGS
     + DYNAMIC_WEIGHTS
     + CHANNEL_MEASURING
     + _DEFAULTS

@@ -14,6 +14,7 @@ from math import inf
 from nctakt.base.dataclass import dataclass
 from nctakt.lists.declared.axis import LINEAR_TYPE, ROTARY_TYPE, SPINDLE_TYPE
 from nctakt.lists.format.values import Values
+from nctakt.lists.machine.couplings import AxisGantry, axis_gantry
 from nctakt.lists.machine.homing import AxisHoming, axis_homing
 from nctakt.lists.machine.measuring import AxisMeasuring, axis_measuring
 from nctakt.messages import Collector
@@ -153,6 +154,7 @@ class AxisConfiguration:
     face axis of a lathe, whose position is a radius; ``is_c_axis``: the C axis of a lathe
     (both P-AXIS-00015). ``mode``: all of P-AXIS-00015. ``filter_type``: of its FIR filter, 0 none.
     ``gears``: the dynamics of all gear steps. ``checks_tool_speed``: P-AXIS-00474.
+    ``gantry``: what it follows for ever.
     """
 
     logical_number: int
@@ -178,6 +180,7 @@ class AxisConfiguration:
     filter_type: int = 0
     gears: tuple[AxisDynamics, ...] = ()
     checks_tool_speed: bool = False
+    gantry: AxisGantry = AxisGantry()
 
     @property
     def is_linear(self) -> bool:
@@ -252,6 +255,7 @@ def axis_configuration(values: Values, collector: Collector) -> AxisConfiguratio
         values.integer("vib_guard.type"),
         gears,
         values.flag("kenngr.check_spindle_speed_in_tool_range"),
+        axis_gantry(values),
     )
 
 

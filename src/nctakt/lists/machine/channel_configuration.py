@@ -22,6 +22,7 @@ from nctakt.lists.format.controller_numbers import bound_number
 from nctakt.lists.format.parameter import with_indices
 from nctakt.lists.format.values import Values
 from nctakt.lists.machine.coordinate_systems import ListedSystems, listed_systems
+from nctakt.lists.machine.couplings import ListedCouplings, listed_couplings
 from nctakt.lists.machine.dynamic_weights import DynamicWeights, dynamic_weights
 from nctakt.lists.machine.feed_groups import ListedFeedGroup, listed_feed_group
 from nctakt.lists.machine.kinematic_lists import transformations
@@ -218,6 +219,7 @@ class ChannelParameters:
     dynamic_weights: DynamicWeights
     coordinate_systems: ListedSystems
     gears: ListedGears
+    couplings: ListedCouplings
 
     @property
     def spindle_names(self) -> tuple[str, ...]:
@@ -273,6 +275,7 @@ def channel_parameters(values: Values, collector: Collector) -> ChannelParameter
         dynamic_weights(values, collector),
         listed_systems(values),
         listed_gears(values),
+        listed_couplings(values, collector),
     )
 
 

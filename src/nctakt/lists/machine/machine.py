@@ -61,6 +61,7 @@ from nctakt.lists.machine.files import (
     startup_lists,
     startup_lists_below,
 )
+from nctakt.lists.machine.gantries import with_gantries
 from nctakt.lists.machine.linked_lists import LinkedLists
 from nctakt.lists.machine.scheduling import load_rtconf
 from nctakt.lists.machine.scheduling_checks import check_contexts, check_time_limits
@@ -163,14 +164,15 @@ class Machine:
 
     @property
     def path_axes(self) -> dict[int, int]:
-        """Logical number -> index in ``axes`` of the axes that turn no spindle."""
-        turning = {
+        """Logical number -> index in ``axes`` of those that turn no spindle and follow none."""
+        bound = {
             spindle.spindle.logical_number
             for channel in self.channels
             for spindle in channel.spindles
         }
+        bound.update(axis.logical_number for axis in self.axes if axis.gantry.master)
         numbers = enumerate(axis.logical_number for axis in self.axes)
-        return {number: index for index, number in numbers if number not in turning}
+        return {number: index for index, number in numbers if number not in bound}
 
     def c_axis_of(self, channel: ChannelConfiguration) -> int:
         """Return the index in ``axes`` of the spindle that ``#CAX`` makes an axis; -1: none."""
@@ -299,6 +301,7 @@ class _Loader:
         self.collector = Collector()
         self.owners: dict[int, int] = {}
         self.startup_values = Values(STARTUP, startup_file.as_posix())
+        self.axis_values: list[Values] = []
         self.channel_values: list[Values] = []
         self.variable_values: list[Values] = []
         self.lists = LinkedLists(startup_file, search, access, self.collector, detail=detail)
@@ -323,6 +326,7 @@ class _Loader:
             self._channel(startup, index, parameters[index], variables[index], axes)
             for index in range(len(startup.channels))
         )
+        axes = with_gantries(axes, self.axis_values, self.owners, self.collector)
         texts = user_texts(startup.error_texts, self.search, self.access, self.collector)
         self.search.report_tolerance(self.collector)
         return Machine(
@@ -339,18 +343,15 @@ class _Loader:
             tuple(self.collector.diagnostics),
         )
 
-    def _fail(self) -> Failure:
-        return Failure(*self.collector.diagnostics)
-
     def _startup(self) -> StartupConfiguration:
         values = self.lists.startup()
         if values is None:
-            raise self._fail()
+            raise Failure(*self.collector.diagnostics)
         self.startup_values = values
         format_ = values.text("listen")
         if format_ not in {"ASCII", "XML"}:
             values.report(self.collector, LIST_FORMAT_NOT_SUPPORTED, ("listen",), format=format_)
-            raise self._fail()
+            raise Failure(*self.collector.diagnostics)
         return startup_configuration(values, self.collector)
 
     def _rtconf(self, startup: StartupConfiguration) -> RtconfConfiguration | None:
@@ -382,6 +383,7 @@ class _Loader:
                 )
                 continue
             axes.append(axis)
+            self.axis_values.append(values)
         return tuple(axes)
 
     def _channel_parameters(self, startup: StartupConfiguration) -> tuple[ChannelParameters, ...]:
@@ -398,7 +400,7 @@ class _Loader:
             self.channel_values.append(values)
         if not any_list:
             self.collector.report(MACHINE_WITHOUT_CHANNELS, None)
-            raise self._fail()
+            raise Failure(*self.collector.diagnostics)
         return tuple(parameters)
 
     def _variables(self, channel: ChannelStartup) -> VariablesConfiguration:

@@ -37,6 +37,7 @@ from nctakt.nc.check.axis_exchange import ExchangeChecker
 from nctakt.nc.check.blocks import Role, WordChecker
 from nctakt.nc.check.calls import CallChecker
 from nctakt.nc.check.coordinate_systems import check_cs_command
+from nctakt.nc.check.couplings import check_coupling
 from nctakt.nc.check.expressions import ValueChecker
 from nctakt.nc.check.findings import Findings, FindingsState
 from nctakt.nc.check.hash_commands import CommandChecker
@@ -412,6 +413,13 @@ class Checker:
         elif check_setting(command, self._values, self._findings):
             return
         elif check_main_spindle(command, self._channel, self._values, self._findings):
+            return
+        elif check_coupling(
+            command,
+            (*self._words.axes, *self._channel.spindle_names),
+            self._values,
+            self._findings,
+        ):
             return
         elif check_machine_command(command, self._values, self._findings):
             return

@@ -54,6 +54,7 @@ _HASH = re.compile(r"\s*#\s*")
 _SIGNED_AXIS = re.compile(r"\s*([^\W\d]\w*)\s*([-+])(?=\s*[\],])")
 _AXIS_NAME = re.compile(r"\s*([A-CQU-Z][^\W\d]*\d+)\s*(?=[],])", re.IGNORECASE)
 _SIGNAL_VALUE = re.compile(r"\s*([Pp])\s*\[")
+_PAIR = re.compile(r"\s*([^\W\d]\w*)\s*=\s*([^\W\d]\w*)\s*(?=[],])")
 _WORD = re.compile(r"\s*([^\W\d]\w*)(?!\w|\s*=|\.\w)")
 
 Argument = Bracket | Keyword | Expression
@@ -96,9 +97,10 @@ def parse_arguments(text: BlockText, name: tuple[str, ...]) -> tuple[Argument, .
         arguments.append(parse_expression(text))
     if name == ("WAIT", "FOR") and not text.at_end():
         arguments.append(parse_expression(text))
+    read = _couplings if "LINK" in name else _BRACKETS.get(name[0], _argument)
     while not text.at_end():
         if text.match(COMMA) is None:
-            arguments.append(_BRACKETS.get(name[0], _argument)(text))
+            arguments.append(read(text))
     return tuple(arguments)
 
 
@@ -141,6 +143,47 @@ def _axis_item(text: BlockText, depth: int) -> Item:
         return parse_item(text, depth)
     text.pos = match.end(1)
     return Keyword(text.span(*match.span(1)), match[1].upper())
+
+
+def _couplings(text: BlockText) -> Argument:
+    """Return the items of ``#AX LINK``, where pairs are keywords: ``[1, C=X, [Y2=Y, 1, 2]]``."""
+    if text.looking_at(OPENING) is None:
+        return _argument(text)
+    start = text.skip_blanks()
+    items = parse_items(text, 0, _coupling)
+    return Bracket(text.span(start, text.pos), items)
+
+
+def _coupling(text: BlockText, depth: int) -> Item:
+    """Return a pair as a keyword: the slave is its name, or the first argument of a nameless one.
+
+    What stands behind a pair in brackets of its own are the arguments behind that.
+    """
+    start, before = text.skip_blanks(), text.pos
+    is_nested = text.match(OPENING) is not None
+    pair = _pair(text)
+    if pair is None:
+        text.pos = before
+        return parse_item(text, depth)
+    rest: list[Item] = []
+    while is_nested and text.match(COMMA) is not None:
+        rest.append(parse_item(text, depth + 1))
+    if is_nested:
+        require(text, CLOSING, "]")
+    return Keyword(text.span(start, text.pos), pair.name, pair.value, (*pair.arguments, *rest))
+
+
+def _pair(text: BlockText) -> Keyword | None:
+    named = text.match(_PAIR)
+    if named is not None:
+        master = Name(text.span(*named.span(2)), named[2].upper(), named[2])
+        return Keyword(text.span(*named.span(1)), named[1].upper(), master)
+    if not starts_value(text):
+        return None
+    slave = parse_expression(text)
+    if text.match(EQUALS) is None:
+        return None
+    return Keyword(slave.span, "", parse_expression(text), (slave,))
 
 
 def _signed_axes(text: BlockText) -> Argument:

@@ -270,13 +270,31 @@ def _format_call(call: SubprogramCall) -> str:
 
 def _format_hash(command: HashCommand) -> str:
     words = " ".join(word.text for word in command.words)
+    is_coupling = any(word.name == "LINK" for word in command.words)
     arguments = ", ".join(
-        format_items(argument.items)
+        _format_couplings(argument.items)
+        if isinstance(argument, Bracket) and is_coupling
+        else format_items(argument.items)
         if isinstance(argument, Bracket)
         else _format_item(argument, glued=False)
         for argument in command.arguments
     )
     return f"#{words} {arguments}"
+
+
+def _format_couplings(items: tuple[Keyword | Expression, ...]) -> str:
+    return "[" + ", ".join(map(_format_coupling, items)) + "]"
+
+
+def _format_coupling(item: Keyword | Expression) -> str:
+    if not isinstance(item, Keyword) or item.value is None:
+        return _format_item(item, glued=False)
+    slave, rest = item.name, item.arguments
+    if not slave:
+        slave, rest = _format_item(rest[0], glued=False), rest[1:]
+    pair = f"{slave} = {format_expression(item.value)}"
+    further = ", ".join(_format_item(one, glued=False) for one in rest)
+    return f"[{pair}, {further}]" if rest else pair
 
 
 def _format_offsets(command: OffsetCommand) -> str:

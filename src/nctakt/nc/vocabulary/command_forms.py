@@ -63,6 +63,19 @@ FORMS: dict[str, tuple[str, ...]] = {
     "#CS SELECT": ("#CS SELECT [WCS]",),
     "#CYL": ("#CYL [Z, C, X60]", "#CYL OFF"),
     "#CYL OFF": ("#CYL OFF",),
+    "#AX LINK": (
+        "#AX LINK [1, C=A]",
+        "#AX LINK NBR [1, 8=2]",
+        "#AX LINK ON [1]",
+        "#AX LINK OFF ALL",
+    ),
+    "#DISABLE AX LINK": ("#DISABLE AX LINK [1]", "#DISABLE AX LINK"),
+    "#ENABLE AX LINK": ("#ENABLE AX LINK [1]", "#ENABLE AX LINK"),
+    "#SET AX LINK": (
+        "#SET AX LINK [1, C=A]",
+        "#SET AX LINK [1, [C=A, -1, 2]]",
+        "#SET AX LINK [1, [Y2=Y, G, 0.01, 0.25]]",
+    ),
     "#DISABLE MODAL CYCLE": ("#DISABLE MODAL CYCLE",),
     "#DELETE": ("#DELETE V.P.NAME", "#DELETE V.P."),
     "#DYNAMIC WEIGHT": (

@@ -133,6 +133,16 @@ ROWS = (
     _channel("ROT_ANGLE", "REAL64", "°", "angle of the rotation", "Winkel der Konturdrehung"),
     _channel("ROT_CENTER1", "REAL64", "mm", "centre, first axis", "Drehpunkt, erste Achse"),
     _channel("ROT_CENTER2", "REAL64", "mm", "centre, second axis", "Drehpunkt, zweite Achse"),
+    _channel(
+        "AX_LINK.NR",
+        "UNS32",
+        "",
+        "the coupling group that is active, or that was active last",
+        "die aktive oder zuletzt aktive Kopplungsgruppe",
+    ),
+    _channel(
+        "AX_LINK.ACTIVE", "BOOLEAN", "", "whether axes are coupled", "ob Achsen gekoppelt sind"
+    ),
     _channel("BLOCK_NR", "UNS32", "", "the last programmed N", "das letzte programmierte N"),
     _channel("SATZ_NR", "UNS32", "", "old name of V.G.BLOCK_NR", "alter Name von V.G.BLOCK_NR"),
     _channel(

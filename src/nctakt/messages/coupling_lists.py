@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: MIT
+"""Messages about coupled axes in lists."""
+
+from __future__ import annotations
+
+from nctakt.messages.catalogue import warning
+
+_INDEX = ("index of the pair", "Index des Paars")
+_SLAVE = ("logical number of the slave", "logische Nummer des Slaves")
+_MASTER = ("logical number of the master", "logische Nummer des Masters")
+
+LISTED_PAIR_WITHOUT_AXIS = warning(
+    20438,
+    en="paar[{index}] is left out: master {master}, slave {slave}",
+    de="paar[{index}] entfällt: Master {master}, Slave {slave}",
+    remedy_en="Give both logical numbers; 0 is none.",
+    remedy_de="Beide logischen Nummern angeben; 0 ist keine.",
+    index=_INDEX,
+    slave=_SLAVE,
+    master=_MASTER,
+)
+LISTED_PAIR_OF_ONE_AXIS = warning(
+    20440,
+    en="paar[{index}] is left out: axis {slave} cannot follow itself",
+    de="paar[{index}] entfällt: Achse {slave} kann sich nicht selbst folgen",
+    remedy_en="Give two different logical numbers.",
+    remedy_de="Zwei verschiedene logische Nummern angeben.",
+    index=_INDEX,
+    slave=_SLAVE,
+    master=_MASTER,
+)
+LISTED_SLAVE_TWICE = warning(
+    20441,
+    en="paar[{index}] is left out: axis {slave} follows another one already",
+    de="paar[{index}] entfällt: Achse {slave} folgt schon einer anderen",
+    remedy_en="Let a slave follow one master only.",
+    remedy_de="Einen Slave nur einem Master folgen lassen.",
+    index=_INDEX,
+    slave=_SLAVE,
+    master=_MASTER,
+)
+LISTED_SLAVE_IS_MASTER = warning(
+    20442,
+    en="paar[{index}] is left out: an axis is a slave and a master ({slave} behind {master})",
+    de="paar[{index}] entfällt: eine Achse ist Slave und Master ({slave} hinter {master})",
+    remedy_en="Let all slaves follow the first master; chains are not possible.",
+    remedy_de="Alle Slaves dem ersten Master folgen lassen; Ketten sind nicht möglich.",
+    index=_INDEX,
+    slave=_SLAVE,
+    master=_MASTER,
+)
+GANTRY_MASTER_MISSING = warning(
+    70124,
+    en="gantry_ax_nr {master}: axis {slave} follows no axis",
+    de="gantry_ax_nr {master}: Achse {slave} folgt keiner Achse",
+    remedy_en="Name another axis of the machine that follows none itself.",
+    remedy_de="Eine andere Achse der Maschine nennen, die selbst keiner folgt.",
+    slave=_SLAVE,
+    master=_MASTER,
+)
+GANTRY_SLAVE_IN_CHANNEL = warning(
+    901886,
+    en="axis {slave} follows axis {master} (gantry_ax_nr) and does not belong into a channel",
+    de="Achse {slave} folgt Achse {master} (gantry_ax_nr) und gehört in keinen Kanal",
+    remedy_en="Take one of them out: the entry of the channel list, or gantry_ax_nr.",
+    remedy_de="Eins davon herausnehmen: den Eintrag der Kanalliste oder gantry_ax_nr.",
+    cause_en="The slave of a fixed gantry is moved by its master only. It moves with its channel "
+    "here, as if gantry_ax_nr were 0.",
+    cause_de="Den Slave eines festen Gantryverbunds bewegt nur sein Master. Hier fährt er mit "
+    "seinem Kanal, als wäre gantry_ax_nr 0.",
+    slave=_SLAVE,
+    master=_MASTER,
+)

@@ -1,0 +1,306 @@
+# SPDX-License-Identifier: MIT
+"""Messages about axes and spindles that follow others: ``#AX LINK``, gantries."""
+
+from __future__ import annotations
+
+from nctakt.messages.catalogue import error
+
+_GROUP = ("number of the coupling group", "Nummer der Kopplungsgruppe")
+_SLAVE = ("the slave", "der Slave")
+_MASTER = ("the master", "der Master")
+_AXIS = ("the axis or spindle", "die Achse oder Spindel")
+_COMMAND = ("the command", "der Befehl")
+
+HOMING_WHILE_COUPLED = error(
+    20137,
+    en="G74 while the coupling group {group} is active",
+    de="G74, während die Kopplungsgruppe {group} aktiv ist",
+    remedy_en="Program #AX LINK OFF ALL before it, and couple the axes again afterwards.",
+    remedy_de="Davor #AX LINK OFF ALL programmieren und die Achsen danach wieder koppeln.",
+    group=_GROUP,
+    reaction=2,
+    clearing=3,
+)
+COUPLING_DURING_COMPENSATION = error(
+    20457,
+    en="{command} during tool radius compensation",
+    de="{command} während der Werkzeugradiuskorrektur",
+    remedy_en="Couple the axes before G41 or G42, and release them behind G40.",
+    remedy_de="Die Achsen vor G41 oder G42 koppeln und hinter G40 lösen.",
+    command=_COMMAND,
+    reaction=2,
+    clearing=3,
+)
+COUPLING_GROUP_OUT_OF_RANGE = error(
+    20461,
+    en="{group} is not the number of a coupling group here",
+    de="{group} ist hier nicht die Nummer einer Kopplungsgruppe",
+    remedy_en="Groups have whole numbers from {low} to {high}; 0 is the one of the channel list.",
+    remedy_de="Gruppen haben ganze Nummern von {low} bis {high}; 0 ist die der Kanalliste.",
+    group=_GROUP,
+    low=("lowest number", "kleinste Nummer"),
+    high=("highest number", "größte Nummer"),
+    reaction=2,
+    clearing=3,
+)
+MAIN_AXIS_AS_SLAVE = error(
+    20467,
+    en="{slave} cannot follow {master}: it is a main axis",
+    de="{slave} kann {master} nicht folgen: sie ist eine Hauptachse",
+    remedy_en="Slaves have the index 3 or above in the channel; exchange the two, or let #SET AX "
+    "give the axis another index.",
+    remedy_de="Slaves haben im Kanal den Index 3 oder höher; die beiden tauschen oder der Achse "
+    "mit #SET AX einen anderen Index geben.",
+    slave=_SLAVE,
+    master=_MASTER,
+    reaction=2,
+    clearing=3,
+)
+COUPLED_TYPES_DIFFER = error(
+    20468,
+    en="{slave} cannot follow {master}: they are of different types",
+    de="{slave} kann {master} nicht folgen: sie sind von verschiedenem Typ",
+    remedy_en="Couple linear axes with linear axes, rotary axes with rotary axes (P-AXIS-00018), "
+    "and spindles with spindles.",
+    remedy_de="Linearachsen mit Linearachsen koppeln, Rundachsen mit Rundachsen (P-AXIS-00018) und "
+    "Spindeln mit Spindeln.",
+    slave=_SLAVE,
+    master=_MASTER,
+    reaction=2,
+    clearing=3,
+)
+COUPLED_MODES_DIFFER = error(
+    20469,
+    en="{slave} cannot follow {master}: their modes differ (P-AXIS-00015)",
+    de="{slave} kann {master} nicht folgen: ihre Betriebsarten sind verschieden (P-AXIS-00015)",
+    remedy_en="Give both the same kenngr.achs_mode, as for example modulo axes.",
+    remedy_de="Beiden dasselbe kenngr.achs_mode geben, etwa als Moduloachsen.",
+    slave=_SLAVE,
+    master=_MASTER,
+    reaction=2,
+    clearing=3,
+)
+ACTIVE_GROUP_DEFINED_AGAIN = error(
+    20472,
+    en="the coupling group {group} cannot be defined: it is active",
+    de="die Kopplungsgruppe {group} kann nicht festgelegt werden: sie ist aktiv",
+    remedy_en="Program #DISABLE AX LINK [{group}] before it.",
+    remedy_de="Davor #DISABLE AX LINK [{group}] programmieren.",
+    group=_GROUP,
+    reaction=2,
+    clearing=3,
+)
+AXIS_FOLLOWS_ITSELF = error(
+    20475,
+    en="{slave} cannot follow itself",
+    de="{slave} kann sich nicht selbst folgen",
+    remedy_en="Name two axes: slave = master",
+    remedy_de="Zwei Achsen nennen: Slave = Master",
+    slave=_SLAVE,
+    reaction=2,
+    clearing=3,
+)
+SLAVE_TWICE_IN_GROUP = error(
+    20476,
+    en="{slave} has two masters in the group",
+    de="{slave} hat in der Gruppe zwei Master",
+    remedy_en="Let it follow one of them only.",
+    remedy_de="Sie nur einem von ihnen folgen lassen.",
+    slave=_SLAVE,
+    reaction=2,
+    clearing=3,
+)
+SLAVE_IS_MASTER_IN_GROUP = error(
+    20477,
+    en="{axis} is a slave and a master in the group",
+    de="{axis} ist in der Gruppe Slave und Master",
+    remedy_en="Let all slaves follow the first master; chains are not possible.",
+    remedy_de="Alle Slaves dem ersten Master folgen lassen; Ketten sind nicht möglich.",
+    axis=_AXIS,
+    reaction=2,
+    clearing=3,
+)
+COUPLED_AXIS_GIVEN = error(
+    20545,
+    en="{command}: {axis} cannot be given away, it is coupled in group {group}",
+    de="{command}: {axis} kann nicht abgegeben werden, sie ist in Gruppe {group} gekoppelt",
+    remedy_en="Program #DISABLE AX LINK [{group}] before it.",
+    remedy_de="Davor #DISABLE AX LINK [{group}] programmieren.",
+    command=_COMMAND,
+    axis=_AXIS,
+    group=_GROUP,
+    reaction=2,
+    clearing=3,
+)
+FACTOR_IS_ZERO = error(
+    21077,
+    en="a coupling factor of 0",
+    de="ein Koppelfaktor von 0",
+    remedy_en="Program a numerator and a denominator that are not 0; -1, 1 mirrors.",
+    remedy_de="Zähler und Nenner ungleich 0 programmieren; -1, 1 spiegelt.",
+    reaction=2,
+    clearing=3,
+)
+DENOMINATOR_MISSING = error(
+    21110,
+    en="the coupling factor has no denominator",
+    de="dem Koppelfaktor fehlt der Nenner",
+    remedy_en="Program both: [C=A, 1, 2] for half the way.",
+    remedy_de="Beide programmieren: [C=A, 1, 2] für den halben Weg.",
+    reaction=2,
+    clearing=3,
+)
+SLAVE_IN_TWO_GROUPS = error(
+    21283,
+    en="{axis} is a slave in the active group {group} already",
+    de="{axis} ist schon Slave in der aktiven Gruppe {group}",
+    remedy_en="Program #DISABLE AX LINK [{group}] before it.",
+    remedy_de="Davor #DISABLE AX LINK [{group}] programmieren.",
+    axis=_AXIS,
+    group=_GROUP,
+    reaction=2,
+    clearing=3,
+)
+SLAVE_IS_MASTER_OF_GROUP = error(
+    21284,
+    en="{axis} cannot become a slave: it is a master in the active group {group}",
+    de="{axis} kann kein Slave werden: sie ist Master in der aktiven Gruppe {group}",
+    remedy_en="Program #DISABLE AX LINK [{group}] before it.",
+    remedy_de="Davor #DISABLE AX LINK [{group}] programmieren.",
+    axis=_AXIS,
+    group=_GROUP,
+    reaction=2,
+    clearing=3,
+)
+MASTER_IS_SLAVE_OF_GROUP = error(
+    21285,
+    en="{axis} cannot become a master: it is a slave in the active group {group}",
+    de="{axis} kann kein Master werden: sie ist Slave in der aktiven Gruppe {group}",
+    remedy_en="Program #DISABLE AX LINK [{group}] before it.",
+    remedy_de="Davor #DISABLE AX LINK [{group}] programmieren.",
+    axis=_AXIS,
+    group=_GROUP,
+    reaction=2,
+    clearing=3,
+)
+COUPLED_AXIS_MOVED_TO_INDEX = error(
+    21312,
+    en="{command}: {axis} cannot change its index, it is coupled in group {group}",
+    de="{command}: {axis} kann ihren Index nicht ändern, sie ist in Gruppe {group} gekoppelt",
+    remedy_en="Program #DISABLE AX LINK [{group}] before it.",
+    remedy_de="Davor #DISABLE AX LINK [{group}] programmieren.",
+    command=_COMMAND,
+    axis=_AXIS,
+    group=_GROUP,
+    reaction=2,
+    clearing=3,
+)
+MAIN_SPINDLE_AS_SLAVE = error(
+    21347,
+    en="{slave} cannot follow {master}: it is the main spindle",
+    de="{slave} kann {master} nicht folgen: sie ist die Hauptspindel",
+    remedy_en="Let {master} follow it, or make {master} the main spindle before (#MAIN SPINDLE).",
+    remedy_de="{master} ihr folgen lassen oder {master} vorher zur Hauptspindel machen (#MAIN "
+    "SPINDLE).",
+    slave=_SLAVE,
+    master=_MASTER,
+    reaction=2,
+    clearing=3,
+)
+COUPLED_AXIS_MOVES_ALONE = error(
+    21481,
+    en="axis {axis} is coupled and takes no command of its own",
+    de="Achse {axis} ist gekoppelt und nimmt keinen eigenen Auftrag an",
+    remedy_en="Move the master with the path, or release the coupling (#DISABLE AX LINK).",
+    remedy_de="Den Master mit der Bahn bewegen oder die Kopplung lösen (#DISABLE AX LINK).",
+    axis=("the axis", "die Achse"),
+    reaction=2,
+    clearing=3,
+)
+GANTRY_ASKEW = error(
+    901879,
+    en="the drives that follow axis {axis} are too far away from it",
+    de="die Antriebe, die der Achse {axis} folgen, sind zu weit von ihr entfernt",
+    remedy_en="Look for what holds one of them back; P-AXIS-00072 or the first value behind G is "
+    "the limit.",
+    remedy_de="Nachsehen, was einen von ihnen aufhält; P-AXIS-00072 oder der erste Wert hinter G "
+    "ist die Grenze.",
+    cause_en="The actual positions of master and slave differ by more than is allowed.",
+    cause_de="Die Istpositionen von Master und Slave weichen mehr als erlaubt voneinander ab.",
+    axis=("the master", "der Master"),
+    reaction=6,
+    clearing=6,
+)
+UNKNOWN_COUPLING_GROUP = error(
+    901880,
+    en="{command}: the coupling group {group} is not defined",
+    de="{command}: die Kopplungsgruppe {group} ist nicht festgelegt",
+    remedy_en="Define it before, by #SET AX LINK [1, C=X]; group 0 stands in the channel list "
+    "(P-CHAN-00037, 00038). Defined are: {known}",
+    remedy_de="Sie vorher festlegen, mit #SET AX LINK [1, C=X]; Gruppe 0 steht in der Kanalliste "
+    "(P-CHAN-00037, 00038). Festgelegt sind: {known}",
+    command=_COMMAND,
+    group=_GROUP,
+    known=("the groups that are defined", "die Gruppen, die festgelegt sind"),
+    reaction=2,
+    clearing=3,
+)
+UNKNOWN_COUPLED_AXIS = error(
+    901881,
+    en="{axis} is no axis or spindle of the channel",
+    de="{axis} ist keine Achse oder Spindel des Kanals",
+    remedy_en="Name one of these: {known}",
+    remedy_de="Eine von diesen nennen: {known}",
+    axis=("the name or logical number", "der Name oder die logische Nummer"),
+    known=("the axes and spindles", "die Achsen und Spindeln"),
+    reaction=2,
+    clearing=3,
+)
+TOO_MANY_PAIRS = error(
+    901882,
+    en="a coupling group has at most {limit} pairs",
+    de="eine Kopplungsgruppe hat höchstens {limit} Paare",
+    remedy_en="Put the others into a group of their own.",
+    remedy_de="Die übrigen in eine eigene Gruppe legen.",
+    limit=("the highest number of pairs", "die höchste Anzahl von Paaren"),
+    reaction=2,
+    clearing=3,
+)
+SLAVE_PROGRAMMED = error(
+    901883,
+    en="{axis} cannot be programmed: it follows {master}",
+    de="{axis} kann nicht programmiert werden: sie folgt {master}",
+    remedy_en="Program {master}, or release the coupling before (#DISABLE AX LINK).",
+    remedy_de="{master} programmieren oder vorher die Kopplung lösen (#DISABLE AX LINK).",
+    axis=_SLAVE,
+    master=_MASTER,
+    reaction=2,
+    clearing=3,
+)
+NOT_WHILE_COUPLED = error(
+    901884,
+    en="{command}: not together with {other}",
+    de="{command}: nicht zusammen mit {other}",
+    remedy_en="Couple axes without transformations, G96 and block search; release them before.",
+    remedy_de="Achsen ohne Transformationen, G96 und Satzvorlauf koppeln; sie vorher lösen.",
+    command=_COMMAND,
+    other=("what excludes it", "was ihn ausschließt"),
+    reaction=2,
+    clearing=3,
+)
+SLAVE_OUTSIDE_LIMITS = error(
+    901885,
+    en="{slave}, which follows {master}, is outside its software limits {low} … {high} at "
+    "{position}",
+    de="{slave}, die {master} folgt, liegt bei {position} außerhalb ihrer Software-Endschalter "
+    "{low} … {high}",
+    remedy_en="Move the master less far, or couple the axes at other positions.",
+    remedy_de="Den Master weniger weit fahren oder die Achsen an anderen Positionen koppeln.",
+    slave=_SLAVE,
+    master=_MASTER,
+    position=("position of the slave in mm or degrees", "Position des Slaves in mm oder Grad"),
+    low=("the lower limit", "die untere Grenze"),
+    high=("the upper limit", "die obere Grenze"),
+    reaction=2,
+    clearing=3,
+)

@@ -89,7 +89,8 @@ RARE = {
     + _kinematic("kin_step[0].trafo[1]", 92)
     + "trafo[0].base[0] 1\nkin_step[0].trafo[1].base[0] 1\n"
     + "dynamic_weighting[0].path_limit 1\ncurve_dynamic_weighting[0].radius_limit 1\n"
-    + "coordinate_system.def[0].id A\nspindel[0].range_table[0].max_speed 1\n",
+    + "coordinate_system.def[0].id A\nspindel[0].range_table[0].max_speed 1\n"
+    + "synchro_data.koppel_gruppe[0].paar[0].mode 1\n",
     "tools.lis": "wz[1].kinematic.param[0] 1\n",
     "axis.lis": "kopf.achs_nr 1\nvorsteuer.vs_v_faktor 1\nvorsteuer.vs_v_nenner 2\n",
     "ve.lis": (

@@ -109,6 +109,8 @@ def test_a_text_tells_its_places_for_values() -> None:
 
 #: Commands that need the C axis of a lathe.
 TURNING = ("#CYL", "#FACE", "#FGROUP ROT")
+#: Commands whose slaves cannot be main axes.
+COUPLING = ("#AX LINK", "#SET AX LINK")
 
 
 @pytest.mark.parametrize("command", FORMS)
@@ -119,7 +121,7 @@ def test_the_forms_of_a_command_are_right(command: str) -> None:
     assert entry.support is Support.SIMULATED
     for form in FORMS[command]:
         lines = ("#VAR", "V.P.NAME", "#ENDVAR", form, "M30")
-        rotary = ("C",) if command in TURNING else ()
+        rotary = ("C",) if command in TURNING else ("A", "C") if command in COUPLING else ()
         found = findings(lines, rotary=rotary)
         assert [one.headline() for one in found if one.severity is Severity.ERROR] == []
 

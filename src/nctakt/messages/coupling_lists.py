@@ -21,8 +21,8 @@ LISTED_PAIR_WITHOUT_AXIS = warning(
 )
 LISTED_PAIR_OF_ONE_AXIS = warning(
     20440,
-    en="paar[{index}] is left out: axis {slave} cannot follow itself",
-    de="paar[{index}] entfällt: Achse {slave} kann sich nicht selbst folgen",
+    en="paar[{index}] is left out: slave {slave} and master {master} are one axis",
+    de="paar[{index}] entfällt: Slave {slave} und Master {master} sind eine Achse",
     remedy_en="Give two different logical numbers.",
     remedy_de="Zwei verschiedene logische Nummern angeben.",
     index=_INDEX,
@@ -31,8 +31,8 @@ LISTED_PAIR_OF_ONE_AXIS = warning(
 )
 LISTED_SLAVE_TWICE = warning(
     20441,
-    en="paar[{index}] is left out: axis {slave} follows another one already",
-    de="paar[{index}] entfällt: Achse {slave} folgt schon einer anderen",
+    en="paar[{index}] is left out: axis {slave} follows another one than {master} already",
+    de="paar[{index}] entfällt: Achse {slave} folgt schon einer anderen als {master}",
     remedy_en="Let a slave follow one master only.",
     remedy_de="Einen Slave nur einem Master folgen lassen.",
     index=_INDEX,

@@ -47,10 +47,8 @@ MAIN_AXIS_AS_SLAVE = error(
     20467,
     en="{slave} cannot follow {master}: it is a main axis",
     de="{slave} kann {master} nicht folgen: sie ist eine Hauptachse",
-    remedy_en="Slaves have the index 3 or above in the channel; exchange the two, or let #SET AX "
-    "give the axis another index.",
-    remedy_de="Slaves haben im Kanal den Index 3 oder höher; die beiden tauschen oder der Achse "
-    "mit #SET AX einen anderen Index geben.",
+    remedy_en="Slaves have the index 3 or above; exchange the two, or use #SET AX before.",
+    remedy_de="Slaves haben den Index 3 oder höher; die beiden tauschen oder vorher #SET AX.",
     slave=_SLAVE,
     master=_MASTER,
     reaction=2,
@@ -94,8 +92,8 @@ AXIS_FOLLOWS_ITSELF = error(
     20475,
     en="{slave} cannot follow itself",
     de="{slave} kann sich nicht selbst folgen",
-    remedy_en="Name two axes: slave = master",
-    remedy_de="Zwei Achsen nennen: Slave = Master",
+    remedy_en="Name two different axes.",
+    remedy_de="Zwei verschiedene Achsen nennen.",
     slave=_SLAVE,
     reaction=2,
     clearing=3,
@@ -235,10 +233,8 @@ UNKNOWN_COUPLING_GROUP = error(
     901880,
     en="{command}: the coupling group {group} is not defined",
     de="{command}: die Kopplungsgruppe {group} ist nicht festgelegt",
-    remedy_en="Define it before, by #SET AX LINK [1, C=X]; group 0 stands in the channel list "
-    "(P-CHAN-00037, 00038). Defined are: {known}",
-    remedy_de="Sie vorher festlegen, mit #SET AX LINK [1, C=X]; Gruppe 0 steht in der Kanalliste "
-    "(P-CHAN-00037, 00038). Festgelegt sind: {known}",
+    remedy_en="Define it before (#SET AX LINK), 0 in the channel list; defined are: {known}",
+    remedy_de="Sie vorher festlegen (#SET AX LINK), 0 in der Kanalliste; festgelegt sind: {known}",
     command=_COMMAND,
     group=_GROUP,
     known=("the groups that are defined", "die Gruppen, die festgelegt sind"),

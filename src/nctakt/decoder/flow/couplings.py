@@ -67,7 +67,7 @@ class Couplings:
     def end_program(self, span: Span) -> Generator[Command, Answer]:
         """Release all groups (P-CHAN-00105)."""
         self._data.end_program()
-        yield from self._disable(tuple(self._active.groups), "#DISABLE AX LINK", span, 0)
+        yield from self._disable(tuple(self._active.groups), span, 0)
 
     # --- commands -------------------------------------------------------------------------------
 
@@ -109,7 +109,7 @@ class Couplings:
             active = (group,) if parsed.group is not None else active[-1:]
         if any(one not in self._data.groups for one in active):
             self._fail_unknown(name, group, span)
-        yield from self._disable(active, name, span, number)
+        yield from self._disable(active, span, number)
 
     def _check_allowed(self, name: str, span: Span) -> None:
         if self._values.state.path.compensation.is_active:
@@ -212,35 +212,29 @@ class Couplings:
         for pair in pairs:
             self._check_pair(pair, span)
         source = self._environment.source_id(span)
-        axes = [place.index for place in self._places.present if place is not None]
-        answer = yield PositionRequest(source, number, tuple(axes))
-        assert isinstance(answer, tuple)
+        yield from self._stop(source, number)
         state = self._values.state
-        state.positions = list(answer)
         of_axes = [pair for pair in pairs if not pair.is_spindle]
-        places = []
+        coupled = []
         for pair in of_axes:
             slave, master = self._slot(pair.slave), self._slot(pair.master)
             begins = state.positions[slave], state.positions[master]
-            places.append(CoupledPlaces(slave, master, pair.factor, *begins))
+            coupled.append(CoupledPlaces(slave, master, pair.factor, *begins))
             yield Couple(source, number, pair.slave, pair.master, pair.factor, pair.allowed_d)
         self._active.groups[group] = pairs
-        self._active.places[group] = tuple(places)
+        self._active.places[group] = tuple(coupled)
         self._data.enable(group)
         yield from self._follow_limits(bool(of_axes), source, number)
 
     def _disable(
-        self, groups: Sequence[int], name: str, span: Span, number: int
+        self, groups: Sequence[int], span: Span, number: int
     ) -> Generator[Command, Answer]:
         """Release groups: their slaves stay where they are."""
         active = [group for group in groups if group in self._active.groups]
         if not active:
             return
         source = self._environment.source_id(span)
-        axes = [place.index for place in self._places.present if place is not None]
-        answer = yield PositionRequest(source, number, tuple(axes))
-        assert isinstance(answer, tuple)
-        self._values.state.positions = list(answer)
+        yield from self._stop(source, number)
         released = False
         for group in active:
             for pair in self._active.groups.pop(group):
@@ -250,6 +244,13 @@ class Couplings:
             self._active.places.pop(group)
             self._data.disable(group)
         yield from self._follow_limits(released, source, number)
+
+    def _stop(self, source: int, number: int) -> Generator[Command, Answer]:
+        """Let path and axes stand, and know their positions."""
+        axes = [slot.index for slot in self._places.present if slot is not None]
+        answer = yield PositionRequest(source, number, tuple(axes))
+        assert isinstance(answer, tuple)
+        self._values.state.positions = list(answer)
 
     def _follow_limits(self, has_axes: bool, source: int, number: int) -> Iterator[Command]:
         """Let masters keep the limits of their slaves from here on; no way back leads over it."""

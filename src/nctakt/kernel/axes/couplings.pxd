@@ -24,7 +24,7 @@ cdef class Couplings:
         self, Py_ssize_t slave, Py_ssize_t master, double factor, double allowed_d,
         double slave_position, double master_position
     ) noexcept nogil
-    @cython.locals(k=Py_ssize_t, i=Py_ssize_t)
+    @cython.locals(k=Py_ssize_t, last=Py_ssize_t)
     cdef void uncouple(self, Py_ssize_t slave) noexcept nogil
     @cython.locals(i=Py_ssize_t, k=Py_ssize_t)
     cdef void close_axes(self) noexcept nogil

@@ -68,13 +68,13 @@ class Couplings:
         if k < self.fixed_count:
             return
         self.count -= 1
-        for i in range(k, self.count):
-            self.slave[i] = self.slave[i + 1]
-            self.master[i] = self.master[i + 1]
-            self.factor[i] = self.factor[i + 1]
-            self.allowed_d[i] = self.allowed_d[i + 1]
-            self.slave_begin[i] = self.slave_begin[i + 1]
-            self.master_begin[i] = self.master_begin[i + 1]
+        last = self.count
+        self.slave[k] = self.slave[last]
+        self.master[k] = self.master[last]
+        self.factor[k] = self.factor[last]
+        self.allowed_d[k] = self.allowed_d[last]
+        self.slave_begin[k] = self.slave_begin[last]
+        self.master_begin[k] = self.master_begin[last]
         self.close_axes()
 
     def close_axes(self) -> None:

@@ -75,6 +75,8 @@ def listed_couplings(values: Values, collector: Collector) -> ListedCouplings:
             values.integer(_MASTER, 0, index),
             values.integer(f"{_PAIR}.mode", 0, index) == 1,
         )
+        if not (pair.slave or pair.master):
+            continue
         message = _mistake(pair, pairs)
         if message is None:
             pairs.append(pair)

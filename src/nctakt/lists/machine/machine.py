@@ -165,14 +165,11 @@ class Machine:
     @property
     def path_axes(self) -> dict[int, int]:
         """Logical number -> index in ``axes`` of those that turn no spindle and follow none."""
-        bound = {
-            spindle.spindle.logical_number
-            for channel in self.channels
-            for spindle in channel.spindles
-        }
+        spindles = (one for channel in self.channels for one in channel.spindles)
+        bound = {one.spindle.logical_number for one in spindles}
         bound.update(axis.logical_number for axis in self.axes if axis.gantry.master)
-        numbers = enumerate(axis.logical_number for axis in self.axes)
-        return {number: index for index, number in numbers if number not in bound}
+        numbers = {axis.logical_number: index for index, axis in enumerate(self.axes)}
+        return {number: index for number, index in numbers.items() if number not in bound}
 
     def c_axis_of(self, channel: ChannelConfiguration) -> int:
         """Return the index in ``axes`` of the spindle that ``#CAX`` makes an axis; -1: none."""

@@ -74,7 +74,7 @@ FORMS: dict[str, tuple[str, ...]] = {
     "#SET AX LINK": (
         "#SET AX LINK [1, C=A]",
         "#SET AX LINK [1, [C=A, -1, 2]]",
-        "#SET AX LINK [1, [Y2=Y, G, 0.01, 0.25]]",
+        "#SET AX LINK [1, [C=A, G, 0.01, 0.25]]",
     ),
     "#DISABLE MODAL CYCLE": ("#DISABLE MODAL CYCLE",),
     "#DELETE": ("#DELETE V.P.NAME", "#DELETE V.P."),

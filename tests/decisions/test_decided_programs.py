@@ -304,8 +304,6 @@ def test_what_switches_off_what_is_off_changes_nothing() -> None:
 @pytest.mark.parametrize(
     "line",
     [
-        "G136 X50",
-        "G135",
         "#CAXTRACK ON",
     ],
 )

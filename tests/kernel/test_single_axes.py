@@ -443,7 +443,8 @@ def test_the_drive_lags_by_speed_over_gain(tmp_path: Path, share: str, error: fl
     Where the axis stands, the error falls by exp(-0.05) a tick.
     """
     changes = {
-        "antr.simu.ist_gleich_soll": f"vorsteuer.vs_v_faktor {share}\nvorsteuer.vs_v_nenner 4",
+        "antr.simu.ist_gleich_soll": "vorsteuer.vorsteuerung VEL\nvorsteuer.default_active 1\n"
+        f"vorsteuer.vs_v_faktor {share}\nvorsteuer.vs_v_nenner 4",
         "getriebe[0].vb_eilgang": "getriebe[0].vb_eilgang P-AXIS-00212.0\ngetriebe[0].kv 5000",
     }
     rig = AxesRig(machine=machine_with(tmp_path, changes))

@@ -92,7 +92,7 @@ RARE = {
     + "coordinate_system.def[0].id A\nspindel[0].range_table[0].max_speed 1\n"
     + "synchro_data.koppel_gruppe[0].paar[0].mode 1\n",
     "tools.lis": "wz[1].kinematic.param[0] 1\n",
-    "axis.lis": "kopf.achs_nr 1\nvorsteuer.vs_v_faktor 1\nvorsteuer.vs_v_nenner 2\n",
+    "axis.lis": "kopf.achs_nr 1\nvorsteuer.vorsteuerung VEL\n",
     "ve.lis": (
         "anzahl_belegt 1\nstruct[0].name T\nstruct[0].element[0].name A\nvar[0].name V\n"
         "var[0].type T\nstruct[0].element[0].access_rights READ_ONLY\n"

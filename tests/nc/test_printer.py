@@ -405,11 +405,12 @@ def test_each_kind_of_node_and_each_field_is_among_the_trees() -> None:
 
     parts = st.one_of(simple_statements, block_words, declarations)
     branching = structures(simple_statements)
+    many = st.lists(programs, min_size=2, max_size=3)
 
-    @given(programs, st.lists(parts, min_size=15), st.lists(branching, min_size=8))
+    @given(many, st.lists(parts, min_size=15), st.lists(branching, min_size=8))
     @settings(max_examples=30, deadline=None, derandomize=True, database=None)
-    def gather(program: Program, parts: list[object], branching: list[object]) -> None:
-        _fields_of((program, *parts, *branching), met)
+    def gather(texts: list[Program], parts: list[object], branching: list[object]) -> None:
+        _fields_of((*texts, *parts, *branching), met)
 
     gather()
     kinds = {

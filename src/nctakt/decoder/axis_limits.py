@@ -176,5 +176,5 @@ def _let_lag(axes: Axes, index: int, axis: AxisConfiguration, cycle_time_us: int
     """
     reach = axis.kv * cycle_time_us / 1e6
     kept = math.exp(-reach)
-    share = axis.feed_forward_share
-    axes.set_lag(index, kept, (1.0 - share) * (1.0 - kept) / reach)
+    axes.set_lag(index, kept, (1.0 - kept) / reach)
+    axes.feed_forward(index, axis.feed_forward.permanent_share)

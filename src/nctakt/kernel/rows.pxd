@@ -56,6 +56,7 @@ cdef enum:
     SOFTWARE_LIMITS = 49
     SINGLE_STEP = 50
     COUPLE = 51
+    FEED_FORWARD = 52
     DWELL_TICKS = 3
     CYCLE_SLOT = 3
     CYCLE_STARTS = 4
@@ -156,6 +157,8 @@ cdef enum:
     COUPLED_TO = 4
     COUPLED_BY = 5
     COUPLED_WITHIN = 6
+    FED_AXIS = 3
+    FED_SHARE = 4
     SIGNAL_NUMBER = 3
     SIGNAL_RECEIVERS = 4
     SIGNAL_COUNT = 5

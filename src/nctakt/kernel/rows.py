@@ -71,7 +71,8 @@ from __future__ import annotations
     SOFTWARE_LIMITS,  # others for the independent motions of an axis (G98, G99)
     SINGLE_STEP,  # #SINGLE STEP; its argument: 1 where it is disabled
     COUPLE,  # an axis follows another one from here on, or no longer
-) = range(1, 52)
+    FEED_FORWARD,  # another share of the command speed bypasses a position control
+) = range(1, 53)
 
 #: The kinds that take or may take time.
 TIMED_KINDS = frozenset(
@@ -241,6 +242,7 @@ LIMITED_JERK, LIMITED_BY_GEAR = range(LIMITED_ACCELERATION + 1, LIMITED_ACCELERA
 LIMITED_AXIS, LIMIT_LOW, LIMIT_HIGH = _arguments(3)  # number in the machine; mm, degrees
 # COUPLE: numbers in the machine, no master: -1; mm or degrees of actual positions, 0: any
 COUPLED_AXIS, COUPLED_TO, COUPLED_BY, COUPLED_WITHIN = _arguments(4)
+FED_AXIS, FED_SHARE = _arguments(2)  # FEED_FORWARD: number in the machine
 (
     SIGNAL_NUMBER,
     SIGNAL_RECEIVERS,  # mask of channels (``tick/signals.py``), 0: all

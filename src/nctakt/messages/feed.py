@@ -70,9 +70,8 @@ INVALID_WEIGHT = error(
     known_as=(120027, 120028, 120031, 120032),
     en="{word}: the weight {value} % is not allowed",
     de="{word}: die Gewichtung {value} % ist nicht zulässig",
-    remedy_en="Program a weight above 0; for speeds (G127, G128, G129) 0 is allowed, too.",
-    remedy_de="Eine Gewichtung über 0 programmieren; bei Geschwindigkeiten (G127, G128, G129) ist "
-    "auch 0 zulässig.",
+    remedy_en="Program a weight above 0; 0 is allowed for G127, G128, G129 and G136, too.",
+    remedy_de="Eine Gewichtung über 0 programmieren; 0 auch bei G127, G128, G129 und G136.",
     word=("the G function", "die G-Funktion"),
     value=("the value", "der Wert"),
     reaction=2,

@@ -147,6 +147,13 @@ UNKNOWN_MAIN_SPINDLE = warning(
     remedy_de="Die logische Nummer einer Spindel des Kanals verwenden.",
     logical=("the logical number", "die logische Nummer"),
 )
+FEED_FORWARD_ON_AND_OFF = warning(
+    110354,
+    en="feed-forward control is always on and always off; it is off",
+    de="die Vorsteuerung ist immer ein und immer aus; sie ist aus",
+    remedy_en="Set vorsteuer.default_active or vorsteuer.global_disable, not both.",
+    remedy_de="vorsteuer.default_active oder vorsteuer.global_disable setzen, nicht beide.",
+)
 MODULO_RANGE_EMPTY = warning(
     110052,
     known_as=(900073, 110310),

@@ -63,6 +63,7 @@ from nctakt.nc.vocabulary.functions import (
     DIAMETER_ON,
     EXACT_STOP_ON,
     EXACT_STOP_ONCE,
+    FEED_FORWARD_ON,
     MASKING_ON,
     NO_OVERRIDE,
     THREAD_CUTTING,
@@ -136,6 +137,8 @@ class PathMotion:
                 self.splines.switch(function)
             case Group.MASKING:
                 path.compensation.masks = function == MASKING_ON
+            case Group.FEED_FORWARD:
+                self._state.feed_forward.switch(is_on=function == FEED_FORWARD_ON)
             case Group.FEED_ADAPTATION:
                 path.compensation.adapts_feed = function == CONTOUR_FEED
 

@@ -12,6 +12,7 @@ from collections.abc import Callable, Generator
 
 from nctakt.base.diagnostics import Span, Text
 from nctakt.decoder.axis_limits import set_limits
+from nctakt.decoder.blocks.feed_forward import follow_feed_forward
 from nctakt.decoder.blocks.software_limits import limits_of_program_again, listed_limits_again
 from nctakt.decoder.flow.c_axis import CAxisCommands
 from nctakt.decoder.state.axis_places import (
@@ -239,6 +240,7 @@ class AxisExchange:
         self._take(target, answer)
         state = self._values.state
         yield from limits_of_program_again(self._environment, state, source, number)
+        yield from follow_feed_forward(self._values, source, number)
         if state.limits.is_reduced:
             yield set_limits(self._environment.axes, state.limits, source, number)
 

@@ -11,6 +11,7 @@ from collections.abc import Generator, Iterator
 from nctakt.base.diagnostics import Span
 from nctakt.decoder.blocks.block_decoder import BlockDecoder
 from nctakt.decoder.blocks.cs_commands import CsCommands
+from nctakt.decoder.blocks.feed_forward import follow_feed_forward
 from nctakt.decoder.blocks.machine_coordinates import MachineCoordinates
 from nctakt.decoder.blocks.measuring import Measuring
 from nctakt.decoder.blocks.rotating_planes import RotatingPlanes
@@ -80,6 +81,7 @@ class HashCommands:
     def begin_program(self, span: Span) -> Generator[Command, Answer]:
         """Begin a program with the offsets and the transformation of the lists."""
         yield from self._environment.offsets.begin_program()
+        yield from follow_feed_forward(self._values, 0, 0)
         yield from self._transformations.begin_program(span)
         yield from self._couplings.begin_program(span)
 

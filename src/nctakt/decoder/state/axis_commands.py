@@ -25,6 +25,14 @@ class Refer(Command):
 
 
 @dataclass(frozen=True, slots=True)
+class FeedForward(Command):
+    """Another share of the command speed of an axis bypasses its position control."""
+
+    axis: int
+    share: float
+
+
+@dataclass(frozen=True, slots=True)
 class SetSoftwareLimits(Command):
     """The software limits of the independent motions of an axis, in mm or degrees."""
 

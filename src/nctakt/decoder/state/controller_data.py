@@ -70,11 +70,15 @@ class ControllerData:
     those that were homed (G74). ``limited_axes``: numbers in the machine of those with software
     limits of a program. ``tools``: tools of the list that programs have changed (V.G.WZ[5].R), by
     number. ``tool_life_factors``: V.TLM. ``couplings``: groups of coupled axes.
+    ``feed_forward``: axis -> its share where programs have changed it, of all channels.
     """
 
-    def __init__(self, timers: ProgramTimers, couplings: KeptCouplings) -> None:
+    def __init__(
+        self, timers: ProgramTimers, couplings: KeptCouplings, feed_forward: dict[int, float]
+    ) -> None:
         self.timers = timers
         self.couplings = couplings
+        self.feed_forward = feed_forward
         self.kept: Variables = {}
         self.references: dict[str, float] = {}
         self.limited_axes: set[int] = set()
@@ -90,9 +94,10 @@ def controller_data(
     counting = Timers(latched, 0, configuration.cycle_time_us)
     timers = ProgramTimers(latched, tick, configuration.cycle_time_us)
     data = []
+    shares: dict[int, float] = {}
     for channel, listed in zip(channels, configuration.channels, strict=True):
         channel.executor.program_timers = counting
-        data.append(ControllerData(timers, _couplings(configuration, listed.parameters)))
+        data.append(ControllerData(timers, _couplings(configuration, listed.parameters), shares))
     return data
 
 

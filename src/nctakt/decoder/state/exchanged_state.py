@@ -24,6 +24,7 @@ def follow(state: ModalState, moved: Mapping[int, int]) -> None:
     state.measuring.measured = _moved(state.measuring.measured, moved)
     state.frame.factors = _moved(state.frame.factors, moved)
     state.path.contour.point = _moved(state.path.contour.point, moved)
+    state.feed_forward.weights = _moved(state.feed_forward.weights, moved)
     state.wcs = _moved(state.wcs, moved)
     state.mcs = _moved(state.mcs, moved)
     if state.tool.length_axis is not None:

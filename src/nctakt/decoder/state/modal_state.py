@@ -18,6 +18,7 @@ from nctakt.decoder.state.commands import Segment
 from nctakt.decoder.state.contour_form import ContourState
 from nctakt.decoder.state.contour_frame import ContourFrame
 from nctakt.decoder.state.couplings import ActiveCouplings
+from nctakt.decoder.state.feed_forward import FeedForwardState
 from nctakt.decoder.state.path_limits import MAX_BEND, LimitState, bend_of
 from nctakt.decoder.state.shape_commands import ShapeState
 from nctakt.decoder.state.software_limits import LimitsOfProgram
@@ -369,7 +370,7 @@ class ModalState:
     ``is_searching``: block search has not come to its start block. ``orientation``: what A, B, C
     are under a transformation. ``wcs``, ``mcs``: V.A.WCS and V.A.MCS by axis, in mm or degrees.
     ``frame``: mirroring, rotation and scaling. ``block_number``: the last N. ``couplings``: axes
-    that follow others.
+    that follow others. ``feed_forward``: G135 … G137.
     """
 
     motion: int
@@ -400,6 +401,7 @@ class ModalState:
     frame: ContourFrame = field(default_factory=ContourFrame)
     block_number: int = 0
     main_spindle: int = -1
+    feed_forward: FeedForwardState = field(default_factory=FeedForwardState)
     couplings: ActiveCouplings = field(default_factory=ActiveCouplings)
 
     @property
@@ -426,7 +428,7 @@ class ModalState:
     def note(self, function: int) -> None:
         """Note a G function that becomes active, for ``allows_plain_lines``."""
         group = group_of(function)
-        if group is None or group is Group.MOTION:
+        if group in (None, Group.MOTION, Group.FEED_FORWARD):
             return
         if G_FUNCTIONS[function].plain:
             self.not_plain.pop(group, None)

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from nctakt.decoder.state.axis_commands import Home, Refer, SetSoftwareLimits
+from nctakt.decoder.state.axis_commands import FeedForward, Home, Refer, SetSoftwareLimits
 from nctakt.decoder.state.commands import (
     AwaitAcknowledge,
     AwaitSignal,
@@ -149,6 +149,8 @@ def pack(command: Command, reference: int = 0) -> list[float]:
         case Couple():
             row = [rows.COUPLE, *head, command.slave, command.master]
             return [*row, command.factor, command.allowed_d]
+        case FeedForward():
+            return [rows.FEED_FORWARD, *head, command.axis, command.share]
         case SingleStep():
             return [rows.SINGLE_STEP, *head, command.is_disabled]
         case ClearHistory():

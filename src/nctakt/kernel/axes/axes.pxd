@@ -17,6 +17,7 @@ cdef class Axes:
     cdef bint is_late
     cdef double[::1] lag_d
     cdef double[::1] lag_kept
+    cdef double[::1] lag_alone
     cdef double[::1] lag_gained
     cdef double[::1] followed
     cdef double[::1] drive_d
@@ -50,6 +51,7 @@ cdef class Axes:
     cdef Py_ssize_t askew_pair(self) noexcept nogil
     @cython.locals(slave=Py_ssize_t, master=Py_ssize_t)
     cdef void couple(self, double[::1] queue, Py_ssize_t row) noexcept nogil
+    cpdef void feed_forward(self, Py_ssize_t index, double share) noexcept nogil
     cdef Py_ssize_t cell_of(self, Py_ssize_t i) noexcept nogil
     @cython.locals(i=Py_ssize_t, step=double, sent=double, lag=double)
     cdef void follow(self) noexcept nogil

@@ -46,6 +46,7 @@ class Axes:
         self.is_late = False
         self.lag_d = memoryview(bytearray(8 * count)).cast("d")
         self.lag_kept = memoryview(bytearray(8 * count)).cast("d")
+        self.lag_alone = memoryview(bytearray(8 * count)).cast("d")
         self.lag_gained = memoryview(bytearray(8 * count)).cast("d")
         self.followed = memoryview(bytearray(8 * count)).cast("d")
         self.drive_d = memoryview(bytearray(8 * count)).cast("d")
@@ -307,10 +308,12 @@ class Axes:
     def take(self, queue: memoryview[float], row: int, kind: int) -> None:
         """Set offset, origin or turn of a system: the cycles of this tick see it (MO-8).
 
-        Or a coupling.
+        Or a coupling, or feed-forward control.
         """
         if kind == rows.COUPLE:
             self.couple(queue, row)
+        elif kind == rows.FEED_FORWARD:
+            self.feed_forward(int(queue[row + rows.FED_AXIS]), queue[row + rows.FED_SHARE])
         elif kind == rows.SET_TURN:
             self.turn(queue, row)
         elif kind == rows.SET_ORIGIN:
@@ -356,11 +359,18 @@ class Axes:
             self.stop_low[index] = position
 
     def set_lag(self, index: int, kept: float, gained: float) -> None:
-        """Let an axis lag: the share of the error that a tick keeps, and what it adds to it."""
+        """Let an axis lag: the share of the error that a tick keeps, and what it adds to it.
+
+        Without feed-forward control."""
         check_index(index, self.count, "axis")
         self.lag_kept[index] = kept
+        self.lag_alone[index] = gained
         self.lag_gained[index] = gained
         self.has_lag = True
+
+    def feed_forward(self, index: int, share: float) -> None:
+        """Set the share of the command speed that bypasses the position control of an axis."""
+        self.lag_gained[index] = self.lag_alone[index] * (1.0 - share)
 
     def send_late(self) -> None:
         """Delay each command of the drives by a tick (P-RTCF-00018); before the first tick."""

@@ -41,6 +41,7 @@ def arrays_of_axes(part: Axes) -> Arrays:
         part.command,
         part.lag_d,
         part.lag_kept,
+        part.lag_alone,
         part.lag_gained,
         part.followed,
         part.drive_d,

@@ -55,6 +55,7 @@ _MIN_LENGTH = {
     rows.SOFTWARE_LIMITS: rows.LIMIT_HIGH + 1,
     rows.SINGLE_STEP: rows.ARGUMENTS + 1,
     rows.COUPLE: rows.COUPLED_WITHIN + 1,
+    rows.FEED_FORWARD: rows.FED_SHARE + 1,
     rows.CLEAR_HISTORY: rows.ARGUMENTS,
     rows.EMPTY_BLOCK: rows.ARGUMENTS,
     rows.CUTTING_SPEED: rows.CUTTING_LIMIT + 1,
@@ -97,7 +98,7 @@ def check_command(executor: CommandExecutor, command: list[Any]) -> None:
     elif kind == rows.SET_OFFSET:
         check_index(command[rows.OFFSET_AXIS], axes, "axis")
         check_index(command[rows.OFFSET_KIND], codes.OFFSET_KINDS, "kind of offset")
-    elif kind in (rows.HOME, rows.REFER, rows.SOFTWARE_LIMITS):
+    elif kind in (rows.HOME, rows.REFER, rows.SOFTWARE_LIMITS, rows.FEED_FORWARD):
         check_index(command[rows.HOMED_AXIS], axes, "axis")
     elif kind == rows.COUPLE:
         slave, master = command[rows.COUPLED_AXIS], command[rows.COUPLED_TO]

@@ -171,7 +171,7 @@ class CommandExecutor:
             self.take_characters(row)
         elif kind == rows.PROGRAM_END:
             return self.take_program_end(tick, row)
-        elif kind in (rows.SET_OFFSET, rows.SET_ORIGIN, rows.SET_TURN, rows.COUPLE):
+        elif rows.SET_OFFSET <= kind <= rows.SET_TURN or kind in (rows.COUPLE, rows.FEED_FORWARD):
             self.path.axes.take(self.queue.rows, row, kind)
         elif kind == rows.SET_TRANSFORMATION:
             self.path.transform(self.queue.rows, row)

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from nctakt.base.diagnostics import Text
 from nctakt.lists.declared.couplings import AXIS_GANTRY
+from nctakt.lists.declared.feed_forward import FEED_FORWARD
 from nctakt.lists.declared.homing import AXIS_HOMING
 from nctakt.lists.declared.measuring import AXIS_MEASURING
 from nctakt.lists.format.parameter import Limit, Parameter, Value, ValueType
@@ -256,24 +257,6 @@ _CHARACTER = (
         "Ort eines Hindernisses der Simulation, das die Achse nicht passiert, von 0 aus; 0: keines",
         unit="0.1 µm, 1e-4°",
     ),
-    _axis(
-        "P-AXIS-00228",
-        "vorsteuer.vs_v_faktor",
-        ValueType.SGN32,
-        1,
-        "Numerator of the weight of the feed-forward control",
-        "Zähler der Gewichtung der Vorsteuerung",
-        low=0,
-    ),
-    _axis(
-        "P-AXIS-00229",
-        "vorsteuer.vs_v_nenner",
-        ValueType.SGN32,
-        1,
-        "Denominator of the weight of the feed-forward control",
-        "Nenner der Gewichtung der Vorsteuerung",
-        low=1,
-    ),
 )
 
 _GEAR_STEP = (
@@ -454,6 +437,13 @@ AXIS = Schema(
     "axis",
     Text("Axis list", "Achsliste"),
     ListDialect(),
-    _HEADER + _CHARACTER + AXIS_MEASURING + AXIS_GANTRY + AXIS_HOMING + _GEAR_STEP + _RAMPS,
+    _HEADER
+    + _CHARACTER
+    + AXIS_MEASURING
+    + AXIS_GANTRY
+    + FEED_FORWARD
+    + AXIS_HOMING
+    + _GEAR_STEP
+    + _RAMPS,
     ParameterTable("axis.tsv"),
 )

@@ -20,6 +20,7 @@ from nctakt.lists.machine.measuring import AxisMeasuring, axis_measuring
 from nctakt.messages import Collector
 from nctakt.messages.machine import (
     AXIS_BEYOND_LIMIT,
+    FEED_FORWARD_ON_AND_OFF,
     LIMIT_TOLERANCE_TOO_LARGE,
     MODULO_RANGE_EMPTY,
     SOFTWARE_LIMITS_SWAPPED,
@@ -142,12 +143,32 @@ class AxisDynamics:
         )
 
 
+#: The kinds of feed-forward control that contain that of the velocity.
+_VELOCITY_MODES = frozenset(("VEL", "ADD_VEL"))
+
+
+@dataclass(frozen=True, slots=True)
+class FeedForward:
+    """The share of the command speed that bypasses the position control where it is on.
+
+    ``is_permanent``: it is on without G135.
+    """
+
+    share: float = 0.0
+    is_permanent: bool = False
+
+    @property
+    def permanent_share(self) -> float:
+        """The share at start-up."""
+        return self.share if self.is_permanent else 0.0
+
+
 @dataclass(frozen=True, slots=True)
 class AxisConfiguration:
     """One axis; ``dynamics`` are those of the gear step that is active after start-up.
 
     ``is_modulo``: positions repeat every ``modulo_range``, and there are no software limits.
-    ``feed_forward_share``: P-AXIS-00228 / P-AXIS-00229. ``override_mode``: P-AXIS-00491.
+    ``override_mode``: P-AXIS-00491.
     ``max_override_pct``: P-AXIS-00109. ``follows_exactly``:
     actual position = command position (P-AXIS-00096). ``obstacle``: what the axis cannot pass, in
     mm or degrees; 0: nothing. ``file``: the list that describes the axis. ``is_face``: it is the
@@ -169,7 +190,7 @@ class AxisConfiguration:
     optimised_schedule: bool
     follows_exactly: bool
     obstacle: float
-    feed_forward_share: float
+    feed_forward: FeedForward
     dynamics: AxisDynamics
     file: str
     is_face: bool = False
@@ -244,7 +265,7 @@ def axis_configuration(values: Values, collector: Collector) -> AxisConfiguratio
         values.flag("lr_param.field_bus_allows_optimized_schedule"),
         values.flag("antr.simu.ist_gleich_soll"),
         0.0 if is_modulo else values.integer("antr.simu.fixed_stop") / POSITION_UNITS,
-        _feed_forward(values),
+        _feed_forward(values, collector),
         _active_gear(values, gears, collector),
         values.file,
         bool(mode & _FACE_BIT),
@@ -259,12 +280,16 @@ def axis_configuration(values: Values, collector: Collector) -> AxisConfiguratio
     )
 
 
-def _feed_forward(values: Values) -> float:
-    """Return the share of the command speed that bypasses the position control, by default 0."""
-    share, whole = "vorsteuer.vs_v_faktor", "vorsteuer.vs_v_nenner"
-    if not values.is_set(share) and not values.is_set(whole):
-        return 0.0
-    return values.integer(share) / values.integer(whole)
+def _feed_forward(values: Values, collector: Collector) -> FeedForward:
+    """Return the feed-forward control of an axis; off for ever is more than on for ever."""
+    is_permanent = values.flag("vorsteuer.default_active")
+    is_disabled = values.flag("vorsteuer.global_disable")
+    if is_permanent and is_disabled:
+        values.report(collector, FEED_FORWARD_ON_AND_OFF, ("vorsteuer.global_disable",))
+    if is_disabled or not _VELOCITY_MODES.intersection(values.names("vorsteuer.vorsteuerung")):
+        return FeedForward()
+    share = values.integer("vorsteuer.vs_v_faktor") / values.integer("vorsteuer.vs_v_nenner")
+    return FeedForward(share, is_permanent)
 
 
 def _software_limits(values: Values, collector: Collector) -> tuple[float, float]:

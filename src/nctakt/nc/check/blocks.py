@@ -284,7 +284,7 @@ class WordChecker:
         if entry is None:
             self._findings.report(INVALID_FUNCTION_NUMBER, word.span, word=f"G{number}")
             return
-        if is_neutral(word, entry, state.axis_words):
+        if is_neutral(word, entry):
             self._findings.report_support(replace(entry, support=Support.ACCEPTED), word.span)
             return
         if entry.form is Form.SUBPROGRAM:

@@ -47,6 +47,7 @@ class Group(enum.Enum):
     AXIS_VALUES = "values of axes"
     DECELERATION = "deceleration"
     CORNER_DECELERATION = "deceleration at corners"
+    FEED_FORWARD = "feed-forward"
 
 
 class Form(enum.Enum):
@@ -89,8 +90,7 @@ class GFunction(Entry):
     act in their block only. ``plain``: the fast paths know the function. In the group ``MOTION`` it
     may appear in a plain line (``nc/fast/plain_lines.py``); in any other group plain lines may be
     decoded while it is active (``decoder/fast``). ``neutral``: the value with which a
-    function that is not simulated changes nothing and is therefore accepted: ``G131=100``,
-    ``G136 X100``, ``G52 0``.
+    function that is not simulated changes nothing and is therefore accepted: ``G52=0``.
     """
 
     number: int = -1
@@ -156,11 +156,6 @@ def axis_values(number: int, en: str, de: str) -> GFunction:
     """Return the row of a function whose axis words are values of its own, no targets."""
     row = simulated(number, en, de, Form.AXIS_VALUES, plain=True)
     return replace(row, group=Group.AXIS_VALUES)
-
-
-def neutral_weights(number: int, en: str, de: str) -> GFunction:
-    """Return the row of a refused function whose axis words weight; 100 changes nothing."""
-    return replace(refused(number, en, de), form=Form.AXIS_WEIGHTS, neutral=100.0)
 
 
 def group(group: Group | None, *rows: GFunction) -> Iterator[GFunction]:

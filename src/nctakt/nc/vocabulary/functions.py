@@ -27,7 +27,6 @@ from nctakt.nc.vocabulary.function_rows import (
     by_number,
     group,
     m_function,
-    neutral_weights,
     plain,
     refused,
     simplified,
@@ -93,6 +92,7 @@ CONTOURING_OFF, CONTOURING_ON = 260, 261
 EXACT_STOP_OFF, EXACT_STOP_ON = 359, 360
 #: Weights in per cent: of named axes, of all axes.
 SPEED_WEIGHTS, SPEED_WEIGHT = 127, 128
+FEED_FORWARD_ON, FEED_FORWARD_WEIGHTS, FEED_FORWARD_OFF = 135, 136, 137
 RAPID_SPEED_WEIGHT = 129
 FEED_ACCELERATION_WEIGHTS, FEED_ACCELERATION_WEIGHT = 130, 131
 FEED_RAMP_WEIGHTS, FEED_RAMP_WEIGHT = 132, 133
@@ -268,9 +268,7 @@ G_FUNCTIONS: Mapping[int, GFunction] = by_number(
         refused(115, "influence on look-ahead", "Einfluss auf Look-ahead"),
         refused(116, "influence on look-ahead", "Einfluss auf Look-ahead"),
         accepted(117, "look-ahead on", "Look-ahead ein"),
-        axis_weights(
-            SPEED_WEIGHTS, "weight of an axis' speed", "Gewichtung der Achsgeschwindigkeit"
-        ),
+        axis_weights(SPEED_WEIGHTS, "weight of an axis' speed", "Gewicht der Achsgeschwindigkeit"),
         weight(SPEED_WEIGHT, "weight of the highest speed", "Gewichtung der Höchstgeschwindigkeit"),
         weight(
             RAPID_SPEED_WEIGHT, "weight of the rapid speed", "Gewichtung der Eilganggeschwindigkeit"
@@ -282,15 +280,16 @@ G_FUNCTIONS: Mapping[int, GFunction] = by_number(
         ),
         weight(FEED_ACCELERATION_WEIGHT, "weight of acceleration", "Gewichtung der Beschleunigung"),
         axis_weights(
-            FEED_RAMP_WEIGHTS,
-            "weight of an axis' ramp time",
-            "Gewichtung der Rampenzeit einer Achse",
+            FEED_RAMP_WEIGHTS, "weight of an axis' ramp time", "Gewichtung der Rampenzeit"
         ),
         weight(FEED_RAMP_WEIGHT, "weight of ramp times", "Gewichtung der Rampenzeiten"),
         weight(134, "weight of geometrical ramps", "geometrische Rampenzeiten", accepted=True),
-        refused(135, "feed-forward on", "Vorsteuerung ein"),
-        neutral_weights(136, "weight of feed-forward", "Gewichtung der Vorsteuerung"),
-        accepted(137, "feed-forward off", "Vorsteuerung aus"),
+        axis_weights(FEED_FORWARD_WEIGHTS, "weight of feed-forward", "Gewichtung der Vorsteuerung"),
+    ),
+    group(
+        Group.FEED_FORWARD,
+        simulated(FEED_FORWARD_ON, "feed-forward on", "Vorsteuerung ein"),
+        simulated(FEED_FORWARD_OFF, "feed-forward off", "Vorsteuerung aus"),
     ),
     group(
         Group.APPROACH,

@@ -428,7 +428,7 @@ class ModalState:
     def note(self, function: int) -> None:
         """Note a G function that becomes active, for ``allows_plain_lines``."""
         group = group_of(function)
-        if group in (None, Group.MOTION, Group.FEED_FORWARD):
+        if group is None or group is Group.MOTION:
             return
         if G_FUNCTIONS[function].plain:
             self.not_plain.pop(group, None)

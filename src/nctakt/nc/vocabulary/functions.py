@@ -288,8 +288,8 @@ G_FUNCTIONS: Mapping[int, GFunction] = by_number(
     ),
     group(
         Group.FEED_FORWARD,
-        simulated(FEED_FORWARD_ON, "feed-forward on", "Vorsteuerung ein"),
-        simulated(FEED_FORWARD_OFF, "feed-forward off", "Vorsteuerung aus"),
+        plain(FEED_FORWARD_ON, "feed-forward on", "Vorsteuerung ein"),
+        plain(FEED_FORWARD_OFF, "feed-forward off", "Vorsteuerung aus"),
     ),
     group(
         Group.APPROACH,

@@ -428,3 +428,15 @@ def test_random_programs(seed: int) -> None:
     assert (v == y).all()
     speed = np.diff(u) / 0.001
     assert np.abs(speed).max() <= 100.0 * (1 + 1e-6)
+
+
+def test_the_example_does_what_its_comments_say() -> None:
+    """Two heads: mirrored, then to the same side; the right side of the bridge follows the left."""
+    folder = Path(__file__).parents[2] / "examples" / "coupled"
+    controller = Controller(load_machine(folder / "machine"))
+    found = controller.run(folder / "mirror.nc", signals=["Y.ACS.ACT_POS", "Y2.ACS.ACT_POS"])
+    assert numbers(found) == []
+    one, other = path_of(found, "Y"), path_of(found, "Y2")
+    mirrored = np.flatnonzero(other == 200.0 - one)
+    assert one[mirrored].max() == 80.0
+    assert (one[-1], other[-1]) == (60.0, 220.0)

@@ -6,7 +6,7 @@ N30 #ENABLE AX LINK [1]            ; from where both stand now
 N40 G01 X50 Y50 F9000
 N50 G03 X80 Y80 J30
 N55 #MSG ["%.3f", V.A.ABS.Y + V.A.ABS.Y2] ; expect: message "200.000"
-N60 G01 Y20                        ; expect: Y2.ACS.ACT_POS = 180 at 2940 ticks
+N60 G01 Y20                        ; expect: Y2.ACS.ACT_POS = 180 at 2946 ticks
 N70 #DISABLE AX LINK [1]
 N80 #AX LINK ON                    ; group 0 of the channel list: Y2 goes with Y, to the same side
 N90 G01 Y60                        ; expect: Y2.ACS.ACT_POS = 220 at end

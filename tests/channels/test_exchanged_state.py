@@ -88,3 +88,32 @@ def test_a_mistake_names_the_axis_as_the_channel_does() -> None:
     assert [text.split("error ")[1] for text in mistakes(found)] == [
         "120002: the target 10 of axis V is outside its software limits -10000 … 5"
     ]
+
+
+def test_the_next_program_has_the_limits_of_its_axes() -> None:
+    """Also where the one before has given the last axis, and limited the path."""
+    controller = Controller(MACHINE)
+    found = run("#VECTOR LIMIT ON [VEL=600]", "#PUT AX [C]", "G01 X1 F60000", controller=controller)
+    assert mistakes(found) == []
+    again = run("G01 X50 C50 F60000", controller=controller)
+    assert mistakes(again) == []
+    fresh = run("G01 X49 C50 F60000")
+    assert again.ticks == pytest.approx(fresh.ticks, abs=3)
+
+
+@pytest.mark.parametrize(
+    ("lines", "expected"),
+    [
+        (["#PUT AX [Y]", "#CS ON [1, 2, 3, 0, 0, 30]"], [20660]),
+        (["#PUT AX [Y]", "G68 R30", "G01 X5 F600"], [20938]),
+        (["#PUT AX [Y]", "#ROTATION ON [ANGLE=30]", "G01 X5 F600"], [20938]),
+        (["#SET AX [X, 1, 0] [Y, 2, 1] [Z, 3, 2] [C, 5, 4]", "#CS ON [1, 2, 3, 0, 0, 30]"], []),
+    ],
+)
+def test_systems_and_frames_beside_free_places(lines: list[str], expected: list[int]) -> None:
+    assert numbers(run(*lines)) == expected
+
+
+def test_corners_are_rounded_behind_an_exchange() -> None:
+    found = run("#PUT AX [C]", "G261 G01 X10 F6000", "G02 X20 I5 J0", "G01 Y10", "G260")
+    assert mistakes(found) == []

@@ -113,8 +113,11 @@ def listed_limits(axes: Sequence[AxisConfiguration]) -> SetLimits:
 
 
 def apply_limits(limits: SegmentLimits, command: SetLimits) -> None:
-    """Let the limits of a command apply to the segments that come."""
-    for index, axis in enumerate(command.axes):
+    """Let the limits of a command apply to the segments that come.
+
+    A program that begins without all axes of its list gets theirs with the axes.
+    """
+    for index, axis in enumerate(command.axes[: limits.count]):
         limits.change(index, axis.speeds, axis.accelerations, axis.slope_accelerations, axis.jerks)
     limits.limit_path(False, command.feed)
     limits.limit_path(True, command.rapid)

@@ -77,6 +77,7 @@ class FrameCommands:
     def _rotate_about(self, content: BlockContent, span: Span) -> None:
         """Process G68: about the programmed centre, else about where the axes are."""
         self._keep_contour("G68", span)
+        self._check_plane(span)
         frame, plane = self._frame, self._state.path.plane_axes
         centre = self.unmirrored()
         for word, value in content.axes:
@@ -117,6 +118,12 @@ class FrameCommands:
                 FRAME_DURING_COMPENSATION, span, word=word, compensation=compensation.word
             )
 
+    def _check_plane(self, span: Span) -> None:
+        """Raise ``DecodeError`` where the channel lacks an axis of the plane."""
+        path = self._state.path
+        if self._environment.places.lacks_any(path.plane_axes):
+            self._values.fail(PLANE_AXIS_MISSING, span, plane=path.plane)
+
     # --- commands -------------------------------------------------------------------------------
 
     def rotation(self, command: tree.HashCommand, number: int) -> Generator[Command, Answer]:
@@ -135,9 +142,8 @@ class FrameCommands:
         frame.angle_deg, frame.centre = angle, (centre[0], centre[1])
         frame.axes = self._state.path.plane_axes
         frame.is_turned = switch == "ON"
-        if frame.is_turned and self._environment.places.lacks_any(frame.axes):
-            plane = self._state.path.plane
-            self._values.fail(PLANE_AXIS_MISSING, command.span, plane=plane)
+        if frame.is_turned:
+            self._check_plane(command.span)
 
     def scale(self, command: tree.OffsetCommand, number: int) -> Generator[Command, Answer]:
         """Execute ``#SCALE [ON] X2``: define factors, switch them on, or both."""

@@ -131,10 +131,12 @@ class Contouring:
         self._pass_time = pass_time
         self._before = before
         self._held: _Held | None = None
-        self._linear = [
-            index for index, axis in enumerate(self._environment.axes) if axis.is_linear
-        ]
         self.is_releasing = False
+
+    @property
+    def _linear(self) -> list[int]:
+        """The linear axes that the channel has at this moment of decoding."""
+        return [index for index, axis in enumerate(self._environment.axes) if axis.is_linear]
 
     @property
     def needs_next(self) -> bool:

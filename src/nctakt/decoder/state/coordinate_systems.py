@@ -234,7 +234,8 @@ class CoordinateSystems:
             matrix = _product(matrix, system.placement.matrix)
         self._origin, self._matrix = origin, matrix
         for axis, value in zip(self._axes, origin, strict=True):
-            yield SetOrigin(source, number, axis, value)
+            if axis >= 0:  # an axis stands at the place
+                yield SetOrigin(source, number, axis, value)
         first, second, third = self._axes[:3]
         yield SetTurn(source, number, (first, second, third), matrix if self.is_active else ())
 

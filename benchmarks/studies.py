@@ -19,6 +19,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from nctakt.studies.bench import Bench, Row
+from nctakt.studies.blocks import make_runs
 from nctakt.studies.processes import rows_of_processes
 from nctakt.studies.results import write_rows
 from nctakt.studies.shared_beginning import maker_of
@@ -60,8 +61,7 @@ def per_cpu_second(bench: Bench, count: int) -> float:
     gc.collect()
     gc.freeze()  # as a worker does
     begin = time.process_time()
-    for number in range(count):
-        maker.row(number)
+    make_runs(maker, tuple(range(count)))
     return count / (time.process_time() - begin)
 
 

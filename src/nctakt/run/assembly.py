@@ -37,7 +37,7 @@ from nctakt.run.event_registry import EventRegistry
 from nctakt.run.inputs import API, Inputs
 from nctakt.run.machine_names import SignalCell, channel_names, names_of_machine, prefix_of
 from nctakt.run.realtime_part import RealtimePart
-from nctakt.run.spindle_setup import all_names, gear_steps
+from nctakt.run.spindle_setup import all_names, at_start_up
 from nctakt.run.variable_access import VariableAccess
 
 
@@ -70,17 +70,19 @@ class AssembledChannel:
 
 
 def _places_of(
-    machine: Machine, channel: ChannelConfiguration, holder: Callable[[int], int], room: int
+    machine: Machine, channel: ChannelConfiguration, realtime: RealtimePart
 ) -> ChannelPlaces:
     listed = tuple(AxisPlace(axis.name, axis.index) for axis in channel.axes)
-    spindles = {
-        spindle.spindle.logical_number: (spindle.name, number)
-        for number, other in enumerate(machine.channels, 1)
-        for spindle in other.spindles
-    }
-    c_axis = machine.c_axis_of(channel)
+    kernel = realtime.channels[channel.number - 1]
     return ChannelPlaces(
-        machine.axes, machine.path_axes, spindles, listed, listed, room, holder, c_axis
+        machine.axes,
+        realtime.path_axes,
+        realtime.spindles,
+        listed,
+        listed,
+        kernel.path.room,
+        kernel.exchange.holder,
+        machine.c_axis_of(channel),
     )
 
 
@@ -144,14 +146,9 @@ class AssembledMachine:
                 names,
                 tuple(axis.index for axis in channel.axes),
                 panel,
-                places := _places_of(
-                    configuration,
-                    channel,
-                    self.channels[index].exchange.holder,
-                    self.channels[index].path.room,
-                ),
+                places := _places_of(configuration, channel, realtime),
                 _offsets_of(channel, places, self.realtime),
-                gear_steps(configuration, index),
+                at_start_up(realtime.gear_steps[index]),
             )
             for index, (channel, names, panel) in enumerate(
                 channel_names(configuration, self._names)

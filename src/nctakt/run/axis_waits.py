@@ -64,7 +64,7 @@ def axes_freed_by(machine: AssembledMachine, programs: Sequence[LoadedProgram], 
 def never_given(machine: AssembledMachine, programs: Sequence[LoadedProgram]) -> list[Diagnostic]:
     """Return a warning for each command that fetches an axis of a channel that never gives it."""
     uses = list(_uses(programs))
-    by_number = machine.configuration.path_axes
+    by_number = machine.realtime.path_axes
     found = []
     for channel, use in uses:
         for number in use.fetched:

@@ -12,6 +12,7 @@ from collections.abc import Iterator, Mapping
 from nctakt.decoder.blocks.spindles import names_of
 from nctakt.hli.layout import PANEL_CELLS, PanelValue, panel_values
 from nctakt.lists.declared.variables import SCALARS
+from nctakt.lists.machine.axes_by_number import path_axes
 from nctakt.lists.machine.machine import ChannelConfiguration, Machine
 from nctakt.nc.vocabulary.variable_table import ChannelNames, Layout, NameTable
 
@@ -85,8 +86,8 @@ def _fetched(configuration: Machine, channel: ChannelConfiguration) -> dict[int,
     """Return the axes that a channel can have by their logical numbers."""
     c_axis = configuration.c_axis_of(channel)
     if c_axis < 0:
-        return configuration.path_axes
-    return {**configuration.path_axes, configuration.axes[c_axis].logical_number: c_axis}
+        return path_axes(configuration)
+    return {**path_axes(configuration), configuration.axes[c_axis].logical_number: c_axis}
 
 
 def prefix_of(index: int) -> str:

@@ -21,10 +21,11 @@ from nctakt.kernel.path.path import Path as KernelPath
 from nctakt.kernel.plc.panel import Panel
 from nctakt.kernel.plc.technology_slots import Hli
 from nctakt.kernel.tick.channel import Channel
+from nctakt.lists.machine.axes_by_number import path_axes, spindle_numbers
 from nctakt.lists.machine.gantries import gantries
 from nctakt.lists.machine.machine import Machine
 from nctakt.nc.vocabulary.variable_table import Layout, Location
-from nctakt.run.spindle_setup import channel_spindles
+from nctakt.run.spindle_setup import channel_spindles, gear_steps
 
 if TYPE_CHECKING:
     from nctakt.decoder.state.kept_trees import KeptTrees
@@ -40,7 +41,8 @@ class RealtimePart:
     """Memory, axes, channels and kernel of one machine, as they are at start-up.
 
     ``kept_cycles``: cycles of earlier runs on it, where one run follows another. ``listed_limits``:
-    the limits of each channel's axes with which its programs start.
+    the limits of each channel's axes with which its programs start. ``path_axes`` and ``spindles``:
+    those of the machine by logical number. ``gear_steps``: of each channel's spindles.
     """
 
     def __init__(self, configuration: Machine, layout: Layout) -> None:
@@ -53,9 +55,12 @@ class RealtimePart:
         for slave, master, gantry in gantries(configuration.axes):
             self.axes.set_gantry(slave, master, gantry.allowed_d, gantry.offset)
         self.single_axes = single_axes(configuration, self.axes, self.record)
-        #: The axes that a path can have.
-        self._path_axes = configuration.path_axes.values()
-        self._room = len(self._path_axes)
+        self.path_axes = path_axes(configuration)
+        self.spindles = spindle_numbers(configuration)
+        self._room = len(self.path_axes)
+        self.gear_steps = [
+            gear_steps(configuration, index) for index in range(len(configuration.channels))
+        ]
         self.channels = [
             self._channel(index, layout) for index in range(len(configuration.channels))
         ]
@@ -71,7 +76,7 @@ class RealtimePart:
         parameters = own.parameters
         members = [axis.index for axis in own.axes]
         first = layout.channel_cell(index)
-        room = max(len(members), self._room) if set(self._path_axes) - {*members} else 0
+        room = max(len(members), self._room) if {*self.path_axes.values()} - {*members} else 0
         c_axis = configuration.c_axis_of(own)
         if c_axis >= 0:
             room = max(len(members), room, MAIN_AXES) + 1

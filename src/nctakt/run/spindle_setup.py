@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from nctakt.decoder.blocks.spindles import names_of
 from nctakt.decoder.state.spindle_gears import SpindleGear, SpindleGears
 from nctakt.kernel.axes.spindles import Spindles
@@ -61,6 +63,14 @@ def gear_steps(configuration: Machine, index: int) -> dict[int, SpindleGears]:
             active = axis.dynamics.gear_number
             gears[column] = SpindleGears(steps, active, axis.checks_tool_speed)
     return gears
+
+
+def at_start_up(gears: Mapping[int, SpindleGears]) -> dict[int, SpindleGears]:
+    """Return gear steps as they are at start-up, for another run."""
+    return {
+        column: SpindleGears(one.steps, one.active, one.checks_tool)
+        for column, one in gears.items()
+    }
 
 
 def _gear(dynamics: AxisDynamics, is_jerk_limited: bool) -> SpindleGear:

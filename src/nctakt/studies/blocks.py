@@ -8,6 +8,7 @@ the end.
 
 from __future__ import annotations
 
+import gc
 import itertools
 import time
 from collections.abc import Iterable, Iterator, Sized
@@ -21,6 +22,9 @@ Block = tuple[int, ...]
 
 #: Runs of the first blocks, of which nobody knows how long they take, and of a block at most.
 FIRST, MAX_RUNS = 20, 5_000
+
+#: Runs between two searches for garbage.
+RUNS_BETWEEN_SEARCHES = 5
 
 #: A block is this share of what is left for each worker.
 SHARE = 4
@@ -47,8 +51,25 @@ class MadeBlock:
 def make_runs(maker: RowMaker, block: Block) -> MadeBlock:
     """Make the runs of a block."""
     begin_s = time.perf_counter()
-    rows = RowBlock(map(maker.row, block))
+    rows = RowBlock(_rows(maker, block))
     return MadeBlock(rows, (time.perf_counter() - begin_s) / len(block))
+
+
+def _rows(maker: RowMaker, block: Block) -> Iterator[Row]:
+    """Yield the rows of a block; garbage is looked for between runs, not at any time in them.
+
+    What a run leaves is all garbage then, and nothing of a present run is looked through.
+    """
+    was_enabled = gc.isenabled()
+    gc.disable()
+    try:
+        for count, number in enumerate(block, 1):
+            yield maker.row(number)
+            if count % RUNS_BETWEEN_SEARCHES == 0:
+                gc.collect(0)
+    finally:
+        if was_enabled:
+            gc.enable()
 
 
 class Blocks:

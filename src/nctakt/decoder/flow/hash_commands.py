@@ -81,7 +81,8 @@ class HashCommands:
     def begin_program(self, span: Span) -> Generator[Command, Answer]:
         """Begin a program with the offsets and the transformation of the lists."""
         yield from self._environment.offsets.begin_program()
-        yield from follow_feed_forward(self._values, 0, 0)
+        if self._environment.controller_data.feed_forward:
+            yield from follow_feed_forward(self._values, 0, 0)
         yield from self._transformations.begin_program(span)
         yield from self._couplings.begin_program(span)
 

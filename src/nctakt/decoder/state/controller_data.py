@@ -104,6 +104,8 @@ def controller_data(
 def _couplings(configuration: Machine, parameters: ChannelParameters) -> KeptCouplings:
     """Return the groups at start-up: 0 with those pairs of the list whose axes there are."""
     listed = parameters.couplings
+    if not listed.pairs:
+        return KeptCouplings({}, listed.after_reset, listed.after_end)
     axes = {axis.logical_number: index for index, axis in enumerate(configuration.axes)}
     spindles = {one.logical_number: index for index, one in enumerate(parameters.spindles)}
     pairs = []

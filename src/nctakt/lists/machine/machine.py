@@ -162,15 +162,6 @@ class Machine:
         """Whether this is the built-in demo machine."""
         return self.folder == DEMO_FOLDER
 
-    @property
-    def path_axes(self) -> dict[int, int]:
-        """Logical number -> index in ``axes`` of those that turn no spindle and follow none."""
-        spindles = (one for channel in self.channels for one in channel.spindles)
-        bound = {one.spindle.logical_number for one in spindles}
-        bound.update(axis.logical_number for axis in self.axes if axis.gantry.master)
-        numbers = {axis.logical_number: index for index, axis in enumerate(self.axes)}
-        return {number: index for number, index in numbers.items() if number not in bound}
-
     def c_axis_of(self, channel: ChannelConfiguration) -> int:
         """Return the index in ``axes`` of the spindle that ``#CAX`` makes an axis; -1: none."""
         return c_axis_index(channel.main_spindle, self.axes)

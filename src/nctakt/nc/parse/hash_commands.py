@@ -104,13 +104,18 @@ def parse_arguments(text: BlockText, name: tuple[str, ...]) -> tuple[Argument, .
     return tuple(arguments)
 
 
-def _signal(text: BlockText) -> Argument:
-    """Return the items of ``#SIGNAL`` and ``#WAIT``, where ``P[0]=`` is a keyword."""
+def _bracket(text: BlockText, item: Callable[[BlockText, int], Item]) -> Argument:
+    """Return a bracket whose items this function reads; another argument as ever."""
     if text.looking_at(OPENING) is None:
         return _argument(text)
     start = text.skip_blanks()
-    items = parse_items(text, 0, _signal_item)
+    items = parse_items(text, 0, item)
     return Bracket(text.span(start, text.pos), items)
+
+
+def _signal(text: BlockText) -> Argument:
+    """Return the items of ``#SIGNAL`` and ``#WAIT``, where ``P[0]=`` is a keyword."""
+    return _bracket(text, _signal_item)
 
 
 def _signal_item(text: BlockText, depth: int) -> Item:
@@ -130,11 +135,7 @@ def _signal_item(text: BlockText, depth: int) -> Item:
 
 def _axes(text: BlockText) -> Argument:
     """Return the items of commands about axes, whose names may end in digits: ``[X1, 4, 3]``."""
-    if text.looking_at(OPENING) is None:
-        return _argument(text)
-    start = text.skip_blanks()
-    items = parse_items(text, 0, _axis_item)
-    return Bracket(text.span(start, text.pos), items)
+    return _bracket(text, _axis_item)
 
 
 def _axis_item(text: BlockText, depth: int) -> Item:
@@ -147,11 +148,7 @@ def _axis_item(text: BlockText, depth: int) -> Item:
 
 def _couplings(text: BlockText) -> Argument:
     """Return the items of ``#AX LINK``, where pairs are keywords: ``[1, C=X, [Y2=Y, 1, 2]]``."""
-    if text.looking_at(OPENING) is None:
-        return _argument(text)
-    start = text.skip_blanks()
-    items = parse_items(text, 0, _coupling)
-    return Bracket(text.span(start, text.pos), items)
+    return _bracket(text, _coupling)
 
 
 def _coupling(text: BlockText, depth: int) -> Item:
@@ -188,11 +185,7 @@ def _pair(text: BlockText) -> Keyword | None:
 
 def _signed_axes(text: BlockText) -> Argument:
     """Return axes with their signs (``#TLAX [Z+]``), which are part of the name."""
-    if text.looking_at(OPENING) is None:
-        return _argument(text)
-    start = text.skip_blanks()
-    items = parse_items(text, 0, _signed_axis)
-    return Bracket(text.span(start, text.pos), items)
+    return _bracket(text, _signed_axis)
 
 
 def _signed_axis(text: BlockText, depth: int) -> Item:
@@ -225,11 +218,7 @@ def _components(text: BlockText) -> Argument:
 
 def _tolerances(text: BlockText) -> Argument:
     """Return keywords whose value may follow without ``=`` (``#HSC``, ``#CONTOUR``)."""
-    if text.looking_at(OPENING) is None:
-        return _argument(text)
-    start = text.skip_blanks()
-    items = parse_items(text, 0, _tolerance_item)
-    return Bracket(text.span(start, text.pos), items)
+    return _bracket(text, _tolerance_item)
 
 
 def _tolerance_item(text: BlockText, depth: int) -> Item:

@@ -29,8 +29,8 @@ from nctakt.kernel.path.override import Overrides
 from nctakt.kernel.path.path import Path as KernelPath
 from nctakt.kernel.path.segment_limits import SegmentLimits
 from nctakt.kernel.plc.interface_image import InterfaceImage
-from nctakt.kernel.tick.command_execution import CommandExecutor
 from nctakt.kernel.tick.command_queue import CommandQueue
+from nctakt.kernel.tick.single_block import SingleBlock
 from nctakt.kernel.tick.stops import Turns
 from nctakt.kernel.tick.wait_reasons import WaitReasons
 
@@ -413,13 +413,13 @@ def test_what_the_path_has_begun_is_not_held_back(
         asked.append(started)
         return 1
 
-    executor: Any = SimpleNamespace(
-        queue=SimpleNamespace(rows=[0.0] * 10, head=head, started=started),
-        path=SimpleNamespace(speed_v=speed_v, continues_block=lambda: 0),
-        panel=SimpleNamespace(permits_block=permits_block),
-        is_motion=lambda _row: True,
+    path = SimpleNamespace(speed_v=speed_v, continues_block=lambda: 0)
+    command = [float(rows.SEGMENT), *[0.0] * rows.ARGUMENTS]
+    queue: Any = SimpleNamespace(
+        rows=command, head=head, tail=head + 1, started=started, path=path, capacity=1, width=0
     )
-    assert CommandExecutor.enter_block(executor, 0) == 1
+    panel: Any = SimpleNamespace(permits_block=permits_block, step_resolution=0)
+    assert SingleBlock(queue, panel).permits() == 1
     assert asked == [is_started]
 
 

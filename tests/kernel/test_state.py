@@ -34,6 +34,7 @@ BUILT = {
     "Copy": {"count"},
     "Index": {"count"},
     "NumberValue": {"number"},
+    "SingleBlock": {"only_motions"},
 }
 #: Classes without a part in snapshots, which have neither a shared image nor stops.
 LEFT_OUT = {

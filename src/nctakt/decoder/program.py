@@ -36,6 +36,7 @@ from nctakt.decoder.state.commands import (
     BlockMark,
     Command,
     CycleControl,
+    EmptyBlock,
     Flush,
     Freeze,
     LoadCycle,
@@ -51,6 +52,7 @@ from nctakt.decoder.state.uncertain_axes import UncertainAxes
 from nctakt.decoder.values.variables import Values
 from nctakt.kernel import codes
 from nctakt.kernel.base import arithmetic
+from nctakt.lists.declared.single_block import ALL_LINES
 from nctakt.messages.checked_cycles import INVALID_CYCLE_ID, INVALID_GLOBAL_CYCLE_ID
 from nctakt.messages.decoder import (
     JUMP_TARGET_NOT_NC_TEXT,
@@ -126,7 +128,8 @@ class ProgramDecoder:
             MAX_BLOCKS_WITHOUT_TIME,
         )
         self._exchange = AxisExchange(self._values, self._plain.adapt)
-        self._takes_runs = takes_runs
+        self._stops_at_lines = environment.parameters.single_block == ALL_LINES
+        self._takes_runs = takes_runs and not self._stops_at_lines
         self._search = BlockSearch(self._values, path, start, self._pass_time)
         self._blocks = 0
         self._started_blocks = 0
@@ -308,6 +311,8 @@ class ProgramDecoder:
             yield from self._search.reach(statement, number)
         if self._environment.marks_blocks:
             yield self._mark(statement, number)
+        if self._stops_at_lines:
+            yield EmptyBlock(self._environment.source_id(statement.span), number)
         match statement:
             case tree.Block():
                 return (yield from self._block(statement, number))

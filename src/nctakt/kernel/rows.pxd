@@ -112,6 +112,8 @@ cdef enum:
     MODAL_NUMBER = 3
     WAIT_REASON = 3
     WAIT_CELL = 4
+    STEP_IS_LOCKED = 3
+    STEP_RESOLUTION = 4
     TIMER_NUMBER = 3
     TIMER_ACTION = 4
     OFFSET_AXIS = 3

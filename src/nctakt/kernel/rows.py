@@ -69,7 +69,7 @@ from __future__ import annotations
     HOME,  # an axis begins to move to its zero pulse (G74)
     REFER,  # the position where an axis stands
     SOFTWARE_LIMITS,  # others for the independent motions of an axis (G98, G99)
-    SINGLE_STEP,  # #SINGLE STEP; its argument: 1 where it is disabled
+    SINGLE_STEP,  # #SINGLE STEP
     COUPLE,  # an axis follows another one from here on, or no longer
     FEED_FORWARD,  # another share of the command speed bypasses a position control
 ) = range(1, 53)
@@ -181,6 +181,7 @@ LIMITED_JERK, LIMITED_BY_GEAR = range(LIMITED_ACCELERATION + 1, LIMITED_ACCELERA
     WAIT_REASON,  # ``decoder/state/commands.py``
     WAIT_CELL,  # the variable, 0 for none
 ) = _arguments(2)
+STEP_IS_LOCKED, STEP_RESOLUTION = _arguments(2)  # SINGLE_STEP: 1: disabled; -1: not changed
 (
     TIMER_NUMBER,
     TIMER_ACTION,  # ``codes.TIMER_START`` …

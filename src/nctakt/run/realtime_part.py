@@ -21,6 +21,7 @@ from nctakt.kernel.path.path import Path as KernelPath
 from nctakt.kernel.plc.panel import Panel
 from nctakt.kernel.plc.technology_slots import Hli
 from nctakt.kernel.tick.channel import Channel
+from nctakt.lists.declared.single_block import ONLY_MOTIONS
 from nctakt.lists.machine.axes_by_number import path_axes, spindle_numbers
 from nctakt.lists.machine.gantries import gantries
 from nctakt.lists.machine.machine import Machine
@@ -109,6 +110,7 @@ class RealtimePart:
         limits = parameters.realtime_cycles
         spindles = channel_spindles(configuration, index, layout, self.memory, self.record)
         channel.executor.set_spindles(spindles, limits.buffers)
+        channel.executor.single_block.stop_at_motions(parameters.single_block == ONLY_MOTIONS)
         if c_axis >= 0:
             main = [spindle.is_main for spindle in parameters.spindles].index(True)
             channel.exchange.c_axis.configure(c_axis, spindles, main)

@@ -33,21 +33,23 @@ from nctakt.decoder.state.coordinate_systems import LAYERS
 from nctakt.decoder.state.start_block import SingleStep
 from nctakt.decoder.values.texts import FormatError, format_text
 from nctakt.decoder.values.variables import Values
+from nctakt.kernel.base import arithmetic
 from nctakt.messages.axis_exchange import UNKNOWN_AXIS_NUMBER
 from nctakt.messages.contour_lines import CONTOUR_LINE_INCOMPLETE
 from nctakt.messages.decoder import MSG_FORMAT_MISMATCH, UNKNOWN_TIMER
 from nctakt.messages.fixed_stops import POSITION_AT_FIXED_STOP
 from nctakt.messages.memory import NUMBER_INSTEAD_OF_TEXT
 from nctakt.messages.motion import FILTER_NOT_SIMULATED
+from nctakt.messages.single_steps import NEGATIVE_RESOLUTION
 from nctakt.messages.transformations import NOT_IN_MACHINE_COORDINATES
 from nctakt.nc import tree
 from nctakt.nc.check import splines
 from nctakt.nc.check.couplings import is_coupling
-from nctakt.nc.check.hash_commands import single_step_word
 from nctakt.nc.check.machine_coordinates import CONVERSIONS, MACHINE_COMMANDS
 from nctakt.nc.check.optional_parts import is_for_simulation
 from nctakt.nc.check.path_commands import keywords
 from nctakt.nc.check.rotating_planes import PLANE_COMMANDS
+from nctakt.nc.check.single_steps import DISABLE
 from nctakt.nc.check.tools import COMMANDS as TOOL_COMMANDS
 from nctakt.nc.check.transformations import COMMANDS
 from nctakt.nc.vocabulary.command_forms import INITS
@@ -114,8 +116,7 @@ class HashCommands:
         elif words[0] == "TLAX":
             yield from self._tools.length_axis(command, number)
         elif words == ("SINGLE", "STEP"):
-            source = self._environment.source_id(command.span)
-            yield SingleStep(source, number, single_step_word(command) == "DISABLE")
+            yield from self._single_step(command, number)
         elif words[0] == "MEAS":
             yield from self._measuring.command(command, number)
         elif is_coupling(command):
@@ -150,6 +151,19 @@ class HashCommands:
             answer = yield PositionRequest(source, number)
             assert isinstance(answer, tuple)
             self._values.state.positions = list(answer)
+
+    def _single_step(self, command: tree.HashCommand, number: int) -> Generator[Command, Answer]:
+        """Let single block have no effect, or again, or stop at other block numbers."""
+        source = self._environment.source_id(command.span)
+        (item,) = keywords(command)
+        if item.value is None:
+            yield SingleStep(source, number, item.name == DISABLE)
+            return
+        value = yield from self._values.evaluate(item.value, number)
+        resolution = arithmetic.round_half_even(value)
+        if resolution < 0.0:
+            self._values.fail(NEGATIVE_RESOLUTION, item.value.span, value=value)
+        yield SingleStep(source, number, resolution=int(resolution))
 
     def _optional_part(self, command: tree.HashCommand, number: int) -> Iterator[Command]:
         """Let no backward motion go into a part that it would leave out."""

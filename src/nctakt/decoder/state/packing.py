@@ -152,7 +152,8 @@ def pack(command: Command, reference: int = 0) -> list[float]:
         case FeedForward():
             return [rows.FEED_FORWARD, *head, command.axis, command.share]
         case SingleStep():
-            return [rows.SINGLE_STEP, *head, command.is_disabled]
+            resolution = -1 if command.resolution is None else command.resolution
+            return [rows.SINGLE_STEP, *head, command.is_disabled, resolution]
         case ClearHistory():
             return [rows.CLEAR_HISTORY, *head]
         case CuttingSpeed():

@@ -10,9 +10,14 @@ from nctakt.decoder.state.commands import Command
 
 @dataclass(frozen=True, slots=True)
 class SingleStep(Command):
-    """Single block has no effect from here on, or again (``#SINGLE STEP``)."""
+    """Single block has no effect from here on, or again (``#SINGLE STEP``).
 
-    is_disabled: bool
+    ``resolution``: it stops in front of blocks whose numbers are multiples of this, 0: of all;
+    ``None``: as before, and whether it is disabled counts.
+    """
+
+    is_disabled: bool = False
+    resolution: int | None = None
 
 
 @dataclass(frozen=True, slots=True)

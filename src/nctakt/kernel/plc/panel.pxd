@@ -18,6 +18,7 @@ cdef class Panel:
     cdef public bint is_paused
     cdef bint is_released
     cdef bint is_step_locked
+    cdef long long step_resolution
     cdef readonly bint backward_motion
     cdef bint turns_back
     cdef readonly bint probe
@@ -33,6 +34,8 @@ cdef class Panel:
     cdef void lock_step(self, bint is_locked) noexcept nogil
     cdef void take_start(self, int can_start) noexcept nogil
     cdef int permits_block(self, long long line, bint moves_axis, bint is_started) noexcept nogil
+    cdef int holds_back(self, long long line, bint moves_axis, bint is_started) noexcept nogil
+    cdef int is_same_block(self, long long line, bint moves_axis) noexcept nogil
     cdef int stop_for_program(self, bint is_optional) noexcept nogil
     @cython.locals(cell=Py_ssize_t)
     cdef void publish(self, int state, int message) noexcept nogil

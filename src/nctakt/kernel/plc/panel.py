@@ -18,9 +18,9 @@ class Panel:
 
     ``is_armed``: a program is selected and waits for START. ``is_running``: a program runs.
     ``is_paused``: single block has stopped the channel in front of a block, or the program has
-    (M00). ``is_step_locked``: single block has no effect. ``start_taken`` and ``reset_taken`` tell
-    Python what it has to do. ``turns_back``: backward motion is commanded, and was not in the tick
-    before.
+    (M00). ``is_step_locked``: single block has no effect; ``step_resolution``: it stops
+    at multiples of this block number, 0: at all. ``start_taken`` and ``reset_taken`` tell Python
+    what it has to do. ``turns_back``: backward motion is commanded, and was not in the tick before.
     """
 
     def __init__(self, memory: bytearray, first_cell: int) -> None:
@@ -32,6 +32,7 @@ class Panel:
         self.is_paused = False
         self.is_released = False
         self.is_step_locked = False
+        self.step_resolution = 0
         self.block_line = -1
         self.block_moves = False
         self.start_taken = False
@@ -64,6 +65,7 @@ class Panel:
         self.start_taken = False
         self.is_paused = False
         self.is_step_locked = False
+        self.step_resolution = 0
         self.is_released = True
         self.block_line = -1
         self.block_moves = False
@@ -122,18 +124,30 @@ class Panel:
         path has begun already (``is_started``) goes on, and so does what has no line: the program's
         end.
         """
-        if line == 0 and not moves_axis:
-            return 1
-        if line == self.block_line and not (moves_axis and self.block_moves):
+        if self.is_same_block(line, moves_axis):
             self.block_moves = self.block_moves or moves_axis
             return 1
-        if self.single_block and not self.is_released and not is_started:
-            self.is_paused = True
+        if self.holds_back(line, moves_axis, is_started):
             return 0
         self.is_released = False
         self.block_line = line
         self.block_moves = moves_axis
         return 1
+
+    def holds_back(self, line: int, moves_axis: bool, is_started: bool) -> int:
+        """Return whether single block stops in front of a command, which then waits for START."""
+        if self.is_same_block(line, moves_axis):
+            return 0
+        if self.single_block and not self.is_released and not is_started:
+            self.is_paused = True
+            return 1
+        return 0
+
+    def is_same_block(self, line: int, moves_axis: bool) -> int:
+        """Return whether a command belongs to the present block, or to none."""
+        if line == 0 and not moves_axis:
+            return 1
+        return line == self.block_line and not (moves_axis and self.block_moves)
 
     def stop_for_program(self, is_optional: bool) -> int:
         """Stop at M00, or at M01 if the operator asks for it; return whether it stops."""

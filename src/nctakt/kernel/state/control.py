@@ -219,6 +219,7 @@ def copy_panel(source: Panel, target: Panel) -> None:
     target.is_paused = source.is_paused
     target.is_released = source.is_released
     target.is_step_locked = source.is_step_locked
+    target.step_resolution = source.step_resolution
     target.backward_motion = source.backward_motion
     target.turns_back = source.turns_back
     target.probe = source.probe

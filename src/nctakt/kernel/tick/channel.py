@@ -241,6 +241,8 @@ class Channel:
         self.publish_block()
         self.path.publish_overrides(self.panel.override_pct)
         is_single = self.panel.single_block and not is_cutting
+        if is_single and not was_retracing:
+            is_single = self.executor.single_block.stands_ahead() > 0
         if self.path.is_single != is_single:
             self.path.set_single(is_single)
         if is_cutting:

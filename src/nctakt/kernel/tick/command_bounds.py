@@ -53,7 +53,7 @@ _MIN_LENGTH = {
     rows.HOME: rows.HOMING_SPEED + 1,
     rows.REFER: rows.HOMING_DISTANCE + 1,
     rows.SOFTWARE_LIMITS: rows.LIMIT_HIGH + 1,
-    rows.SINGLE_STEP: rows.ARGUMENTS + 1,
+    rows.SINGLE_STEP: rows.STEP_RESOLUTION + 1,
     rows.COUPLE: rows.COUPLED_WITHIN + 1,
     rows.FEED_FORWARD: rows.FED_SHARE + 1,
     rows.CLEAR_HISTORY: rows.ARGUMENTS,

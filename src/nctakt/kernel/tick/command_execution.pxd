@@ -14,6 +14,7 @@ from nctakt.kernel.path.path cimport Path
 from nctakt.kernel.tick.block_scope cimport BlockScope
 from nctakt.kernel.tick.channel_signals cimport ChannelSignals
 from nctakt.kernel.tick.command_queue cimport CommandQueue
+from nctakt.kernel.tick.single_block cimport SingleBlock
 from nctakt.kernel.axes.single_axes cimport SingleAxes
 from nctakt.kernel.base.timers cimport Timers
 
@@ -27,6 +28,7 @@ cdef class CommandExecutor:
     cdef Record record
     cdef readonly Hli hli
     cdef readonly Panel panel
+    cdef readonly SingleBlock single_block
     cdef readonly CycleManager manager
     cdef BlockScope block_scope
     cdef readonly FixedStops fixed_stops
@@ -69,10 +71,7 @@ cdef class CommandExecutor:
     cdef void prolong_loop(self) noexcept nogil
     cdef void leave_loop(self, long long source) noexcept nogil
     cdef void give_up_loop(self) noexcept nogil
-    @cython.locals(source=cython.longlong, line=cython.longlong, is_started=bint)
     cdef int enter_block(self, Py_ssize_t row) noexcept nogil
-    @cython.locals(kind=int)
-    cdef bint is_motion(self, Py_ssize_t row) noexcept nogil
     @cython.locals(timer=int)
     cdef int take(self, long long tick, Py_ssize_t row, int kind) noexcept nogil
     @cython.locals(

@@ -19,6 +19,7 @@ from nctakt.kernel.tick.block_scope import BlockScope
 from nctakt.kernel.tick.channel_signals import ChannelSignals
 from nctakt.kernel.tick.command_queue import CommandQueue
 from nctakt.kernel.tick.signals import SignalBoard
+from nctakt.kernel.tick.single_block import SingleBlock
 
 
 class CommandExecutor:
@@ -44,6 +45,7 @@ class CommandExecutor:
         self.record = record
         self.hli = hli
         self.panel = hli.panel
+        self.single_block = SingleBlock(queue, self.panel)
         self.manager = manager
         self.block_scope = BlockScope(manager, record)
         self.fixed_stops = FixedStops(queue.path, record)
@@ -136,20 +138,11 @@ class CommandExecutor:
 
     def enter_block(self, row: int) -> int:
         """Return whether the command may be taken: single block stops in front of a block."""
-        source = int(self.queue.rows[row + rows.SOURCE])
-        self.taken_source = source
-        line = source >> 20  # file and line (``row/source_ids.py``)
-        is_started = self.queue.head <= self.queue.started or self.path.speed_v > 0.0
-        if self.path.continues_block():
+        self.taken_source = int(self.queue.rows[row + rows.SOURCE])
+        if self.single_block.permits():
             return 1
-        if self.panel.permits_block(line, self.is_motion(row), is_started):
-            return 1
-        self.record.event(rows.EVENT_PAUSED, source)
+        self.record.event(rows.EVENT_PAUSED, self.taken_source)
         return 0
-
-    def is_motion(self, row: int) -> bool:
-        """Return whether a command is a segment or a dwell."""
-        return self.queue.rows[row + rows.KIND] in (rows.SEGMENT, rows.DWELL)
 
     def take(self, tick: int, row: int, kind: int) -> int:
         """Take the command at ``row``; return 0 if it stays at the head of the queue."""
@@ -212,7 +205,7 @@ class CommandExecutor:
             self.queue.timed_count -= 1
             self.report(self.taken_source, int(self.queue.rows[row + rows.GIVE_UP_MESSAGE]), 0.0)
         elif kind == rows.SINGLE_STEP:
-            self.panel.lock_step(self.queue.rows[row + rows.ARGUMENTS] != 0.0)
+            self.single_block.take(row)
         elif kind == rows.MODAL_MARK:
             self.modal = int(self.queue.rows[row + rows.MODAL_NUMBER])
         elif kind in (rows.MESSAGE, rows.FREEZE, rows.BLOCK_MARK, rows.WAIT_MARK):

@@ -15,6 +15,7 @@ from nctakt.lists.declared.feed_groups import FEED_GROUPS
 from nctakt.lists.declared.kinematics import KINEMATICS
 from nctakt.lists.declared.measuring import CHANNEL_MEASURING
 from nctakt.lists.declared.path_limits import PATH_LIMITS
+from nctakt.lists.declared.single_block import SINGLE_BLOCK
 from nctakt.lists.declared.spindle_gears import SPINDLE_GEARS
 from nctakt.lists.declared.technology_functions import SPINDLE_FUNCTIONS, TECHNOLOGY, TOOL
 from nctakt.lists.declared.tool_selection import CHANNEL_TOOLS
@@ -491,6 +492,7 @@ CHANNEL = Schema(
     + COUPLINGS
     + DYNAMIC_WEIGHTS
     + CHANNEL_MEASURING
+    + SINGLE_BLOCK
     + _DEFAULTS
     + _REALTIME,
     ParameterTable("channel.tsv"),

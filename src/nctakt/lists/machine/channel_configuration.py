@@ -184,7 +184,7 @@ class ChannelParameters:
     ``m_functions`` and ``h_functions``: number -> function, only those that are defined.
     ``path_limits``: those of ``#VECTOR LIMIT ON`` without a value, by keyword: mm/min, and mm/s²
     with ``path_limits_per_s``, else mm/min². ``context_*``: P-CHAN-00409 … 00411. ``c_axis_name``:
-    P-CHAN-00010, of the axis of #CAX.
+    P-CHAN-00010, of the axis of #CAX. ``single_block``: P-CHAN-00015.
     """
 
     axes: tuple[NamedAxis, ...]
@@ -220,6 +220,7 @@ class ChannelParameters:
     coordinate_systems: ListedSystems
     gears: ListedGears
     couplings: ListedCouplings
+    single_block: int
 
     @property
     def spindle_names(self) -> tuple[str, ...]:
@@ -276,6 +277,7 @@ def channel_parameters(values: Values, collector: Collector) -> ChannelParameter
         listed_systems(values),
         listed_gears(values),
         listed_couplings(values, collector),
+        values.integer("einzelschrittmodus"),
     )
 
 

@@ -11,12 +11,12 @@ from collections.abc import Sequence
 
 from nctakt.base.text import close_names
 from nctakt.messages.checked_blocks import INVALID_COMMAND_FORM, UNKNOWN_COMMAND_OPTION
-from nctakt.messages.motion import COMMAND_WORD_NOT_SIMULATED
 from nctakt.nc.check.expressions import ValueChecker
 from nctakt.nc.check.feed_groups import check_feed_group
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.check.optional_parts import check_optional
 from nctakt.nc.check.path_commands import Form, check_item
+from nctakt.nc.check.single_steps import check_single_step
 from nctakt.nc.tree import Bracket, Expression, HashCommand, Keyword, Name, Timer
 from nctakt.nc.vocabulary.command_forms import INIT, OLD_INIT, forms_of
 from nctakt.nc.vocabulary.file_names import (
@@ -29,7 +29,6 @@ from nctakt.nc.vocabulary.file_names import (
 
 _TIMER_ACTIONS = ("START", "STOP", "READ", "CLEAR")
 _POSITIONS = ("CMDPOS", "ACTPOS")
-_STEP_WORDS = ("DISABLE", "ENABLE")
 _WITHOUT_ARGUMENTS = (
     ("BACKWARD", "STORAGE", "CLEAR"),
     ("DISABLE", "MODAL", "CYCLE"),
@@ -69,7 +68,7 @@ class CommandChecker:
         elif check_feed_group(command, self._axes, self._values, self._findings):
             return True
         elif tuple(words) == ("SINGLE", "STEP"):
-            self._single_step(command)
+            check_single_step(command, self._values, self._findings)
         elif words[:2] == ["OPTIONAL", "EXECUTION"]:
             check_optional(command, self._values, self._findings)
         elif tuple(words) in _WITHOUT_ARGUMENTS:
@@ -109,22 +108,6 @@ class CommandChecker:
                 INVALID_COMMAND_FORM, command.span, command="#CHANNEL INIT", forms=forms
             )
 
-    def _single_step(self, command: HashCommand) -> None:
-        """Check ``#SINGLE STEP [DISABLE]``; the distance of blocks is not simulated."""
-        name = "#SINGLE STEP"
-        items = self._items(command, name)
-        if len(items) > 1:
-            forms = forms_of(name)
-            self._findings.report(INVALID_COMMAND_FORM, command.span, command=name, forms=forms)
-        for item in items[:1]:
-            if isinstance(item, Keyword) and item.name == "RESOLUTION":
-                names = ", ".join(_STEP_WORDS)
-                self._findings.report(
-                    COMMAND_WORD_NOT_SIMULATED, item.span, command=name, word=item.name, names=names
-                )
-            elif axis_name(item) not in _STEP_WORDS:
-                self._option(name, self._findings.written(item.span), _STEP_WORDS, item)
-
     def _items(self, command: HashCommand, name: str) -> tuple[Keyword | Expression, ...]:
         """Return the items of the command's only bracket; report any other form."""
         if len(command.arguments) == 1 and isinstance(command.arguments[0], Bracket):
@@ -143,17 +126,3 @@ class CommandChecker:
         self._findings.report(
             UNKNOWN_COMMAND_OPTION, node.span, command=command, word=word, names=listed
         )
-
-
-def single_step_word(command: HashCommand) -> str:
-    """Return the word of a checked ``#SINGLE STEP``."""
-    (bracket,) = command.arguments
-    assert isinstance(bracket, Bracket)
-    return axis_name(bracket.items[0])
-
-
-def axis_name(item: Keyword | Expression) -> str:
-    """Return the name that an item is, else an empty text."""
-    if isinstance(item, Name) or (isinstance(item, Keyword) and item.value is None):
-        return item.name
-    return ""

@@ -267,7 +267,7 @@ COMMANDS = table(
         "vorhandenes Signal abholen, in V.G.SIGNAL_READ",
     ),
     ("#SIGNAL REMOVE", SIMULATED, "clear signals", "Signale löschen"),
-    ("#SINGLE STEP", SIMULATED, "part without single block", "Teil ohne Einzelschritt"),
+    ("#SINGLE STEP", SIMULATED, "where single block stops", "wo der Einzelsatz anhält"),
     ("#SLOPE", SIMULATED, "profile of acceleration", "Beschleunigungsprofil"),
     ("#SPLINE TYPE", SIMULATED, "kind of splines", "Art der Splines"),
     ("#SET SPLINETYPE", SIMULATED, "kind of splines", "Art der Splines"),

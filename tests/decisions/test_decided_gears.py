@@ -19,7 +19,7 @@ from test_runs import changed_machine
 from nctakt.base.diagnostics import Severity
 from nctakt.lists.machine.machine import Machine, load_machine
 from nctakt.results.run import Run
-from nctakt.run.controller import Controller
+from nctakt.run.controller import Controller, NcText
 
 SPINDLE = (
     "getriebe[0].dynamik.vb_max 6000000",
@@ -181,3 +181,40 @@ def test_a_function_that_is_not_awaited(tmp_path: Path) -> None:
     """Public manual: M40 … M45 must be MVS_SVS; 901878 says so."""
     lists = machine(tmp_path, "m_synch[41] MOS")
     assert problems(run_of(lists, "M41")) == [901878]
+
+
+def test_a_step_counts_once_it_is_engaged(manual: Machine) -> None:
+    """A reset in front of M41 leaves the step that the spindle has; the next program changes it."""
+    controller = Controller(manual)
+    program = "M3 S900\nG01 X200 F2000\nM41\nX300\nM30\n"
+    controller.start(NcText("part.nc", program))
+    controller.step(500)
+    controller.reset()
+    controller.step(3000)
+    run = run_of(manual, "M41\nM3 S1500\nG04 10", controller)
+    assert problems(run) == []
+    assert run.trace is not None
+    assert run.trace["S.SPEED"][-1] == 1500.0
+    assert "M 41" in " ".join(told(run, "output"))
+
+
+def test_functions_beside_g112(manual: Machine) -> None:
+    """S is the gear step of its block, M3 counts as in any other."""
+    run = run_of(manual, "G112 S2 M3\nS1500\nG04 10")
+    assert problems(run) == []
+    assert run.trace is not None
+    assert run.trace["S.SPEED"][-1] == 1500.0
+
+
+def test_block_search_changes_the_step_at_the_start_block(manual: Machine) -> None:
+    """The PLC shifts there, and the spindle gets its last job with the limits of the step."""
+    program = "M41\nG01 X5 F600\nG112 S1\nG112 S2\nX6\nM3 S1500\nX7\nG04 10\nM30"
+    found = perform(program, Controller(manual), signals=["S.SPEED"], from_line=7)
+    assert problems(found) == []
+    assert found.trace is not None
+    assert found.trace["S.SPEED"][-1] == 1500.0
+    assert [line.split()[1:4] for line in told(found, "output")] == [["output", "M", "41"]]
+    with_limits_only = "G112 S2\nG01 X5 F600\nX6\nM30"
+    found = perform(with_limits_only, Controller(manual), signals=["S.SPEED"], from_line=3)
+    assert problems(found) == []
+    assert told(found, "output") == []

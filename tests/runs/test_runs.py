@@ -41,9 +41,9 @@ def settings(folder: Path) -> dict[str, Any]:
     return tomllib.loads(file.read_text("utf-8")) if file.exists() else {}
 
 
-def changed_machine(changes: Mapping[str, Sequence[str]], target: Path) -> Path:
-    """The demo machine with other lines for the same entries of its lists, or further ones."""
-    shutil.copytree(DEMO, target)
+def changed_machine(changes: Mapping[str, Sequence[str]], target: Path, base: Path = DEMO) -> Path:
+    """A machine with other lines for the same entries of its lists, or further ones."""
+    shutil.copytree(base, target)
     for name, lines in changes.items():
         entries = {line.split()[0]: line for line in lines}
         kept = [

@@ -130,7 +130,9 @@ class ProgramDecoder:
         self._exchange = AxisExchange(self._values, self._plain.adapt)
         self._stops_at_lines = environment.parameters.single_block == ALL_LINES
         self._takes_runs = takes_runs and not self._stops_at_lines
-        self._search = BlockSearch(self._values, path, start, self._pass_time)
+        self._search = BlockSearch(
+            self._values, path, start, self._pass_time, self._block_decoder.spindles.gears
+        )
         self._blocks = 0
         self._started_blocks = 0
         self._passes: dict[Span, int] = {}

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from nctakt.messages.catalogue import error
+from nctakt.messages.catalogue import error, warning
 
 _GROUP = ("number of the coupling group", "Nummer der Kopplungsgruppe")
 _SLAVE = ("the slave", "der Slave")
@@ -297,6 +297,29 @@ SLAVE_OUTSIDE_LIMITS = error(
     position=("position of the slave in mm or degrees", "Position des Slaves in mm oder Grad"),
     low=("the lower limit", "die untere Grenze"),
     high=("the upper limit", "die obere Grenze"),
+    reaction=2,
+    clearing=3,
+)
+GROUP_NOT_RESTORED = warning(
+    901888,
+    en="the coupling group {group} is not active any more: {reason}",
+    de="die Kopplungsgruppe {group} ist nicht mehr aktiv: {reason}",
+    remedy_en="Fetch its axes or choose its main spindle, then write #AX LINK ON [{group}].",
+    remedy_de="Ihre Achsen holen oder ihre Hauptspindel wählen, dann #AX LINK ON [{group}].",
+    cause_en="P-CHAN-00104 and P-CHAN-00105 couple it at the start of the program, with the axes "
+    "and the main spindle of the channel list.",
+    cause_de="P-CHAN-00104 und P-CHAN-00105 koppeln sie am Programmanfang, mit den Achsen und der "
+    "Hauptspindel der Kanalliste.",
+    group=_GROUP,
+    reason=("why it cannot be coupled", "warum sie nicht gekoppelt werden kann"),
+)
+SPINDLES_FOLLOW_JOBS = error(
+    901889,
+    en="the spindle {slave} takes the jobs of its master: it has no factor and no limit",
+    de="die Spindel {slave} übernimmt die Aufträge ihres Masters: ohne Faktor, ohne Grenze",
+    remedy_en="Write the pair without them: S2=S.",
+    remedy_de="Das Paar ohne sie schreiben: S2=S.",
+    slave=_SLAVE,
     reaction=2,
     clearing=3,
 )

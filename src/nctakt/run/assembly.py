@@ -37,7 +37,7 @@ from nctakt.run.event_registry import EventRegistry
 from nctakt.run.inputs import API, Inputs
 from nctakt.run.machine_names import SignalCell, channel_names, names_of_machine, prefix_of
 from nctakt.run.realtime_part import RealtimePart
-from nctakt.run.spindle_setup import all_names, at_start_up
+from nctakt.run.spindle_setup import all_names, at_start_up, follow_executed
 from nctakt.run.variable_access import VariableAccess
 
 
@@ -264,6 +264,7 @@ class AssembledMachine:
     def begin_program(self, channel: int) -> None:
         """Let the decoder of a channel begin with the axes of its list (P-CHAN-00460)."""
         own = self.assembled[channel]
+        follow_executed(own.spindle_gears, self.channels[channel].executor.context.spindles)
         if own.places.is_exchanged:
             own.places.present = own.places.listed
             own.offsets.exchange(own.places.own_axes(own.places.listed))

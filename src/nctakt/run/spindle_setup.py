@@ -44,6 +44,7 @@ def channel_spindles(
             speed=gear.speed_v,
             acceleration=gear.acceleration,
             jerk=gear.jerk,
+            step=axis.dynamics.gear_number,
         )
     return realtime
 
@@ -63,6 +64,16 @@ def gear_steps(configuration: Machine, index: int) -> dict[int, SpindleGears]:
             active = axis.dynamics.gear_number
             gears[column] = SpindleGears(steps, active, axis.checks_tool_speed)
     return gears
+
+
+def follow_executed(gears: Mapping[int, SpindleGears], spindles: Spindles) -> None:
+    """Let the decoder begin a program with the gear steps and tools that the spindles have.
+
+    A reset takes what an earlier program has not come to.
+    """
+    for column, one in gears.items():
+        one.active = spindles.limits.gear_step(column)
+        one.tool_range = spindles.limits.tool_range(column)
 
 
 def at_start_up(gears: Mapping[int, SpindleGears]) -> dict[int, SpindleGears]:

@@ -56,5 +56,5 @@ def check_slaves(values: Values, master: int, position: float, span: Span) -> No
 
 def check_uncoupled(values: Values, command: str, span: Span) -> None:
     """Raise ``DecodeError`` while axes are coupled."""
-    if values.state.couplings.places:
+    if values.state.couplings.of_axes:
         values.fail(NOT_WHILE_COUPLED, span, command=command, other="#AX LINK")

@@ -16,6 +16,7 @@ from nctakt.decoder.state.spindle_commands import AwaitSpindle, SpindleJob, Spin
 from nctakt.decoder.state.spindle_gears import SpindleGears
 from nctakt.decoder.values.variables import Values
 from nctakt.hli.function_codes import code_of
+from nctakt.messages.couplings import NOT_WHILE_COUPLED
 from nctakt.messages.gears import (
     GEAR_CHANGE_WHILE_TURNING,
     GEAR_FUNCTION_SYNCHRONISATION,
@@ -74,6 +75,9 @@ class GearChanges:
         if stage == gears.active:
             return False
         self._check(index, stage, span)
+        if self._values.state.couplings.spindles(index):
+            command = f"M{GEAR_FUNCTIONS[0] + stage - 1}"
+            self._values.fail(NOT_WHILE_COUPLED, span, command=command, other="#AX LINK")
         environment = self._values.environment
         source = environment.source_id(span)
         gear = gears.gear
@@ -124,5 +128,5 @@ class GearChanges:
         gears.active = stage
         gear, source = gears.gear, self._values.environment.source_id(span)
         yield SpindleLimits(
-            source, number, index, 0.0, gear.speed_v, gear.acceleration, gear.jerk, is_gear=True
+            source, number, index, 0.0, gear.speed_v, gear.acceleration, gear.jerk, stage
         )

@@ -207,9 +207,8 @@ class SpindleWords:
         if found:
             span = numbers[min(found)]
             index, _ = find(self.values, "", span)
-            if self.values.state.couplings.spindles(index):
-                word = f"G{min(found)}"
-                self.values.fail(NOT_WHILE_COUPLED, span, command=word, other="#AX LINK")
+            if CUTTING_SPEED in found and self.values.state.couplings.spindles(index):
+                self.values.fail(NOT_WHILE_COUPLED, span, command="G96", other="#AX LINK")
             yield from self.cutting.functions(numbers, index, span, number)
 
     def functions(
@@ -235,8 +234,9 @@ class SpindleWords:
             if self._loads_gear:
                 span, is_turning = command.speed.span, modal.function in _DIRECTIONS
                 yield from self.gears.load(index, speed, span, number, turns=is_turning)
-                return []
-            if is_main and self.cutting.sets_limit:
+                if not command.functions:
+                    return []
+            elif is_main and self.cutting.sets_limit:
                 span = command.speed.span
                 yield from self.cutting.set_limit(speed, index, span, number)
                 if not command.functions:
@@ -279,6 +279,10 @@ class SpindleWords:
         functions = self._job(command, number, (index, spindle, key), job)
         for slave in self.values.state.couplings.spindles(index):
             follower = self.values.environment.parameters.spindles[slave]
+            if function in _DIRECTIONS:
+                if command.speed is not None:
+                    warn_of_speed(self.values, slave, speed, command.span)
+                check_tool_range(self.values, slave, speed, command.span)
             self.modal[slave] = replace(modal)
             functions += self._job(command, number, (slave, follower, key), job)
         return functions

@@ -3,8 +3,8 @@
 
 In: the commands of the program from its start on. Up to the start block motions, dwells, functions,
 messages and signals are left out; offsets, variables, realtime cycles and limits come into force.
-There the spindles get their last job, and the axes move at rapid traverse, straight, to where the
-block begins. ``#BLOCKSEARCH LOCKED`` forbids a start in a part of a program.
+There spindles get their gear step and their last job, and the axes move at rapid traverse, in a
+straight line, to where the block begins. ``#BLOCKSEARCH LOCKED`` forbids a start in a part of a program.
 """
 
 from __future__ import annotations
@@ -12,10 +12,12 @@ from __future__ import annotations
 from collections.abc import Callable, Generator
 
 from nctakt.base.diagnostics import Span
+from nctakt.decoder.blocks.gear_changes import GearChanges
 from nctakt.decoder.blocks.path_motion import PathMotion, PathWords
 from nctakt.decoder.state.axis_commands import SetSoftwareLimits
 from nctakt.decoder.state.commands import (
     Answer,
+    AwaitAcknowledge,
     Command,
     CycleControl,
     DecoderWait,
@@ -86,6 +88,7 @@ class BlockSearch:
         path: PathMotion,
         start: StartBlock | None,
         pass_time: Callable[[Command], None],
+        gears: GearChanges,
     ) -> None:
         self._values = values
         self._path = path
@@ -93,7 +96,11 @@ class BlockSearch:
         self._pass_time = pass_time
         self._file = ""
         self._is_locked = False
+        self._gears = gears
         self._jobs: dict[int, SpindleJob] = {}
+        self._steps: dict[int, int] = {}
+        self._shifted: dict[int, int] = {}
+        self._awaits_shift = False
 
     @property
     def is_active(self) -> bool:
@@ -108,6 +115,8 @@ class BlockSearch:
         """Begin to search in a main program, if there is a start block."""
         self._file = file
         self._values.state.is_searching = self._start is not None
+        gears = self._values.environment.spindle_gears
+        self._steps = {index: one.active for index, one in gears.items()}
 
     def filter(
         self, commands: Generator[Command, Answer], span: Span
@@ -130,7 +139,7 @@ class BlockSearch:
                     self._values.fail(START_BLOCK_NOT_REACHED, span, block=self._start.shown)
                 elif isinstance(command, PositionRequest):
                     answer = tuple(self._values.state.positions)
-                elif isinstance(command, _PASSING) or _is_lasting(command):
+                elif _comes_into_force(command):
                     answer = yield command
                 else:
                     self._leave_out(command)
@@ -141,8 +150,11 @@ class BlockSearch:
     def _leave_out(self, command: Command) -> None:
         if isinstance(command, SpindleJob):
             self._jobs[command.spindle] = command
+        elif isinstance(command, SpindleLimits) and self._awaits_shift:
+            self._shifted[command.spindle] = command.step
         elif isinstance(command, Segment | Dwell):
             self._pass_time(command)
+        self._awaits_shift = isinstance(command, AwaitAcknowledge)
 
     def reach(self, statement: tree.Statement, number: int) -> Generator[Command, Answer]:
         """Begin the program here if this is the start block; raises ``DecodeError`` 21399."""
@@ -153,6 +165,7 @@ class BlockSearch:
             self._values.fail(START_BLOCK_LOCKED, statement.span)
         self._values.state.is_searching = False
         self._values.warn(START_OF_SEARCH, statement.span, block=start.shown)
+        yield from self._shift(statement.span, number)
         yield from self._jobs.values()
         source = self._values.environment.source_id(statement.span)
         environment = self._values.environment
@@ -169,7 +182,20 @@ class BlockSearch:
         if segment is not None:
             yield segment
 
+    def _shift(self, span: Span, number: int) -> Generator[Command, None]:
+        """Change to the gear steps that the spindles would have: the PLC has to shift, too."""
+        for index, before in self._steps.items():
+            gears = self._values.environment.spindle_gears[index]
+            step, gears.active = gears.active, before
+            if index in self._shifted:
+                yield from self._gears.change(index, self._shifted[index], span, number)
+            if step != gears.active:
+                yield from self._gears.load(index, step, span, number, turns=False)
 
-def _is_lasting(command: Command) -> bool:
-    """Return whether a command defines a cycle that outlives the next block."""
-    return isinstance(command, LoadCycle) and command.scope != codes.BLOCK_SCOPE
+
+def _comes_into_force(command: Command) -> bool:
+    """Return whether a command counts during the search: not one that changes a gear step."""
+    if isinstance(command, LoadCycle):
+        return command.scope != codes.BLOCK_SCOPE
+    is_gear = isinstance(command, SpindleLimits) and command.step != 0
+    return isinstance(command, _PASSING) and not is_gear

@@ -10,11 +10,14 @@ from __future__ import annotations
 import math
 from collections.abc import Generator, Iterator, Sequence
 
-from nctakt.base.diagnostics import NOTHING, Span
+from nctakt.base.diagnostics import NOTHING, Span, Text
 from nctakt.decoder.axis_limits import set_limits
+from nctakt.decoder.blocks.cutting_speed import CuttingSpeeds
+from nctakt.decoder.blocks.spindles import index_of
 from nctakt.decoder.state.commands import Answer, ClearHistory, Command, PositionRequest
 from nctakt.decoder.state.coordinate_systems import MAIN_AXES
 from nctakt.decoder.state.couplings import Couple, CoupledPair, CoupledPlaces
+from nctakt.decoder.state.environment import DecodeError
 from nctakt.decoder.values.variables import Values
 from nctakt.messages.couplings import (
     ACTIVE_GROUP_DEFINED_AGAIN,
@@ -24,6 +27,7 @@ from nctakt.messages.couplings import (
     COUPLING_DURING_COMPENSATION,
     COUPLING_GROUP_OUT_OF_RANGE,
     FACTOR_IS_ZERO,
+    GROUP_NOT_RESTORED,
     MAIN_AXIS_AS_SLAVE,
     MAIN_SPINDLE_AS_SLAVE,
     MASTER_IS_SLAVE_OF_GROUP,
@@ -32,6 +36,7 @@ from nctakt.messages.couplings import (
     SLAVE_IS_MASTER_IN_GROUP,
     SLAVE_IS_MASTER_OF_GROUP,
     SLAVE_TWICE_IN_GROUP,
+    SPINDLES_FOLLOW_JOBS,
     UNKNOWN_COUPLED_AXIS,
     UNKNOWN_COUPLING_GROUP,
 )
@@ -50,8 +55,9 @@ Member = tuple[bool, int]
 class Couplings:
     """Decodes these commands for one program."""
 
-    def __init__(self, values: Values) -> None:
+    def __init__(self, values: Values, cutting: CuttingSpeeds) -> None:
         self._values = values
+        self._cutting = cutting
         self._environment = values.environment
         self._places = values.environment.places
         self._data = values.environment.controller_data.couplings
@@ -60,9 +66,21 @@ class Couplings:
     # --- begin and end of a program -------------------------------------------------------------
 
     def begin_program(self, span: Span) -> Generator[Command, Answer]:
-        """Couple again what an earlier program has left coupled, if the list says so."""
+        """Couple again what an earlier program has left coupled, if the list says so.
+
+        A group whose axes and spindles are not as they were is left out, with a warning.
+        """
+        name = "#ENABLE AX LINK"
         for group in self._data.take_restored():
-            yield from self._enable(group, "#ENABLE AX LINK", span, 0)
+            self._check_allowed(name, span, (group,))
+            try:
+                self._check_pairs(group, span)
+            except DecodeError as error:
+                found = error.diagnostic
+                reason = Text(found.text("en"), found.text("de"))
+                self._values.warn(GROUP_NOT_RESTORED, span, group=group, reason=reason)
+            else:
+                yield from self._enable(group, name, span, 0)
 
     def end_program(self, span: Span) -> Generator[Command, Answer]:
         """Release all groups (P-CHAN-00105)."""
@@ -100,21 +118,25 @@ class Couplings:
             self._check_group(pairs, [pair.span for pair in parsed.pairs])
             self._data.groups[group] = tuple(pairs)
             return
-        self._check_allowed(name, span)
-        if parsed.action is CouplingAction.ENABLE:
-            yield from self._enable(group, name, span, number)
-            return
         active = tuple(self._active.groups)
         if parsed.action is CouplingAction.DISABLE:
             active = (group,) if parsed.group is not None else active[-1:]
+        is_enabling = parsed.action is CouplingAction.ENABLE
+        self._check_allowed(name, span, (group,) if is_enabling else active)
+        if is_enabling:
+            yield from self._enable(group, name, span, number)
+            return
         if any(one not in self._data.groups for one in active):
             self._fail_unknown(name, group, span)
         yield from self._disable(active, span, number)
 
-    def _check_allowed(self, name: str, span: Span) -> None:
+    def _check_allowed(self, name: str, span: Span, groups: Sequence[int]) -> None:
+        """Check that groups may be coupled or released here; raises ``DecodeError``."""
         if self._values.state.path.compensation.is_active:
             self._values.fail(COUPLING_DURING_COMPENSATION, span, command=name)
-        if self._environment.offsets.transformation.is_active:
+        pairs = [pair for group in groups for pair in self._data.groups.get(group, ())]
+        has_axes = any(pair.axes for pair in pairs)
+        if has_axes and self._environment.offsets.transformation.is_active:
             self._values.fail(NOT_WHILE_COUPLED, span, command=name, other="#TRAFO")
         if self._values.state.is_searching:
             self._values.fail(NOT_WHILE_COUPLED, span, command=name, other="block search")
@@ -145,7 +167,10 @@ class Couplings:
             allowed = self._places.machine_axes[slave[1]].gantry.allowed_d
         for expression in written.limits[:1]:
             value = yield from self._values.evaluate(expression, number)
-            allowed = abs(value) * self._values.state.length_unit_mm
+            is_linear = not slave[0] and self._places.machine_axes[slave[1]].is_linear
+            allowed = abs(value) * (self._values.state.length_unit_mm if is_linear else 1.0)
+        if slave[0] and (written.is_gantry or factor != 1.0):
+            self._values.fail(SPINDLES_FOLLOW_JOBS, written.span, slave=self._name(slave))
         return CoupledPair(slave[1], master[1], factor, allowed, slave[0])
 
     def _member(
@@ -157,9 +182,9 @@ class Couplings:
             axis = self._environment.names.axis(written)
             if axis is not None:
                 return False, axis.number
-            for index, spindle in enumerate(spindles):
-                if written in (spindle.name, spindle.list_name):
-                    return True, index
+            index = index_of(self._values, written)
+            if index >= 0:
+                return True, index
             known = ", ".join(self._environment.parameters.spindle_names)
             self._values.fail(UNKNOWN_COUPLED_AXIS, span, axis=written, known=known)
         value = yield from self._values.evaluate(written, number)
@@ -208,9 +233,8 @@ class Couplings:
             return
         if group not in self._data.groups:
             self._fail_unknown(name, group, span)
+        self._check_pairs(group, span)
         pairs = self._data.groups[group]
-        for pair in pairs:
-            self._check_pair(pair, span)
         source = self._environment.source_id(span)
         yield from self._stop(source, number)
         state = self._values.state
@@ -263,6 +287,11 @@ class Couplings:
         yield set_limits(self._environment.axes, limits, source, number)
         yield ClearHistory(source, number)
 
+    def _check_pairs(self, group: int, span: Span) -> None:
+        """Check that the pairs of a group can be coupled; raises ``DecodeError``."""
+        for pair in self._data.groups[group]:
+            self._check_pair(pair, span)
+
     def _check_pair(self, pair: CoupledPair, span: Span) -> None:
         """Check that a pair can be coupled beside those that are."""
         slave, master = pair.members
@@ -281,6 +310,8 @@ class Couplings:
         if pair.is_spindle:
             if pair.slave == self._values.state.main_spindle:
                 self._values.fail(MAIN_SPINDLE_AS_SLAVE, span, **names)
+            if self._cutting.is_active and pair.master == self._values.state.main_spindle:
+                self._values.fail(NOT_WHILE_COUPLED, span, command="#AX LINK", other="G96")
             return
         for index in pair.axes:
             if self._slot(index) < 0:

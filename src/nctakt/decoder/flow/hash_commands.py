@@ -72,7 +72,7 @@ class HashCommands:
         self._spindles = blocks.spindles
         self._systems = CsCommands(values)
         self._measuring = Measuring(values)
-        self._couplings = Couplings(values)
+        self._couplings = Couplings(values, blocks.spindles.cutting)
         self._tools = ToolCommands(values, blocks)
         self._transformations = TransformationCommands(values)
         self._tool = ToolOrientation(values, self._transformations, blocks)

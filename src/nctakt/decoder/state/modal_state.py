@@ -423,7 +423,7 @@ class ModalState:
         has_feed_of_its_own = has_override or feed.group is not None
         if has_feed_of_its_own or self.shapes.spline.is_on or self.frame.is_active:
             return False
-        return not (self.not_plain or self.monitored or self.couplings.places)
+        return not (self.not_plain or self.monitored or self.couplings.of_axes)
 
     def note(self, function: int) -> None:
         """Note a G function that becomes active, for ``allows_plain_lines``."""

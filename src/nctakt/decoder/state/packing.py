@@ -161,7 +161,7 @@ def pack(command: Command, reference: int = 0) -> list[float]:
             return [*row, command.axis, command.centre, command.limit_v]
         case SpindleLimits():
             row = [rows.SPINDLE_LIMITS, *head, command.spindle, command.low_v]
-            return [*row, command.high_v, command.acceleration, command.jerk, command.is_gear]
+            return [*row, command.high_v, command.acceleration, command.jerk, command.step]
         case EmptyBlock():
             return [rows.EMPTY_BLOCK, *head]
         case MeasureEnd():

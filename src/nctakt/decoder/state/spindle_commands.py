@@ -43,8 +43,8 @@ class SpindleLimits(Command):
     """A spindle has these limits of its tool from its next start on (P-TOOL-00013 … 00015).
 
     ``low_v``: least speed of an endless job, ``high_v``: highest speed, in degrees per second;
-    ``acceleration`` in degrees per second². 0: that of the spindle. ``is_gear``: they are those of
-    a gear step instead, with ``jerk`` in degrees per second³, 0: unlimited.
+    ``acceleration`` in degrees per second². 0: that of the spindle. ``step``: they are those of
+    this gear step instead, with ``jerk`` in degrees per second³, 0: unlimited.
     """
 
     spindle: int
@@ -52,7 +52,7 @@ class SpindleLimits(Command):
     high_v: float
     acceleration: float
     jerk: float = 0.0
-    is_gear: bool = False
+    step: int = 0
 
 
 @dataclass(frozen=True, slots=True)

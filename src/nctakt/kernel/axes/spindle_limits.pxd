@@ -10,6 +10,7 @@ cdef class SpindleLimits:
     cdef double[::1] acceleration_a
     cdef double[::1] jerk_j
     cdef double[::1] low_v
+    cdef double[::1] step
     cdef double[::1] own_v
     cdef double[::1] own_a
     cdef double[::1] tool_low_v

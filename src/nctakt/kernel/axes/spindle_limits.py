@@ -12,7 +12,10 @@ from nctakt.kernel import rows
 
 
 class SpindleLimits:
-    """``speed_v``, ``acceleration_a`` and ``jerk_j`` are in force, ``low_v`` for endless jobs."""
+    """``speed_v``, ``acceleration_a`` and ``jerk_j`` are in force, ``low_v`` for endless jobs.
+
+    ``step``: the number of the gear step that is engaged, 0 for a spindle without.
+    """
 
     def __init__(self, count: int) -> None:
         size = 8 * max(1, count)
@@ -21,6 +24,7 @@ class SpindleLimits:
         self.acceleration_a = memoryview(bytearray(size)).cast("d")
         self.jerk_j = memoryview(bytearray(size)).cast("d")
         self.low_v = memoryview(bytearray(size)).cast("d")
+        self.step = memoryview(bytearray(size)).cast("d")
         self.own_v = memoryview(bytearray(size)).cast("d")
         self.own_a = memoryview(bytearray(size)).cast("d")
         self.tool_low_v = memoryview(bytearray(size)).cast("d")
@@ -30,8 +34,11 @@ class SpindleLimits:
         self.bound_a = memoryview(bytearray(size)).cast("d")
         self.bound_j = memoryview(bytearray(size)).cast("d")
 
-    def configure(self, spindle: int, speed_v: float, acceleration_a: float, jerk_j: float) -> None:
-        """Set the limits of an axis list; the caller has checked the index."""
+    def configure(
+        self, spindle: int, speed_v: float, acceleration_a: float, jerk_j: float, step: int
+    ) -> None:
+        """Set limits and gear step of an axis list; the caller has checked the index."""
+        self.step[spindle] = step
         self.own_v[spindle] = speed_v
         self.own_a[spindle] = acceleration_a
         self.jerk_j[spindle] = jerk_j
@@ -43,6 +50,7 @@ class SpindleLimits:
         """
         spindle = int(queue[row + rows.LIMITED_SPINDLE])
         if queue[row + rows.LIMITED_BY_GEAR] != 0.0:
+            self.step[spindle] = queue[row + rows.LIMITED_BY_GEAR]
             self.own_v[spindle] = queue[row + rows.LIMITED_HIGH]
             self.own_a[spindle] = queue[row + rows.LIMITED_ACCELERATION]
             self.jerk_j[spindle] = queue[row + rows.LIMITED_JERK]
@@ -51,6 +59,14 @@ class SpindleLimits:
         self.tool_low_v[spindle] = queue[row + rows.LIMITED_LOW]
         self.tool_v[spindle] = queue[row + rows.LIMITED_HIGH]
         self.tool_a[spindle] = queue[row + rows.LIMITED_ACCELERATION]
+
+    def gear_step(self, spindle: int) -> int:
+        """Return the number of the gear step that is engaged."""
+        return int(self.step[spindle])
+
+    def tool_range(self, spindle: int) -> tuple[float, float]:
+        """Return the least and the highest speed of the tool, degrees/s; 0: none."""
+        return self.tool_low_v[spindle], self.tool_v[spindle]
 
     def take_over(self, spindle: int) -> None:
         """Limit a spindle that stands as its axis list and its tool say."""

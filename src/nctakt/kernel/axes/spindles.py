@@ -89,11 +89,12 @@ class Spindles:
         speed: float,
         acceleration: float,
         jerk: float = 0.0,
+        step: int = 0,
     ) -> None:
-        """Set the limits of a spindle, degrees and seconds; a PLC spindle has none."""
+        """Set limits and gear step of a spindle, degrees and seconds; a PLC spindle has none."""
         check_index(spindle, self.count, "spindle")
         self.is_plc[spindle] = plc
-        self.limits.configure(spindle, speed, acceleration, jerk)
+        self.limits.configure(spindle, speed, acceleration, jerk, step)
 
     # --- jobs -----------------------------------------------------------------------------------
 

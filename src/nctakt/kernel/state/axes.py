@@ -220,6 +220,7 @@ def arrays_of_spindle_limits(part: SpindleLimits) -> Arrays:
         part.acceleration_a,
         part.jerk_j,
         part.low_v,
+        part.step,
         part.own_v,
         part.own_a,
         part.tool_low_v,

@@ -299,6 +299,10 @@ def test_drives_that_are_too_far_apart(tmp_path: Path, where: str) -> None:
         ({"y8.lis": "kenngr.gantry_ax_nr 99"}, [70124]),
         ({"y8.lis": "kenngr.gantry_ax_nr 8"}, [70124]),
         ({"v5.lis": "kenngr.gantry_ax_nr 1"}, [901886]),
+        ({"a6.lis": "kenngr.achs_mode 4", "y8.lis": "kenngr.gantry_ax_nr 6"}, [70202]),
+        ({"y8.lis": "getriebe[0].dynamik.a_max 100"}, [70205]),
+        ({"y8.lis": "getriebe[0].dynamik.vb_max 20000"}, [901890]),
+        ({"y8.lis": "kenngr.swe_pos 50000"}, [901890]),
         ({"kanal.lis": "synchro_data.koppel_gruppe[0].paar[2].log_achs_nr_slave 5"}, [20438]),
         (
             {

@@ -166,6 +166,8 @@ def test_a_corner_may_take_a_whole_line(monkeypatch: pytest.MonkeyPatch) -> None
         ("X50\nG301 I60\nY10\n", 901614),
         ("X50\nG301 I20\nY10\n", 901614),
         ("X20 Y-10\nX40\nG301 I30\nX60 Y50\n", 901614),  # page 206615051, example 3
+        ("X50\nG301 I10\nY10\nG301 I1\nX0\n", 901614),
+        ("X50\nG302 I10\nY10\nG302 I1\nX0\n", 901614),
         ("X50\nG301 I1\nZ10\n", 901615),
         ("X50\nG302 I1\nX0\n", 901616),
         ("X50\nG301 I1 Y10\nX0\n", 901611),

@@ -162,6 +162,15 @@ def test_g51_halves_absolute_positions_of_the_face_axis(lathe: Path) -> None:
     assert ends[50] == pytest.approx((40.0, 9.0), abs=0.1)
 
 
+def test_g51_halves_the_centre_of_a_rotation(lathe: Path) -> None:
+    """G68 turns about X = 10 mm, Z = 5 mm."""
+    result = run(lathe, "N10 G18 G51\nG68 X20 Z5 R180\nN20 G01 X40 Z0 F6000\nM30")
+    assert result.state == "ended", result.diagnostics
+    assert values_of(result, 20, "X.ACS.ACT_POS", "Z.ACS.ACT_POS")[-1] == pytest.approx(
+        (0.0, 10.0), abs=0.1
+    )
+
+
 def test_g51_does_nothing_without_a_face_axis() -> None:
     """The demo machine has none."""
     result = run(None, "N10 G51 G00 X100\nM30")

@@ -279,8 +279,7 @@ CASES: list[tuple[type[Command], dict[str, object], int, dict[int, float]]] = [
     ),
     (
         SpindleLimits,
-        {"spindle": 1, "low_v": 2.0, "high_v": 3.0, "acceleration": 4.0, "jerk": 5.0}
-        | {"is_gear": True},
+        {"spindle": 1, "low_v": 2.0, "high_v": 3.0, "acceleration": 4.0, "jerk": 5.0} | {"step": 2},
         rows.SPINDLE_LIMITS,
         {
             rows.LIMITED_SPINDLE: 1,
@@ -288,7 +287,7 @@ CASES: list[tuple[type[Command], dict[str, object], int, dict[int, float]]] = [
             rows.LIMITED_HIGH: 3.0,
             rows.LIMITED_ACCELERATION: 4.0,
             rows.LIMITED_JERK: 5.0,
-            rows.LIMITED_BY_GEAR: 1.0,
+            rows.LIMITED_BY_GEAR: 2,
         },
     ),
     (commands.LoopBegin, {}, rows.LOOP_BEGIN, {}),

@@ -71,3 +71,35 @@ GANTRY_SLAVE_IN_CHANNEL = warning(
     slave=_SLAVE,
     master=_MASTER,
 )
+GANTRY_MODULO_DIFFERS = warning(
+    70202,
+    en="slave {slave} has another modulo mode or range than its master {master}",
+    de="Slave {slave} hat eine andere Modulo-Betriebsart oder -Grenze als Master {master}",
+    remedy_en="Give both P-AXIS-00015, P-AXIS-00126 and P-AXIS-00127 alike; the master's count.",
+    remedy_de="P-AXIS-00015, P-AXIS-00126 und P-AXIS-00127 gleich angeben; die des Masters gelten.",
+    slave=_SLAVE,
+    master=_MASTER,
+)
+GANTRY_ACCELERATION_DIFFERS = warning(
+    70205,
+    en="slave {slave} has another a_max than its master {master}: {value} instead of {other}",
+    de="Slave {slave} hat ein anderes a_max als sein Master {master}: {value} statt {other}",
+    remedy_en="Give both the same P-AXIS-00008; that of the master counts.",
+    remedy_de="Beiden dasselbe P-AXIS-00008 geben; das des Masters gilt.",
+    slave=_SLAVE,
+    master=_MASTER,
+    value=("a_max of the slave", "a_max des Slaves"),
+    other=("a_max of the master", "a_max des Masters"),
+)
+GANTRY_SLAVE_HAS_NARROWER_LIMIT = warning(
+    901890,
+    en="{key} of slave {slave} is narrower than that of its master {master}, and does not count",
+    de="{key} von Slave {slave} ist enger als bei Master {master} und gilt nicht",
+    remedy_en="Give the master limits that the slave keeps, too.",
+    remedy_de="Dem Master Grenzen geben, die auch der Slave einhält.",
+    cause_en="No channel knows the slave of a fixed gantry: it follows wherever its master goes.",
+    cause_de="Kein Kanal kennt den Slave eines festen Gantryverbunds: er folgt dem Master überall.",
+    key=("the entry", "der Eintrag"),
+    slave=_SLAVE,
+    master=_MASTER,
+)

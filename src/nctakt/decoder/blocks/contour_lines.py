@@ -12,6 +12,7 @@ from typing import NamedTuple
 
 from nctakt.base.diagnostics import Span
 from nctakt.decoder.blocks.block_content import BlockContent
+from nctakt.decoder.blocks.diameters import radius_of
 from nctakt.decoder.blocks.path_motion import PathMotion
 from nctakt.decoder.blocks.targets import Targets
 from nctakt.decoder.state.shape_commands import InsertCorner
@@ -166,7 +167,7 @@ class ContourLines:
 
     def _factor(self, axis: int) -> float:
         """Return how far an axis goes by a word with the value 1, in mm."""
-        return self._path.radius_of(axis, self._targets.in_axis_unit(axis, 1.0))
+        return radius_of(self._values, axis, self._targets.in_axis_unit(axis, 1.0))
 
     def _add(self, content: BlockContent, axis: int, position: float, span: Span) -> None:
         """Add a word that leads an axis to a programmed position in mm."""

@@ -10,6 +10,7 @@ from collections.abc import Generator, Mapping
 
 from nctakt.base.diagnostics import Span
 from nctakt.decoder.blocks.block_content import BlockContent
+from nctakt.decoder.blocks.diameters import radius_of
 from nctakt.decoder.state.arcs import PLANES
 from nctakt.decoder.state.commands import Answer, Command
 from nctakt.decoder.values.variables import Values
@@ -89,7 +90,7 @@ class FrameCommands:
                     axis=word.name,
                     plane=self._state.path.plane,
                 )
-            centre[axis] = value * self._state.length_unit_mm
+            centre[axis] = radius_of(self._values, axis, value * self._state.length_unit_mm)
         content.axes = []
         frame.axes = plane
         frame.centre = (centre[plane[0]], centre[plane[1]])

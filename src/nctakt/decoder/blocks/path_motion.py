@@ -163,13 +163,6 @@ class PathMotion:
             for axis, value in zip(self._state.path.plane_axes, compensation.end, strict=True):
                 self._state.positions[axis] = value
 
-    def radius_of(self, axis: int, value: float) -> float:
-        """Return a programmed value of an axis, half of it if it is a diameter (G51, G90)."""
-        state = self._state
-        is_diameter = state.path.has_diameters and state.absolute
-        is_diameter = is_diameter and state.path.turning_plane is None
-        return 0.5 * value if is_diameter and self._environment.axes[axis].is_face else value
-
     def keep_plane(self, function: int, span: Span) -> None:
         """Raise ``DecodeError`` for a change of plane during compensation."""
         path = self._state.path

@@ -12,6 +12,7 @@ from collections.abc import Container, Iterable, Mapping, Sequence
 from nctakt.base.diagnostics import Span
 from nctakt.decoder.blocks.block_content import BlockContent
 from nctakt.decoder.blocks.coupled_axes import check_way, check_words
+from nctakt.decoder.blocks.diameters import radius_of
 from nctakt.decoder.blocks.path_motion import PathMotion
 from nctakt.decoder.state.arcs import SAME_POINT_MM
 from nctakt.decoder.state.coordinate_systems import MAIN_AXES
@@ -55,7 +56,7 @@ class Targets:
                 index = self._environment.axis_numbers[word.name]
                 begin = offsets.total(index, kinds) if self._state.absolute else target[index]
                 distance = self.in_axis_unit(index, value) if is_inch else value
-                target[index] = begin + self._path.radius_of(index, distance)
+                target[index] = begin + radius_of(self._values, index, distance)
                 spans[index] = word.span
         if content.kept:
             spans = dict.fromkeys(content.kept, span) | spans
@@ -80,7 +81,7 @@ class Targets:
         totals = [offsets.total(index) for index in range(len(target))]
         values = frame.inside([value - total for value, total in zip(target, totals, strict=True)])
         for index, value in programmed.items():
-            values[index] = self.in_axis_unit(index, value)
+            values[index] = radius_of(self._values, index, self.in_axis_unit(index, value))
         mapped = frame.outside(values)
         positions = offsets.outside([a + b for a, b in zip(mapped, totals, strict=True)])
         is_mapped = frame.is_active or offsets.systems.is_active
@@ -122,7 +123,9 @@ class Targets:
         for word, value in content.axes:
             index = self._environment.axis_numbers[word.name]
             begin = 0.0 if self._state.absolute else programmed[index]
-            programmed[index] = begin + self._path.radius_of(index, self.in_axis_unit(index, value))
+            programmed[index] = begin + radius_of(
+                self._values, index, self.in_axis_unit(index, value)
+            )
             for moved in frame.moved_with(index):
                 spans.setdefault(moved, word.span)
             spans[index] = word.span

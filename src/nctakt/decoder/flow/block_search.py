@@ -4,7 +4,8 @@
 In: the commands of the program from its start on. Up to the start block motions, dwells, functions,
 messages and signals are left out; offsets, variables, realtime cycles and limits come into force.
 There spindles get their gear step and their last job, and the axes move at rapid traverse, in a
-straight line, to where the block begins. ``#BLOCKSEARCH LOCKED`` forbids a start in a part of a program.
+straight line, to where the block begins. ``#BLOCKSEARCH LOCKED`` forbids a start in a part of a
+program.
 """
 
 from __future__ import annotations

@@ -360,8 +360,10 @@ class Shaping:
             )
         before = corners.Side(held.segment, plane, is_before=True)
         behind = corners.Side(motion.segment, plane, is_before=False)
-        for side, where in ((before, _BEFORE), (behind, _BEHIND)):
+        for side, cut, where in ((before, held, _BEFORE), (behind, motion, _BEHIND)):
             if side.length < corners.NOTHING_LEFT:
+                if cut.segment.start == cut.segment.target:
+                    self._values.fail(CORNER_TOO_LARGE, corner.span, size=corner.size, side=where)
                 self._values.fail(
                     CORNER_NOT_IN_PLANE, corner.span, side=where, plane=self._state.path.plane
                 )

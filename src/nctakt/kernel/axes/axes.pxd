@@ -47,8 +47,8 @@ cdef class Axes:
 
     @cython.locals(k=Py_ssize_t, i=Py_ssize_t, master=Py_ssize_t, command=double, state=int)
     cdef void follow_masters(self) noexcept nogil
-    @cython.locals(k=Py_ssize_t, actual=double)
-    cdef Py_ssize_t askew_pair(self) noexcept nogil
+    @cython.locals(actual=double)
+    cdef int is_askew(self, Py_ssize_t k) noexcept nogil
     @cython.locals(slave=Py_ssize_t, master=Py_ssize_t)
     cdef void couple(self, double[::1] queue, Py_ssize_t row) noexcept nogil
     cpdef void feed_forward(self, Py_ssize_t index, double share) noexcept nogil

@@ -104,13 +104,10 @@ class Axes:
                 state = codes.SYNCHRONIZED_MOTION
             self.show_state(i, state)
 
-    def askew_pair(self) -> int:
-        """Return the first pair whose actual positions differ too much, -1 for none."""
-        for k in range(self.couplings.count):
-            actual = self.actual_position(self.couplings.slave[k])
-            if self.couplings.is_askew(k, actual, self.actual_position(self.couplings.master[k])):
-                return k
-        return -1
+    def is_askew(self, k: int) -> int:
+        """Return whether the actual positions of a pair differ too much."""
+        actual = self.actual_position(self.couplings.slave[k])
+        return self.couplings.is_askew(k, actual, self.actual_position(self.couplings.master[k]))
 
     def couple(self, queue: memoryview[float], row: int) -> None:
         """Let an axis follow another one from here on, or no longer."""

@@ -81,8 +81,9 @@ cdef class AxisMotions:
     @cython.locals(axis=Py_ssize_t)
     cdef void step(self) noexcept nogil
     cdef void follow_masters(self) noexcept nogil
-    @cython.locals(pair=Py_ssize_t, axis=Py_ssize_t)
+    @cython.locals(k=Py_ssize_t, axis=Py_ssize_t)
     cdef void watch_slaves(self) noexcept nogil
+    cdef void stop_askew(self, Py_ssize_t axis) noexcept nogil
     @cython.locals(top_v=double, now_t=double, over_t=double)
     cdef void step_axis(self, Py_ssize_t axis) noexcept nogil
     cdef void plan(self, Py_ssize_t axis, double top_v) noexcept nogil

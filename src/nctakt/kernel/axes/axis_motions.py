@@ -278,12 +278,15 @@ class AxisMotions:
 
     def watch_slaves(self) -> None:
         """Stop with an error where the drives of a gantry are too far apart."""
-        pair = self.axes.askew_pair() if self.axes.couplings.watched_count > 0 else -1
-        if pair < 0:
+        if self.axes.couplings.watched_count == 0:
             return
-        axis = self.axes.couplings.master[pair]
-        if self.fault[axis]:
-            return
+        for k in range(self.axes.couplings.count):
+            axis = self.axes.couplings.master[k]
+            if self.fault[axis] == 0 and self.axes.is_askew(k):
+                self.stop_askew(axis)
+
+    def stop_askew(self, axis: int) -> None:
+        """Stop a master whose slave is too far away."""
         if self.kind[axis]:
             self.fail(axis, 901879)
             return

@@ -6,13 +6,13 @@
 #include <stdint.h>
 
 #define HLI_MAGIC "NCTAKT"
-#define HLI_VERSION 6
+#define HLI_VERSION 7
 #define HLI_UNITS 20
 
 /* the begin of the image: what there is, where it stands, and the clock */
 typedef struct hli_header {
     char magic[8]; /* NCTAKT and two zero bytes */
-    uint32_t version; /* 6; another one is another layout */
+    uint32_t version; /* 7; another one is another layout */
     uint32_t ready; /* 1 while the CNC is there; written last, taken away first */
     uint32_t size; /* the whole image (bytes) */
     uint32_t cycle_time_us; /* the length of a tick (µs) */
@@ -222,13 +222,15 @@ _Static_assert(offsetof(hli_command, ack_program) == 16, "ack_program");
 _Static_assert(offsetof(hli_command, ack_realtime) == 96, "ack_realtime");
 _Static_assert(sizeof(hli_command) == 176, "hli_command");
 
-/* the PLC's answer for a spindle that it turns */
+/* what the PLC commands a spindle, and its answer for one that it turns */
 typedef struct hli_spindle_command {
     uint32_t ack_job; /* acknowledges job of the spindle: its number */
     uint32_t reserved; /* not used */
+    double override; /* the operator's override of a spindle that the CNC turns (%) */
 } hli_spindle_command;
 _Static_assert(offsetof(hli_spindle_command, ack_job) == 0, "ack_job");
 _Static_assert(offsetof(hli_spindle_command, reserved) == 4, "reserved");
-_Static_assert(sizeof(hli_spindle_command) == 8, "hli_spindle_command");
+_Static_assert(offsetof(hli_spindle_command, override) == 8, "override");
+_Static_assert(sizeof(hli_spindle_command) == 16, "hli_spindle_command");
 
 #endif

@@ -75,6 +75,22 @@ def test_axes_channels_and_spindles_have_their_names(cell: Cell) -> None:
     assert (plc.state, plc.is_paused, plc.error) == ("running", False, 0)
 
 
+def test_the_override_of_a_spindle(cell: Cell) -> None:
+    """By the same name as in a scripted PLC, each spindle its own."""
+    names = [f"HLI.{spindle}.OVERRIDE" for spindle in ("S", "S2")]
+    assert [cell.plc.read(name) for name in names] == [100.0, 100.0]
+    cell.plc.write("HLI.S2.OVERRIDE", 50)
+    cell.controller.step()
+    assert [cell.plc.read(name) for name in names] == [100.0, 50.0]
+    assert [cell.controller.hli.read(name) for name in names] == [100.0, 50.0]
+    cell.controller.hli.write("HLI.S.OVERRIDE", 80)
+    cell.controller.step()
+    assert [cell.plc.read(name) for name in names] == [80.0, 50.0]
+    for name, value in ((names[0], -1), ("HLI.S9.OVERRIDE", 50), (names[0], "fast")):
+        with pytest.raises(Failure):
+            cell.plc.write(name, value)
+
+
 @pytest.mark.parametrize(
     ("ask", "number", "nearest"),
     [

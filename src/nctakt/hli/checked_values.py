@@ -11,7 +11,7 @@ import math
 import re
 
 from nctakt.base.failure import Failure
-from nctakt.hli.layout import PANEL, Entry
+from nctakt.hli.layout import PANEL, SPINDLE_OVERRIDE, Entry
 from nctakt.kernel.base import arithmetic
 from nctakt.lists.declared.variables import SCALARS
 from nctakt.messages import diagnostic
@@ -33,7 +33,7 @@ def split_channel(name: str) -> tuple[str, int, str]:
 
 def command_number(name: str, entry: Entry, value: float | bool | str) -> float:
     """Return the checked value of an operator's command; none is below 0."""
-    if entry not in PANEL:
+    if entry not in (*PANEL, SPINDLE_OVERRIDE):
         raise Failure(diagnostic(VARIABLE_NOT_SETTABLE, name=name))
     if isinstance(value, str):
         raise Failure(diagnostic(VALUE_NOT_OF_TYPE, name=name, type=entry.type, value=value))

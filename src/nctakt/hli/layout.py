@@ -10,9 +10,10 @@ signals of the channel to the operator; each has a cell in the memory, in this o
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from nctakt.base.dataclass import dataclass
+from nctakt.kernel import cells
 from nctakt.kernel.plc.technology_slots import SLOT_COUNT
 
 #: The prefix of the names of operator's values: ``HLI.FEED_HOLD``.
@@ -22,7 +23,7 @@ PREFIX = "HLI."
 MAGIC = b"NCTAKT\0\0"
 
 #: Version of the layout, changed whenever a value changes its offset or meaning.
-VERSION = 6
+VERSION = 7
 
 #: Size of each type, of names as a whole, in bytes.
 TYPE_BYTES = {
@@ -232,12 +233,18 @@ COMMAND = Structure(
     is_command=True,
 )
 
+#: The operator's command of a spindle; its cell is behind the spindle's signals.
+SPINDLE_OVERRIDE = Entry(
+    "override", "REAL64", "%", "the operator's override of a spindle that the CNC turns"
+)
+
 SPINDLE_COMMAND = Structure(
     "hli_spindle_command",
-    "the PLC's answer for a spindle that it turns",
+    "what the PLC commands a spindle, and its answer for one that it turns",
     (
         Entry("ack_job", "UNS32", "", "acknowledges `job` of the spindle: its number"),
         Entry("reserved", "UNS32", "", "not used"),
+        SPINDLE_OVERRIDE,
     ),
     is_command=True,
 )
@@ -271,3 +278,15 @@ def panel_values(first_cell: int) -> Iterator[PanelValue]:
     for offset, entry in enumerate((*PANEL, *LAMPS)):
         name = PREFIX + entry.name.upper()
         yield PanelValue(name, entry, first_cell + offset, entry in PANEL)
+
+
+def spindle_value_name(spindle: str) -> str:
+    """Return the name from outside of the override of a spindle: ``HLI.S2.OVERRIDE``."""
+    return f"{PREFIX}{spindle}.{SPINDLE_OVERRIDE.name}".upper()
+
+
+def spindle_values(names: Sequence[str], first_cell: int) -> Iterator[PanelValue]:
+    """Yield the operator's values of spindles whose cells begin at ``first_cell``."""
+    for index, spindle in enumerate(names):
+        cell = first_cell + cells.SPINDLE_CELLS * index + cells.SPINDLE_OVERRIDE
+        yield PanelValue(spindle_value_name(spindle), SPINDLE_OVERRIDE, cell, True)

@@ -24,9 +24,11 @@ from nctakt.hli.layout import (
     PREFIX,
     SPINDLE,
     SPINDLE_COMMAND,
+    SPINDLE_OVERRIDE,
     UNIT,
     Entry,
     Structure,
+    spindle_value_name,
 )
 from nctakt.hli.operator_panel import OperatorPanel
 from nctakt.hli.places import size_of, unit_offset
@@ -81,6 +83,15 @@ class PlcSide(OperatorPanel):
             int(access.number(structure, access.offset(structure, i), "logical")): name
             for structure, names in ((AXIS, self.axes), (SPINDLE, self.spindles))
             for i, name in enumerate(names)
+        }
+        channels = [
+            int(access.number(SPINDLE, access.offset(SPINDLE, i), "channel"))
+            for i in range(len(self.spindles))
+        ]
+        self._overrides = {
+            spindle_value_name(name): i
+            for i, name in enumerate(self.spindles)
+            if channels[i] == index + 1
         }
         #: The speed after the job of each spindle that was acknowledged last, in rev/min.
         self._speeds: dict[int, float] = {}
@@ -273,6 +284,9 @@ class PlcSide(OperatorPanel):
         if upper in _SHOWN:
             entry = _SHOWN[upper]
             return _shown(entry, access.number(CHANNEL, self._channel, entry.name))
+        if upper in self._overrides:
+            offset = access.offset(SPINDLE_COMMAND, self._overrides[upper])
+            return float(access.number(SPINDLE_COMMAND, offset, SPINDLE_OVERRIDE.name))
         variable, offset = self._variable(path)
         if variable.type in TEXT_TYPES:
             return access.text_at(offset, variable.size_bytes)
@@ -291,6 +305,11 @@ class PlcSide(OperatorPanel):
         if entry is not None:
             checked = command_number(upper, entry, value)
             self._access.put_number(COMMAND, self._command, entry.name, checked)
+            return
+        if upper in self._overrides:
+            checked = command_number(upper, SPINDLE_OVERRIDE, value)
+            offset = self._access.offset(SPINDLE_COMMAND, self._overrides[upper])
+            self._access.put_number(SPINDLE_COMMAND, offset, SPINDLE_OVERRIDE.name, checked)
             return
         variable, offset = self._variable(path)
         if isinstance(value, str) != (variable.type in TEXT_TYPES):

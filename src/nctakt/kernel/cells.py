@@ -82,7 +82,7 @@ TIMERS = 128
 
 #: Cells of a spindle, in the order of ``SPINDLE_VALUES`` in
 #: ``nc/vocabulary/realtime_variables.py``.
-SPINDLE_SPEED, SPINDLE_POSITION, SPINDLE_CELLS = range(3)
+SPINDLE_SPEED, SPINDLE_POSITION, SPINDLE_OVERRIDE, SPINDLE_CELLS = range(4)
 
 # --- the interface image --------------------------------------------------------------------------
 

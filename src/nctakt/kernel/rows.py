@@ -102,10 +102,7 @@ def _arguments(count: int) -> range:
 
 # Columns of single kinds.
 (DWELL_TICKS,) = _arguments(1)
-(
-    CYCLE_SLOT,  # slot of the cycle manager
-    CYCLE_STARTS,  # 1: started at once
-) = _arguments(2)
+CYCLE_SLOT, CYCLE_STARTS = _arguments(2)  # slot of the cycle manager; 1: started at once
 (
     CONTROL_ACTION,  # ``codes.CONTROL_START`` …
     CONTROL_IDENTITY,  # the cycle's programmed ID
@@ -160,7 +157,8 @@ def _arguments(count: int) -> range:
     JOB_POSITION,  # degrees
     JOB_DIRECTION,  # 1, -1; 0: the shorter way
     JOB_TICKS,  # how long the default PLC takes
-) = _arguments(6)
+    JOB_IGNORES_OVERRIDE,  # 1: the operator's override has no effect (G167)
+) = _arguments(7)
 (
     CUTTING_SPINDLE,  # index of the spindle in the channel
     CUTTING_SURFACE,  # mm/s that the surface has at the tool; 0: off

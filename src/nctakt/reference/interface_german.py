@@ -114,7 +114,8 @@ GERMAN: dict[str, str] = {
     "hli_command.optional_stop": "1: M01 hält wie M00",
     "hli_command.ack_program": "quittiert `program[i]` des Kanals: dessen laufende Nummer",
     "hli_command.ack_realtime": "quittiert `realtime[i]` des Kanals: dessen laufende Nummer",
-    "hli_spindle_command": "die Antwort der SPS für eine Spindel, die sie dreht",
+    "hli_spindle_command": "was die SPS einer Spindel befiehlt, und wie sie antwortet",
     "hli_spindle_command.ack_job": "quittiert `job` der Spindel: dessen Nummer",
     "hli_spindle_command.reserved": "nicht benutzt",
+    "hli_spindle_command.override": "der Override einer Spindel, die die CNC dreht",
 }

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from nctakt.decoder.blocks.spindles import names_of
-from nctakt.hli.layout import PANEL_CELLS, PanelValue, panel_values
+from nctakt.hli.layout import PANEL_CELLS, PanelValue, panel_values, spindle_values
 from nctakt.lists.declared.variables import SCALARS
 from nctakt.lists.machine.axes_by_number import path_axes
 from nctakt.lists.machine.machine import ChannelConfiguration, Machine
@@ -53,7 +53,13 @@ class MachineNames:
             PANEL_CELLS,
         )
         self.panels: tuple[Mapping[str, PanelValue], ...] = tuple(
-            {value.name: value for value in panel_values(self.layout.panel_cell(index))}
+            {
+                value.name: value
+                for value in (
+                    *panel_values(self.layout.panel_cell(index)),
+                    *spindle_values(self.layout.spindles[index], self.layout.spindle_cell(index)),
+                )
+            }
             for index in range(len(configuration.channels))
         )
         self._signals: dict[str, SignalCell] = {}

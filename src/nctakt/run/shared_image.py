@@ -31,6 +31,7 @@ from nctakt.hli.layout import (
     PANEL,
     SPINDLE,
     SPINDLE_COMMAND,
+    SPINDLE_OVERRIDE,
     VERSION,
     Structure,
 )
@@ -38,6 +39,7 @@ from nctakt.hli.places import ImageLayout, entries, entry, image_layout, size_of
 from nctakt.hli.variable_names import describe_names
 from nctakt.hli.variables_memory import Section, sections
 from nctakt.kernel.cells import IDENTIFIER_PROGRAM, POS_RT
+from nctakt.kernel.cells import SPINDLE_OVERRIDE as OVERRIDE_CELL
 from nctakt.kernel.kernel import Kernel
 from nctakt.kernel.plc.image_slots import SectionUnits, SpindleUnits, Units
 from nctakt.kernel.plc.interface_image import KINDS
@@ -305,11 +307,16 @@ def _hli_rows(layout: ImageLayout, cells: Layout) -> Iterator[_Row]:
                 kind = KINDS[placed.entry.type]
                 yield layout.axis(index) + placed.offset, kind, cell, placed.size_bytes, False
     for index in range(layout.spindles):
+        first = cells.spindle_cell(0) + len(SPINDLE_VALUES) * index
         for column, value in enumerate(SPINDLE_VALUES):
-            placed = next(other for other in entries(SPINDLE) if other.entry.source == value.path)
-            cell = cells.spindle_cell(0) + len(SPINDLE_VALUES) * index + column
-            kind = KINDS[placed.entry.type]
-            yield layout.spindle(index) + placed.offset, kind, cell, placed.size_bytes, False
+            for placed in entries(SPINDLE):
+                if placed.entry.source == value.path:
+                    kind, offset = KINDS[placed.entry.type], layout.spindle(index) + placed.offset
+                    yield offset, kind, first + column, placed.size_bytes, False
+        placed = entry(SPINDLE_COMMAND, SPINDLE_OVERRIDE.name)
+        offset = layout.spindle_command(index) + placed.offset
+        kind = KINDS[SPINDLE_OVERRIDE.type]
+        yield offset, kind, first + OVERRIDE_CELL, placed.size_bytes, True
 
 
 def _external_rows(

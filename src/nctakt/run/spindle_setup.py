@@ -45,6 +45,7 @@ def channel_spindles(
             acceleration=gear.acceleration,
             jerk=gear.jerk,
             step=axis.dynamics.gear_number,
+            override_pct=axis.max_override_pct,
         )
     return realtime
 

@@ -100,6 +100,7 @@ def test_all_mandatory_components_are_there_with_a_value_or_not_supported(served
         assert statuses[name] == "BadNotSupported"
     for name in ("CncAxisList.X.PosDirect", "CncSpindleList.S.ActSpeed", "CncAxisList.X.ActStatus"):
         assert statuses[name] == "Good"
+    assert statuses["CncSpindleList.S.CmdOverride"] == "Good"
 
 
 FUNCTIONS = """G01 X1 F6000
@@ -185,6 +186,13 @@ def test_a_write_is_seen_once_a_tick_has_latched_it(served):
         fired = await until(lambda: read(client, f"{INTERFACE}.RealtimeCycles.1.Fired"))
         assert fired == 1
         assert await read(client, f"{INTERFACE}.RealtimeCycles.1.State") == "running"
+        override = client.get_node("ns=3;s=CncSpindleList.S.CmdOverride")
+        assert await override.read_value() == 100.0
+        await override.write_value(80.0)
+        await asyncio.to_thread(served.session.step, 2)
+        assert await override.read_value() == 80.0
+        await override.write_value(100.0)
+        await asyncio.to_thread(served.session.step, 2)
 
     run(served, work)
     written = [one for one in served.session.tape() if one.values[:1] == ("V.E.VALUE",)]

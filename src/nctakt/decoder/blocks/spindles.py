@@ -53,6 +53,7 @@ from nctakt.nc.vocabulary.functions import (
     COUNTERCLOCKWISE,
     CUTTING_SPEED,
     GEAR_STEP,
+    NO_SPINDLE_OVERRIDE,
     SPINDLE_LIMIT,
     SPINDLE_POSITION,
     SPINDLE_STOP,
@@ -66,7 +67,9 @@ from nctakt.nc.vocabulary.system_variables import SystemVariable
 DEGREES_PER_S = 6.0
 
 #: G functions that say what S is.
-SPEED_FUNCTIONS = frozenset((CUTTING_SPEED, CONSTANT_SPEED, SPINDLE_LIMIT, GEAR_STEP))
+SPEED_FUNCTIONS = frozenset(
+    (CUTTING_SPEED, CONSTANT_SPEED, SPINDLE_LIMIT, GEAR_STEP, NO_SPINDLE_OVERRIDE)
+)
 
 _DIRECTIONS = {CLOCKWISE: 1, COUNTERCLOCKWISE: -1}
 
@@ -99,6 +102,7 @@ class SpindleWords:
     modal: dict[int, _Modal] = field(default_factory=dict)
     dwell_turns: float = 0.0
     _loads_gear: bool = False
+    _ignores_override: bool = False
 
     def __post_init__(self) -> None:
         self.values.spindle_value = self.value
@@ -203,7 +207,8 @@ class SpindleWords:
         """Process G96, G97 and G196 of a block, before its S."""
         self.cutting.sets_limit = False
         self._loads_gear = GEAR_STEP in numbers
-        found = SPEED_FUNCTIONS.intersection(numbers) - {GEAR_STEP}
+        self._ignores_override = NO_SPINDLE_OVERRIDE in numbers
+        found = SPEED_FUNCTIONS.intersection(numbers) - {GEAR_STEP, NO_SPINDLE_OVERRIDE}
         if found:
             span = numbers[min(found)]
             index, _ = find(self.values, "", span)
@@ -231,7 +236,9 @@ class SpindleWords:
             self.cutting.factor = modal.factor
         if command.speed is not None:
             speed = yield from self._speed(command.speed, number)
-            if self._loads_gear:
+            if self._ignores_override and not command.name and not command.functions:
+                pass  # the value stands there for the form of the block only (208171531)
+            elif self._loads_gear:
                 span, is_turning = command.speed.span, modal.function in _DIRECTIONS
                 yield from self.gears.load(index, speed, span, number, turns=is_turning)
                 if not command.functions:
@@ -275,6 +282,7 @@ class SpindleWords:
         speed = 0.0 if function == SPINDLE_STOP else modal.speed * modal.factor
         if function in _DIRECTIONS:
             check_tool_range(self.values, index, speed, command.span)
+        command.ignores_override = command.ignores_override or self._ignores_override
         job = (function, speed, position, direction)
         functions = self._job(command, number, (index, spindle, key), job)
         for slave in self.values.state.couplings.spindles(index):
@@ -326,7 +334,17 @@ class SpindleWords:
         ticks = process_ticks(output_function, self.values.environment.cycle_time_us)
         source = self.values.environment.source_id(command.span)
         speed_v = DEGREES_PER_S * speed
-        output = SpindleJob(source, number, index, function, speed_v, position, direction, ticks)
+        output = SpindleJob(
+            source,
+            number,
+            index,
+            function,
+            speed_v,
+            position,
+            direction,
+            ticks,
+            command.ignores_override,
+        )
         return [BlockFunction(synchronisation, output, AwaitSpindle(source, number, index))]
 
     def _speed(self, expression: tree.Expression, number: int) -> Generator[Command, Answer, float]:

@@ -85,7 +85,8 @@ def pack(command: Command, reference: int = 0) -> list[float]:
             return [rows.AWAIT_ACKNOWLEDGE, *head, command.function]
         case SpindleJob():
             row = [rows.SPINDLE, *head, command.spindle, command.function, command.speed_v]
-            return [*row, command.position, command.direction, command.ticks]
+            row += [command.position, command.direction, command.ticks]
+            return [*row, command.ignores_override]
         case AwaitSpindle():
             return [rows.AWAIT_SPINDLE, *head, command.spindle]
         case WriteVariable():

@@ -12,7 +12,7 @@ class SpindleJob(Command):
     """M ``function`` 3, 4, 5 or 19 of a spindle (by its place in the channel).
 
     Degrees and degrees per second; ``direction`` 0 of M19: the shortest way. ``ticks``: how long a
-    spindle of the PLC takes.
+    spindle of the PLC takes. ``ignores_override``: the operator's override has no effect (G167).
     """
 
     spindle: int
@@ -21,6 +21,7 @@ class SpindleJob(Command):
     position: float
     direction: int
     ticks: int
+    ignores_override: bool = False
 
 
 @dataclass(frozen=True, slots=True)

@@ -3,13 +3,12 @@
 cimport cython
 from libc cimport math
 from nctakt.kernel cimport cells, codes, rows
-from nctakt.kernel.axes.axes cimport Axes
+from nctakt.kernel.axes.cutting_speeds cimport CuttingSpeeds
 from nctakt.kernel.axes.spindle_limits cimport SpindleLimits
+from nctakt.kernel.axes.spindle_overrides cimport SpindleOverrides
 from nctakt.kernel.base cimport arithmetic
 from nctakt.kernel.base.record cimport Record
 from nctakt.kernel.axes.trajectory cimport Trajectories
-
-cdef double DEGREES_PER_RADIAN
 
 @cython.final
 cdef class Spindles:
@@ -21,6 +20,8 @@ cdef class Spindles:
     cdef double cycle_t
     cdef Trajectories plans
     cdef readonly SpindleLimits limits
+    cdef SpindleOverrides overrides
+    cdef readonly CuttingSpeeds cutting
     cdef long long[::1] is_plc
     cdef double[::1] position
     cdef double[::1] speed_v
@@ -43,13 +44,6 @@ cdef class Spindles:
     cdef long long[::1] job
     cdef double[::1] reached_v
     cdef double[::1] laps
-    cdef double[::1] surface_v
-    cdef long long[::1] face_axis
-    cdef double[::1] centre_d
-    cdef double[::1] surface_limit_v
-    cdef Py_ssize_t surface_count
-    cdef public Axes axes
-    cdef public Py_ssize_t rapid_cell
     cdef long long issued
     cdef long long version
     cdef readonly Py_ssize_t active_count
@@ -57,14 +51,20 @@ cdef class Spindles:
     cdef int is_ready(self, Py_ssize_t spindle, long long tick) noexcept nogil
     cdef void command(
         self, Py_ssize_t spindle, int function, double speed_v, double position, int direction,
-        long long owner, long long tick
+        long long owner, long long tick, int ignores_override=*
     ) noexcept nogil
+    @cython.locals(speed_v=double)
+    cdef double goal_v(self, Py_ssize_t spindle) noexcept nogil
+    @cython.locals(is_stop=bint)
+    cdef int rests(self, Py_ssize_t spindle) noexcept nogil
+    @cython.locals(goes_on=bint)
+    cdef void follow_override(self, Py_ssize_t spindle, long long tick) noexcept nogil
     @cython.locals(number=Py_ssize_t, function=cython.longlong, speed=double, position=double)
     cdef void record_job(
         self, Py_ssize_t spindle, long long source, long long serial
     ) noexcept nogil
     cdef void hand_over(self, Py_ssize_t spindle, long long done_tick) noexcept nogil
-    @cython.locals(end_v=double, limit_a=double, limit_j=double)
+    @cython.locals(end_v=double, limit_a=double, limit_j=double, waits=bint)
     cdef void plan(self, Py_ssize_t spindle, long long tick) noexcept nogil
     @cython.locals(direction=int, braking=double, remaining=double)
     cdef double remaining_angle(self, Py_ssize_t spindle) noexcept nogil
@@ -76,11 +76,7 @@ cdef class Spindles:
     cdef void follow(self, Py_ssize_t spindle, double angle, double speed_v) noexcept nogil
     cdef void uncouple(self, Py_ssize_t spindle) noexcept nogil
     cdef void take(self, double[::1] queue, Py_ssize_t row, int kind) noexcept nogil
-    @cython.locals(spindle=Py_ssize_t, was_on=bint, is_on=bint)
-    cdef void take_cutting_speed(self, double[::1] queue, Py_ssize_t row) noexcept nogil
-    @cython.locals(
-        spindle=Py_ssize_t, distance=double, radius=double, limit_v=double, speed_v=double
-    )
+    @cython.locals(spindle=Py_ssize_t, limit_v=double, factor=double, speed_v=double)
     cdef void follow_axes(self, long long tick) noexcept nogil
     @cython.locals(is_bound=bint)
     cdef int turns_freely(self, Py_ssize_t spindle) noexcept nogil
@@ -101,13 +97,13 @@ cdef class Spindles:
     @cython.locals(spindle=Py_ssize_t)
     cdef void latch(self) noexcept nogil
     cdef double plc_speed(self, Py_ssize_t spindle) noexcept nogil
-    @cython.locals(spindle=Py_ssize_t)
+    @cython.locals(spindle=Py_ssize_t, is_free=bint)
     cdef void step(self, long long tick, int acknowledges_itself) noexcept nogil
     @cython.locals(time_t=double)
     cdef void advance(self, Py_ssize_t spindle, long long tick) noexcept nogil
     @cython.locals(cell=Py_ssize_t)
     cdef void publish(self, Py_ssize_t spindle) noexcept nogil
-    @cython.locals(stands=bint)
+    @cython.locals(is_there=bint, stands=bint, waits=bint)
     cdef void arrive(self, Py_ssize_t spindle) noexcept nogil
     @cython.locals(number=Py_ssize_t, source=cython.longlong, serial=cython.longlong)
     cdef void finish(self, Py_ssize_t spindle) noexcept nogil

@@ -16,14 +16,13 @@ from __future__ import annotations
 import math
 
 from nctakt.kernel import cells, codes, rows
-from nctakt.kernel.axes.axes import Axes
+from nctakt.kernel.axes.cutting_speeds import CuttingSpeeds
 from nctakt.kernel.axes.spindle_limits import SpindleLimits
+from nctakt.kernel.axes.spindle_overrides import SpindleOverrides
 from nctakt.kernel.axes.trajectory import Trajectories
 from nctakt.kernel.base import arithmetic
 from nctakt.kernel.base.bounds import check_cells, check_index, check_size
 from nctakt.kernel.base.record import Record
-
-DEGREES_PER_RADIAN = 57.29577951308232
 
 
 class Spindles:
@@ -47,6 +46,8 @@ class Spindles:
         self.plans = Trajectories(count)
         self.is_plc = memoryview(bytearray(size)).cast("q")
         self.limits = SpindleLimits(count)
+        self.overrides = SpindleOverrides(memory, first_cell, count)
+        self.cutting = CuttingSpeeds(count)
         self.position = memoryview(bytearray(size)).cast("d")
         self.speed_v = memoryview(bytearray(size)).cast("d")
         self.acceleration = memoryview(bytearray(size)).cast("d")
@@ -68,13 +69,6 @@ class Spindles:
         self.job = memoryview(bytearray(size)).cast("q")
         self.reached_v = memoryview(bytearray(size)).cast("d")
         self.laps = memoryview(bytearray(size)).cast("d")
-        self.surface_v = memoryview(bytearray(size)).cast("d")
-        self.face_axis = memoryview(bytearray(size)).cast("q")
-        self.centre_d = memoryview(bytearray(size)).cast("d")
-        self.surface_limit_v = memoryview(bytearray(size)).cast("d")
-        self.surface_count = 0
-        self.axes: Axes | None = None
-        self.rapid_cell = 0
         self.issued = 0
         self.version = 0
         self.active_count = 0
@@ -90,11 +84,13 @@ class Spindles:
         acceleration: float,
         jerk: float = 0.0,
         step: int = 0,
+        override_pct: float = 100.0,
     ) -> None:
         """Set limits and gear step of a spindle, degrees and seconds; a PLC spindle has none."""
         check_index(spindle, self.count, "spindle")
         self.is_plc[spindle] = plc
         self.limits.configure(spindle, speed, acceleration, jerk, step)
+        self.overrides.limit(spindle, override_pct)
 
     # --- jobs -----------------------------------------------------------------------------------
 
@@ -113,6 +109,7 @@ class Spindles:
         direction: int,
         owner: int,
         tick: int,
+        ignores_override: int = 0,
     ) -> None:
         """Take a job: M ``function`` 3, 4, 5 or 19; ``direction`` 0 of 19: the shortest way."""
         self.taken_tick[spindle] = tick
@@ -127,11 +124,32 @@ class Spindles:
             return
         if self.mode[spindle] == codes.STANDING:
             self.limits.take_over(spindle)
-        if function != codes.SPINDLE_POSITION:
+        self.overrides.begin(spindle, speed_v, ignores_override)
+        self.commanded_v[spindle] = self.goal_v(spindle)
+        self.plan(spindle, tick)
+
+    def goal_v(self, spindle: int) -> float:
+        """Return the speed of the present job with its override and within its limits."""
+        speed_v = self.overrides.programmed_v[spindle]
+        if not self.rests(spindle):
+            speed_v *= self.overrides.factor(spindle)
+        if self.function[spindle] != codes.SPINDLE_POSITION:
             speed_v = self.limits.endless_v(spindle, speed_v)
         speed_v = self.limits.bounded_v(spindle, speed_v)
-        self.commanded_v[spindle] = 0.0 - speed_v if function == codes.SPINDLE_BACKWARD else speed_v
-        self.plan(spindle, tick)
+        return 0.0 - speed_v if self.function[spindle] == codes.SPINDLE_BACKWARD else speed_v
+
+    def rests(self, spindle: int) -> int:
+        """Return whether an override of 0 % lets the present job wait, which stays open."""
+        is_stop = self.function[spindle] == codes.SPINDLE_STOP
+        return 1 if self.overrides.factor(spindle) == 0.0 and not is_stop else 0
+
+    def follow_override(self, spindle: int, tick: int) -> None:
+        """Let the present job go on with another override."""
+        goes_on = self.mode[spindle] != codes.STANDING
+        goes_on = goes_on or self.is_open[spindle] != 0 or self.is_endless(spindle) != 0
+        self.commanded_v[spindle] = self.goal_v(spindle)
+        if self.function[spindle] != codes.SPINDLE_STOP and goes_on:
+            self.plan(spindle, tick)
 
     def record_job(self, spindle: int, source: int, serial: int) -> None:
         """Record the job just taken; its end gets the same source."""
@@ -164,7 +182,8 @@ class Spindles:
         limit_a, limit_j = self.limits.bounded_a(spindle), self.limits.bounded_j(spindle)
         self.begin_position[spindle] = self.position[spindle]
         self.begin_tick[spindle] = tick
-        if self.function[spindle] == codes.SPINDLE_POSITION and not self.is_held[spindle]:
+        waits = self.is_held[spindle] or self.rests(spindle)
+        if self.function[spindle] == codes.SPINDLE_POSITION and not waits:
             self.mode[spindle] = codes.POSITIONING
             self.plans.plan_distance(
                 spindle,
@@ -178,7 +197,7 @@ class Spindles:
             return
         self.mode[spindle] = codes.TURNING
         end_v = self.commanded_v[spindle]
-        if self.function[spindle] == codes.SPINDLE_STOP or self.is_held[spindle]:
+        if self.function[spindle] == codes.SPINDLE_STOP or waits:
             end_v = 0.0
         self.plans.plan_speed(
             spindle, end_v, self.speed_v[spindle], self.acceleration[spindle], limit_a, limit_j
@@ -250,35 +269,18 @@ class Spindles:
         if kind == rows.SPINDLE_LIMITS:
             self.limits.take(queue, row)
         else:
-            self.take_cutting_speed(queue, row)
-
-    # --- constant cutting speed (G96) -----------------------------------------------------------
-
-    def take_cutting_speed(self, queue: memoryview[float], row: int) -> None:
-        """Begin, change or end the constant cutting speed of a spindle."""
-        spindle = int(queue[row + rows.CUTTING_SPINDLE])
-        was_on = self.surface_v[spindle] > 0.0
-        self.surface_v[spindle] = queue[row + rows.CUTTING_SURFACE]
-        is_on = self.surface_v[spindle] > 0.0
-        self.surface_count += is_on - was_on
-        self.face_axis[spindle] = int(queue[row + rows.CUTTING_AXIS])
-        self.centre_d[spindle] = queue[row + rows.CUTTING_CENTRE]
-        self.surface_limit_v[spindle] = queue[row + rows.CUTTING_LIMIT]
+            self.cutting.take(queue, row)
 
     def follow_axes(self, tick: int) -> None:
         """Give the spindles the speeds that their face axes ask for, except while at rapid."""
-        if self.axes is None or self.cells[self.rapid_cell] > 0.0:
+        if self.cells[self.cutting.rapid_cell] > 0.0:
             return
         for spindle in range(self.count):
-            if self.surface_v[spindle] > 0.0 and self.turns_freely(spindle):
-                distance = self.axes.command[self.face_axis[spindle]] - self.centre_d[spindle]
-                radius = math.fabs(distance)
-                limit_v = self.limits.speed_v[spindle]
-                if self.surface_limit_v[spindle] > 0.0:
-                    limit_v = min(limit_v, self.surface_limit_v[spindle])
-                speed_v = limit_v
-                if radius * limit_v > self.surface_v[spindle] * DEGREES_PER_RADIAN:
-                    speed_v = self.surface_v[spindle] * DEGREES_PER_RADIAN / radius
+            if self.turns_freely(spindle):
+                limit_v, factor = self.limits.speed_v[spindle], self.overrides.factor(spindle)
+                speed_v = self.cutting.speed(spindle, limit_v, factor)
+                if speed_v < 0.0:
+                    continue
                 speed_v = min(self.limits.endless_v(spindle, speed_v), limit_v)
                 if self.function[spindle] == codes.SPINDLE_BACKWARD:
                     speed_v = 0.0 - speed_v
@@ -289,7 +291,7 @@ class Spindles:
     def turns_freely(self, spindle: int) -> int:
         """Return whether an endless job turns the spindle, and no thread is cut with it."""
         is_bound = self.is_held[spindle] or self.limits.bound_a[spindle] > 0.0
-        if is_bound or self.mode[spindle] != codes.TURNING:
+        if is_bound or self.rests(spindle) or self.mode[spindle] != codes.TURNING:
             return 0
         return 1 if self.function[spindle] != codes.SPINDLE_STOP else 0
 
@@ -388,7 +390,11 @@ class Spindles:
 
     def step(self, tick: int, acknowledges_itself: int) -> None:
         """Advance all turning spindles by a tick; run the default PLC if there is no other."""
-        if self.surface_count > 0:
+        for spindle in range(self.count):
+            is_free = self.mode[spindle] != codes.COUPLED and self.limits.bound_a[spindle] == 0.0
+            if is_free and self.overrides.has_changed(spindle) and self.overrides.take(spindle):
+                self.follow_override(spindle, tick)
+        if self.cutting.active_count > 0:
             self.follow_axes(tick)
         if self.active_count == 0:
             return
@@ -419,18 +425,18 @@ class Spindles:
     def arrive(self, spindle: int) -> None:
         """Settle a reached speed or position, bit by bit the commanded one."""
         self.acceleration[spindle] = 0.0
-        stands = (
-            self.mode[spindle] == codes.POSITIONING or self.function[spindle] == codes.SPINDLE_STOP
-        )
-        if self.mode[spindle] == codes.POSITIONING:
+        is_there = self.mode[spindle] == codes.POSITIONING
+        stands = is_there or self.function[spindle] == codes.SPINDLE_STOP
+        if is_there:
             self.position[spindle] = wrapped(self.commanded_position[spindle])
-        if stands or self.is_held[spindle] or self.commanded_v[spindle] == 0.0:
+        waits = self.is_held[spindle] or self.rests(spindle)
+        if stands or waits or self.commanded_v[spindle] == 0.0:
             self.speed_v[spindle] = 0.0
             self.mode[spindle] = codes.STANDING
             self.active_count -= 1
         else:
             self.speed_v[spindle] = self.commanded_v[spindle]
-        if not self.is_held[spindle]:
+        if not waits:
             self.finish(spindle)
 
     def finish(self, spindle: int) -> None:
@@ -444,11 +450,7 @@ class Spindles:
     # --- Python's side --------------------------------------------------------------------------
 
     def jobs(self) -> list[tuple[int, int, float, float, int, int, float, int]]:
-        """Jobs that wait for the PLC.
-
-        Spindle, M, degrees per second, position, direction, tick, degrees per second before,
-        serial.
-        """
+        """Jobs that wait for the PLC: spindle, M, °/s, °, direction, tick, °/s before, serial."""
         return [
             (
                 spindle,

@@ -5,7 +5,9 @@ from nctakt.kernel.axes.axis_motions cimport AxisMotions
 from nctakt.kernel.axes.c_axis cimport CAxis
 from nctakt.kernel.axes.coordinates cimport Offsets, Turns
 from nctakt.kernel.axes.couplings cimport Couplings
+from nctakt.kernel.axes.cutting_speeds cimport CuttingSpeeds
 from nctakt.kernel.axes.spindle_limits cimport SpindleLimits
+from nctakt.kernel.axes.spindle_overrides cimport SpindleOverrides
 from nctakt.kernel.axes.spindles cimport Spindles
 from nctakt.kernel.axes.trajectory cimport Trajectories
 from nctakt.kernel.axes.transformations cimport Transformations
@@ -25,6 +27,9 @@ cpdef tuple arrays_of_couplings(Couplings part)
 cpdef copy_c_axis(CAxis source, CAxis target)
 cpdef copy_spindles(Spindles source, Spindles target)
 cpdef tuple arrays_of_spindles(Spindles part)
+cpdef copy_cutting_speeds(CuttingSpeeds source, CuttingSpeeds target)
+cpdef tuple arrays_of_cutting_speeds(CuttingSpeeds part)
+cpdef tuple arrays_of_spindle_overrides(SpindleOverrides part)
 cpdef copy_spindle_limits(SpindleLimits source, SpindleLimits target)
 cpdef tuple arrays_of_spindle_limits(SpindleLimits part)
 cpdef copy_trajectories(Trajectories source, Trajectories target)

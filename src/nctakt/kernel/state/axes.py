@@ -16,7 +16,9 @@ from nctakt.kernel.axes.axis_motions import AxisMotions
 from nctakt.kernel.axes.c_axis import CAxis
 from nctakt.kernel.axes.coordinates import Offsets, Turns
 from nctakt.kernel.axes.couplings import Couplings
+from nctakt.kernel.axes.cutting_speeds import CuttingSpeeds
 from nctakt.kernel.axes.spindle_limits import SpindleLimits
+from nctakt.kernel.axes.spindle_overrides import SpindleOverrides
 from nctakt.kernel.axes.spindles import Spindles
 from nctakt.kernel.axes.trajectory import Trajectories
 from nctakt.kernel.axes.transformations import Transformations
@@ -174,8 +176,6 @@ def copy_spindles(source: Spindles, target: Spindles) -> None:
     target.issued = source.issued
     target.version = source.version
     target.active_count = source.active_count
-    target.surface_count = source.surface_count
-    target.rapid_cell = source.rapid_cell
 
 
 def arrays_of_spindles(part: Spindles) -> Arrays:
@@ -203,10 +203,30 @@ def arrays_of_spindles(part: Spindles) -> Arrays:
         part.job,
         part.reached_v,
         part.laps,
+    )
+
+
+def copy_cutting_speeds(source: CuttingSpeeds, target: CuttingSpeeds) -> None:
+    target.active_count = source.active_count
+    target.rapid_cell = source.rapid_cell
+
+
+def arrays_of_cutting_speeds(part: CuttingSpeeds) -> Arrays:
+    return (
         part.surface_v,
         part.face_axis,
         part.centre_d,
-        part.surface_limit_v,
+        part.limit_v,
+    )
+
+
+def arrays_of_spindle_overrides(part: SpindleOverrides) -> Arrays:
+    return (
+        part.cells,
+        part.programmed_v,
+        part.acted_pct,
+        part.highest_pct,
+        part.is_ignored,
     )
 
 
@@ -326,6 +346,7 @@ COPIERS: MappingProxyType[type, Callable[..., None]] = MappingProxyType(
         AxisMotions: copy_axis_motions,
         CAxis: copy_c_axis,
         Couplings: copy_couplings,
+        CuttingSpeeds: copy_cutting_speeds,
         Offsets: copy_offsets,
         Turns: copy_turns,
         Spindles: copy_spindles,
@@ -342,10 +363,12 @@ ARRAYS: MappingProxyType[type, Callable[..., Arrays]] = MappingProxyType(
         Axes: arrays_of_axes,
         AxisMotions: arrays_of_axis_motions,
         Couplings: arrays_of_couplings,
+        CuttingSpeeds: arrays_of_cutting_speeds,
         Offsets: arrays_of_offsets,
         Turns: arrays_of_turns,
         Spindles: arrays_of_spindles,
         SpindleLimits: arrays_of_spindle_limits,
+        SpindleOverrides: arrays_of_spindle_overrides,
         Trajectories: arrays_of_trajectories,
     }
 )

@@ -31,7 +31,7 @@ _MIN_LENGTH = {
     rows.USER_VALUE: rows.VALUE_NUMBER + 1,
     rows.USER_TEXT: rows.USER_TEXT_NUMBER + 1,
     rows.USER_STOP: rows.STOP_REACTION + 1,
-    rows.SPINDLE: rows.JOB_TICKS + 1,
+    rows.SPINDLE: rows.JOB_IGNORES_OVERRIDE + 1,
     rows.AWAIT_SPINDLE: rows.JOB_SPINDLE + 1,
     rows.BLOCK_MARK: rows.MARK_DEPTH + 1,
     rows.MODAL_MARK: rows.MODAL_NUMBER + 1,

@@ -77,7 +77,7 @@ class CommandExecutor:
         self.manager.spindles = spindles
         self.threads.spindles = spindles
         rapid_cell = self.first_cell + cells.CHANNEL_PATH_RAPID
-        spindles.axes, spindles.rapid_cell = self.path.axes, rapid_cell
+        spindles.cutting.axes, spindles.cutting.rapid_cell = self.path.axes, rapid_cell
         self.queue.look_ahead.limits.spindles = spindles
 
     def set_signals(self, board: SignalBoard, number: int) -> None:
@@ -318,6 +318,7 @@ class CommandExecutor:
             int(self.queue.rows[row + rows.JOB_DIRECTION]),
             0,
             tick,
+            int(self.queue.rows[row + rows.JOB_IGNORES_OVERRIDE]),
         )
         self.context.spindles.record_job(spindle, int(self.queue.rows[row + rows.SOURCE]), 0)
         ticks = int(self.queue.rows[row + rows.JOB_TICKS])

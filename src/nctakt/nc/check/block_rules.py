@@ -35,6 +35,7 @@ from nctakt.nc.vocabulary.functions import (
     MEASURING_CONTINUES,
     MIRRORING_OF_AXES,
     MOTIONS,
+    NO_SPINDLE_OVERRIDE,
     REFERENCE_OFFSET,
     ROTATION_ON,
     TANGENTIAL_APPROACH,
@@ -47,6 +48,7 @@ _RULED = frozenset(
     (
         EXACT_STOP_ONCE,
         GEAR_STEP,
+        NO_SPINDLE_OVERRIDE,
         MEASURING,
         MEASURING_CONTINUES,
         INTERRUPTIBLE,
@@ -97,6 +99,7 @@ class BlockChecker:
             self._tangential(block)
             self._reference(block)
             self._gear_step(block)
+            self._spindle_word(block, NO_SPINDLE_OVERRIDE, "G167 S1000")
         return inserts
 
     def _gear_step(self, block: Block) -> None:
@@ -104,10 +107,7 @@ class BlockChecker:
         word = functions_of(block).get(GEAR_STEP)
         if word is None:
             return
-        spindles = ("S", *self._channel.spindle_names)
-        if not any(getattr(other, "name", "") in spindles for other in block.words):
-            forms = "G112 S2"
-            self._findings.report(INVALID_COMMAND_FORM, word.span, command="G112", forms=forms)
+        self._spindle_word(block, GEAR_STEP, "G112 S2")
         for other in block.words:
             if isinstance(other, AxisWord):
                 self._findings.report(
@@ -115,8 +115,17 @@ class BlockChecker:
                     other.span,
                     command="G112",
                     word=other.name,
-                    names=", ".join(spindles[1:]),
+                    names=", ".join(self._channel.spindle_names),
                 )
+
+    def _spindle_word(self, block: Block, function: int, form: str) -> None:
+        """Check that a G function stands beside a spindle."""
+        word = functions_of(block).get(function)
+        spindles = ("S", *self._channel.spindle_names)
+        if word is None or any(getattr(other, "name", "") in spindles for other in block.words):
+            return
+        name = f"G{function}"
+        self._findings.report(INVALID_COMMAND_FORM, word.span, command=name, forms=form)
 
     def _exact_stop(self, block: Block) -> None:
         stop = functions_of(block).get(EXACT_STOP_ONCE)

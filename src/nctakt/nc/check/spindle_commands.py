@@ -30,7 +30,7 @@ from nctakt.nc.vocabulary.functions import (
 from nctakt.nc.vocabulary.spindle_commands import SpindleCommand
 
 #: Words of a command to a spindle, for suggestions.
-WORDS = (*(f"M{number}" for number in SPINDLE_FUNCTIONS), "S", "REV", "S.POS", "POS")
+WORDS = (*(f"M{number}" for number in SPINDLE_FUNCTIONS), "S", "REV", "S.POS", "POS", "G167")
 
 
 class SpindleChecker:
@@ -93,13 +93,15 @@ class SpindleChecker:
             self._findings.report(EXCLUSIVE_SPINDLE_WORDS, command.span, words=words)
         elif command.position is not None and SPINDLE_POSITION not in command.functions:
             self._findings.report(SPINDLE_POSITION_WITHOUT_M19, command.position.span)
-        elif not command.functions and command.speed is None:
+        elif not (command.functions or command.speed is not None or command.ignores_override):
             self._findings.report(
                 SPINDLE_WORD_COUNT, command.span, command=self._findings.written(command.span)
             )
 
     def _is_job(self, command: SpindleCommand) -> bool:
         """Return whether they are a complete job: turn, position, or stop."""
+        if command.ignores_override:
+            return False
         functions = sorted(command.functions)
         has_values = (command.speed is not None, command.position is not None)
         if functions == [SPINDLE_STOP]:

@@ -85,7 +85,7 @@ TANGENTIAL_APPROACH = 5
 APPROACH_PERPENDICULAR, APPROACH_INNER_CORNER, DEPART_WITHOUT_MOTION = 237, 238, 239
 MASKING_OFF, MASKING_ON = 140, 141
 ABSOLUTE_CENTRE, RELATIVE_CENTRE = 161, 162
-ARC_RADIUS, NO_OVERRIDE = 163, 166
+ARC_RADIUS, NO_OVERRIDE, NO_SPINDLE_OVERRIDE = 163, 166, 167
 SPLINE_OFF, SPLINE_ON = (150, 151)
 CHAMFER, ROUNDING = INSERTIONS = (301, 302)
 CONTOURING_OFF, CONTOURING_ON = 260, 261
@@ -364,7 +364,7 @@ G_FUNCTIONS: Mapping[int, GFunction] = by_number(
         ),
         simulated(ARC_RADIUS, "radius of arcs, as R", "Radius von Kreisen, wie R", Form.RADIUS),
         simulated(NO_OVERRIDE, "override 100 % for this block", "Override 100 % für diesen Satz"),
-        accepted(167, "spindle override 100 %", "Spindel-Override 100 %"),
+        simulated(NO_SPINDLE_OVERRIDE, "spindle override 100 %", "Spindel-Override 100 %"),
         simplified(193, "feed linear over the way", "Vorschub linear über dem Weg", FEED_RAMP),
         simulated(SPINDLE_LIMIT, "highest spindle speed of G96", "höchste Drehzahl zu G96"),
         refused(200, "manual mode", "Handbetrieb"),

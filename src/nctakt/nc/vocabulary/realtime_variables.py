@@ -49,7 +49,11 @@ def _state(path: str, type_: str, unit: str) -> RealtimeVariable:
 
 
 #: Signals of a spindle, in the order of its cells (``kernel/axes/spindles.py``).
-SPINDLE_VALUES = (_state("SPEED", "REAL64", "1/min"), _state("POSITION", "REAL64", "°"))
+SPINDLE_VALUES = (
+    _state("SPEED", "REAL64", "1/min"),
+    _state("POSITION", "REAL64", "°"),
+    _state("OVERRIDE", "REAL64", "%"),
+)
 
 #: V.RTG.*, in the order of the channel's cells (``kernel/tick/channel.py``).
 CHANNEL_VARIABLES = (

@@ -20,7 +20,7 @@ from nctakt.nc.tree import (
     Number,
     Word,
 )
-from nctakt.nc.vocabulary.functions import SPINDLE_FUNCTIONS
+from nctakt.nc.vocabulary.functions import NO_SPINDLE_OVERRIDE, SPINDLE_FUNCTIONS
 
 _SPEED = ("S", "REV")
 _POSITION = ("S.POS", "POS")
@@ -32,6 +32,7 @@ class SpindleCommand:
 
     ``doubled``: duplicate words; ``wrong``: words that a spindle command cannot have. ``override``:
     the factor of ``S[OVERRIDE SPEED_FACT=50]`` in per cent, which has no other words.
+    ``ignores_override``: ``S[G167]``.
     """
 
     name: str
@@ -42,6 +43,7 @@ class SpindleCommand:
     doubled: list[Word | Keyword]
     wrong: list[BlockWord | Keyword | Expression]
     override: Keyword | None = None
+    ignores_override: bool = False
 
 
 def split(
@@ -79,6 +81,12 @@ def _function(word: Word | Keyword) -> int | None:
     return None
 
 
+def _is_without_override(word: Word | Keyword) -> bool:
+    """Return whether a word is G167."""
+    value = word.value
+    return word.name == "G" and isinstance(value, Number) and value.value == NO_SPINDLE_OVERRIDE
+
+
 def _bracket(command: BracketCommand) -> SpindleCommand:
     parsed = SpindleCommand(command.name, command.span, [], None, None, [], [])
     match command.items:
@@ -104,6 +112,10 @@ def _add(command: SpindleCommand, word: Word | Keyword) -> None:
             command.doubled.append(word)
         else:
             command.functions.append(function)
+    elif _is_without_override(word):
+        if command.ignores_override:
+            command.doubled.append(word)
+        command.ignores_override = True
     elif word.value is None or word.name not in (*_SPEED, *_POSITION):
         command.wrong.append(word)
     elif word.name in _SPEED:

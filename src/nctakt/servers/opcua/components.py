@@ -15,6 +15,7 @@ from asyncua import ua
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Span
 from nctakt.decoder.state.in_force import InForce
+from nctakt.hli.layout import spindle_value_name
 from nctakt.hli.plc_entries import TechnologyEntry
 from nctakt.kernel import codes
 from nctakt.lists.machine.axis_configuration import AxisConfiguration
@@ -143,6 +144,7 @@ def spindle_components(
     name: str,
     prefix: str,
     max_speed: float,
+    max_pct: float,
     index: int,
     number: int,
     *,
@@ -151,9 +153,11 @@ def spindle_components(
 ) -> Mapping[str, Shown | ShownPosition]:
     """Return the components of a spindle, the ``index``-th of channel ``number``.
 
-    ``max_speed`` in 1/min. ``plc``: the PLC turns it, and the CNC knows none of its actual values.
+    ``max_speed`` in 1/min, ``max_pct``: P-AXIS-00109. ``plc``: the PLC turns it, and the CNC
+    knows none of its actual values.
     """
     speed, angle = f"{prefix}{name}.SPEED", f"{prefix}{name}.POSITION"
+    override = _written(signal(f"{prefix}{spindle_value_name(name)}", "%", 0.0, max_pct))
 
     def job(moment: Moment) -> SpindleState:
         return state_of(moment, number).spindles[index]
@@ -194,7 +198,7 @@ def spindle_components(
         "ActGear": NOT_MODELLED,
         "CmdGear": NOT_MODELLED,
         "ActOverride": NOT_MODELLED,
-        "CmdOverride": NOT_MODELLED,
+        "CmdOverride": NOT_MODELLED if plc else override,
         "ActSpeed": NOT_MODELLED if plc else actual,
         "CmdSpeed": commanded,
         "ActStatus": NOT_MODELLED if plc else Shown(status, (speed,), True),

@@ -147,14 +147,15 @@ class MachineSpace:
                 own, self.name(f"{prefix}{name}"), "CncSpindleType", self.id("CncSpindleList")
             )
             self._nodes.refer(node, refs.HAS_COMPONENT, spindle_node)
-            limit = 0.0 if spindle.index is None else machine.axes[spindle.index].max_speed / 6.0
+            listed = None if spindle.index is None else machine.axes[spindle.index]
             self._add_components(
                 own,
                 "CncSpindleType",
                 spindle_components(
                     name,
                     prefix,
-                    limit,
+                    0.0 if listed is None else listed.max_speed / 6.0,
+                    100.0 if listed is None else listed.max_override_pct,
                     index,
                     number,
                     plc=spindle.spindle.plc_controlled,

@@ -114,6 +114,12 @@ typedef struct hli_channel {
     uint32_t history; /* blocks in the history of the path, the current one included */
     uint8_t inside_rt_loop; /* 1: the path is in a realtime loop */
     uint32_t history_size; /* blocks that the history holds (P-STUP-00033); 0: none */
+    double tool_time; /* that the tool has worked since it came (s) */
+    double tool_distance; /* that the tool has worked since it came (mm) */
+    uint32_t life_serial; /* tool lives that were sent; another one: the values below */
+    uint32_t life_tool; /* the number of the tool whose life was sent last */
+    double life_time; /* its time (s) */
+    double life_distance; /* its distance (mm) */
     uint32_t override_total; /* that acts (%) */
     double path_speed; /* the speed on the path (mm/s) */
     double distance_to_go; /* left of the block (mm) */
@@ -130,14 +136,20 @@ _Static_assert(offsetof(hli_channel, retrace) == 8, "retrace");
 _Static_assert(offsetof(hli_channel, history) == 12, "history");
 _Static_assert(offsetof(hli_channel, inside_rt_loop) == 16, "inside_rt_loop");
 _Static_assert(offsetof(hli_channel, history_size) == 20, "history_size");
-_Static_assert(offsetof(hli_channel, override_total) == 24, "override_total");
-_Static_assert(offsetof(hli_channel, path_speed) == 32, "path_speed");
-_Static_assert(offsetof(hli_channel, distance_to_go) == 40, "distance_to_go");
-_Static_assert(offsetof(hli_channel, block) == 48, "block");
-_Static_assert(offsetof(hli_channel, active_cycles) == 52, "active_cycles");
-_Static_assert(offsetof(hli_channel, program) == 56, "program");
-_Static_assert(offsetof(hli_channel, realtime) == 1016, "realtime");
-_Static_assert(sizeof(hli_channel) == 1976, "hli_channel");
+_Static_assert(offsetof(hli_channel, tool_time) == 24, "tool_time");
+_Static_assert(offsetof(hli_channel, tool_distance) == 32, "tool_distance");
+_Static_assert(offsetof(hli_channel, life_serial) == 40, "life_serial");
+_Static_assert(offsetof(hli_channel, life_tool) == 44, "life_tool");
+_Static_assert(offsetof(hli_channel, life_time) == 48, "life_time");
+_Static_assert(offsetof(hli_channel, life_distance) == 56, "life_distance");
+_Static_assert(offsetof(hli_channel, override_total) == 64, "override_total");
+_Static_assert(offsetof(hli_channel, path_speed) == 72, "path_speed");
+_Static_assert(offsetof(hli_channel, distance_to_go) == 80, "distance_to_go");
+_Static_assert(offsetof(hli_channel, block) == 88, "block");
+_Static_assert(offsetof(hli_channel, active_cycles) == 92, "active_cycles");
+_Static_assert(offsetof(hli_channel, program) == 96, "program");
+_Static_assert(offsetof(hli_channel, realtime) == 1056, "realtime");
+_Static_assert(sizeof(hli_channel) == 2016, "hli_channel");
 
 /* the state of an axis */
 typedef struct hli_axis {

@@ -111,7 +111,7 @@ def test_the_offsets_of_the_active_tool_are_written() -> None:
 
 
 def test_factors_of_tool_life_outlive_programs() -> None:
-    """208584843: at least 0, 1 at the start; without acquisition they change nothing."""
+    """208584843: at least 0, 1 at the start."""
     controller = Controller()
     read = '#MSG ["%.1f %.1f", V.TLM.TIME_FACT, V.TLM.DIST_FACT]'
     assert message(read, controller) == "1.0 1.0"
@@ -120,11 +120,8 @@ def test_factors_of_tool_life_outlive_programs() -> None:
     assert numbers(perform("V.TLM.DIST_FACT = -1\nM30")) == [901720]
 
 
-def test_tool_life_is_accepted_and_the_rest_refused() -> None:
-    """There is no tool management that could be told."""
-    assert [one.severity.name for one in perform("#TOOL LIFE READ [5]\nM30").diagnostics] == [
-        "NOTE"
-    ]
+def test_other_commands_are_refused() -> None:
+    """There is no such form, and no such command."""
     assert perform("#TOOL DATA\nM30").state != "ended"
     assert perform("#TOOL CHANGE\nM30").state != "ended"
 

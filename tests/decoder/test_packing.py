@@ -17,7 +17,8 @@ from nctakt.decoder.state.spindle_commands import (
     SpindleLimits,
 )
 from nctakt.decoder.state.start_block import SingleStep
-from nctakt.kernel import rows
+from nctakt.decoder.state.tool_life import ToolLife, ToolLifeFactors
+from nctakt.kernel import codes, rows
 
 SOURCE, NUMBER, REFERENCE = 901, 902, 903
 
@@ -256,7 +257,35 @@ CASES: list[tuple[type[Command], dict[str, object], int, dict[int, float]]] = [
         rows.REFER,
         {rows.HOMED_AXIS: 2, rows.HOMING_DISTANCE: 7.5},
     ),
-    (SingleStep, {"is_disabled": True}, rows.SINGLE_STEP, {rows.ARGUMENTS: 1}),
+    (
+        SingleStep,
+        {"is_disabled": True},
+        rows.SINGLE_STEP,
+        {rows.STEP_IS_LOCKED: 1, rows.STEP_RESOLUTION: -1},
+    ),
+    (SingleStep, {"resolution": 10}, rows.SINGLE_STEP, {rows.STEP_RESOLUTION: 10}),
+    (
+        ToolLife,
+        {"action": 3, "tool": 4, "basic": 5, "time": 6.0, "distance": 7.0},
+        rows.TOOL_LIFE,
+        {
+            rows.LIFE_ACTION: 3,
+            rows.LIFE_TOOL: 4,
+            rows.LIFE_BASIC: 5,
+            rows.LIFE_TIME: 6.0,
+            rows.LIFE_DISTANCE: 7.0,
+        },
+    ),
+    (
+        ToolLifeFactors,
+        {"time": 2.0, "distance": 3.0},
+        rows.TOOL_LIFE,
+        {
+            rows.LIFE_ACTION: codes.LIFE_FACTORS,
+            rows.LIFE_TIME: 2.0,
+            rows.LIFE_DISTANCE: 3.0,
+        },
+    ),
     (
         SetSoftwareLimits,
         {"axis": 2, "low": -7.5, "high": 8.5},
@@ -364,5 +393,5 @@ def test_each_command_is_packed() -> None:
         one for one in vars(commands).values() if isinstance(one, type) and issubclass(one, Command)
     }
     declared |= {Touch, TouchEnd, Home, Refer, SetSoftwareLimits, SingleStep}
-    declared |= {SpindleJob, AwaitSpindle, CuttingSpeed, SpindleLimits}
+    declared |= {SpindleJob, AwaitSpindle, CuttingSpeed, SpindleLimits, ToolLife, ToolLifeFactors}
     assert {case[0] for case in CASES} == declared - _NOT_QUEUED

@@ -35,6 +35,8 @@ BUILT = {
     "Index": {"count"},
     "NumberValue": {"number"},
     "SingleBlock": {"only_motions"},
+    "ToolLife": {"counts_rapid"},
+    "ToolLives": {"omits_zero"},
 }
 #: Classes without a part in snapshots, which have neither a shared image nor stops.
 LEFT_OUT = {

@@ -90,6 +90,12 @@ LAMPS = (
     Entry("history", "UNS32", "", "blocks in the history of the path, the current one included"),
     Entry("inside_rt_loop", "BOOLEAN", "", "1: the path is in a realtime loop"),
     Entry("history_size", "UNS32", "", "blocks that the history holds (P-STUP-00033); 0: none"),
+    Entry("tool_time", "REAL64", "s", "that the tool has worked since it came"),
+    Entry("tool_distance", "REAL64", "mm", "that the tool has worked since it came"),
+    Entry("life_serial", "UNS32", "", "tool lives that were sent; another one: the values below"),
+    Entry("life_tool", "UNS32", "", "the number of the tool whose life was sent last"),
+    Entry("life_time", "REAL64", "s", "its time"),
+    Entry("life_distance", "REAL64", "mm", "its distance"),
 )
 
 #: Cells of a channel's panel.

@@ -77,8 +77,14 @@ TIMERS = 128
     PANEL_HISTORY,
     PANEL_INSIDE_RT_LOOP,
     PANEL_HISTORY_SIZE,
+    PANEL_TOOL_TIME,
+    PANEL_TOOL_DISTANCE,
+    PANEL_LIFE_SERIAL,
+    PANEL_LIFE_TOOL,
+    PANEL_LIFE_TIME,
+    PANEL_LIFE_DISTANCE,
     PANEL_CELLS,
-) = range(18)
+) = range(24)
 
 #: Cells of a spindle, in the order of ``SPINDLE_VALUES`` in
 #: ``nc/vocabulary/realtime_variables.py``.

@@ -140,6 +140,12 @@ cdef enum:
     IMAGE_UNS32 = 6
     IMAGE_REAL64 = 7
     IMAGE_STRING = 8
+    LIFE_SENT = 0
+    LIFE_BEGUN = 1
+    LIFE_READ = 2
+    LIFE_REMOVED = 3
+    LIFE_DEFINED = 4
+    LIFE_FACTORS = 5
     FAR_CHECK = 7
     BEFORE_STAGES = -1
     ENTRY_ZONE = 0

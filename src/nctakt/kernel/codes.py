@@ -214,6 +214,18 @@ AT_FRONT, WALKS_BACKWARD, WALKS_FORWARD = range(3)
     IMAGE_STRING,
 ) = range(9)
 
+# --- tool life ------------------------------------------------------------------------------------
+
+#: What becomes of the tool life, in ``LIFE_ACTION``.
+(
+    LIFE_SENT,  # it is sent, and that of another tool begins
+    LIFE_BEGUN,  # that of another tool begins
+    LIFE_READ,  # it is sent for a tool, and goes on
+    LIFE_REMOVED,  # it begins at 0
+    LIFE_DEFINED,  # it goes on from other values, below 0: from its own
+    LIFE_FACTORS,  # other factors count from here on
+) = range(6)
+
 # --- path -----------------------------------------------------------------------------------------
 
 #: After every eighth segment the look-ahead with a limit of the jerk checks whether it may end: the

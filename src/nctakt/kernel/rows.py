@@ -72,7 +72,8 @@ from __future__ import annotations
     SINGLE_STEP,  # #SINGLE STEP
     COUPLE,  # an axis follows another one from here on, or no longer
     FEED_FORWARD,  # another share of the command speed bypasses a position control
-) = range(1, 53)
+    TOOL_LIFE,  # of the tool on the path: ``codes.LIFE_SENT`` …
+) = range(1, 54)
 
 #: The kinds that take or may take time.
 TIMED_KINDS = frozenset(
@@ -180,10 +181,9 @@ LIMITED_JERK, LIMITED_BY_GEAR = range(LIMITED_ACCELERATION + 1, LIMITED_ACCELERA
     WAIT_CELL,  # the variable, 0 for none
 ) = _arguments(2)
 STEP_IS_LOCKED, STEP_RESOLUTION = _arguments(2)  # SINGLE_STEP: 1: disabled; -1: not changed
-(
-    TIMER_NUMBER,
-    TIMER_ACTION,  # ``codes.TIMER_START`` …
-) = _arguments(2)
+TIMER_NUMBER, TIMER_ACTION = _arguments(2)  # ``codes.TIMER_START`` …
+# TOOL_LIFE: ``codes.LIFE_SENT`` …, the tool's text and number; seconds and mm, or factors
+LIFE_ACTION, LIFE_TOOL, LIFE_BASIC, LIFE_TIME, LIFE_DISTANCE = _arguments(5)
 (
     OFFSET_AXIS,  # number in the machine
     OFFSET_KIND,  # ``codes.ZERO_OFFSET`` …
@@ -447,7 +447,8 @@ LINE, ARC, ROUNDING, CUBIC = range(4)
     EVENT_SIGNAL_TAKEN,  # subject: number; its sender, tick in which it was sent, 1: with SYN
     EVENT_TOUCHED,  # length from the block's start to where the probe touches
     EVENT_AXIS_EXCHANGED,  # subject: axis; ``codes.AXIS_AWAITED`` …, the channel that has it
-) = range(1, 45)
+    EVENT_TOOL_LIFE,  # subject: text of the tool's ID; its number, seconds, mm
+) = range(1, 46)
 
 #: A text that a cycle writes is recorded in parts. The column of the cell is the cell plus this
 #: number, twice for each earlier part and once more if another part follows.

@@ -38,6 +38,7 @@ _KINDS = {
     "started": Text("cycle started", "Zyklus gestartet"),
     "starved": Text("queue empty", "Vorrat leer"),
     "timer": Text("timer", "Timer"),
+    "tool_life": Text("tool life sent", "Standgröße gesendet"),
     "touch": Text("probe touches", "Taster schaltet"),
     "user_error": Text("user error", "Anwenderfehler"),
     "user_value": Text("value of the error", "Wert zum Fehler"),

@@ -356,3 +356,14 @@ RADIUS_CHANGE_WITH_G238 = error(
     remedy_en="Change the radius only after G40.",
     remedy_de="Den Radius erst nach G40 ändern.",
 )
+NEGATIVE_TOOL_LIFE = error(
+    901891,
+    en="{word} of #TOOL LIFE DEF is {value}, below 0",
+    de="{word} von #TOOL LIFE DEF ist {value}, kleiner als 0",
+    remedy_en="Give mm for DIST and seconds for TIME, 0 or more.",
+    remedy_de="Für DIST mm, für TIME Sekunden angeben, ab 0.",
+    word=("the keyword", "das Schlüsselwort"),
+    value=("its value", "sein Wert"),
+    reaction=2,
+    clearing=3,
+)

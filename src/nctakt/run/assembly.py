@@ -265,6 +265,8 @@ class AssembledMachine:
         """Let the decoder of a channel begin with the axes of its list (P-CHAN-00460)."""
         own = self.assembled[channel]
         follow_executed(own.spindle_gears, self.channels[channel].executor.context.spindles)
+        factors = self.channels[channel].path.life.factors()
+        self.controller_data[channel].follow_tool_life(*factors)
         if own.places.is_exchanged:
             own.places.present = own.places.listed
             own.offsets.exchange(own.places.own_axes(own.places.listed))

@@ -111,6 +111,9 @@ class RealtimePart:
         spindles = channel_spindles(configuration, index, layout, self.memory, self.record)
         channel.executor.set_spindles(spindles, limits.buffers)
         channel.executor.single_block.stop_at_motions(parameters.single_block == ONLY_MOTIONS)
+        life = parameters.tool_selection.life
+        channel.path.life.count_rapid(life.counts_rapid)
+        channel.executor.tool_lives.omit_zero(life.omits_zero)
         if c_axis >= 0:
             main = [spindle.is_main for spindle in parameters.spindles].index(True)
             channel.exchange.c_axis.configure(c_axis, spindles, main)

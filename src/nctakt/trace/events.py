@@ -190,6 +190,7 @@ class EventDecoder:
             rows.EVENT_SIGNAL_AWAITED: self._signal_awaited,
             rows.EVENT_SIGNAL_TAKEN: self._signal_taken,
             rows.EVENT_AXIS_EXCHANGED: self._axis_exchanged,
+            rows.EVENT_TOOL_LIFE: self._tool_life,
         }
 
     def decode(self, data: bytes | memoryview) -> list[Event]:
@@ -378,6 +379,12 @@ class EventDecoder:
         from_channel = f" CH{int(holder)}" if holder else ""
         return "exchange", f"{self._names.axis(axis)} {word}{from_channel}"
 
+    def _tool_life(
+        self, tool: int, _basic: float, seconds: float, distance: float
+    ) -> tuple[str, str]:
+        name = self._names.user_text(tool) if tool >= 0 else "0"
+        return "tool_life", f"{name} {number_text(seconds)} {number_text(distance)}"
+
     def _program_end(self, number: int, _a: float, _b: float, _c: float) -> tuple[str, str]:
         return "end", self._names.program(number)
 
@@ -397,6 +404,7 @@ _WITHOUT_CYCLE = (
     rows.EVENT_SIGNAL_AWAITED,
     rows.EVENT_SIGNAL_TAKEN,
     rows.EVENT_AXIS_EXCHANGED,
+    rows.EVENT_TOOL_LIFE,
 )
 
 

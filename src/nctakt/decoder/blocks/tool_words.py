@@ -39,11 +39,14 @@ class ToolWords:
             if output is not None:
                 function = tool_function(self._values, word.span, tool, output, number)
                 content.functions.append(function)
+            identity = (tool, 0, 0)
+            yield from self._values.tool.change_life(identity, word.span, number, by_d=False)
             if not self._selection.by_t or content.has_offset_word:
                 return
         if self._selection.flushes:
             yield self._flush(word.name, word.span, number, waits=True)
-        self._values.tool.select(word, value)
+        identity = self._values.tool.select(word, value)
+        yield from self._values.tool.change_life(identity, word.span, number, by_d=True)
         content.updates_tool_offsets = content.selects_tool = True
 
     def flush_before_t(self, span: Span, number: int) -> Generator[Command, Answer]:

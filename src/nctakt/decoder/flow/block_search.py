@@ -43,6 +43,7 @@ from nctakt.decoder.state.commands import (
 from nctakt.decoder.state.limit_commands import SetLimits
 from nctakt.decoder.state.spindle_commands import CuttingSpeed, SpindleJob, SpindleLimits
 from nctakt.decoder.state.start_block import SingleStep, StartBlock
+from nctakt.decoder.state.tool_life import ToolLifeFactors
 from nctakt.decoder.values.variables import Values
 from nctakt.kernel import codes
 from nctakt.messages.block_search import (
@@ -69,6 +70,7 @@ _PASSING = (
     SetTurn,
     SingleStep,
     SpindleLimits,
+    ToolLifeFactors,
     UserErrorReport,
     UserErrorStop,
     UserErrorValue,

@@ -42,6 +42,7 @@ from nctakt.decoder.state.environment import DecodeError
 from nctakt.decoder.state.feed_modifiers import FeedModifiers
 from nctakt.decoder.state.packing import takes_time
 from nctakt.decoder.state.spindle_commands import AwaitSpindle, SpindleJob
+from nctakt.decoder.state.tool_life import ToolLifeFactors
 from nctakt.decoder.values.variables import Values
 from nctakt.kernel import rows
 from nctakt.messages.motion import CURVE_OUTSIDE_LIMITS
@@ -59,7 +60,14 @@ MAX_BETWEEN = 1000
 _ACTIONS = TechnologyOutput | AwaitAcknowledge | SpindleJob | AwaitSpindle
 #: What may stand between two motions that a curve joins.
 _WITHOUT_CONTOUR = (
-    _ACTIONS | BlockMark | EmptyBlock | UserMessage | WaitMark | WriteText | WriteVariable
+    _ACTIONS
+    | BlockMark
+    | EmptyBlock
+    | ToolLifeFactors
+    | UserMessage
+    | WaitMark
+    | WriteText
+    | WriteVariable
 )
 
 

@@ -85,6 +85,10 @@ class ControllerData:
         self.tools: dict[int, Tool] = {}
         self.tool_life_factors = {"TIME_FACT": 1.0, "DIST_FACT": 1.0}
 
+    def follow_tool_life(self, time_factor: float, distance_factor: float) -> None:
+        """Begin a program with the factors that count in the tick: a reset takes those ahead."""
+        self.tool_life_factors = {"TIME_FACT": time_factor, "DIST_FACT": distance_factor}
+
 
 def controller_data(
     configuration: Machine, channels: Sequence[Channel], tick: Callable[[], int]

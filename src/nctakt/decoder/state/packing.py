@@ -61,7 +61,8 @@ from nctakt.decoder.state.spindle_commands import (
     SpindleLimits,
 )
 from nctakt.decoder.state.start_block import SingleStep
-from nctakt.kernel import rows
+from nctakt.decoder.state.tool_life import ToolLife, ToolLifeFactors
+from nctakt.kernel import codes, rows
 
 
 def pack(command: Command, reference: int = 0) -> list[float]:
@@ -155,6 +156,12 @@ def pack(command: Command, reference: int = 0) -> list[float]:
         case SingleStep():
             resolution = -1 if command.resolution is None else command.resolution
             return [rows.SINGLE_STEP, *head, command.is_disabled, resolution]
+        case ToolLife():
+            row = [rows.TOOL_LIFE, *head, command.action, command.tool, command.basic]
+            return [*row, command.time, command.distance]
+        case ToolLifeFactors():
+            row = [rows.TOOL_LIFE, *head, codes.LIFE_FACTORS, 0, 0]
+            return [*row, command.time, command.distance]
         case ClearHistory():
             return [rows.CLEAR_HISTORY, *head]
         case CuttingSpeed():

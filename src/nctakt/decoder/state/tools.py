@@ -19,6 +19,8 @@ from nctakt.decoder.state.commands import Command
 from nctakt.decoder.state.environment import DecoderEnvironment
 from nctakt.decoder.state.modal_state import ModalState
 from nctakt.decoder.state.spindle_commands import SpindleLimits
+from nctakt.decoder.state.tool_life import ToolLife, ToolLifeFactors
+from nctakt.kernel import codes
 from nctakt.kernel.base import arithmetic
 from nctakt.lists.declared.tools import (
     MAX_KINEMATIC_PARAMETERS,
@@ -94,10 +96,11 @@ class ActiveTool:
             self._fail(TOOL_NOT_IN_LIST, span, tool=_shown(identity))
         self._state.tool.number = identity[0]
 
-    def select(self, word: Word, value: float) -> None:
-        """Select the data of a valid tool of the list, or none with the number 0."""
+    def select(self, word: Word, value: float) -> Identity:
+        """Select the data of a valid tool of the list, or none with the number 0; return its ID."""
         number = self._number(word.name, word.span, value)
         self.select_identity((number, 0, 0), f"{word.name}{number}", word.span)
+        return (number, 0, 0)
 
     def select_identity(self, identity: Identity, command: str, span: Span) -> None:
         """Select the data of the valid tool with this ID, or none with 0."""
@@ -354,11 +357,29 @@ class ActiveTool:
         parameters = {**state.tool.kinematic_parameters, parameter: value}
         state.tool = replace(state.tool, kinematic_parameters=parameters)
 
-    def write_life(self, factor: str, value: float, span: Span) -> None:
+    def write_life(self, factor: str, value: float, span: Span, number: int) -> Iterator[Command]:
         """Set V.TLM.TIME_FACT or V.TLM.DIST_FACT, at least 0."""
         if value < 0.0:
             self._fail(INVALID_TOOL_LIFE_FACTOR, span, variable=f"V.TLM.{factor}", value=value)
-        self._environment.controller_data.tool_life_factors[factor] = value
+        factors = self._environment.controller_data.tool_life_factors
+        factors[factor] = value
+        source = self._environment.source_id(span)
+        yield ToolLifeFactors(source, number, factors["TIME_FACT"], factors["DIST_FACT"])
+
+    def change_life(
+        self, identity: Identity, span: Span, number: int, *, by_d: bool
+    ) -> Iterator[Command]:
+        """Begin the tool life of another tool, if it begins with D (``by_d``) or T."""
+        rules = self._environment.parameters.tool_selection.life
+        if rules.by_d == by_d:
+            yield self.life(
+                codes.LIFE_SENT if rules.is_sent else codes.LIFE_BEGUN, identity, span, number
+            )
+
+    def life(self, action: int, identity: Identity, span: Span, number: int) -> ToolLife:
+        """Return the command for the tool life with a tool."""
+        text = self._environment.text_id(_shown(identity))
+        return ToolLife(self._environment.source_id(span), number, action, text, identity[0])
 
     def write(
         self,

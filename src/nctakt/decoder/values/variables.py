@@ -164,7 +164,7 @@ class Values(Evaluator):
             yield from self.tool.write(target, system, value, self._index, number)
             return
         if system.kind == "tool life":
-            self.tool.write_life(system.subject, value, target.span)
+            yield from self.tool.write_life(system.subject, value, target.span, number)
             return
         source = self.environment.source_id(target.span)
         yield from self.system.write(target, system, value, source, number)

@@ -9,6 +9,7 @@ from nctakt.kernel.path.arc_speed cimport ArcSpeed
 from nctakt.kernel.axes.axes cimport Axes
 from nctakt.kernel.path.trapezoid_profile cimport TrapezoidProfile
 from nctakt.kernel.path.path_axes cimport PathAxes
+from nctakt.kernel.path.tool_life cimport ToolLife
 from nctakt.kernel.path.jerk_profile cimport JerkProfile
 
 @cython.final
@@ -32,6 +33,7 @@ cdef class Path(PathAxes):
     cdef ArcSpeed arc
     cdef Py_ssize_t pieces
     cdef JerkProfile jerk_profile
+    cdef readonly ToolLife life
     cdef double[::1] positions
     cdef int stage
     cdef double stage_end_d
@@ -48,7 +50,7 @@ cdef class Path(PathAxes):
     cdef readonly double left_t
     cdef readonly bint is_single
 
-    @cython.locals(i=Py_ssize_t)
+    @cython.locals(i=Py_ssize_t, dwell_ticks=cython.longlong)
     cdef void begin(self, Py_ssize_t queue_row, double[::1] queue, double offset_t) noexcept nogil
     @cython.locals(i=Py_ssize_t, end=Py_ssize_t)
     cdef void remember(self) noexcept nogil

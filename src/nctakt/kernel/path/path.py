@@ -19,6 +19,7 @@ from nctakt.kernel.path import geometry
 from nctakt.kernel.path.arc_speed import ArcSpeed
 from nctakt.kernel.path.jerk_profile import JerkProfile
 from nctakt.kernel.path.path_axes import PathAxes
+from nctakt.kernel.path.tool_life import ToolLife
 from nctakt.kernel.path.trapezoid_profile import TrapezoidProfile
 
 
@@ -61,6 +62,7 @@ class Path(PathAxes):
         self.arc = ArcSpeed(len(members), self.profile, self.room)
         self.pieces = 0
         self.jerk_profile = JerkProfile(self.cycle_time_t)
+        self.life = ToolLife(cycle_time_us)
         self.positions = memoryview(bytearray(8 * self.room)).cast("d")
         self.stage = 0
         self.stage_end_d = 0.0
@@ -91,15 +93,15 @@ class Path(PathAxes):
         self.used += 1
         self.is_active = True
         self.is_dwell = self.history_rows[self.row + rows.KIND] == rows.DWELL
-        self.dwell_ticks = (
-            int(self.history_rows[self.row + rows.DWELL_TICKS]) if self.is_dwell else 0
-        )
+        dwell_ticks = int(self.history_rows[self.row + rows.DWELL_TICKS])
+        self.dwell_ticks = dwell_ticks if self.is_dwell else 0
         self.covered_d = 0.0
         self.plan_d = 0.0
         self.limit_v = -1.0
         self.offset_t = offset_t
         self.ticks = 0
         if not self.is_dwell:
+            self.life.begin(1 - self.is_rapid())
             self.enter_stages()
             self.next_stage()
             self.claim()
@@ -245,10 +247,8 @@ class Path(PathAxes):
 
     def ends_moving(self) -> int:
         """Return whether the current segment does not end at a standstill."""
-        goal = (
-            self.history_rows[self.row + rows.GOAL_LENGTH]
-            + self.history_rows[self.row + rows.GOAL_SPEED]
-        )
+        goal = self.history_rows[self.row + rows.GOAL_LENGTH]
+        goal += self.history_rows[self.row + rows.GOAL_SPEED]
         return 1 if self.history_rows[self.row + rows.END_SPEED] + goal > 0.0 else 0
 
     def step_carried(self, factor: float, is_stopping: int) -> int:
@@ -403,6 +403,8 @@ class Path(PathAxes):
         may have to wait, and must not stop the path in a step (MO-1).
         """
         self.is_active = False
+        if not self.is_retracing:
+            self.life.count(self.covered_d)
         self.put_axes(geometry.end_column(self.history_rows, self.row, self.count))
         self.release()
         if self.history_rows[self.row + rows.EXACT_STOP] > 0.0:
@@ -412,6 +414,8 @@ class Path(PathAxes):
     def move_axes(self) -> None:
         """Put the axes to their positions after ``covered_d`` mm."""
         self.axes.has_moved = True
+        if not self.is_retracing:
+            self.life.count(self.covered_d)
         geometry.locate(self.history_rows, self.row, self.count, self.covered_d, self.positions)
         if self.history_rows[self.row + rows.TRANSFORMATION] > 0.0:
             self.put_transformed(self.positions)
@@ -425,9 +429,7 @@ class Path(PathAxes):
         self.is_active = False
         self.is_retracing = False
         self.direction = 1
-        self.history_rows[self.front + rows.CONTINUES] = (
-            0.0  # the block is over, with all its pieces
-        )
+        self.history_rows[self.front + rows.CONTINUES] = 0.0  # the block is over with all pieces
         self.forget()
         self.speed_v = 0.0
         self.jerk_profile.acceleration_a = 0.0

@@ -41,3 +41,7 @@ cdef class Panel:
     cdef void publish(self, int state, int message) noexcept nogil
     cdef void show_loop(self, bint is_inside) noexcept nogil
     cdef void show_history(self, int state, long long blocks) noexcept nogil
+    cdef void show_life(self, double time_t, double distance_d) noexcept nogil
+    cdef void send_life(
+        self, long long serial, long long tool, double time_t, double distance_d
+    ) noexcept nogil

@@ -173,3 +173,15 @@ class Panel:
         """Show the state of the walk (``codes.AT_FRONT`` …) and the blocks in the history."""
         self.cells[self.first_cell + cells.PANEL_RETRACE] = state
         self.cells[self.first_cell + cells.PANEL_HISTORY] = blocks
+
+    def show_life(self, time_t: float, distance_d: float) -> None:
+        """Show how many seconds and mm the tool has worked."""
+        self.cells[self.first_cell + cells.PANEL_TOOL_TIME] = time_t
+        self.cells[self.first_cell + cells.PANEL_TOOL_DISTANCE] = distance_d
+
+    def send_life(self, serial: int, tool: int, time_t: float, distance_d: float) -> None:
+        """Show the tool life that is sent, with its running number."""
+        self.cells[self.first_cell + cells.PANEL_LIFE_SERIAL] = serial
+        self.cells[self.first_cell + cells.PANEL_LIFE_TOOL] = tool
+        self.cells[self.first_cell + cells.PANEL_LIFE_TIME] = time_t
+        self.cells[self.first_cell + cells.PANEL_LIFE_DISTANCE] = distance_d

@@ -20,6 +20,7 @@ from nctakt.kernel.tick.command_execution cimport CommandExecutor
 from nctakt.kernel.tick.command_queue cimport CommandQueue
 from nctakt.kernel.tick.loop_body cimport LoopBody
 from nctakt.kernel.tick.signals cimport SignalBoard
+from nctakt.kernel.tick.tool_lives cimport ToolLives
 
 cpdef copy_record(Record source, Record target)
 cpdef tuple arrays_of_record(Record part)
@@ -48,6 +49,7 @@ cpdef copy_hli(Hli source, Hli target)
 cpdef copy_block_scope(BlockScope source, BlockScope target)
 cpdef copy_channel(Channel source, Channel target)
 cpdef tuple arrays_of_channel(Channel part)
+cpdef copy_tool_lives(ToolLives source, ToolLives target)
 cpdef copy_command_executor(CommandExecutor source, CommandExecutor target)
 cpdef tuple arrays_of_command_executor(CommandExecutor part)
 cpdef copy_command_queue(CommandQueue source, CommandQueue target)

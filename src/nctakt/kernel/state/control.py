@@ -30,6 +30,7 @@ from nctakt.kernel.tick.command_execution import CommandExecutor
 from nctakt.kernel.tick.command_queue import CommandQueue
 from nctakt.kernel.tick.loop_body import LoopBody
 from nctakt.kernel.tick.signals import SignalBoard
+from nctakt.kernel.tick.tool_lives import ToolLives
 
 Arrays = tuple[Any, ...]
 
@@ -285,6 +286,10 @@ def arrays_of_channel(part: Channel) -> Arrays:
     return (part.cells,)
 
 
+def copy_tool_lives(source: ToolLives, target: ToolLives) -> None:
+    target.sent = source.sent
+
+
 def copy_command_executor(source: CommandExecutor, target: CommandExecutor) -> None:
     target.modal = source.modal
     target.waiting = source.waiting
@@ -403,6 +408,7 @@ COPIERS: MappingProxyType[type, Callable[..., None]] = MappingProxyType(
         Section: copy_section,
         Hli: copy_hli,
         BlockScope: copy_block_scope,
+        ToolLives: copy_tool_lives,
         Channel: copy_channel,
         CommandExecutor: copy_command_executor,
         CommandQueue: copy_command_queue,

@@ -18,6 +18,7 @@ from nctakt.kernel.path.path cimport Path
 from nctakt.kernel.path.path_axes cimport PathAxes
 from nctakt.kernel.path.segment_limits cimport SegmentLimits
 from nctakt.kernel.path.threads cimport Threads
+from nctakt.kernel.path.tool_life cimport ToolLife
 from nctakt.kernel.path.touch_probe cimport TouchProbe
 from nctakt.kernel.path.transformed_limits cimport TransformedLimits
 from nctakt.kernel.path.trapezoid_profile cimport TrapezoidProfile
@@ -43,6 +44,7 @@ cpdef copy_jerk_profile(JerkProfile source, JerkProfile target)
 cpdef copy_look_ahead(LookAhead source, LookAhead target)
 cpdef tuple arrays_of_look_ahead(LookAhead part)
 cpdef copy_overrides(Overrides source, Overrides target)
+cpdef copy_tool_life(ToolLife source, ToolLife target)
 cpdef copy_path(Path source, Path target)
 cpdef tuple arrays_of_path(Path part)
 cpdef copy_path_axes(PathAxes source, PathAxes target)

@@ -28,6 +28,7 @@ from nctakt.kernel.path.path import Path
 from nctakt.kernel.path.path_axes import PathAxes
 from nctakt.kernel.path.segment_limits import SegmentLimits
 from nctakt.kernel.path.threads import Threads
+from nctakt.kernel.path.tool_life import ToolLife
 from nctakt.kernel.path.touch_probe import TouchProbe
 from nctakt.kernel.path.transformed_limits import TransformedLimits
 from nctakt.kernel.path.trapezoid_profile import TrapezoidProfile
@@ -220,6 +221,22 @@ def copy_overrides(source: Overrides, target: Overrides) -> None:
     target.total_pct = source.total_pct
 
 
+def copy_tool_life(source: ToolLife, target: ToolLife) -> None:
+    target.is_counted = source.is_counted
+    target.has_moved = source.has_moved
+    target.counted_d = source.counted_d
+    target.time_t = source.time_t
+    target.distance_d = source.distance_d
+    target.time_factor = source.time_factor
+    target.distance_factor = source.distance_factor
+    target.begin_t = source.begin_t
+    target.ticks = source.ticks
+    target.begin_d = source.begin_d
+    target.from_d = source.from_d
+    target.tool = source.tool
+    target.basic = source.basic
+
+
 def copy_path(source: Path, target: Path) -> None:
     target.used = source.used
     target.oldest = source.oldest
@@ -408,6 +425,7 @@ COPIERS: MappingProxyType[type, Callable[..., None]] = MappingProxyType(
         ArcSpeed: copy_arc_speed,
         BackwardMotion: copy_backward_motion,
         Corner: copy_corner,
+        ToolLife: copy_tool_life,
         EdgeProbe: copy_edge_probe,
         FixedStops: copy_fixed_stops,
         Goal: copy_goal,

@@ -92,7 +92,7 @@ cdef class Channel:
     cdef void pass_block_ends(self, int is_stopping) noexcept nogil
     @cython.locals(message=int)
     cdef void report_axes(self) noexcept nogil
-    @cython.locals(state=int, row=Py_ssize_t)
+    @cython.locals(state=int, row=Py_ssize_t, waits=bint)
     cdef void end_tick(self) noexcept nogil
     cdef void begin_reset(self) noexcept nogil
     @cython.locals(i=Py_ssize_t)

@@ -393,10 +393,8 @@ class Channel:
                 if self.executor.waiting == rows.LOOP_END:
                     row = self.queue.head % self.queue.capacity * self.queue.width
                     self.executor.leave_loop(int(self.queue.rows[row + rows.SOURCE]))
-                if (
-                    self.executor.waiting in (rows.FLUSH, rows.READ, rows.LOOP_END)
-                    or self.axes_stand()
-                ):
+                waits = self.executor.waiting in (rows.FLUSH, rows.READ, rows.LOOP_END)
+                if waits or self.axes_stand():
                     self.answer_waiting()
             if self.executor.is_resetting:
                 self.end_reset()
@@ -406,6 +404,7 @@ class Channel:
             self.c_axis.follow()
         self.context.spindles.step(self.context.tick, self.hli.has_default_plc())
         self.hli.run_default_plc(self.context.tick)
+        self.executor.tool_lives.end_tick()
         self.panel.publish(state, self.executor.error_message)
         if self.path.history_size > 0:
             self.panel.show_history(self.backward.state(), self.path.used - self.path.oldest)

@@ -56,6 +56,7 @@ _MIN_LENGTH = {
     rows.SINGLE_STEP: rows.STEP_RESOLUTION + 1,
     rows.COUPLE: rows.COUPLED_WITHIN + 1,
     rows.FEED_FORWARD: rows.FED_SHARE + 1,
+    rows.TOOL_LIFE: rows.LIFE_DISTANCE + 1,
     rows.CLEAR_HISTORY: rows.ARGUMENTS,
     rows.EMPTY_BLOCK: rows.ARGUMENTS,
     rows.CUTTING_SPEED: rows.CUTTING_LIMIT + 1,

@@ -15,6 +15,7 @@ from nctakt.kernel.tick.block_scope cimport BlockScope
 from nctakt.kernel.tick.channel_signals cimport ChannelSignals
 from nctakt.kernel.tick.command_queue cimport CommandQueue
 from nctakt.kernel.tick.single_block cimport SingleBlock
+from nctakt.kernel.tick.tool_lives cimport ToolLives
 from nctakt.kernel.axes.single_axes cimport SingleAxes
 from nctakt.kernel.base.timers cimport Timers
 
@@ -29,6 +30,7 @@ cdef class CommandExecutor:
     cdef readonly Hli hli
     cdef readonly Panel panel
     cdef readonly SingleBlock single_block
+    cdef readonly ToolLives tool_lives
     cdef readonly CycleManager manager
     cdef BlockScope block_scope
     cdef readonly FixedStops fixed_stops

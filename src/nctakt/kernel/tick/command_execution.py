@@ -20,6 +20,7 @@ from nctakt.kernel.tick.channel_signals import ChannelSignals
 from nctakt.kernel.tick.command_queue import CommandQueue
 from nctakt.kernel.tick.signals import SignalBoard
 from nctakt.kernel.tick.single_block import SingleBlock
+from nctakt.kernel.tick.tool_lives import ToolLives
 
 
 class CommandExecutor:
@@ -46,6 +47,7 @@ class CommandExecutor:
         self.hli = hli
         self.panel = hli.panel
         self.single_block = SingleBlock(queue, self.panel)
+        self.tool_lives = ToolLives(queue, self.panel, record)
         self.manager = manager
         self.block_scope = BlockScope(manager, record)
         self.fixed_stops = FixedStops(queue.path, record)
@@ -206,6 +208,8 @@ class CommandExecutor:
             self.report(self.taken_source, int(self.queue.rows[row + rows.GIVE_UP_MESSAGE]), 0.0)
         elif kind == rows.SINGLE_STEP:
             self.single_block.take(row)
+        elif kind == rows.TOOL_LIFE:
+            self.tool_lives.take(row)
         elif kind == rows.MODAL_MARK:
             self.modal = int(self.queue.rows[row + rows.MODAL_NUMBER])
         elif kind in (rows.MESSAGE, rows.FREEZE, rows.BLOCK_MARK, rows.WAIT_MARK):

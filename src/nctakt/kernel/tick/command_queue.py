@@ -363,6 +363,7 @@ class CommandQueue:
             rows.SET_TURN,
             rows.SOFTWARE_LIMITS,
             rows.SINGLE_STEP,
+            rows.TOOL_LIFE,
             rows.FREEZE,
             rows.LOOP_PASS,
             rows.CLEAR_HISTORY,

@@ -36,6 +36,30 @@ CHANNEL_TOOLS = (
                 "Vor jedem T wird der Kanal geleert, zusammen mit P-CHAN-00087",
             ),
             (
+                "P-CHAN-00076",
+                "tool_life_to_wzv",
+                "The tool life goes to an external tool management with each change of the tool",
+                "Die Standgröße geht bei jedem Werkzeugwechsel an eine externe Verwaltung",
+            ),
+            (
+                "P-CHAN-00243",
+                "tool_life_to_wzv_suppress_zero",
+                "A tool life of 0 s and 0 mm is not sent",
+                "Eine Standgröße von 0 s und 0 mm wird nicht gesendet",
+            ),
+            (
+                "P-CHAN-00255",
+                "tool_life_capture_all_movements",
+                "Rapid motions count in the tool life, too",
+                "Auch Eilgangbewegungen zählen zur Standgröße",
+            ),
+            (
+                "P-CHAN-00482",
+                "tool_life_with_d",
+                "The tool life of another tool begins with D, not with T",
+                "Die Standgröße eines anderen Werkzeugs beginnt mit D statt mit T",
+            ),
+            (
                 "P-CHAN-00420",
                 "remain_tool_length_in_ax",
                 "The length of the tool acts along the third main axis in every plane",

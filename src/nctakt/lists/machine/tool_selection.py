@@ -21,6 +21,20 @@ _LENGTH_UNITS = 10_000
 
 
 @dataclass(frozen=True, slots=True)
+class ToolLifeRules:
+    """When the tool life is sent, and what counts in it.
+
+    ``is_sent``: with each change of the tool (P-CHAN-00076); ``omits_zero``: P-CHAN-00243,
+    ``counts_rapid``: P-CHAN-00255, ``by_d``: that of another tool begins with D (P-CHAN-00482).
+    """
+
+    is_sent: bool = False
+    omits_zero: bool = False
+    counts_rapid: bool = False
+    by_d: bool = False
+
+
+@dataclass(frozen=True, slots=True)
 class ToolSelection:
     """The effects of T and D, and the tools that D accepts; lengths in mm.
 
@@ -28,7 +42,7 @@ class ToolSelection:
     D word. ``output``: how T goes to the PLC, ``None``: not at all. ``flushes_before_t``: the path
     stands before T goes out. ``moves_directly``: axes move by new offsets in the block of D.
     ``keeps_length_axis``: the length acts along the third main axis in every plane.
-    ``min_length``, ``min_radius``: 0 for any tool.
+    ``min_length``, ``min_radius``: 0 for any tool. ``life``: of the tool life.
     """
 
     by_t: bool
@@ -39,6 +53,7 @@ class ToolSelection:
     keeps_length_axis: bool = False
     min_length: float = 0.0
     min_radius: float = 0.0
+    life: ToolLifeRules = ToolLifeRules()
 
     def mistakes(self, tool: Tool) -> Iterator[tuple[Message, Mapping[str, float]]]:
         """Yield why D must not select a tool: too short, too thin; with the values of the message,
@@ -65,4 +80,10 @@ def tool_selection(values: Values, collector: Collector) -> ToolSelection:
         values.flag("remain_tool_length_in_ax"),
         values.integer("tool.minimum_length") / _LENGTH_UNITS,
         values.integer("tool.minimum_radius") / _LENGTH_UNITS,
+        ToolLifeRules(
+            values.flag("tool_life_to_wzv"),
+            values.flag("tool_life_to_wzv_suppress_zero"),
+            values.flag("tool_life_capture_all_movements"),
+            values.flag("tool_life_with_d"),
+        ),
     )

@@ -6,15 +6,25 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from nctakt.messages.checked_blocks import INVALID_COMMAND_FORM
+from nctakt.messages.tools import NEGATIVE_TOOL_LIFE
 from nctakt.nc.check.expressions import ValueChecker
 from nctakt.nc.check.findings import Findings
-from nctakt.nc.tree import Bracket, Expression, HashCommand, Keyword
+from nctakt.nc.check.path_commands import Form, check_item, keywords
+from nctakt.nc.tree import Bracket, Expression, HashCommand, Keyword, Number
 from nctakt.nc.vocabulary.command_forms import forms_of
 
 _MAIN_AXES = 3
 _SIGNS = {"+": 1, "-": -1}
 #: The commands, with the largest number of values in their bracket.
-COMMANDS = {"TOOL DATA": 3, "TOOL PREP": 3, "TOOL REFRESH": 0}
+COMMANDS = {
+    "TOOL DATA": 3,
+    "TOOL PREP": 3,
+    "TOOL REFRESH": 0,
+    "TOOL LIFE READ": 3,
+    "TOOL LIFE REMOVE": 0,
+    "TOOL LIFE DEF": 0,
+}
+_LIFE = Form(numbers=("DIST", "TIME"))
 
 
 def numbers_of(command: HashCommand) -> tuple[Expression, ...] | None:
@@ -51,6 +61,22 @@ def _check_length_axis(
         findings.report(INVALID_COMMAND_FORM, command.span, command="#TLAX", forms=forms)
 
 
+def _check_life(command: HashCommand, values: ValueChecker, findings: Findings) -> None:
+    """Check ``#TOOL LIFE DEF [DIST=1000 TIME=60]``."""
+    bracket = command.arguments[0] if len(command.arguments) == 1 else None
+    if not isinstance(bracket, Bracket) or not bracket.items:
+        name = "#TOOL LIFE DEF"
+        findings.report(INVALID_COMMAND_FORM, command.span, command=name, forms=forms_of(name))
+        return
+    for item in bracket.items:
+        check_item(_LIFE, "#TOOL LIFE DEF", item, values, findings)
+    for item in keywords(command):
+        value = item.value
+        if item.name in _LIFE.numbers and isinstance(value, Number) and value.value < 0.0:
+            word = item.name
+            findings.report(NEGATIVE_TOOL_LIFE, value.span, word=word, value=value.value)
+
+
 def check_tool_command(
     command: HashCommand, axes: Sequence[str], values: ValueChecker, findings: Findings
 ) -> bool:
@@ -61,6 +87,9 @@ def check_tool_command(
         return True
     if name not in COMMANDS:
         return False
+    if name == "TOOL LIFE DEF":
+        _check_life(command, values, findings)
+        return True
     numbers = numbers_of(command)
     if numbers is None:
         forms = forms_of(f"#{name}")

@@ -287,7 +287,9 @@ COMMANDS = table(
     ("#TLC", SIMULATED, "tool length compensation", "Werkzeuglängenkorrektur"),
     ("#TOOL", REFUSED, "tools", "Werkzeuge"),
     ("#TOOL DATA", SIMULATED, "tool offsets by an ID", "Werkzeugkorrektur nach ID"),
-    ("#TOOL LIFE", ACCEPTED, "tool life, for tool management", "Standzeit, zur Verwaltung"),
+    ("#TOOL LIFE DEF", SIMULATED, "set the tool life", "Standgröße setzen"),
+    ("#TOOL LIFE READ", SIMULATED, "send the tool life", "Standgröße senden"),
+    ("#TOOL LIFE REMOVE", SIMULATED, "clear the tool life", "Standgröße löschen"),
     ("#TOOL PREP", SIMULATED, "tool by an ID", "Werkzeug nach ID"),
     ("#TOOL REFRESH", SIMULATED, "data of the active tool anew", "aktives Werkzeug neu lesen"),
     (

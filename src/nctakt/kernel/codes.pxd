@@ -140,6 +140,7 @@ cdef enum:
     IMAGE_UNS32 = 6
     IMAGE_REAL64 = 7
     IMAGE_STRING = 8
+    FIXED_STOP_SIGNAL = 2
     LIFE_SENT = 0
     LIFE_BEGUN = 1
     LIFE_READ = 2

@@ -214,6 +214,11 @@ AT_FRONT, WALKS_BACKWARD, WALKS_FORWARD = range(3)
     IMAGE_STRING,
 ) = range(9)
 
+# --- measuring ------------------------------------------------------------------------------------
+
+#: ``TOUCH_LEVEL`` of a measuring motion to a fixed stop: the signal is not HLI.PROBE.
+FIXED_STOP_SIGNAL = 2
+
 # --- tool life ------------------------------------------------------------------------------------
 
 #: What becomes of the tool life, in ``LIFE_ACTION``.

@@ -228,7 +228,7 @@ LIFE_ACTION, LIFE_TOOL, LIFE_BASIC, LIFE_TIME, LIFE_DISTANCE = _arguments(5)
 (
     TOUCH_PART,  # share of the block's length where the simulated probe touches; below 0: nowhere
     TOUCH_TICKS,  # ticks until it does, below 0: it does not
-    TOUCH_LEVEL,  # value of HLI.PROBE that is the signal
+    TOUCH_LEVEL,  # value of HLI.PROBE that is the signal; or ``codes.FIXED_STOP_SIGNAL``
     TOUCH_CONTINUES,  # 1: the motion continues to its target behind the signal (G106)
     TOUCH_IS_NEEDED,  # 1: a signal that does not come is an error
     TOUCH_MAY_BE_PRESSED,  # 1: a probe that is pressed at the start ends the block there

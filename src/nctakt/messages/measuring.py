@@ -82,13 +82,21 @@ MEASURING_DURING_SEARCH = error(
     reaction=2,
     clearing=7,
 )
-MEASURING_TYPE_NOT_SIMULATED = error(
+NO_FIXED_STOP_DETECTION = error(
     901701,
-    en="measuring type {type} is not simulated",
-    de="Messtyp {type} wird nicht simuliert",
-    remedy_en="Choose type 1, 2, 3 or 4 by #MEAS MODE or messtyp (P-CHAN-00057).",
-    remedy_de="Mit #MEAS MODE oder messtyp (P-CHAN-00057) Typ 1, 2, 3 oder 4 wählen.",
-    type=("the type", "der Typ"),
+    en="{axis} does not find fixed stops: {key} is {value}",
+    de="{axis} erkennt keinen Festanschlag: {key} ist {value}",
+    remedy_en="Set kenngr.meas_signal_fixed_stop (P-AXIS-00330) to 1, and a lag above 0.",
+    remedy_de="kenngr.meas_signal_fixed_stop (P-AXIS-00330) auf 1 und einen Abstand über 0 setzen.",
+    cause_en="At a fixed stop the command runs ahead of the axis by more than P-AXIS-00774, "
+    "P-AXIS-00769 or P-AXIS-00331.",
+    cause_de="Am Festanschlag eilt der Sollwert der Achse um mehr als P-AXIS-00774, P-AXIS-00769 "
+    "oder P-AXIS-00331 voraus.",
+    axis=("the axis", "die Achse"),
+    key=("the entry of its list", "der Eintrag ihrer Liste"),
+    value=("its value", "sein Wert"),
+    reaction=2,
+    clearing=3,
 )
 NOT_A_MEASURING_AXIS = error(
     50059,

@@ -14,10 +14,11 @@ from math import inf
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Span
-from nctakt.decoder.state.commands import Answer, Command, Segment
+from nctakt.decoder.state.commands import Answer, Command, FixedStop, Segment
 from nctakt.decoder.state.modal_state import Measured, MeasuringState
 from nctakt.decoder.state.probe_commands import MeasurementRequest, Touch, TouchEnd
 from nctakt.decoder.values.variables import Values
+from nctakt.kernel import codes
 from nctakt.kernel.base import arithmetic
 from nctakt.lists.declared.measuring import FIRST_TYPE, LAST_TYPE
 from nctakt.lists.machine.measuring import (
@@ -32,7 +33,7 @@ from nctakt.lists.machine.measuring import (
 from nctakt.messages.measuring import (
     CONTINUATION_WITHOUT_TYPE_3,
     MEASURING_DURING_SEARCH,
-    MEASURING_TYPE_NOT_SIMULATED,
+    NO_FIXED_STOP_DETECTION,
     NO_MEASURED_VALUE,
     NO_MEASURING_WAY,
     NOT_A_MEASURING_AXIS,
@@ -153,8 +154,6 @@ class Measuring:
             self._values.fail(MEASURING_DURING_SEARCH, span, word=function)
         if interrupts and type_ not in INTERRUPTING:
             self._values.fail(TYPE_WITHOUT_G310, span, type=type_)
-        if type_ == FIXED_STOP:
-            self._values.fail(MEASURING_TYPE_NOT_SIMULATED, span, type=type_)
         if not interrupts and type_ in INTERRUPTING:
             self._values.fail(TYPE_WITHOUT_G100, span, type=type_)
         if continues and type_ != CONTINUING:
@@ -169,6 +168,21 @@ class Measuring:
                 )
             if not self._environment.axes[index].measuring.takes_part:
                 self._values.fail(NOT_A_MEASURING_AXIS, word.span, axis=word.name)
+            if type_ == FIXED_STOP:
+                self._check_stop(word)
+
+    def _check_stop(self, word: tree.AxisWord) -> None:
+        """Raise ``DecodeError`` for an axis that does not notice a fixed stop (type 7)."""
+        measuring = self._of(word)
+        missing = None
+        if not measuring.finds_stops:
+            missing = "meas_signal_fixed_stop", 0
+        elif measuring.stop_lag == 0.0:
+            missing = "fixed_stop_pos_lag_limit", 0
+        if missing is not None:
+            key, value = missing
+            axis, span = word.name, word.span
+            self._values.fail(NO_FIXED_STOP_DETECTION, span, axis=axis, key=key, value=value)
 
     def speed(self, words: Sequence[tree.AxisWord]) -> float | None:
         """Return the speed of the motion in mm/s; ``None``: the programmed feed."""
@@ -199,6 +213,7 @@ class Measuring:
             if isinstance(command, Segment):
                 segment = command
                 command = self._extended(command, words)
+                yield from self._monitor(words, source, number, is_on=True)
                 yield self._touch(command, words, continues, source, number)
             answer = yield command
         if segment is None:
@@ -207,9 +222,25 @@ class Measuring:
             self._forget(words)
             return
         yield TouchEnd(source, number)
+        yield from self._monitor(words, source, number, is_on=False)
         answer = yield MeasurementRequest(source, number)
         assert isinstance(answer, tuple)
         self._keep(answer, segment, words)
+
+    def _monitor(
+        self, words: Sequence[tree.AxisWord], source: int, number: int, *, is_on: bool
+    ) -> Iterator[Command]:
+        """Let the axes of type 7 look for a fixed stop, or no longer."""
+        if self.type != FIXED_STOP:
+            return
+        for word in words:
+            measuring = self._of(word)
+            ticks = -(-measuring.stop_us // self._environment.cycle_time_us)
+            ticks = max(ticks or measuring.stop_ticks, 1)
+            index = self._environment.axis_numbers[word.name]
+            yield FixedStop(
+                source, number, index, is_on, measuring.stop_lag, ticks, 0.0, 1.0, False
+            )
 
     def _forget(self, words: Sequence[tree.AxisWord]) -> None:
         """Note that the probe has not touched; the values of an earlier touch stay."""
@@ -239,7 +270,9 @@ class Measuring:
         """Return the command that arms the probe for a motion."""
         parameters = self._environment.parameters.measuring
         needed = self._state.needs_signal
-        if needed is None:
+        if needed is None and self.type == FIXED_STOP:
+            needed = parameters.needs_fixed_stop
+        elif needed is None:
             needed = self.type == ONE_AXIS or parameters.needs_signal
         needed = needed and self.type not in INTERRUPTING
         motions = []
@@ -249,6 +282,9 @@ class Measuring:
         part = min((self._part(moved, motions, segment) for moved in motions), default=inf)
         simulated = (moved.measuring for moved in motions)
         cycles = [one.first for one in simulated if one.simulation == AFTER_CYCLES]
+        if self.type == FIXED_STOP:
+            level = codes.FIXED_STOP_SIGNAL
+            return Touch(source, number, -1.0, -1, level, False, needed, may_be_pressed=False)
         return Touch(
             source,
             number,

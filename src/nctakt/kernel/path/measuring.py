@@ -6,6 +6,7 @@ from __future__ import annotations
 from nctakt.kernel import codes
 from nctakt.kernel.base.record import Record
 from nctakt.kernel.path.edge_probe import EdgeProbe
+from nctakt.kernel.path.fixed_stops import FixedStops
 from nctakt.kernel.path.path import Path
 from nctakt.kernel.path.touch_probe import TouchProbe
 from nctakt.kernel.plc.technology_slots import Hli
@@ -14,10 +15,18 @@ from nctakt.kernel.plc.technology_slots import Hli
 class Measuring:
     """The probes of one channel; ``cell``: that of V.RTG.MEAS_DELTA."""
 
-    def __init__(self, path: Path, hli: Hli, record: Record, memory: bytearray, cell: int) -> None:
+    def __init__(
+        self,
+        path: Path,
+        hli: Hli,
+        record: Record,
+        memory: bytearray,
+        cell: int,
+        fixed_stops: FixedStops,
+    ) -> None:
         self.path = path
         self.edge_probe = EdgeProbe(path, hli, record, memory, cell)
-        self.touch_probe = TouchProbe(path, hli.panel, record)
+        self.touch_probe = TouchProbe(path, hli.panel, record, fixed_stops)
 
     def watch(self, tick: int) -> int:
         """Watch a tick before the path's increment; return 1 if the path has to brake."""

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: MIT
 # C types of touch_probe.py.
 cimport cython
-from nctakt.kernel cimport rows
+from nctakt.kernel cimport codes, rows
 from nctakt.kernel.base.record cimport Record
 from nctakt.kernel.path cimport geometry
+from nctakt.kernel.path.fixed_stops cimport FixedStops
 from nctakt.kernel.path.path cimport Path
 from nctakt.kernel.plc.panel cimport Panel
 
@@ -12,6 +13,7 @@ cdef class TouchProbe:
     cdef Path path
     cdef Panel panel
     cdef Record record
+    cdef FixedStops fixed_stops
     cdef readonly double[::1] values
     cdef bint is_seeking
     cdef bint is_braking

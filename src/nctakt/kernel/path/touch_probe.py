@@ -1,16 +1,18 @@
 # SPDX-License-Identifier: MIT
 """Measuring with a touch probe within a block (G100): where the axes were at its signal.
 
-The block is armed while the path stands. The signal is HLI.PROBE at its level, or that of a
-simulated probe: at a part of the block's length, or after a number of ticks. It latches the
-positions of the axes; the path brakes and drops the rest of the block, or continues to its end.
+The block is armed while the path stands. The signal is HLI.PROBE at its level, a fixed stop of an
+axis, or that of a simulated probe: at a part of the block's length, or after a number of ticks. It
+latches the positions of the axes; the path brakes and drops the rest of the block, or continues to
+its end.
 """
 
 from __future__ import annotations
 
-from nctakt.kernel import rows
+from nctakt.kernel import codes, rows
 from nctakt.kernel.base.record import Record
 from nctakt.kernel.path import geometry
+from nctakt.kernel.path.fixed_stops import FixedStops
 from nctakt.kernel.path.path import Path
 from nctakt.kernel.plc.panel import Panel
 
@@ -23,9 +25,10 @@ class TouchProbe:
     of the axes at the signal, in mm or degrees, as the block's segment has them.
     """
 
-    def __init__(self, path: Path, panel: Panel, record: Record) -> None:
+    def __init__(self, path: Path, panel: Panel, record: Record, fixed_stops: FixedStops) -> None:
         self.path = path
         self.panel = panel
+        self.fixed_stops = fixed_stops
         self.record = record
         self.values = memoryview(bytearray(8 * path.room)).cast("d")
         self.is_seeking = False
@@ -63,7 +66,9 @@ class TouchProbe:
         self.is_braking = False
 
     def is_pressed(self) -> int:
-        """Return whether HLI.PROBE is at the level of the signal."""
+        """Return whether HLI.PROBE is at the level of the signal, or an axis at a fixed stop."""
+        if self.touch_level == codes.FIXED_STOP_SIGNAL:
+            return 1 if self.fixed_stops.detected_count > 0 else 0
         return 1 if (1 if self.panel.probe else 0) == self.touch_level else 0
 
     def watch(self) -> int:

@@ -52,7 +52,8 @@ class CommandExecutor:
         self.block_scope = BlockScope(manager, record)
         self.fixed_stops = FixedStops(queue.path, record)
         edge_cell = first_cell + cells.CHANNEL_MEAS_DELTA
-        self.measuring = Measuring(queue.path, hli, record, memory, edge_cell)
+        stops = self.fixed_stops
+        self.measuring = Measuring(queue.path, hli, record, memory, edge_cell, stops)
         self.context = Context(memory, record, hli, timers, single_axes, manager.spindles)
         self.threads = Threads(queue.path, self.context)
         self.program_timers = timers

@@ -14,6 +14,73 @@ FIRST_TYPE, LAST_TYPE = 1, 7
 
 AXIS_MEASURING = (
     Parameter(
+        "P-AXIS-00330",
+        "kenngr.meas_signal_fixed_stop",
+        ValueType.BOOLEAN,
+        False,
+        Text(
+            "A fixed stop is the signal of measuring motions of type 7",
+            "Ein Festanschlag ist das Signal von Messfahrten mit Messtyp 7",
+        ),
+    ),
+    Parameter(
+        "P-AXIS-00331",
+        "kenngr.fixed_stop_pos_lag_limit",
+        ValueType.UNS32,
+        0,
+        Text(
+            "Difference of command and actual position above which a fixed stop is found",
+            "Abstand von Soll- und Istposition, ab dem ein Festanschlag erkannt ist",
+        ),
+        unit="0.1 µm, 1e-4°",
+    ),
+    Parameter(
+        "P-AXIS-00332",
+        "kenngr.fixed_stop_nbr_cycles",
+        ValueType.UNS16,
+        0,
+        Text(
+            "Ticks for which the difference holds at a fixed stop",
+            "Takte, die der Abstand an einem Festanschlag bestehen muss",
+        ),
+    ),
+    *(
+        Parameter(id_, f"{path}.pos_lag_limit", ValueType.SGN32, -1, Text(en, de), unit=unit)
+        for id_, path, unit, en, de in (
+            (
+                "P-AXIS-00769",
+                "antr.fixed_stop.detect",
+                "0.1 µm, 1e-4°",
+                "Difference at a fixed stop in place of P-AXIS-00331, from 0 on",
+                "Abstand an einem Festanschlag anstelle von P-AXIS-00331, ab 0",
+            ),
+            (
+                "P-AXIS-00774",
+                "kenngr.measure.fixed_stop_detect",
+                "0.1 µm, 1e-4°",
+                "Difference at a fixed stop when measuring, before P-AXIS-00769, from 0 on",
+                "Abstand an einem Festanschlag beim Messen, vor P-AXIS-00769, ab 0",
+            ),
+        )
+    ),
+    *(
+        Parameter(id_, f"{path}.min_time", ValueType.UNS32, 0, Text(en, de), unit="µs")
+        for id_, path, en, de in (
+            (
+                "P-AXIS-00770",
+                "antr.fixed_stop.detect",
+                "Time for which the difference holds, in place of P-AXIS-00332",
+                "Zeit, die der Abstand bestehen muss, anstelle von P-AXIS-00332",
+            ),
+            (
+                "P-AXIS-00775",
+                "kenngr.measure.fixed_stop_detect",
+                "Time for which the difference holds when measuring, before P-AXIS-00770",
+                "Zeit, die der Abstand beim Messen bestehen muss, vor P-AXIS-00770",
+            ),
+        )
+    ),
+    Parameter(
         "P-AXIS-00118",
         "kenngr.messachse",
         ValueType.BOOLEAN,

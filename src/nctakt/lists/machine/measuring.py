@@ -19,6 +19,8 @@ class AxisMeasuring:
     ``takes_part``: P-AXIS-00118. ``speed`` and ``overtravel`` are those of type 2. ``simulation``:
     the mode of the simulated probe where the list gives P-AXIS-00112, else 0: the signal is
     HLI.PROBE alone. ``first``, ``second``: its parameters 1 and 2 in the units of the list.
+    ``finds_stops``: P-AXIS-00330, type 7; at a fixed stop command and actual position differ by
+    more than ``stop_lag`` (0: not given) for ``stop_us``, or ``stop_ticks``.
     """
 
     takes_part: bool = False
@@ -27,6 +29,10 @@ class AxisMeasuring:
     simulation: int = 0
     first: int = 0
     second: int = 0
+    finds_stops: bool = False
+    stop_lag: float = 0.0
+    stop_us: int = 0
+    stop_ticks: int = 0
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,7 +65,21 @@ def axis_measuring(values: Values) -> AxisMeasuring:
         simulation if values.is_set(mode) else 0,
         values.integer("meas_simu.parameter1"),
         values.integer("meas_simu.parameter2"),
+        values.flag("kenngr.meas_signal_fixed_stop"),
+        _stop_lag(values),
+        values.integer("kenngr.measure.fixed_stop_detect.min_time")
+        or values.integer("antr.fixed_stop.detect.min_time"),
+        values.integer("kenngr.fixed_stop_nbr_cycles"),
     )
+
+
+def _stop_lag(values: Values) -> float:
+    """Return the lag at a fixed stop: P-AXIS-00774, else 00769, else 00331."""
+    for name in ("kenngr.measure.fixed_stop_detect", "antr.fixed_stop.detect"):
+        lag = values.integer(f"{name}.pos_lag_limit")
+        if lag >= 0:
+            return lag / _POSITION_UNITS
+    return values.integer("kenngr.fixed_stop_pos_lag_limit") / _POSITION_UNITS
 
 
 def channel_measuring(values: Values) -> ChannelMeasuring:

@@ -91,20 +91,3 @@ def test_the_tip_stays_on_its_line_and_the_axes_within_their_limits(seeds: range
         found = broken_limits(places, program.has_jerk_limit)
         found += off_the_way(program, places, run)
         assert not found, (seed, found)
-
-
-def test_corners_are_passed_exactly() -> None:
-    """A contour mode rounds no corner under a transformation."""
-    program = FiveAxisProgram(
-        "N1 #CONTOUR MODE [DEV PATH_DEV=2]\nN2 G261\nN3 #TRAFO [1]\nN4 G01 X0 Y0 Z0 F9000\n"
-        "N5 X20\nN6 Y20\nM30\n",
-        1,
-        {
-            5: (np.zeros(5), np.array([20.0, 0.0, 0.0, 0.0, 0.0])),
-            6: (np.array([20.0, 0.0, 0.0, 0.0, 0.0]), np.array([20.0, 20.0, 0.0, 0.0, 0.0])),
-        },
-        has_jerk_limit=True,
-    )
-    run = run_of(program)
-    assert run.errors == ()
-    assert off_the_way(program, positions(run), run) == []

@@ -8,6 +8,7 @@ moves. Mistakes raise ``DecodeError``.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
 
 from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Span
@@ -17,6 +18,7 @@ from nctakt.decoder.blocks.coupled_axes import check_slaves
 from nctakt.decoder.blocks.feed import FeedRate
 from nctakt.decoder.blocks.splines import SplineWords
 from nctakt.decoder.blocks.threads import ThreadMotion
+from nctakt.decoder.shapes import cubics
 from nctakt.decoder.state.arcs import PLANES, Arc, ArcError, arc_about, arc_of_radius, extremes
 from nctakt.decoder.state.commands import Segment
 from nctakt.decoder.state.feed_modifiers import FeedModifiers
@@ -77,6 +79,9 @@ CENTRE_WORDS = ("I", "J", "K")
 _WORDS_OF_PLANES = {
     plane: (CENTRE_WORDS[plane[0]], CENTRE_WORDS[plane[1]]) for plane in PLANES.values()
 }
+
+#: Lines by which a curve is compared with the limits of axes that a transformation moves.
+LIMIT_LINES = 8
 
 
 @dataclass(slots=True)
@@ -381,6 +386,25 @@ class PathMotion:
             low=low,
             high=high,
         )
+
+    def check_curve(
+        self, pieces: Sequence[cubics.Cubic], span: Span, near: list[float] | None = None
+    ) -> None:
+        """Raise ``DecodeError`` if an axis cannot follow a transformed curve within its limits.
+
+        ``near``: the axes at its begin, where they do not stand there.
+        """
+        axis_check = self._environment.offsets.transformation.axis_check
+        standing = axis_check.standing()
+        axis_check.start_at(standing if near is None else near)
+        for piece in pieces:
+            points = [
+                cubics.point(piece, number / LIMIT_LINES) for number in range(LIMIT_LINES + 1)
+            ]
+            for start, target in pairwise(points):
+                self.check_way(list(start), list(target), None, span)
+        if near is not None:
+            axis_check.start_at(standing)
 
     def check_limits(self, target: Sequence[float], axes: Sequence[int], span: Span) -> None:
         """Raise ``DecodeError`` if one of these axes of a target is outside its software limits."""

@@ -153,7 +153,8 @@ class PlainBlocks:
         state = self._state
         if state.shapes.open_line is not None or self._held.needs_next:
             return False
-        if state.path.contouring and state.path.contour.is_own:
+        is_transformed = self._environment.offsets.transformation.is_active
+        if state.path.contouring and (is_transformed or state.path.contour.is_own):
             return False
         return not state.shapes.waits_for_next or not state.path.compensation.is_active
 

@@ -61,6 +61,10 @@ class TransformedWay:
         for i in range(self.count):
             self.newest[i] = axes[i]
 
+    def standing(self) -> list[float]:
+        """Return where the axes stand behind the last block."""
+        return list(self.newest)
+
     def first_outside(self, start: list[float], target: list[float], arc: list[float]) -> int:
         """Return the first axis outside its limits on a block, -1 for none; no ``arc``: a line."""
         for i in range(self.count):

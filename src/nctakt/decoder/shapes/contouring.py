@@ -5,7 +5,7 @@ The last stage of the decoder, behind the compensation of the tool's radius: com
 out. The realtime part rounds corners of two lines that meet without anything between them. Here are
 those with arcs, those with M and H functions, which act in front of the curve, at its interim point
 or behind it, and those whose curve begins and ends at different distances or has a given interim
-point. A motion that contours is held until the next one arrives.
+point, and all under a transformation. A motion that contours is held until the next one arrives.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from nctakt.base.diagnostics import Span
 from nctakt.decoder.blocks.coupled_axes import check_slaves
 from nctakt.decoder.blocks.path_motion import PathMotion
 from nctakt.decoder.fast.handover import PlainRun
-from nctakt.decoder.shapes import contour_curve, cubics
+from nctakt.decoder.shapes import contour_curve, cubics, transformed_corners
 from nctakt.decoder.shapes.contour_curve import Joint
 from nctakt.decoder.state.commands import (
     Answer,
@@ -76,7 +76,8 @@ class _Held:
     """A motion that contours, with what stands behind it.
 
     ``form``: the curve at its end. ``used``: what the curve at its begin has taken of it, mm.
-    ``is_compensated``: it is a piece of a compensated contour.
+    ``is_compensated``: it is a piece of a compensated contour. ``standing``: the axes at its end
+    under a transformation, which bends their way.
     """
 
     segment: Segment
@@ -84,6 +85,7 @@ class _Held:
     form: ContourForm
     used: float
     is_compensated: bool
+    standing: list[float] | None
     between: list[Command] = field(default_factory=list)
 
     @property
@@ -103,6 +105,7 @@ class _Held:
         )
         if not (
             self.form.is_own
+            or self.standing is not None
             or (has_arc and not (self.segment.limits_jerk or self.is_compensated or is_compensated))
             or (self.has_actions and not is_behind)
         ):
@@ -143,8 +146,11 @@ class Contouring:
 
     @property
     def _linear(self) -> list[int]:
-        """The linear axes that the channel has at this moment of decoding."""
-        return [index for index, axis in enumerate(self._environment.axes) if axis.is_linear]
+        """The axes that are programmed in mm at this moment of decoding."""
+        is_linear = self._environment.offsets.transformation.is_linear
+        return [
+            index for index, axis in enumerate(self._environment.axes) if is_linear(index, axis)
+        ]
 
     @property
     def needs_next(self) -> bool:
@@ -220,7 +226,9 @@ class Contouring:
             return
         self._pass_time(segment)
         form = self._state.path.contour.form(self._state.limits)
-        self._held = _Held(segment, self._path.span, form, used, is_compensated)
+        transformation = self._environment.offsets.transformation
+        standing = transformation.axis_check.standing() if transformation.is_active else None
+        self._held = _Held(segment, self._path.span, form, used, is_compensated, standing)
 
     def _contours(self, segment: Segment) -> bool:
         """Return whether the corner at the end of a motion may get a curve of here."""
@@ -232,7 +240,7 @@ class Contouring:
         if modifiers is not None and (modifiers.end_feed > 0.0 or modifiers.thread):
             return False
         transformation = self._environment.offsets.transformation
-        return self._state.feed.block_time_s == 0.0 and not transformation.is_active
+        return self._state.feed.block_time_s == 0.0 and not transformation.is_straight
 
     def _finish(self) -> Iterator[Command]:
         """Release the held motion; no further one joins it."""
@@ -267,6 +275,7 @@ class Contouring:
             or not contour_curve.smallest_turn(held.segment, segment) < turn <= form.max_bend
             or segment.start != held.segment.target
             or segment.limits_jerk != held.segment.limits_jerk
+            or not self._is_wanted(held, segment)
             or _has_thread(segment) != _has_thread(held.segment)
         ):
             yield from self._release(held)
@@ -295,7 +304,7 @@ class Contouring:
             if off <= form.deviation:
                 break
             halves = (0.8 * halves[0], 0.8 * halves[1])
-        self._check_limits([cubic for half in pieces for cubic in half], held.span)
+        self._check_limits([cubic for half in pieces for cubic in half], held)
         one, two = (self._motions(half, held.segment, segment) for half in pieces)
         two[-1] = replace(two[-1], continues_block=held.segment.continues_block)
         begin = replace(first, deviation=0.0, continues_block=True)
@@ -308,6 +317,14 @@ class Contouring:
         commands += held.between if action == POST_ACTION else []
         yield from self._passed(commands)
         return last
+
+    def _is_wanted(self, held: _Held, segment: Segment) -> bool:
+        """Return whether a corner needs its curve, or is passed faster with it."""
+        if held.standing is None or held.form.is_own or held.has_actions:
+            return True
+        return transformed_corners.is_faster(
+            self._environment, held.segment, segment, self._linear, held.standing
+        )
 
     def _motions(self, half: list[cubics.Cubic], before: Segment, behind: Segment) -> list[Segment]:
         """Return a half of the curve as motions of the block in front of the corner.
@@ -336,17 +353,20 @@ class Contouring:
             for cubic in cubics.divided(piece, self._linear)
         ]
 
-    def _check_limits(self, pieces: list[cubics.Cubic], span: Span) -> None:
+    def _check_limits(self, pieces: list[cubics.Cubic], held: _Held) -> None:
         """Raise ``DecodeError`` if an axis leaves its software limits on the curve."""
+        if held.standing is not None:
+            self._path.check_curve(pieces, held.span, held.standing)
+            return
         for index, axis in enumerate(self._environment.axes):
             low, high = self._state.software_limits.of(axis, index)
             for piece in () if axis.is_modulo else pieces:
                 for position in cubics.extremes(piece, index):
-                    check_slaves(self._values, index, position, span)
+                    check_slaves(self._values, index, position, held.span)
                     if not low <= position <= high:
                         self._values.fail(
                             CURVE_OUTSIDE_LIMITS,
-                            span,
+                            held.span,
                             axis=self._environment.places.name(index),
                             position=position,
                             low=low,

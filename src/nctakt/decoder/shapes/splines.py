@@ -11,7 +11,6 @@ import math
 from collections import deque
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from itertools import pairwise
 
 from nctakt.base.diagnostics import Span
 from nctakt.decoder.blocks.coupled_axes import check_slaves
@@ -34,9 +33,6 @@ from nctakt.messages.splines import (
 
 #: A way of the main axes at most this long is none, mm.
 NO_WAY_MM = 1e-6
-
-#: Lines by which a piece is compared with the limits of axes that a transformation moves.
-LIMIT_LINES = 8
 
 Slope = Sequence[float | None]
 
@@ -183,9 +179,7 @@ class Spline:
     def _check_limits(self, piece: cubics.Cubic, span: Span) -> None:
         """Raise ``DecodeError`` if an axis leaves its software limits on a piece."""
         if self._environment.offsets.transformation.is_active:
-            ends = [cubics.point(piece, number / LIMIT_LINES) for number in range(LIMIT_LINES + 1)]
-            for start, target in pairwise(ends):
-                self._path.check_way(list(start), list(target), None, span)
+            self._path.check_curve([piece], span)
             return
         for index, axis in enumerate(self._environment.axes):
             if axis.is_modulo:

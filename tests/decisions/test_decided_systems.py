@@ -106,8 +106,6 @@ def test_the_next_program_has_no_system() -> None:
         ("#CS ON", 20821),
         ("#CS ON [3]", 20821),
         ("$FOR P1 = 1, 6, 1\n#CS DEF [P1] [1, 2, 3]\n$ENDFOR", 21234),
-        ("#CS ON [0,0,0,10]\nG02 X10 I5 F100", 900842),
-        ("#CS ON [0,0,0,180]\nD1 G41 G01 X10 F100", 900845),
         ("D1 G41 G01 X10 F100\n#CS ON [1,0,0]", 20802),
         ("D1 G41 G01 X10 F100\nX20\nG40\n#CS ON [1,0,0]", 20802),
         ("#CS ON [9000,0,0]\nG00 X2000", 120002),

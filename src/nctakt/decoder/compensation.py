@@ -33,6 +33,7 @@ from nctakt.decoder.pending_motion import (
     plain_span,
     segments_of,
 )
+from nctakt.decoder.shapes import tilted_motions
 from nctakt.decoder.state.arcs import SAME_POINT_MM
 from nctakt.decoder.state.commands import Answer, Command, DecoderWait, ProgramEnd, Segment, waits
 from nctakt.decoder.state.environment import DecodeError
@@ -125,10 +126,14 @@ class Compensation:
                 self._hold(command)
                 return None
             yield from self._finish()
+        if isinstance(command, Segment) and command.turn is not None:
+            yield from self._at_once(command)
+            return None
         return (yield command)
 
     def _segment(self, segment: Segment) -> Iterator[Command]:
         """Process a motion: in the plane as part of the contour, else unchanged in its order."""
+        segment = tilted_motions.into_plane(segment, self._environment, self._state.plane)
         first, second = self._state.plane_axes
         x, y = segment.start[first], segment.start[second]
         x_2, y_2 = segment.target[first], segment.target[second]
@@ -143,7 +148,7 @@ class Compensation:
         ):
             yield from self._leave(distance)
             if distance == 0.0:
-                yield segment
+                yield from self._at_once(segment)
                 return
         if self._is_closed_one and distance != self._distance:
             if distance != 0.0:
@@ -185,13 +190,26 @@ class Compensation:
     def _beside_plane(self, segment: Segment) -> Iterator[Command]:
         """Process a motion of axes outside the plane."""
         if not self._motions and self._at is None:
-            yield segment
+            yield from self._at_once(segment)
         elif self._moves_others(segment):
             self.tool.parts = True
             if self._motions:
                 self._hold(segment)
             else:
-                yield at_tool(segment, self._state.plane_axes, self._at)
+                yield from self._at_once(at_tool(segment, self._state.plane_axes, self._at))
+
+    def _at_once(self, command: Command) -> Iterator[Command]:
+        """Yield a motion that is not held; one of a tilted plane as the axes make it."""
+        if not isinstance(command, Segment) or command.turn is None:
+            yield command
+            return
+        self._pass_time(command)
+        self.is_releasing = True
+        yield from self._untilted(command)
+        self.is_releasing = False
+
+    def _untilted(self, command: Command) -> Iterator[Command]:
+        return tilted_motions.out_of_plane(command, self._environment)
 
     def _enter(self, segment: Segment, ends: tuple[float, float, float, float], d: float) -> None:
         """Pass the line or arc of a motion and its distance ``d`` (mm) to the tool path."""
@@ -457,10 +475,12 @@ class Compensation:
         plane = self._state.plane_axes
         pieces = self._pieces(motion)
         commands: list[Command] = list(
-            segments_of(motion, pieces, self._environment.axes, plane, self._path.check_piece)
+            segments_of(motion, pieces, self._environment.axes, plane, self._path)
         )
         commands += [at_tool(command, plane, self._at) for command in motion.between]
-        return commands
+        if motion.segment.turn is None:
+            return commands
+        return [one for command in commands for one in self._untilted(command)]
 
     def _pieces(self, motion: PendingMotion) -> list[tuple[_Piece, float]]:
         """Return the pieces of a motion with their lengths in mm; empty if it is masked."""

@@ -11,6 +11,7 @@ from collections.abc import Callable, Generator
 
 from nctakt.decoder.blocks.path_motion import PathMotion
 from nctakt.decoder.compensation import Compensation
+from nctakt.decoder.shapes import tilted_motions
 from nctakt.decoder.shapes.contouring import Contouring
 from nctakt.decoder.shapes.shaping import Shaping
 from nctakt.decoder.state.commands import Answer, Command
@@ -23,6 +24,7 @@ class MotionStages:
     def __init__(
         self, values: Values, path: PathMotion, pass_time: Callable[[Command], None]
     ) -> None:
+        self._environment = values.environment
         self._pass_time = pass_time
         self._shaping = Shaping(values, path, pass_time)
         self.compensation = Compensation(values, path, self._behind_shaping)
@@ -40,7 +42,10 @@ class MotionStages:
 
     def loop_body(self, body: list[Command]) -> list[Command]:
         """Return the commands of a realtime loop's body with its motions changed."""
-        return self._contouring.plain_body(self._shaping.shape_body(body))
+        shaped = self._shaping.shape_body(body)
+        environment = self._environment
+        whole = [one for every in shaped for one in tilted_motions.out_of_plane(every, environment)]
+        return self._contouring.plain_body(whole)
 
     def pass_time(self, command: Command) -> None:
         """Note that the consumer has taken a command that takes time."""

@@ -10,6 +10,7 @@ from dataclasses import replace
 from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Message, Span
 from nctakt.base.source_ids import NO_SOURCE, unpack
+from nctakt.decoder.blocks.path_motion import PathMotion
 from nctakt.decoder.contour import rows
 from nctakt.decoder.state.arcs import Arc
 from nctakt.decoder.state.commands import Command, Segment
@@ -90,12 +91,12 @@ def segments_of(
     pieces: list[tuple[tuple[float, ...], float]],
     axes: Sequence[AxisConfiguration],
     plane: tuple[int, int],
-    check: Callable[[list[float], list[float], Arc | None, tuple[int, int], Span], None],
+    path: PathMotion,
 ) -> Iterator[Segment]:
     """Yield the pieces of a motion, with their lengths, as segments; only the last one stops
     exactly.
 
-    ``check`` is called for each of them.
+    ``path`` checks the limits of each.
     """
     first, second = plane
     segment = motion.segment
@@ -116,7 +117,10 @@ def segments_of(
             row = arc.row
             if motion.adapts and segment.is_feed and motion.time_s == 0.0:
                 feed *= share_of_contour(segment, row, start)
-        check(start, target, arc, plane, motion.span)
+        if segment.turn is not None:
+            path.check_tilted(segment.turn, start, target, arc, motion.span)
+        else:
+            path.check_piece(start, target, arc, plane, motion.span)
         yield replace(
             segment,
             start=tuple(start),

@@ -44,19 +44,6 @@ NO_COORDINATE_SYSTEM_ACTIVE = warning(
     reaction=1,
     clearing=1,
 )
-ARC_PLANE_ASKEW = error(
-    900842,
-    known_as=(20663,),
-    en="in this coordinate system the arc's plane G{plane} is inclined to the axes",
-    de="in diesem Koordinatensystem liegt die Ebene G{plane} des Kreises schräg zu den Achsen",
-    remedy_en="Program straight lines, or rotate the system about the plane's normal only.",
-    remedy_de="Geraden programmieren oder das System nur um die Normale der Ebene drehen.",
-    cause_en="nctakt moves arcs only in planes of two axes.",
-    cause_de="nctakt fährt Kreise nur in Ebenen zweier Achsen.",
-    plane=("number of the G function", "Nummer der G-Funktion"),
-    reaction=2,
-    clearing=3,
-)
 LINEAR_AXES_MISSING = error(
     20660,
     known_as=(900843,),
@@ -86,19 +73,6 @@ TOO_MANY_ACTIVE_SYSTEMS = error(
     remedy_en="Switch off those that are no longer used, with #CS OFF, #ACS OFF or #BCS OFF.",
     remedy_de="Nicht mehr benutzte mit #CS OFF, #ACS OFF oder #BCS OFF ausschalten.",
     maximum=("the maximum number", "die größte Anzahl"),
-    reaction=2,
-    clearing=3,
-)
-WORD_IN_ROTATED_COORDINATE_SYSTEM = error(
-    900845,
-    known_as=(20663,),
-    en="{word} in a coordinate system that is rotated out of the axes' plane G{plane}",
-    de="{word} in einem Koordinatensystem, das aus der Achsebene G{plane} herausgedreht ist",
-    remedy_en="Rotate the system about the plane's normal only, or program the tool's own path.",
-    remedy_de="Das System nur um die Normale der Ebene drehen oder die Bahn des Werkzeugs selbst "
-    "programmieren.",
-    word=("G41 or G42", "G41 oder G42"),
-    plane=("number of the G function", "Nummer der G-Funktion"),
     reaction=2,
     clearing=3,
 )

@@ -11,23 +11,23 @@ from collections.abc import Sequence
 from itertools import pairwise
 
 from nctakt.base.dataclass import dataclass, field
-from nctakt.base.diagnostics import Span
+from nctakt.base.diagnostics import Message, Span
 from nctakt.decoder.blocks import segments
 from nctakt.decoder.blocks.corners import CornerWords
 from nctakt.decoder.blocks.coupled_axes import check_slaves
 from nctakt.decoder.blocks.feed import FeedRate
 from nctakt.decoder.blocks.splines import SplineWords
 from nctakt.decoder.blocks.threads import ThreadMotion
-from nctakt.decoder.shapes import cubics
+from nctakt.decoder.shapes import cubics, tilted_motions
 from nctakt.decoder.state.arcs import PLANES, Arc, ArcError, arc_about, arc_of_radius, extremes
 from nctakt.decoder.state.commands import Segment
+from nctakt.decoder.state.coordinate_systems import Matrix, turned_in, turned_out
 from nctakt.decoder.state.feed_modifiers import FeedModifiers
 from nctakt.decoder.state.modal_state import LastArc
 from nctakt.decoder.values.variables import Values
 from nctakt.kernel import codes, rows
 from nctakt.kernel.kinematics import map_rows
 from nctakt.messages import diagnostic
-from nctakt.messages.coordinate_systems import ARC_PLANE_ASKEW, WORD_IN_ROTATED_COORDINATE_SYSTEM
 from nctakt.messages.decoder import TARGET_OUTSIDE_LIMITS
 from nctakt.messages.frames import ARC_SCALED_UNEQUALLY
 from nctakt.messages.motion import (
@@ -165,8 +165,12 @@ class PathMotion:
         compensation = self._state.path.compensation
         compensation.side = 0
         if compensation.has_left_path and compensation.approach == DEPART_WITHOUT_MOTION:
+            turn = self._environment.offsets.systems.tilt(self._state.path.plane)
+            positions = self._state.positions
+            positions = list(positions) if turn is None else turned_in(turn, positions)
             for axis, value in zip(self._state.path.plane_axes, compensation.end, strict=True):
-                self._state.positions[axis] = value
+                positions[axis] = value
+            self._state.positions = positions if turn is None else turned_out(turn, positions)
 
     def keep_plane(self, function: int, span: Span) -> None:
         """Raise ``DecodeError`` for a change of plane during compensation."""
@@ -198,10 +202,6 @@ class PathMotion:
         if radius == 0.0:
             self._values.fail(NO_RADIUS_TO_COMPENSATE, span, word=f"G{function}")
         path = self._state.path
-        if not self._environment.offsets.systems.keeps_plane(path.plane):
-            self._values.fail(
-                WORD_IN_ROTATED_COORDINATE_SYSTEM, span, word=f"G{function}", plane=path.plane
-            )
         if self._environment.places.lacks_any(path.plane_axes):
             self._values.fail(PLANE_AXIS_MISSING, span, plane=path.plane)
         compensation.radius = radius
@@ -220,11 +220,19 @@ class PathMotion:
         if arc is None and start == target:
             return None
         transformation = self._environment.offsets.transformation
+        turn = None
+        if arc is not None:
+            turn = self._environment.offsets.systems.tilt(state.path.plane)
         if transformation.is_straight:
             if arc is not None:
                 self._values.fail(ARC_DURING_PTP, span)
             start, target = transformation.to_axes(start), transformation.to_axes(target)
             self.check_limits(target, range(len(target)), span)
+        elif arc is not None and turn is not None:
+            points = self._environment.offsets.systems.points
+            start, target = points.inside(turn, start), points.inside(turn, target)
+            pieces = tilted_motions.cubics_of(start, target, arc.row, turn)
+            self.check_curve(pieces, span, message=ARC_OUTSIDE_LIMITS)
         elif transformation.is_active:
             self.check_way(start, target, arc, span)
         elif arc is not None:
@@ -253,6 +261,7 @@ class PathMotion:
             state.path.limits_jerk,
             None if arc is None else arc.row,
             pace,
+            turn,
         )
 
     def _stops_exactly(self, words: PathWords) -> bool:
@@ -264,7 +273,10 @@ class PathMotion:
     def _arc(
         self, start: list[float], target: list[float], words: PathWords, span: Span
     ) -> Arc | None:
-        """Return the arc of the block; ``None`` if it has only a radius."""
+        """Return the arc of the block; ``None`` if it has only a radius and no way.
+
+        Where the coordinate system tilts its plane, the centre is in that plane.
+        """
         path = self._state.path
         plane, frame = path.plane_axes, self._state.frame
         if self._environment.places.lacks_any(plane):
@@ -295,12 +307,7 @@ class PathMotion:
             self._values.fail(error.message, span, **error.values)
         unit = self._state.length_unit_mm
         path.last_arc = LastArc(arc, begin, words.centre, centre, unit)
-        if not offsets.systems.is_active:
-            return arc
-        outside = offsets.systems.arc(arc, begin, start)
-        if outside is None:
-            self._values.fail(ARC_PLANE_ASKEW, span, plane=path.plane)
-        return outside
+        return offsets.systems.arc(arc, begin, start) if offsets.systems.is_active else arc
 
     def _centre(
         self, start: list[float], path_words: PathWords, plane: tuple[int, int]
@@ -358,6 +365,22 @@ class PathMotion:
             self.check_extremes(arc, start, span)
         self.check_limits(target, axes, span)
 
+    def check_tilted(
+        self,
+        turn: Matrix,
+        start: list[float],
+        target: list[float],
+        arc: Arc | None,
+        span: Span,
+    ) -> None:
+        """Raise ``DecodeError`` if an axis leaves its limits on a piece in a tilted plane."""
+        if arc is not None:
+            pieces = tilted_motions.cubics_of(start, target, arc.row, turn)
+            self.check_curve(pieces, span, message=ARC_OUTSIDE_LIMITS)
+            return
+        start, target = turned_out(turn, start), turned_out(turn, target)
+        self.check_piece(start, target, None, range(len(target)), span)
+
     def check_way(
         self, start: list[float], target: list[float], arc: Arc | None, span: Span
     ) -> None:
@@ -388,12 +411,20 @@ class PathMotion:
         )
 
     def check_curve(
-        self, pieces: Sequence[cubics.Cubic], span: Span, near: list[float] | None = None
+        self,
+        pieces: Sequence[cubics.Cubic],
+        span: Span,
+        near: list[float] | None = None,
+        *,
+        message: Message,
     ) -> None:
-        """Raise ``DecodeError`` if an axis cannot follow a transformed curve within its limits.
+        """Raise ``DecodeError`` if an axis leaves its software limits on a curve.
 
-        ``near``: the axes at its begin, where they do not stand there.
+        ``near``: the axes at its begin, where a transformation has them elsewhere now.
         """
+        if not self._environment.offsets.transformation.is_active:
+            self._check_extremes_of(pieces, span, message)
+            return
         axis_check = self._environment.offsets.transformation.axis_check
         standing = axis_check.standing()
         axis_check.start_at(standing if near is None else near)
@@ -405,6 +436,24 @@ class PathMotion:
                 self.check_way(list(start), list(target), None, span)
         if near is not None:
             axis_check.start_at(standing)
+
+    def _check_extremes_of(
+        self, pieces: Sequence[cubics.Cubic], span: Span, message: Message
+    ) -> None:
+        for index, axis in enumerate(self._environment.axes):
+            low, high = self._state.software_limits.of(axis, index)
+            for piece in () if axis.is_modulo else pieces:
+                for position in cubics.extremes(piece, index):
+                    check_slaves(self._values, index, position, span)
+                    if not low <= position <= high:
+                        self._values.fail(
+                            message,
+                            span,
+                            axis=self._environment.places.name(index),
+                            position=position,
+                            low=low,
+                            high=high,
+                        )
 
     def check_limits(self, target: Sequence[float], axes: Sequence[int], span: Span) -> None:
         """Raise ``DecodeError`` if one of these axes of a target is outside its software limits."""

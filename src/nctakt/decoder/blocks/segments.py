@@ -23,6 +23,7 @@ _ARC = Segment.__dict__["arc"]
 _MODIFIERS = Segment.__dict__["modifiers"]
 _CONTINUES_BLOCK = Segment.__dict__["continues_block"]
 _CURVE = Segment.__dict__["curve"]
+_TURN = Segment.__dict__["turn"]
 
 
 def segment(
@@ -37,6 +38,7 @@ def segment(
     limits_jerk: bool,
     arc: tuple[float, ...] | None,
     modifiers: FeedModifiers | None,
+    turn: tuple[float, ...] | None,
 ) -> Segment:
     """Return the segment of a whole block."""
     node: Segment = raw_nodes.new_node(Segment, 0)
@@ -53,4 +55,5 @@ def segment(
     raw_nodes.set_field(_MODIFIERS, node, modifiers)
     raw_nodes.set_field(_CONTINUES_BLOCK, node, False)
     raw_nodes.set_field(_CURVE, node, None)
+    raw_nodes.set_field(_TURN, node, turn)
     return node

@@ -30,6 +30,7 @@ from nctakt.decoder.state.commands import (
     UserMessage,
 )
 from nctakt.decoder.state.coordinate_systems import LAYERS
+from nctakt.decoder.state.shape_commands import ReleaseMotions
 from nctakt.decoder.state.start_block import SingleStep
 from nctakt.decoder.values.texts import FormatError, format_text
 from nctakt.decoder.values.variables import Values
@@ -107,6 +108,10 @@ class HashCommands:
         """
         words = tuple(word.name for word in command.words)
         self._check_coordinates(words, command.span)
+        state = self._values.state
+        if state.path.compensation.is_left and state.shapes.holds_motions:
+            source = self._environment.source_id(command.span)
+            yield ReleaseMotions(source, number, command.span)
         if words == ("DELETE",):
             for argument in command.arguments:
                 assert isinstance(argument, tree.Variable)

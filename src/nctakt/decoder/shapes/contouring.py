@@ -16,7 +16,6 @@ from typing import Protocol
 
 from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Span
-from nctakt.decoder.blocks.coupled_axes import check_slaves
 from nctakt.decoder.blocks.path_motion import PathMotion
 from nctakt.decoder.fast.handover import PlainRun
 from nctakt.decoder.shapes import contour_curve, cubics, transformed_corners
@@ -304,7 +303,8 @@ class Contouring:
             if off <= form.deviation:
                 break
             halves = (0.8 * halves[0], 0.8 * halves[1])
-        self._check_limits([cubic for half in pieces for cubic in half], held)
+        whole = [cubic for half in pieces for cubic in half]
+        self._path.check_curve(whole, held.span, held.standing, message=CURVE_OUTSIDE_LIMITS)
         one, two = (self._motions(half, held.segment, segment) for half in pieces)
         two[-1] = replace(two[-1], continues_block=held.segment.continues_block)
         begin = replace(first, deviation=0.0, continues_block=True)
@@ -352,26 +352,6 @@ class Contouring:
             for piece in half
             for cubic in cubics.divided(piece, self._linear)
         ]
-
-    def _check_limits(self, pieces: list[cubics.Cubic], held: _Held) -> None:
-        """Raise ``DecodeError`` if an axis leaves its software limits on the curve."""
-        if held.standing is not None:
-            self._path.check_curve(pieces, held.span, held.standing)
-            return
-        for index, axis in enumerate(self._environment.axes):
-            low, high = self._state.software_limits.of(axis, index)
-            for piece in () if axis.is_modulo else pieces:
-                for position in cubics.extremes(piece, index):
-                    check_slaves(self._values, index, position, held.span)
-                    if not low <= position <= high:
-                        self._values.fail(
-                            CURVE_OUTSIDE_LIMITS,
-                            held.span,
-                            axis=self._environment.places.name(index),
-                            position=position,
-                            low=low,
-                            high=high,
-                        )
 
 
 def _has_thread(segment: Segment) -> bool:

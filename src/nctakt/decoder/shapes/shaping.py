@@ -20,6 +20,7 @@ from nctakt.decoder.fast.handover import PlainRun
 from nctakt.decoder.shapes import corners
 from nctakt.decoder.shapes.held_motion import HeldMotion
 from nctakt.decoder.shapes.splines import Slope, Spline
+from nctakt.decoder.shapes.tilted_motions import into_plane
 from nctakt.decoder.state.arcs import RADIANS, Arc
 from nctakt.decoder.state.commands import (
     Answer,
@@ -47,7 +48,6 @@ from nctakt.decoder.state.shape_commands import (
 from nctakt.decoder.values.variables import Values
 from nctakt.kernel import rows
 from nctakt.messages import diagnostic
-from nctakt.messages.coordinate_systems import WORD_IN_ROTATED_COORDINATE_SYSTEM
 from nctakt.messages.shapes import (
     CORNER_NOT_IN_PLANE,
     CORNER_REVERSES,
@@ -188,6 +188,7 @@ class Shaping:
     def _segment(self, segment: Segment) -> Iterator[Command]:
         """Process a motion: it ends what is held, and is held itself."""
         self._pass_time(segment)
+        segment = into_plane(segment, self._environment, self._state.path.plane)
         motion = HeldMotion(segment, self._path.span, self._state.feed.block_time_s)
         held, self._held = self._held, None
         if held is not None and held.corner is not None:
@@ -351,13 +352,9 @@ class Shaping:
         ``None`` for a rounding between motions that go straight on.
         """
         plane = self._state.path.plane_axes
-        if not self._environment.offsets.systems.keeps_plane(self._state.path.plane):
-            self._values.fail(
-                WORD_IN_ROTATED_COORDINATE_SYSTEM,
-                corner.span,
-                word=corner.word,
-                plane=self._state.path.plane,
-            )
+        if held.segment.turn != motion.segment.turn:
+            number = self._state.path.plane
+            self._values.fail(CORNER_NOT_IN_PLANE, corner.span, side=_BEFORE, plane=number)
         before = corners.Side(held.segment, plane, is_before=True)
         behind = corners.Side(motion.segment, plane, is_before=False)
         for side, cut, where in ((before, held, _BEFORE), (behind, motion, _BEHIND)):

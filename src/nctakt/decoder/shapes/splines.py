@@ -13,7 +13,6 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from nctakt.base.diagnostics import Span
-from nctakt.decoder.blocks.coupled_axes import check_slaves
 from nctakt.decoder.blocks.path_motion import PathMotion
 from nctakt.decoder.shapes import cubics
 from nctakt.decoder.shapes.akima import AkimaCurve
@@ -21,6 +20,7 @@ from nctakt.decoder.shapes.bspline import BsplineCurve
 from nctakt.decoder.shapes.held_motion import HeldMotion
 from nctakt.decoder.state.arcs import RADIANS
 from nctakt.decoder.state.commands import Segment
+from nctakt.decoder.state.coordinate_systems import turned_out
 from nctakt.decoder.state.shape_commands import AUTO, BSPLINE, USER, Vector
 from nctakt.decoder.values.variables import Values
 from nctakt.messages.splines import (
@@ -88,7 +88,8 @@ class Spline:
         if mode == USER:
             return self._normalised(vector)
         assert neighbour is not None
-        return slope_of(neighbour, self._linear, at_end=not at_end)
+        slope = slope_of(neighbour, self._linear, at_end=not at_end)
+        return slope if neighbour.turn is None else turned_out(neighbour.turn, slope)
 
     def _normalised(self, vector: Vector) -> Slope:
         given = dict(vector)
@@ -154,7 +155,7 @@ class Spline:
 
     def _segments(self, motion: HeldMotion, piece: cubics.Cubic) -> list[Segment]:
         """Return a piece as motions; only the last one stops exactly."""
-        self._check_limits(piece, motion.span)
+        self._path.check_curve([piece], motion.span, message=SPLINE_OUTSIDE_LIMITS)
         segment = motion.segment
         feed = segment.feed
         if motion.time_s > 0.0 and segment.is_feed:
@@ -175,24 +176,3 @@ class Spline:
             )
             for part in parts
         ]
-
-    def _check_limits(self, piece: cubics.Cubic, span: Span) -> None:
-        """Raise ``DecodeError`` if an axis leaves its software limits on a piece."""
-        if self._environment.offsets.transformation.is_active:
-            self._path.check_curve([piece], span)
-            return
-        for index, axis in enumerate(self._environment.axes):
-            if axis.is_modulo:
-                continue
-            low, high = self._values.state.software_limits.of(axis, index)
-            for position in cubics.extremes(piece, index):
-                check_slaves(self._values, index, position, span)
-                if not low <= position <= high:
-                    self._values.fail(
-                        SPLINE_OUTSIDE_LIMITS,
-                        span,
-                        axis=self._environment.places.name(index),
-                        position=position,
-                        low=low,
-                        high=high,
-                    )

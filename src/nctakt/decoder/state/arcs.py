@@ -44,6 +44,11 @@ class Arc:
     angle: float
 
     @property
+    def axes(self) -> tuple[int, int]:
+        """The axes of its plane."""
+        return (self.first, self.second)
+
+    @property
     def row(self) -> tuple[float, ...]:
         """The columns of the arc for the realtime part."""
         return (self.first, self.second, self.centre_first, self.centre_second, self.angle)

@@ -31,6 +31,8 @@ class Segment(Command):
     ``arc``: first and second axis of its plane, centre, angle; ``None`` for a line. ``modifiers``:
     ``None`` where the feed is all. ``continues_block``: the next segment continues the block.
     ``curve``: the inner control points of a cubic, all axes of the first, then of the second.
+    ``turn``: the motion is in the plane of a tilted system; its start, target and arc times this
+    matrix, row by row, are those of the first three axes.
     """
 
     start: tuple[float, ...]
@@ -44,6 +46,7 @@ class Segment(Command):
     modifiers: FeedModifiers | None = None
     continues_block: bool = False
     curve: tuple[float, ...] | None = None
+    turn: tuple[float, ...] | None = None
 
     @property
     def is_feed(self) -> bool:

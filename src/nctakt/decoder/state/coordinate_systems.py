@@ -15,6 +15,7 @@ before all turns. Out: commands for the realtime part, positions inside and outs
 
 from __future__ import annotations
 
+from collections import OrderedDict
 from collections.abc import Generator, Iterator, Sequence
 from dataclasses import replace
 
@@ -72,7 +73,10 @@ class ActiveSystem:
 
 
 class CoordinateSystems:
-    """The active systems of a channel; ``axes``: the numbers of its axes in the machine."""
+    """The active systems of a channel; ``axes``: the numbers of its axes in the machine.
+
+    ``points``: positions of motions in tilted planes.
+    """
 
     def __init__(self, axes: Sequence[int]) -> None:
         self._axes = tuple(axes)
@@ -80,6 +84,7 @@ class CoordinateSystems:
         self._matrix = IDENTITY
         self._systems: list[ActiveSystem] = []
         self._has_been_active = False
+        self.points = TurnedPoints()
 
     @property
     def is_active(self) -> bool:
@@ -113,38 +118,40 @@ class CoordinateSystems:
             for position, origin, length in zip(positions, self._origin, tool, strict=True)
         ]
         if self._matrix != IDENTITY:
-            turned = [_dot(self._matrix[column::3], coordinates[:3]) for column in range(3)]
-            coordinates[:3] = turned
+            coordinates = turned_in(self._matrix, coordinates)
         return coordinates
 
     def outside(self, positions: Sequence[float], tool: Sequence[float]) -> list[float]:
         """Return coordinates of the active system as axis positions, the inverse of ``inside``."""
         coordinates = list(positions)
         if self._matrix != IDENTITY:
-            coordinates[:3] = _turned(self._matrix, coordinates[:3])
+            coordinates = turned_out(self._matrix, coordinates)
         return [
             position + origin + length
             for position, origin, length in zip(coordinates, self._origin, tool, strict=True)
         ]
 
-    def arc(self, arc: Arc, inside: Sequence[float], start: Sequence[float]) -> Arc | None:
-        """Return an arc of the active system as an arc of the axes; both starts are the same point.
+    def arc(self, arc: Arc, inside: Sequence[float], start: Sequence[float]) -> Arc:
+        """Return an arc of the active system in coordinates that are not shifted by it.
 
-        ``None`` if its plane is askew to the axes.
+        They are those of the axes, or turned by ``tilt``. ``inside``: its start in the system;
+        ``start``: the same point as the axes have it.
         """
-        normal = sum(range(MAIN_AXES)) - arc.first - arc.second
-        column = self._matrix[normal::3]
-        normals = [axis for axis in range(3) if abs(column[axis]) > 1.0 - ASKEW]
-        if not normals:
-            return None
-        radius = [0.0, 0.0, 0.0]
-        radius[arc.first] = arc.centre_first - inside[arc.first]
-        radius[arc.second] = arc.centre_second - inside[arc.second]
-        offset = _turned(self._matrix, radius)
-        first, second = next(pair for pair in PLANES.values() if normals[0] not in pair)
-        angle = arc.angle if column[normals[0]] > 0.0 else -arc.angle
-        centre = (start[first] + offset[first], start[second] + offset[second])
-        return Arc(first, second, *centre, angle)
+        tilt = self.tilt(next(plane for plane, axes in PLANES.items() if axes == arc.axes))
+        if tilt is None:
+            found = axis_arc(self._matrix, arc, inside, start)
+            assert found is not None
+            return found
+        begin = turned_in(tilt, start)
+        centre = (
+            begin[arc.first] + arc.centre_first - inside[arc.first],
+            begin[arc.second] + arc.centre_second - inside[arc.second],
+        )
+        return Arc(*arc.axes, *centre, arc.angle)
+
+    def tilt(self, plane: int) -> Matrix | None:
+        """Return the matrix of the active system if it tilts the plane of this G function."""
+        return None if self.keeps_plane(plane) else self._matrix
 
     def keeps_plane(self, plane: int) -> bool:
         """Return whether the plane of this G function is that of the axes, seen from the same
@@ -240,6 +247,34 @@ class CoordinateSystems:
         yield SetTurn(source, number, (first, second, third), matrix if self.is_active else ())
 
 
+class TurnedPoints:
+    """Positions in tilted systems, with those of the axes that they stand for.
+
+    Turned there and back they would differ in the last bit, and a motion has to start where the one
+    before has ended. Only so many are kept: those between a block and its motion.
+    """
+
+    KEPT = 10_000
+
+    def __init__(self) -> None:
+        self._axes: OrderedDict[tuple[Matrix, tuple[float, ...]], tuple[float, ...]] = OrderedDict()
+
+    def inside(self, turn: Matrix, positions: Sequence[float]) -> list[float]:
+        """Return positions of the axes in a system that is turned by a matrix."""
+        turned = turned_in(turn, positions)
+        key = (turn, tuple(turned))
+        self._axes[key] = tuple(positions)
+        self._axes.move_to_end(key)
+        if len(self._axes) > self.KEPT:
+            self._axes.popitem(last=False)
+        return turned
+
+    def outside(self, turn: Matrix, positions: Sequence[float]) -> tuple[float, ...]:
+        """Return positions of a turned system as those of the axes."""
+        known = self._axes.get((turn, tuple(positions)))
+        return tuple(turned_out(turn, positions)) if known is None else known
+
+
 def placement_of(components: Sequence[float], *, is_fixed: bool = False) -> Placement:
     """Return where a system of up to six components lies; ``is_fixed``: P-CHAN-00393."""
     first, second, third, *angles = (*components, *(0.0,) * (6 - len(components)))
@@ -252,6 +287,38 @@ def placement_of(components: Sequence[float], *, is_fixed: bool = False) -> Plac
     turn_first = (1.0, 0.0, 0.0, 0.0, a, -b, 0.0, b, a)
     outer, inner = (turn_first, turn_third) if is_fixed else (turn_third, turn_first)
     return Placement((first, second, third), _product(_product(outer, turn_second), inner))
+
+
+def axis_arc(
+    matrix: Matrix, arc: Arc, inside: Sequence[float], start: Sequence[float]
+) -> Arc | None:
+    """Return an arc of a turned system as an arc of the axes; both starts are the same point.
+
+    ``None`` if its plane is askew to the axes.
+    """
+    normal = sum(range(MAIN_AXES)) - arc.first - arc.second
+    column = matrix[normal::3]
+    normals = [axis for axis in range(3) if abs(column[axis]) > 1.0 - ASKEW]
+    if not normals:
+        return None
+    radius = [0.0, 0.0, 0.0]
+    radius[arc.first] = arc.centre_first - inside[arc.first]
+    radius[arc.second] = arc.centre_second - inside[arc.second]
+    offset = _turned(matrix, radius)
+    first, second = next(pair for pair in PLANES.values() if normals[0] not in pair)
+    angle = arc.angle if column[normals[0]] > 0.0 else -arc.angle
+    centre = (start[first] + offset[first], start[second] + offset[second])
+    return Arc(first, second, *centre, angle)
+
+
+def turned_in(matrix: Matrix, positions: Sequence[float]) -> list[float]:
+    """Return positions in a system that is turned by a matrix, the inverse of ``turned_out``."""
+    return [*(_dot(matrix[column::3], positions[:3]) for column in range(3)), *positions[3:]]
+
+
+def turned_out(matrix: Matrix, positions: Sequence[float]) -> list[float]:
+    """Return positions of a system that is turned by a matrix as those outside it."""
+    return [*_turned(matrix, positions[:3]), *positions[3:]]
 
 
 def _turned(matrix: Matrix, vector: Sequence[float]) -> list[float]:

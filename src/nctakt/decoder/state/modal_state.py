@@ -120,6 +120,11 @@ class CompensationState:
         return self.mode in _DIRECT_MODES
 
     @property
+    def is_left(self) -> bool:
+        """Whether G40 is in force, and the motion that leaves the contour is to come or held."""
+        return self.side == 0 and self.has_left_path
+
+    @property
     def is_active(self) -> bool:
         """Whether compensation changes motions in the plane."""
         return self.side != 0 or self.has_left_path

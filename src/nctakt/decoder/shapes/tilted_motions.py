@@ -1,0 +1,134 @@
+# SPDX-License-Identifier: MIT
+"""Motions in the plane of a tilted coordinate system, and as the axes make them (MO-4, MO-8).
+
+Arcs, the compensation of the tool's radius, chamfers and roundings are made in a plane of two axes.
+Where the active coordinate system tilts that plane, their motions are turned into it
+(``Segment.turn``) and out of it again. An arc that is not in a plane of two axes then is a row of
+cubics that are at most ``TOLERANCE_MM`` beside it.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+from nctakt.decoder.shapes import cubics
+from nctakt.decoder.shapes.cubics import Cubic, Point
+from nctakt.decoder.state.arcs import RADIANS, Arc
+from nctakt.decoder.state.commands import Command, Segment
+from nctakt.decoder.state.coordinate_systems import Matrix, axis_arc, turned_out
+from nctakt.decoder.state.environment import DecoderEnvironment
+
+#: How far a cubic may be beside its arc, mm.
+TOLERANCE_MM = 1e-6
+
+#: The largest angle of a cubic in degrees; beyond it the estimates of its error do not hold.
+MAX_ANGLE = 45.0
+
+#: How far a cubic over the angle a is beside its arc at most: this times a⁶ of the radius, and this
+#: times a⁴ of the way of the axes beside the plane.
+_OFF_RADIUS, _OFF_WAY = 1.9e-5, 1.2e-4
+
+
+def into_plane(segment: Segment, environment: DecoderEnvironment, plane: int) -> Segment:
+    """Return a motion in the active system where that tilts the plane of a G function."""
+    systems = environment.offsets.systems
+    turn = systems.tilt(plane)
+    if turn is None or segment.turn is not None:
+        return segment
+    points = systems.points
+    start, target = points.inside(turn, segment.start), points.inside(turn, segment.target)
+    return replace(segment, start=tuple(start), target=tuple(target), turn=turn)
+
+
+def out_of_plane(command: Command, environment: DecoderEnvironment) -> Iterator[Command]:
+    """Yield a motion as the axes make it; any other command as it is."""
+    turn = command.turn if isinstance(command, Segment) else None
+    if turn is None:
+        yield command
+        return
+    assert isinstance(command, Segment)
+    segment = command
+    points = environment.offsets.systems.points
+    start, target = (points.outside(turn, end) for end in (segment.start, segment.target))
+    if segment.arc is None:
+        yield replace(segment, start=start, target=target, turn=None)
+        return
+    first, second, *others = segment.arc
+    arc = Arc(int(first), int(second), *others)
+    along = axis_arc(turn, arc, segment.start, start)
+    if along is not None:
+        yield replace(segment, start=start, target=target, arc=along.row, turn=None)
+        return
+    linear = [index for index, axis in enumerate(environment.axes) if axis.is_linear]
+    pieces = [
+        piece
+        for cubic in cubics_of(segment.start, segment.target, segment.arc, turn)
+        for piece in cubics.divided(cubic, linear)
+    ]
+    modifiers = segment.modifiers
+    without_end = None if modifiers is None else replace(modifiers, end_feed=0.0)
+    for piece in pieces:
+        is_last = piece is pieces[-1]
+        yield replace(
+            segment,
+            start=start if piece is pieces[0] else piece[0],
+            target=target if is_last else piece[3],
+            exact_stop=segment.exact_stop and is_last,
+            deviation=0.0,
+            arc=None,
+            modifiers=modifiers if is_last else without_end,
+            continues_block=segment.continues_block or not is_last,
+            curve=(*piece[1], *piece[2]),
+            turn=None,
+        )
+
+
+def cubics_of(
+    start: Sequence[float], target: Sequence[float], arc: Sequence[float], turn: Matrix
+) -> list[Cubic]:
+    """Return an arc of a turned system as cubics of the axes' positions.
+
+    ``arc``: as ``Segment.arc``; the axes beside its plane move evenly with the angle.
+    """
+    first, second = int(arc[0]), int(arc[1])
+    ways = [end - begin for begin, end in zip(start, target, strict=True)]
+    ways[first] = ways[second] = 0.0
+    radius = math.hypot(start[first] - arc[2], start[second] - arc[3])
+    count = _count(arc[4] * RADIANS, radius, max(map(abs, ways)))
+    step = arc[4] * RADIANS / count
+    handle = 4.0 / 3.0 * math.tan(step / 4.0)
+    begin = math.atan2(start[second] - arc[3], start[first] - arc[2])
+
+    def point(number: int, ahead: float) -> Point:
+        """A point of the arc, or so many handles ahead of it along its tangent."""
+        angle = begin + number * step
+        place = list(start) if number == 0 else list(target)
+        if 0 < number < count:
+            place = [a + way * number / count for a, way in zip(start, ways, strict=True)]
+            place[first] = arc[2] + radius * math.cos(angle)
+            place[second] = arc[3] + radius * math.sin(angle)
+        if ahead:
+            place[first] -= ahead * handle * radius * math.sin(angle)
+            place[second] += ahead * handle * radius * math.cos(angle)
+            for axis, way in enumerate(ways):
+                place[axis] += ahead * handle / step * way / count
+        return tuple(turned_out(turn, place))
+
+    return [
+        (point(number, 0), point(number, 1), point(number + 1, -1), point(number + 1, 0))
+        for number in range(count)
+    ]
+
+
+def _count(angle: float, radius: float, way: float) -> int:
+    """Return how many cubics keep within the tolerance of an arc; ``angle`` in radians."""
+    count = math.ceil(abs(angle) / (MAX_ANGLE * RADIANS) - 1e-9)
+    while True:
+        count = max(count, 1)
+        step = abs(angle) / count
+        off = max(_OFF_RADIUS * step**6 * radius, _OFF_WAY * step**4 * way / count)
+        if off <= TOLERANCE_MM:
+            return count
+        count += 1

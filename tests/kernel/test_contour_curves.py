@@ -13,8 +13,9 @@ from random_operator import Operator
 from random_paths import AXES, violations
 from random_seeds import each_seed
 
-from nctakt.decoder.shapes import contour_curve, cubics
+from nctakt.decoder.shapes import contour_curve
 from nctakt.decoder.shapes.contour_curve import End
+from nctakt.decoder.state import cubics
 from nctakt.results.run import Run
 from nctakt.run.controller import Controller, NcText
 from nctakt.run.plc_view import PlcView

@@ -22,6 +22,7 @@ from functools import cached_property
 from typing import NoReturn
 
 from nctakt.base.diagnostics import Span
+from nctakt.decoder import tilted_motions
 from nctakt.decoder.blocks.path_motion import PathMotion
 from nctakt.decoder.contour import rows as contour_rows
 from nctakt.decoder.contour.tool_path import ToolPath
@@ -33,7 +34,6 @@ from nctakt.decoder.pending_motion import (
     plain_span,
     segments_of,
 )
-from nctakt.decoder.shapes import tilted_motions
 from nctakt.decoder.state.arcs import SAME_POINT_MM
 from nctakt.decoder.state.commands import Answer, Command, DecoderWait, ProgramEnd, Segment, waits
 from nctakt.decoder.state.environment import DecodeError
@@ -475,7 +475,7 @@ class Compensation:
         plane = self._state.plane_axes
         pieces = self._pieces(motion)
         commands: list[Command] = list(
-            segments_of(motion, pieces, self._environment.axes, plane, self._path)
+            segments_of(motion, pieces, self._environment.axes, plane, self._path.check_piece)
         )
         commands += [at_tool(command, plane, self._at) for command in motion.between]
         if motion.segment.turn is None:

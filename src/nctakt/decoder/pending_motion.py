@@ -10,13 +10,18 @@ from dataclasses import replace
 from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Message, Span
 from nctakt.base.source_ids import NO_SOURCE, unpack
-from nctakt.decoder.blocks.path_motion import PathMotion
 from nctakt.decoder.contour import rows
 from nctakt.decoder.state.arcs import Arc
 from nctakt.decoder.state.commands import Command, Segment
+from nctakt.decoder.state.coordinate_systems import Matrix
 from nctakt.decoder.state.tangential_arc import Tangent
 from nctakt.kernel.base import arithmetic
 from nctakt.lists.machine.axis_configuration import AxisConfiguration
+
+#: What checks the limits of the axes on a piece of a motion.
+CheckPiece = Callable[
+    [list[float], list[float], Arc | None, tuple[int, int], Span, Matrix | None], None
+]
 
 _COMMENT = re.compile(r"[;(].*")
 
@@ -91,12 +96,12 @@ def segments_of(
     pieces: list[tuple[tuple[float, ...], float]],
     axes: Sequence[AxisConfiguration],
     plane: tuple[int, int],
-    path: PathMotion,
+    check: CheckPiece,
 ) -> Iterator[Segment]:
     """Yield the pieces of a motion, with their lengths, as segments; only the last one stops
     exactly.
 
-    ``path`` checks the limits of each.
+    ``check`` is called for each of them.
     """
     first, second = plane
     segment = motion.segment
@@ -117,10 +122,7 @@ def segments_of(
             row = arc.row
             if motion.adapts and segment.is_feed and motion.time_s == 0.0:
                 feed *= share_of_contour(segment, row, start)
-        if segment.turn is not None:
-            path.check_tilted(segment.turn, start, target, arc, motion.span)
-        else:
-            path.check_piece(start, target, arc, plane, motion.span)
+        check(start, target, arc, plane, motion.span, segment.turn)
         yield replace(
             segment,
             start=tuple(start),

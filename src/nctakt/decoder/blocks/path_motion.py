@@ -12,13 +12,14 @@ from itertools import pairwise
 
 from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Message, Span
+from nctakt.decoder import tilted_motions
 from nctakt.decoder.blocks import segments
 from nctakt.decoder.blocks.corners import CornerWords
 from nctakt.decoder.blocks.coupled_axes import check_slaves
 from nctakt.decoder.blocks.feed import FeedRate
 from nctakt.decoder.blocks.splines import SplineWords
 from nctakt.decoder.blocks.threads import ThreadMotion
-from nctakt.decoder.shapes import cubics, tilted_motions
+from nctakt.decoder.state import cubics
 from nctakt.decoder.state.arcs import PLANES, Arc, ArcError, arc_about, arc_of_radius, extremes
 from nctakt.decoder.state.commands import Segment
 from nctakt.decoder.state.coordinate_systems import Matrix, turned_in, turned_out
@@ -356,30 +357,25 @@ class PathMotion:
         arc: Arc | None,
         axes: Sequence[int],
         span: Span,
+        turn: Matrix | None,
     ) -> None:
-        """Raise ``DecodeError`` if these axes leave their software limits on a piece of a block."""
+        """Raise ``DecodeError`` if these axes leave their software limits on a piece of a block.
+
+        ``turn``: the piece is in a tilted plane, as ``Segment.turn``, and moves all axes.
+        """
+        if turn is not None:
+            if arc is not None:
+                pieces = tilted_motions.cubics_of(start, target, arc.row, turn)
+                self.check_curve(pieces, span, message=ARC_OUTSIDE_LIMITS)
+                return
+            start, target = turned_out(turn, start), turned_out(turn, target)
+            axes = range(len(target))
         if self._environment.offsets.transformation.is_active:
             self.check_way(start, target, arc, span)
             return
         if arc is not None:
             self.check_extremes(arc, start, span)
         self.check_limits(target, axes, span)
-
-    def check_tilted(
-        self,
-        turn: Matrix,
-        start: list[float],
-        target: list[float],
-        arc: Arc | None,
-        span: Span,
-    ) -> None:
-        """Raise ``DecodeError`` if an axis leaves its limits on a piece in a tilted plane."""
-        if arc is not None:
-            pieces = tilted_motions.cubics_of(start, target, arc.row, turn)
-            self.check_curve(pieces, span, message=ARC_OUTSIDE_LIMITS)
-            return
-        start, target = turned_out(turn, start), turned_out(turn, target)
-        self.check_piece(start, target, None, range(len(target)), span)
 
     def check_way(
         self, start: list[float], target: list[float], arc: Arc | None, span: Span

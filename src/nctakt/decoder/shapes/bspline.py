@@ -9,7 +9,7 @@ control points are there.
 
 from __future__ import annotations
 
-from nctakt.decoder.shapes.cubics import Cubic, Point, between
+from nctakt.decoder.state.cubics import Cubic, Point, between
 
 DEGREE = 3
 

@@ -18,8 +18,9 @@ from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Span
 from nctakt.decoder.blocks.path_motion import PathMotion
 from nctakt.decoder.fast.handover import PlainRun
-from nctakt.decoder.shapes import contour_curve, cubics, transformed_corners
+from nctakt.decoder.shapes import contour_curve, transformed_corners
 from nctakt.decoder.shapes.contour_curve import Joint
+from nctakt.decoder.state import cubics
 from nctakt.decoder.state.commands import (
     Answer,
     AwaitAcknowledge,

@@ -20,7 +20,6 @@ from nctakt.decoder.fast.handover import PlainRun
 from nctakt.decoder.shapes import corners
 from nctakt.decoder.shapes.held_motion import HeldMotion
 from nctakt.decoder.shapes.splines import Slope, Spline
-from nctakt.decoder.shapes.tilted_motions import into_plane
 from nctakt.decoder.state.arcs import RADIANS, Arc
 from nctakt.decoder.state.commands import (
     Answer,
@@ -45,6 +44,7 @@ from nctakt.decoder.state.shape_commands import (
     SplineBegin,
     SplineEnd,
 )
+from nctakt.decoder.tilted_motions import into_plane
 from nctakt.decoder.values.variables import Values
 from nctakt.kernel import rows
 from nctakt.messages import diagnostic

@@ -14,10 +14,10 @@ from dataclasses import replace
 
 from nctakt.base.diagnostics import Span
 from nctakt.decoder.blocks.path_motion import PathMotion
-from nctakt.decoder.shapes import cubics
 from nctakt.decoder.shapes.akima import AkimaCurve
 from nctakt.decoder.shapes.bspline import BsplineCurve
 from nctakt.decoder.shapes.held_motion import HeldMotion
+from nctakt.decoder.state import cubics
 from nctakt.decoder.state.arcs import RADIANS
 from nctakt.decoder.state.commands import Segment
 from nctakt.decoder.state.coordinate_systems import turned_out

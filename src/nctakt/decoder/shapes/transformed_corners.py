@@ -40,7 +40,7 @@ def is_faster(
     transformation = environment.offsets.transformation
 
     def axes_at(slope: Sequence[float], distance: float) -> list[float] | None:
-        point = [place + distance * part for place, part in zip(behind.start, slope, strict=True)]
+        point = [begin + distance * part for begin, part in zip(behind.start, slope, strict=True)]
         axes, answer = transformation.mapped(transformation.number, point, standing, to_axes=True)
         return axes if answer == map_rows.REACHED else None
 

@@ -13,11 +13,11 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
-from nctakt.decoder.shapes import cubics
-from nctakt.decoder.shapes.cubics import Cubic, Point
+from nctakt.decoder.state import cubics
 from nctakt.decoder.state.arcs import RADIANS, Arc
 from nctakt.decoder.state.commands import Command, Segment
 from nctakt.decoder.state.coordinate_systems import Matrix, axis_arc, turned_out
+from nctakt.decoder.state.cubics import Cubic, Point
 from nctakt.decoder.state.environment import DecoderEnvironment
 
 #: How far a cubic may be beside its arc, mm.
@@ -104,17 +104,19 @@ def cubics_of(
     def point(number: int, ahead: float) -> Point:
         """A point of the arc, or so many handles ahead of it along its tangent."""
         angle = begin + number * step
-        place = list(start) if number == 0 else list(target)
+        position = list(start) if number == 0 else list(target)
         if 0 < number < count:
-            place = [a + way * number / count for a, way in zip(start, ways, strict=True)]
-            place[first] = arc[2] + radius * math.cos(angle)
-            place[second] = arc[3] + radius * math.sin(angle)
+            position = [
+                a + distance * number / count for a, distance in zip(start, ways, strict=True)
+            ]
+            position[first] = arc[2] + radius * math.cos(angle)
+            position[second] = arc[3] + radius * math.sin(angle)
         if ahead:
-            place[first] -= ahead * handle * radius * math.sin(angle)
-            place[second] += ahead * handle * radius * math.cos(angle)
-            for axis, way in enumerate(ways):
-                place[axis] += ahead * handle / step * way / count
-        return tuple(turned_out(turn, place))
+            position[first] -= ahead * handle * radius * math.sin(angle)
+            position[second] += ahead * handle * radius * math.cos(angle)
+            for axis, distance in enumerate(ways):
+                position[axis] += ahead * handle / step * distance / count
+        return tuple(turned_out(turn, position))
 
     return [
         (point(number, 0), point(number, 1), point(number + 1, -1), point(number + 1, 0))
@@ -122,13 +124,13 @@ def cubics_of(
     ]
 
 
-def _count(angle: float, radius: float, way: float) -> int:
+def _count(angle: float, radius: float, distance: float) -> int:
     """Return how many cubics keep within the tolerance of an arc; ``angle`` in radians."""
     count = math.ceil(abs(angle) / (MAX_ANGLE * RADIANS) - 1e-9)
     while True:
         count = max(count, 1)
         step = abs(angle) / count
-        off = max(_OFF_RADIUS * step**6 * radius, _OFF_WAY * step**4 * way / count)
+        off = max(_OFF_RADIUS * step**6 * radius, _OFF_WAY * step**4 * distance / count)
         if off <= TOLERANCE_MM:
             return count
         count += 1

@@ -33,6 +33,27 @@ ARC_RADIUS_TOO_SMALL = error(
     reaction=2,
     clearing=3,
 )
+POINTS_ON_A_LINE = error(
+    901892,
+    en="no arc leads by this interim point to the target: the three points are on a line",
+    de="kein Kreisbogen führt über diesen Zwischenpunkt zum Ziel: die drei Punkte liegen auf einer "
+    "Geraden",
+    remedy_en="Program with I, J, K a point of the arc that is neither its start nor its target. A "
+    "full circle needs two arcs.",
+    remedy_de="Mit I, J, K einen Punkt des Bogens programmieren, der weder Start noch Ziel ist. "
+    "Ein Vollkreis braucht zwei Bögen.",
+    reaction=2,
+    clearing=3,
+)
+ARC_IN_SPACE_DURING_COMPENSATION = error(
+    22081,
+    en="G303 while tool radius compensation is active",
+    de="G303 bei aktiver Werkzeugradiuskorrektur",
+    remedy_en="Program the arc behind G40 and the motion that leaves the contour.",
+    remedy_de="Den Kreis hinter G40 und der Bewegung programmieren, die die Kontur verlässt.",
+    reaction=2,
+    clearing=3,
+)
 ARC_CENTRE_TOO_FAR_OFF = error(
     20035,
     known_as=(900702, 21758, 120025),

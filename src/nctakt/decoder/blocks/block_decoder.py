@@ -65,8 +65,8 @@ from nctakt.nc import tree
 from nctakt.nc.vocabulary.function_rows import Group
 from nctakt.nc.vocabulary.functions import (
     ABSOLUTE,
+    ANY_ARCS,
     ARC_RADIUS,
-    ARCS,
     AXIS_VALUES,
     AXIS_WEIGHTS,
     COMPENSATIONS,
@@ -408,7 +408,7 @@ class BlockDecoder:
 
     def motion(self, content: BlockContent, span: Span, number: int) -> Generator[Command, Answer]:
         """Yield the path to the programmed position; a centre without a target is a full circle."""
-        is_arc = bool(content.path.centre) and self._state.motion in ARCS
+        is_arc = bool(content.path.centre) and self._state.motion in ANY_ARCS
         if not content.axes and not is_arc:
             if content.kept:
                 yield from self._keep(content, span, number)

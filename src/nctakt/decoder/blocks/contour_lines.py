@@ -29,7 +29,7 @@ from nctakt.messages.contour_lines import (
 from nctakt.messages.shapes import CORNER_OFF
 from nctakt.nc import tree
 from nctakt.nc.check.contour_lines import ANGLE_WORD
-from nctakt.nc.vocabulary.functions import ARCS
+from nctakt.nc.vocabulary.functions import ANY_ARCS
 
 #: The sine of an angle between lines below which they count as parallel.
 PARALLEL = 1e-9
@@ -86,7 +86,7 @@ class ContourLines:
             self._values.fail(CONTOUR_LINE_INCOMPLETE, span if first is None else first.span)
         if not self._environment.parameters.allows_corners:
             self._values.fail(CORNER_OFF, angle[0], word=ANGLE_WORD)
-        if self._state.motion in ARCS:
+        if self._state.motion in ANY_ARCS:
             self._values.fail(ANGLE_DURING_ARC, angle[0], function=self._state.motion)
         words = self._words(content)
         if first is not None:

@@ -11,7 +11,7 @@ from nctakt.decoder.state.commands import Answer, Command, PositionRequest, Segm
 from nctakt.decoder.state.coordinate_systems import MAIN_AXES
 from nctakt.decoder.state.uncertain_axes import UncertainAxes
 from nctakt.decoder.values.variables import Values
-from nctakt.nc.vocabulary.functions import ARCS
+from nctakt.nc.vocabulary.functions import ARC_IN_SPACE, ARCS
 
 
 class MovedAxes:
@@ -31,6 +31,9 @@ class MovedAxes:
             for name, axis in self._environment.axis_numbers.items():
                 if axis in plane and name not in names:
                     names.append(name)
+        if self._state.motion == ARC_IN_SPACE:
+            main = list(self._environment.axis_numbers)[:MAIN_AXES]
+            names += [name for name in main if name not in names]
         if self._state.frame.is_turned:
             names = self._with_turned(names)
         if self._environment.offsets.systems.is_active:

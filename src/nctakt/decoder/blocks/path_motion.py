@@ -20,9 +20,17 @@ from nctakt.decoder.blocks.feed import FeedRate
 from nctakt.decoder.blocks.splines import SplineWords
 from nctakt.decoder.blocks.threads import ThreadMotion
 from nctakt.decoder.state import cubics
-from nctakt.decoder.state.arcs import PLANES, Arc, ArcError, arc_about, arc_of_radius, extremes
+from nctakt.decoder.state.arcs import (
+    PLANES,
+    Arc,
+    ArcError,
+    arc_about,
+    arc_of_radius,
+    arc_through,
+    extremes,
+)
 from nctakt.decoder.state.commands import Segment
-from nctakt.decoder.state.coordinate_systems import Matrix, turned_in, turned_out
+from nctakt.decoder.state.coordinate_systems import MAIN_AXES, Matrix, turned_in, turned_out
 from nctakt.decoder.state.feed_modifiers import FeedModifiers
 from nctakt.decoder.state.modal_state import LastArc
 from nctakt.decoder.values.variables import Values
@@ -32,6 +40,7 @@ from nctakt.messages import diagnostic
 from nctakt.messages.decoder import TARGET_OUTSIDE_LIMITS
 from nctakt.messages.frames import ARC_SCALED_UNEQUALLY
 from nctakt.messages.motion import (
+    ARC_IN_SPACE_DURING_COMPENSATION,
     ARC_OUTSIDE_LIMITS,
     ARC_WITHOUT_CENTRE,
     CENTRE_NOT_IN_PLANE,
@@ -55,6 +64,7 @@ from nctakt.nc.vocabulary.functions import (
     ABSOLUTE_CENTRE,
     APPROACH_INNER_CORNER,
     ARC_CLOCKWISE,
+    ARC_IN_SPACE,
     ARCS,
     CIRCULAR_TRANSITIONS,
     COMPENSATION_LEFT,
@@ -90,7 +100,8 @@ class PathWords:
     """The words of a block for its path, except the target: centre, G60, G61, G166.
 
     ``offset_kinds``: the offsets that apply to its absolute positions. ``end_feed``: E.
-    ``ramp``: G193 or G293, and F before the block in mm/s.
+    ``ramp``: G193 or G293, and F before the block in mm/s. ``interim``: the point that an arc of
+    G303 leads by, positions of the axes.
     """
 
     end_feed: tuple[Span, float] | None = None
@@ -98,6 +109,7 @@ class PathWords:
     centre: dict[str, tuple[Span, float]] = field(default_factory=dict)
     once: frozenset[int] = frozenset()
     offset_kinds: int = codes.ALL_OFFSETS
+    interim: tuple[float, ...] = ()
 
 
 class PathMotion:
@@ -215,15 +227,16 @@ class PathMotion:
     ) -> Segment | None:
         """Return the segment from ``start`` to ``target``, ``None`` if nothing moves."""
         state = self._state
-        arc = None
+        arc = turn = None
         if state.motion in ARCS:
             arc = self._arc(start, target, words, span)
+            if arc is not None:
+                turn = self._environment.offsets.systems.tilt(state.path.plane)
+        elif state.motion == ARC_IN_SPACE:
+            arc, turn = self._arc_in_space(start, target, words, span)
         if arc is None and start == target:
             return None
         transformation = self._environment.offsets.transformation
-        turn = None
-        if arc is not None:
-            turn = self._environment.offsets.systems.tilt(state.path.plane)
         if transformation.is_straight:
             if arc is not None:
                 self._values.fail(ARC_DURING_PTP, span)
@@ -309,6 +322,19 @@ class PathMotion:
         unit = self._state.length_unit_mm
         path.last_arc = LastArc(arc, begin, words.centre, centre, unit)
         return offsets.systems.arc(arc, begin, start) if offsets.systems.is_active else arc
+
+    def _arc_in_space(
+        self, start: list[float], target: list[float], words: PathWords, span: Span
+    ) -> tuple[Arc, Matrix]:
+        """Return the arc of G303 and the matrix of its plane."""
+        if self._state.path.compensation.is_active:
+            self._values.fail(ARC_IN_SPACE_DURING_COMPENSATION, span)
+        if self._environment.places.lacks_any(range(MAIN_AXES)):
+            self._values.fail(PLANE_AXIS_MISSING, span, plane=self._state.path.plane)
+        try:
+            return arc_through(start, words.interim, target)
+        except ArcError as error:
+            self._values.fail(error.message, span, **error.values)
 
     def _centre(
         self, start: list[float], path_words: PathWords, plane: tuple[int, int]

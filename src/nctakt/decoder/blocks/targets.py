@@ -13,10 +13,12 @@ from nctakt.base.diagnostics import Span
 from nctakt.decoder.blocks.block_content import BlockContent
 from nctakt.decoder.blocks.coupled_axes import check_way, check_words
 from nctakt.decoder.blocks.diameters import radius_of
-from nctakt.decoder.blocks.path_motion import PathMotion
+from nctakt.decoder.blocks.path_motion import CENTRE_WORDS, PathMotion
 from nctakt.decoder.state.arcs import SAME_POINT_MM
 from nctakt.decoder.state.coordinate_systems import MAIN_AXES
 from nctakt.decoder.values.variables import Values
+from nctakt.kernel import codes
+from nctakt.nc.vocabulary.functions import ARC_IN_SPACE
 
 
 class Targets:
@@ -35,8 +37,10 @@ class Targets:
         return value * self._state.length_unit_mm if in_mm else value
 
     def of(self, content: BlockContent, span: Span) -> list[float]:
-        """Return the axis positions at the end of the block."""
+        """Return the axis positions at the end of the block; keep the interim point of G303."""
         target = self._of(content, span)
+        if self._state.motion == ARC_IN_SPACE:
+            content.path.interim = self._interim_of(content)
         if self._values.state.couplings.places:
             check_words(self._values, content.programmed)
             check_way(self._values, self._state.positions, target, span)
@@ -71,22 +75,39 @@ class Targets:
                 self._path.check_limit(index, target[index], word_span)
         return target
 
+    def _interim_of(self, content: BlockContent) -> tuple[float, ...]:
+        """Return the point that an arc in space leads by: I, J, K as X, Y, Z of the block."""
+        words = content.path.centre
+        programmed = {
+            index: words[name][1] for index, name in enumerate(CENTRE_WORDS) if name in words
+        }
+        is_absolute = self._state.absolute
+        return tuple(self._point(programmed, content.path.offset_kinds, is_absolute=is_absolute))
+
     def positions_of(self, programmed: Mapping[int, float]) -> dict[int, float]:
         """Return the axis positions of an absolute point, of which these axes are programmed.
 
         Where the program's coordinates are not those of the axes, it is one of all main axes.
         """
-        offsets, frame = self._environment.offsets, self._state.frame
-        target = offsets.inside(self._state.positions)
-        totals = [offsets.total(index) for index in range(len(target))]
-        values = frame.inside([value - total for value, total in zip(target, totals, strict=True)])
-        for index, value in programmed.items():
-            values[index] = radius_of(self._values, index, self.in_axis_unit(index, value))
-        mapped = frame.outside(values)
-        positions = offsets.outside([a + b for a, b in zip(mapped, totals, strict=True)])
-        is_mapped = frame.is_active or offsets.systems.is_active
+        positions = self._point(programmed, codes.ALL_OFFSETS, is_absolute=True)
+        is_mapped = self._state.frame.is_active or self._environment.offsets.systems.is_active
         axes: Iterable[int] = range(MAIN_AXES) if is_mapped else programmed
         return {index: positions[index] for index in axes}
+
+    def _point(
+        self, programmed: Mapping[int, float], kinds: int, *, is_absolute: bool
+    ) -> list[float]:
+        """Return the axis positions of a point that has the others where they are."""
+        offsets, frame = self._environment.offsets, self._state.frame
+        target = offsets.inside(self._state.positions, kinds)
+        totals = [offsets.total(index, kinds) for index in range(len(target))]
+        values = frame.inside([value - total for value, total in zip(target, totals, strict=True)])
+        for index, value in programmed.items():
+            begin = 0.0 if is_absolute else values[index]
+            distance = self.in_axis_unit(index, value)
+            values[index] = begin + radius_of(self._values, index, distance)
+        mapped = frame.outside(values)
+        return offsets.outside([a + b for a, b in zip(mapped, totals, strict=True)], kinds)
 
     def _shortened(self, target: Sequence[float], axes: Iterable[int]) -> list[float]:
         """Return where a line to ``target`` comes to the first software limit of these axes."""

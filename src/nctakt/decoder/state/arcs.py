@@ -14,7 +14,12 @@ from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Message
 from nctakt.kernel.base import arithmetic
 from nctakt.lists.machine.channel_configuration import CentreTolerance
-from nctakt.messages.motion import ARC_CENTRE_TOO_FAR_OFF, ARC_RADIUS_TOO_SMALL, ARC_WITHOUT_CENTRE
+from nctakt.messages.motion import (
+    ARC_CENTRE_TOO_FAR_OFF,
+    ARC_RADIUS_TOO_SMALL,
+    ARC_WITHOUT_CENTRE,
+    POINTS_ON_A_LINE,
+)
 from nctakt.nc.vocabulary.functions import PLANE_XY, PLANE_YZ, PLANE_ZX
 
 #: G function of a plane -> its first and second axis.
@@ -28,6 +33,9 @@ RADIUS_TOLERANCE_MM = 0.01
 
 #: Ends of a circle at most this far apart coincide: sums of G91 are rounded.
 SAME_POINT_MM = 1e-9
+
+#: Three points on a larger circle than this are on a line, mm.
+MAX_RADIUS_MM = 1e6
 
 #: A centre at most this far off is exact: coordinates are rounded sums.
 EXACT_CENTRE_MM = 1e-6
@@ -129,6 +137,49 @@ def arc_of_radius(
         (start[second] + target[second]) / 2.0 + height * x,
     )
     return Arc(first, second, *centre, _angle(start, target, (first, second), centre, clockwise))
+
+
+def arc_through(
+    start: Sequence[float], interim: Sequence[float], target: Sequence[float]
+) -> tuple[Arc, tuple[float, ...]]:
+    """Return the arc over the first three axes from start by way of an interim point to a target.
+
+    With the matrix that turns its plane into that of these axes, as ``Segment.turn``; the arc is in
+    the turned coordinates. Raises ``ArcError`` for points that are on a line, or nearly.
+    """
+    one = [b - a for a, b in zip(start[:3], interim[:3], strict=True)]
+    two = [c - a for a, c in zip(start[:3], target[:3], strict=True)]
+    normal = _cross(one, two)
+    area2, one2, two2 = (_dot(vector, vector) for vector in (normal, one, two))
+    apart = [b - a for a, b in zip(one, two, strict=True)]
+    if area2 == 0.0 or one2 * two2 * _dot(apart, apart) > 4.0 * MAX_RADIUS_MM**2 * area2:
+        raise ArcError(POINTS_ON_A_LINE)
+    across, along = _cross(normal, one), _cross(two, normal)
+    away = [
+        (two2 * a + one2 * b) / (2.0 * area2) for a, b in zip(across, along, strict=True)
+    ]  # from the start to the centre
+    radius = arithmetic.square_root(_dot(away, away))
+    first = [-part / radius for part in away]
+    third = [part / arithmetic.square_root(area2) for part in normal]
+    second = _cross(third, first)
+    out = [b - a for a, b in zip(away, two, strict=True)]
+    angle = arithmetic.arc_tangent_2(_dot(out, second), _dot(out, first))
+    turn = tuple(axis[row] for row in range(3) for axis in (first, second, third))
+    centre = [a + b for a, b in zip(start, away, strict=False)]
+    inside = (_dot(centre, first), _dot(centre, second))
+    return Arc(0, 1, *inside, angle if angle > 0.0 else angle + 360.0), turn
+
+
+def _dot(one: Sequence[float], other: Sequence[float]) -> float:
+    return one[0] * other[0] + one[1] * other[1] + one[2] * other[2]
+
+
+def _cross(one: Sequence[float], other: Sequence[float]) -> list[float]:
+    return [
+        one[1] * other[2] - one[2] * other[1],
+        one[2] * other[0] - one[0] * other[2],
+        one[0] * other[1] - one[1] * other[0],
+    ]
 
 
 def extremes(arc: Arc, start: Sequence[float]) -> Iterator[tuple[int, float]]:

@@ -10,7 +10,7 @@ from nctakt.messages.contour_lines import ANGLE_DURING_ARC
 from nctakt.messages.shapes import CORNER_OFF
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.tree import Block, Word
-from nctakt.nc.vocabulary.functions import ARCS
+from nctakt.nc.vocabulary.functions import ANY_ARCS
 
 #: The word of the angle.
 ANGLE_WORD = "#ANG"
@@ -25,6 +25,6 @@ def check_contour_line(
     )
     if not channel.allows_corners:
         findings.report(CORNER_OFF, span, word=ANGLE_WORD)
-    for function in ARCS:
+    for function in ANY_ARCS:
         if function in functions:
             findings.report(ANGLE_DURING_ARC, span, function=function)

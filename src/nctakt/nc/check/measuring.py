@@ -29,7 +29,7 @@ from nctakt.nc.tree import (
 )
 from nctakt.nc.vocabulary.command_forms import forms_of
 from nctakt.nc.vocabulary.functions import (
-    ARCS,
+    ANY_ARCS,
     INTERRUPTIBLE,
     MEASURING,
     MEASURING_CONTINUES,
@@ -109,7 +109,7 @@ def check_measuring_block(block: Block, findings: Findings) -> None:
     if MEASURING_CONTINUES in functions and MEASURING not in functions:
         span = functions[MEASURING_CONTINUES].span
         findings.report(CONTINUATION_WITHOUT_MEASURING, span)
-    others: tuple[int, ...] = (*ARCS, *THREADS)
+    others: tuple[int, ...] = (*ANY_ARCS, *THREADS)
     for measuring in (MEASURING, INTERRUPTIBLE):
         for function in others if measuring in functions else ():
             if function in functions:

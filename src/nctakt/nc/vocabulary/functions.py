@@ -46,6 +46,8 @@ from nctakt.nc.vocabulary.simplifications import (
 
 RAPID, LINE, ARC_CLOCKWISE, ARC_COUNTERCLOCKWISE = 0, 1, 2, 3
 ARCS = (ARC_CLOCKWISE, ARC_COUNTERCLOCKWISE)
+ARC_IN_SPACE = 303
+ANY_ARCS = (*ARCS, ARC_IN_SPACE)
 DWELL = 4
 THREAD_CUTTING = 33
 TAPPING_BY_FEED, TAPPING, TAP_RETRACTION = 63, 331, 332
@@ -114,7 +116,7 @@ G_FUNCTIONS: Mapping[int, GFunction] = by_number(
         simulated(ARC_COUNTERCLOCKWISE, "arc, counter-clockwise", "Kreis gegen den Uhrzeigersinn"),
         simulated(THREAD_CUTTING, "thread cutting", "Gewindeschneiden"),
         simulated(TAPPING_BY_FEED, "tapping, pitch F / S", "Gewindebohren, Steigung F / S"),
-        refused(303, "arc in space", "Kreis im Raum"),
+        simulated(ARC_IN_SPACE, "arc in space", "Kreis im Raum"),
         simulated(TAPPING, "tapping with pitch", "Gewindebohren mit Steigung"),
         simulated(TAP_RETRACTION, "retraction from tapping", "Rückzug beim Gewindebohren"),
     ),

@@ -82,7 +82,9 @@ def test_any_three_points(seeds: range) -> None:
             " ".join(f"{name}{value:.4f}" for name, value in zip("XYZ", point, strict=True))
             for point in points
         ]
-        lines = run_of(*head, "G360", f"N10 G01 {words[0]} F5000", f"N20 {words[1]}", f"N30 {words[2]}")
+        lines = run_of(
+            *head, "G360", f"N10 G01 {words[0]} F5000", f"N20 {words[1]}", f"N30 {words[2]}"
+        )
         assert lines.errors == (), (seed, [str(one) for one in lines.errors])
         ends = [axes(lines, block)[-1] for block in (10, 20)] + [axes(lines)[-1]]
         start = f"N10 G360 G01 {words[0]} F5000"

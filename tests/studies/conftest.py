@@ -16,7 +16,7 @@ import pytest
 @pytest.fixture
 def scheduler(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[str, int]]:
     """The address and the process of a Dask scheduler with one worker, in another folder."""
-    pytest.importorskip("distributed")
+    distributed = pytest.importorskip("distributed")
     folder = tmp_path_factory.mktemp("cluster")
     file = folder / "scheduler.json"
     dask = [sys.executable, "-m", "dask"]
@@ -36,4 +36,7 @@ def scheduler(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[str, i
             while not file.exists():
                 assert time.monotonic() < deadline
                 time.sleep(0.05)
-        yield json.loads(file.read_text())["address"], started[0].pid
+        address = json.loads(file.read_text())["address"]
+        with distributed.Client(address, timeout=60) as client:
+            client.wait_for_workers(1, timeout=120)
+        yield address, started[0].pid

@@ -227,6 +227,21 @@ def test_a_cluster_yields_the_same_rows_and_survives_kills(tmp_path: Path) -> No
     assert files[0] == files[1] == files[2]
 
 
+@pytest.mark.filterwarnings("ignore")
+def test_a_cluster_without_workers_is_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Nobody would make the runs: 901316 after a time, instead of waiting for ever."""
+    distributed = pytest.importorskip("distributed")
+    from nctakt.studies import cluster  # noqa: PLC0415 - an extra
+
+    monkeypatch.setattr(cluster, "CONNECT_S", 0.5)
+    with (
+        distributed.LocalCluster(n_workers=0, processes=False, dashboard_address=None) as empty,
+        pytest.raises(Failure) as raised,
+    ):
+        study(tmp_path).run(executor=lambda p, n: cluster.rows_of_cluster(p, n, empty))
+    assert raised.value.diagnostics[0].id == 901316
+
+
 @pytest.mark.skipif(os.name == "nt", reason="needs kill -9")
 @pytest.mark.filterwarnings("ignore")
 def test_a_killed_scheduler_keeps_what_is_finished(

@@ -76,6 +76,17 @@ TOO_MANY_ACTIVE_SYSTEMS = error(
     reaction=2,
     clearing=3,
 )
+EFFECTOR_SYSTEM_WITH_OTHERS = error(
+    901893,
+    en="{command} while {other} is active: #ECS goes with no other coordinate system",
+    de="{command}, solange {other} aktiv ist: #ECS verträgt kein anderes Koordinatensystem",
+    remedy_en="Switch off the active system before, with #CS OFF ALL or #ECS OFF.",
+    remedy_de="Das aktive System vorher mit #CS OFF ALL oder #ECS OFF ausschalten.",
+    command=("the command", "der Befehl"),
+    other=("the active system", "das aktive System"),
+    reaction=2,
+    clearing=3,
+)
 COORDINATE_SYSTEM_DURING_COMPENSATION = error(
     900846,
     known_as=(20608, 20671),

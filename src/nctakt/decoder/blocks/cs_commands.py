@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""``#CS``, ``#ACS``, ``#BCS`` -> commands for the active coordinate system (MO-8).
+"""``#CS``, ``#ACS``, ``#BCS``, ``#ECS`` -> commands for the active coordinate system (MO-8).
 
 In: the tree of a checked command. Stored systems have numbers, those of each kind their own; one
 without gets the next free number. At most five of a kind are stored, ten are active at a time.
@@ -13,7 +13,13 @@ from collections.abc import Generator, Sequence
 
 from nctakt.base.diagnostics import NOTHING, Span
 from nctakt.decoder.state.commands import Answer, Command
-from nctakt.decoder.state.coordinate_systems import LAYERS, MAIN_AXES, Placement, placement_of
+from nctakt.decoder.state.coordinate_systems import (
+    LAYERS,
+    MAIN_AXES,
+    Placement,
+    effector_placement,
+    placement_of,
+)
 from nctakt.decoder.values.variables import Values
 from nctakt.kernel.base import arithmetic
 from nctakt.messages.coordinate_systems import (
@@ -22,6 +28,7 @@ from nctakt.messages.coordinate_systems import (
     COORDINATE_SYSTEM_NOT_STORED,
     COORDINATE_SYSTEM_STACK_FULL,
     CS_SELECT_DURING_CS_ON,
+    EFFECTOR_SYSTEM_WITH_OTHERS,
     INVALID_COORDINATE_SYSTEM_NUMBER,
     LINEAR_AXES_MISSING,
     MACHINE_SYSTEM_MISSING,
@@ -44,7 +51,7 @@ MAX_STORED = 5
 #: Maximum number of active systems of all kinds.
 MAX_ACTIVE = 10
 
-_CS = LAYERS.index("CS")
+_CS, _ECS = LAYERS.index("CS"), LAYERS.index("ECS")
 
 
 class _StoredSystems:
@@ -82,7 +89,11 @@ class CsCommands:
         is_defined = command.action in ("DEF", "DEF ACT", "ADD")
         if offsets.transformation.is_straight and not is_defined:
             self._values.fail(COORDINATE_SYSTEM_DURING_PTP, span, command=command.shown)
-        if command.action.startswith("OFF"):
+        is_off = command.action.startswith("OFF")
+        if offsets.systems.count_of(_ECS) and not (is_off or is_defined):
+            other = "#ECS ON"
+            self._values.fail(EFFECTOR_SYSTEM_WITH_OTHERS, span, command=command.shown, other=other)
+        if is_off:
             yield from self._off(command, span, number)
             return
         self._check_axes(span)
@@ -121,6 +132,23 @@ class CsCommands:
             self._is_fixed = is_on
         else:
             self._has_own_offsets = is_on
+
+    def enter_effector(
+        self, direction: Sequence[float], span: Span, number: int
+    ) -> Generator[Command, Answer]:
+        """Activate the system along the tool (``#ECS ON``); it has the program's zero."""
+        command, systems = "#ECS ON", self._environment.offsets.systems
+        if self._values.state.path.compensation.is_active:
+            self._values.fail(COORDINATE_SYSTEM_DURING_COMPENSATION, span, command=command)
+        if systems.is_active:
+            kind = next(kind for kind in reversed(LAYERS) if systems.count_of(LAYERS.index(kind)))
+            self._values.fail(
+                EFFECTOR_SYSTEM_WITH_OTHERS, span, command=command, other=f"#{kind} ON"
+            )
+        self._check_axes(span)
+        plane, has_first_there = self._listed.effector_plane, self._listed.has_first_effector_axis
+        system = effector_placement(direction, plane, has_first_there=has_first_there)
+        yield from self._enter(_ECS, system, span, number)
 
     # --- activation -----------------------------------------------------------------------------
 

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""``#TOOL ORI CS``: the rotary axes turn the tool along an axis of the coordinate system (MO-8).
+"""``#TOOL ORI CS`` and ``#ECS``: the tool and the axes of the coordinate system (MO-8).
 
-The axis is that of P-CHAN-00188, in the active ``#CS`` or else in the machine; P-CHAN-00189 chooses
+With ``#TOOL ORI CS`` the rotary axes turn the tool along an axis of the coordinate system. The
+axis is that of P-CHAN-00188, in the active ``#CS`` or else in the machine; P-CHAN-00189 chooses
 between the two positions of the rotary axes that give the direction. They go there in rapid
-motion: with a transformation about the tip, without one with the linear axes at rest.
+motion: with a transformation about the tip, without one with the linear axes at rest. ``#ECS`` is
+the inverse: a system with the third axis along the tool as it stands.
 """
 
 from __future__ import annotations
@@ -31,7 +33,7 @@ _TWO = 2
 
 
 class ToolOrientation:
-    """This command in one program."""
+    """These commands in one program."""
 
     def __init__(
         self, values: Values, transformations: TransformationCommands, blocks: BlockDecoder
@@ -66,6 +68,23 @@ class ToolOrientation:
         state.motion = RAPID
         yield from self._blocks.motion(content, span, number)
         state.motion = motion
+
+    def effector(self, span: Span, number: int) -> Generator[Command, Answer, list[float]]:
+        """Return the direction of the tool for ``#ECS ON``.
+
+        Without a transformation it is that of the selected kinematic's rotary axes that turn the
+        tool; the linear axes are not turned.
+        """
+        steps = self._active.steps
+        if not self._active.is_transformation:
+            steps = self._transformations.selected_steps((True, True), "#ECS ON", span)
+        yield from self._blocks.moved.request(list(self._environment.axis_numbers), span, number)
+        axes = self._active.to_axes(self._values.state.positions)
+        if self._active.is_transformation:
+            return self._active.tool_direction(self._active.number, axes)
+        kinematic = steps[0] or steps[1]
+        assert kinematic is not None
+        return self._active.tool_direction(self._active.map_of_length(kinematic, 0.0), axes)
 
     def _target(self, map_number: int, span: Span) -> list[float]:
         """Return the positions to go to."""

@@ -58,9 +58,9 @@ from nctakt.nc.vocabulary.file_names import MESSAGES, is_file_name, named_files
 from nctakt.nc.vocabulary.system_variables import TIMERS
 
 #: Commands of coordinates and transformations that ``#MCS ON`` excludes, by their first words.
-_NOT_IN_MCS = ("ACS", "BCS", "CS", "CYL", "FACE", "RTCP", "TLC", "TRAFO")
+_NOT_IN_MCS = ("ACS", "BCS", "CS", "CYL", "ECS", "FACE", "RTCP", "TLC", "TRAFO")
 #: Those that #FACE and #CYL exclude, unless they switch something off.
-_NOT_IN_PLANE = ("ACS", "BCS", "CS", "KIN", "MCS", "PTP", "RTCP", "TLC", "TRAFO")
+_NOT_IN_PLANE = ("ACS", "BCS", "CS", "ECS", "KIN", "MCS", "PTP", "RTCP", "TLC", "TRAFO")
 
 
 class HashCommands:
@@ -126,6 +126,9 @@ class HashCommands:
             yield from self._measuring.command(command, number)
         elif is_coupling(command):
             yield from self._couplings.command(command, number)
+        elif words == ("ECS", "ON"):
+            direction = yield from self._tool.effector(command.span, number)
+            yield from self._systems.enter_effector(direction, command.span, number)
         elif words[0] in LAYERS:
             yield from self._systems.command(command, number)
         elif words == ("MAIN", "SPINDLE"):

@@ -149,32 +149,34 @@ def arc_through(
     """
     one = [b - a for a, b in zip(start[:3], interim[:3], strict=True)]
     two = [c - a for a, c in zip(start[:3], target[:3], strict=True)]
-    normal = _cross(one, two)
-    area2, one2, two2 = (_dot(vector, vector) for vector in (normal, one, two))
+    normal = cross(one, two)
+    area2, one2, two2 = (dot(vector, vector) for vector in (normal, one, two))
     apart = [b - a for a, b in zip(one, two, strict=True)]
-    if area2 == 0.0 or one2 * two2 * _dot(apart, apart) > 4.0 * MAX_RADIUS_MM**2 * area2:
+    if area2 == 0.0 or one2 * two2 * dot(apart, apart) > 4.0 * MAX_RADIUS_MM**2 * area2:
         raise ArcError(POINTS_ON_A_LINE)
-    across, along = _cross(normal, one), _cross(two, normal)
+    across, along = cross(normal, one), cross(two, normal)
     away = [
         (two2 * a + one2 * b) / (2.0 * area2) for a, b in zip(across, along, strict=True)
     ]  # from the start to the centre
-    radius = arithmetic.square_root(_dot(away, away))
+    radius = arithmetic.square_root(dot(away, away))
     first = [-part / radius for part in away]
     third = [part / arithmetic.square_root(area2) for part in normal]
-    second = _cross(third, first)
+    second = cross(third, first)
     out = [b - a for a, b in zip(away, two, strict=True)]
-    angle = arithmetic.arc_tangent_2(_dot(out, second), _dot(out, first))
+    angle = arithmetic.arc_tangent_2(dot(out, second), dot(out, first))
     turn = tuple(axis[row] for row in range(3) for axis in (first, second, third))
     centre = [a + b for a, b in zip(start, away, strict=False)]
-    inside = (_dot(centre, first), _dot(centre, second))
+    inside = (dot(centre, first), dot(centre, second))
     return Arc(0, 1, *inside, angle if angle > 0.0 else angle + 360.0), turn
 
 
-def _dot(one: Sequence[float], other: Sequence[float]) -> float:
+def dot(one: Sequence[float], other: Sequence[float]) -> float:
+    """Return the scalar product of two vectors."""
     return one[0] * other[0] + one[1] * other[1] + one[2] * other[2]
 
 
-def _cross(one: Sequence[float], other: Sequence[float]) -> list[float]:
+def cross(one: Sequence[float], other: Sequence[float]) -> list[float]:
+    """Return the vector product of two vectors."""
     return [
         one[1] * other[2] - one[2] * other[1],
         one[2] * other[0] - one[0] * other[2],

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""Nested coordinate systems of the program, shifted and rotated: ``#CS``, ``#ACS``, ``#BCS``.
+"""Nested coordinate systems of the program, shifted and rotated: ``#CS``, ``#ACS`` …
 
 The systems of ``#BCS`` are below all of ``#ACS``, which are below all of ``#CS``; those of one kind
-lie in the order of their activation. A system has an origin for each axis of the channel and a
-rotation matrix over the first three axes. Coordinates p with the active offsets s and the tool
-offset t give the axis positions origin + matrix * (p + s) + t (MO-8). The tool offset is not
-rotated: it acts along the axes.
+lie in the order of their activation, and one of ``#ECS`` is alone. A system has an origin for each
+axis of the channel and a rotation matrix over the first three axes. Coordinates p with the active
+offsets s and the tool offset t give the axis positions origin + matrix * (p + s) + t (MO-8). The
+tool offset is not rotated: it acts along the axes.
 
 In: the six components of ``#CS ON``: a shift along three axes in mm and three angles in degrees;
 the third turns about the third axis, the second about the resulting second axis, the first about
@@ -20,7 +20,7 @@ from collections.abc import Generator, Iterator, Sequence
 from dataclasses import replace
 
 from nctakt.base.dataclass import dataclass
-from nctakt.decoder.state.arcs import PLANES, Arc
+from nctakt.decoder.state.arcs import PLANES, Arc, cross, dot
 from nctakt.decoder.state.commands import Command, SetOrigin, SetTurn
 from nctakt.kernel.base import arithmetic
 
@@ -35,11 +35,14 @@ MAIN_AXES = 3
 #: Maximum deviation of a plane's normal from an axis (1 - cosine).
 ASKEW = 1e-12
 
+#: A tool whose direction is this near to the normal of a plane is upright on it.
+UPRIGHT = 1e-9
+
 SavedOffsets = tuple[tuple[float, ...], ...]
 
 
 #: The kinds of systems, from the bottom up: the command that activates them.
-LAYERS = ("BCS", "ACS", "CS")
+LAYERS = ("BCS", "ACS", "CS", "ECS")
 
 
 @dataclass(frozen=True, slots=True)
@@ -313,7 +316,7 @@ def axis_arc(
 
 def turned_in(matrix: Matrix, positions: Sequence[float]) -> list[float]:
     """Return positions in a system that is turned by a matrix, the inverse of ``turned_out``."""
-    return [*(_dot(matrix[column::3], positions[:3]) for column in range(3)), *positions[3:]]
+    return [*(dot(matrix[column::3], positions[:3]) for column in range(3)), *positions[3:]]
 
 
 def turned_out(matrix: Matrix, positions: Sequence[float]) -> list[float]:
@@ -321,17 +324,39 @@ def turned_out(matrix: Matrix, positions: Sequence[float]) -> list[float]:
     return [*_turned(matrix, positions[:3]), *positions[3:]]
 
 
+def effector_placement(
+    direction: Sequence[float], plane: tuple[int, int], *, has_first_there: bool
+) -> Placement:
+    """Return where a system lies whose third axis is the direction of the tool.
+
+    Its first axis, or else its second one, lies in a plane of two axes of the machine; the other
+    one is on the same side of that plane as the tool (P-CHAN-00031, P-CHAN-00050).
+    """
+    across = [0.0, 0.0, 0.0]
+    normal = sum(range(MAIN_AXES)) - sum(plane)
+    across[normal] = -1.0 if direction[normal] < 0.0 else 1.0
+    along = cross(across, direction) if has_first_there else cross(direction, across)
+    length = arithmetic.square_root(dot(along, along))
+    if length < UPRIGHT:
+        named = 0 if has_first_there else 1
+        along, length = [0.0, 0.0, 0.0], 1.0
+        along[named if named in plane else plane[named]] = 1.0
+    along = [part / length for part in along]
+    if has_first_there:
+        first, second = along, cross(direction, along)
+    else:
+        first, second = cross(along, direction), along
+    matrix = tuple(axis[row] for row in range(3) for axis in (first, second, direction))
+    return Placement((0.0, 0.0, 0.0), matrix)
+
+
 def _turned(matrix: Matrix, vector: Sequence[float]) -> list[float]:
-    return [_dot(matrix[3 * row : 3 * row + 3], vector) for row in range(3)]
+    return [dot(matrix[3 * row : 3 * row + 3], vector) for row in range(3)]
 
 
 def _product(left: Matrix, right: Matrix) -> Matrix:
     return tuple(
-        _dot(left[3 * row : 3 * row + 3], right[column::3])
+        dot(left[3 * row : 3 * row + 3], right[column::3])
         for row in range(3)
         for column in range(3)
     )
-
-
-def _dot(left: Sequence[float], right: Sequence[float]) -> float:
-    return left[0] * right[0] + left[1] * right[1] + left[2] * right[2]

@@ -203,6 +203,12 @@ class ActiveTransformation:
         shift = Chain(joints, ORIGIN, chain.tool_direction)
         return self._maps.add(map_values(shift, self._axes, difference))
 
+    def tool_direction(self, number: int, axes: Sequence[float]) -> list[float]:
+        """Return the vector from the tip to the clamp, of length 1, for positions of the axes."""
+        self._give(axes)
+        self._maps.direction(number, self._given, self._result)
+        return list(self._result[:3])
+
     # --- commands -------------------------------------------------------------------------------
 
     def begin_program(self) -> Iterator[Command]:

@@ -16,7 +16,32 @@ COMPONENTS = (
     ("496", "rotation.a3", "Angle about the third main axis", "Winkel um die dritte Hauptachse"),
 )
 
+#: The planes of P-CHAN-00050: their axes.
+EFFECTOR_PLANES = {"XY": (0, 1), "ZX": (2, 0), "YZ": (1, 2)}
+
 COORDINATE_SYSTEMS = (
+    Parameter(
+        "P-CHAN-00031",
+        "kind_of_2nd_ecs_ax",
+        ValueType.NAME,
+        "X",
+        Text(
+            "Which axis of #ECS lies in the plane of P-CHAN-00050",
+            "Welche Achse von #ECS in der Ebene von P-CHAN-00050 liegt",
+        ),
+        names=dict.fromkeys("XxYy"),
+    ),
+    Parameter(
+        "P-CHAN-00050",
+        "mach_plane_of_2nd_ecs_ax",
+        ValueType.NAME,
+        "XY",
+        Text(
+            "Plane of the machine in which the axis of P-CHAN-00031 lies",
+            "Ebene der Maschine, in der die Achse von P-CHAN-00031 liegt",
+        ),
+        names=dict.fromkeys((*EFFECTOR_PLANES, *map(str.lower, EFFECTOR_PLANES))),
+    ),
     Parameter(
         "P-CHAN-00393",
         "coordinate_system.rotation_mode_fixed",

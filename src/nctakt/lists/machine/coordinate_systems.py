@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from nctakt.base.dataclass import dataclass
-from nctakt.lists.declared.coordinate_systems import COMPONENTS
+from nctakt.lists.declared.coordinate_systems import COMPONENTS, EFFECTOR_PLANES
 from nctakt.lists.format.values import Values
 
 
@@ -14,12 +14,15 @@ from nctakt.lists.format.values import Values
 class ListedSystems:
     """Six components (mm, degrees) by name in upper case, P-CHAN-00490 … 496.
 
-    ``is_rotation_fixed``: P-CHAN-00393. ``has_own_offsets``: P-CHAN-00397.
+    ``is_rotation_fixed``: P-CHAN-00393. ``has_own_offsets``: P-CHAN-00397. ``effector_plane``: the
+    axes of P-CHAN-00050; ``has_first_effector_axis``: X of ``#ECS`` lies in it, not Y.
     """
 
     systems: Mapping[str, tuple[float, ...]]
     is_rotation_fixed: bool
     has_own_offsets: bool
+    effector_plane: tuple[int, int]
+    has_first_effector_axis: bool
 
 
 def listed_systems(values: Values) -> ListedSystems:
@@ -38,4 +41,6 @@ def listed_systems(values: Values) -> ListedSystems:
         systems,
         values.flag("coordinate_system.rotation_mode_fixed"),
         values.flag("coordinate_system.axes_offsets_layer_specific"),
+        EFFECTOR_PLANES[values.text("mach_plane_of_2nd_ecs_ax").upper()],
+        values.text("kind_of_2nd_ecs_ax").upper() == "X",
     )

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""``#CS``, ``#ACS``, ``#BCS``: the coordinate systems of a program (MO-8).
+"""``#CS``, ``#ACS``, ``#BCS``, ``#ECS``: the coordinate systems of a program (MO-8).
 
 In: the tree of a command. Out: a ``CsCommand``, and diagnostics for anything other than ``#CS
 DEF|ON [id] [v1, v2, v3, a1, a2, a3]``, ``#CS ON``, ``#CS OFF``, ``#CS OFF ALL``, ``#CS DEF ACT
 [id]``, the same with ``#ACS`` and ``#BCS``, ``#CS ADD [name] [v1 … a3]``, ``#CS SELECT [name]``,
-``#CS MODE ON|OFF [keyword]``. A single value in brackets is the ID, a single word that of a system
-of the channel list. Shared by checker and decoder.
+``#CS MODE ON|OFF [keyword]``, ``#ECS ON|OFF``. A single value in brackets is the ID, a single word
+that of a system of the channel list. Shared by checker and decoder.
 """
 
 from __future__ import annotations
@@ -31,6 +31,7 @@ ACTIONS = {
     "CS": (*COMMON_ACTIONS, "ADD", "SELECT", "MODE ON", "MODE OFF"),
     "ACS": COMMON_ACTIONS,
     "BCS": COMMON_ACTIONS,
+    "ECS": ("ON", "OFF"),
 }
 
 #: What ``#CS MODE`` switches (P-CHAN-00393, P-CHAN-00397).
@@ -52,7 +53,7 @@ _MEANING_OF_MCS = Text(
 class CsCommand:
     """A command; ``components``: ``None`` for a stored system, the last one without an ID.
 
-    ``kind``: CS, ACS or BCS. ``name``: that of ADD and SELECT, of a system of the channel list, the
+    ``kind``: CS, ACS, BCS or ECS. ``name``: that of ADD and SELECT, of one of the channel list, the
     word of MODE.
     """
 
@@ -72,7 +73,7 @@ def cs_command(command: HashCommand) -> CsCommand | None:
     """Return the parsed command; ``None`` if its form is unknown."""
     kind, *words = (word.name for word in command.words)
     action = " ".join(words)
-    if action not in ACTIONS.get(kind, ()):
+    if action not in ACTIONS.get(kind, ()) or (kind == "ECS" and command.arguments):
         return None
     name = ""
     arguments = list(command.arguments)

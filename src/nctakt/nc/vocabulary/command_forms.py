@@ -84,6 +84,7 @@ FORMS: dict[str, tuple[str, ...]] = {
         "#DYNAMIC WEIGHT OFF [CURVE]",
     ),
     "#ERROR": ("#ERROR [ID=455]", "#ERROR [ID=455 RC=2 MID=1 PV1=P1 PM1=3]"),
+    "#ECS": ("#ECS ON", "#ECS OFF"),
     "#EXPL SYN": ("#EXPL SYN",),
     "#FILE NAME": ("#FILE NAME [MSG=report.txt]", '#FILE NAME [G80="drill.nc"]'),
     "#FILENAME": ("#FILENAME [MSG=report.txt]", '#FILENAME [G80="drill.nc"]'),

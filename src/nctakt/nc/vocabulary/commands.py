@@ -132,7 +132,7 @@ COMMANDS = table(
         "weights of the dynamics by length or radius",
         "Gewichte der Dynamik nach Weglänge oder Radius",
     ),
-    ("#ECS", REFUSED, "effector coordinates", "Effektor-Koordinaten"),
+    ("#ECS", SIMULATED, "coordinates along the tool", "Koordinaten längs des Werkzeugs"),
     (
         "#EDGE MACHINING",
         REFUSED,

@@ -194,7 +194,7 @@ def test_a_misspelt_entry_names_the_one_that_is_meant(entry: str, number: int) -
 
 def test_entries_without_effect_are_silent_at_their_default() -> None:
     """A parameter without effect is checked; with all details it is told."""
-    text = "gruppe[0].bezeichnung IPO 1 # x\nkind_of_2nd_ecs_ax X\n"
+    text = "gruppe[0].bezeichnung IPO 1 # x\ncoordinate_system.rotation_sequence ZYX\n"
     assert load(CHANNEL, text)[1] == [900018]
     assert load(CHANNEL, text, detail="all")[1] == [900018, 900026, 900026]
 

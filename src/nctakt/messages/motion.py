@@ -38,10 +38,10 @@ POINTS_ON_A_LINE = error(
     en="no arc leads by this interim point to the target: the three points are on a line",
     de="kein Kreisbogen führt über diesen Zwischenpunkt zum Ziel: die drei Punkte liegen auf einer "
     "Geraden",
-    remedy_en="Program with I, J, K a point of the arc that is neither its start nor its target. A "
-    "full circle needs two arcs.",
-    remedy_de="Mit I, J, K einen Punkt des Bogens programmieren, der weder Start noch Ziel ist. "
-    "Ein Vollkreis braucht zwei Bögen.",
+    remedy_en="With I, J, K, program a point between start and target of the arc. A full circle is "
+    "two arcs.",
+    remedy_de="Mit I, J, K einen Punkt zwischen Start und Ziel des Bogens programmieren. Ein "
+    "Vollkreis sind zwei Bögen.",
     reaction=2,
     clearing=3,
 )

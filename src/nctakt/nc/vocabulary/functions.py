@@ -44,9 +44,8 @@ from nctakt.nc.vocabulary.simplifications import (
 
 # --- numbers of the functions that are simulated -------------------------------------------------
 
-RAPID, LINE, ARC_CLOCKWISE, ARC_COUNTERCLOCKWISE = 0, 1, 2, 3
+RAPID, LINE, ARC_CLOCKWISE, ARC_COUNTERCLOCKWISE, ARC_IN_SPACE = 0, 1, 2, 3, 303
 ARCS = (ARC_CLOCKWISE, ARC_COUNTERCLOCKWISE)
-ARC_IN_SPACE = 303
 ANY_ARCS = (*ARCS, ARC_IN_SPACE)
 DWELL = 4
 THREAD_CUTTING = 33

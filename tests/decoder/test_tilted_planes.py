@@ -137,6 +137,8 @@ CONTOURS = {
     "in another plane": "G18 D1 G41 G01 Z10 X5 F600\nX20\nG02 Z30 X20 K10\nG01 X3\nG40 Z50 X0",
     "mirrored": "G21 D1 G41 G01 X10 Y0 F600\nY20\nG02 X30 Y20 I10\nG01 Y10\nG40 G01 X0 Y0",
     "around a corner by an arc": "D1 G140 G41 G01 X10 Y0 F600\nY20\nX-5\nG40 G01 X0 Y0",
+    "a piece that only rounding leaves": "D1 G42 G01 Y20.859 Z-3.314 F6000\nY-23.198\n"
+    "G40 G01 X277.266\nX0",
     "chamfers and roundings": "G01 X20 F600\nG302 I3\nY20\nG301 I2\nG02 X40 I10\nG302 I2\n"
     "G01 X50 Y-10",
     "roundings of a compensated contour": "D1 G41 G01 X10 Y0 F600\nY20\nG302 I5\nX30\nY0\nG40 X0",
@@ -149,6 +151,7 @@ def test_contours_are_those_of_the_plane(name: str) -> None:
     tilted, plain = run_of(CONTOURS[name], SYSTEM), run_of(CONTOURS[name], None)
     assert (tilted.errors, plain.errors) == ((), ())
     found, expected = inside(tilted, SYSTEM), inside(plain, None)
+    assert np.abs(np.diff(found, 2, axis=0)).max() / 1e-6 <= 3**0.5 * ACCELERATION * (1 + 1e-6)
     assert found[-1] == pytest.approx(expected[-1], abs=1e-9)
     begin = int(np.argmax(np.linalg.norm(found - found[0], axis=1) > 0.0))
     step = np.linalg.norm(np.diff(expected, axis=0), axis=1).max()

@@ -205,11 +205,8 @@ class Compensation:
             return
         self._pass_time(command)
         self.is_releasing = True
-        yield from self._untilted(command)
+        yield from tilted_motions.out_of_plane(command, self._environment)
         self.is_releasing = False
-
-    def _untilted(self, command: Command) -> Iterator[Command]:
-        return tilted_motions.out_of_plane(command, self._environment)
 
     def _enter(self, segment: Segment, ends: tuple[float, float, float, float], d: float) -> None:
         """Pass the line or arc of a motion and its distance ``d`` (mm) to the tool path."""
@@ -480,7 +477,7 @@ class Compensation:
         commands += [at_tool(command, plane, self._at) for command in motion.between]
         if motion.segment.turn is None:
             return commands
-        return [one for command in commands for one in self._untilted(command)]
+        return tilted_motions.pieces_out_of_plane(commands, self._environment)
 
     def _pieces(self, motion: PendingMotion) -> list[tuple[_Piece, float]]:
         """Return the pieces of a motion with their lengths in mm; empty if it is masked."""

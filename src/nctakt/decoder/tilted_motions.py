@@ -23,6 +23,9 @@ from nctakt.decoder.state.environment import DecoderEnvironment
 #: How far a cubic may be beside its arc, mm.
 TOLERANCE_MM = 1e-6
 
+#: A way up to this is what rounding leaves, mm.
+ROUNDING_MM = 1e-9
+
 #: The largest angle of a cubic in degrees; beyond it the estimates of its error do not hold.
 MAX_ANGLE = 45.0
 
@@ -83,6 +86,38 @@ def out_of_plane(command: Command, environment: DecoderEnvironment) -> Iterator[
             curve=(*piece[1], *piece[2]),
             turn=None,
         )
+
+
+def pieces_out_of_plane(
+    commands: Sequence[Command], environment: DecoderEnvironment
+) -> list[Command]:
+    """Return the pieces of a motion as the axes make them, and what stands between them.
+
+    A piece that is nothing but rounding has no direction outside the plane: a neighbour takes it.
+    """
+    kept: list[Command] = []
+    start: tuple[float, ...] = ()
+    for command in commands:
+        for piece in out_of_plane(command, environment):
+            if not isinstance(piece, Segment):
+                kept.append(piece)
+                continue
+            begun = replace(piece, start=start) if start else piece
+            start = ()
+            if piece.curve is not None or math.dist(begun.start, begun.target) > ROUNDING_MM:
+                kept.append(begun)
+            elif kept and isinstance(kept[-1], Segment):
+                kept[-1] = replace(
+                    kept[-1],
+                    target=begun.target,
+                    exact_stop=begun.exact_stop,
+                    continues_block=begun.continues_block,
+                )
+            elif begun.continues_block:
+                start = begun.start
+            else:
+                kept.append(begun)
+    return kept
 
 
 def cubics_of(

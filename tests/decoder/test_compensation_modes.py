@@ -7,7 +7,8 @@ Tool 1 of the demo machine has the radius 5. Ways are written as they were worke
 from __future__ import annotations
 
 from dataclasses import replace
-from math import asin, degrees
+from itertools import pairwise
+from math import asin, degrees, dist
 
 import pytest
 from compensated import decoded, way
@@ -304,3 +305,19 @@ def test_a_closed_contour_that_begins_elsewhere_is_told_nothing() -> None:
     for text in (within, outside):
         run = Controller(watching()).run(NcText("p.nc", START + text), signals=[])
         assert run.diagnostics == ()
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "G41 X10 Y0\nG237\nG40 X-10 Y20\nX-30 Y-28",  # nothing is left of the way to the contour
+        "G42 X20 Z-3\nY-23\nG40 X200",
+    ],
+)
+def test_pieces_have_a_length(text: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """One without a length has no direction: the path would pass its corner at full speed."""
+    segments, errors = decoded(START + text + "\nM30", monkeypatch)
+    assert errors == []
+    assert all(dist(segment.start, segment.target) > 1e-9 for segment in segments)
+    for before, behind in pairwise(segments):
+        assert before.target == behind.start

@@ -477,7 +477,7 @@ class Compensation:
         commands += [at_tool(command, plane, self._at) for command in motion.between]
         if motion.segment.turn is None:
             return commands
-        return tilted_motions.pieces_out_of_plane(commands, self._environment)
+        return tilted_motions.all_out_of_plane(commands, self._environment)
 
     def _pieces(self, motion: PendingMotion) -> list[tuple[_Piece, float]]:
         """Return the pieces of a motion with their lengths in mm; empty if it is masked."""

@@ -43,8 +43,7 @@ class MotionStages:
     def loop_body(self, body: list[Command]) -> list[Command]:
         """Return the commands of a realtime loop's body with its motions changed."""
         shaped = self._shaping.shape_body(body)
-        environment = self._environment
-        whole = [one for every in shaped for one in tilted_motions.out_of_plane(every, environment)]
+        whole = tilted_motions.all_out_of_plane(shaped, self._environment)
         return self._contouring.plain_body(whole)
 
     def pass_time(self, command: Command) -> None:

@@ -10,7 +10,7 @@ cubics that are at most ``TOLERANCE_MM`` beside it.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 
 from nctakt.decoder.state import cubics
@@ -22,9 +22,6 @@ from nctakt.decoder.state.environment import DecoderEnvironment
 
 #: How far a cubic may be beside its arc, mm.
 TOLERANCE_MM = 1e-6
-
-#: A way up to this is what rounding leaves, mm.
-ROUNDING_MM = 1e-9
 
 #: The largest angle of a cubic in degrees; beyond it the estimates of its error do not hold.
 MAX_ANGLE = 45.0
@@ -88,36 +85,9 @@ def out_of_plane(command: Command, environment: DecoderEnvironment) -> Iterator[
         )
 
 
-def pieces_out_of_plane(
-    commands: Sequence[Command], environment: DecoderEnvironment
-) -> list[Command]:
-    """Return the pieces of a motion as the axes make them, and what stands between them.
-
-    A piece that is nothing but rounding has no direction outside the plane: a neighbour takes it.
-    """
-    kept: list[Command] = []
-    start: tuple[float, ...] = ()
-    for command in commands:
-        for piece in out_of_plane(command, environment):
-            if not isinstance(piece, Segment):
-                kept.append(piece)
-                continue
-            begun = replace(piece, start=start) if start else piece
-            start = ()
-            if piece.curve is not None or math.dist(begun.start, begun.target) > ROUNDING_MM:
-                kept.append(begun)
-            elif kept and isinstance(kept[-1], Segment):
-                kept[-1] = replace(
-                    kept[-1],
-                    target=begun.target,
-                    exact_stop=begun.exact_stop,
-                    continues_block=begun.continues_block,
-                )
-            elif begun.continues_block:
-                start = begun.start
-            else:
-                kept.append(begun)
-    return kept
+def all_out_of_plane(commands: Iterable[Command], environment: DecoderEnvironment) -> list[Command]:
+    """Return motions as the axes make them, and other commands between them."""
+    return [piece for command in commands for piece in out_of_plane(command, environment)]
 
 
 def cubics_of(

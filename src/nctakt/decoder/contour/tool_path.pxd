@@ -6,6 +6,8 @@ from nctakt.decoder.contour cimport pieces
 from nctakt.decoder.contour.chain cimport Chain
 from nctakt.decoder.contour.corners cimport Corners
 
+cdef double NOTHING_MM
+
 cdef class ToolPath(Chain):
     cdef readonly Corners corners
     cdef double[::1] cut_off
@@ -20,6 +22,9 @@ cdef class ToolPath(Chain):
     cdef double contour_start_x
     cdef double contour_start_y
     cdef long long closed
+    cdef bint is_begun
+    cdef double begin_x
+    cdef double begin_y
 
     cpdef void set_corners(self, bint by_arc, bint is_direct) noexcept
     @cython.locals(at=Py_ssize_t)
@@ -52,6 +57,9 @@ cdef class ToolPath(Chain):
         i=Py_ssize_t
     )
     cdef int put_motion(self, int meets, Py_ssize_t other) noexcept
+    @cython.locals(row=Py_ssize_t)
+    cdef void put_end(self, double end_x, double end_y) noexcept
+    cdef void put_if_long(self, Py_ssize_t row, int is_contour) noexcept
     @cython.locals(
         corners=Corners, row=Py_ssize_t, i=Py_ssize_t, x=double, y=double, next_x=double,
         next_y=double, motions=double[::1], radius=double

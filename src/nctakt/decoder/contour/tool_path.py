@@ -16,6 +16,9 @@ from nctakt.decoder.contour import pieces, rows
 from nctakt.decoder.contour.chain import Chain
 from nctakt.decoder.contour.corners import Corners
 
+#: A piece up to this length is what rounding leaves, mm.
+NOTHING_MM = 1e-9
+
 
 class ToolPath(Chain):
     """Path of the tool's centre beside one contour.
@@ -23,7 +26,8 @@ class ToolPath(Chain):
     ``is_open``: the newest motion is not known up to its end. ``at_x``, ``at_y``: where the tool is
     behind the pieces so far. ``parts``: what comes behind the newest motion is not compared with
     what was. ``first``: the motion that the tool has begun with; ``contour_start``: the first one
-    of the contour, 0 none; ``closed``: the one that has ended where that begins.
+    of the contour, 0 none; ``closed``: the one that has ended where that begins. ``is_begun``: the
+    next piece begins at ``begin_x``, ``begin_y``, where one has been left out.
     """
 
     def __init__(self) -> None:
@@ -41,6 +45,9 @@ class ToolPath(Chain):
         self.contour_start_x = 0.0
         self.contour_start_y = 0.0
         self.closed = 0
+        self.is_begun = False
+        self.begin_x = 0.0
+        self.begin_y = 0.0
 
     def set_corners(self, by_arc: bool, is_direct: bool) -> None:
         """Set how the next corner is passed (``Corners``)."""
@@ -153,10 +160,23 @@ class ToolPath(Chain):
         if is_perpendicular:
             end_x = self.corners.motions[self.last_motion + rows.END_X]
             end_y = self.corners.motions[self.last_motion + rows.END_Y]
-            self.put_line(rows.LINE, self.at_x, self.at_y, end_x, end_y, 0)
+            self.put_end(end_x, end_y)
             self.at_x = end_x
             self.at_y = end_y
         return True
+
+    def put_end(self, end_x: float, end_y: float) -> None:
+        """Go on to a point; where that is no way at all, the last piece ends there."""
+        self.make_room()
+        row = self.count * rows.PIECE_WIDTH
+        pieces.put_line(self.rows, row, rows.LINE, self.at_x, self.at_y, end_x, end_y)
+        if pieces.length(self.rows, row) > NOTHING_MM:
+            self.put_line(rows.LINE, self.at_x, self.at_y, end_x, end_y, 0)
+            return
+        row -= rows.PIECE_WIDTH
+        if row >= 0 and self.rows[row + rows.MOTION] == self.number:
+            self.rows[row + rows.END_X] = end_x
+            self.rows[row + rows.END_Y] = end_y
 
     def enclose(self) -> int:
         """End the newest motion at the contour's start; return the motion that does not fit.
@@ -233,19 +253,34 @@ class ToolPath(Chain):
             row = self.count * rows.PIECE_WIDTH
         if self.masks:
             self.keep_cut_off(at, other)
-        if pieces.length(self.rows, row) > 0.0:
-            self.put(is_contour)
+        self.is_begun = False
+        self.put_if_long(row, is_contour)
         for k in range(corners.joint_count):
             row = self.count * rows.PIECE_WIDTH
             for i in range(rows.FURTHER):
                 self.rows[row + i] = corners.joint[k * rows.PIECE_WIDTH + i]
-            self.put(is_contour)
-        self.at_x = corners.next_x
-        self.at_y = corners.next_y
+            self.put_if_long(row, is_contour)
+        self.at_x = self.begin_x if self.is_begun else corners.next_x
+        self.at_y = self.begin_y if self.is_begun else corners.next_y
         if self.parts or not is_contour:
             self.separate()
             self.parts = False
         return 1
+
+    def put_if_long(self, row: int, is_contour: int) -> None:
+        """Append the piece in a row if it is more than rounding leaves.
+
+        What is not appended has no direction of its own: the next piece begins where it does.
+        """
+        if self.is_begun:
+            self.rows[row + rows.START_X] = self.begin_x
+            self.rows[row + rows.START_Y] = self.begin_y
+        self.is_begun = pieces.length(self.rows, row) <= NOTHING_MM
+        if self.is_begun:
+            self.begin_x = self.rows[row + rows.START_X]
+            self.begin_y = self.rows[row + rows.START_Y]
+        else:
+            self.put(is_contour)
 
     def part(self, at: int, other: int, is_contour: int) -> None:
         """Pass a motion that does not fit and both its neighbours whole.

@@ -131,6 +131,7 @@ CONTOURS = {
     "the third axis moves along": "D1 G42 G01 X10 Y0 Z2 F600\nX40 Z1\nY20\nZ3\nX10\nG01 Y0\n"
     "G40 G01 X0 Y-5",
     "directly": "D1 G239 G41 G01 X10 Y5 F600\nY20\nX30\nG40\nG01 X50 Y50\nX1",
+    "directly, and away at once": "G239 D1 G41 G01 Z-7.779 X28.337 F600\nG40 G01 Z0.739 Y29.535",
     "with motions of its own": "D1 G237 G41 G01 X10 Y5 F600\nY20\nX30\nG40 X50 Y50",
     "tangentially": "D1 G41 G05 G01 X10 Y5 F600\nY20\nX30\nG05 G40\nG01 X50 Y50",
     "around a closed contour": "D1 G238 G41 G01 X10 Y10 F600\nY30\nX30\nY10\nX10\nG40 X0 Y0",

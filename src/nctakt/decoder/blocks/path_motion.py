@@ -30,7 +30,7 @@ from nctakt.decoder.state.arcs import (
     extremes,
 )
 from nctakt.decoder.state.commands import Segment
-from nctakt.decoder.state.coordinate_systems import MAIN_AXES, Matrix, turned_in, turned_out
+from nctakt.decoder.state.coordinate_systems import MAIN_AXES, Matrix, turned_out
 from nctakt.decoder.state.feed_modifiers import FeedModifiers
 from nctakt.decoder.state.modal_state import LastArc
 from nctakt.decoder.values.variables import Values
@@ -178,12 +178,15 @@ class PathMotion:
         compensation = self._state.path.compensation
         compensation.side = 0
         if compensation.has_left_path and compensation.approach == DEPART_WITHOUT_MOTION:
-            turn = self._environment.offsets.systems.tilt(self._state.path.plane)
-            positions = self._state.positions
-            positions = list(positions) if turn is None else turned_in(turn, positions)
+            systems = self._environment.offsets.systems
+            turn, positions = systems.tilt(self._state.path.plane), list(self._state.positions)
+            if turn is not None:
+                positions = systems.points.inside(turn, positions)
             for axis, value in zip(self._state.path.plane_axes, compensation.end, strict=True):
                 positions[axis] = value
-            self._state.positions = positions if turn is None else turned_out(turn, positions)
+            if turn is not None:
+                positions = list(systems.points.outside(turn, positions))
+            self._state.positions = positions
 
     def keep_plane(self, function: int, span: Span) -> None:
         """Raise ``DecodeError`` for a change of plane during compensation."""

@@ -321,3 +321,10 @@ def test_pieces_have_a_length(text: str, monkeypatch: pytest.MonkeyPatch) -> Non
     assert all(dist(segment.start, segment.target) > 1e-9 for segment in segments)
     for before, behind in pairwise(segments):
         assert before.target == behind.start
+
+
+def test_a_contour_that_is_left_directly_after_all() -> None:
+    """G239 behind the last motion: G40 leaves from where the tool is."""
+    run = Controller().run(NcText("p.nc", START + "G41 X10 Y0\nX30\nG239\nG40 Y20\nM30"))
+    assert run.errors == ()
+    assert run.state == "ended"

@@ -181,8 +181,7 @@ class Compensation:
             yield from self._release(contour_rows.REACH if self._waits_for_loops else 0)
         elif len(self._motions) > MAX_CLOSED:
             self._values.fail(CLOSED_CONTOUR_TOO_LONG, self._path.span, count=MAX_CLOSED)
-        if compensation.mode == DEPART_WITHOUT_MOTION:
-            compensation.end = tool.beside_end()
+        compensation.end = tool.beside_end()
         if distance == 0.0:
             yield from self._finish()
             self._left()
@@ -444,8 +443,7 @@ class Compensation:
             between=[],
         )
         self._at = (self.tool.at_x, self.tool.at_y)
-        if self._state.compensation.mode == DEPART_WITHOUT_MOTION:
-            self._state.compensation.end = self.tool.beside_end()
+        self._state.compensation.end = self.tool.beside_end()
 
     # --- commands out ----------------------------------------------------------------------------
 

@@ -15,7 +15,7 @@ from dataclasses import replace
 
 from nctakt.decoder.state import cubics
 from nctakt.decoder.state.arcs import RADIANS, Arc
-from nctakt.decoder.state.commands import Command, Segment
+from nctakt.decoder.state.commands import Command, EmptyBlock, Segment
 from nctakt.decoder.state.coordinate_systems import Matrix, axis_arc, turned_out
 from nctakt.decoder.state.cubics import Cubic, Point
 from nctakt.decoder.state.environment import DecoderEnvironment
@@ -53,7 +53,10 @@ def out_of_plane(command: Command, environment: DecoderEnvironment) -> Iterator[
     points = environment.offsets.systems.points
     start, target = (points.outside(turn, end) for end in (segment.start, segment.target))
     if segment.arc is None:
-        yield replace(segment, start=start, target=target, turn=None)
+        if start != target:
+            yield replace(segment, start=start, target=target, turn=None)
+        elif not segment.continues_block:  # rounding had left a way in the plane
+            yield EmptyBlock(segment.source, segment.number)
         return
     first, second, *others = segment.arc
     arc = Arc(int(first), int(second), *others)

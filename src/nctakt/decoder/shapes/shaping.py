@@ -391,7 +391,9 @@ class Shaping:
         arc = None
         if centre is not None:
             arc = _arc(plane, points, centre, left)
-            self._path.check_extremes(arc, held.segment.target, corner.span)
+            start, target = list(held.segment.target), list(motion.segment.start)
+            turn = held.segment.turn
+            self._path.check_piece(start, target, arc, plane, corner.span, turn)
         inserted = self._inserted(held.segment, motion.segment, corner, arc)
         if corner.of_block:
             held.segment = replace(held.segment, continues_block=True)

@@ -142,6 +142,8 @@ CONTOURS = {
     "G40 G01 X277.266\nX0",
     "chamfers and roundings": "G01 X20 F600\nG302 I3\nY20\nG301 I2\nG02 X40 I10\nG302 I2\n"
     "G01 X50 Y-10",
+    "away across the plane": "D1 G237 G42 G01 X-19.664 F600\nG03 I-6.79 J-3.14\nG40 G01 Z5.701\n"
+    "G02 I7.8 J-2.43",
     "there and back": "G01 X20.1 F600\nG301 I1\nX5.3\nY7",
     "roundings of a compensated contour": "D1 G41 G01 X10 Y0 F600\nY20\nG302 I5\nX30\nY0\nG40 X0",
 }

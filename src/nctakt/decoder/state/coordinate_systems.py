@@ -254,17 +254,26 @@ class TurnedPoints:
     """Positions in tilted systems, with those of the axes that they stand for.
 
     Turned there and back they would differ in the last bit, and a motion has to start where the one
-    before has ended. Only so many are kept: those between a block and its motion.
+    before has ended. A coordinate that only rounding changes from one position to the next stays
+    what it is. Only so many positions are kept: those between a block and its motion.
     """
 
     KEPT = 10_000
+    SAME_MM = 1e-9
 
     def __init__(self) -> None:
         self._axes: OrderedDict[tuple[Matrix, tuple[float, ...]], tuple[float, ...]] = OrderedDict()
+        self._newest: list[float] = []
 
     def inside(self, turn: Matrix, positions: Sequence[float]) -> list[float]:
         """Return positions of the axes in a system that is turned by a matrix."""
         turned = turned_in(turn, positions)
+        if len(self._newest) == len(turned):
+            turned = [
+                before if abs(position - before) < self.SAME_MM else position
+                for position, before in zip(turned, self._newest, strict=True)
+            ]
+        self._newest = turned
         key = (turn, tuple(turned))
         self._axes[key] = tuple(positions)
         self._axes.move_to_end(key)

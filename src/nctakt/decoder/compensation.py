@@ -126,7 +126,7 @@ class Compensation:
                 self._hold(command)
                 return None
             yield from self._finish()
-        if isinstance(command, Segment) and command.turn is not None:
+        if isinstance(command, Segment) and command.tilt is not None:
             yield from self._at_once(command)
             return None
         return (yield command)
@@ -199,7 +199,7 @@ class Compensation:
 
     def _at_once(self, command: Command) -> Iterator[Command]:
         """Yield a motion that is not held; one of a tilted plane as the axes make it."""
-        if not isinstance(command, Segment) or command.turn is None:
+        if not isinstance(command, Segment) or command.tilt is None:
             yield command
             return
         self._pass_time(command)
@@ -473,7 +473,7 @@ class Compensation:
             segments_of(motion, pieces, self._environment.axes, plane, self._path.check_piece)
         )
         commands += [at_tool(command, plane, self._at) for command in motion.between]
-        if motion.segment.turn is None:
+        if motion.segment.tilt is None:
             return commands
         return tilted_motions.all_out_of_plane(commands, self._environment)
 

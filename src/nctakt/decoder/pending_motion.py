@@ -105,6 +105,7 @@ def segments_of(
     """
     first, second = plane
     segment = motion.segment
+    turn = None if segment.tilt is None else segment.tilt.matrix
     if motion.time_s > 0.0 and segment.is_feed and pieces:
         lengths = [length for _, length in pieces]
         length = block_length(segment, lengths, axes, plane)
@@ -122,7 +123,7 @@ def segments_of(
             row = arc.row
             if motion.adapts and segment.is_feed and motion.time_s == 0.0:
                 feed *= share_of_contour(segment, row, start)
-        check(start, target, arc, plane, motion.span, segment.turn)
+        check(start, target, arc, plane, motion.span, turn)
         yield replace(
             segment,
             start=tuple(start),

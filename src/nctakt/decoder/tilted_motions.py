@@ -3,19 +3,19 @@
 
 Arcs, the compensation of the tool's radius, chamfers and roundings are made in a plane of two axes.
 Where the active coordinate system tilts that plane, their motions are turned into it
-(``Segment.turn``) and out of it again. An arc that is not in a plane of two axes then is a row of
+(``Segment.tilt``) and out of it again. An arc that is not in a plane of two axes then is a row of
 cubics that are at most ``TOLERANCE_MM`` beside it.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from nctakt.decoder.state import cubics
 from nctakt.decoder.state.arcs import RADIANS, Arc
-from nctakt.decoder.state.commands import Command, EmptyBlock, Segment
+from nctakt.decoder.state.commands import Command, EmptyBlock, Segment, Tilt
 from nctakt.decoder.state.coordinate_systems import Matrix, axis_arc, turned_out
 from nctakt.decoder.state.cubics import Cubic, Point
 from nctakt.decoder.state.environment import DecoderEnvironment
@@ -33,41 +33,74 @@ _OFF_RADIUS, _OFF_WAY = 1.9e-5, 1.2e-4
 
 def into_plane(segment: Segment, environment: DecoderEnvironment, plane: int) -> Segment:
     """Return a motion in the active system where that tilts the plane of a G function."""
-    systems = environment.offsets.systems
-    turn = systems.tilt(plane)
-    if turn is None or segment.turn is not None:
+    matrix = environment.offsets.systems.tilt(plane)
+    if matrix is None or segment.tilt is not None:
         return segment
-    points = systems.points
-    start, target = points.inside(turn, segment.start), points.inside(turn, segment.target)
-    return replace(segment, start=tuple(start), target=tuple(target), turn=turn)
+    tilt = tilt_of(matrix, environment, segment.start, segment.target)
+    return replace(segment, start=tilt.inside[0], target=tilt.inside[1], tilt=tilt)
+
+
+def tilt_of(
+    matrix: Matrix, environment: DecoderEnvironment, start: Sequence[float], target: Sequence[float]
+) -> Tilt:
+    """Return where a motion between positions of the axes is in a tilted plane."""
+    into = environment.offsets.systems.into
+    inside = (tuple(into(matrix, start)), tuple(into(matrix, target)))
+    return Tilt(matrix, inside, (tuple(start), tuple(target)))
+
+
+def moved_in_plane(
+    positions: Sequence[float],
+    point: Mapping[int, float],
+    environment: DecoderEnvironment,
+    plane: int,
+) -> list[float]:
+    """Return positions of the axes at a point of the plane of a G function, tilted or not.
+
+    ``point``: by the axes of the plane.
+    """
+    systems = environment.offsets.systems
+    matrix = systems.tilt(plane)
+    inside = list(positions) if matrix is None else systems.into(matrix, positions)
+    moved = list(inside)
+    for axis, value in point.items():
+        moved[axis] = value
+    if moved == inside:
+        return list(positions)
+    return moved if matrix is None else turned_out(matrix, moved)
+
+
+def _axes_at(tilt: Tilt, positions: tuple[float, ...], *ends: int) -> tuple[float, ...]:
+    """Return positions of the axes; those of the programmed ``ends`` to the bit."""
+    for end in ends:
+        if positions == tilt.inside[end]:
+            return tilt.outside[end]
+    return tuple(turned_out(tilt.matrix, positions))
 
 
 def out_of_plane(command: Command, environment: DecoderEnvironment) -> Iterator[Command]:
     """Yield a motion as the axes make it; any other command as it is."""
-    turn = command.turn if isinstance(command, Segment) else None
-    if turn is None:
+    if not isinstance(command, Segment) or command.tilt is None:
         yield command
         return
-    assert isinstance(command, Segment)
-    segment = command
-    points = environment.offsets.systems.points
-    start, target = (points.outside(turn, end) for end in (segment.start, segment.target))
+    segment, tilt = command, command.tilt
+    start, target = _axes_at(tilt, segment.start, 0, 1), _axes_at(tilt, segment.target, 1, 0)
     if segment.arc is None:
         if start != target:
-            yield replace(segment, start=start, target=target, turn=None)
+            yield replace(segment, start=start, target=target, tilt=None)
         elif not segment.continues_block:  # rounding had left a way in the plane
             yield EmptyBlock(segment.source, segment.number)
         return
     first, second, *others = segment.arc
     arc = Arc(int(first), int(second), *others)
-    along = axis_arc(turn, arc, segment.start, start)
+    along = axis_arc(tilt.matrix, arc, segment.start, start)
     if along is not None:
-        yield replace(segment, start=start, target=target, arc=along.row, turn=None)
+        yield replace(segment, start=start, target=target, arc=along.row, tilt=None)
         return
     linear = [index for index, axis in enumerate(environment.axes) if axis.is_linear]
     pieces = [
         piece
-        for cubic in cubics_of(segment.start, segment.target, segment.arc, turn)
+        for cubic in cubics_of(segment.start, segment.target, segment.arc, tilt.matrix)
         for piece in cubics.divided(cubic, linear)
     ]
     modifiers = segment.modifiers
@@ -84,7 +117,7 @@ def out_of_plane(command: Command, environment: DecoderEnvironment) -> Iterator[
             modifiers=modifiers if is_last else without_end,
             continues_block=segment.continues_block or not is_last,
             curve=(*piece[1], *piece[2]),
-            turn=None,
+            tilt=None,
         )
 
 

@@ -73,7 +73,7 @@ class MovedAxes:
         plane = () if command.arc is None else command.arc[:2]
         numbers = self._environment.axis_numbers
         start, target = command.start, command.target
-        if command.curve is not None or command.turn is not None:
+        if command.curve is not None or command.tilt is not None:
             return self._environment.offsets.transformation.with_moved(list(numbers))
         names = [n for n, axis in numbers.items() if start[axis] != target[axis] or axis in plane]
         return self._environment.offsets.transformation.with_moved(names)

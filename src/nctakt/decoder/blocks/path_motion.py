@@ -178,15 +178,11 @@ class PathMotion:
         compensation = self._state.path.compensation
         compensation.side = 0
         if compensation.has_left_path and compensation.approach == DEPART_WITHOUT_MOTION:
-            systems = self._environment.offsets.systems
-            turn, positions = systems.tilt(self._state.path.plane), list(self._state.positions)
-            if turn is not None:
-                positions = systems.points.inside(turn, positions)
-            for axis, value in zip(self._state.path.plane_axes, compensation.end, strict=True):
-                positions[axis] = value
-            if turn is not None:
-                positions = list(systems.points.outside(turn, positions))
-            self._state.positions = positions
+            path, positions = self._state.path, self._state.positions
+            end = dict(zip(path.plane_axes, compensation.end, strict=True))
+            self._state.positions = tilted_motions.moved_in_plane(
+                positions, end, self._environment, path.plane
+            )
 
     def keep_plane(self, function: int, span: Span) -> None:
         """Raise ``DecodeError`` for a change of plane during compensation."""
@@ -230,7 +226,7 @@ class PathMotion:
     ) -> Segment | None:
         """Return the segment from ``start`` to ``target``, ``None`` if nothing moves."""
         state = self._state
-        arc = turn = None
+        arc = turn = tilt = None
         if state.motion in ARCS:
             arc = self._arc(start, target, words, span)
             if arc is not None:
@@ -246,8 +242,8 @@ class PathMotion:
             start, target = transformation.to_axes(start), transformation.to_axes(target)
             self.check_limits(target, range(len(target)), span)
         elif arc is not None and turn is not None:
-            points = self._environment.offsets.systems.points
-            start, target = points.inside(turn, start), points.inside(turn, target)
+            tilt = tilted_motions.tilt_of(turn, self._environment, start, target)
+            start, target = map(list, tilt.inside)
             pieces = tilted_motions.cubics_of(start, target, arc.row, turn)
             self.check_curve(pieces, span, message=ARC_OUTSIDE_LIMITS)
         elif transformation.is_active:
@@ -278,7 +274,7 @@ class PathMotion:
             state.path.limits_jerk,
             None if arc is None else arc.row,
             pace,
-            turn,
+            tilt,
         )
 
     def _stops_exactly(self, words: PathWords) -> bool:
@@ -390,7 +386,7 @@ class PathMotion:
     ) -> None:
         """Raise ``DecodeError`` if these axes leave their software limits on a piece of a block.
 
-        ``turn``: the piece is in a tilted plane, as ``Segment.turn``, and moves all axes.
+        ``turn``: the piece is in a plane that is tilted by this matrix, and moves all axes.
         """
         if turn is not None:
             if arc is not None:

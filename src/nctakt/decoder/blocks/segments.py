@@ -6,7 +6,7 @@ The constructor of a frozen dataclass would take as long as decoding the block.
 
 from __future__ import annotations
 
-from nctakt.decoder.state.commands import Command, Segment
+from nctakt.decoder.state.commands import Command, Segment, Tilt
 from nctakt.decoder.state.feed_modifiers import FeedModifiers
 from nctakt.nc.fast import raw_nodes
 
@@ -23,7 +23,7 @@ _ARC = Segment.__dict__["arc"]
 _MODIFIERS = Segment.__dict__["modifiers"]
 _CONTINUES_BLOCK = Segment.__dict__["continues_block"]
 _CURVE = Segment.__dict__["curve"]
-_TURN = Segment.__dict__["turn"]
+_TILT = Segment.__dict__["tilt"]
 
 
 def segment(
@@ -38,7 +38,7 @@ def segment(
     limits_jerk: bool,
     arc: tuple[float, ...] | None,
     modifiers: FeedModifiers | None,
-    turn: tuple[float, ...] | None,
+    tilt: Tilt | None,
 ) -> Segment:
     """Return the segment of a whole block."""
     node: Segment = raw_nodes.new_node(Segment, 0)
@@ -55,5 +55,5 @@ def segment(
     raw_nodes.set_field(_MODIFIERS, node, modifiers)
     raw_nodes.set_field(_CONTINUES_BLOCK, node, False)
     raw_nodes.set_field(_CURVE, node, None)
-    raw_nodes.set_field(_TURN, node, turn)
+    raw_nodes.set_field(_TILT, node, tilt)
     return node

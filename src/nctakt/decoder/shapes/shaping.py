@@ -30,6 +30,7 @@ from nctakt.decoder.state.commands import (
     Segment,
     waits,
 )
+from nctakt.decoder.state.coordinate_systems import Matrix
 from nctakt.decoder.state.environment import DecodeError
 from nctakt.decoder.state.feed_modifiers import FeedModifiers
 from nctakt.decoder.state.packing import takes_time
@@ -352,7 +353,7 @@ class Shaping:
         ``None`` for a rounding between motions that go straight on.
         """
         plane = self._state.path.plane_axes
-        if held.segment.turn != motion.segment.turn:
+        if _matrix(held.segment) != _matrix(motion.segment):
             number = self._state.path.plane
             self._values.fail(CORNER_NOT_IN_PLANE, corner.span, side=_BEFORE, plane=number)
         before = corners.Side(held.segment, plane, is_before=True)
@@ -392,7 +393,7 @@ class Shaping:
         if centre is not None:
             arc = _arc(plane, points, centre, left)
             start, target = list(held.segment.target), list(motion.segment.start)
-            turn = held.segment.turn
+            turn = _matrix(held.segment)
             self._path.check_piece(start, target, arc, plane, corner.span, turn)
         inserted = self._inserted(held.segment, motion.segment, corner, arc)
         if corner.of_block:
@@ -428,6 +429,11 @@ class Shaping:
             modifiers=modifiers,
             continues_block=False,
         )
+
+
+def _matrix(segment: Segment) -> Matrix | None:
+    """Return by what the plane of a motion is tilted."""
+    return None if segment.tilt is None else segment.tilt.matrix
 
 
 def _arc(

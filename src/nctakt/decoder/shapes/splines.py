@@ -89,7 +89,7 @@ class Spline:
             return self._normalised(vector)
         assert neighbour is not None
         slope = slope_of(neighbour, self._linear, at_end=not at_end)
-        return slope if neighbour.turn is None else turned_out(neighbour.turn, slope)
+        return slope if neighbour.tilt is None else turned_out(neighbour.tilt.matrix, slope)
 
     def _normalised(self, vector: Vector) -> Slope:
         given = dict(vector)

@@ -144,7 +144,7 @@ def arc_through(
 ) -> tuple[Arc, tuple[float, ...]]:
     """Return the arc over the first three axes from start by way of an interim point to a target.
 
-    With the matrix that turns its plane into that of these axes, as ``Segment.turn``; the arc is in
+    With the matrix that turns its plane into that of these axes, as ``Tilt.matrix``; the arc is in
     the turned coordinates. Raises ``ArcError`` for points that are on a line, or nearly.
     """
     one = [b - a for a, b in zip(start[:3], interim[:3], strict=True)]

@@ -7,6 +7,8 @@ decoder's ``yield``: with the value that was read, or the axes' positions.
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 from nctakt.base.dataclass import dataclass
 from nctakt.decoder.state.feed_modifiers import FeedModifiers
 from nctakt.kernel import codes, rows
@@ -22,6 +24,18 @@ class Command:
     number: int
 
 
+class Tilt(NamedTuple):
+    """Where a tilted plane is: positions in it times ``matrix``, row by row, are those of the axes.
+
+    ``inside``: start and target of the programmed motion in the plane, ``outside``: of the axes.
+    Turned there and back they would differ in the last bit.
+    """
+
+    matrix: tuple[float, ...]
+    inside: tuple[tuple[float, ...], tuple[float, ...]]
+    outside: tuple[tuple[float, ...], tuple[float, ...]]
+
+
 @dataclass(frozen=True, slots=True)
 class Segment(Command):
     """A motion of the path's axes, mm or degrees, not packed but prepared in the queue.
@@ -31,8 +45,7 @@ class Segment(Command):
     ``arc``: first and second axis of its plane, centre, angle; ``None`` for a line. ``modifiers``:
     ``None`` where the feed is all. ``continues_block``: the next segment continues the block.
     ``curve``: the inner control points of a cubic, all axes of the first, then of the second.
-    ``turn``: the motion is in the plane of a tilted system; its start, target and arc times this
-    matrix, row by row, are those of the first three axes.
+    ``tilt``: the motion is in the plane of a tilted system, with start, target and arc.
     """
 
     start: tuple[float, ...]
@@ -46,7 +59,7 @@ class Segment(Command):
     modifiers: FeedModifiers | None = None
     continues_block: bool = False
     curve: tuple[float, ...] | None = None
-    turn: tuple[float, ...] | None = None
+    tilt: Tilt | None = None
 
     @property
     def is_feed(self) -> bool:

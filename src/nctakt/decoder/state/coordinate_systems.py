@@ -15,12 +15,11 @@ before all turns. Out: commands for the realtime part, positions inside and outs
 
 from __future__ import annotations
 
-from collections import OrderedDict
 from collections.abc import Generator, Iterator, Sequence
 from dataclasses import replace
 
 from nctakt.base.dataclass import dataclass
-from nctakt.decoder.state.arcs import PLANES, Arc, cross, dot
+from nctakt.decoder.state.arcs import PLANES, SAME_POINT_MM, Arc, cross, dot
 from nctakt.decoder.state.commands import Command, SetOrigin, SetTurn
 from nctakt.kernel.base import arithmetic
 
@@ -76,10 +75,7 @@ class ActiveSystem:
 
 
 class CoordinateSystems:
-    """The active systems of a channel; ``axes``: the numbers of its axes in the machine.
-
-    ``points``: positions of motions in tilted planes.
-    """
+    """The active systems of a channel; ``axes``: the numbers of its axes in the machine."""
 
     def __init__(self, axes: Sequence[int]) -> None:
         self._axes = tuple(axes)
@@ -87,7 +83,7 @@ class CoordinateSystems:
         self._matrix = IDENTITY
         self._systems: list[ActiveSystem] = []
         self._has_been_active = False
-        self.points = TurnedPoints()
+        self._newest: list[float] = []
 
     @property
     def is_active(self) -> bool:
@@ -155,6 +151,20 @@ class CoordinateSystems:
     def tilt(self, plane: int) -> Matrix | None:
         """Return the matrix of the active system if it tilts the plane of this G function."""
         return None if self.keeps_plane(plane) else self._matrix
+
+    def into(self, tilt: Matrix, positions: Sequence[float]) -> list[float]:
+        """Return positions of the axes in a tilted plane.
+
+        A coordinate that only rounding changes from one position to the next stays what it is.
+        """
+        turned = turned_in(tilt, positions)
+        if len(self._newest) == len(turned):
+            turned = [
+                before if abs(position - before) < SAME_POINT_MM else position
+                for position, before in zip(turned, self._newest, strict=True)
+            ]
+        self._newest = turned
+        return turned
 
     def keeps_plane(self, plane: int) -> bool:
         """Return whether the plane of this G function is that of the axes, seen from the same
@@ -248,43 +258,6 @@ class CoordinateSystems:
                 yield SetOrigin(source, number, axis, value)
         first, second, third = self._axes[:3]
         yield SetTurn(source, number, (first, second, third), matrix if self.is_active else ())
-
-
-class TurnedPoints:
-    """Positions in tilted systems, with those of the axes that they stand for.
-
-    Turned there and back they would differ in the last bit, and a motion has to start where the one
-    before has ended. A coordinate that only rounding changes from one position to the next stays
-    what it is. Only so many positions are kept: those between a block and its motion.
-    """
-
-    KEPT = 10_000
-    SAME_MM = 1e-9
-
-    def __init__(self) -> None:
-        self._axes: OrderedDict[tuple[Matrix, tuple[float, ...]], tuple[float, ...]] = OrderedDict()
-        self._newest: list[float] = []
-
-    def inside(self, turn: Matrix, positions: Sequence[float]) -> list[float]:
-        """Return positions of the axes in a system that is turned by a matrix."""
-        turned = turned_in(turn, positions)
-        if len(self._newest) == len(turned):
-            turned = [
-                before if abs(position - before) < self.SAME_MM else position
-                for position, before in zip(turned, self._newest, strict=True)
-            ]
-        self._newest = turned
-        key = (turn, tuple(turned))
-        self._axes[key] = tuple(positions)
-        self._axes.move_to_end(key)
-        if len(self._axes) > self.KEPT:
-            self._axes.popitem(last=False)
-        return turned
-
-    def outside(self, turn: Matrix, positions: Sequence[float]) -> tuple[float, ...]:
-        """Return positions of a turned system as those of the axes."""
-        known = self._axes.get((turn, tuple(positions)))
-        return tuple(turned_out(turn, positions)) if known is None else known
 
 
 def placement_of(components: Sequence[float], *, is_fixed: bool = False) -> Placement:

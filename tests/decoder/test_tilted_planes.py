@@ -126,26 +126,26 @@ def test_limits_on_the_way() -> None:
 # --- contours -------------------------------------------------------------------------------------
 
 CONTOURS = {
-    "arcs and lines": "D1 G41 G01 X10 Y0 F600\nY20\nG02 X30 Y20 I10\nG01 Y10\nX40\n"
+    "arcs and lines": "D1 G41 G01 X10 Y0 F1800\nY20\nG02 X30 Y20 I10\nG01 Y10\nX40\n"
     "G03 X30 Y0 R15\nG40 G01 X0 Y0",
-    "the third axis moves along": "D1 G42 G01 X10 Y0 Z2 F600\nX40 Z1\nY20\nZ3\nX10\nG01 Y0\n"
+    "the third axis moves along": "D1 G42 G01 X10 Y0 Z2 F1800\nX40 Z1\nY20\nZ3\nX10\nG01 Y0\n"
     "G40 G01 X0 Y-5",
-    "directly": "D1 G239 G41 G01 X10 Y5 F600\nY20\nX30\nG40\nG01 X50 Y50\nX1",
-    "directly, and away at once": "G239 D1 G41 G01 Z-7.779 X28.337 F600\nG40 G01 Z0.739 Y29.535",
-    "with motions of its own": "D1 G237 G41 G01 X10 Y5 F600\nY20\nX30\nG40 X50 Y50",
-    "tangentially": "D1 G41 G05 G01 X10 Y5 F600\nY20\nX30\nG05 G40\nG01 X50 Y50",
-    "around a closed contour": "D1 G238 G41 G01 X10 Y10 F600\nY30\nX30\nY10\nX10\nG40 X0 Y0",
-    "in another plane": "G18 D1 G41 G01 Z10 X5 F600\nX20\nG02 Z30 X20 K10\nG01 X3\nG40 Z50 X0",
-    "mirrored": "G21 D1 G41 G01 X10 Y0 F600\nY20\nG02 X30 Y20 I10\nG01 Y10\nG40 G01 X0 Y0",
-    "around a corner by an arc": "D1 G140 G41 G01 X10 Y0 F600\nY20\nX-5\nG40 G01 X0 Y0",
+    "directly": "D1 G239 G41 G01 X10 Y5 F1800\nY20\nX30\nG40\nG01 X50 Y50\nX1",
+    "directly, and away at once": "G239 D1 G41 G01 Z-7.779 X28.337 F1800\nG40 G01 Z0.739 Y29.535",
+    "with motions of its own": "D1 G237 G41 G01 X10 Y5 F1800\nY20\nX30\nG40 X50 Y50",
+    "tangentially": "D1 G41 G05 G01 X10 Y5 F1800\nY20\nX30\nG05 G40\nG01 X50 Y50",
+    "around a closed contour": "D1 G238 G41 G01 X10 Y10 F1800\nY30\nX30\nY10\nX10\nG40 X0 Y0",
+    "in another plane": "G18 D1 G41 G01 Z10 X5 F1800\nX20\nG02 Z30 X20 K10\nG01 X3\nG40 Z50 X0",
+    "mirrored": "G21 D1 G41 G01 X10 Y0 F1800\nY20\nG02 X30 Y20 I10\nG01 Y10\nG40 G01 X0 Y0",
+    "around a corner by an arc": "D1 G140 G41 G01 X10 Y0 F1800\nY20\nX-5\nG40 G01 X0 Y0",
     "a piece that only rounding leaves": "D1 G42 G01 Y20.859 Z-3.314 F6000\nY-23.198\n"
     "G40 G01 X277.266\nX0",
-    "chamfers and roundings": "G01 X20 F600\nG302 I3\nY20\nG301 I2\nG02 X40 I10\nG302 I2\n"
+    "chamfers and roundings": "G01 X20 F1800\nG302 I3\nY20\nG301 I2\nG02 X40 I10\nG302 I2\n"
     "G01 X50 Y-10",
-    "away across the plane": "D1 G237 G42 G01 X-19.664 F600\nG03 I-6.79 J-3.14\nG40 G01 Z5.701\n"
+    "away across the plane": "D1 G237 G42 G01 X-19.664 F1800\nG03 I-6.79 J-3.14\nG40 G01 Z5.701\n"
     "G02 I7.8 J-2.43",
-    "there and back": "G01 X20.1 F600\nG301 I1\nX5.3\nY7",
-    "roundings of a compensated contour": "D1 G41 G01 X10 Y0 F600\nY20\nG302 I5\nX30\nY0\nG40 X0",
+    "there and back": "G01 X20.1 F1800\nG301 I1\nX5.3\nY7",
+    "roundings of a compensated contour": "D1 G41 G01 X10 Y0 F1800\nY20\nG302 I5\nX30\nY0\nG40 X0",
 }
 
 
@@ -184,7 +184,7 @@ def test_a_realtime_loop_has_the_same_motions() -> None:
 def test_a_spline_begins_as_an_arc_ends() -> None:
     """Its direction is that of the arc in the tilted plane: downward in Y."""
     body = (
-        "#SPLINE TYPE AKIMA\n#AKIMA TRANS [START=TANGENTIAL]\nN10 G02 X10 I5 F600\nG151\n"
+        "#SPLINE TYPE AKIMA\n#AKIMA TRANS [START=TANGENTIAL]\nN10 G02 X10 I5 F1800\nG151\n"
         "N20 G01 X15 Y-10\nN30 X20 Y-3\nN40 X30 Y-8\nN50 X35 Y-2\nG150\nX40"
     )
     run = run_of(body, SYSTEM)

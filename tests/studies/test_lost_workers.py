@@ -233,7 +233,7 @@ def test_a_cluster_without_workers_is_told(tmp_path: Path, monkeypatch: pytest.M
     distributed = pytest.importorskip("distributed")
     from nctakt.studies import cluster  # noqa: PLC0415 - an extra
 
-    monkeypatch.setattr(cluster, "CONNECT_S", 0.5)
+    monkeypatch.setattr(cluster, "WORKER_S", 0.5)
     with (
         distributed.LocalCluster(n_workers=0, processes=False, dashboard_address=None) as empty,
         pytest.raises(Failure) as raised,

@@ -40,8 +40,8 @@ AHEAD = 3
 #: How long a worker has a block, in seconds: so long that its way there and back counts little.
 BLOCK_S = 1.0
 
-#: How long to wait for the scheduler, and for its first worker, in seconds.
-CONNECT_S = 20
+#: How long to wait for the scheduler, and then for a worker, in seconds.
+CONNECT_S, WORKER_S = 20, 300
 
 #: Studies that a worker is ready for; those used last.
 STATIONS = 4
@@ -162,9 +162,10 @@ def rows_of_cluster(
     except (OSError, ValueError) as error:
         raise _lost(address, error) from error
     try:
-        client.wait_for_workers(1, timeout=CONNECT_S)  # without one, a study would wait for ever
         _check_workers(client)
-        yield from _Blocks(client, plan, packed).rows(numbers)
+        blocks = _Blocks(client, plan, packed)  # what is asked for lets some clusters start workers
+        client.wait_for_workers(1, timeout=WORKER_S)
+        yield from blocks.rows(numbers)
     except (
         OSError,
         distributed.comm.CommClosedError,

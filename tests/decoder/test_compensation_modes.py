@@ -323,8 +323,9 @@ def test_pieces_have_a_length(text: str, monkeypatch: pytest.MonkeyPatch) -> Non
         assert before.target == behind.start
 
 
-def test_a_contour_that_is_left_directly_after_all() -> None:
-    """G239 behind the last motion: G40 leaves from where the tool is."""
-    run = Controller().run(NcText("p.nc", START + "G41 X10 Y0\nX30\nG239\nG40 Y20\nM30"))
+@pytest.mark.parametrize("lines", ["G239\nG40 Y20", "G40\nG239\nY20", "G40 Z3\nG239\nG02 I5"])
+def test_a_contour_that_is_left_directly_after_all(lines: str) -> None:
+    """G239 behind the last motion, also behind G40: the next one begins where the tool is."""
+    run = Controller().run(NcText("p.nc", START + f"G41 X10 Y0\nX30\n{lines}\nM30"))
     assert run.errors == ()
     assert run.state == "ended"

@@ -20,7 +20,7 @@ from test_five_axes import broken_limits, positions, run_of
 from nctakt.results.run import Run
 
 #: How much longer a program with curves may take: at the limit of what gets a curve they cost some.
-SLOWER = 1.25
+SLOWER = 1.5
 
 
 def contoured(program: FiveAxisProgram, mode: str) -> FiveAxisProgram:

@@ -151,6 +151,8 @@ class PathMotion:
                 path.compensation.by_arc = function == CIRCULAR_TRANSITIONS
             case Group.APPROACH:
                 path.compensation.mode = function
+                if path.compensation.is_left:
+                    self._end_compensation()
             case Group.SPLINE:
                 self.splines.switch(function)
             case Group.MASKING:

@@ -26,7 +26,7 @@ from nctakt.plc import load_plc  # noqa: E402
 from nctakt.run.controller import Controller, NcText  # noqa: E402
 from nctakt.trace.sinks import CsvSink  # noqa: E402
 
-SEEDS = range(30)
+SEEDS = range(20)
 DEMO = load_machine(None)
 
 #: Most ticks of a random program: GLOBAL cycles with low overrides can make one long.

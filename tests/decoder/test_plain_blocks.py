@@ -351,7 +351,7 @@ def test_contours_are_full_of_plain_blocks(monkeypatch: pytest.MonkeyPatch) -> N
         taken += ring.timed_count - before
 
     monkeypatch.setattr(handover.PlainBlocks, "fill", count)
-    found = [rows(contour(seed)) for seed in range(30)]
+    found = [rows(contour(seed)) for seed in range(20)]
     wrong = [one.id for _, diagnostics in found for one in diagnostics]
     assert {900950, 90019} <= set(wrong)
     assert taken > 0.5 * sum(len(queue) for queue, _ in found)

@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 from kernel_rig import controller_with
 
+from nctakt.base.mode import is_compiled
 from nctakt.run.controller import Controller, NcText
 
 
@@ -110,6 +111,7 @@ LARGE = ("rt_cycles.max_duration 65534", "configuration.rt_cycles.memory 4000000
 
 
 @pytest.mark.slow
+@pytest.mark.skipif(not is_compiled(), reason="short cycles do the same")
 def test_a_hundred_thousand_statements_run_in_one_tick(tmp_path: Path) -> None:
     """A cycle may be as long as its limits allow; no recursion counts its statements."""
     controller = controller_with(tmp_path, *LARGE)
@@ -121,6 +123,7 @@ def test_a_hundred_thousand_statements_run_in_one_tick(tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.skipif(not is_compiled(), reason="short cycles do the same")
 def test_a_hundred_thousand_statements_exceed_the_usual_share(tmp_path: Path) -> None:
     """75 % of the tick, P-CHAN-00425's default, are 75,000 instructions (RC-503)."""
     controller = controller_with(tmp_path, LARGE[1])

@@ -81,7 +81,7 @@ def off_the_way(program: FiveAxisProgram, places: np.ndarray, run: Run) -> list[
     return found
 
 
-@seeds_in_parts(compiled=40, plain=2, part=10)
+@seeds_in_parts(compiled=40, plain=1, part=10)
 def test_the_tip_stays_on_its_line_and_the_axes_within_their_limits(seeds: range) -> None:
     for seed in seeds:
         program = five_axis_program(seed)

@@ -60,7 +60,7 @@ def polygon(corners: int, slope: str, *, is_turning: bool = False) -> FiveAxisPr
     return FiveAxisProgram("\n".join([*lines, "M30", ""]), 1, ways, slope == "TRAPEZ")
 
 
-@seeds_in_parts(compiled=30, plain=1, part=10)
+@seeds_in_parts(compiled=20, plain=0, part=10)
 def test_curves_keep_deviation_limits_and_time(seeds: range) -> None:
     """Of random programs with lines and turns of all sizes."""
     for seed in seeds:

@@ -65,8 +65,8 @@ _MOTION_CHANGED = {
 }
 
 
-#: Subject and arguments of an event -> its kind and text.
-Maker = Callable[[int, float, float, float], tuple[str, str]]
+#: A decoder, subject and arguments of an event -> its kind and text.
+Maker = Callable[["EventDecoder", int, float, float, float], tuple[str, str]]
 
 
 @dataclass(frozen=True, slots=True)
@@ -145,53 +145,9 @@ class EventDecoder:
     """Turns event rows into events; ``cycle_time_us`` is the length of a tick."""
 
     def __init__(self, cycle_time_us: int, names: EventNames) -> None:
-        self._cycle_time_us = cycle_time_us
-        self._names = names
+        self.cycle_time_us = cycle_time_us
+        self.names = names
         self._spans: dict[int, Span | None] = {}
-        self._makers: dict[int, Maker] = {
-            rows.EVENT_CREATED: self._created,
-            rows.EVENT_STARTED: self._plain("started"),
-            rows.EVENT_HELD: self._plain("held"),
-            rows.EVENT_CONTINUED: self._plain("continued"),
-            rows.EVENT_ABORTED: self._plain("aborted"),
-            rows.EVENT_ENDED: self._ended,
-            rows.EVENT_WRITTEN: self._written,
-            rows.EVENT_WRITTEN_TEXT: self._written_text,
-            rows.EVENT_TECHNOLOGY: self._technology,
-            rows.EVENT_MESSAGE: self._message,
-            rows.EVENT_ERROR: self._error,
-            rows.EVENT_PROGRAM_END: self._program_end,
-            rows.EVENT_NOTICE: self._notice,
-            rows.EVENT_FROZEN: self._frozen,
-            rows.EVENT_SPINDLE: self._spindle,
-            rows.EVENT_SPINDLE_REACHED: self._spindle_reached,
-            rows.EVENT_SPINDLE_POSITION: self._spindle_position,
-            rows.EVENT_USER_ERROR: self._user_error,
-            rows.EVENT_USER_VALUE: self._user_value,
-            rows.EVENT_USER_TEXT: self._user_text,
-            rows.EVENT_AXIS_BEGUN: self._axis_begun,
-            rows.EVENT_AXIS_ENDLESS: self._axis_endless,
-            rows.EVENT_AXIS_ENDED: self._axis_ended,
-            rows.EVENT_AXIS_CHANGED: self._axis_changed,
-            rows.EVENT_RETRACED: self._retraced,
-            rows.EVENT_PROBED: self._probed,
-            rows.EVENT_TOUCHED: self._touched,
-            rows.EVENT_FIXED_STOP: self._fixed_stop,
-            rows.EVENT_LOOP: self._loop,
-            rows.EVENT_BLOCK: self._block,
-            rows.EVENT_WAIT: self._wait,
-            rows.EVENT_STARVED: self._starved,
-            rows.EVENT_FED: self._fed,
-            rows.EVENT_OVERFLOW: self._overflow,
-            rows.EVENT_TIMER: self._timer,
-            rows.EVENT_ACKNOWLEDGED: self._answered("acknowledged"),
-            rows.EVENT_DROPPED: self._answered("dropped"),
-            rows.EVENT_SIGNAL_SENT: self._signal_sent,
-            rows.EVENT_SIGNAL_AWAITED: self._signal_awaited,
-            rows.EVENT_SIGNAL_TAKEN: self._signal_taken,
-            rows.EVENT_AXIS_EXCHANGED: self._axis_exchanged,
-            rows.EVENT_TOOL_LIFE: self._tool_life,
-        }
 
     def decode(self, data: bytes | memoryview) -> list[Event]:
         """Return the events of rows from ``Record.take_events``."""
@@ -209,7 +165,7 @@ class EventDecoder:
         c: float,
     ) -> Event:
         number, kind, serial = int(tick), int(kind_number), int(subject)
-        time_us = number * self._cycle_time_us
+        time_us = number * self.cycle_time_us
         span = self._span(int(source))
         if kind == rows.EVENT_FIRED:
             word, text = self._fired(serial, span)
@@ -218,30 +174,27 @@ class EventDecoder:
         elif kind == rows.EVENT_TECHNOLOGY_RT:
             word, text = self._technology_rt(a, b, time_us)
         else:
-            word, text = self._makers[kind](serial, a, b, c)
-        cycle = self._names.cycle(serial) if serial and kind not in _WITHOUT_CYCLE else ""
+            word, text = _MAKERS[kind](self, serial, a, b, c)
+        cycle = self.names.cycle(serial) if serial and kind not in _WITHOUT_CYCLE else ""
         return Event(number, time_us, word, text, span, cycle, int(channel))
 
     def _span(self, source: int) -> Span | None:
         """Return the position of a source id; each is looked up only once."""
         if source not in self._spans:
-            self._spans[source] = self._names.span(source)
+            self._spans[source] = self.names.span(source)
         return self._spans[source]
 
-    def _plain(self, word: str) -> Maker:
-        return lambda serial, _a, _b, _c: (word, self._names.cycle(serial))
-
     def _created(self, serial: int, scope: float, _b: float, _c: float) -> tuple[str, str]:
-        return "created", f"{self._names.cycle(serial)} {_SCOPES[int(scope)]}"
+        return "created", f"{self.names.cycle(serial)} {_SCOPES[int(scope)]}"
 
     def _ended(self, serial: int, reason: float, _b: float, _c: float) -> tuple[str, str]:
-        return "ended", f"{self._names.cycle(serial)} {_ENDED_BY[int(reason)]}"
+        return "ended", f"{self.names.cycle(serial)} {_ENDED_BY[int(reason)]}"
 
     def _fired(self, serial: int, span: Span | None) -> tuple[str, str]:
-        return "fired", f"{self._names.cycle(serial)} {_line_text(span)}"
+        return "fired", f"{self.names.cycle(serial)} {_line_text(span)}"
 
     def _written(self, _serial: int, cell: float, value: float, _c: float) -> tuple[str, str]:
-        return "written", f"{self._names.variable(int(cell))} {number_text(value)}"
+        return "written", f"{self.names.variable(int(cell))} {number_text(value)}"
 
     def _written_text(
         self, _serial: int, cell_of_part: float, left: float, right: float
@@ -249,7 +202,7 @@ class EventDecoder:
         parts, cell = divmod(int(cell_of_part), rows.TEXT_PART)
         text = "".join(_characters(int(half)) for half in (left, right))
         before, behind = "…" if parts > 1 else "", "…" if parts % 2 else ""
-        return "written", f'{self._names.variable(cell)} "{before}{text}{behind}"'
+        return "written", f'{self.names.variable(cell)} "{before}{text}{behind}"'
 
     def _technology_rt(self, number: float, sequence: float, time_us: int) -> tuple[str, str]:
         letter, value = function_of(number)
@@ -262,7 +215,7 @@ class EventDecoder:
         return "output", f"{letter} {number}" + (f" = {int(value)}" if has_value else "")
 
     def _message(self, number: int, _a: float, _b: float, _c: float) -> tuple[str, str]:
-        return "message", self._names.message(number)
+        return "message", self.names.message(number)
 
     def _error(self, _serial: int, number: float, _b: float, _c: float) -> tuple[str, str]:
         return _severity_word(int(number)), str(int(number))
@@ -271,39 +224,39 @@ class EventDecoder:
         return "notice", str(int(number))
 
     def _axis_begun(self, _serial: int, axis: float, target: float, _c: float) -> tuple[str, str]:
-        return "axis", f"{self._names.axis(int(axis))} begun {number_text(target)}"
+        return "axis", f"{self.names.axis(int(axis))} begun {number_text(target)}"
 
     def _axis_endless(
         self, _serial: int, axis: float, direction: float, _c: float
     ) -> tuple[str, str]:
         word = "positive" if direction > 0 else "negative"
-        return "axis", f"{self._names.axis(int(axis))} begun {word}"
+        return "axis", f"{self.names.axis(int(axis))} begun {word}"
 
     def _axis_ended(self, _serial: int, axis: float, how: float, _c: float) -> tuple[str, str]:
-        return "axis", f"{self._names.axis(int(axis))} {_MOTION_ENDED[int(how)]}"
+        return "axis", f"{self.names.axis(int(axis))} {_MOTION_ENDED[int(how)]}"
 
     def _axis_changed(self, _serial: int, axis: float, what: float, _c: float) -> tuple[str, str]:
-        return "axis", f"{self._names.axis(int(axis))} {_MOTION_CHANGED[int(what)]}"
+        return "axis", f"{self.names.axis(int(axis))} {_MOTION_CHANGED[int(what)]}"
 
     def _frozen(self, _serial: int, number: float, value: float, _c: float) -> tuple[str, str]:
-        name = self._names.variable_text(int(number))
+        name = self.names.variable_text(int(number))
         return "frozen", f"{name} {number_text(value)}" if not isnan(value) else name
 
     def _spindle(
         self, _serial: int, spindle: float, function: float, rpm: float
     ) -> tuple[str, str]:
-        name = self._names.spindle(int(spindle))
+        name = self.names.spindle(int(spindle))
         return "spindle", f"{name} M{int(function)} {number_text(rpm)}"
 
     def _spindle_reached(
         self, _serial: int, number: float, _b: float, _c: float
     ) -> tuple[str, str]:
-        return "spindle_reached", self._names.spindle(int(number))
+        return "spindle_reached", self.names.spindle(int(number))
 
     def _spindle_position(
         self, _serial: int, number: float, position: float, _c: float
     ) -> tuple[str, str]:
-        return "spindle_position", f"{self._names.spindle(int(number))} {number_text(position)}"
+        return "spindle_position", f"{self.names.spindle(int(number))} {number_text(position)}"
 
     def _user_error(self, _serial: int, number: float, rc: float, _c: float) -> tuple[str, str]:
         return "user_error", f"{int(number)} {int(rc)}"
@@ -312,7 +265,7 @@ class EventDecoder:
         return "user_value", f"{KEYWORDS[int(code)]} {number_text(value)}"
 
     def _user_text(self, _serial: int, code: float, text: float, _c: float) -> tuple[str, str]:
-        return "user_value", f"{KEYWORDS[int(code)]} {self._names.user_text(int(text))}"
+        return "user_value", f"{KEYWORDS[int(code)]} {self.names.user_text(int(text))}"
 
     def _block(self, number: int, decoded: float, _b: float, _c: float) -> tuple[str, str]:
         return "block", f"{number} decoded {int(decoded)}"
@@ -321,7 +274,7 @@ class EventDecoder:
         return "retrace", _RETRACED[how]
 
     def _fixed_stop(self, _serial: int, axis: float, position: float, _c: float) -> tuple[str, str]:
-        return "fixed_stop", f"{self._names.axis(int(axis))} {number_text(position)}"
+        return "fixed_stop", f"{self.names.axis(int(axis))} {number_text(position)}"
 
     def _probed(self, _serial: int, delta: float, _b: float, _c: float) -> tuple[str, str]:
         return "probe", number_text(delta)
@@ -334,7 +287,7 @@ class EventDecoder:
 
     def _wait(self, reason: int, cell: float, _b: float, _c: float) -> tuple[str, str]:
         word = _WAITS[reason]
-        return "waits", f"{word} {self._names.variable(int(cell))}" if cell else word
+        return "waits", f"{word} {self.names.variable(int(cell))}" if cell else word
 
     def _starved(self, _serial: int, _a: float, _b: float, _c: float) -> tuple[str, str]:
         return "starved", "begun"
@@ -343,20 +296,13 @@ class EventDecoder:
         return "starved", f"ended {ticks}"
 
     def _overflow(self, number: int, _a: float, _b: float, _c: float) -> tuple[str, str]:
-        return "overflow", self._names.thread(number)
+        return "overflow", self.names.thread(number)
 
     def _timer(
         self, _serial: int, timer: float, action: float, latched_ms: float
     ) -> tuple[str, str]:
         value = f" {number_text(latched_ms)}" if action == codes.TIMER_READ else ""
         return "timer", f"{int(timer)} {_TIMER_ACTIONS[int(action)]}{value}"
-
-    def _answered(self, word: str) -> Maker:
-        def make(_serial: int, function: float, sequence: float, tick: float) -> tuple[str, str]:
-            letter, number = function_of(function)
-            return word, f"{letter} {number} {int(sequence)} {int(tick) * self._cycle_time_us}"
-
-        return make
 
     def _signal_sent(
         self, number: int, receivers: float, _count: float, _level: float
@@ -371,23 +317,87 @@ class EventDecoder:
     def _signal_taken(
         self, number: int, sender: float, tick: float, level: float
     ) -> tuple[str, str]:
-        sent_us = int(tick) * self._cycle_time_us
+        sent_us = int(tick) * self.cycle_time_us
         return "signal", f"{number} taken CH{int(sender)} {sent_us}{_by(level)}"
 
     def _axis_exchanged(self, axis: int, what: float, holder: float, _c: float) -> tuple[str, str]:
         word = _EXCHANGES[int(what)]
         from_channel = f" CH{int(holder)}" if holder else ""
-        return "exchange", f"{self._names.axis(axis)} {word}{from_channel}"
+        return "exchange", f"{self.names.axis(axis)} {word}{from_channel}"
 
     def _tool_life(
         self, tool: int, _basic: float, seconds: float, distance: float
     ) -> tuple[str, str]:
-        name = self._names.user_text(tool) if tool >= 0 else "0"
+        name = self.names.user_text(tool) if tool >= 0 else "0"
         return "tool_life", f"{name} {number_text(seconds)} {number_text(distance)}"
 
     def _program_end(self, number: int, _a: float, _b: float, _c: float) -> tuple[str, str]:
-        return "end", self._names.program(number)
+        return "end", self.names.program(number)
 
+
+def _plain(word: str) -> Maker:
+    """Return what gives an event of a cycle without particulars."""
+    return lambda decoder, serial, _a, _b, _c: (word, decoder.names.cycle(serial))
+
+
+def _answered(word: str) -> Maker:
+    """Return what gives an answer to a technology function, with the time of its output."""
+
+    def make(
+        decoder: EventDecoder, _serial: int, function: float, sequence: float, tick: float
+    ) -> tuple[str, str]:
+        letter, number = function_of(function)
+        output_us = int(tick) * decoder.cycle_time_us
+        return word, f"{letter} {number} {int(sequence)} {output_us}"
+
+    return make
+
+
+#: Kinds of events whose text needs no more than their row.
+_MAKERS: dict[int, Maker] = {
+    rows.EVENT_CREATED: EventDecoder._created,
+    rows.EVENT_STARTED: _plain("started"),
+    rows.EVENT_HELD: _plain("held"),
+    rows.EVENT_CONTINUED: _plain("continued"),
+    rows.EVENT_ABORTED: _plain("aborted"),
+    rows.EVENT_ENDED: EventDecoder._ended,
+    rows.EVENT_WRITTEN: EventDecoder._written,
+    rows.EVENT_WRITTEN_TEXT: EventDecoder._written_text,
+    rows.EVENT_TECHNOLOGY: EventDecoder._technology,
+    rows.EVENT_MESSAGE: EventDecoder._message,
+    rows.EVENT_ERROR: EventDecoder._error,
+    rows.EVENT_PROGRAM_END: EventDecoder._program_end,
+    rows.EVENT_NOTICE: EventDecoder._notice,
+    rows.EVENT_FROZEN: EventDecoder._frozen,
+    rows.EVENT_SPINDLE: EventDecoder._spindle,
+    rows.EVENT_SPINDLE_REACHED: EventDecoder._spindle_reached,
+    rows.EVENT_SPINDLE_POSITION: EventDecoder._spindle_position,
+    rows.EVENT_USER_ERROR: EventDecoder._user_error,
+    rows.EVENT_USER_VALUE: EventDecoder._user_value,
+    rows.EVENT_USER_TEXT: EventDecoder._user_text,
+    rows.EVENT_AXIS_BEGUN: EventDecoder._axis_begun,
+    rows.EVENT_AXIS_ENDLESS: EventDecoder._axis_endless,
+    rows.EVENT_AXIS_ENDED: EventDecoder._axis_ended,
+    rows.EVENT_AXIS_CHANGED: EventDecoder._axis_changed,
+    rows.EVENT_RETRACED: EventDecoder._retraced,
+    rows.EVENT_PROBED: EventDecoder._probed,
+    rows.EVENT_TOUCHED: EventDecoder._touched,
+    rows.EVENT_FIXED_STOP: EventDecoder._fixed_stop,
+    rows.EVENT_LOOP: EventDecoder._loop,
+    rows.EVENT_BLOCK: EventDecoder._block,
+    rows.EVENT_WAIT: EventDecoder._wait,
+    rows.EVENT_STARVED: EventDecoder._starved,
+    rows.EVENT_FED: EventDecoder._fed,
+    rows.EVENT_OVERFLOW: EventDecoder._overflow,
+    rows.EVENT_TIMER: EventDecoder._timer,
+    rows.EVENT_ACKNOWLEDGED: _answered("acknowledged"),
+    rows.EVENT_DROPPED: _answered("dropped"),
+    rows.EVENT_SIGNAL_SENT: EventDecoder._signal_sent,
+    rows.EVENT_SIGNAL_AWAITED: EventDecoder._signal_awaited,
+    rows.EVENT_SIGNAL_TAKEN: EventDecoder._signal_taken,
+    rows.EVENT_AXIS_EXCHANGED: EventDecoder._axis_exchanged,
+    rows.EVENT_TOOL_LIFE: EventDecoder._tool_life,
+}
 
 #: Kinds whose subject is not the serial number of a cycle.
 _WITHOUT_CYCLE = (

@@ -542,14 +542,45 @@ def test_every_module_says_what_it_is_for() -> None:
     assert missing == []
 
 
-def test_files_stay_short() -> None:
-    """No file has 500 lines."""
-    long = {
-        path.relative_to(PACKAGE).as_posix(): count
+#: A function that is longer does not fit into a reader's head; a file may have any length.
+LONGEST_FUNCTION = 60
+#: Longer functions that are still to be divided; nothing is added here.
+STILL_LONG = (
+    "cli/live.py: _show",
+    "cli/running.py: run_options",
+    "cli/running.py: run_programs",
+    "cli/serve.py: _serve",
+    "decoder/blocks/block_decoder.py: _sort",
+    "decoder/blocks/spindles.py: functions",
+    "decoder/state/packing.py: pack",
+    "decoder/values/system_values.py: _of_axis",
+    "editor/presentation.py: register",
+    "editor/server.py: register",
+    "kernel/axes/axis_motions.py: __init__",
+    "kernel/kinematics/orientation.py: solve",
+    "kernel/plc/interface_image.py: attach",
+    "kernel/tick/command_execution.py: take",
+    "live/server.py: serve",
+    "nc/fast/shapes.py: line",
+    "run/controller.py: run",
+    "run/error_events.py: realtime_diagnostic",
+    "servers/opcua/components.py: channel_components",
+    "servers/opcua/components.py: spindle_components",
+    "servers/opcua/types.py: _add_position",
+)
+
+
+def test_functions_stay_short() -> None:
+    """No function has more than 60 lines, except those that are still to be divided."""
+    long = [
+        f"{path.relative_to(PACKAGE).as_posix()}: {node.name}"
         for path in SOURCES
-        if (count := len(path.read_text("utf-8").splitlines())) >= 500
-    }
-    assert long == {}
+        for node in ast.walk(tree_of(path))
+        if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef)
+        and node.end_lineno is not None
+        and node.end_lineno - node.lineno + 1 > LONGEST_FUNCTION
+    ]
+    assert sorted(long) == sorted(STILL_LONG)
 
 
 def test_lines_of_types_and_scripts_stay_short() -> None:

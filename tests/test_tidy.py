@@ -399,6 +399,34 @@ def test_nobody_walks_through_a_set(folder: str) -> None:
     assert found == []
 
 
+def names_of_ranges(tree: ast.Module) -> set[str]:
+    """The last parts of the names that a module gives to ranges."""
+    return {
+        ast.unparse(target).split(".")[-1]
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Assign) and ast.unparse(node.value).startswith("range(")
+        for target in node.targets
+    }
+
+
+#: Ranges that are asked for numbers that come from other ranges or from ``int``.
+ASKED_FOR_INTEGERS = ("_channels", "CYCLE_FUNCTIONS", "own")
+
+
+def test_no_value_is_looked_for_in_a_range() -> None:
+    """``0.5 in range(…)`` walks through all of it and holds Ctrl-C up: ``is_whole`` instead."""
+    found = []
+    for path in SOURCES:
+        tree = tree_of(path)
+        ranges = names_of_ranges(tree).difference(ASKED_FOR_INTEGERS)
+        for node in ast.walk(tree):
+            if isinstance(node, ast.Compare) and isinstance(node.ops[-1], ast.In | ast.NotIn):
+                asked = ast.unparse(node.comparators[-1])
+                if asked.startswith("range(") or asked.split(".")[-1] in ranges:
+                    found.append(f"{path.relative_to(PACKAGE)}: {ast.unparse(node)}")
+    assert found == []
+
+
 # --- packages and layers ------------------------------------------------------------------------
 
 

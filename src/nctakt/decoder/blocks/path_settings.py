@@ -10,6 +10,7 @@ import math
 from collections.abc import Generator, Iterator, Sequence
 
 from nctakt.base.diagnostics import Span
+from nctakt.base.whole_numbers import is_whole
 from nctakt.decoder.axis_limits import set_limits
 from nctakt.decoder.blocks.block_decoder import BlockDecoder
 from nctakt.decoder.blocks.frame_commands import FrameCommands
@@ -204,7 +205,7 @@ class PathSettings:
             first = argument.items[0]
             assert not isinstance(first, tree.Keyword)
             kind = yield from self._values.evaluate(first, number)
-            if kind not in range(len(SLOPES)):
+            if not is_whole(kind, 0, len(SLOPES) - 1):
                 self._values.fail(UNKNOWN_SLOPE, first.span, value=kind, highest=len(SLOPES) - 1)
         self._select_slope(int(kind))
 

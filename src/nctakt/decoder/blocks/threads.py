@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Generator, Mapping, Sequence
 
 from nctakt.base.diagnostics import Span
+from nctakt.base.whole_numbers import is_whole
 from nctakt.decoder.blocks.spindles import DEGREES_PER_S, SpindleWords, find, warn_of_speed
 from nctakt.decoder.state.commands import Answer, Command
 from nctakt.decoder.state.coordinate_systems import MAIN_AXES
@@ -97,7 +98,7 @@ class ThreadMotion:
             assert item.value is not None
             value = yield from self._values.evaluate(item.value, number)
             highest = MAX_FILTER_CYCLES if item.name.endswith("N_CYCLES") else 1
-            if not 0 <= value <= highest or value != int(value):
+            if not is_whole(value, 0, highest):
                 self._values.fail(
                     INVALID_TURN_VALUE,
                     item.value.span,

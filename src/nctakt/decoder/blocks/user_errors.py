@@ -11,6 +11,7 @@ from collections.abc import Generator
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Message
+from nctakt.base.whole_numbers import is_whole
 from nctakt.decoder.state.commands import (
     Answer,
     Command,
@@ -84,6 +85,6 @@ def _whole(
 ) -> Generator[Command, Answer, int]:
     """Return an integer from ``low`` to ``high``; raises ``DecodeError`` with the given message."""
     value = yield from values.evaluate(expression, number)
-    if not (low <= value <= high and value == int(value)):
+    if not is_whole(value, low, high):
         values.fail(message, expression.span, value=value)
     return int(value)

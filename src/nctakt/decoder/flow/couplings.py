@@ -11,6 +11,7 @@ import math
 from collections.abc import Generator, Iterator, Sequence
 
 from nctakt.base.diagnostics import NOTHING, Span, Text
+from nctakt.base.whole_numbers import is_whole
 from nctakt.decoder.axis_limits import set_limits
 from nctakt.decoder.blocks.cutting_speed import CuttingSpeeds
 from nctakt.decoder.blocks.spindles import index_of
@@ -100,7 +101,7 @@ class Couplings:
         if parsed.group is not None:
             value = yield from self._values.evaluate(parsed.group, number)
             lowest = int(is_definition)
-            if not lowest <= value <= MAX_GROUP or value != int(value):
+            if not is_whole(value, lowest, MAX_GROUP):
                 self._values.fail(
                     COUPLING_GROUP_OUT_OF_RANGE,
                     parsed.group.span,

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Generator, Sequence
 
 from nctakt.base.diagnostics import Span
+from nctakt.base.whole_numbers import is_whole
 from nctakt.decoder.state.commands import (
     Answer,
     AwaitSignal,
@@ -111,7 +112,7 @@ class Signals:
         mask = 0
         for expression in parsed.channels:
             value = yield from self._values.evaluate(expression, number)
-            if not 1 <= value <= MAX_CHANNEL or value != int(value):
+            if not is_whole(value, 1, MAX_CHANNEL):
                 self._values.fail(
                     INVALID_SIGNAL_CHANNEL, expression.span, value=value, highest=MAX_CHANNEL
                 )
@@ -129,7 +130,7 @@ class Signals:
         """Return the number of the signal."""
         expression = parsed.numbers[keyword]
         value = yield from self._values.evaluate(expression, number)
-        if not 1 <= value <= MAX_SIGNAL or value != int(value):
+        if not is_whole(value, 1, MAX_SIGNAL):
             self._values.fail(
                 INVALID_SIGNAL_NUMBER, expression.span, value=value, highest=MAX_SIGNAL
             )
@@ -139,7 +140,7 @@ class Signals:
         """Return the index of a value."""
         value = yield from self._values.evaluate(expression, number)
         highest = SIGNAL_VALUES - 1
-        if not 0 <= value <= highest or value != int(value):
+        if not is_whole(value, 0, highest):
             self._values.fail(INVALID_SIGNAL_VALUE, expression.span, value=value, highest=highest)
         return int(value)
 
@@ -149,7 +150,7 @@ class Signals:
         programmed = parsed.numbers.get("COUNT")
         if programmed is not None:
             value = yield from self._values.evaluate(programmed, number)
-            if not 1 <= value <= MAX_SIGNAL or value != int(value):
+            if not is_whole(value, 1, MAX_SIGNAL):
                 self._values.fail(
                     INVALID_SIGNAL_COUNT, programmed.span, value=value, highest=MAX_SIGNAL
                 )

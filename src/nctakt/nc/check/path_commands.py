@@ -12,6 +12,7 @@ from collections.abc import Sequence
 from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import NOTHING, Span
 from nctakt.base.text import nearest
+from nctakt.base.whole_numbers import is_whole
 from nctakt.messages.checked_blocks import (
     EXCLUSIVE_WORDS,
     INVALID_COMMAND_FORM,
@@ -298,7 +299,7 @@ def _check_number(command: str, item: Keyword, findings: Findings) -> None:
 def is_hsc_value(keyword: str, value: float) -> bool:
     """Return whether a keyword of ``#HSC`` may have this value."""
     if keyword == "OPMODE":
-        return value in range(1, HIGHEST_HSC_MODE + 1)
+        return is_whole(value, 1, HIGHEST_HSC_MODE)
     return value >= 0.0
 
 

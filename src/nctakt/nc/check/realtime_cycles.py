@@ -14,6 +14,7 @@ from dataclasses import replace
 
 from nctakt.base.diagnostics import Span
 from nctakt.base.text import close_names
+from nctakt.base.whole_numbers import is_whole
 from nctakt.lists.machine.channel_configuration import ChannelParameters
 from nctakt.messages.checked_blocks import (
     AXIS_FUNCTION_IN_CYCLE,
@@ -211,7 +212,7 @@ class CycleChecker:
             self._findings.report(
                 INVALID_GLOBAL_CYCLE_ID, value.span, id=self._findings.written(value.span)
             )
-        elif not 1 <= value.value <= HIGHEST_ID or not value.value.is_integer():
+        elif not is_whole(value.value, 1, HIGHEST_ID):
             self._findings.report(
                 INVALID_CYCLE_ID, value.span, id=self._findings.written(value.span)
             )

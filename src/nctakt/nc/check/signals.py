@@ -12,6 +12,7 @@ from collections.abc import Iterator, Sequence
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Span, Text
 from nctakt.base.text import close_names
+from nctakt.base.whole_numbers import is_whole
 from nctakt.messages.checked_blocks import (
     INVALID_COMMAND_FORM,
     UNKNOWN_COMMAND_OPTION,
@@ -267,13 +268,13 @@ class SignalChecker:
             self._findings.report(WAIT_SYN_WITH_VALUES, parsed.parameters[0][1].span, command=name)
             return False
         for value in (value for key, value in parsed.numbers.items() if key != "COUNT"):
-            if isinstance(value, Number) and constant(value) not in range(1, MAX_SIGNAL + 1):
+            if isinstance(value, Number) and not is_whole(value.value, 1, MAX_SIGNAL):
                 self._findings.report(
                     INVALID_SIGNAL_NUMBER, value.span, value=value.value, highest=MAX_SIGNAL
                 )
                 return False
         for channel in parsed.channels:
-            if isinstance(channel, Number) and constant(channel) not in range(1, MAX_CHANNEL + 1):
+            if isinstance(channel, Number) and not is_whole(channel.value, 1, MAX_CHANNEL):
                 self._findings.report(
                     INVALID_SIGNAL_CHANNEL, channel.span, value=channel.value, highest=MAX_CHANNEL
                 )

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from nctakt.base.whole_numbers import is_whole
 from nctakt.messages.checked_blocks import INVALID_COMMAND_FORM
 from nctakt.messages.splines import INVALID_SPLINE_VECTOR, INVALID_TRANSITION
 from nctakt.nc.check.expressions import ValueChecker
@@ -88,7 +89,7 @@ def transitions(command: HashCommand) -> tuple[str | Expression | None, str | Ex
 
 def is_transition(number: float) -> bool:
     """Return whether a number stands for one of ``TRANSITIONS``, counted from 1."""
-    return number - 1 in range(len(TRANSITIONS))
+    return is_whole(number, 1, len(TRANSITIONS))
 
 
 def check_spline_command(command: HashCommand, values: ValueChecker, findings: Findings) -> bool:

@@ -7,6 +7,7 @@ there is an ID, and constant values are within their bounds.
 
 from __future__ import annotations
 
+from nctakt.base.whole_numbers import is_whole
 from nctakt.messages.checked_blocks import UNKNOWN_COMMAND_OPTION, WORD_VALUE_MISSING
 from nctakt.messages.checked_cycles import DUPLICATE_KEYWORD, UNKNOWN_KEYWORD_IN_CYCLE
 from nctakt.messages.user_errors import (
@@ -95,7 +96,7 @@ class UserErrorChecker:
             self._values.value(value)
             if isinstance(value, Number) and keyword.name in _BOUNDS:
                 low, high, message = _BOUNDS[keyword.name]
-                if not (low <= value.value <= high and value.value.is_integer()):
+                if not is_whole(value.value, low, high):
                     self._findings.report(
                         message, value.span, value=self._findings.written(value.span)
                     )

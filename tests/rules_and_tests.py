@@ -67,7 +67,7 @@ def table() -> Iterator[str]:
     yield ""
     yield "Written by `scripts/docs` from `tests/rules_and_tests.py` and from what tests cite."
     yield f"Up to {MAX_NAMED} tests of each rule are named; `grep -r RC-203 tests` finds all."
-    yield "What a rule leaves open, and what was decided, says [conformance.md](conformance.md)."
+    yield "What a rule leaves open, and what was decided, says [conformance](conformance/index.md)."
     yield ""
     yield "| rule | says | tests |"
     yield "|---|---|---|"

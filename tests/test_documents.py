@@ -32,10 +32,12 @@ DOCUMENTS = [
     ROOT / "README.md",
     ROOT / "CHANGELOG.md",
     *sorted((ROOT / "docs").glob("*.md")),
+    *sorted((ROOT / "docs" / "conformance").glob("*.md")),
     ROOT / "examples" / "README.md",
 ]
 README = (ROOT / "README.md").read_text("utf-8")
 NAMES = [document.relative_to(ROOT).as_posix() for document in DOCUMENTS]
+CONFORMANCE = [name for name in NAMES if name.startswith("docs/conformance/")]
 
 _FENCE = re.compile(r"^```(\w*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 _LINK = re.compile(r"\[[^\]]*\]\(([^)]+)\)")
@@ -229,10 +231,13 @@ def test_the_python_names_of_the_readme_exist() -> None:
 
 
 def test_the_index_leads_to_each_document() -> None:
-    """No document stands where nobody finds it."""
-    index = text_of("docs/index.md")
-    names = [name.removeprefix("docs/") for name in NAMES if name.startswith("docs/")]
-    missing = [name for name in names if name != "index.md" and f"({name})" not in index]
+    """No document is where nobody finds it: a folder's pages are in the index of the folder."""
+    missing = []
+    for name in (Path(name) for name in NAMES if name.startswith("docs/")):
+        index = name.parent if name.stem != "index" else name.parent.parent
+        link = f"({name.relative_to(index).as_posix()})"
+        if index.name and link not in text_of(f"{index.as_posix()}/index.md"):
+            missing.append(name)
     assert missing == []
 
 
@@ -310,7 +315,7 @@ def test_the_list_of_packages_is_complete() -> None:
     assert sorted(needed - named) == []
 
 
-@pytest.mark.parametrize("name", ["docs/architecture.md", "docs/conformance.md", "README.md"])
+@pytest.mark.parametrize("name", ["docs/architecture.md", "README.md", *CONFORMANCE])
 def test_tests_and_files_that_a_document_names_exist(name: str) -> None:
     """``tests/…::name`` is a test, ``tests/…``, ``scripts/…``, ``src/…`` are files or folders."""
     missing = []
@@ -323,13 +328,17 @@ def test_tests_and_files_that_a_document_names_exist(name: str) -> None:
     assert missing == []
 
 
+def decisions() -> Iterator[list[str]]:
+    """The rows of ``docs/conformance``: question, decision, reason, test."""
+    for name in CONFORMANCE:
+        for line in text_of(name).splitlines() if not name.endswith("index.md") else ():
+            if line.startswith("| ") and not line.startswith("| question"):
+                yield re.split(r"(?<!\\) \| ", line.removeprefix("| ").removesuffix(" |"))
+
+
 def test_each_decision_has_its_reason_and_its_test() -> None:
-    """Every row of ``docs/conformance.md`` has four cells, the last one with a test or "none"."""
-    rows = [
-        re.split(r"(?<!\\) \| ", line.removeprefix("| ").removesuffix(" |"))
-        for line in text_of("docs/conformance.md").splitlines()
-        if line.startswith("| ") and not line.startswith("| question")
-    ]
+    """Every row of ``docs/conformance`` has four cells, the last one with a test or "none"."""
+    rows = list(decisions())
     assert rows
     assert [row for row in rows if len(row) != 4 or not all(map(str.strip, row))] == []
     assert [row for row in rows if "`tests/" not in row[3] and row[3] != "no test yet"] == []

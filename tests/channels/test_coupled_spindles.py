@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Spindles that follow others (``#AX LINK``); the machine is that of ``test_couplings.py``.
 
-``docs/conformance.md`` says what is decided.
+``docs/conformance/couplings.md`` says what is decided.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Gantries of the lists (P-AXIS-00070 … 73): what slaves take over, and that each is watched.
 
-``test_couplings.py`` has the rest; ``docs/conformance.md`` says what is decided.
+``test_couplings.py`` has the rest; ``docs/conformance/couplings.md`` says what is decided.
 """
 
 from __future__ import annotations

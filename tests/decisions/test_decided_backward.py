@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What is decided about backward motion on the path (MO-7): docs/conformance.md."""
+"""What is decided about backward motion on the path (MO-7): docs/conformance/backward.md."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Block search: --from-line, --from-block, #BLOCKSEARCH; docs/conformance.md."""
+"""Block search: --from-line, --from-block, #BLOCKSEARCH; docs/conformance/backward.md."""
 
 from __future__ import annotations
 

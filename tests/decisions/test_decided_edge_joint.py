@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What is decided about measuring the edge joint (G108, V.RTG.MEAS_DELTA): docs/conformance.md."""
+"""Measuring the edge joint (G108, V.RTG.MEAS_DELTA): docs/conformance/measuring.md."""
 
 from __future__ import annotations
 

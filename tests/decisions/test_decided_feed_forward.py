@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What is decided about feed-forward control (G135, G136, G137): docs/conformance.md."""
+"""What is decided about feed-forward control (G135, G136, G137): docs/conformance/lists.md."""
 
 from __future__ import annotations
 

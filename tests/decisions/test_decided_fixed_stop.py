@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What is decided about moving to a fixed stop (MO-12): docs/conformance.md."""
+"""What is decided about moving to a fixed stop (MO-12): docs/conformance/measuring.md."""
 
 from __future__ import annotations
 

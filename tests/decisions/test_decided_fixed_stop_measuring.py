@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Measuring type 7: G100 to a fixed stop; ``docs/conformance.md`` says what is decided.
+"""Measuring type 7: G100 to a fixed stop; ``docs/conformance/measuring.md`` says what is decided.
 
 Public manuals: page 206202891; P-AXIS-00330 … 332, 769, 770, 774, 775, P-CHAN-00266. In the machine
 X and Y meet an obstacle at 8 mm, and lag by speed over gain.

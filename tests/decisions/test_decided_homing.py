@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Homing (G74) and software limits of the program (G98, G99): docs/conformance.md."""
+"""Homing (G74) and software limits of the program (G98, G99): docs/conformance/measuring.md."""
 
 from __future__ import annotations
 

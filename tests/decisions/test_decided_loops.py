@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What is decided about realtime loops (``#RT WHILE``): docs/conformance.md."""
+"""What is decided about realtime loops (``#RT WHILE``): docs/conformance/cycles.md."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Measuring with a touch probe (G100, #MEAS, G101, V.A.MESS): docs/conformance.md."""
+"""Measuring with a touch probe (G100, #MEAS, G101, V.A.MESS): docs/conformance/measuring.md."""
 
 from __future__ import annotations
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Decisions on the operator's override of spindles, and G167.
 
-Public manuals: pages 287497867, 208171531, 208227851, 208269707. ``docs/conformance.md`` says what
-is decided. The spindle S of the demo machine gains 1000 1/min in 167 ms.
+Public manuals: pages 287497867, 208171531, 208227851, 208269707. ``docs/conformance/spindles.md``
+says what is decided. The spindle S of the demo machine gains 1000 1/min in 167 ms.
 """
 
 from __future__ import annotations

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""#SINGLE STEP: parts of a program that single block runs through; docs/conformance.md."""
+"""#SINGLE STEP: parts of a program that single block runs through; docs/conformance/backward.md."""
 
 from __future__ import annotations
 

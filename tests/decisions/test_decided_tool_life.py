@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Tool life: what counts, when it is sent, and ``#TOOL LIFE``; ``docs/conformance.md``.
+"""Tool life: what counts, when it is sent, and ``#TOOL LIFE``; ``docs/conformance/tools.md``.
 
 Public manuals: pages 208584843, 208592267, 1025583755, 318264331, 318286731; P-CHAN-00076, 00243,
 00255, 00482.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Tools with IDs (#TOOL), their data (V.TOOL, V.TLM, V.G.WZ): docs/conformance.md."""
+"""Tools with IDs (#TOOL), their data (V.TOOL, V.TLM, V.G.WZ): docs/conformance/tools.md."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Curves over corners under a transformation (MO-3): within the deviation, limits and time.
 
-``docs/conformance.md`` says where a corner gets a curve. ``NCTAKT_SEEDS=1000`` makes as many
+``docs/conformance/transformations.md`` says where a corner gets a curve. ``NCTAKT_SEEDS=1000`` makes as many
 programs.
 """
 

@@ -84,7 +84,7 @@ PLANE_BY_GEOMETRY = note(
     901816,
     en="{command}: the plane is that of plain geometry; of trafo[…].param only HD2 of 15 counts",
     de="{command}: Ebene nach einfacher Geometrie; von trafo[…].param zählt nur HD2 von 15",
-    remedy_en="Nothing to do; docs/conformance.md says how both planes are read.",
-    remedy_de="Nichts zu tun; docs/conformance.md sagt, wie beide Ebenen gelesen werden.",
+    remedy_en="Nothing to do; docs/conformance/turning.md says how both planes are read.",
+    remedy_de="Nichts zu tun; docs/conformance/turning.md sagt, wie beide Ebenen gelesen werden.",
     command=_COMMAND,
 )

@@ -263,9 +263,10 @@ FIXED_TYPE_SIGNS = note(
     901607,
     en="kinematic {id} has the type {type}: its signs are those of plain geometry",
     de="Kinematik {id} hat den Typ {type}: ihre Vorzeichen sind die der einfachen Geometrie",
-    remedy_en="No source prints its equations; docs/conformance.md says how they are read.",
-    remedy_de="Keine Quelle nennt ihre Gleichungen; docs/conformance.md sagt, wie sie gelesen "
-    "werden.",
+    remedy_en="No source prints its equations; docs/conformance/transformations.md says how they "
+    "are read.",
+    remedy_de="Keine Quelle nennt ihre Gleichungen; docs/conformance/transformations.md sagt, wie "
+    "sie gelesen werden.",
     id=("number of the kinematic", "Nummer der Kinematik"),
     type=("type of the kinematic", "Typ der Kinematik"),
 )

@@ -266,7 +266,7 @@ _NUMBER = re.compile(r"RC[- ]?([0-9]{1,3})", re.IGNORECASE)
 
 def _article(number: int) -> Article:
     proof = fact("Tests", "Tests", "docs/rules.md")
-    decisions = fact("Decisions", "Entscheidungen", "docs/conformance.md")
+    decisions = fact("Decisions", "Entscheidungen", "docs/conformance/index.md")
     return Article(f"RC-{number:03}", _KIND, RULES[number], (proof, decisions))
 
 

@@ -3,8 +3,9 @@
 
 Each type is walked from the workpiece to the tool: distances, rotary axes, the tool. HDi is
 ``param[i - 1]``. The channel's axes are X Y Z and the rotary axes of the type in its order. Signs
-that no source settles are those of plain geometry (docs/conformance.md): a distance from the tool
-towards the machine is positive along the axis, an angle is positive by the right hand.
+that no source settles are those of plain geometry (docs/conformance/transformations.md): a
+distance from the tool towards the machine is positive along the axis, an angle is positive by the
+right hand.
 """
 
 from __future__ import annotations

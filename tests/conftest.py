@@ -1,11 +1,14 @@
 # SPDX-License-Identifier: MIT
-"""What holds for all tests: property tests draw the same examples in every run."""
+"""What holds for all tests: the same examples in every run, and no test left out in silence."""
 
 from __future__ import annotations
 
+from collections.abc import Generator
 from pathlib import Path
+from typing import Any
 
 import pytest
+import skips
 from hypothesis import settings
 
 settings.register_profile("repeatable", derandomize=True, deadline=None, database=None)
@@ -20,3 +23,27 @@ def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool 
     if config.option.markexpr != "not slow" or collection_path.suffix != ".py":
         return None
     return True if _SLOW in collection_path.read_text("utf-8") else None
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_makereport() -> Generator[None, pytest.TestReport, pytest.TestReport]:
+    """Fail tests that CI leaves out because something is missing."""
+    report = yield
+    skips.refuse(report)
+    return report
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_make_collect_report() -> Generator[None, pytest.CollectReport, pytest.CollectReport]:
+    """Fail files of tests that CI leaves out because something is missing."""
+    report = yield
+    skips.refuse(report)
+    return report
+
+
+def pytest_terminal_summary(terminalreporter: Any) -> None:
+    """Say what could not be tried here, and how to get it."""
+    if lines := skips.summary(terminalreporter.stats.get("skipped", ())):
+        terminalreporter.section("not tried here")
+        for line in lines:
+            terminalreporter.write_line(line)

@@ -22,10 +22,10 @@ from nctakt.schedule.model import Call, Execution, Model, Rules, Task, TaskClass
 from nctakt.schedule.results import EventKind
 from nctakt.schedule.simulate import simulate
 
-pytestmark = pytest.mark.skipif(
-    importlib.util.find_spec("simso") is None or sys.version_info >= (3, 12),
-    reason="SimSo is not installed, or does not run with this Python",
-)
+pytestmark = [
+    pytest.mark.skipif(sys.version_info >= (3, 12), reason="SimSo does not run with this Python"),
+    pytest.mark.skipif(importlib.util.find_spec("simso") is None, reason="SimSo is not installed"),
+]
 
 US = 1000
 CYCLE, SLICE, WINDOWS = 2000 * US, 500 * US, 500 * US

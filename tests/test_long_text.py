@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import os
 import random
 import tracemalloc
 from pathlib import Path
@@ -10,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from nctakt.base import long_text
-from nctakt.base.long_text import LongText
+from nctakt.base.long_text import LongText, TextChanged
 from nctakt.base.text import decode_text, split_lines
 from nctakt.files.access import FileAccess
 from nctakt.nc import outline
@@ -85,3 +86,49 @@ def test_a_longer_program_needs_no_more_memory(
         tracemalloc.stop()
         assert run.errors == ()
     assert peaks[1] < 1.2 * peaks[0]
+
+
+def text_of(path: Path, lines: int) -> LongText:
+    path.write_text("".join(f"G01 X{number}\n" for number in range(lines)), "utf-8")
+    return LongText(path)
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="this system does not copy processes")
+def test_copies_of_a_process_read_apart(tmp_path: Path) -> None:
+    """A copy that reads on does not move the place where the first one reads."""
+    text = text_of(tmp_path / "p.nc", 10_000)
+    groups = text.groups(0)
+    read = next(groups)
+    copy = os.fork()
+    if copy == 0:
+        for _ in groups:
+            pass
+        os._exit(0)
+    os.waitpid(copy, 0)
+    for group in groups:
+        read = [*read, *group]
+    assert read == [f"G01 X{number}" for number in range(10_000)]
+
+
+@pytest.mark.parametrize("is_replaced", [False, True])
+def test_a_text_that_has_changed_is_not_read_on(tmp_path: Path, is_replaced: bool) -> None:
+    path = tmp_path / "p.nc"
+    text = text_of(path, 1000)
+    if is_replaced:
+        path.unlink()
+    path.write_text("G01 X1\n" * 10, "utf-8")
+    with pytest.raises(TextChanged):
+        list(text)
+    assert text[500] == ""
+
+
+def test_a_program_that_changes_while_it_runs_ends_with_an_error(tmp_path: Path) -> None:
+    path = tmp_path / "p.nc"
+    path.write_text("G01 X0 F6000\n" + "X1\nX2\n" * 1000 + "M30\n", "utf-8")
+    controller = Controller()
+    controller.start(path)
+    controller.step(10)
+    path.write_text("G01 X0 F6000\n" + "Y1\nY2\n" * 1000 + "M30\n", "utf-8")
+    found = controller.step(100_000).diagnostics
+    assert controller.state == "error"
+    assert [one.id for one in found] == [901900]

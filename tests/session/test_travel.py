@@ -17,6 +17,7 @@ from nctakt.run.tape import Tape
 from nctakt.session.setup import Setup
 from nctakt.session.stops import read_stop
 from nctakt.session.story import Story
+from nctakt.session.worker import can_fork
 
 PROGRAM = """\
 #RT CYCLE [ID=1 SCOPE=PROG]
@@ -116,5 +117,40 @@ def test_a_session_is_a_straight_run_of_its_tape(seed: int, has_plc: bool, tmp_p
         assert result.cycles == run.cycles
         assert result.outputs == run.outputs
         assert result.messages == run.messages
+    finally:
+        story.close()
+
+
+def long_program(path: Path, size: int, chance: random.Random) -> None:
+    """Write a program of about so many bytes."""
+    lines = ["G01 X0 Y0 F60000"]
+    lines += (
+        f"N{number} G01 X{chance.uniform(0, 0.6):.3f} Y{chance.uniform(0, 0.6):.3f}"
+        for number in range(size // 27)
+    )
+    path.write_text("\n".join([*lines, "M30", ""]), "utf-8")
+
+
+@pytest.mark.skipif(not can_fork(), reason="elsewhere the past is run again from the start")
+@each_seed(1, 1)
+@pytest.mark.parametrize("size", [500_000, 1_500_000])
+def test_each_jump_leads_to_where_the_run_was(seed: int, size: int, tmp_path: Path) -> None:
+    """Programs that are kept in memory, and such that are read when their lines are due."""
+    chance = random.Random(seed)
+    path = tmp_path / "p.nc"
+    long_program(path, size, chance)
+    ticks = 12_000
+    run = Controller().run(path, ticks=ticks, signals=["X.ACS.ACT_POS", "Y.ACS.ACT_POS"])
+    names = ["V.RTA.ACS.ACT_POS.X", "V.RTA.ACS.ACT_POS.Y"]
+    story = Story(Setup({1: [path]}))
+    try:
+        while story.tick < ticks:
+            story.step(2000)
+        for _ in range(12):
+            tick = chance.randint(1, ticks)
+            story.go_to(tick)
+            expected = [run.trace[name][tick - 1] for name in run.trace.keys()]
+            assert story.read(names) == expected
+            assert not story.latest.diagnostics
     finally:
         story.close()

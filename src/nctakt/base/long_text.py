@@ -39,6 +39,14 @@ class LinesTooLong(Exception):
     """A group of lines has more than ``MAX_GROUP_BYTES``."""
 
 
+class TextChanged(Exception):
+    """A file is not there any more as it was when its lines were found; ``path`` is its name."""
+
+    def __init__(self, path: Path) -> None:
+        super().__init__(str(path))
+        self.path = path
+
+
 def is_long(file: BinaryIO) -> bool:
     """Return whether a file is read as ``LongText``: a plain one, long, and not UTF-16."""
     state = os.fstat(file.fileno())
@@ -52,13 +60,13 @@ def is_long(file: BinaryIO) -> bool:
 class LongText(Sequence[str]):
     """The lines of one file; equal to another if path, size and time of change are.
 
-    Raises ``OSError``, and ``LinesTooLong`` for a file that is not a text of lines.
+    Raises ``OSError``, and ``LinesTooLong`` for a file that is not a text of lines. Once the file
+    has changed, reading on raises ``TextChanged``, and a line by its number is empty.
     """
 
     def __init__(self, path: Path) -> None:
         self._path = path
-        state = path.stat()
-        self._identity = (str(path), state.st_size, state.st_mtime_ns)
+        self._identity = (str(path), *_state_of(path.stat()))
         self._offsets = array("Q")
         self._count = 0
         self._is_utf8 = True
@@ -124,13 +132,23 @@ class LongText(Sequence[str]):
             self._is_utf8 = False
 
     def _read(self, file: BinaryIO, group: int) -> list[str]:
-        """Return the lines of a group."""
+        """Return the lines of a group.
+
+        Copies of a process share the place in an open file, so it is neither used nor moved.
+        """
         begin, end = self._offsets[group], self._offsets[group + 1]
-        file.seek(begin)
-        data = file.read(end - begin)
+        data = _bytes_at(file.fileno(), begin, end - begin)
+        if _state_of(os.fstat(file.fileno())) != self._identity[1:]:
+            raise TextChanged(self._path)
         if self._is_utf8:
             return split_lines(data.decode("utf-8", errors="replace"))
         return split_lines(data.decode("latin-1").translate(WINDOWS_1252))
+
+    def _opened(self) -> BinaryIO:
+        try:
+            return self._path.open("rb", buffering=0)
+        except OSError as error:
+            raise TextChanged(self._path) from error
 
     def __len__(self) -> int:
         return self._count
@@ -145,7 +163,7 @@ class LongText(Sequence[str]):
 
     def groups(self, first: int) -> Iterator[list[str]]:
         """Yield the lines from index ``first`` on, some at a time."""
-        with self._path.open("rb") as file:
+        with self._opened() as file:
             for group in range(first // LINES_PER_GROUP, len(self._offsets) - 1):
                 lines = self._read(file, group)
                 yield lines[max(0, first - group * LINES_PER_GROUP) :]
@@ -165,8 +183,11 @@ class LongText(Sequence[str]):
             raise IndexError(index)
         group = index // LINES_PER_GROUP
         if group != self._group:
-            with self._path.open("rb") as file:
-                self._lines = self._read(file, group)
+            try:
+                with self._opened() as file:
+                    self._lines = self._read(file, group)
+            except TextChanged:
+                return ""  # it is shown beside a message, and nobody knows it any more
             self._group = group
         return self._lines[index % LINES_PER_GROUP]
 
@@ -175,3 +196,23 @@ class LongText(Sequence[str]):
 
     def __hash__(self) -> int:
         return hash(self._identity)
+
+
+def _state_of(state: os.stat_result) -> tuple[int, int]:
+    """Return what changes with the content of a file: its size and the time of its change."""
+    return state.st_size, state.st_mtime_ns
+
+
+def _bytes_at(descriptor: int, offset: int, count: int) -> bytes:
+    """Return up to ``count`` bytes of a file from an offset on; where it can, without its place."""
+    data = b""
+    while len(data) < count:
+        if hasattr(os, "pread"):
+            more = os.pread(descriptor, count - len(data), offset + len(data))
+        else:
+            os.lseek(descriptor, offset + len(data), os.SEEK_SET)
+            more = os.read(descriptor, count - len(data))
+        if not more:
+            break
+        data += more
+    return data

@@ -53,6 +53,19 @@ STDIN_NAMED_TWICE = error(
     remedy_en="Name '-' once; further programs need files.",
     remedy_de="'-' einmal nennen; weitere Programme brauchen Dateien.",
 )
+TEXT_CHANGED = error(
+    901900,
+    en="{file} has been changed while it was in use",
+    de="{file} wurde geändert, während es in Gebrauch war",
+    remedy_en="Start again; let a program in use be as it is, or write it under another name.",
+    remedy_de="Neu beginnen; ein Programm in Gebrauch nicht ändern oder unter anderem Namen "
+    "speichern.",
+    cause_en="A program of more than 1 MB is not kept in memory: its lines are read when they are "
+    "due.",
+    cause_de="Ein Programm von mehr als 1 MB steht nicht im Speicher: seine Zeilen werden gelesen, "
+    "wenn sie an der Reihe sind.",
+    file=("the path as it was given", "der Pfad, wie angegeben"),
+)
 UNKNOWN_TRACE_FORMAT = error(
     900506,
     en="{file}: the suffix is not a known trace format",

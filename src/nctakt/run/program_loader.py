@@ -14,6 +14,7 @@ from pathlib import Path, PureWindowsPath
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Span
 from nctakt.base.failure import Failure
+from nctakt.base.long_text import TextChanged
 from nctakt.base.text import split_lines
 from nctakt.decoder.state.environment import DecodeError
 from nctakt.files.access import FileAccess
@@ -23,7 +24,7 @@ from nctakt.lists.machine.files import find_below
 from nctakt.messages import Collector, diagnostic
 from nctakt.messages.checked_blocks import FUNCTION_NOT_DEFINED, UNKNOWN_WORD
 from nctakt.messages.checked_values import UNKNOWN_AXIS_OF_VARIABLE, UNKNOWN_VARIABLE
-from nctakt.messages.files import FILE_OUTSIDE
+from nctakt.messages.files import FILE_OUTSIDE, TEXT_CHANGED
 from nctakt.messages.inputs import NAMES_OF_DEMO_MACHINE, TEXT_INSTEAD_OF_FILE
 from nctakt.messages.program_structure import PROGRAM_NOT_FOUND
 from nctakt.nc.check.blocks import Role
@@ -177,15 +178,18 @@ class LoadedProgram:
         """Check a text, register it and return it."""
         self._machine.files.add(source.file, source.lines)
         named = [word for other in self.texts for word in other.named_programs]
-        text = inspect(
-            source,
-            self._names,
-            self.parameters,
-            collector,
-            role=role,
-            poll=self._machine.poll,
-            named_programs=named,
-        )
+        try:
+            text = inspect(
+                source,
+                self._names,
+                self.parameters,
+                collector,
+                role=role,
+                poll=self._machine.poll,
+                named_programs=named,
+            )
+        except TextChanged as error:
+            raise Failure(diagnostic(TEXT_CHANGED, file=str(error.path))) from error
         self.texts.append(text)
         return text
 

@@ -11,6 +11,7 @@ from collections.abc import Callable, Generator
 from functools import partial
 
 from nctakt.base.diagnostics import Diagnostic
+from nctakt.base.long_text import TextChanged
 from nctakt.decoder.axis_limits import apply_limits
 from nctakt.decoder.fast.handover import PlainRun
 from nctakt.decoder.program import ProgramDecoder
@@ -25,6 +26,8 @@ from nctakt.decoder.state.probe_commands import MeasurementRequest
 from nctakt.decoder.state.program_variables import Scopes
 from nctakt.decoder.state.start_block import StartBlock
 from nctakt.kernel import rows
+from nctakt.messages import diagnostic
+from nctakt.messages.files import TEXT_CHANGED
 from nctakt.messages.realtime import TOO_MANY_CYCLES
 from nctakt.run.assembly import AssembledMachine
 from nctakt.run.decode_budget import DecodeBudget
@@ -107,7 +110,10 @@ class QueueFeeder:
         if self._unpaid is not None and not self._queue_paid_command():
             return
         while self.can_decode and (self._budget is None or self._budget.can_begin):
-            self._next()
+            try:
+                self._next()
+            except TextChanged as error:
+                self._give_up(diagnostic(TEXT_CHANGED, file=str(error.path)))
             if self._unloaded is not None or self._unpaid is not None:
                 return
 

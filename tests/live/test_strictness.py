@@ -17,7 +17,8 @@ import pytest
 
 from nctakt import NcText, Session
 from nctakt.live import track
-from nctakt.live.shared import MAX_LOG, SharedSession
+from nctakt.live.run_log import MAX_LOG
+from nctakt.live.shared import SharedSession
 from tests.live.driving import BROWSER, chromium, opened, served
 
 if find_spec("nicegui") is None:  # its import takes long, and only the page's process needs it
@@ -143,8 +144,8 @@ def test_a_flood_of_events_is_bounded() -> None:
             time.sleep(0.05)
         shared.do(lambda session: session.pause())
         assert shared.session.tick >= 200_000
-        assert shared.left_out > 0
-        assert len(shared.events) == MAX_LOG
+        assert shared.log.left_out > 0
+        assert len(shared.log.events) == MAX_LOG
         assert 0 < len(shared.track.marks) <= track.MAX_MARKS
         assert shared.session.step(1).tick == shared.session.tick
     finally:

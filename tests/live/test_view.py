@@ -285,9 +285,9 @@ def test_a_controller_that_is_lost_is_told_once() -> None:
             with pytest.raises(Failure, match="901153"):
                 shared.do(lambda session: session.step(1))
             time.sleep(0.02)
-        while not shared.messages and time.monotonic() < end_s:
+        while not shared.log.messages and time.monotonic() < end_s:
             time.sleep(0.02)
-        texts = [row.text for row in shared.messages if isinstance(row, LogRow)]
+        texts = [row.text for row in shared.log.messages if isinstance(row, LogRow)]
         assert texts
         assert len(texts) == len(set(texts))  # each reason of the system once
     finally:

@@ -93,21 +93,20 @@ class Lists:
     def show(self, program: ProgramCard) -> None:
         """Show what is new in the list that is open."""
         self._program = program
-        shared, language = self._shared, self._texts.language
+        shared, log, language = self._shared, self._shared.log, self._texts.language
         if shared.snapshot.is_playing and time.monotonic() < self._due_s:
             return
         self._due_s = time.monotonic() + _DISTANCE_S
-        messages = [view.message_row(one) for one in list(shared.messages)[-_MAX_SHOWN:]]
+        messages = [view.message_row(one) for one in log.messages[-_MAX_SHOWN:]]
         self._show_rows("messages", messages[::-1])
-        events = [view.event_row(one, language) for one in list(shared.events)[-_MAX_SHOWN:]]
-        if shared.left_out:
-            events.insert(0, LogRow("note", 0, self._left_out(shared.left_out)))
+        events = [view.event_row(one, language) for one in log.events[-_MAX_SHOWN:]]
+        if log.begin:
+            events.insert(0, LogRow("note", 0, self._texts["begins"].format(tick=log.begin)))
+        elif log.left_out:
+            events.insert(0, LogRow("note", 0, self._texts["left_out"].format(count=log.left_out)))
         self._show_rows("events", events[::-1])
         self.show_findings(program)
         self._show_stops()
-
-    def _left_out(self, count: int) -> str:
-        return self._texts["left_out"].format(count=count)
 
     def show_findings(self, program: ProgramCard) -> None:
         """Show findings of the text, and while it is the one that runs, those of the run."""

@@ -11,7 +11,6 @@ from __future__ import annotations
 import contextlib
 import threading
 import time
-from collections import deque
 from collections.abc import Callable, Sequence
 from typing import Any
 
@@ -19,14 +18,13 @@ from nctakt.base.diagnostics import Diagnostic, Language
 from nctakt.base.failure import Failure, error_text
 from nctakt.live import view
 from nctakt.live.explaining import Explainer, Moment, why_text
+from nctakt.live.run_log import RunLog
 from nctakt.live.track import Shown, Track, blocks_of, marks_of
 from nctakt.live.view import LogRow, Snapshot
-from nctakt.results.run import ProgramMessage
 from nctakt.session.engine import Slice
 from nctakt.session.listening import Frame, Listener
 from nctakt.session.session import Session
 from nctakt.session.stops import StopAt
-from nctakt.trace.events import Event
 
 #: Where the page's inputs come from, on the tape.
 PAGE = "page"
@@ -37,12 +35,6 @@ _WAIT_S = 0.2
 
 #: Rows of the curves that are taken from the past, and how many of its ticks are shown.
 SCOPE_ROWS, SCOPE_TICKS = 1000, 200_000
-
-#: Rows of the lists of messages and events.
-MAX_LOG = 200
-
-#: Diagnostics of a run that are kept.
-MAX_DIAGNOSTICS = 500
 
 #: Opens the session of all programs, or of one; whether functions acknowledge themselves.
 Opener = Callable[[str | None, bool], Session]
@@ -70,10 +62,6 @@ class SharedSession:
         self._wake = threading.Event()
         self._is_closed = False
         self._serial = self._number = 0
-        self.messages: deque[ProgramMessage | LogRow] = deque(maxlen=MAX_LOG)
-        self.events: deque[Event] = deque(maxlen=MAX_LOG)
-        self.left_out = 0
-        self.diagnostics: list[Diagnostic] = []
         self.track = Track()
         self.explainer = Explainer(self._wake.set)
         self._start(self._opened())
@@ -98,13 +86,10 @@ class SharedSession:
         self.lines: Sequence[str] = list(self.texts.get(self.file, ()))
         self._set_axes()
         self.track.clear()
-        self.messages.clear()
-        self.events.clear()
-        self.left_out = 0
-        self.diagnostics = list(description.diagnostics)
+        self.log = RunLog(self.cycle_time_us)
+        self._refused = description.diagnostics
         self.stopped_at: tuple[int, str] = (0, "")
         self._looked_at: tuple[object, ...] = ()
-        self._branch = 1
         self._passing = None
         self.snapshot = self._look(None)
 
@@ -112,6 +97,11 @@ class SharedSession:
         self.axes = view.axes_of(self.units, self.prefix)
         self.scope = view.first_signals(self.units, self.lines, self.prefix)
         self._show()
+
+    @property
+    def diagnostics(self) -> list[Diagnostic]:
+        """What was found in the programs, and in the run up to here."""
+        return [*self._refused, *self.log.diagnostics]
 
     @property
     def prefix(self) -> str:
@@ -236,8 +226,8 @@ class SharedSession:
             except (Failure, RuntimeError) as error:
                 if session is self.session and not self._is_closed:
                     row = LogRow("error", 0, error_text(error))
-                    if row not in list(self.messages)[-1:]:
-                        self.messages.append(row)
+                    if row not in self.log.messages[-1:]:
+                        self.log.say(row)
                     self._wake.clear()
                     self._wake.wait(2.0)
 
@@ -253,7 +243,7 @@ class SharedSession:
                 return
             for notice in notices:
                 if notice.kind == "refused":
-                    self.messages.append(LogRow("warning", 0, notice.text))
+                    self.log.say(LogRow("warning", 0, notice.text))
                 elif notice.kind == "stopped":
                     self.stopped_at = (notice.tick, self._names_of_stops(session))
             if frame is not None:
@@ -273,17 +263,10 @@ class SharedSession:
 
     def _note(self, frame: Frame) -> None:
         """Note the events and messages of a frame."""
-        if frame.branch != self._branch:
-            self._branch = frame.branch
-            for part in (self.track.rows, self.track.marks, self.track.blocks):
-                part.cut(frame.tick)
+        tick = self.log.note(frame)
+        if tick is not None:
+            self.track.cut(tick)
         self.track.note(frame.events, self.channel, self.file)
-        self.messages += frame.messages
-        self.events += frame.events
-        self.left_out += frame.left_out
-        known = set(map(str, self.diagnostics))
-        new = [one for one in frame.diagnostics if str(one) not in known]
-        self.diagnostics = [*self.diagnostics, *new][-MAX_DIAGNOSTICS:]
 
     def _look(self, frame: Frame | None) -> Snapshot:
         """Return what there is to see of the session now."""
@@ -298,6 +281,9 @@ class SharedSession:
             self._append(glance.tick - 1, values, view.truths(glance.cycles, self.file))
         else:
             operands = self._operands(session, view.operands_of(self.lines, glance.cycles))
+            if self.log.lacks_some:
+                with contextlib.suppress(Failure):  # the next look tries it again
+                    self.log.complete(session.happened)
             self._look_back(session, latest)
         self._number += 1
         snapshot = Snapshot(

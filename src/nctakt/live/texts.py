@@ -52,6 +52,7 @@ _WORDS: dict[str, tuple[str, str]] = {
     "no_findings": ("The check finds nothing.", "Die Prüfung findet nichts."),
     "no_messages": ("No messages.", "Keine Meldungen."),
     "no_events": ("No events.", "Keine Ereignisse."),
+    "begins": ("events before tick {tick} left out", "Ereignisse vor Takt {tick} ausgelassen"),
     "left_out": ("{count} older events left out", "{count} ältere Ereignisse ausgelassen"),
     "ask_why": (
         "Click what stands beside a condition (or F8 in its line): here is why it is so.",

@@ -110,6 +110,7 @@ class Track:
         self.rows = Growing(MAX_ROWS)
         self.marks = Growing(MAX_MARKS)
         self.blocks = Growing(MAX_BLOCKS)
+        self._parts = (self.rows, self.marks, self.blocks)
 
     def show(self, shown: Shown) -> None:
         """Show these columns from now on; the rows of others are forgotten."""
@@ -119,8 +120,13 @@ class Track:
 
     def clear(self) -> None:
         """Forget all."""
-        for part in (self.rows, self.marks, self.blocks):
+        for part in self._parts:
             part.replace(())
+
+    def cut(self, tick: int) -> None:
+        """Forget what belongs to a tick and to later ones."""
+        for part in self._parts:
+            part.cut(tick)
 
     def note(self, events: Sequence[Event], channel: int, file: str) -> None:
         """Add the marks and blocks of events that are newer than those there."""

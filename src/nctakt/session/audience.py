@@ -7,6 +7,7 @@ In: what the slices of a story have done. Out: frames and notices to the listene
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from nctakt.messages import diagnostic
 from nctakt.messages.session import PLC_DIFFERS
@@ -26,6 +27,7 @@ class Audience:
         self._listeners: list[Listener] = []
         self._pending: dict[int, list[Slice]] = {}
         self._has_differed = False
+        self._travels = 0
 
     def add(self, listener: Listener, speed: float | None, signals: Sequence[str]) -> None:
         """Let somebody listen to these signals; raises ``Failure`` for an unknown one."""
@@ -46,6 +48,20 @@ class Audience:
         if listener in self._listeners:
             self._listeners.remove(listener)
             del self._pending[id(listener)]
+
+    def travel(self, done: Slice) -> None:
+        """Tell that the session has gone elsewhere; ``done``: what the ticks before have done.
+
+        They were told when they were run first, and what waits to be told may not be of this past.
+        """
+        self._travels += 1
+        for pending in self._pending.values():
+            pending.clear()
+        self.tell("travelled", str(self._story.branch.number))
+        arrived = replace(
+            done, first_tick=done.tick, events=(), left_out=0, messages=(), diagnostics=()
+        )
+        self.publish(arrived, None, at_once=True)
 
     def publish(self, done: Slice, speed: float | None, *, at_once: bool) -> None:
         """Hand out what a slice has done: to all at once, or to those whose time has come."""
@@ -79,8 +95,10 @@ class Audience:
             surplus = max(0, len(events) - MAX_FRAME_EVENTS)
             listener.give(
                 Frame(
+                    parts[0].first_tick if parts else latest.tick,
                     latest.tick,
                     self._story.branch.number,
+                    self._travels,
                     latest.state,
                     latest.run_state,
                     speed,

@@ -398,10 +398,6 @@ class Engine:
         channels = channel_states(self._machine)
         return Glance(self.tick, values, tuple(self.cycles()), tuple(self.waiting()), channels)
 
-    def happened(self) -> tuple[list[Event], int]:
-        """Return the latest events that no slice has, and how many there were before them."""
-        return self._happened.take()
-
     def inventory(self) -> Inventory:
         """Return the variables of the machine, and the realtime cycles of its programs."""
         return Inventory(

@@ -33,12 +33,16 @@ class Frame:
     """A session at a tick; all of it belongs together.
 
     ``values``: those of the listener's signals. ``blocks``: number of the channel -> place of its
-    current block. ``events``, ``messages`` and ``diagnostics`` are those since the listener's frame
-    before, of which ``left_out`` events are missing. ``missed``: how many frames it has not taken.
+    current block. ``events``, ``messages`` and ``diagnostics`` are those of the ticks from
+    ``first_tick`` on, which follow the listener's frame before, or the place to which the session
+    has travelled since; ``left_out`` events are missing. ``travels``: how often it has travelled.
+    ``missed``: how many frames the listener has not taken.
     """
 
+    first_tick: int
     tick: int
     branch: int
+    travels: int
     state: str
     run_state: RunState | None
     speed: float | None
@@ -130,11 +134,17 @@ class Listener:
 
 
 def _folded(older: Frame, newer: Frame) -> Frame:
-    """Return the newer frame with the events of both, as far as there is room for them."""
+    """Return the newer frame with the events of both, as far as there is room for them.
+
+    What came before a travel is not the past of where the session has gone.
+    """
+    if newer.travels != older.travels:
+        return newer
     events = [*older.events, *newer.events]
     surplus = max(0, len(events) - MAX_FRAME_EVENTS)
     return replace(
         newer,
+        first_tick=older.first_tick,
         events=tuple(events[surplus:]),
         left_out=older.left_out + newer.left_out + surplus,
         messages=(*older.messages, *newer.messages)[-MAX_FRAME_EVENTS:],

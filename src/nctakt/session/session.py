@@ -387,7 +387,15 @@ class Session:
         At most the latest 1,000; how many there were before them comes with them. The session stays
         where it is.
         """
-        return self._ask(self._story.events, first, end)
+        done = self.happened(first, end)
+        return list(done.events), done.left_out
+
+    def happened(self, first: int, end: int) -> Slice:
+        """Return what the ticks from ``first`` up to, but without, ``end`` have done.
+
+        Of the events there are at most the latest 1,000. The session stays where it is.
+        """
+        return self._ask(self._story.happened, first, end)
 
     def why(self) -> WhyReport:
         """Return why reactions have fired up to here, or have not; the session goes on meanwhile.
@@ -469,8 +477,7 @@ class Session:
             self._ask(self._audience.remove, listener)
 
     def _travelled(self, done: Slice) -> Slice:
-        self._audience.tell("travelled", str(self._story.branch.number))
-        self._publish(done, at_once=True)
+        self._audience.travel(done)
         return done
 
     def _publish(self, done: Slice, *, at_once: bool) -> None:

@@ -23,7 +23,6 @@ from nctakt.session.past import Past
 from nctakt.session.setup import Description, Inventory, Setup
 from nctakt.session.stops import StopAt, read_stop
 from nctakt.session.timeline import Branch, Poll, Timeline
-from nctakt.trace.events import Event
 
 #: Rows that a look at a stretch of the session returns at most.
 MAX_ROWS = 20_000
@@ -264,19 +263,13 @@ class Story:
             engine.close()
         return every, memoryview(data).cast("d")
 
-    def events(self, first: int, end: int) -> tuple[list[Event], int]:
-        """Return the events of ticks from ``first`` up to ``end``: the latest, and how many before.
+    def happened(self, first: int, end: int) -> Slice:
+        """Return what the ticks from ``first`` up to ``end`` have done.
 
         The session stays where it is.
         """
         end = min(end, self.branch.latest)
-        engine = self._timeline.trial(min(max(0, first), end))
-        try:
-            engine.ask("happened")  # those of the way to the first tick
-            engine.search(end, ())
-            return cast("tuple[list[Event], int]", engine.ask("happened"))
-        finally:
-            engine.close()
+        return self._timeline.happened(min(max(0, first), end), end)
 
     def glance(self, names: Sequence[str]) -> Glance:
         """Return values, cycles and what waits, all of this tick."""

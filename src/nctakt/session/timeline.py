@@ -307,6 +307,15 @@ class Timeline:
             raise
         return engine
 
+    def happened(self, first: int, end: int) -> Slice:
+        """Return what the ticks of this branch from ``first`` up to ``end`` have done."""
+        engine = self.trial(first)
+        try:
+            engine.run(first)  # what is left of the ticks before
+            return run_in_parts(engine, end, self._poll)
+        finally:
+            engine.close()
+
     def previous(self, stops: Sequence[StopAt]) -> int | None:
         """Return the last tick before the present at which one of the stops held, or ``None``.
 

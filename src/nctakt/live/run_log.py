@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: MIT
+"""What the page lists of the past: events, messages and findings of the branch that is shown.
+
+In: frames of a session, which may travel and begin branches. Out: what the ticks before the one
+that is shown have done, each once. What is not known is not guessed: the session runs it again.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from nctakt.base.diagnostics import Diagnostic
+from nctakt.live.view import LogRow
+from nctakt.results.run import ProgramMessage
+from nctakt.session.engine import Slice
+from nctakt.session.listening import Frame
+from nctakt.trace.events import Event
+
+#: Rows of the lists of messages and events, and as many as are wanted after a travel.
+MAX_LOG, _ENOUGH = 200, 80
+
+#: Findings of a run that are kept.
+MAX_DIAGNOSTICS = 500
+
+#: Ticks of the past that are run again for the lists.
+_AGAIN_TICKS = 200_000
+
+
+class RunLog:
+    """The events, messages and findings of the ticks from ``begin`` up to ``end``.
+
+    ``left_out``: events of these ticks that are not listed, the oldest. ``lacks_some``: something
+    that belongs there may be missing until ``complete`` has been called.
+    """
+
+    def __init__(self, cycle_time_us: int) -> None:
+        self._cycle_time_us = cycle_time_us
+        self._known = (1, 0)
+        self._found: tuple[tuple[int, int, Diagnostic], ...] = ()
+        self.events: tuple[Event, ...] = ()
+        self.messages: tuple[ProgramMessage | LogRow, ...] = ()
+        self.begin = self.end = self.left_out = 0
+        self.lacks_some = False
+
+    @property
+    def diagnostics(self) -> list[Diagnostic]:
+        """The findings, each once."""
+        return list({str(found): found for _, _, found in self._found}.values())
+
+    def say(self, row: LogRow) -> None:
+        """List a row among the messages; it belongs to no tick."""
+        self.messages = (*self.messages, row)[-MAX_LOG:]
+
+    def note(self, frame: Frame) -> int | None:
+        """Take a frame; return from which tick on its branch is another than before, if it is."""
+        branch, travels = self._known
+        self._known = (frame.branch, frame.travels)
+        is_other = frame.branch != branch
+        # two branches may share a part of their past, which is not known here
+        kept = 0 if is_other and frame.travels != travels else frame.first_tick
+        self._forget_from(kept)
+        if frame.first_tick > self.end:  # what is between has not been told
+            self.events, self.left_out = (), 0
+            self.begin, self.lacks_some = frame.first_tick, True
+        self._add(frame)
+        return kept if is_other else None
+
+    def complete(self, happened: Callable[[int, int], Slice]) -> None:
+        """Let what ``happened`` in the latest ticks take the place of what is known of them.
+
+        ``happened`` runs the ticks from a first one up to another one again; raises what it raises.
+        """
+        end = self.end
+        done = happened(max(0, end - _AGAIN_TICKS), end)
+        self._forget_from(done.first_tick)
+        self.events, self.left_out, self.begin = (), 0, done.first_tick
+        self._add(done)
+        self.lacks_some = False
+
+    def _forget_from(self, tick: int) -> None:
+        """Forget what a tick and later ones have done."""
+        if tick >= self.end:
+            return
+        before_us = tick * self._cycle_time_us
+        self.messages = tuple(
+            one for one in self.messages if isinstance(one, LogRow) or one.time_us < before_us
+        )
+        count = len(self.events)
+        self.events = tuple(one for one in self.events if one.tick < tick)
+        self.begin, self.end = min(self.begin, tick), tick
+        # of a finding is known in which frame it came: it may be of a tick before this one
+        is_unsure = any(first < tick < end for first, end, _ in self._found)
+        self._found = tuple(one for one in self._found if one[1] <= tick)
+        is_short = len(self.events) < min(_ENOUGH, count) and bool(self.left_out or self.begin)
+        self.lacks_some = self.lacks_some or is_unsure or is_short
+
+    def _add(self, done: Frame | Slice) -> None:
+        """List what ticks have done that follow."""
+        events = (*self.events, *done.events)
+        self.left_out += done.left_out + max(0, len(events) - MAX_LOG)
+        self.events = events[-MAX_LOG:]
+        self.messages = (*self.messages, *done.messages)[-MAX_LOG:]
+        found = [(done.first_tick, done.tick, one) for one in done.diagnostics]
+        self._found = (*self._found, *found)[-MAX_DIAGNOSTICS:]
+        self.end = done.tick

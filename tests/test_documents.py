@@ -10,6 +10,7 @@ import subprocess
 import sys
 import tomllib
 from array import array
+from collections import Counter
 from collections.abc import Iterator
 from itertools import takewhile
 from pathlib import Path
@@ -22,6 +23,7 @@ from nctakt.base.diagnostics import Span
 from nctakt.kernel import rows
 from nctakt.messages import Collector
 from nctakt.plc import load_plc
+from nctakt.reference.topics import explain, search
 from nctakt.run.controller import Controller
 from nctakt.schedule.load import read_load
 from nctakt.trace.events import EventDecoder
@@ -342,6 +344,23 @@ def test_each_decision_has_its_reason_and_its_test() -> None:
     assert rows
     assert [row for row in rows if len(row) != 4 or not all(map(str.strip, row))] == []
     assert [row for row in rows if "`tests/" not in row[3] and row[3] != "no test yet"] == []
+
+
+def test_no_question_is_decided_twice() -> None:
+    """Two rows with one question, whatever number it names, would contradict each other one day."""
+    questions = [re.sub(r" \(\d+\)", "", row[0]).casefold() for row in decisions()]
+    assert [one for one, count in Counter(questions).items() if count > 1] == []
+
+
+def test_each_number_in_the_decisions_is_explained() -> None:
+    """``nctakt explain`` has an article for each message that a decision names, or about it."""
+    named = re.compile(r"(?<![\w.,-])\d{5,6}(?![\w,.]*\d)")
+    text = " ".join(" ".join(row[:3]) for row in decisions())
+    numbers = set(named.findall(text))
+    assert len(numbers) > 100
+    assert (
+        sorted(number for number in numbers if not (explain(number) or search(number, "en"))) == []
+    )
 
 
 def test_what_chance_tries_can_be_tried_as_often_as_wanted() -> None:

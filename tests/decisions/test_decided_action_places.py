@@ -40,6 +40,9 @@ def test_without_places_there_is_no_action() -> None:
     assert "it has no slots for actions at all" in run.errors[0].text("en")
     only = commanding(1, *MOVES[:2])
     assert "an action is open in its only slot" in only.errors[0].text("en")
+    more = "More slots: configuration.rt_cycles.buffers (P-CHAN-00480)."
+    assert run.errors[0].remedy() == more
+    assert only.errors[0].remedy() == f"Let an action end first (open: 1). {more}"
 
 
 def test_a_motion_that_is_replaced_frees_its_place_first() -> None:

@@ -9,10 +9,12 @@ from __future__ import annotations
 
 from itertools import pairwise
 from math import asin, degrees, pi
+from pathlib import Path
 
 import pytest
 from compensated import decoded, distance, way
 
+from nctakt.cli import main
 from nctakt.run.controller import Controller, NcText
 from nctakt.run.stimuli import Stimulus
 
@@ -272,6 +274,27 @@ def test_what_cannot_be_compensated(text: str, line: int, number: int) -> None:
     assert found.span is not None
     assert found.span.line == line
     assert found.render("de")
+
+
+@pytest.mark.parametrize(
+    ("command", "advice"),
+    [
+        ("#RT CYCLE DELETE [ID=1]", ""),
+        ("#FLUSH", ""),
+        ("P1 = V.E.VALUE", " A realtime cycle may use V.E.VALUE."),
+        ("V.RTG.LOOP.COUNT = 1", " A realtime cycle may use V.RTG.LOOP.COUNT."),
+    ],
+)
+def test_only_a_variable_is_sent_to_a_realtime_cycle(
+    command: str, advice: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """20651: the remedy is one for what is there, in the check and in the run."""
+    file = tmp_path / "part.nc"
+    file.write_text(f"D1 F100 G01\nG41 X10\nX20\n{command}\nG40 X0\nM30\n", "utf-8")
+    (found,) = Controller().run(file, signals=[]).errors
+    assert found.remedy() == f"Move it before G41 or after its end.{advice}"
+    assert main(["check", str(file)]) == 1
+    assert f"remedy: {found.remedy()}\n" in capsys.readouterr().out
 
 
 def test_too_much_between_two_motions() -> None:

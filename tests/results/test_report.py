@@ -6,6 +6,7 @@ import pytest
 from nctakt.base.diagnostics import Span
 from nctakt.messages import diagnostic
 from nctakt.messages.inputs import INVALID_TIME
+from nctakt.messages.realtime import CYCLE_OPERATION_WITHOUT_RESULT
 from nctakt.results.report import DIAGNOSIS_CAPACITY, DiagnosisReport, DiagnosisSink
 from nctakt.trace.events import Event
 from nctakt.trace.sinks import TraceHeader
@@ -134,8 +135,23 @@ def test_at_or_below_0_the_header_alone_is_left(limit: int) -> None:
 def test_the_note_says_what_the_manuals_says() -> None:
     """Manual 5: messages may be missing, and the documentation tells how to influence that."""
     english, german = (" ".join(manual_example().render(3, one).split()) for one in ("en", "de"))
-    assert "Note: Messages may be missing here. The documentation of the realtime" in english
-    assert "Hinweis: Hier koennen Nachrichten fehlen." in german
+    assert "Note: Messages may be hidden here. The documentation of the realtime" in english
+    assert "tells how to influence the diagnosis" in english
+    assert "Hinweis: Hier koennen Nachrichten ausgeblendet sein." in german
+    assert (
+        "Die Dokumentation der Echtzeit-Zyklen sagt, wie sich die Diagnose beeinflussen" in german
+    )
+
+
+def test_the_title_names_the_channel_and_the_lines_do_not() -> None:
+    """RC-601: on a machine with several channels, too, cycle 17 of channel 2 is cycle 17."""
+    report = DiagnosisReport(channel=2)
+    report.add([Event(0, 0, kind, "2:17 PROG", None, "2:17", 2) for kind in ("created", "started")])
+    report.add([Event(0, 0, "error", "50879", None, "2:17", 2)])
+    found = diagnostic(CYCLE_OPERATION_WITHOUT_RESULT, cycle="2:17", operation="/")
+    lines = [line.split(None, 2)[2] for line in report.render(4, details=[found]).splitlines()[-3:]]
+    assert lines[:2] == ["Cycle 17 was created with PROG validity", "Cycle 17 was started"]
+    assert "cycle 17" in lines[2] and "2:17" not in lines[2]
 
 
 def test_a_user_error_is_an_action_and_what_it_says() -> None:

@@ -13,9 +13,10 @@ EXTENSION_USED = warning(
     remedy_de="Es so schreiben, wie die Steuerung es erwartet, bevor das Programm an die Maschine "
     "geht.",
     cause_en="nctakt runs it so that programs can be tried out; on the machine the program is "
-    "refused or behaves differently.",
+    "refused (a copy of a structure in a realtime cycle with 21984) or behaves differently.",
     cause_de="nctakt führt es aus, damit man es ausprobieren kann; an der Maschine wird das "
-    "Programm abgelehnt oder verhält sich anders.",
+    "Programm abgelehnt (die Kopie einer Struktur im Echtzeit-Zyklus mit 21984) oder verhält "
+    "sich anders.",
     construct=("the extension", "die Erweiterung"),
     controller=("the behaviour of the controller", "das Verhalten der Steuerung"),
 )

@@ -208,15 +208,16 @@ FLUSH_DURING_COMPENSATION = error(
     20651,
     en="{command} empties the channel, which is not possible while {word} is active",
     de="{command} entleert den Kanal; das ist nicht möglich, solange {word} aktiv ist",
-    remedy_en="Move it before {word} or behind its end; realtime cycles may read such variables.",
-    remedy_de="Vor {word} oder hinter sein Ende verlegen; Echtzeit-Zyklen dürfen solche Variablen "
-    "lesen.",
+    remedy_en="Move it before {word} or after its end. A realtime cycle may use {variable}.",
+    remedy_de="Vor {word} oder hinter sein Ende verlegen. Ein Echtzeit-Zyklus darf {variable} "
+    "benutzen.",
     cause_en="The end of a motion of the contour is known only from the next motion, so the path "
     "cannot stop and wait.",
     cause_de="Das Ende einer Bewegung der Kontur ergibt sich erst aus der nächsten; die Bahn kann "
     "darum nicht anhalten und warten.",
     command=("the variable or command", "die Variable oder der Befehl"),
     word=("G41, G42 or #SPLINE ON", "G41, G42 oder #SPLINE ON"),
+    variable=("the variable, if it is one", "die Variable, falls es eine ist"),
     reaction=2,
     clearing=3,
 )

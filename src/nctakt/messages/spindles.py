@@ -49,15 +49,17 @@ CYCLE_ACTIONS_FULL = error(
     51028,
     en="realtime cycle {cycle} cannot open another action: {used}",
     de="Echtzeit-Zyklus {cycle} kann keine weitere Aktion beginnen: {used}",
-    remedy_en="Let actions end first, or increase configuration.rt_cycles.buffers (P-CHAN-00480).",
-    remedy_de="Aktionen vorher enden lassen oder configuration.rt_cycles.buffers (P-CHAN-00480) "
-    "erhöhen.",
+    remedy_en="Let an action end first (open: {open}). More slots: "
+    "configuration.rt_cycles.buffers (P-CHAN-00480).",
+    remedy_de="Eine Aktion vorher enden lassen (offen: {open}). Mehr Plätze: "
+    "configuration.rt_cycles.buffers (P-CHAN-00480).",
     cause_en="An action keeps its slot until it has ended. A list of errors reads 51028 as missing "
     "memory for realtime loops, which is 51029 here.",
     cause_de="Eine Aktion behält ihren Platz bis zu ihrem Ende. Eine Fehlerliste liest 51028 als "
     "fehlenden Speicher für Echtzeit-Schleifen: hier 51029.",
     cycle=("the cycle at fault", "der fehlerhafte Zyklus"),
     used=("what its slots are used for", "wofür seine Plätze verwendet werden"),
+    open=("how many of its actions are open", "wie viele seiner Aktionen offen sind"),
     reaction=6,
     clearing=6,
 )

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Sequence
+from dataclasses import replace
 
 from nctakt.base.diagnostics import Diagnostic, Language, Text
 from nctakt.kernel import rows
@@ -36,10 +37,10 @@ _TITLE = Text(
     "BAHN : ECHTZEIT-ZYKLEN DIAGNOSE DATEN KANAL-NR.: {channel}",
 )
 _NOTE = Text(
-    "Note:\nMessages may be missing here. The documentation of the realtime cycles tells how "
+    "Note:\nMessages may be hidden here. The documentation of the realtime cycles tells how "
     "to\ninfluence the diagnosis: by V.RTG.CYCLES.DIAG_LEVEL.",
-    "Hinweis:\nHier koennen Nachrichten fehlen. Wie sich die Diagnose beeinflussen laesst, "
-    "sagt\ndie Dokumentation der Echtzeit-Zyklen: durch V.RTG.CYCLES.DIAG_LEVEL.",
+    "Hinweis:\nHier koennen Nachrichten ausgeblendet sein. Die Dokumentation der Echtzeit-Zyklen "
+    "sagt,\nwie sich die Diagnose beeinflussen laesst: durch V.RTG.CYCLES.DIAG_LEVEL.",
 )
 _PUSHED_OUT = Text(
     "The newest {capacity} messages of each level are kept; older ones: {count}",
@@ -99,8 +100,20 @@ class DiagnosisReport:
         ]
         kept.sort(key=lambda item: item[:2])
         return [
-            entry if isinstance(entry, Line) else line_of(entry, level) for _, level, entry in kept
+            entry if isinstance(entry, Line) else line_of(self._local(entry), level)
+            for _, level, entry in kept
         ]
+
+    def _local(self, event: Event) -> Event:
+        """Return an event with the cycle's name in its channel, which the title names."""
+        return replace(event, cycle=event.cycle.removeprefix(f"{self.channel}:"))
+
+    def _local_detail(self, found: Diagnostic) -> Diagnostic:
+        """Return a diagnostic with the cycle's name in its channel."""
+        if "cycle" not in found.values:
+            return found
+        cycle = str(found.values["cycle"]).removeprefix(f"{self.channel}:")
+        return replace(found, values={**found.values, "cycle": cycle})
 
     def render(
         self, level_limit: float, language: Language = "en", details: Sequence[Diagnostic] = ()
@@ -110,6 +123,7 @@ class DiagnosisReport:
         ``details`` are the diagnostics of the run: they have the texts of the errors, of which an
         event holds only the number.
         """
+        details = [self._local_detail(found) for found in details]
         title = _TITLE.get(language).format(channel=self.channel)
         text = [title, "=" * _WIDTH, "", _NOTE.get(language)]
         shown = [level for level in Level if level <= level_limit]

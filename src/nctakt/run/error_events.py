@@ -6,7 +6,7 @@ from __future__ import annotations
 import re
 from dataclasses import replace
 
-from nctakt.base.diagnostics import Diagnostic, Text
+from nctakt.base.diagnostics import NOTHING, Diagnostic, Text
 from nctakt.base.source_ids import statement_span
 from nctakt.hli.function_codes import function_name
 from nctakt.kernel import codes
@@ -227,7 +227,7 @@ def realtime_diagnostic(event: Event, machine: AssembledMachine) -> Diagnostic:
         case SPINDLE_BUSY.id:
             values = {"spindle": machine.registry.spindle(int(a))}
         case CYCLE_ACTIONS_FULL.id:
-            values = {"cycle": cycle, "used": _used_slots(int(a))}
+            values = {"cycle": cycle, "used": _used_slots(int(a)), "open": int(a) or NOTHING}
         case (
             M19_SPEED_ZERO.id
             | WAITING_FOR_MAIN_SPINDLE.id

@@ -11,7 +11,7 @@ from collections.abc import Callable, Generator, Sequence
 from functools import cached_property
 from typing import NoReturn
 
-from nctakt.base.diagnostics import Message, Span
+from nctakt.base.diagnostics import NOTHING, Message, Span
 from nctakt.decoder.state.axis_places import AxisNotInChannelError
 from nctakt.decoder.state.commands import (
     Answer,
@@ -448,13 +448,16 @@ class Evaluator:
         """Raise ``DecodeError`` 20651 while compensation or a spline is active, because these
         cannot wait (RC-308).
         """
-        compensation = self.state.path.compensation
-        if compensation.side:
-            self.fail(FLUSH_DURING_COMPENSATION, span, command=command, word=compensation.word)
-        if self.state.path.hsc.is_on and command == EXPLICIT_FLUSH:
-            self.fail(FLUSH_DURING_COMPENSATION, span, command=command, word="#HSC ON")
-        if self.state.shapes.spline.is_on:
-            self.fail(FLUSH_DURING_COMPENSATION, span, command=command, word="#SPLINE ON")
+        word = self.state.path.compensation.word if self.state.path.compensation.side else ""
+        if not word and self.state.path.hsc.is_on and command == EXPLICIT_FLUSH:
+            word = "#HSC ON"
+        if not word and self.state.shapes.spline.is_on:
+            word = "#SPLINE ON"
+        if word:
+            variable = command if command.upper().startswith(("V.", "VS.")) else NOTHING
+            self.fail(
+                FLUSH_DURING_COMPENSATION, span, command=command, word=word, variable=variable
+            )
 
     def warn(self, message: Message, span: Span, **values: object) -> None:
         """Report a warning at ``span``."""

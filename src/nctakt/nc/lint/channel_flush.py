@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from nctakt.base.diagnostics import NOTHING
 from nctakt.messages.lints import FLUSH_DURING_COMPENSATION
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.tree import (
@@ -55,7 +56,11 @@ class FlushChecker:
         if _waits(statement):
             command = self._findings.written(statement.span)
             self._findings.report(
-                FLUSH_DURING_COMPENSATION, statement.span, command=command, word=active
+                FLUSH_DURING_COMPENSATION,
+                statement.span,
+                command=command,
+                word=active,
+                variable=NOTHING,
             )
             return
         if isinstance(statement, Block) and _ends_compensation(statement):
@@ -71,11 +76,13 @@ class FlushChecker:
     def _access(self, variable: Variable, active: str) -> None:
         location = resolve(variable, self._names)
         if isinstance(location, Location) and (location.synchronous or variable.synchronous):
+            name = path_text(variable)
             self._findings.report(
                 FLUSH_DURING_COMPENSATION,
                 variable.span,
-                command=path_text(variable),
+                command=name,
                 word=active,
+                variable=name,
             )
 
 

@@ -150,6 +150,7 @@ async def bench(**words: Any) -> AsyncIterator[Bench]:
     log: list[str] = []
     host = await Host(cast("Session", session), machine, ServerLog(log.append)).open()
     door = AdsDoor(host, ("127.0.0.1", 0), OWN, **words)
+    await door.prepare()
     await door.open()
     try:
         yield Bench(host, session, door, log)

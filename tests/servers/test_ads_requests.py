@@ -269,6 +269,8 @@ def test_notifications_carry_the_time_of_their_tick_and_end_with_their_client() 
         assert [value for tick, _, value in cyclic if tick == 20] == [1, 1]
         begin = moments[0][1] - 10 * 10_000
         assert all(moment - begin == tick * 10_000 for tick, moment, _ in moments)
+        clock = found.host.clock  # FILETIME counts from 1601, which was 134,774 days before 1970
+        assert begin // 10 == clock.unix_us(0) + 134_774 * 86_400 * 1_000_000
         assert len(found.door.service.notifier) == 2
         one.connection_lost(None)
         assert len(found.door.service.notifier) == 0

@@ -5,6 +5,9 @@ from __future__ import annotations
 
 import asyncio
 import json
+import os
+import signal
+import time
 from collections.abc import Awaitable, Callable, Sequence
 from pathlib import Path
 
@@ -17,7 +20,7 @@ from nctakt.servers.address import read_address, shown_address
 from nctakt.servers.host import Host
 from nctakt.servers.log import ServerLog
 from nctakt.servers.notices import Notices, ServerNotice
-from nctakt.servers.serving import EndSignal
+from nctakt.servers.serving import EndSignal, serve
 from nctakt.servers.store import Store
 from nctakt.session.session import Session
 
@@ -214,6 +217,36 @@ def test_whoever_writes_while_the_session_breaks_gets_an_answer() -> None:
     in_host(act)
 
 
+def test_time_begins_when_the_doors_open_however_long_they_take_to_be_built() -> None:
+    """A tick has the time at which it begins, not that at which the first door was built."""
+    times: list[int] = []
+
+    class SlowDoor:
+        def __init__(self, host: Host) -> None:
+            self._host = host
+
+        async def prepare(self) -> None:
+            await asyncio.sleep(0.05)
+            times.append(time.time_ns() // 1000)
+
+        async def open(self) -> str:
+            times.append(self._host.clock.unix_us(self._host.session.tick))
+            return ""
+
+        async def close(self) -> None:
+            """Nobody is connected."""
+
+    def end(_: object) -> None:
+        os.kill(os.getpid(), signal.SIGTERM)
+
+    with Session(PROGRAM, stays=True) as session:
+        session.run("5 ms")
+        doors = {"first": SlowDoor, "second": SlowDoor}
+        asyncio.run(serve(session, load_machine(), ServerLog(None), doors, speed=1.0, ready=end))
+    _, built, *begun = times
+    assert begun[0] == begun[1] >= built - 1000  # whole milliseconds
+
+
 def test_a_log_outlives_a_text_that_cannot_be_encoded(tmp_path: Path) -> None:
     """A lone surrogate in a name of a client is written as its escape; the next line follows."""
     file = tmp_path / "log.jsonl"
@@ -235,6 +268,38 @@ def test_a_refusal_that_comes_again_is_told_with_its_number() -> None:
     now = 11.0
     log.refuse("ads", "1.2.3.4.1.1", "unknown group")
     assert [json.loads(line).get("repeated") for line in lines] == [None, 999]
+
+
+def test_a_client_that_comes_from_each_port_has_a_line_and_then_a_count() -> None:
+    """A router or a storm of connections fills no log; the count comes with the next line."""
+    now = 0.0
+    lines: list[str] = []
+    log = ServerLog(lines.append, lambda: now)
+    for port in range(1000):
+        log.refuse("ads", f"1.2.3.4.1.1:{port}", "the NetId is not permitted")
+        log.refuse("ads", f"[fe80::{port % 2}]:{port}", "too many clients")
+    assert len(lines) == 3
+    now = 10.0
+    log.refuse("ads", "9.9.9.9.1.1:5", "the NetId is not permitted")
+    log.tell_counts()
+    told = [(line["client"], line.get("repeated")) for line in map(json.loads, lines[3:])]
+    assert told[:3] == [("1.2.3.4.1.1:0", 999), ("[fe80::0]:0", 499), ("[fe80::1]:1", 499)]
+    assert told[3:] == [("9.9.9.9.1.1:5", None)]
+
+
+def test_a_client_that_calls_itself_otherwise_each_time_does_not_fill_the_log() -> None:
+    """A hundred lines of a door in ten seconds, then their number; other doors are not silenced."""
+    now = 0.0
+    lines: list[str] = []
+    log = ServerLog(lines.append, lambda: now)
+    for number in range(10_000):
+        log.refuse("ads", f"1.2.{number // 256}.{number % 256}.1.1:1", f"reason {number}")
+    log.refuse("mqtt", "broker", "no")
+    assert len(lines) == 101
+    now = 10.0
+    log.refuse("ads", "1.1.1.1.1.1:1", "no")
+    assert json.loads(lines[-2])["lines"] == 9900
+    assert len(lines) == 103
 
 
 @pytest.mark.parametrize(

@@ -104,6 +104,7 @@ def at_the_broker(
         door = MqttDoor(host, read_broker(f"mqtt://127.0.0.1:{port}/cell"))
         async with aiomqtt.Client("127.0.0.1", port) as client:
             await client.subscribe("cell/#", 1)
+            await door.prepare()
             await door.open()
             try:
                 await act(host, door, Client(client))
@@ -126,6 +127,7 @@ def test_a_client_sees_the_machine_and_writes(port: int) -> None:
         assert client.latest["channel/1"]["state"] == 0
         await host.ask(host.session.run, "100 ms")
         await client.until(lambda: client.latest["axis/X"]["tick"] == 100)
+        assert client.latest["axis/X"]["time"] == host.clock.text(100)
         assert client.latest["axis/X"]["command"] == host.session.read("X.ACS.ACT_POS")[0]
         await client.until(lambda: client.latest.get("notice", {}).get("text") == "hello")
         requests = (

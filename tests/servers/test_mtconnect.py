@@ -40,7 +40,7 @@ class Agent:
         self.writer = writer
         self.values: dict[str, str] = {}
         self.commands: list[str] = []
-        self.device = ""
+        self.device = self.stamp = ""
 
     async def line(self) -> str:
         """The next line, without its end; empty at the end of the connection."""
@@ -59,8 +59,8 @@ class Agent:
         elif line.startswith("* "):
             self.commands.append(line)
         else:
-            stamp, *fields = line.split("|")
-            assert STAMP.fullmatch(stamp), line
+            self.stamp, *fields = line.split("|")
+            assert STAMP.fullmatch(self.stamp), line
             if fields[0] in ("message", "p1_logic"):
                 self.values[fields[0]] = "|".join(fields[1:])
             else:
@@ -79,6 +79,7 @@ def at_the_door(act: Callable[[Host, MtconnectDoor, Agent], Awaitable[None]]) ->
     async def live(session: Session) -> None:
         host = await Host(session, load_machine(), ServerLog(lines.append)).open()
         door = MtconnectDoor(host, ("127.0.0.1", 0))
+        await door.prepare()
         name, _, port = (await door.open()).rpartition(":")
         try:
             agent = Agent(*await asyncio.open_connection(name, int(port)))
@@ -117,6 +118,7 @@ def test_an_agent_gets_all_values_and_then_what_changes() -> None:
         await host.ask(host.session.write, {"HLI.FEED_HOLD": 1})
         await host.ask(host.session.run, "110 ms")
         await agent.until(lambda: agent.values["p1_execution"] == "FEED_HOLD")
+        assert agent.stamp == host.clock.text(110)
         await door.close()
         await agent.until(lambda: agent.values["avail"] == "UNAVAILABLE")
         assert await agent.line() == ""

@@ -53,18 +53,21 @@ class PageDoor:
         self._shared: SharedSession | None = None
         self._thread: threading.Thread | None = None
 
-    async def open(self) -> str:
-        """Show the page; return its address. Raises ``Failure`` (901161)."""
-        address = self._address[0], usable_port(*self._address)
+    async def prepare(self) -> None:
+        """Let the page share the session."""
         channel = next(iter(self._documents))
         file = self._documents[channel][0].file
-        self._shared = shared = await asyncio.to_thread(
+        self._shared = await asyncio.to_thread(
             lambda: SharedSession(
                 self._open_once(), file, acknowledges=self._acknowledges, channel=channel
             )
         )
+
+    async def open(self) -> str:
+        """Show the page; return its address. Raises ``Failure`` (901161)."""
+        address = self._address[0], usable_port(*self._address)
         self._thread = threading.Thread(
-            target=self._serve, args=(shared, address), name="nctakt page", daemon=True
+            target=self._serve, args=(self._shared, address), name="nctakt page", daemon=True
         )
         self._thread.start()
         return await asyncio.wrap_future(self._address_told)

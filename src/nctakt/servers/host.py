@@ -18,6 +18,7 @@ from nctakt.base.failure import Failure
 from nctakt.lists.machine.machine import Machine
 from nctakt.run.machine_names import names_of_machine
 from nctakt.servers.catalogue import Catalogue
+from nctakt.servers.clock import MachineClock
 from nctakt.servers.feed import Feed
 from nctakt.servers.log import ServerLog
 from nctakt.servers.notices import Notices, ServerNotice
@@ -51,6 +52,9 @@ _T = TypeVar("_T")
 class Door(Protocol):
     """A server of one protocol in the host's loop."""
 
+    async def prepare(self) -> None:
+        """Do what takes time before clients can come; raises ``Failure``."""
+
     async def open(self) -> str:
         """Serve clients from now on; return the address. Raises ``Failure``."""
 
@@ -66,7 +70,8 @@ class Host:
     """A session and what its doors share; open it in a running loop.
 
     ``machine``: that of the session. ``catalogue``: its values by name; ``store``: their latest
-    values; ``notices``: what clients must know; ``log``: what is told of clients.
+    values; ``notices``: what clients must know; ``log``: what is told of clients;
+    ``clock``: the times of ticks.
     """
 
     def __init__(self, session: Session, machine: Machine, log: ServerLog) -> None:
@@ -77,6 +82,7 @@ class Host:
         self.notices = Notices(log)
         self.store = Store(self._subscribe, log)
         self.cycle_time_us = session.description.cycle_time_us
+        self.clock = MachineClock(self.cycle_time_us)
         self._executor = ThreadPoolExecutor(1, "nctakt servers")
         self._writes: list[tuple[Mapping[str, Scalar], str, asyncio.Future[Exception | int]]] = []
         self._latching: list[tuple[int, asyncio.Future[None]]] = []

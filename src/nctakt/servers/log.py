@@ -1,16 +1,20 @@
 # SPDX-License-Identifier: MIT
 """What the servers tell of their clients: one JSON object a line.
 
-In: what happened, of which door and client, and why. Out: lines with a time. A refusal that comes
-again and again is told once in ``REPEAT_S`` seconds, with the number of those between.
+In: what happened, of which door and client, and why. Out: lines with a time. What comes again and
+again of a client is told once in ``REPEAT_S`` seconds whatever its port, then with how often it
+came since; a door has ``MAX_LINES`` lines in that time whatever its clients call themselves.
 """
 
 from __future__ import annotations
 
 import json
+import re
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from datetime import UTC, datetime
+
+from nctakt.base.dataclass import dataclass
 
 #: Seconds between two lines about the same refusal of the same client.
 REPEAT_S = 10.0
@@ -18,8 +22,38 @@ REPEAT_S = 10.0
 #: Lines about clients of a host that come, and that go, in this time.
 MAX_VISITS = 20
 
-#: Kinds of lines that are counted at most.
-_MAX_REMEMBERED = 10_000
+#: Lines about the clients of a door in this time.
+MAX_LINES = 100
+
+#: A client with its port: ``1.2.3.4.1.1:33000``, ``[::1]:4711``.
+_WITH_PORT = re.compile(r"([^:]+|\[.*\]):\d+")
+
+#: What makes lines equal: event, door, client without its port, reason.
+_Key = tuple[str, str, str, str]
+
+
+@dataclass(slots=True)
+class _Repeats:
+    """Equal lines since ``begin_s``; of ``count`` as many as ``limit`` were written."""
+
+    begin_s: float
+    limit: int
+    level: str
+    words: Mapping[str, object]
+    count: int = 1
+
+    @property
+    def left_out(self) -> int:
+        return max(0, self.count - self.limit)
+
+
+@dataclass(slots=True)
+class _Budget:
+    """The lines of a door since ``begin_s``: those written, and those beyond the limit."""
+
+    begin_s: float
+    written: int = 0
+    left_out: int = 0
 
 
 class ServerLog:
@@ -32,42 +66,82 @@ class ServerLog:
     ) -> None:
         self._write = write
         self._clock = clock
-        self._counts: dict[tuple[str, str, str], tuple[float, int]] = {}
+        self._repeats: dict[_Key, _Repeats] = {}
+        self._budgets: dict[str, _Budget] = {}
 
     def note(self, event: str, **words: object) -> None:
         """Tell what happened."""
         self._line("info", event, words)
 
-    def error(self, event: str, **words: object) -> None:
+    def error(self, event: str, *, door: str = "", reason: str = "", **words: object) -> None:
         """Tell what went wrong in a server."""
-        self._line("error", event, words)
+        shown = {"door": door, **words, "reason": reason} if door else {**words, "reason": reason}
+        self._bounded("error", (event, door, "", reason), 1, shown)
 
     def visit(self, event: str, door: str, host: str, **words: object) -> None:
         """Tell that a client of a host has come or gone; not each one of a storm of them."""
-        repeated = self._unwritten((event, door, host), MAX_VISITS)
-        if repeated is not None:
-            self._line("info", event, {"door": door, "host": host, **words, **repeated})
+        shown = {"door": door, "host": host, **words}
+        self._bounded("info", (event, door, host, ""), MAX_VISITS, shown)
 
     def refuse(self, door: str, client: str, reason: str, **words: object) -> None:
         """Tell that something of a client was refused."""
-        repeated = self._unwritten((door, client, reason), 1)
-        if repeated is not None:
-            shown = {"door": door, "client": client, "reason": reason, **words, **repeated}
-            self._line("warning", "refused", shown)
+        found = _WITH_PORT.fullmatch(client)
+        party = client if found is None else found[1]
+        shown = {"door": door, "client": client, "reason": reason, **words}
+        self._bounded("warning", ("refused", door, party, reason), 1, shown)
 
-    def _unwritten(self, key: tuple[str, str, str], limit: int) -> dict[str, object] | None:
-        """Return how many lines like this were not written, ``None`` if this one is not either."""
+    def tell_counts(self) -> None:
+        """Tell how often came what was not written each time."""
+        self._end_repeats(None)
+        self._end_budgets(None)
+
+    def _bounded(self, level: str, key: _Key, limit: int, words: Mapping[str, object]) -> None:
+        """Write a line unless there are too many like it, or too many of the door."""
         now = self._clock()
-        begin, count = self._counts.get(key, (-REPEAT_S, 0))
-        if now - begin < REPEAT_S:
-            self._counts[key] = begin, count + 1
-            return {} if count < limit else None
-        if len(self._counts) >= _MAX_REMEMBERED:
-            self._counts.clear()
-        self._counts[key] = now, 1
-        return {"repeated": count - limit} if count > limit else {}
+        repeats = self._repeats.get(key)
+        if repeats is not None and now - repeats.begin_s < REPEAT_S:
+            repeats.count += 1
+            if repeats.count <= limit and self._has_room(key[1], now):
+                self._line(level, key[0], words)
+            return
+        left_out = 0 if repeats is None else self._repeats.pop(key).left_out
+        self._end_repeats(now)
+        self._end_budgets(now)
+        if not self._has_room(key[1], now):
+            self._budgets[key[1]].left_out += left_out
+            return
+        self._repeats[key] = _Repeats(now, limit, level, words)
+        self._line(level, key[0], {**words, **({"repeated": left_out} if left_out else {})})
 
-    def _line(self, level: str, event: str, words: dict[str, object]) -> None:
+    def _end_repeats(self, now: float | None) -> None:
+        """Tell the counts whose time is over, of all without ``now``; the oldest stand first."""
+        for key, repeats in tuple(self._repeats.items()):
+            if now is not None and now - repeats.begin_s < REPEAT_S:
+                return
+            del self._repeats[key]
+            if repeats.left_out:
+                words = {**repeats.words, "repeated": repeats.left_out}
+                self._line(repeats.level, key[0], words)
+
+    def _has_room(self, door: str, now: float) -> bool:
+        """Return whether a door may have a further line, and count it."""
+        budget = self._budgets.setdefault(door, _Budget(now))
+        if budget.written >= MAX_LINES:
+            budget.left_out += 1
+            return False
+        budget.written += 1
+        return True
+
+    def _end_budgets(self, now: float | None) -> None:
+        """Tell how many lines doors had too many, as ``_end_repeats``."""
+        for door, budget in tuple(self._budgets.items()):
+            if now is not None and now - budget.begin_s < REPEAT_S:
+                continue
+            del self._budgets[door]
+            if budget.left_out:
+                self._line("warning", "left out", {"door": door, "lines": budget.left_out})
+
+    def _line(self, level: str, event: str, words: Mapping[str, object]) -> None:
         if self._write is None:
             return
         moment = datetime.now(UTC).isoformat(timespec="milliseconds")

@@ -12,6 +12,7 @@ import asyncio
 import contextlib
 import json
 import os
+from importlib.util import find_spec
 from typing import TYPE_CHECKING, Any
 
 from nctakt.base.failure import Failure, error_text
@@ -55,16 +56,19 @@ class MqttDoor:
         self._topics = _topics_of(host)
         self._task: asyncio.Task[None] | None = None
 
-    async def open(self) -> str:
-        """Connect; return the address. Raises ``Failure`` if the broker cannot be reached."""
-        try:
-            import aiomqtt  # noqa: PLC0415 - an extra
-        except ImportError as error:
-            raise Failure(diagnostic(MQTT_NOT_INSTALLED)) from error
-        host, broker = self._host, self._broker
-        await host.store.subscribe(
+    async def prepare(self) -> None:
+        """Ask for the values of all topics; raises ``Failure`` without the library (901452)."""
+        if find_spec("aiomqtt") is None:
+            raise Failure(diagnostic(MQTT_NOT_INSTALLED))
+        await self._host.store.subscribe(
             name for names in self._topics.values() for name in names.values()
         )
+
+    async def open(self) -> str:
+        """Connect; return the address. Raises ``Failure`` if the broker cannot be reached."""
+        import aiomqtt  # noqa: PLC0415 - an extra
+
+        broker = self._broker
         client = self._client()
         try:
             await client.__aenter__()
@@ -163,7 +167,8 @@ class MqttDoor:
                 if shown and sent.get(topic) != shown:
                     sent[topic] = shown
                     time_us = tick * self._host.cycle_time_us
-                    text = _json(tick=tick, time_us=time_us, **shown)
+                    time = self._host.clock.text(tick)
+                    text = _json(tick=tick, time_us=time_us, time=time, **shown)
                     await self._publish(client, topic, text, retain=True)
             await asyncio.sleep(_RATE_S)
 
@@ -177,7 +182,19 @@ class MqttDoor:
     async def _publish_notices(self, client: aiomqtt.Client, notices: Subscription) -> None:
         while True:
             notice = await notices.next()
-            await self._publish(client, "notice", _json(**_notice_words(notice)))
+            await self._publish(client, "notice", _json(**self._notice_words(notice)))
+
+    def _notice_words(self, notice: ServerNotice) -> dict[str, Any]:
+        """Return a notice as JSON."""
+        number = {"number": notice.diagnostic.id} if notice.diagnostic is not None else {}
+        time = self._host.clock.text(notice.tick)
+        return {
+            "kind": notice.kind,
+            "tick": notice.tick,
+            "time": time,
+            "text": notice.text,
+            **number,
+        }
 
     # --- what is asked for ----------------------------------------------------------------------
 
@@ -237,12 +254,6 @@ def _topics_of(host: Host) -> dict[str, dict[str, str]]:
         if value.name.startswith("V.E.") or ".V.E." in value.name:
             topics[f"variable/{value.name}"] = {"value": value.name}
     return topics
-
-
-def _notice_words(notice: ServerNotice) -> dict[str, Any]:
-    """Return a notice as JSON."""
-    number = {"number": notice.diagnostic.id} if notice.diagnostic is not None else {}
-    return {"kind": notice.kind, "tick": notice.tick, "text": notice.text, **number}
 
 
 def _json(**words: Any) -> str:

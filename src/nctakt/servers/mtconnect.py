@@ -2,8 +2,9 @@
 """The door for MTConnect: an adapter, which agents connect to and which tells them what changes.
 
 In: frames and notices of the host. Out: lines of the adapter's protocol (SHDR) on a socket:
-commands about the device, then its data items, each line with UTC. An agent's ``* PING`` is
-answered; who stops sending it is disconnected. A slow reader gets the latest values and all texts.
+commands about the device, then its data items, each line with the UTC of its tick. An agent's
+``* PING`` is answered; who stops sending it is disconnected. A slow reader gets the latest values
+and all texts.
 """
 
 from __future__ import annotations
@@ -12,10 +13,9 @@ import asyncio
 import contextlib
 from collections import deque
 from collections.abc import Callable, Iterator, Mapping
-from datetime import UTC, datetime
 
 from nctakt.base.version import __version__
-from nctakt.servers.address import listen_at
+from nctakt.servers.address import listen_at, shown_address
 from nctakt.servers.host import Host
 from nctakt.servers.mtconnect_device import data_items, describe_device
 from nctakt.servers.notices import ServerNotice
@@ -54,10 +54,13 @@ class MtconnectDoor:
         self._stop_listening: Callable[[], None] = _nothing
         self._stop_hearing: Callable[[], None] = _nothing
 
+    async def prepare(self) -> None:
+        """Ask for the values of the data items."""
+        await self._host.store.subscribe(name for item in self._items for name in item.needs)
+
     async def open(self) -> str:
         """Let agents connect; return the address. Raises ``Failure``."""
         host = self._host
-        await host.store.subscribe(name for item in self._items for name in item.needs)
         self._server, shown = await listen_at(
             "MTConnect",
             self._address,
@@ -93,24 +96,24 @@ class MtconnectDoor:
         task = asyncio.current_task()
         assert task is not None
         self._clients[client] = task
-        self._host.log.note("connected", door=_DOOR, client=client.name)
+        self._host.log.visit("connected", _DOOR, client.address, client=client.name)
         try:
             client.greet(self._device)
-            client.take(self._shown())
+            client.take(self._host.store.tick, self._shown())
             await client.converse(reader)
         except (OSError, asyncio.IncompleteReadError):
             pass  # it has gone
         finally:
             self._clients.pop(client)
             client.abort()
-            self._host.log.note("disconnected", door=_DOOR, client=client.name)
+            self._host.log.visit("disconnected", _DOOR, client.address, client=client.name)
 
-    def _take(self, _: Frame) -> None:
+    def _take(self, frame: Frame) -> None:
         """Tell all agents what a frame has changed."""
         if self._clients:
             shown = self._shown()
             for client in self._clients:
-                client.take(shown)
+                client.take(frame.tick, shown)
 
     def _shown(self) -> dict[str, str]:
         """Return the latest values as they are sent, by the keys of the data items."""
@@ -121,7 +124,7 @@ class MtconnectDoor:
         """Send messages of programs and diagnostics to all agents."""
         for line in _lines_of(notice):
             for client in tuple(self._clients):
-                client.put(line)
+                client.put(notice.tick, line)
 
 
 class _Client:
@@ -129,10 +132,12 @@ class _Client:
 
     def __init__(self, host: Host, writer: asyncio.StreamWriter) -> None:
         peer = writer.get_extra_info("peername") or ("?", 0)
-        self.name = f"{peer[0]}:{peer[1]}"
+        self.address = str(peer[0])
+        self.name = shown_address(self.address, peer[1])
         self._host = host
         self._writer = writer
         self._sent: dict[str, str] = {}
+        self._tick = 0
         self._shown: Mapping[str, str] = {}
         self._lines: deque[str] = deque()
         self._changed = asyncio.Event()
@@ -148,14 +153,14 @@ class _Client:
             f"* deviceModel: {mark}\n{device}\n{mark}",
         ]
 
-    def take(self, shown: Mapping[str, str]) -> None:
-        """Let the values be sent as soon as the agent reads."""
-        self._shown = shown
+    def take(self, tick: int, shown: Mapping[str, str]) -> None:
+        """Let the values before a tick be sent as soon as the agent reads."""
+        self._tick, self._shown = tick, shown
         self._changed.set()
 
-    def put(self, line: str) -> None:
+    def put(self, tick: int, line: str) -> None:
         """Let a line be sent; an agent that leaves too many unread is disconnected."""
-        self._queue(f"{_now()}|{line}")
+        self._queue(f"{self._host.clock.text(tick)}|{line}")
 
     def _queue(self, line: str) -> None:
         if len(self._lines) >= _MAX_WAITING:
@@ -191,16 +196,17 @@ class _Client:
     def _changes(self) -> Iterator[str]:
         """Yield lines with the values that differ from what was sent; a condition has its own."""
         fields: list[str] = []
+        time = self._host.clock.text(self._tick)
         for key, text in self._shown.items():
             if self._sent.get(key) == text:
                 continue
             self._sent[key] = text
             if "|" in text:
-                yield f"{_now()}|{key}|{text}\n"
+                yield f"{time}|{key}|{text}\n"
             else:
                 fields += [key, text]
         if fields:
-            yield f"{_now()}|{'|'.join(fields)}\n"
+            yield f"{time}|{'|'.join(fields)}\n"
 
     async def _answer(self, reader: asyncio.StreamReader) -> None:
         """Answer pings; whoever has sent one goes on doing so, or has gone."""
@@ -227,7 +233,8 @@ class _Client:
     def leave(self) -> None:
         """Tell the agent that the device is not available, and end the connection."""
         with contextlib.suppress(OSError, RuntimeError):
-            self._writer.write(f"{_now()}|avail|UNAVAILABLE\n".encode())
+            time = self._host.clock.text(self._host.store.tick)
+            self._writer.write(f"{time}|avail|UNAVAILABLE\n".encode())
         self._writer.close()
 
     def abort(self) -> None:
@@ -249,11 +256,6 @@ def escaped(text: str) -> str:
     if "|" not in line:
         return line
     return '"' + line.replace('"', '\\"').replace("|", "\\|") + '"'
-
-
-def _now() -> str:
-    """Return the time as agents expect it."""
-    return datetime.now(UTC).strftime("%Y-%m-%dT%H:%M:%S.%fZ")
 
 
 def _nothing() -> None:

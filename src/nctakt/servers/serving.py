@@ -61,8 +61,11 @@ async def serve(
     growing: asyncio.Task[None] | None = None
     try:
         addresses: dict[str, str] = {}
-        for name, opener in doors.items():
-            door = opener(host)
+        closed = {name: opener(host) for name, opener in doors.items()}
+        for door in closed.values():
+            await door.prepare()
+        host.clock.begin(session.tick)
+        for name, door in closed.items():
             addresses[name] = await door.open()
             opened.append((name, door))
             log.note("open", door=name, address=addresses[name])
@@ -85,6 +88,7 @@ async def serve(
         answers = await _pauses(host)
         await host.close(answers=answers)
         lateness = {"late_slices": late, "worst_lateness_ms": round(worst_s * 1000, 3)}
+        log.tell_counts()
         log.note("closed", tick=session.tick, missed_frames=missed, **lateness)
     if not answers:
         raise Failure(diagnostic(CONTROLLER_SILENT, seconds=f"{PAUSING_S:g}"))

@@ -73,6 +73,7 @@ class Served:
             self.host = await Host(self.session, load_machine(), log).open()
             address = self._address, 0
             self.door = OpcuaDoor(self.host, address, self.folder / "opcua", self._limits)
+            await self.door.prepare()
             self.url = await self.door.open()
         except Exception as error:  # noqa: BLE001 - the thread of the test raises it
             self.failure = error

@@ -2,8 +2,7 @@
 """Notifications: values sent to clients cyclically or when they change, with the time of the tick.
 
 In: frames of the session. Out: AMS frames to the clients, one for all of a client's notifications
-that are due with the same distance. Times are FILETIMEs: the moment at which the server opened, and
-the machine time since then.
+that are due with the same distance. Times are FILETIMEs.
 """
 
 from __future__ import annotations
@@ -18,6 +17,7 @@ from nctakt.servers.ads.codes import AdsError, Command, Error
 from nctakt.servers.ads.data import Readable
 from nctakt.servers.ads.frames import REQUEST, Frame
 from nctakt.servers.ads.limits import MAX_NOTIFICATIONS, MAX_PERIOD, MIN_PERIOD
+from nctakt.servers.clock import MachineClock
 from nctakt.servers.store import Scalar
 
 #: 100 ns of ADS in a microsecond.
@@ -54,11 +54,11 @@ class _Series:
 
 
 class Notifier:
-    """All notifications; ``begin_filetime``: that of tick 0."""
+    """All notifications."""
 
-    def __init__(self, cycle_time_us: int, begin_filetime: int) -> None:
-        self._cycle_units = cycle_time_us * _UNITS_PER_US
-        self._begin_filetime = begin_filetime
+    def __init__(self, clock: MachineClock) -> None:
+        self._clock = clock
+        self._cycle_units = clock.cycle_time_us * _UNITS_PER_US
         self._series: dict[tuple[Client, int, int], _Series] = {}
         self._queue: list[tuple[int, int, _Series]] = []
         self._order = count()
@@ -161,7 +161,7 @@ class Notifier:
             parts.append(_SAMPLE.pack(handle, len(data)))
             parts.append(data)
         size = sum(map(len, parts)) + _STREAM.size - 4
-        moment = self._begin_filetime + tick * self._cycle_units
+        moment = self._clock.filetime(tick)
         parts[0] = _STREAM.pack(size, 1, moment, len(samples))
         client = series.client
         frame = Frame(

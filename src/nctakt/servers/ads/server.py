@@ -11,12 +11,11 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import socket
-import time
 from collections.abc import Collection
 from typing import cast
 
 from nctakt.base.failure import Failure, error_text
-from nctakt.servers.address import listen_at
+from nctakt.servers.address import listen_at, shown_address
 from nctakt.servers.ads.access import DOOR
 from nctakt.servers.ads.clients import Client
 from nctakt.servers.ads.codes import TCP_PORT, AdsError, Error
@@ -35,14 +34,8 @@ from nctakt.session.listening import Frame as SessionFrame
 
 PORT = TCP_PORT
 
-#: 100 ns from 1601, where FILETIME begins, to 1970.
-_FILETIME_1970 = 116_444_736_000_000_000
-
 #: How often values that nobody has read since the last time are let go, in seconds.
 RELEASE_S = 30.0
-
-#: 100 ns in a millisecond; times begin at a whole one, since clients round to microseconds.
-_UNITS_PER_MS = 10_000
 
 #: Where addresses that stand for all of a machine are reached from itself.
 _EVERYWHERE = ("0.0.0.0", "::")
@@ -70,13 +63,13 @@ class AdsDoor:
         self.tasks: set[asyncio.Task[None]] = set()
         self._server: asyncio.Server | None = None
 
+    async def prepare(self) -> None:
+        """Name what clients can reach."""
+        self.service = Service(self.host, Notifier(self.host.clock))
+
     async def open(self) -> str:
         """Listen; return address and NetId. Raises ``Failure`` (901351)."""
         host = self.host
-        filetime = _FILETIME_1970 + time.time_ns() // 1_000_000 * _UNITS_PER_MS
-        passed = host.store.tick * host.cycle_time_us * 10
-        notifier = Notifier(host.cycle_time_us, filetime - passed)
-        self.service = Service(host, notifier)
         self._end_listening = host.store.listen(self._take_frame)
         self._releasing = host.loop.create_task(self._release())
         loop = host.loop
@@ -142,7 +135,7 @@ class Connection(asyncio.Protocol):
         self._transport = cast("asyncio.Transport", transport)
         address = transport.get_extra_info("peername") or ("", 0)
         self._address = str(address[0])
-        self.peer = f"{address[0]}:{address[1]}"
+        self.peer = shown_address(str(address[0]), address[1])
         if len(self._door.connections) >= MAX_CONNECTIONS:
             self._log.refuse(DOOR, self._address, "too many connections")
             self._transport.abort()

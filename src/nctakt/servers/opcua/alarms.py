@@ -18,6 +18,7 @@ from asyncua import ua
 from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Diagnostic, Severity, Text
 from nctakt.results.run import ProgramMessage
+from nctakt.servers.clock import MachineClock
 from nctakt.servers.host import Host
 from nctakt.servers.notices import ServerNotice
 from nctakt.servers.opcua.client import Client
@@ -26,7 +27,6 @@ from nctakt.servers.opcua.machine_space import MachineSpace
 from nctakt.servers.opcua.nodes import standard
 from nctakt.servers.opcua.subscriptions import Subscriptions
 from nctakt.servers.opcua.types import CompanionTypes
-from nctakt.servers.opcua.values import Clock
 
 #: Alarms that are kept at most; the oldest that is not active goes first.
 MAX_ALARMS = 1_000
@@ -99,7 +99,7 @@ class Alarms:
         types: CompanionTypes,
         machine: MachineSpace,
         subscriptions: Subscriptions,
-        clock: Clock,
+        clock: MachineClock,
         event_types: EventTypes,
     ) -> None:
         self._host = host
@@ -189,7 +189,7 @@ class Alarms:
 
     def _event_id(self) -> bytes:
         self._serial += 1
-        return hashlib.sha256(f"{self._clock.start} {self._serial}".encode()).digest()[:16]
+        return hashlib.sha256(f"{self._clock.unix_us(0)} {self._serial}".encode()).digest()[:16]
 
     def _tell_event(self, channel: int, text: Text, time: datetime, severity: int) -> None:
         type_, event_id = self._types.type("CncMessageType"), self._event_id()

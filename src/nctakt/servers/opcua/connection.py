@@ -17,6 +17,7 @@ from asyncua.server.binary_server_asyncio import BinaryServer, OPCUAProtocol
 from asyncua.server.uaprocessor import PublishRequestData, UaProcessor
 from asyncua.ua.ua_binary import header_from_binary, struct_from_binary
 
+from nctakt.servers.address import shown_address
 from nctakt.servers.log import ServerLog
 from nctakt.servers.opcua.limits import Limits
 
@@ -109,7 +110,7 @@ class Connection(OPCUAProtocol):
     def connection_made(self, transport: asyncio.BaseTransport) -> None:
         """Take a connection, unless there are too many."""
         peer = transport.get_extra_info("peername") or ("", 0)
-        self.client = f"{peer[0]}:{peer[1]}"
+        self.client = shown_address(str(peer[0]), peer[1])
         if len(self.clients) >= self._own.connections:
             self._log.refuse("opcua", peer[0], f"more than {self._own.connections} connections")
             transport.close()

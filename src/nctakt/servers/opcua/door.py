@@ -11,7 +11,6 @@ import asyncio
 import contextlib
 import ipaddress
 from collections.abc import Callable, Sequence
-from datetime import UTC, datetime, timedelta
 from pathlib import Path
 
 from asyncua import ua
@@ -38,7 +37,6 @@ from nctakt.servers.opcua.security import Security
 from nctakt.servers.opcua.server import CncServer
 from nctakt.servers.opcua.subscriptions import Subscriptions
 from nctakt.servers.opcua.types import CompanionTypes
-from nctakt.servers.opcua.values import Clock
 
 #: The port of OPC UA.
 PORT = 4840
@@ -69,19 +67,16 @@ class OpcuaDoor:
         self._tasks: list[asyncio.Task[None]] = []
         self._unlisten: list[Callable[[], None]] = []
 
-    async def open(self) -> str:
-        """Serve clients from now on; return the address. Raises ``Failure``."""
+    async def prepare(self) -> None:
+        """Build the address space."""
         host, limits = self._host, self._limits
         self._server = server = CncServer(limits, host.log, self._security)
         await server.init()
         cnc, own = [await server.register_namespace(uri) for uri in (CNC_URI, OWN_URI)]
         register_position(cnc)
         internal = server.iserver
-        tick_us = host.cycle_time_us
-        start = datetime.now(UTC) - timedelta(microseconds=host.session.tick * tick_us)
-        clock = Clock(start, tick_us)
         nodes = Nodes(internal.aspace)
-        self._space = space = LiveSpace(internal.aspace, host, clock)
+        self._space = space = LiveSpace(internal.aspace, host, host.clock)
         self._subscriptions = Subscriptions(space, limits)
         internal.subscription_service = internal.isession.subscription_service = self._subscriptions
         types = CompanionTypes(nodes, cnc)
@@ -90,7 +85,7 @@ class OpcuaDoor:
         machine.add_all(ProgramTexts(_known_texts(host), self._read_text))
         self._cycles = CycleSpace(nodes, machine, space)
         self._alarms = Alarms(
-            host, types, machine, self._subscriptions, clock, EventTypes(internal.aspace)
+            host, types, machine, self._subscriptions, host.clock, EventTypes(internal.aspace)
         )
         nodes.refer(standard(ua.ObjectIds.Server), refs.HAS_NOTIFIER, machine.interface)
         for channel in machine.channels.values():
@@ -100,7 +95,11 @@ class OpcuaDoor:
         internal.services = MachineServices(host, space, methods, history, limits)
         await server.tell_limits()
         await host.store.subscribe(self._alarms.error_names.values())
-        _, address = await listen_at("OPC UA", self._address, server.listen)
+
+    async def open(self) -> str:
+        """Serve clients from now on; return the address. Raises ``Failure``."""
+        host = self._host
+        _, address = await listen_at("OPC UA", self._address, self._server.listen)
         self._tasks = [asyncio.get_running_loop().create_task(self._look())]
         self._unlisten = [
             host.notices.listen(self._alarms.take),

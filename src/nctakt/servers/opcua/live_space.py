@@ -19,9 +19,10 @@ from asyncua.ua.ua_binary import variant_to_binary
 
 from nctakt.base.diagnostics import Span
 from nctakt.base.failure import Failure, error_text
+from nctakt.servers.clock import MachineClock
 from nctakt.servers.host import Host
 from nctakt.servers.opcua.publishing import now_units
-from nctakt.servers.opcua.values import Clock, Live, Moment, Sample
+from nctakt.servers.opcua.values import Live, Moment, Sample
 from nctakt.session.listening import Frame
 
 #: How old what is known of realtime cycles and channels may be, in seconds.
@@ -37,7 +38,7 @@ _RELEASE_S = 1.0
 class LiveSpace:
     """The address space with those nodes whose values are the session's; ``live``: by their IDs."""
 
-    def __init__(self, space: AddressSpace, host: Host, clock: Clock) -> None:
+    def __init__(self, space: AddressSpace, host: Host, clock: MachineClock) -> None:
         self.space = space
         self.clock = clock
         self.live: dict[ua.NodeId, Live] = {}

@@ -10,16 +10,15 @@ import struct
 import time
 from collections.abc import Sequence
 
+from nctakt.servers.clock import FILETIME_1970
+
 #: Numbers of the binary encodings of messages and notifications.
 _PUBLISH_RESPONSE, _DATA, _EVENTS, _STATUS = 829, 811, 916, 820
-
-#: From 1601, where OPC UA begins to count, to 1970, in its units.
-_UNIX_EPOCH = 116_444_736_000_000_000
 
 
 def now_units() -> int:
     """Return the time in units of OPC UA."""
-    return time.time_ns() // 100 + _UNIX_EPOCH
+    return time.time_ns() // 100 + FILETIME_1970
 
 
 def _type(number: int) -> bytes:

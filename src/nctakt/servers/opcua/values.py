@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import struct
 from collections.abc import Callable, Mapping
-from datetime import UTC, datetime, timedelta
+from datetime import UTC, datetime
 from typing import Any
 
 from asyncua import ua
@@ -17,14 +17,14 @@ from asyncua.ua.ua_binary import variant_to_binary
 
 from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Span
+from nctakt.servers.clock import MachineClock
 from nctakt.servers.store import Scalar
 from nctakt.session.engine import Glance
 
 #: A value of Python, of the type of its node.
 Value = Any
 
-#: The begin of the clock of OPC UA, and its units in a second.
-_EPOCH = datetime(1601, 1, 1, tzinfo=UTC)
+#: Units of the times of OPC UA in a second.
 UNITS_S = 10_000_000
 
 #: What a data value has: value, status, source's and server's time.
@@ -93,35 +93,6 @@ class Sample:
     wire: bytes
 
 
-class Clock:
-    """The time of ticks: that of the start, and so many cycle times more."""
-
-    def __init__(self, start: datetime, cycle_time_us: int) -> None:
-        self.start = start
-        self.cycle_time_us = cycle_time_us
-        self._start_units = units_of(start)
-
-    def units(self, tick: int) -> int:
-        """Return the time at which a tick begins, in units of OPC UA."""
-        return self._start_units + tick * self.cycle_time_us * 10
-
-    def time(self, tick: int) -> datetime:
-        """Return the time at which a tick begins."""
-        return self.start + timedelta(microseconds=tick * self.cycle_time_us)
-
-    def tick_at(self, moment: datetime, *, is_end: bool = False) -> int:
-        """Return the first tick at a time or later, of an end the last one; below 0: before all."""
-        distance_us = (moment - self.start) // timedelta(microseconds=1)
-        if is_end:
-            return distance_us // self.cycle_time_us
-        return -(-distance_us // self.cycle_time_us)
-
-
-def units_of(moment: datetime) -> int:
-    """Return a time in units of OPC UA."""
-    return (moment - _EPOCH) // timedelta(microseconds=1) * 10
-
-
 @dataclass(slots=True, eq=False)
 class Live:
     """A node whose value is that of the session.
@@ -144,7 +115,7 @@ class Live:
     _moment: Moment | None = field(default=None, init=False)
     _sample: Sample | None = field(default=None, init=False)
 
-    def sample(self, moment: Moment, clock: Clock, now_units: int) -> Sample:
+    def sample(self, moment: Moment, clock: MachineClock, now_units: int) -> Sample:
         """Return its value at a moment; the same object for the same moment."""
         if moment is self._moment and self._sample is not None:
             return self._sample
@@ -152,7 +123,7 @@ class Live:
         value, status, content = self._content(moment)
         if last is not None and last.content == content and last.status == status:
             value = last.value
-        times = struct.pack("<qq", clock.units(moment.tick), now_units)
+        times = struct.pack("<qq", clock.filetime(moment.tick), now_units)
         if content:
             wire = bytes((_HAS_ALL,)) + content + struct.pack("<I", status) + times
         else:
@@ -183,7 +154,7 @@ class Live:
         variant = ua.Variant(value, self.kind, is_array=self.is_array)
         return bytes(variant_to_binary(variant))
 
-    def data_value(self, moment: Moment, clock: Clock) -> ua.DataValue:
+    def data_value(self, moment: Moment, clock: MachineClock) -> ua.DataValue:
         """Return its value at a moment as the library shows it."""
         value, status, _ = self._content(moment)
         variant = ua.Variant(value, self.kind, is_array=self.is_array) if status == 0 else None

@@ -6,6 +6,7 @@ from __future__ import annotations
 import asyncio
 import json
 from collections.abc import Awaitable, Callable
+from ipaddress import ip_network
 from struct import pack, unpack, unpack_from
 
 import pytest
@@ -24,6 +25,7 @@ from servers.ads_wire import (
     write,
 )
 
+from nctakt.servers.address import is_within, read_network
 from nctakt.servers.ads import limits, symbols
 from nctakt.servers.ads.clients import Client
 from nctakt.servers.ads.codes import Command, Error, Group, State
@@ -198,6 +200,43 @@ def test_who_is_not_permitted_gets_the_error_of_symbols_and_stands_in_the_log_on
 
     lines = [json.loads(line) for line in with_bench(act, permitted=[bytes(6)])]
     assert [one["client"] for one in lines if one["event"] == "refused"] == ["10.0.0.9.1.1:33000"]
+
+
+def test_a_connection_from_elsewhere_ends_before_anything_is_read_whatever_its_net_id() -> None:
+    """The address of the socket decides (10.0.0.9), not the NetId that a client states."""
+
+    async def elsewhere(found: Bench) -> None:
+        one, wire = found.connect()
+        assert wire.is_closed
+        one.data_received(read(VARIABLES, 0, 8))
+        assert not wire.sent
+        assert not found.door.connections
+
+    async def permitted(found: Bench) -> None:
+        one, wire = found.connect()
+        assert (await found.ask(one, wire, read(VARIABLES, 0, 8))).error == 0
+
+    networks = [ip_network("10.0.0.0/29"), ip_network("::/0")]
+    lines = [json.loads(line) for line in with_bench(elsewhere, networks=networks)]
+    assert [one["client"] for one in lines if one["event"] == "refused"] == ["10.0.0.9"]
+    with_bench(permitted, networks=[ip_network("10.0.0.8/29")])
+
+
+@pytest.mark.parametrize(
+    ("address", "is_in"),
+    [
+        ("10.0.0.9", True),
+        ("::ffff:10.0.0.9", True),  # as a socket of both families tells it
+        ("10.0.1.9", False),
+        ("fe80::1%eth0", True),
+        ("fe81::1", False),
+        ("", False),
+    ],
+)
+def test_addresses_lie_in_networks(address: str, is_in: bool) -> None:
+    """Both families, and what sockets say of them."""
+    networks = [read_network("--ads-from", text) for text in ("10.0.0.9", "fe80::/16")]
+    assert is_within(address, networks) is is_in
 
 
 def test_sum_commands_answer_each_part_and_write_into_one_tick() -> None:

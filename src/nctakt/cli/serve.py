@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from nctakt.base.dataclass import dataclass
-from nctakt.base.diagnostics import Severity
+from nctakt.base.diagnostics import Diagnostic, Severity, Text
 from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN
 from nctakt.cli.file_options import CONFINE_OPTION
@@ -39,7 +39,13 @@ from nctakt.messages.live import PAGE_NEEDS_FILES
 from nctakt.messages.opcua import OPCUA_LIBRARY_MISSING
 from nctakt.messages.real_schedule import SPEED_OF_REAL_SCHEDULE
 from nctakt.messages.scheduled_runs import OPTION_WITHOUT_SCHEDULE
-from nctakt.messages.servers import INVALID_NET_ID, NO_DOOR, PAGE_WITHOUT_PROGRAM
+from nctakt.messages.servers import (
+    ADS_NEEDS_SOURCES,
+    INVALID_NET_ID,
+    NO_DOOR,
+    PAGE_WITHOUT_PROGRAM,
+    WHO_COMMANDS,
+)
 from nctakt.servers.building import building
 
 if TYPE_CHECKING:
@@ -56,7 +62,7 @@ that has stopped, 2 wrong usage or unusable input, 3 an error of nctakt's own.
 
 \b
   nctakt serve --machine lists --ads
-  nctakt serve part.nc --ads=0.0.0.0:48898 --record cell.tape
+  nctakt serve part.nc --ads=0.0.0.0 --ads-from 192.168.0.0/24
   nctakt serve part.nc --opcua
 """
 
@@ -112,11 +118,19 @@ that has stopped, 2 wrong usage or unusable input, 3 an error of nctakt's own.
     help="NetId of the ADS server [default: that of its address, as 127.0.0.1.1.1].",
 )
 @click.option(
+    "--ads-from",
+    "ads_networks",
+    metavar="ADDRESS/NET",
+    multiple=True,
+    help="Take ADS connections from this address or network only; may be repeated [needed "
+    "unless ADS is for this computer alone].",
+)
+@click.option(
     "--ads-permit",
     "ads_permitted",
     metavar="NETID",
     multiple=True,
-    help="Serve ADS to this NetId only; may be repeated [default: all].",
+    help="Serve ADS only to clients that state this NetId; may be repeated [default: all].",
 )
 @click.option(
     "--live",
@@ -192,6 +206,7 @@ that has stopped, 2 wrong usage or unusable input, 3 an error of nctakt's own.
 def command(
     ads: str | None,
     ads_net_id: str | None,
+    ads_networks: tuple[str, ...],
     ads_permitted: tuple[str, ...],
     live: str | None,
     mtconnect: str | None,
@@ -208,9 +223,9 @@ def command(
 ) -> int:
     """Let clients on the network find a controller: a session behind several doors."""
     doors = {"ads": ads, "mtconnect": mtconnect, "mqtt": mqtt, "opcua": opcua}
-    net_ids = ads_net_id, ads_permitted
+    clients = _AdsWords(ads_net_id, ads_permitted, ads_networks)
     own = _Words(
-        doors, live, net_ids, opcua_folder, acknowledge, speed, pace, tape, ready_file, log
+        doors, live, clients, opcua_folder, acknowledge, speed, pace, tape, ready_file, log
     )
 
     def show(options: Options, access: FileAccess) -> int:
@@ -222,15 +237,21 @@ def command(
 
 
 @dataclass(frozen=True, slots=True)
-class _Words:
-    """The words that only this command has; ``doors``: the word of each option of a door.
+class _AdsWords:
+    """The NetId of the ADS server, those of its clients, and where these connect from."""
 
-    ``net_ids``: that of the ADS server, and those of its clients.
-    """
+    net_id: str | None
+    permitted: tuple[str, ...]
+    networks: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class _Words:
+    """The words that only this command has; ``doors``: the word of each option of a door."""
 
     doors: Mapping[str, str | None]
     live: str | None
-    net_ids: tuple[str | None, tuple[str, ...]]
+    ads: _AdsWords
     opcua_folder: str
     acknowledge: bool
     speed: float
@@ -268,8 +289,9 @@ def _serve(options: Options, access: FileAccess, own: _Words, built: Callable[[]
         doors["live"] = _page(options, own, folders, own.live)
     if not doors:
         raise Failure(diagnostic(NO_DOOR))
-    if options.machine_note is not None and not options.quiet:
-        print_diagnostics([options.machine_note], options.language)
+    if not options.quiet:
+        notes = [] if options.machine_note is None else [options.machine_note]
+        print_diagnostics([*notes, *_who_commands(own)], options.language)
     machine = load_machine(options.machine, access=access)
     with contextlib.ExitStack() as stack:  # each can be written, and is none of the other files
         for option, file in (
@@ -326,14 +348,20 @@ def _doors(own: _Words) -> dict[str, DoorOpener]:
 
 
 def _ads(word: str, own: _Words) -> DoorOpener:
-    from nctakt.servers.address import read_address  # noqa: PLC0415 - only where it is asked for
+    from nctakt.servers.address import (  # noqa: PLC0415 - only where it is asked for
+        is_loopback,
+        read_address,
+        read_network,
+    )
     from nctakt.servers.ads.server import PORT, AdsDoor  # noqa: PLC0415 - as above
 
     address = read_address("--ads", word, PORT)
-    given, permitted = own.net_ids
-    net_id = None if given is None else _net_id(given)
-    clients = [_net_id(text) for text in permitted]
-    return lambda host: AdsDoor(host, address, net_id, clients)
+    net_id = None if own.ads.net_id is None else _net_id(own.ads.net_id)
+    clients = [_net_id(text) for text in own.ads.permitted]
+    networks = [read_network("--ads-from", text) for text in own.ads.networks]
+    if not networks and not is_loopback(address[0]):
+        raise Failure(diagnostic(ADS_NEEDS_SOURCES, host=address[0]))
+    return lambda host: AdsDoor(host, address, net_id, clients, networks)
 
 
 def _net_id(text: str) -> bytes:
@@ -344,6 +372,35 @@ def _net_id(text: str) -> bytes:
     if found is None:
         raise Failure(diagnostic(INVALID_NET_ID, text=text))
     return found
+
+
+def _who_commands(own: _Words) -> Iterator[Diagnostic]:
+    """Yield a note for each door that takes commands: from whom."""
+    from nctakt.servers.address import is_loopback, read_address  # noqa: PLC0415 - as in _ads
+
+    def is_local(door: str) -> bool:
+        return is_loopback(read_address(f"--{door}", own.doors[door] or "", 0)[0])
+
+    local = Text(
+        "any program of this computer, without a password",
+        "jedes Programm dieses Rechners, ohne Passwort",
+    )
+    if own.doors["ads"] is not None:
+        networks = ", ".join(own.ads.networks)
+        remote = Text(
+            f"whoever connects from {networks}, without a password",
+            f"wer sich von {networks} verbindet, ohne Passwort",
+        )
+        yield diagnostic(WHO_COMMANDS, door="ADS", who=remote if networks else local)
+    if own.doors["opcua"] is not None:
+        users = Text(f"the users of {own.opcua_folder}", f"die Benutzer von {own.opcua_folder}")
+        yield diagnostic(WHO_COMMANDS, door="OPC UA", who=local if is_local("opcua") else users)
+    if own.doors["mqtt"] is not None:
+        writers = Text(
+            "whoever may write to the topics of the broker",
+            "wer auf die Topics des Brokers schreiben darf",
+        )
+        yield diagnostic(WHO_COMMANDS, door="MQTT", who=writers)
 
 
 def _page(options: Options, own: _Words, folders: Sequence[str], word: str) -> DoorOpener:

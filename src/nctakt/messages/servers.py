@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from nctakt.messages.catalogue import error
+from nctakt.messages.catalogue import error, note
 
 DOOR_ADDRESS_NOT_USABLE = error(
     901351,
@@ -73,6 +73,36 @@ MQTT_NOT_INSTALLED = error(
     de="MQTT braucht das Paket aiomqtt, das nicht installiert ist",
     remedy_en='Install it: pip install "nctakt[mqtt]"',
     remedy_de='Installieren: pip install "nctakt[mqtt]"',
+)
+INVALID_NETWORK = error(
+    902020,
+    en="{option}: {text} is neither an address nor a network",
+    de="{option}: {text} ist weder eine Adresse noch ein Netz",
+    remedy_en="Write an address, 192.168.0.7, or a network with zeros at its end, 192.168.0.0/24.",
+    remedy_de="Eine Adresse schreiben, 192.168.0.7, oder ein Netz mit Nullen am Ende, "
+    "192.168.0.0/24.",
+    option=("the option", "die Option"),
+    text=("the text", "der Text"),
+)
+ADS_NEEDS_SOURCES = error(
+    902021,
+    en="ADS at {host} can be reached from other computers: who may connect has to be named",
+    de="ADS an {host} ist von anderen Rechnern erreichbar: wer sich verbinden darf, muss "
+    "genannt sein",
+    remedy_en="Name addresses or networks: --ads-from 192.168.0.0/24; 0.0.0.0/0 is everybody.",
+    remedy_de="Adressen oder Netze nennen: --ads-from 192.168.0.0/24; 0.0.0.0/0 sind alle.",
+    cause_en="ADS has no passwords: whoever connects commands the machine. A NetId is what a "
+    "client states.",
+    cause_de="ADS hat keine Passwörter: Wer sich verbindet, befiehlt der Maschine. Eine NetId ist "
+    "das, was ein Client angibt.",
+    host=("the address of the server", "die Adresse des Servers"),
+)
+WHO_COMMANDS = note(
+    902022,
+    en="{door}: the machine can be commanded by {who}",
+    de="{door}: Der Maschine befehlen kann {who}",
+    door=("the protocol", "das Protokoll"),
+    who=("whoever is admitted", "wer zugelassen ist"),
 )
 INVALID_NET_ID = error(
     901476,

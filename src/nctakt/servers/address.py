@@ -6,11 +6,18 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import ipaddress
-from collections.abc import Awaitable, Callable
+from collections.abc import Awaitable, Callable, Collection
 
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
-from nctakt.messages.servers import DOOR_ADDRESS_NOT_USABLE, INVALID_DOOR_ADDRESS
+from nctakt.messages.servers import (
+    DOOR_ADDRESS_NOT_USABLE,
+    INVALID_DOOR_ADDRESS,
+    INVALID_NETWORK,
+)
+
+#: Addresses that begin alike.
+Network = ipaddress.IPv4Network | ipaddress.IPv6Network
 
 #: The address of a door that names none: this computer alone.
 LOOPBACK = "127.0.0.1"
@@ -32,6 +39,32 @@ def read_address(option: str, text: str, port: int) -> tuple[str, int]:
     if not is_port or not is_host:
         raise Failure(diagnostic(INVALID_DOOR_ADDRESS, option=option, text=text))
     return bare, int(number)
+
+
+def is_loopback(host: str) -> bool:
+    """Return whether an address is this computer's own, which nobody else reaches."""
+    with contextlib.suppress(ValueError):
+        return ipaddress.ip_address(host).is_loopback
+    return host == "localhost"
+
+
+def read_network(option: str, text: str) -> Network:
+    """Return the addresses of ``ADDRESS`` or ``ADDRESS/BITS``; raises ``Failure`` (902020)."""
+    try:
+        return ipaddress.ip_network(text)
+    except ValueError as error:
+        raise Failure(diagnostic(INVALID_NETWORK, option=option, text=text)) from error
+
+
+def is_within(address: str, networks: Collection[Network]) -> bool:
+    """Return whether the address of a socket lies in one of the networks."""
+    try:
+        found = ipaddress.ip_address(address.partition("%")[0])
+    except ValueError:
+        return False
+    if isinstance(found, ipaddress.IPv6Address) and found.ipv4_mapped is not None:
+        found = found.ipv4_mapped
+    return any(found in network for network in networks)
 
 
 def shown_address(host: str, port: int) -> str:

@@ -15,7 +15,7 @@ from collections.abc import Collection
 from typing import cast
 
 from nctakt.base.failure import Failure, error_text
-from nctakt.servers.address import listen_at, shown_address
+from nctakt.servers.address import Network, is_within, listen_at, shown_address
 from nctakt.servers.ads.access import DOOR
 from nctakt.servers.ads.clients import Client
 from nctakt.servers.ads.codes import TCP_PORT, AdsError, Error
@@ -44,8 +44,9 @@ _EVERYWHERE = ("0.0.0.0", "::")
 class AdsDoor:
     """The server at one address.
 
-    ``net_id``: its own; by default that of its address, as routers make it. ``permitted``: NetIds
-    of clients that may come in, all if it is empty.
+    ``net_id``: its own; by default that of its address, as routers make it. ``networks``: where
+    clients may connect from, everywhere if it is empty. ``permitted``: NetIds that are served, all
+    if it is empty; each client states its own.
     """
 
     def __init__(
@@ -54,11 +55,13 @@ class AdsDoor:
         address: tuple[str, int],
         net_id: bytes | None = None,
         permitted: Collection[bytes] = (),
+        networks: Collection[Network] = (),
     ) -> None:
         self.host = host
         self._address = address
         self.net_id = net_id or net_id_of(address[0])
         self.permitted = frozenset(permitted)
+        self.networks = tuple(networks)
         self.connections: set[Connection] = set()
         self.tasks: set[asyncio.Task[None]] = set()
         self._server: asyncio.Server | None = None
@@ -131,13 +134,18 @@ class Connection(asyncio.Protocol):
     # --- the connection -------------------------------------------------------------------------
 
     def connection_made(self, transport: asyncio.BaseTransport) -> None:
-        """Begin; a connection beyond the limit ends at once."""
+        """Begin; a connection from elsewhere or beyond the limit ends at once."""
         self._transport = cast("asyncio.Transport", transport)
         address = transport.get_extra_info("peername") or ("", 0)
         self._address = str(address[0])
         self.peer = shown_address(str(address[0]), address[1])
-        if len(self._door.connections) >= MAX_CONNECTIONS:
-            self._log.refuse(DOOR, self._address, "too many connections")
+        networks, reason = self._door.networks, ""
+        if networks and not is_within(self._address, networks):
+            reason = "the address is not one of --ads-from"
+        elif len(self._door.connections) >= MAX_CONNECTIONS:
+            reason = "too many connections"
+        if reason:
+            self._log.refuse(DOOR, self._address, reason)
             self._transport.abort()
             self._transport = None
             return
@@ -174,7 +182,9 @@ class Connection(asyncio.Protocol):
     # --- requests -------------------------------------------------------------------------------
 
     def data_received(self, data: bytes) -> None:
-        """Answer all requests that are whole with these bytes."""
+        """Answer all requests that are whole with these bytes, unless the connection has ended."""
+        if self._transport is None:
+            return
         answers: list[bytes] = []
         begins: list[Client] = []
         try:

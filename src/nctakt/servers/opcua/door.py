@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
-import ipaddress
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
@@ -17,7 +16,7 @@ from asyncua import ua
 
 from nctakt.base.failure import Failure
 from nctakt.files.access import FileAccess
-from nctakt.servers.address import listen_at
+from nctakt.servers.address import is_loopback, listen_at
 from nctakt.servers.host import Host
 from nctakt.servers.opcua import nodes as refs
 from nctakt.servers.opcua.alarms import Alarms
@@ -43,13 +42,6 @@ PORT = 4840
 
 #: How often it is looked for new realtime cycles, in seconds.
 _CYCLES_S = 0.5
-
-
-def is_loopback(host: str) -> bool:
-    """Return whether an address is this computer's own, which nobody else reaches."""
-    with contextlib.suppress(ValueError):
-        return ipaddress.ip_address(host).is_loopback
-    return host == "localhost"
 
 
 class OpcuaDoor:

@@ -320,7 +320,7 @@ POSITION = ua.NodeId.from_string("ns=3;s=CncAxisList.X.PosDirect.ActPos")
 
 async def read_past(client, served, ticks, points):
     """Read the first ticks of the session of one node for each continuation point."""
-    clock = served.door._space.clock
+    clock = served.host.clock
     details = ua.ReadRawModifiedDetails()
     details.IsReadModified = False
     details.StartTime, details.EndTime = clock.time(0), clock.time(ticks - 1)
@@ -355,7 +355,7 @@ def test_an_answer_of_the_past_is_bounded_for_all_its_nodes(served):
                 await read_past(client, served, 80, [None] * 6)
             params = ua.HistoryReadParameters()
             params.HistoryReadDetails = ua.ReadAtTimeDetails()
-            start = served.door._space.clock.start
+            start = served.host.clock.time(0)
             params.HistoryReadDetails.ReqTimes = [start + timedelta(seconds=1)] * 101
             request = ua.HistoryReadValueId()
             request.NodeId = POSITION

@@ -9,6 +9,7 @@ from typing import Any
 import pytest
 from editor.client import Editor
 from lsprotocol import types
+from pygls.exceptions import JsonRpcException
 
 pytestmark = pytest.mark.slow
 
@@ -171,10 +172,10 @@ def test_names_lead_to_definitions_and_uses_and_can_be_changed(in_editor: Run) -
             types.PrepareRenameParams(**at("G00 X1", "X1"))
         )
         assert (axis.start.character, axis.end.character) == (4, 5)
-        of_demo = await client.text_document_rename_async(
-            types.RenameParams(**at("G00 X1", "X1"), new_name="X7")
-        )
-        assert of_demo is None
+        with pytest.raises(JsonRpcException, match="it belongs to the demo machine"):
+            await client.text_document_rename_async(
+                types.RenameParams(**at("G00 X1", "X1"), new_name="X7")
+            )
 
     in_editor(script)
 

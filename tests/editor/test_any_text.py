@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import random
 from collections.abc import Callable
 from pathlib import Path
@@ -15,6 +16,7 @@ pytest.importorskip("pygls", reason="the language server needs pygls (extra edit
 
 from lsprotocol.types import Position
 
+from nctakt.base.failure import Failure
 from nctakt.editor import (
     colours,
     completion,
@@ -66,19 +68,23 @@ def test_each_request_is_answered(seed: int, server: Server, tmp_path: Path) -> 
     def at() -> Position:
         return Position(chance.randrange(len(document.lines) + 2), chance.randrange(30))
 
+    def renamed(position: Position, name: str) -> None:
+        with contextlib.suppress(Failure):  # refused with its reason
+            navigation.rename(document, position, name, loaded, lambda: [document])
+
     new = chance.choice(("A", "X1", "5", "N5", "ü"))
     count = len(document.lines)
     print_lines = list_lines.format_list if is_list else formatting.format_lines
     shown = [(item, server.shown(document, item)) for item in found]
     requests: tuple[Callable[[], Any], ...] = (
-        lambda: hover.hover(document, at(), machine.configuration, found, "en"),
+        lambda: hover.hover(document, at(), machine, found, "en"),
         lambda: completion.complete(document, at(), machine, "de"),
         lambda: navigation.definition(document, at(), loaded),
         lambda: navigation.references(
             document, at(), loaded, lambda: [document], with_definition=True
         ),
         lambda: navigation.highlights(document, at(), loaded),
-        lambda: navigation.rename(document, at(), new, loaded, lambda: [document]),
+        lambda: renamed(at(), new),
         lambda: outline.document_symbols(document),
         lambda: outline.folding_ranges(document),
         lambda: outline.selection_range(document, at()),

@@ -17,12 +17,18 @@ from nctakt.base.diagnostics import Diagnostic, Language, Text
 from nctakt.editor.document import Document
 from nctakt.editor.line_tokens import Token, token_at
 from nctakt.editor.names import Occurrence, occurrences, section_of, symbol_at
-from nctakt.lists.machine.machine import Machine
 from nctakt.messages.lints import ASYNCHRONOUS_CONDITION, ASYNCHRONOUS_VALUE
+from nctakt.nc.vocabulary import support_level
+from nctakt.nc.vocabulary.entries import Kind
 from nctakt.reference.article import Article
+from nctakt.reference.language import entry_article
 from nctakt.reference.machine_variables import MachineVariables
-from nctakt.reference.topics import explain
+from nctakt.reference.topics import articles_about
+from nctakt.run.assembly import AssembledMachine
 
+_NOT_DECLARED = Text("not in the lists of this machine", "nicht in den Listen dieser Maschine")
+#: Variables that the lists of the machine declare.
+_OF_LISTS = ("V.E.", "V.CH.")
 _KEY = re.compile(r"[\w.\[\]]+")
 _NUMBER = re.compile(r"\d{4,6}")
 _DEFINED = Text("defined in line {line}", "vereinbart in Zeile {line}")
@@ -35,7 +41,7 @@ _MAX_ARTICLES = 4
 def hover(
     document: Document,
     position: Position,
-    machine: Machine,
+    machine: AssembledMachine,
     findings: Sequence[Diagnostic],
     language: Language,
 ) -> Hover | None:
@@ -101,15 +107,44 @@ def _own_facts(document: Document, symbol: Occurrence | None, language: Language
     yield f"{name}: {where}\n```nc\n{document.line(definition.line).strip()}\n```"
 
 
+def _of_function(text: str, machine: AssembledMachine) -> list[Article]:
+    """Return the articles of a G, M or H function; none of one that no channel has."""
+    letter, written = text[0].upper(), text[1:]
+    if not written.isdecimal():
+        return [] if written else list(articles_of(letter))
+    number = int(written)
+    if letter == "G":
+        known = support_level.g_function(number)
+        return [] if known is None else [entry_article(known)]
+    for channel in machine.assembled:
+        functions = channel.parameters.m_functions, channel.parameters.h_functions
+        entry = support_level.h_function(number, functions[letter == "H"])
+        if letter == "M":
+            entry = support_level.m_function(number, functions[0])
+        if entry is not None:
+            is_listed = entry.kind is Kind.TECHNOLOGY
+            return [*(articles_of(letter) if is_listed else ()), entry_article(entry)]
+    return []
+
+
 def _articles(
-    token: Token, symbol: Occurrence | None, machine: Machine, language: Language
+    token: Token,
+    symbol: Occurrence | None,
+    machine: AssembledMachine,
+    language: Language,
 ) -> list[str]:
     if token.kind in ("comment", "string"):
         numbers = _NUMBER.findall(token.text) if "nctakt" in token.text else []
         return [article_text(item, language) for number in numbers for item in articles_of(number)]
     articles: Sequence[Article] = ()
     if symbol is not None and symbol.symbol.kind == "variable":
-        articles = MachineVariables(machine).find(symbol.symbol.name)
+        name = symbol.symbol.name
+        articles = MachineVariables(machine.configuration).find(name)
+        if not articles and name.startswith(_OF_LISTS):
+            return [f"{name}: {_NOT_DECLARED.get(language)}"]
+    if token.kind == "function":
+        articles = _of_function(token.text, machine)
+        return [article_text(article, language) for article in articles]
     for word in _words(token):
         articles = articles or articles_of(word)
     return [article_text(article, language) for article in articles[:_MAX_ARTICLES]]
@@ -128,13 +163,14 @@ def _words(token: Token) -> Iterator[str]:
         yield re.sub(r"^Vs\.", "V.", text, flags=re.IGNORECASE)
     elif token.kind not in ("number", "member"):
         yield text
-        yield text.rstrip(":0123456789.")
+        if token.kind in ("block", "parameter"):
+            yield text.rstrip(":0123456789.")
 
 
 @lru_cache(maxsize=512)
 def articles_of(word: str) -> tuple[Article, ...]:
     """Return the articles of a word."""
-    return explain(word)
+    return articles_about(word)
 
 
 def article_text(article: Article, language: Language) -> str:

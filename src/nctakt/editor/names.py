@@ -13,7 +13,8 @@ from functools import lru_cache
 from typing import Literal, NamedTuple
 
 from nctakt.editor.line_tokens import VARIABLE
-from nctakt.nc.parse.lexer import without_comments
+from nctakt.nc.parse.block_head import BLOCK_HEAD, HEAD, LABEL, number_label
+from nctakt.nc.parse.lexer import COMMENT_BEGIN, COMMENT_END, without_comments
 
 Kind = Literal["cycle", "label", "subprogram", "file", "parameter", "variable", "axis"]
 
@@ -41,10 +42,8 @@ class Occurrence(NamedTuple):
 _CYCLE = re.compile(
     r"#\s*RT\s+CYCLE\b(?P<action>[^\[]*)\[[^\]]*?\bID\s*=\s*(?P<id>\d+)", re.IGNORECASE
 )
-_HEAD_LABEL = re.compile(
-    r"^\s*(?:/\d*\s*)?(?:N\s*(?P<number>\d+)\s*:|\[(?P<name>[A-Z_]\w*)\])", re.I
-)
-_GOTO = re.compile(r"\$GOTO\s*(?:N\s*(?P<number>\d+)|\[\s*(?P<name>[A-Z_]\w*)\s*\])", re.IGNORECASE)
+_GOTO = re.compile(rf"\$GOTO(?!\w){LABEL.pattern}", re.IGNORECASE)
+_PROGRAM = re.compile(r"%\s*(?P<local>L\s+(?=\S))?", re.IGNORECASE)
 _START = re.compile(r"^\s*%\s*L\s+(?P<name>[^\s;(]+)", re.IGNORECASE)
 _LOCAL_CALL = re.compile(r"(?<![\w.])LL\s+(?!CYCLE\b)(?P<name>[^\s\[;(=]+)", re.IGNORECASE)
 _NAMED_CALL = re.compile(
@@ -56,8 +55,8 @@ _ASSIGNED = re.compile(r"\s*[-+*/]?=(?!=)")
 _VARIABLE = re.compile(rf"(?<!\w\w)(?<![\d._])(?P<name>{VARIABLE})", re.IGNORECASE)
 _INDEX = re.compile(r"\[[^\[\]]*\]")
 _STRING = re.compile(r'"[^"]*"?')
-_VAR_BEGIN = re.compile(r"^\s*(?:N\d+\s*)?#\s*VAR\b", re.IGNORECASE)
-_VAR_END = re.compile(r"^\s*(?:N\d+\s*)?#\s*ENDVAR\b", re.IGNORECASE)
+_VAR_BEGIN = re.compile(rf"{BLOCK_HEAD}\#\s*VAR\b", re.IGNORECASE)
+_VAR_END = re.compile(rf"{BLOCK_HEAD}\#\s*ENDVAR\b", re.IGNORECASE)
 
 
 def variable_name(written: str) -> str:
@@ -77,11 +76,7 @@ def occurrences_in(line: str, number: int, *, declares: bool = False) -> Iterato
         action = match["action"].split()
         is_definition = not action or action[0].upper() == "DEF"
         yield _at(Symbol("cycle", str(int(match["id"]))), number, match, "id", is_definition)
-    head = _HEAD_LABEL.match(code)
-    if head is not None:
-        yield _label(head, number, is_definition=True)
-    for match in _GOTO.finditer(code):
-        yield _label(match, number, is_definition=False)
+    yield from _labels_in(code, number)
     start = _START.match(code)
     if start is not None:
         yield _at(Symbol("subprogram", start["name"]), number, start, "name", True)
@@ -122,15 +117,22 @@ def _axis_patterns(name: str) -> tuple[re.Pattern[str], ...]:
     return tuple(re.compile(pattern, re.IGNORECASE) for pattern in written)
 
 
-def _label(match: re.Match[str], line: int, *, is_definition: bool) -> Occurrence:
-    if match["number"] is not None:
-        symbol = Symbol("label", f"N{int(match['number'])}")
-        return _at(symbol, line, match, "number", is_definition)
-    return _at(Symbol("label", match["name"]), line, match, "name", is_definition)
+def _labels_in(code: str, line: int) -> Iterator[Occurrence]:
+    """Yield the label at a block's head, and those that its jumps name."""
+    head = HEAD.match(code)
+    assert head is not None
+    if head[4] is not None:
+        yield _at(Symbol("label", head[4].upper()), line, head, 4, True)
+    elif head[3] is not None:
+        yield _at(Symbol("label", number_label(head[2])), line, head, 2, True)
+    for match in _GOTO.finditer(code):
+        is_number = match[1] is not None
+        name = number_label(match[1]) if is_number else match[2].upper()
+        yield _at(Symbol("label", name), line, match, 1 if is_number else 2, False)
 
 
 def _at(
-    symbol: Symbol, line: int, match: re.Match[str], group: str | None, is_definition: bool
+    symbol: Symbol, line: int, match: re.Match[str], group: str | int | None, is_definition: bool
 ) -> Occurrence:
     start, end = match.span() if group is None else match.span(group)
     return Occurrence(symbol, line, start, end, is_definition)
@@ -171,13 +173,53 @@ def _is_declared(lines: Sequence[str], line: int) -> bool:
 
 def section_of(lines: Sequence[str], line: int) -> range:
     """Return the lines of the main program or subprogram that has a line; labels are its own."""
-    first = line
-    while first > 0 and not lines[first].lstrip().startswith("%"):
-        first -= 1
-    last = line + 1
-    while last < len(lines) and not lines[last].lstrip().startswith("%"):
-        last += 1
-    return range(first, last)
+    first = 0
+    for start in _section_starts(lines):
+        if start > line:
+            return range(first, start)
+        first = start
+    return range(first, len(lines))
+
+
+def _section_starts(lines: Sequence[str]) -> Iterator[int]:
+    """Yield the lines with which sections begin, as ``SectionCounter`` counts them: a ``%`` line
+    inside the main program is a comment.
+    """
+    is_main, has_begun = True, False
+    for number, line in outside_comments(lines):
+        if "%" not in line:
+            continue
+        code = without_comments(line)
+        head = HEAD.match(code)
+        start = None if head is None else _PROGRAM.match(code, head.end())
+        if start is None:
+            continue
+        if start["local"] is None and is_main:
+            if has_begun or any(without_comments(other).strip() for other in lines[:number]):
+                continue
+            has_begun = True
+        elif start["local"] is None and not has_begun:
+            is_main = has_begun = True
+        else:
+            is_main = False
+        yield number
+
+
+def outside_comments(
+    lines: Sequence[str], within: range | None = None
+) -> Iterator[tuple[int, str]]:
+    """Yield the lines that ``#COMMENT BEGIN … #COMMENT END`` does not take out, with numbers."""
+    is_comment = False
+    for number in within or range(len(lines)):
+        line = lines[number]
+        if "#" in line:
+            if is_comment and COMMENT_END.search(line):
+                is_comment = False
+                continue
+            if COMMENT_BEGIN.search(without_comments(line)):
+                is_comment = True
+        if not is_comment:
+            yield number, line
 
 
 def occurrences(
@@ -186,8 +228,7 @@ def occurrences(
     """Yield all places of a symbol in the order of the text; ``within``: only in these lines."""
     needle = _needle(symbol)
     declares = False
-    for number in within or range(len(lines)):
-        line = lines[number]
+    for number, line in outside_comments(lines, within):
         if "#" in line:
             if _VAR_BEGIN.match(line):
                 declares = True
@@ -201,6 +242,18 @@ def occurrences(
         for item in occurrences_in(line, number, declares=declares):
             if same(item.symbol, symbol):
                 yield item
+
+
+def called_files(lines: Sequence[str]) -> list[str]:
+    """Return the names of the files that a program calls by a constant name, each once."""
+    names: dict[str, None] = {}
+    for _, line in outside_comments(lines):
+        if "L" in line or "l" in line:
+            code = without_comments(line)
+            for match in (*_NAMED_CALL.finditer(code), *_FILE_CALL.finditer(code)):
+                if match.groupdict().get("word", "L").upper() == "L":
+                    names[match["name"]] = None
+    return list(names)
 
 
 def same(one: Symbol, other: Symbol) -> bool:

@@ -8,28 +8,79 @@ defined in its list, a called program in its file.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from pathlib import Path
 
 from lsprotocol.types import Location, Position, Range, TextEdit, WorkspaceEdit
 
+from nctakt.base.diagnostics import NOTHING, Text
+from nctakt.base.failure import Failure
 from nctakt.editor.document import Document, uri_of
 from nctakt.editor.list_lines import list_occurrences_in, list_symbol_at
 from nctakt.editor.names import (
     OWN_FAMILIES,
     Occurrence,
     Symbol,
+    called_files,
     occurrences,
+    outside_comments,
     section_of,
     symbol_at,
+    variable_name,
 )
 from nctakt.editor.workspace import LoadedMachine
 from nctakt.lists.machine.files import find_below
+from nctakt.messages import diagnostic
+from nctakt.messages.editor import (
+    NAME_IS_FIXED,
+    NEW_NAME_INVALID,
+    NEW_NAME_TAKEN,
+    RENAMED_BY_NUMBER,
+)
+from nctakt.nc.check.realtime_cycles import HIGHEST_ID
+from nctakt.nc.parse.block_head import number_label
+from nctakt.nc.parse.lexer import without_comments
 from nctakt.run.program_loader import find_program, search_folders
 
-_IDENTIFIER = re.compile(r"[A-Za-z_]\w*")
-_AXIS_NAME = re.compile(r"[ABCQU-Z]\w*")
-_NUMBER = re.compile(r"[1-9]\d{0,9}")
+_LETTERS = Text(
+    "a name has letters, digits and _, a letter or _ first",
+    "ein Name hat Buchstaben, Ziffern und _, zuerst einen Buchstaben oder _",
+)
+#: Kind of a name -> what it may be, and how that is said.
+_FORMS = {
+    "cycle": (
+        re.compile(r"0*([1-9]\d{0,9})"),
+        Text(f"the ID of a cycle is 1 … {HIGHEST_ID}", f"die ID eines Zyklus ist 1 … {HIGHEST_ID}"),
+    ),
+    "label number": (
+        re.compile(r"N?\d{1,10}", re.IGNORECASE),
+        Text("this label is a block number: N20", "diese Sprungmarke ist eine Satznummer: N20"),
+    ),
+    "label": (re.compile(r"[^\W\d]\w*"), _LETTERS),
+    "subprogram": (re.compile(r"[^\W\d]\w*"), _LETTERS),
+    "parameter": (
+        re.compile(r"P?(\d{1,9})", re.IGNORECASE),
+        Text("a parameter is P and a number", "ein Parameter ist P und eine Nummer"),
+    ),
+    "variable": (re.compile(r"[A-Za-z_]\w*", re.ASCII), _LETTERS),
+    "axis": (
+        re.compile(r"[ABCQU-Z]\w*", re.IGNORECASE | re.ASCII),
+        Text(
+            "an axis begins with A, B, C, Q, U, V, W, X, Y or Z",
+            "eine Achse beginnt mit A, B, C, Q, U, V, W, X, Y oder Z",
+        ),
+    ),
+}
+#: Kind of a name -> its use by a computed number.
+_COMPUTED = {
+    "cycle": re.compile(
+        r"#\s*RT\s+CYCLE\b[^\[]*\[[^\]]*?\bID\s*=\s*(?!\s*\d)[^\s\]]+", re.IGNORECASE
+    ),
+    "parameter": re.compile(r"(?<![\w.@])P(?:\[\s*(?!\d+\s*\])[^\]]*\]?|P\d+)", re.IGNORECASE),
+}
+_FILE_NAME = Text("it is the name of a file", "es ist der Name einer Datei")
+_CONTROLLER_NAME = Text("the controller gives it", "die Steuerung vergibt ihn")
+_DEMO_NAME = Text("it belongs to the demo machine", "er gehört der Demo-Maschine")
 _LIST_FILE = re.compile(r"^\s*[\w.\[\]]+\s+(?P<file>[^\s#]+\.(?:lis|xml|nc))\b", re.IGNORECASE)
 
 #: The programs of the same machine, the current one among them.
@@ -126,46 +177,198 @@ def renamed_part(document: Document, item: Occurrence) -> tuple[int, int]:
 def rename(
     document: Document, position: Position, new: str, loaded: LoadedMachine, programs: Programs
 ) -> WorkspaceEdit | None:
-    """Return the edits that give a name another one, ``None`` where it cannot have it.
+    """Return the edits that give a name another one, ``None`` where there is no name.
 
-    A name of the machine changes in its lists and in all its programs.
+    A name of the machine changes in its lists and in all its programs, one of a program in all
+    programs that it calls and that call it. Raises ``Failure`` for a name that must not become the
+    new one.
     """
     item = found_at(document, position, loaded)
-    if item is None or not can_rename(item.symbol):
+    if item is None:
         return None
-    kind, name = item.symbol
-    is_numbered = kind in ("cycle", "parameter") or (kind == "label" and name[1:].isdigit())
-    text = new.lstrip("NnPp") if is_numbered and kind != "cycle" else new
-    form = _NUMBER if is_numbered else _AXIS_NAME if kind == "axis" else _IDENTIFIER
-    if form.fullmatch(text) is None:
-        return None
+    symbol = item.symbol
+    _check_fixed(symbol, loaded)
+    areas = list(_in_lists(symbol, loaded)) if is_of_machine(symbol) else []
+    places = list(_places(document, item, loaded, programs))
+    target = _new_symbol(symbol, new, places)
+    if target == symbol:
+        return WorkspaceEdit(changes={})
+    _check_free(target, symbol, places, document, loaded)
     changes: dict[str, list[TextEdit]] = {}
-    if is_of_machine(item.symbol):
-        if loaded.machine.configuration.is_demo:
-            return None
-        for area in _in_lists(item.symbol, loaded):
-            changes.setdefault(area.uri, []).append(TextEdit(area.range, text))
-        for program in programs():
-            edits = [
-                _renaming(program, other, item.symbol, text)
-                for other in occurrences(program.lines, item.symbol)
-            ]
-            if edits:
-                changes[program.uri] = edits
-    else:
-        changes[document.uri] = [
-            _renaming(document, other, item.symbol, text) for other in _all(document, item)
-        ]
+    for area in areas:
+        changes.setdefault(area.uri, []).append(TextEdit(area.range, _last(target)))
+    for program, found in places:
+        if found:
+            changes[program.uri] = [_renaming(program, other, symbol, target) for other in found]
     return WorkspaceEdit(changes=changes)
 
 
-def _renaming(document: Document, item: Occurrence, symbol: Symbol, text: str) -> TextEdit:
+def _places(
+    document: Document, item: Occurrence, loaded: LoadedMachine, programs: Programs
+) -> Iterator[tuple[Document, list[Occurrence]]]:
+    """Yield the programs in which a name means the same, each with its places."""
+    symbol = item.symbol
+    if symbol.kind in ("label", "subprogram"):
+        yield document, list(_all(document, item))
+        return
+    if is_of_machine(symbol) or symbol.name.startswith("V.S."):
+        documents = list(programs())
+    else:
+        documents = linked_programs(document, programs(), loaded)
+    for program in documents:
+        yield program, list(occurrences(program.lines, symbol))
+
+
+def linked_programs(
+    document: Document, programs: Iterable[Document], loaded: LoadedMachine
+) -> list[Document]:
+    """Return a program, those that it calls, those that call it, and so on."""
+    known: dict[object, Document] = {_identity(one): one for one in (*programs, document)}
+    joined: dict[object, dict[object, None]] = {}
+    waiting = list(known)
+    while waiting:
+        caller = waiting.pop()
+        for name in called_files(known[caller].lines):
+            path = called_file(known[caller], name, loaded)
+            if path is None:
+                continue
+            called = path.resolve()
+            if called not in known:
+                known[called] = _from_disk(path, document, loaded)
+                waiting.append(called)
+            joined.setdefault(caller, {})[called] = None
+            joined.setdefault(called, {})[caller] = None
+    first = _identity(document)
+    linked: dict[object, None] = {first: None}
+    waiting = [first]
+    while waiting:
+        for other in joined.get(waiting.pop(), ()):
+            if other not in linked:
+                linked[other] = None
+                waiting.append(other)
+    return [known[identity] for identity in linked]
+
+
+def _identity(document: Document) -> object:
+    return document.uri if document.path is None else document.path.resolve()
+
+
+def _from_disk(path: Path, like: Document, loaded: LoadedMachine) -> Document:
+    """Return a called file that is not open, its positions as the editor counts them."""
+    lines = list(loaded.access.read_lines(path))
+    return Document(uri_of(path), path, path.as_posix(), "nctakt", 0, lines, like.encoding)
+
+
+def _check_fixed(symbol: Symbol, loaded: LoadedMachine) -> None:
+    """Raise ``Failure`` for a name that neither the program nor a list of the machine gives."""
+    reason = None
+    if not can_rename(symbol):
+        reason = _FILE_NAME if symbol.kind == "file" else _CONTROLLER_NAME
+    elif is_of_machine(symbol) and loaded.machine.configuration.is_demo:
+        reason = _DEMO_NAME
+    if reason is not None:
+        raise Failure(diagnostic(NAME_IS_FIXED, name=symbol.name, reason=reason))
+
+
+def _new_symbol(
+    symbol: Symbol, new: str, places: Sequence[tuple[Document, Sequence[Occurrence]]]
+) -> Symbol:
+    """Return the symbol that a text names; raises ``Failure`` if it cannot be one of this kind."""
+    kind, name = symbol
+    text = new.strip()
+    pattern, form = _FORMS[kind]
+    if kind == "label":
+        numbers = any(_is_number(program, other) for program, found in places for other in found)
+        if numbers:
+            pattern, form = _FORMS["label number"]
+        elif text.startswith("[") and text.endswith("]"):
+            text = text[1:-1].strip()
+    match = pattern.fullmatch(text)
+    if match is None or (kind == "cycle" and int(match[1]) > HIGHEST_ID):
+        raise Failure(diagnostic(NEW_NAME_INVALID, new=new or NOTHING, form=form))
+    if kind == "label":
+        is_number = text[1:].isdigit() or text.isdigit()
+        return Symbol(kind, number_label(text.lstrip("Nn")) if is_number else text.upper())
+    if kind == "parameter":
+        return Symbol(kind, f"P{int(match[1])}")
+    if kind == "cycle":
+        return Symbol(kind, str(int(match[1])))
+    if kind == "axis":
+        return Symbol(kind, text.upper())
+    if kind == "variable":
+        return Symbol(kind, ".".join((*name.split(".")[:-1], text)))
+    return Symbol(kind, text)
+
+
+def _is_number(document: Document, item: Occurrence) -> bool:
+    """Return whether a label is written as a block number there: ``N20:``, ``$GOTO N20``."""
+    return document.line(item.line)[item.start : item.end].isdigit()
+
+
+def _check_free(
+    target: Symbol,
+    symbol: Symbol,
+    places: Sequence[tuple[Document, Sequence[Occurrence]]],
+    document: Document,
+    loaded: LoadedMachine,
+) -> None:
+    """Raise ``Failure`` where the new name, or a computed one, would join two names."""
+    machine = loaded.machine
+    taken: dict[str, None] = {}
+    if symbol.kind == "axis":
+        taken = dict.fromkeys((*_axes(loaded), *machine.parameters.spindle_names))
+    elif is_of_machine(symbol):
+        taken = {_member(name): None for name, _, _ in machine.names.values()}
+    if _last(target) in taken or target.name in taken:
+        where = Text("by the machine", "von der Maschine")
+        raise Failure(diagnostic(NEW_NAME_TAKEN, new=_last(target), where=where))
+    for program, found in places:
+        within = None
+        if symbol.kind == "label" and found:
+            within = section_of(program.lines, found[0].line)
+        other = next(occurrences(program.lines, target, within), None)
+        if other is not None:
+            where = _line_name(program, other.line, document)
+            raise Failure(diagnostic(NEW_NAME_TAKEN, new=_last(target), where=where))
+        if symbol.kind in _COMPUTED:
+            _check_computed(symbol, program, document)
+
+
+def _check_computed(symbol: Symbol, program: Document, document: Document) -> None:
+    """Raise ``Failure`` if a program computes which parameter or cycle it means."""
+    for number, line in outside_comments(program.lines):
+        match = _COMPUTED[symbol.kind].search(without_comments(line))
+        if match is not None:
+            written, where = " ".join(match[0].split()), _line_name(program, number, document)
+            raise Failure(
+                diagnostic(RENAMED_BY_NUMBER, written=written, where=where, name=symbol.name)
+            )
+
+
+def _line_name(program: Document, line: int, document: Document) -> Text:
+    """Return a line for a message; of another program with its file."""
+    file = "" if program is document else f"{Path(program.name).name}, "
+    return Text(f"{file}line {line + 1}", f"{file}Zeile {line + 1}")
+
+
+def _member(name: str) -> str:
+    """Return the variable of a list without indices and members."""
+    return ".".join(variable_name(name).split(".")[:3])
+
+
+def _last(symbol: Symbol) -> str:
+    """Return the part of a name that a program writes for it."""
+    return symbol.name.split(".")[-1] if symbol.kind == "variable" else symbol.name
+
+
+def _renaming(document: Document, item: Occurrence, symbol: Symbol, target: Symbol) -> TextEdit:
     """Return the edit that renames one occurrence."""
     start, end = item.start, item.end
+    text = _last(target)
     if symbol.kind == "variable":
         start, end = _part(document, item, len(symbol.name.split(".")))
-    elif symbol.kind == "parameter":
-        text = f"P{text}"
+    elif symbol.kind == "label" and _is_number(document, item):
+        text = target.name.removeprefix("N")
     elif symbol.kind == "axis" and len(text) > 1:
         line = document.line(item.line)
         value = line[end:].lstrip()[:1]

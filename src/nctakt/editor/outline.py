@@ -23,7 +23,7 @@ from lsprotocol.types import (
 from nctakt.editor.document import Document
 from nctakt.editor.line_tokens import token_at
 from nctakt.editor.list_lines import entry_groups
-from nctakt.editor.names import occurrences_in
+from nctakt.editor.names import occurrences_in, outside_comments
 from nctakt.editor.structures import Structure, every, structures
 
 _KEY = re.compile(r"^\s*(?P<key>[A-Za-z_][\w.\[\]]*)\s+(?P<value>\S+)")
@@ -49,7 +49,7 @@ def document_symbols(document: Document) -> list[DocumentSymbol]:
     ends = {item.first: item.last for item in every(structures(document.lines))}
     declares = False
     count = 0
-    for number, line in enumerate(document.lines):
+    for number, line in outside_comments(document.lines):
         start = _START.match(line) if "%" in line else None
         if start is not None:
             if section is not None:
@@ -87,7 +87,9 @@ def document_symbols(document: Document) -> list[DocumentSymbol]:
 def _may_define(line: str) -> bool:
     stripped = line.lstrip()
     return bool(stripped) and (
-        "#" in line or stripped[0] in "[Vv" or (":" in line and stripped[0] in "Nn/")
+        "#" in line
+        or stripped[0] in "[Vv"
+        or (stripped[0] in "Nn/" and (":" in line or "[" in line))
     )
 
 

@@ -11,14 +11,17 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Sequence
+from concurrent.futures import Future
 from pathlib import Path
 from typing import Any
 
 from lsprotocol import types
+from pygls.exceptions import JsonRpcException
 from pygls.lsp.server import LanguageServer
 from pygls.protocol import LanguageServerProtocol, lsp_method
 
 from nctakt.base.diagnostics import Diagnostic, Language, Severity
+from nctakt.base.failure import Failure
 from nctakt.base.version import __version__
 from nctakt.editor.diagnosis import Diagnosis
 from nctakt.editor.document import Document, path_of, split_text
@@ -34,8 +37,21 @@ _SEVERITIES = {
 }
 
 
+class Refused(JsonRpcException):
+    """A request that is answered with the reason why it cannot be done."""
+
+    CODE = types.LSPErrorCodes.RequestFailed
+
+
 class _Protocol(LanguageServerProtocol):
-    """Leaves the texts of documents to the server."""
+    """Leaves the texts of documents to the server; answers a refusal with its reason alone."""
+
+    def _send_handler_result(self, future: Future[Any], *, msg_id: str | int) -> None:
+        error = None if future.cancelled() else future.exception()
+        if isinstance(error, Refused):
+            self._send_response(msg_id, error=error.to_response_error())
+        else:
+            super()._send_handler_result(future, msg_id=msg_id)
 
     @lsp_method(types.TEXT_DOCUMENT_DID_OPEN)
     def lsp_text_document__did_open(self, params: types.DidOpenTextDocumentParams) -> None:
@@ -195,7 +211,7 @@ def register(server: Server) -> None:
         document = server.document(params.text_document.uri)
         if document is None:
             return None
-        machine = server.work.machine_of(document).machine.configuration
+        machine = server.work.machine_of(document).machine
         found = server.diagnosis.findings.get(document.uri, [])
         return hover(document, params.position, machine, found, server.language)
 
@@ -266,13 +282,17 @@ def register(server: Server) -> None:
         document = server.document(params.text_document.uri)
         if document is None:
             return None
-        return rename(
-            document,
-            params.position,
-            params.new_name,
-            server.work.machine_of(document),
-            lambda: server.work.programs_beside(document, server.folders),
-        )
+        try:
+            return rename(
+                document,
+                params.position,
+                params.new_name,
+                server.work.machine_of(document),
+                lambda: server.work.programs_beside(document, server.folders),
+            )
+        except Failure as failure:
+            reasons = (item.text(server.language) for item in failure.diagnostics)
+            raise Refused(" ".join(reasons)) from failure
 
     @feature(types.TEXT_DOCUMENT_DOCUMENT_SYMBOL)
     def on_symbols(params: types.DocumentSymbolParams) -> list[types.DocumentSymbol]:

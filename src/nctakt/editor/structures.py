@@ -10,11 +10,11 @@ import re
 from collections.abc import Iterable, Iterator, Sequence
 
 from nctakt.base.dataclass import dataclass, field
+from nctakt.nc.parse.block_head import BLOCK_HEAD
 from nctakt.nc.parse.lexer import without_comments
 
 _WORD = re.compile(
-    r"^\s*(?:/\d*\s*)?(?:N\s*\d+\s*:?\s*)?(?:\[\w+\]\s*)?"
-    r"(?P<word>\$\w+|#\s*RT\s+(?:CYCLE(?:\s+[A-Z ]+)?|WHILE|ENDWHILE)"
+    BLOCK_HEAD + r"(?P<word>\$\w+|#\s*RT\s+(?:CYCLE(?:\s+[A-Z ]+)?|WHILE|ENDWHILE)"
     r"|#\s*(?:VAR|ENDVAR|COMMENT\s+BEGIN|COMMENT\s+END|IF|ELSEIF|ELSE|ENDIF)\b|%)",
     re.IGNORECASE,
 )

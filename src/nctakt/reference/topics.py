@@ -37,13 +37,18 @@ def topic(word: str) -> Topic | None:
     return next((candidate for candidate in TOPICS if candidate.word == word.lower()), None)
 
 
+def articles_about(word: str) -> tuple[Article, ...]:
+    """Return all articles about a word, none for an unknown one."""
+    word = word.strip()
+    return tuple(article for topic in TOPICS for article in topic.find(word)) if word else ()
+
+
 def explain(word: str) -> tuple[Article, ...]:
     """Return all articles about a word, else those that it may mean; none for an unknown word."""
     word = word.strip()
-    if not word:
-        return ()
-    articles = tuple(article for topic in TOPICS for article in topic.find(word))
-    return articles or tuple(article for topic in TOPICS for article in topic.find_similar(word))
+    return articles_about(word) or tuple(
+        article for topic in TOPICS if word for article in topic.find_similar(word)
+    )
 
 
 def nearest_word(word: str) -> str:

@@ -16,20 +16,21 @@ from nctakt.nc.tree import NO_HEAD, Expression, Head, ProgramStart
 
 SKIP_LEVELS = 10
 
-_HEAD = re.compile(
-    r"""\s* (?:/(\d*)\s*)?                         # skip level
-        (?:N\s*(\d+)(?:\s*(:))?\s*)?               # number, colon of a label
-        (?:\[\s*([^\W\d]\w*)\s*\]\s*)?             # named label""",
-    re.VERBOSE | re.IGNORECASE,
+#: Skip level, block number, colon of a label, name of a label.
+HEAD = re.compile(
+    r"\s*(?:/(\d*)\s*)?(?:N\s*(\d+)(?:\s*(:))?\s*)?(?:\[\s*([^\W\d]\w*)\s*\]\s*)?", re.IGNORECASE
 )
+#: The same without groups, as the beginning of other patterns.
+BLOCK_HEAD = r"\s*(?:/\d*\s*)?(?:N\s*\d+\s*:?\s*)?(?:\[\s*[^\W\d]\w*\s*\]\s*)?"
 _COMPUTED_NUMBER = re.compile(r"\s*N(?=\s*(?:=|\[|@?P[\d\[]|Vs?\.))\s*=?", re.IGNORECASE)
-_LABEL = re.compile(r"\s*(?:N\s*(\d+)|\[\s*([^\W\d]\w*)\s*\])(?!\w)", re.IGNORECASE)
+#: The label that a jump names: a number or a name.
+LABEL = re.compile(r"\s*(?:N\s*(\d+)|\[\s*([^\W\d]\w*)\s*\])(?!\w)", re.IGNORECASE)
 _START = re.compile(r"\s*%\s*(?:([Ll])\s+(?=\S))?(.*\S)?", re.DOTALL)
 
 
 def parse_head(text: BlockText) -> Head:
     """Return skip level, number and label of the block; raises ``BlockError``."""
-    match = text.match(_HEAD)
+    match = text.match(HEAD)
     assert match is not None
     skip, digits, colon, name = match.groups()
     if skip is None and digits is None and name is None:
@@ -54,7 +55,7 @@ def number_label(digits: str) -> str:
 
 def parse_label(text: BlockText) -> str | None:
     """Return the label that a jump names, ``None`` without one."""
-    match = text.match(_LABEL)
+    match = text.match(LABEL)
     if match is None:
         return None
     return number_label(match[1]) if match[1] is not None else match[2].upper()

@@ -34,8 +34,8 @@ BLOCK_LENGTH_HARD = 4096
 _COMMENT_START = re.compile(r'["(;]')
 _PARENTHESIS = re.compile(r"[()]")
 _CONTINUED_NUMBER = re.compile(r"\s*N\s*\d+(?![\d:])", re.IGNORECASE)
-_COMMENT_BEGIN = re.compile(r"#\s*COMMENT\s+BEGIN(?!\w)", re.IGNORECASE)
-_COMMENT_END = re.compile(r"#\s*COMMENT\s+END(?!\w)", re.IGNORECASE)
+COMMENT_BEGIN = re.compile(r"#\s*COMMENT\s+BEGIN(?!\w)", re.IGNORECASE)
+COMMENT_END = re.compile(r"#\s*COMMENT\s+END(?!\w)", re.IGNORECASE)
 _ALONE_BEFORE = re.compile(r"\s*(?:/\d*\s*)?(?:N\s*\d+\s*)?$", re.IGNORECASE)
 _NEW_STATEMENT = re.compile(
     r"\s*(?:/\d*\s*)?(?:N\s*\d+\s*:?\s*)?(?:[#$%]|Vs?\.[\w.]+(?:\[[^\]]*\])*\s*(?:[:=]|$))",
@@ -281,7 +281,7 @@ class Lexer:
 
     def _without_comment_block(self, text: str, number: int, raw: str) -> str:
         """Return the text before ``#COMMENT BEGIN`` and skip the lines up to its end."""
-        begin = _COMMENT_BEGIN.search(text)
+        begin = COMMENT_BEGIN.search(text)
         if begin is None or text.count('"', 0, begin.start()) % 2:
             return text
         before = text[: begin.start()]
@@ -289,7 +289,7 @@ class Lexer:
             self._report(COMMENT_BEGIN_NOT_ALONE, number, begin.start() + 1, begin.end() + 1, raw)
         while (line := self._next_line()) is not None:
             end_number, end_raw = line
-            end = _COMMENT_END.search(end_raw) if "#" in end_raw else None
+            end = COMMENT_END.search(end_raw) if "#" in end_raw else None
             if end is not None:
                 after = without_comments(end_raw[end.end() :])
                 if not _ALONE_BEFORE.match(end_raw[: end.start()]) or not _blank(after):

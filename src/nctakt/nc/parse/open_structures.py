@@ -76,6 +76,18 @@ class Frame:
         """Whether the open branch can never run, so that it need not be NC text."""
         return False
 
+    def take_foreign(self) -> list[Statement]:
+        """Remove and return what follows a realtime cycle if its end was forgotten.
+
+        That begins with the first statement that no realtime cycle can have.
+        """
+        count = next(
+            (index for index, one in enumerate(self.body) if _is_foreign(one)), len(self.body)
+        )
+        foreign = self.body[count:]
+        del self.body[count:]
+        return foreign
+
     def finish(self) -> Statement:
         """Return the node of the structure."""
         raise AssertionError(self.opening.begin)
@@ -153,11 +165,13 @@ class IfFrame(Frame):
 class SwitchFrame(Frame):
     """``$SWITCH`` with its ``$CASE`` and ``$DEFAULT`` branches."""
 
-    __slots__ = ("cases", "subject")
+    __slots__ = ("before_cases", "cases", "subject")
 
     def __init__(self, opening: Opening, subject: Expression) -> None:
         super().__init__(opening)
         self.subject = subject
+        #: Statements between it and the first branch, which must not be there.
+        self.before_cases = self.body
         self.cases: list[tuple[Span, Head, Expression | None, list[Statement]]] = []
 
     def add_case(self, span: Span, head: Head, value: Expression | None) -> None:
@@ -263,18 +277,6 @@ class CycleFrame(Frame):
         self.end_span = opening.span
         #: Whether mismatched ends have been reported.
         self.reported = False
-
-    def take_foreign(self) -> list[Statement]:
-        """Remove and return what follows the cycle if its end was forgotten.
-
-        That begins with the first statement that no realtime cycle can have.
-        """
-        count = next(
-            (index for index, one in enumerate(self.body) if _is_foreign(one)), len(self.body)
-        )
-        foreign = self.body[count:]
-        del self.body[count:]
-        return foreign
 
     def finish(self) -> RealtimeCycle:
         return RealtimeCycle(

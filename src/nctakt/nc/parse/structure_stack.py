@@ -74,10 +74,14 @@ class StructureStack:
         """Add a statement that is not a structure; not allowed between ``$SWITCH`` and
         ``$CASE``.
         """
-        top = self.top
-        if isinstance(top, SwitchFrame) and not top.cases:
-            self.report(STATEMENT_BEFORE_CASE, statement.span, text.source_line(statement.span))
+        self._check_case(statement.span, text.source_line(statement.span))
         self.add(statement)
+
+    def _check_case(self, span: Span, line: str) -> None:
+        """Report the first statement between ``$SWITCH`` and ``$CASE``."""
+        top = self.top
+        if isinstance(top, SwitchFrame) and not top.cases and not top.body:
+            self.report(STATEMENT_BEFORE_CASE, span, line)
 
     def add_unreadable(self, text: BlockText, head: Head, error: BlockError) -> None:
         """Report why a block could not be read, and add it as ``Unreadable``."""
@@ -154,10 +158,17 @@ class StructureStack:
         assert frame is self._stack[-1]
         self._stack.pop()
         if len(self._stack) < STRUCTURE_DEPTH:
+            self._check_case(frame.opening.span, frame.opening.line)
             self.add(frame.finish())
+            if isinstance(frame, SwitchFrame):
+                for statement in frame.before_cases:
+                    self.add(statement)
 
     def give_up(self) -> None:
-        """Report that the innermost structure lacks its end, and close it."""
+        """Report that the innermost structure lacks its end, and close it.
+
+        What follows a realtime cycle whose end is missing, too, is no part of it.
+        """
         frame = self._stack[-1]
         opening = frame.opening
         outside: list[Statement] = []
@@ -169,8 +180,11 @@ class StructureStack:
                 )
                 self.expect_stray_cycle_end()
         elif isinstance(frame, LoopFrame):
+            outside, frame.body = frame.body, []
             self.report(RT_WHILE_WITHOUT_END, opening.span, opening.line)
         else:
+            if self._index(_is_cycle) is not None:
+                outside = frame.take_foreign()
             self.report(
                 STRUCTURE_NOT_CLOSED,
                 opening.span,

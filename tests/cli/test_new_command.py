@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from nctakt.cli import main
+from nctakt.cli import main, new
 from nctakt.lists.machine.axis_configuration import AxisConfiguration
 from nctakt.lists.machine.machine import Machine, load_machine
 from nctakt.machines.commented import DEMO
@@ -54,6 +54,28 @@ def test_the_folder_is_the_demo_machine(
     machine = load_machine(folder)
     assert machine.diagnostics == ()
     assert without_files(machine) == without_files(load_machine(None))
+
+
+def test_half_a_machine_is_not_left_behind(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A full disk, Ctrl-C: what was made is removed, what was there stays."""
+    write, count = new.write_file, 0
+
+    def broken(path: Path, data: bytes) -> None:
+        nonlocal count
+        count += 1
+        if count % 4 == 0:
+            raise OSError(28, "No space left on device") if count < 5 else KeyboardInterrupt
+        write(path, data)
+
+    monkeypatch.setattr(new, "write_file", broken)
+    assert main(["new", str(tmp_path / "new" / "machine")]) == 2
+    assert "No space left" in capsys.readouterr().err
+    (tmp_path / "empty").mkdir()
+    assert main(["new", str(tmp_path / "empty")]) == 1
+    assert "interrupted" in capsys.readouterr().err
+    assert [path.name for path in tmp_path.rglob("*")] == ["empty"]
 
 
 def test_each_parameter_is_explained_where_it_first_stands(tmp_path: Path) -> None:

@@ -69,7 +69,6 @@ SCHEDULE = ["schedule", "simulate", "rtconf.lis", "--load", "load.toml", "--cycl
         [*RUN, "--rtconf", "rtconf.lis", "--load", "load.toml", "--messages", "rtconf.lis"],
         ["run", "c.csv", "--trace", "c.csv"],
         ["run", "c.csv", "--trace", "part.jsonl", "--messages", "c.csv"],
-        ["run", "p.partial.csv", "--trace", "p.csv"],
         ["run", "p.svg", "--plot", "p.svg"],
         ["check", "part.nc", "--output", "part.nc"],
         ["check", "part.nc", "--output", "SUB.NC"],
@@ -87,7 +86,7 @@ def test_no_command_overwrites_what_it_reads(
     folder: Path, words: Sequence[str], capsys: pytest.CaptureFixture[str]
 ) -> None:
     """Programs, called programs, lists, PLC, schedule and load, by any name that leads there."""
-    for name in ("c.csv", "p.svg", "p.partial.csv"):
+    for name in ("c.csv", "p.svg"):
         (folder / name).write_text("M30\n", "utf-8")
     (folder / "all.json").write_text("", "utf-8")
     (folder / "link.nc").symlink_to("part.nc")
@@ -239,9 +238,61 @@ def test_a_link_in_the_place_of_the_partial_file_is_not_followed(tmp_path: Path)
     """Whoever may write in the folder cannot have another file overwritten."""
     (tmp_path / "victim").write_text("mine", "utf-8")
     (tmp_path / "out.partial.txt").symlink_to("victim")
-    with pytest.raises(Failure):
-        write_file(tmp_path / "out.txt", "text")
+    (tmp_path / "out.partial-2.txt").symlink_to("nowhere")
+    os.mkfifo(tmp_path / "out.partial-3.txt")
+    write_file(tmp_path / "out.txt", "text")
     assert (tmp_path / "victim").read_text("utf-8") == "mine"
+    assert (tmp_path / "out.partial.txt").is_symlink()
+    assert (tmp_path / "out.txt").read_text("utf-8") == "text"
+    names = {"victim", "out.txt", "out.partial.txt", "out.partial-2.txt", "out.partial-3.txt"}
+    assert {one.name for one in tmp_path.iterdir()} == names
+
+
+def test_a_file_of_the_user_with_a_partial_name_stays(folder: Path) -> None:
+    """Whether it is an input or nobody reads it, and with a run that is given up."""
+    texts = {"p.partial.csv": "M30\n", "p.partial-2.csv": "mine"}
+    for name, text in texts.items():
+        Path(name).write_text(text, "utf-8")
+    assert main(["run", "p.partial.csv", "--trace", "p.csv", "--quiet"]) == 0
+    assert {name: Path(name).read_text("utf-8") for name in texts} == texts
+    assert not Path("p.partial-3.csv").exists()
+    file = OutputFile("p.csv")
+    assert Path("p.partial-3.csv").exists()
+    file.close()
+    assert {name: Path(name).read_text("utf-8") for name in texts} == texts
+    assert not Path("p.partial-3.csv").exists()
+
+
+def test_an_output_does_not_take_the_name_of_another_one_while_it_is_written(folder: Path) -> None:
+    """``--messages o.partial.csv --trace o.csv``: each has its own file, in any order."""
+    access = FileAccess()
+    with OutputFile("o.partial.csv", "--messages", access) as first:
+        with OutputFile("o.csv", "--trace", access) as second:
+            second.write("trace")
+        first.write("messages")
+    assert Path("o.partial.csv").read_text("utf-8") == "messages"
+    assert Path("o.csv").read_text("utf-8") == "trace"
+
+
+def test_what_an_exception_cuts_off_says_so_by_its_name(tmp_path: Path) -> None:
+    """Ctrl-C and failures: the earlier file stays, and where the rest is stands with the error."""
+    path = tmp_path / "out.csv"
+    path.write_text("of yesterday", "utf-8")
+    for error in (KeyboardInterrupt(), RuntimeError("a fault")):
+        with pytest.raises(type(error)) as caught, OutputFile(path) as file:
+            file.write("first line\n")
+            raise error
+        assert any("out.partial" in note for note in caught.value.__notes__)
+    with pytest.raises(Failure) as failed, OutputFile(path) as file:
+        file.write("first line\n")
+        FileAccess().read_bytes(tmp_path / "nothing")
+    assert [one.id for one in failed.value.diagnostics] == [900500, 900918]
+    with pytest.raises(KeyboardInterrupt), OutputFile(path):  # nothing was written
+        raise KeyboardInterrupt
+    assert path.read_text("utf-8") == "of yesterday"
+    partial = {one.name for one in tmp_path.iterdir()} - {"out.csv"}
+    assert partial == {"out.partial.csv", "out.partial-2.csv", "out.partial-3.csv"}
+    assert {(tmp_path / name).read_text("utf-8") for name in partial} == {"first line\n"}
 
 
 def test_a_file_that_is_read_behind_its_begin_keeps_its_place(tmp_path: Path) -> None:

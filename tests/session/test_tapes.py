@@ -246,14 +246,14 @@ def test_a_growing_tape_is_whole_at_any_time(
     setup = Setup({1: ["part.nc"]}, stays=True)
     Path("run.growing.tape").write_text("of an earlier process", "utf-8")
     with Session.of_setup(setup) as session:
+        Path("run.growing-2.new.tape").write_text("of somebody", "utf-8")
         tape = GrowingTape("run.tape", session, setup, {"part.nc": Path("part.nc")})
-        assert Path("run.growing.old.tape").read_text("utf-8") == "of an earlier process"
         for value in (1, 2):
             session.write({"V.E.VALUE": value})
             session.step(10)
             tape.look()
-        assert replayed("run.growing.tape", capsys)[1].startswith("note 901531: ")
-        lines = list(map(json.loads, Path("run.growing.tape").read_text("utf-8").splitlines()))
+        assert replayed("run.growing-2.tape", capsys)[1].startswith("note 901531: ")
+        lines = list(map(json.loads, Path("run.growing-2.tape").read_text("utf-8").splitlines()))
         assert [line["tick"] for line in lines[1:-1]] == [0, 10]
         assert lines[-1]["ticks"] == 20
         session.back(10)
@@ -267,11 +267,16 @@ def test_a_growing_tape_is_whole_at_any_time(
         monkeypatch.setattr(GrowingTape, "_write", refuse)
         with pytest.raises(OSError, match="No space"):
             tape.look()
-        assert replayed("run.growing.tape", capsys)[0] == 0
+        assert replayed("run.growing-2.tape", capsys)[0] == 0
         monkeypatch.setattr(GrowingTape, "_write", write)
         tape.look()
-        lines = list(map(json.loads, Path("run.growing.tape").read_text("utf-8").splitlines()))
+        lines = list(map(json.loads, Path("run.growing-2.tape").read_text("utf-8").splitlines()))
         assert [line["inputs"][0][3] for line in lines[1:-1]] == [1.0, 7.0]
         assert lines[-1]["ticks"] == 15
         tape.close()
-    assert not Path("run.growing.tape").exists()
+    assert Path("run.growing.tape").read_text("utf-8") == "of an earlier process"
+    assert Path("run.growing-2.new.tape").read_text("utf-8") == "of somebody"
+    assert {path.name for path in Path().glob("run*")} == {
+        "run.growing.tape",
+        "run.growing-2.new.tape",
+    }

@@ -143,6 +143,24 @@ def test_more_runs_than_anybody_counts(study: Study, capsys: pytest.CaptureFixtu
     assert main(["study", "plan.toml", "--quiet", "--sample", "3"]) == 0
 
 
+@pytest.mark.parametrize("resumes", [False, True])
+def test_a_file_of_the_user_with_the_name_of_the_rows_stays(study: Study, resumes: bool) -> None:
+    """It is no rows of a study (902023); nor is a file touched that has the name of a part."""
+    path = Path("out.csv.rows")
+    for text in ("mine\n", "", '{"run": 1, "verdict": "held"}\n'):
+        path.write_text(text, "utf-8")
+        with pytest.raises(Failure) as raised:
+            RowStore(path, study.plan, resumes=resumes)
+        assert raised.value.diagnostics[0].id == 902023
+        assert path.read_text("utf-8") == text
+    path.unlink()
+    others = [Path(f"{path}{ending}") for ending in (".sorted", ".sorted.parts")]
+    for other in others:
+        other.write_text("mine", "utf-8")
+    RowStore(path, study.plan, resumes=False).remove()
+    assert [other.read_text("utf-8") for other in others] == ["mine", "mine"]
+
+
 @pytest.mark.skipif(os.name == "nt", reason="no locks")
 def test_two_studies_that_write_one_file_are_told(study: Study) -> None:
     """The second one ends before it takes anything away (900919)."""

@@ -80,8 +80,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     try:
         code = _run(arguments)
         sys.stdout.flush()
-    except BrokenPipeError:  # the reader has closed the pipe
+    except BrokenPipeError as error:  # the reader has closed the pipe
         silence(sys.stdout)
+        _complain_notes(error)
     except OSError as error:  # standard output refuses the text
         return _refused(error)
     return code
@@ -99,14 +100,21 @@ def _run(arguments: Sequence[str] | None) -> int:
         words = sys.argv[1:] if arguments is None else arguments
         report_usage(error, words)
         return EXIT_USAGE
-    except (click.Abort, KeyboardInterrupt):
+    except (click.Abort, KeyboardInterrupt) as error:
         complain("interrupted")
+        _complain_notes(error)
         return EXIT_NC_ERROR
     except OSError:
         raise
     except Exception as error:  # noqa: BLE001 - the last resort, reported as an internal error
         return _internal_error(error)
     return code if isinstance(code, int) else EXIT_RAN
+
+
+def _complain_notes(error: BaseException) -> None:
+    """Show what was noted with an exception: files that were cut off."""
+    for note in getattr(error, "__notes__", ()):
+        complain(note)
 
 
 def _open_streams() -> None:
@@ -129,6 +137,7 @@ def _refused(error: OSError) -> int:
 
     _trace_if_debugging(error)
     silence(sys.stdout)
+    _complain_notes(error)
     name = "standard output" if error.filename is None else str(error.filename)
     reason = error.strerror or str(error)
     print_diagnostics([diagnostic(FILE_NOT_WRITABLE, file=name, reason=reason)], "en")
@@ -152,6 +161,7 @@ def _trace_if_debugging(error: Exception) -> None:
 
 def _internal_error(error: Exception) -> int:
     _trace_if_debugging(error)
+    _complain_notes(error)
     complain(f"internal error: {type(error).__name__}: {error}")
     complain(
         "  This is a fault of nctakt, not of your program. Set NCTAKT_DEBUG=1 and run the same "

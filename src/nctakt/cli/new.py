@@ -8,6 +8,7 @@ language; the next steps on standard output.
 
 from __future__ import annotations
 
+import contextlib
 from pathlib import Path
 
 import click
@@ -113,12 +114,28 @@ def _converted(source: str, root: str | None, conversion: Conversion) -> dict[st
 
 def _write(folder: Path, lists: dict[str, bytes]) -> None:
     """Write the lists; raises ``Failure`` if the folder is in use or cannot be written."""
+    made = [one for one in (folder, *folder.parents) if not one.exists()]
+    written: list[Path] = []
     try:
         folder.mkdir(parents=True, exist_ok=True)
         if any(folder.iterdir()):
             raise Failure(diagnostic(FOLDER_NOT_EMPTY, folder=str(folder)))
-        for name, text in lists.items():
-            write_file(folder / name, text)
+        try:
+            for name, text in lists.items():
+                write_file(folder / name, text)
+                written.append(folder / name)
+        except BaseException:  # a full disk, Ctrl-C: half a machine is none
+            _remove(written, made)
+            raise
     except OSError as error:
         reason = error.strerror or str(error)
         raise Failure(diagnostic(FOLDER_NOT_WRITABLE, folder=str(folder), reason=reason)) from error
+
+
+def _remove(files: list[Path], folders: list[Path]) -> None:
+    """Remove files and the folders that were made for them."""
+    with contextlib.suppress(OSError):
+        for file in files:
+            file.unlink()
+        for folder in folders:
+            folder.rmdir()

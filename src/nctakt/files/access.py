@@ -53,6 +53,7 @@ class FileAccess:
         self.folders = tuple(os.path.realpath(folder) for folder in folders)
         self._read: dict[Identity, tuple[Path, os.stat_result]] = {}
         self._written: dict[Identity, str] = {}
+        self._places: dict[tuple[Identity, str], str] = {}
         self._replaced: dict[str, bytes] = {}
 
     @property
@@ -188,17 +189,10 @@ class FileAccess:
 
     # --- writing ---------------------------------------------------------------------------------
 
-    def claim(
-        self,
-        state: os.stat_result | None,
-        path: str | Path,
-        option: str,
-        output: str | Path | None = None,
-    ) -> None:
+    def claim(self, state: os.stat_result | None, path: str | Path, option: str) -> None:
         """Let ``option`` write a file whose state is ``state``, ``None`` for a new file.
 
-        Raises ``Failure`` if it is read (900913) or written (900914) by this command. ``output`` is
-        the name of what is written where ``path`` is that of the unfinished file.
+        Raises ``Failure`` if it is read (900913) or written (900914) by this command.
         """
         self.check_unread(state, path, option)
         if state is None or not _can_be_lost(state):
@@ -206,17 +200,31 @@ class FileAccess:
         identity = (state.st_dev, state.st_ino)
         other = self._written.get(identity)
         if other is not None:
-            raise Failure(
-                diagnostic(
-                    OUTPUTS_ARE_ONE_FILE, option=option, other=other, file=str(output or path)
-                )
-            )
+            found = diagnostic(OUTPUTS_ARE_ONE_FILE, option=option, other=other, file=str(path))
+            raise Failure(found)
         self._written[identity] = option
+
+    def claim_place(self, path: Path, option: str) -> None:
+        """Let ``option`` give a file this name later; raises ``Failure`` (900914), ``OSError``."""
+        other = self._places.setdefault(_place_of(path), option)
+        if other != option:
+            found = diagnostic(OUTPUTS_ARE_ONE_FILE, option=option, other=other, file=str(path))
+            raise Failure(found)
+
+    def is_claimed(self, path: Path) -> bool:
+        """Return whether an output will get this name; raises ``OSError``."""
+        return _place_of(path) in self._places
 
     def check_unread(self, state: os.stat_result | None, path: str | Path, option: str) -> None:
         """Raise ``Failure`` (900913) if a file has been read meanwhile."""
         if state is not None and (state.st_dev, state.st_ino) in self._read:
             raise Failure(diagnostic(OUTPUT_IS_READ, option=option, file=str(path)))
+
+
+def _place_of(path: Path) -> tuple[Identity, str]:
+    """Return folder and name of a file that may not be there yet."""
+    folder = path.parent.stat()
+    return (folder.st_dev, folder.st_ino), path.name
 
 
 def _is_other(path: Path, before: os.stat_result) -> bool:

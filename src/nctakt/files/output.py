@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 """A file of results, which gets its name when it is complete.
 
-In: a path, the option that names it, text or bytes. Out: the file. It is written under another
-name, as ``trace.partial.csv`` for ``trace.csv``, and renamed at the end: an earlier file stays
-until then, and a file that is cut off (a full disk, the process killed) can be read under a name
-that says so. A device or a pipe is written directly.
+In: a path, the option that names it, text or bytes. Out: the file. It is written under a name that
+no file has, as ``trace.partial.csv`` for ``trace.csv``, else ``trace.partial-2.csv`` …, and renamed
+at the end: an earlier file stays until then, and what is cut off (a full disk, Ctrl-C, the process
+killed) can be read under a name that says so. A device or a pipe is written directly.
 """
 
 from __future__ import annotations
@@ -12,9 +12,11 @@ from __future__ import annotations
 import contextlib
 import errno
 import os
+import re
 import stat
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
+from types import TracebackType
 from typing import IO, Self
 
 from nctakt.base.failure import Failure
@@ -31,6 +33,10 @@ try:
     import fcntl
 except ImportError:  # Windows, where two processes cannot open the file to write it anyway
     fcntl = None  # type: ignore[assignment]
+
+
+#: Names that are tried for a file while it is written.
+_MAX_PARTIAL = 1000
 
 
 class OutputFile:
@@ -66,35 +72,44 @@ class OutputFile:
             return self._target.open("wb", buffering=0)
         if state is not None and not os.access(self._target, os.W_OK):
             raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
-        partial = partial_path(self._target)
-        before = _state_of(partial)
-        access.claim(before, partial, option, self.name)
-        flags = os.O_WRONLY | os.O_CREAT | os.O_APPEND
-        flags |= getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_BINARY", 0)
-        file = os.fdopen(os.open(partial, flags, 0o666), "wb", buffering=0)
+        access.claim_place(self._target, option)
+        return self._new_file(state)
+
+    def _new_file(self, state: os.stat_result | None) -> IO[bytes]:
+        """Return the file under a name that no file has; ``state``: of the one to be replaced."""
+        flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL | os.O_APPEND | getattr(os, "O_BINARY", 0)
+        for number in range(1, _MAX_PARTIAL + 1):
+            partial = _partial_path(self._target, number)
+            if self._access.is_claimed(partial):
+                continue
+            try:
+                file = os.fdopen(os.open(partial, flags, 0o666), "wb", buffering=0)
+                break
+            except FileExistsError:
+                continue
+        else:
+            raise FileExistsError(errno.EEXIST, os.strerror(errno.EEXIST))
         try:
             self._lock(file, partial)
-            if before is None:
-                access.claim(os.fstat(file.fileno()), partial, option)
-            file.truncate(0)
+            self._access.claim(os.fstat(file.fileno()), partial, self._option)
             if state is not None:
                 partial.chmod(stat.S_IMODE(state.st_mode))
         except BaseException:
             file.close()
+            partial.unlink()
             raise
         self._partial = partial
         return file
 
     def _lock(self, file: IO[bytes], partial: Path) -> None:
-        """Keep other processes from writing the same file; raises ``Failure`` (900919)."""
+        """Keep other processes from writing the same file; raises ``Failure`` (900919).
+
+        Of two that come at once each locks its own file before it looks for that of the other.
+        """
         if fcntl is None:
             return
-        try:
-            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-            is_ours = os.path.samestat(os.fstat(file.fileno()), partial.stat())
-        except (BlockingIOError, FileNotFoundError):
-            is_ours = False
-        if not is_ours:  # another process writes it, or has just given it its name
+        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        if any(other != partial and _is_locked(other) for other in _partial_files(self._target)):
             raise Failure(diagnostic(OUTPUT_IN_USE, file=self.name))
 
     def write(self, data: str | bytes) -> None:
@@ -144,8 +159,31 @@ class OutputFile:
     def __enter__(self) -> Self:
         return self
 
-    def __exit__(self, *_: object) -> None:
-        self.close()
+    def __exit__(
+        self, _type: object, error: BaseException | None, _traceback: TracebackType | None
+    ) -> None:
+        """Close the file; after an exception what was written keeps its partial name."""
+        if error is None:
+            self.close()
+        else:
+            self._give_up(error)
+
+    def _give_up(self, error: BaseException) -> None:
+        """Leave what was written under its partial name, and tell it with the error."""
+        if self._file.closed:
+            return
+        self._file.close()
+        if self._partial is None:
+            return
+        if not self._has_begun:
+            with contextlib.suppress(OSError):
+                self._partial.unlink()
+            return
+        found = diagnostic(OUTPUT_CUT_OFF, file=self._partial.as_posix())
+        if not isinstance(error, Failure):
+            error.add_note(found.render())
+        elif found not in error.diagnostics:
+            raise Failure(*error.diagnostics, found) from error
 
     def _unwritable(self, error: OSError) -> Failure:
         diagnostics = [
@@ -156,9 +194,14 @@ class OutputFile:
         return Failure(*diagnostics)
 
 
-def write_file(path: str | Path, data: str | bytes) -> None:
+def write_file(
+    path: str | Path,
+    data: str | bytes,
+    option: str = "output",
+    access: FileAccess | None = None,
+) -> None:
     """Write a whole file; raises ``Failure`` as ``OutputFile``."""
-    with OutputFile(path) as file:
+    with OutputFile(path, option, access) as file:
         file.write(data)
 
 
@@ -174,9 +217,38 @@ def check_outputs(outputs: Mapping[str, str | Path], access: FileAccess) -> None
                 files.enter_context(OutputFile(name, option, access))
 
 
-def partial_path(path: Path) -> Path:
-    """Return the name of a file while it is written: ``out.partial.csv``."""
-    return path.with_name(f"{path.stem}.partial{path.suffix}")
+def _partial_path(path: Path, number: int) -> Path:
+    """Return a name of a file while it is written: ``out.partial.csv``, ``out.partial-2.csv`` …"""
+    mark = "partial" if number == 1 else f"partial-{number}"
+    return path.with_name(f"{path.stem}.{mark}{path.suffix}")
+
+
+def _partial_files(path: Path) -> Iterator[Path]:
+    """Yield the files that are there under such names."""
+    form = re.compile(rf"{re.escape(path.stem)}\.partial(-\d+)?{re.escape(path.suffix)}")
+    try:
+        files = list(path.parent.iterdir())
+    except OSError:  # a folder that nobody may look into
+        return
+    yield from (file for file in files if form.fullmatch(file.name))
+
+
+def _is_locked(path: Path) -> bool:
+    """Return whether a process has locked a file, as the one that writes it does."""
+    assert fcntl is not None
+    try:
+        number = os.open(path, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK)
+    except OSError:  # no plain file, or one that has just got its name
+        return False
+    try:
+        fcntl.flock(number, fcntl.LOCK_SH | fcntl.LOCK_NB)
+    except BlockingIOError:
+        return True
+    except OSError:
+        return False
+    finally:
+        os.close(number)
+    return False
 
 
 def _encoded(text: str) -> bytes:

@@ -102,6 +102,16 @@ OTHER_PLAN = error(
     "weglassen.",
     folder=("the folder", "der Ordner"),
 )
+NOT_ROWS_OF_A_STUDY = error(
+    902023,
+    en="{file} is there and holds no rows of a study, whose name it has",
+    de="{file} gibt es und enthält keine Zeilen einer Studie, deren Namen es trägt",
+    remedy_en="Move the file, or write to another one with --out.",
+    remedy_de="Die Datei verschieben oder mit --out in eine andere schreiben.",
+    cause_en="The rows of a study stand there until it is finished.",
+    cause_de="Dort stehen die Zeilen einer Studie, bis sie fertig ist.",
+    file=("the file", "die Datei"),
+)
 STUDY_INTERRUPTED = note(
     901310,
     en="interrupted after {count} of {size} runs; they are kept in {folder}",

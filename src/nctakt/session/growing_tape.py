@@ -3,12 +3,15 @@
 
 In: a session, how it was started. Out: ``run.growing.tape`` beside ``run.tape``. Whenever it is
 looked at, the inputs since the last look and a new last line take the place of the old last line:
-so the file is a whole tape at any time, but one without checksums of its events. One that an
-earlier process has left is kept as ``run.growing.old.tape``.
+so the file is a whole tape at any time, but one without checksums of its events. A file that is
+there already, as an earlier process leaves it, stays: then it is ``run.growing-2.tape`` ….
 """
 
 from __future__ import annotations
 
+import contextlib
+import errno
+import os
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import IO
@@ -19,6 +22,9 @@ from nctakt.run.tape import TapeWriter, digest_of, name_on_tape
 from nctakt.session.session import Session
 from nctakt.session.setup import Setup
 from nctakt.session.tapes import programs_of, words_of_setup
+
+#: Files of earlier processes that may be there at most.
+_MAX_LEFT = 1000
 
 #: How a tape ends that grows.
 _STATE = "interrupted"
@@ -33,16 +39,17 @@ class GrowingTape:
     def __init__(
         self, whole: str | Path, session: Session, setup: Setup, files: Mapping[str, Path]
     ) -> None:
-        target = Path(whole)
-        self.path = _beside(target, "growing")
-        if self.path.is_file():
-            self.path.replace(_beside(target, "growing.old"))
+        self.path = _new_file(Path(whole), "growing")
         self._session = session
         self._setup = setup
         self._digests = {name: digest_of(path) for name, path in files.items()}
         self._file: IO[bytes] | None = None
         self._branch = self._tick = self._end = 0
-        self.look()
+        try:
+            self.look()
+        except OSError:
+            self.path.unlink()
+            raise
 
     def look(self) -> None:
         """Append what has come since the last look.
@@ -86,12 +93,12 @@ class GrowingTape:
             self._file.seek(self._end)
             self._write(self._file, lines[1:])
             return
-        begun = _beside(self.path, "new")
-        file = begun.open("wb", buffering=0)
+        begun = _new_file(self.path, "new")
+        file = begun.open("r+b", buffering=0)
         try:
             self._write(file, lines)
             begun.replace(self.path)
-        except OSError:
+        except BaseException:
             file.close()
             begun.unlink(missing_ok=True)
             raise
@@ -116,5 +123,11 @@ class GrowingTape:
         self.path.unlink(missing_ok=True)
 
 
-def _beside(path: Path, word: str) -> Path:
-    return path.with_name(f"{path.stem}.{word}{path.suffix}")
+def _new_file(path: Path, word: str) -> Path:
+    """Return a new file beside another one, with a name that none had; raises ``OSError``."""
+    for mark in (word, *(f"{word}-{number}" for number in range(2, _MAX_LEFT))):
+        found = path.with_name(f"{path.stem}.{mark}{path.suffix}")
+        with contextlib.suppress(FileExistsError):
+            found.touch(exist_ok=False)
+            return found
+    raise FileExistsError(errno.EEXIST, os.strerror(errno.EEXIST))

@@ -39,7 +39,7 @@ def record_run(bench: Bench, point: Sequence[Value], path: Path) -> str:
     if isinstance(bench, ScheduleBench):
         return _write_schedule(bench, point, path)
     inputs = inputs_of(bench.plan, point, bench.cycle_time_us)
-    with OutputFile(path, "--record", FileAccess()) as file:
+    with OutputFile(path, "--record", _inputs(bench)) as file:
         tape = TapeWriter(
             file.write,
             _words(bench.plan, inputs),
@@ -52,14 +52,24 @@ def record_run(bench: Bench, point: Sequence[Value], path: Path) -> str:
     return shlex.join(["nctakt", "replay", str(path)])
 
 
+def _inputs(bench: Bench) -> FileAccess:
+    """Return the files of a study, which no run may overwrite."""
+    access, plan = FileAccess(), bench.plan
+    access.note_all(bench.access)
+    for path in (*plan.files, *([] if plan.plc is None else [plan.plc])):
+        access.note(path)
+    return access
+
+
 def _write_schedule(bench: ScheduleBench, point: Sequence[Value], path: Path) -> str:
     plan = bench.plan
     text, load = bench.texts(point)
     words = ["nctakt", "schedule", "simulate", str(path.with_suffix(".lis"))]
-    write_file(words[-1], text)
+    access = _inputs(bench)
+    write_file(words[-1], text, "--record", access)
     if load is not None:
         words += ["--load", str(path.with_suffix(".toml"))]
-        write_file(words[-1], load)
+        write_file(words[-1], load, "--record", access)
     words += ["--os", plan.system, "--duration", str(plan.until or DURATION).replace(" ", "")]
     return shlex.join(words)
 

@@ -4,7 +4,8 @@
 They stand in ``NAME.rows``: a line that says of which plan, then a line per run, each written at
 once, so that whatever ends the process loses no finished run. Which runs are finished takes a bit
 of memory for each. Rows that came out of order are sorted in parts of bounded size, to a file
-``NAME.rows.sorted``, so that a study may have more rows than memory holds.
+beside it, so that a study may have more rows than memory holds. A file with the name of the rows
+that no study has written is left alone.
 """
 
 from __future__ import annotations
@@ -14,15 +15,17 @@ import hashlib
 import heapq
 import json
 import os
+import tempfile
 import weakref
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any, BinaryIO
 
 from nctakt.base.failure import Failure
+from nctakt.files.access import FileAccess
 from nctakt.messages import diagnostic
 from nctakt.messages.files import FILE_NOT_WRITABLE, OUTPUT_IN_USE
-from nctakt.messages.studies import OTHER_PLAN
+from nctakt.messages.studies import NOT_ROWS_OF_A_STUDY, OTHER_PLAN
 from nctakt.run.tape import digest_of
 from nctakt.studies.bench import Row
 from nctakt.studies.plan import Plan
@@ -34,6 +37,9 @@ try:
     import fcntl
 except ImportError:  # Windows
     fcntl = None  # type: ignore[assignment]
+
+#: The begin of the first line.
+_HEAD = b'{"study": "'
 
 #: Bytes of rows that are kept in memory as they are; more stay in their file.
 MAX_KEPT = 16 << 20
@@ -54,7 +60,7 @@ class RowStore:
     """The rows of a study in a file, line by line; ``done`` are the numbers of finished runs.
 
     ``resumes``: go on with the rows that are there. Raises ``Failure``: rows of another plan
-    (901309), a file that cannot be written (900507).
+    (901309), a file that is there and has no rows (902023), or cannot be written (900507).
     """
 
     def __init__(self, path: Path, plan: Plan, *, resumes: bool) -> None:
@@ -62,10 +68,15 @@ class RowStore:
         self.done = RunNumbers()
         self._is_sorted = True
         self._last = -1
+        self._sorted: Path | None = None
         head = json.dumps({"study": fingerprint(plan)})
+        flags = os.O_RDWR | getattr(os, "O_BINARY", 0)
         try:
-            flags = os.O_RDWR | os.O_CREAT | getattr(os, "O_BINARY", 0)
-            self._file = os.open(path, flags, 0o666)
+            try:
+                self._file = os.open(path, flags | os.O_CREAT | os.O_EXCL, 0o666)
+            except FileExistsError:
+                _check_rows(path)
+                self._file = os.open(path, flags)
         except OSError as error:
             raise _unwritable(self.path, error) from error
         _open_stores.add(self)
@@ -137,17 +148,18 @@ class RowStore:
         """
         path = self.path
         if not self._is_sorted and path.stat().st_size > MAX_KEPT:
-            path = _sorted_path(self.path)
             try:
+                path = self._sorted = self._sorted or _new_file(path, ".sorted")
                 _sort(self.path, path)
             except OSError as error:
-                path.unlink(missing_ok=True)
                 raise _unwritable(path, error) from error
         return StoredRows(path, len(self.done))
 
     def close(self) -> None:
         """Close the file, which stays."""
-        _sorted_path(self.path).unlink(missing_ok=True)
+        if self._sorted is not None:
+            self._sorted.unlink(missing_ok=True)
+            self._sorted = None
         self.leave()
 
     def leave(self) -> None:
@@ -223,8 +235,18 @@ class RunNumbers:
         return self._count
 
 
-def _sorted_path(path: Path) -> Path:
-    return path.with_name(f"{path.name}.sorted")
+def _check_rows(path: Path) -> None:
+    """Raise ``Failure`` (902023) for a file that does not begin as rows of a study do."""
+    begin = FileAccess().read_begin(path) if path.is_file() else b""
+    if not begin.startswith(_HEAD):
+        raise Failure(diagnostic(NOT_ROWS_OF_A_STUDY, file=path.as_posix()))
+
+
+def _new_file(beside: Path, suffix: str) -> Path:
+    """Return a new file beside another one; raises ``OSError``."""
+    number, name = tempfile.mkstemp(suffix, f"{beside.name}.", beside.parent)
+    os.close(number)
+    return Path(name)
 
 
 def _unwritable(path: Path, error: OSError) -> Failure:
@@ -242,7 +264,7 @@ def _sort(source: Path, target: Path) -> None:
 
     Parts that fit in memory are sorted and written one behind another, then merged.
     """
-    parts = target.with_name(f"{target.name}.parts")
+    parts = _new_file(source, ".parts")
     try:
         with source.open("rb") as file, parts.open("wb") as sorted_parts:
             head = next(file)

@@ -158,6 +158,12 @@ def test_nothing_to_check(told: Told) -> None:
         ('# x\nplc = "none.py"\n', "nctakt.toml:2:1: error 901063: ", "does not exist"),
         ('paths = ["none"]\n', "nctakt.toml:1:1: error 901063: ", "does not exist"),
         ("[machine]\nfolder = 1\n", "error 901062: ", "machine"),
+        ('until = "soon"\n', "nctakt.toml:1:1: error 900510: ", "soon"),
+        ("until = true\n", "nctakt.toml:1:1: error 901062: ", "a time above 0"),
+        ('until = "0 s"\n', "nctakt.toml:1:1: error 901062: ", "a time above 0"),
+        ("set = 5\n", "nctakt.toml:1:1: error 901062: ", "a table"),
+        ('set = {"V.E.WORD" = []}\n', "nctakt.toml:1:9: error 901062: ", "a number or a text"),
+        ("[set]\nV.E.WORD = inf\n", "nctakt.toml:2:1: error 901062: ", "V.E.WORD = inf"),
         ("[" * 5000, "error 901060: ", ""),
     ],
 )
@@ -172,6 +178,26 @@ def test_what_is_wrong_with_the_file(told: Told, text: str, first_line: str, exc
         assert excerpt in err
         assert "remedy: " in err
         assert "Traceback" not in err
+
+
+@pytest.mark.parametrize(
+    ("text", "first_line"),
+    [
+        ("[set]\nV.E.WORD = 1\nV.E.NOPE = 1\n", "nctakt.toml:3:1: error 900541: "),
+        ('set = {"V.E.WORD" = 1, "V.E.NOPE" = 1}\n', "nctakt.toml:1:25: error 900541: "),
+        ("set.V.E.WORD = 1e30\n", "nctakt.toml:1:5: error 20847: "),
+        ('machine = "demo5"\n[set]\n"V.E.WORD" = "a"\n', "nctakt.toml:3:2: error 900543: "),
+    ],
+)
+def test_values_that_the_machine_does_not_take(told: Told, text: str, first_line: str) -> None:
+    """At the place of the value, whichever command runs; not where a word names the variable."""
+    write("nctakt.toml", text)
+    for command in (("run",), ("why",), ("live", "--port", "0")):
+        code, out, err = told(*command, "programs/a.nc")
+        assert (code, out) == (2, "")
+        assert first_line in err
+    assert "nctakt.toml" not in told("run", "programs/a.nc", "--set", "V.E.NOPE=1", "--set",
+                                     "V.E.WORD=x")[2]  # fmt: skip
 
 
 def test_bytes_that_are_no_text(told: Told) -> None:

@@ -26,7 +26,7 @@ from nctakt.cli.language import language_option
 from nctakt.cli.sarif import as_sarif
 from nctakt.cli.schedule_options import RTCONF_OPTIONS, with_options
 from nctakt.cli.selection import Selection, read_selection
-from nctakt.cli.settings import maybe_watched, project_around
+from nctakt.cli.settings import maybe_watched
 from nctakt.cli.terminal import print_diagnostics, show_at_the_end
 from nctakt.files.access import FileAccess
 from nctakt.files.output import OutputFile
@@ -41,6 +41,7 @@ from nctakt.messages.checking import (
 )
 from nctakt.messages.files import STDIN_NAMED_TWICE
 from nctakt.project.machine_choice import MachineChoice, machine_of_environment
+from nctakt.project.project_file import project_around
 from nctakt.run.assembly import AssembledMachine
 from nctakt.run.program_loader import NcText
 

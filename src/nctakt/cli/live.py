@@ -34,7 +34,7 @@ if TYPE_CHECKING:
     from nctakt.live.shared import SharedSession
     from nctakt.session.session import Session
 
-#: The machine time after which a run on the page ends.
+#: The machine time after which a run on the page ends where the project has no limit.
 _LONGEST = "24 h"
 
 _EPILOG = """\b
@@ -199,7 +199,7 @@ def _show(options: Options, access: FileAccess, own: _Words) -> int:
             plc=options.plc,
             set=request.assignments,
             at=request.stimuli,
-            until=_LONGEST,
+            until=request.until or _LONGEST,
             wait_for_start=options.wait_for_start,
             acknowledges=acknowledges,
             folders=folders,

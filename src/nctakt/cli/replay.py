@@ -48,7 +48,7 @@ error of nctakt's own.
 @click.option("--messages", metavar="FILE", help="Write the programs' messages to a file as well.")
 @click.option("--error-log", metavar="FILE", help="Write the user errors (#ERROR) to a file.")
 @CONFINE_OPTION
-@language_option("Language of diagnostics, summary and diagnosis data.")
+@language_option("Language of diagnostics, summary and diagnosis data [default: en].", None)
 @click.option("--quiet", is_flag=True, help="No summary and no notes.")
 @click.option(
     "--compiled/--plain",
@@ -57,7 +57,7 @@ error of nctakt's own.
 )
 def command(tape: str, anyway: bool, **words: Any) -> int:
     """Repeat a run that nctakt run --record has recorded."""
-    language: Language = words["language"]
+    language: Language = words["language"] or "en"
     try:
         return _replay(tape, anyway, words)
     except Failure as failure:
@@ -78,6 +78,6 @@ def _replay(name: str, anyway: bool, words: dict[str, Any]) -> int:
     tape = read_tape(Path(name), access)
     for list_name, text in tape.lists.items():
         access.replace(path_of(list_name), text.encode("utf-8"))
-    options = options_of(tape, name, words)
+    options = options_of(tape, name, words, access)
     print_diagnostics(check_unchanged(tape, anyway=anyway), options.language)
     return run_with(options, access)

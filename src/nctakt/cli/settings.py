@@ -18,13 +18,8 @@ from nctakt.cli.file_options import file_access
 from nctakt.cli.request import STANDARD_INPUT, Options
 from nctakt.cli.terminal import print_diagnostics
 from nctakt.files.access import FileAccess
-from nctakt.messages import diagnostic
-from nctakt.messages.project import PROGRAMS_OF_DIFFERENT_MACHINES
-from nctakt.project.machine_choice import MachineChoice, choose_machine, machine_of
-from nctakt.project.project_file import Project, find_project
-
-#: The word after --plc for the built-in PLC, where the project file names another one.
-DEFAULT_PLC = "default"
+from nctakt.project.run_settings import Named, RunSettings, run_settings
+from nctakt.run.stimuli import assignment_text
 
 
 def carry_out(words: dict[str, Any], action: Callable[[Options, FileAccess], int]) -> int:
@@ -57,65 +52,47 @@ def _carry_out(
     words: dict[str, Any], action: Callable[[Options, FileAccess], int], access: FileAccess
 ) -> int:
     language: Language = words["language"] or "en"
+    settings: RunSettings | None = None
     try:
-        options = _completed(words, access)
+        settings = _settings(words, access)
+        options = _completed(words, settings)
         language = options.language
         return action(options, access)
     except Failure as failure:
-        print_diagnostics(failure.diagnostics, language)
+        found = failure if settings is None else settings.placed(failure)
+        print_diagnostics(found.diagnostics, language)
         return EXIT_USAGE
 
 
-def project_around(names: Sequence[str], access: FileAccess) -> Project | None:
-    """Return the project of the first file or folder, of the working directory without one."""
-    first = next((name for name in names if name != STANDARD_INPUT), "")
-    return find_project(Path(first), access)
-
-
-def _completed(words: dict[str, Any], access: FileAccess) -> Options:
-    """Return the words with the settings; raises ``Failure`` where these are wrong."""
+def _settings(words: dict[str, Any], access: FileAccess) -> RunSettings:
+    """Return the settings of the words; raises ``Failure`` where these are wrong."""
     programs = [*words["programs"], *(program for _, program in words["others"])]
-    project = project_around(programs, access)
-    plc = words["plc"]
-    if plc == DEFAULT_PLC and not Path(plc).exists():
-        plc = None
-    elif plc is None and words.get("hli") is None and project is not None and project.plc:
-        plc = str(project.plc)
-    language = words["language"] or (project and project.language) or "en"
-    given = {**words, "plc": plc, "language": language}
-    if project is not None:
-        given["project_signals"] = project.signals
-    if words["machine"] is None:
-        choice = _machine_of_all(programs, project, access)
-        if not choice.is_demo:
-            given["machine"] = str(choice.path)
-            given["machine_note"] = choice.note()
+    files = [Path(program) for program in programs if program != STANDARD_INPUT]
+    named = Named(
+        machine=words["machine"],
+        plc=words["plc"],
+        has_plc=words.get("hli") is not None,
+        values=[text.partition("=")[0].strip() for text in words["assignments"]],
+        until=words["until"],
+        is_limited=words["ticks"] is not None,
+    )
+    return run_settings(files, access, named)
+
+
+def _completed(words: dict[str, Any], settings: RunSettings) -> Options:
+    """Return the words with the settings."""
+    given = {
+        **words,
+        "language": words["language"] or settings.language or "en",
+        "plc": None if settings.plc is None else str(settings.plc),
+        "assignments": (
+            *(assignment_text(*one) for one in settings.values.items()),
+            *words["assignments"],
+        ),
+        "until": None if settings.until is None else str(settings.until),
+        "machine_note": settings.machine_note,
+        "project_signals": settings.signals,
+    }
+    if words["machine"] is None and settings.machine is not None:
+        given["machine"] = str(settings.machine)
     return Options(**given)
-
-
-def _machine_of_all(
-    programs: Sequence[str], project: Project | None, access: FileAccess
-) -> MachineChoice:
-    """Return the machine of all programs; raises ``Failure`` (901065) if they have several."""
-    if not programs or STANDARD_INPUT in programs[:1]:
-        return choose_machine(None, project, access)
-    first = programs[0]
-    machine = choose_machine(Path(first), project, access)
-    seen = {Path(first).parent}
-    for name in programs[1:]:
-        folder = Path(name).parent
-        if name == STANDARD_INPUT or folder in seen:
-            continue
-        seen.add(folder)
-        other = machine_of(Path(name), access)
-        if other.path != machine.path:
-            raise Failure(
-                diagnostic(
-                    PROGRAMS_OF_DIFFERENT_MACHINES,
-                    first=first,
-                    machine=machine.shown,
-                    second=name,
-                    other=other.shown,
-                )
-            )
-    return machine

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import os
 import sys
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -74,21 +75,30 @@ usage or unusable input, 3 an error of nctakt's own.
 @click.option("--cover", is_flag=True, help="Try inputs until every branch of a cycle has run.")
 @click.option("--shrink", is_flag=True, help="Find the smallest change that breaks a run.")
 @click.option("--yes", is_flag=True, help="Start even what takes more than an hour.")
-@language_option("Language of diagnostics and results.")
+@language_option("Language of diagnostics and results [default: en].", None)
 @click.option("--quiet", is_flag=True, help="No progress.")
 def command(files: tuple[str, ...], **words: Any) -> int:
     """Make the runs of a plan, or inject a value at each tick of a program.
 
     "report PLAN RESULTS" makes the page of --report of runs that are finished.
     """
-    language: Language = words["language"]
     if len(files) != 1 and (files[0] != "report" or len(files) != 3):
         raise click.UsageError("one plan or program, or: report PLAN RESULTS")
     try:
+        words["language"] = words["language"] or _language_of_project(files[-2:])
         return _study(files[0], words) if len(files) == 1 else _report(*files[1:], words)
     except Failure as failure:
-        print_diagnostics(failure.diagnostics, language)
+        print_diagnostics(failure.diagnostics, words["language"] or "en")
         return EXIT_USAGE
+
+
+def _language_of_project(files: Sequence[str]) -> Language:
+    """Return the language of the project around a plan or a program; raises ``Failure``."""
+    from nctakt.files.access import FileAccess  # noqa: PLC0415 - as below
+    from nctakt.project.project_file import project_around  # noqa: PLC0415
+
+    project = project_around(files, FileAccess())
+    return (project and project.language) or "en"
 
 
 def _study(file: str, words: dict[str, Any]) -> int:

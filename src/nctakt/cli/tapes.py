@@ -24,7 +24,7 @@ from nctakt.messages.tape import (
     REPLAY_NOT_COMPARED,
     TAPE_FILES_CHANGED,
 )
-from nctakt.project.project_file import OWN_NAME, PYTHON_NAME
+from nctakt.project.project_file import OWN_NAME, PYTHON_NAME, project_around
 from nctakt.run.program_loader import NcText
 from nctakt.run.tape import Tape, TapeComparison, TapeWriter, changed_files, name_on_tape
 from nctakt.run.tape_words import WORDS, words_of
@@ -55,13 +55,22 @@ def inputs_of_run(options: Options, access: FileAccess) -> Iterator[tuple[str, P
         yield name_on_tape(path), path
 
 
-def options_of(tape: Tape, name: str, words: Mapping[str, Any]) -> Options:
+def options_of(tape: Tape, name: str, words: Mapping[str, Any], access: FileAccess) -> Options:
     """Return the options of a recorded run with the words of ``replay``.
 
-    Raises ``Failure`` (901070) for a tape whose words are none of a run.
+    Language and signals that are not named are those of its project; what else the project has
+    said is on the tape. Raises ``Failure`` (901070) for a tape whose words are none of a run.
     """
     recorded = words_of(tape, name)
-    given = {**recorded, **words, "confined": (*recorded["confined"], *words["confined"])}
+    names = [*recorded["programs"], *(program for _, program in recorded["others"])]
+    project = project_around([one for one in names if one not in tape.texts], access)
+    given = {
+        **recorded,
+        **words,
+        "language": words["language"] or (project and project.language) or "en",
+        "project_signals": project and project.signals,
+        "confined": (*recorded["confined"], *words["confined"]),
+    }
     return Options(**given, stimuli=(), plc=None, tape=tape)
 
 

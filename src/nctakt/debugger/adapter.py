@@ -350,7 +350,8 @@ class Adapter:
         except BaseException:
             session.close()
             raise
-        note = () if configuration.note is None else (configuration.note,)
+        machine_note = configuration.settings.machine_note
+        note = () if machine_note is None else (machine_note,)
         debuggee.report.diagnostics([*note, *found])
         if session.description.is_over:
             debuggee.close()

@@ -2,7 +2,7 @@
 """A launch configuration -> the session that it asks for.
 
 In: the arguments of ``launch``. Out: ``Configuration``, which opens the session as often as the
-debugger restarts; machine and PLC that it leaves out come from the project, as on the command line.
+debugger restarts; what it leaves out comes from the project, as on the command line.
 """
 
 from __future__ import annotations
@@ -12,35 +12,30 @@ from pathlib import Path
 from typing import Any
 
 from nctakt.base.dataclass import dataclass
-from nctakt.base.diagnostics import Diagnostic, Language
+from nctakt.base.diagnostics import Language
 from nctakt.base.failure import Failure
 from nctakt.debugger.arguments import Arguments
 from nctakt.files.access import FileAccess
 from nctakt.lists.format.times import Time, read_time
-from nctakt.lists.machine.files import machine_folder
 from nctakt.messages import diagnostic
 from nctakt.messages.debugger import WRONG_ARGUMENT
 from nctakt.messages.files import FILE_MISSING
-from nctakt.project.machine_choice import choose_machine
-from nctakt.project.project_file import find_project
+from nctakt.project.run_settings import Named, RunSettings, run_settings
 from nctakt.run.stimuli import Stimulus, parse_stimulus
 from nctakt.session.session import Session
 
 
 @dataclass(frozen=True, slots=True)
 class Configuration:
-    """What is run, and where the debugger stops by itself; ``note`` tells the machine.
+    """What is run, and where the debugger stops by itself.
 
     ``stops_at_end``: the run stands at its end until it is left; else the debugger ends with it.
     """
 
     channels: Mapping[int, Sequence[Path]]
-    machine: str | None
-    note: Diagnostic | None
-    plc: str | None
+    settings: RunSettings
     set: Mapping[str, float | str]
     at: Sequence[Stimulus]
-    until: Time | None
     after: Time
     skip: Sequence[int]
     waits_for_start: bool
@@ -55,22 +50,25 @@ class Configuration:
 
     def open(self) -> Session:
         """Return the session before its first tick; raises ``Failure``."""
-        return Session(
-            *self.channels.get(1, ()),
-            channels={number: own for number, own in self.channels.items() if number != 1},
-            machine=self.machine,
-            plc=self.plc,
-            set=self.set,
-            at=self.at,
-            until=self.until,
-            after=self.after,
-            wait_for_start=self.waits_for_start,
-            skip=self.skip,
-            acknowledges=self.acknowledges,
-            folders=self.folders,
-            from_line=self.from_line,
-            from_block=self.from_block,
-        )
+        try:
+            return Session(
+                *self.channels.get(1, ()),
+                channels={number: own for number, own in self.channels.items() if number != 1},
+                machine=self.settings.machine,
+                plc=self.settings.plc,
+                set={**self.settings.values, **self.set},
+                at=self.at,
+                until=self.settings.until,
+                after=self.after,
+                wait_for_start=self.waits_for_start,
+                skip=self.skip,
+                acknowledges=self.acknowledges,
+                folders=self.folders,
+                from_line=self.from_line,
+                from_block=self.from_block,
+            )
+        except Failure as failure:
+            raise self.settings.placed(failure) from failure
 
     @property
     def program(self) -> str:
@@ -94,31 +92,22 @@ def read_configuration(arguments: Arguments, folders: Sequence[str]) -> Configur
     first = next((own[0] for own in channels.values() if own), None)
     if first is None:
         raise Failure(diagnostic(WRONG_ARGUMENT, name="program", expected="the path of a program"))
-    project = find_project(first, access)
-    machine, note = arguments.optional_text("machine"), None
-    if machine is None:
-        choice = choose_machine(first, project, access)
-        if not choice.is_demo:
-            machine, note = str(choice.path), choice.note()
-    else:
-        machine = str(machine_folder(machine, base))
-        access.check_admitted(machine)
-    plc = arguments.optional_text("plc")
-    if plc is not None:
-        plc = str(_paths([plc], base, access)[0])
-    elif project is not None and project.plc:
-        access.check_admitted(project.plc)
-        plc = str(project.plc)
-    until = arguments.optional_text("until")
+    own_values = _assignments(arguments)
+    machine, plc, until = (arguments.optional_text(name) for name in ("machine", "plc", "until"))
+    named = Named(machine=machine, plc=plc, values=own_values, until=until, base=base)
+    settings = run_settings([one for own in channels.values() for one in own], access, named)
+    if until is not None:
+        read_time(until)
+    if machine is not None and settings.machine is not None:
+        access.check_admitted(settings.machine)
+    if plc is not None and settings.plc is not None:
+        _paths([plc], base, access)
     has_breakpoints = not arguments.flag("noDebug")
     return Configuration(
         channels,
-        machine,
-        note,
-        plc,
-        _assignments(arguments),
+        settings,
+        own_values,
         [_stimulus(item) for item in arguments.items("at")],
-        None if until is None else read_time(until),
         read_time(arguments.text("after", "0")),
         _levels(arguments.items("skip")),
         arguments.flag("waitForStart"),

@@ -6,6 +6,8 @@ with a table ``tool.nctakt``, in that folder or above. Paths in it are relative 
 
     machine = "lists"                 # a machine's folder, or a built-in machine
     plc = "cell_plc.py"               # the PLC of the runs
+    until = "60 s"                    # the limit of the runs
+    set = {"V.E.VALUE" = 5}           # values before the first tick
     language = "de"
     signals = ["X.ACS.ACT_POS"]       # what --trace records and --plot draws
     paths = ["programs", "lists"]     # what `nctakt check` checks if nothing is named
@@ -13,17 +15,21 @@ with a table ``tool.nctakt``, in that folder or above. Paths in it are relative 
 
 from __future__ import annotations
 
+import math
 import os
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any, cast
 
-from nctakt.base.dataclass import dataclass
+from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import NOTHING, Diagnostic, Language, Span, Text, whole_file
 from nctakt.base.failure import Failure
 from nctakt.base.text import nearest
 from nctakt.files.access import FileAccess
+from nctakt.lists.format.times import Time, read_time
 from nctakt.lists.machine.files import machine_folder
 from nctakt.messages import Collector
 from nctakt.messages.project import (
@@ -37,20 +43,26 @@ from nctakt.messages.project import (
 OWN_NAME = "nctakt.toml"
 PYTHON_NAME = "pyproject.toml"
 
-_KEYS = ("machine", "plc", "language", "signals", "paths")
+_KEYS = ("machine", "plc", "until", "set", "language", "signals", "paths")
 _POSITION = re.compile(r" ?\(at line (\d+), column (\d+)\)")
 _TABLE = re.compile(r"\s*\[\s*(.*?)\s*\]\s*(#.*)?")
 _TEXT = Text("a text", "ein Text")
 _TEXTS = Text("a list of texts", "eine Liste von Texten")
 _LANGUAGE = Text("a language", "eine Sprache")
 _ON_TABLE = Text("a table", "eine Tabelle")
+_VALUE = Text("a number or a text", "eine Zahl oder ein Text")
+_TIME = Text("a time above 0", "eine Zeit über 0")
+
+#: A place in a project file, and the text of its line.
+Place = tuple[Span, str]
 
 
 @dataclass(frozen=True, slots=True)
 class Project:
     """The settings of a project file; ``None`` and empty: not set.
 
-    Paths are relative to the working directory where they lie below it, else absolute.
+    Paths are relative to the working directory where they lie below it, else absolute. ``values``
+    are those of variables before the first tick; ``places``: where each stands.
     """
 
     file: Path
@@ -59,6 +71,29 @@ class Project:
     language: Language | None = None
     signals: tuple[str, ...] | None = None
     paths: tuple[Path, ...] = ()
+    until: Time | None = None
+    values: Mapping[str, float | str] = field(default_factory=dict)
+    places: Mapping[str, Place] = field(default_factory=dict, compare=False, repr=False)
+
+    def placed(self, found: Diagnostic) -> Diagnostic:
+        """Return a diagnostic about one of its values at the place of that value.
+
+        Others come back as they are: they are about values that somebody else gives.
+        """
+        name = str(found.values.get("name"))
+        value = self.values.get(name)
+        if found.span is not None or value is None or found.values.get("value", value) != value:
+            return found
+        span, line = self.places[name]
+        return replace(found, span=span, source_line=line)
+
+
+def project_around(names: Sequence[str], access: FileAccess) -> Project | None:
+    """Return the project of the first file or folder, of the working directory without one.
+
+    ``-`` stands for standard input. Raises ``Failure`` as ``find_project``.
+    """
+    return find_project(Path(next((name for name in names if name != "-"), "")), access)
 
 
 def find_project(begin: Path, access: FileAccess) -> Project | None:
@@ -170,6 +205,9 @@ class _Reader:
             self._language(entries.get("language")),
             self._signals(entries.get("signals")),
             self._paths(entries.get("paths")),
+            self._until(entries.get("until")),
+            values := self._values(entries.get("set")),
+            {name: self._location_of_value(name) for name in values},
         )
 
     def _path(self, key: str, value: Any, example: str) -> Path | None:
@@ -205,32 +243,92 @@ class _Reader:
             return None
         return cast("Language | None", value)
 
-    def _wrong(self, key: str, value: Any, expected: Text, example: str) -> None:
+    def _until(self, value: Any) -> Time | None:
+        example = 'until = "60 s"'
+        if value is None:
+            return None
+        if isinstance(value, bool) or not isinstance(value, str | int | float):
+            self._wrong("until", value, _TIME, example)
+            return None
+        try:
+            time = read_time(value)
+        except Failure as failure:
+            for found in failure.diagnostics:
+                span, line = self._location("until")
+                self._collector.diagnostics.append(replace(found, span=span, source_line=line))
+            return None
+        if time.count == 0:
+            self._wrong("until", value, _TIME, example)
+        return time
+
+    def _values(self, table: Any) -> Mapping[str, float | str]:
+        """Return the values of ``set``; ``V.E.VALUE = 5`` without quotes is a table in tables."""
+        example = 'set = {"V.E.VALUE" = 5}'
+        if table is not None and not isinstance(table, dict):
+            self._wrong("set", table, _ON_TABLE, example)
+            return {}
+        values: dict[str, float | str] = {}
+        for name, value in _flat(table or {}):
+            if not isinstance(value, str | int | float) or not _is_finite(value):
+                self._wrong(name, value, _VALUE, example, self._location_of_value(name))
+            else:
+                values[name] = int(value) if isinstance(value, bool) else value
+        return MappingProxyType(values)
+
+    def _location_of_value(self, name: str) -> Place:
+        """Return the place of a value in the table ``set``, else that of ``set``."""
+        header = f"{self._header}.set".removeprefix(".")
+        entry = re.compile(rf"""\s*["']?(?P<key>{re.escape(name)})["']?\s*=""")
+        inline = re.compile(rf"""\s*set\b.*?["'.{{\s](?P<key>{re.escape(name)})["']?\s*=""")
+        for pattern, table in ((entry, header), (inline, self._header)):
+            for number, line in self._own_lines(table):
+                found = pattern.match(line)
+                if found is not None:
+                    begin, end = found.span("key")
+                    return Span(self._name, number, begin + 1, end + 1), line
+        return self._location("set")
+
+    def _wrong(
+        self, key: str, value: Any, expected: Text, example: str, location: Place | None = None
+    ) -> None:
         self._collector.report(
             INVALID_PROJECT_VALUE,
-            *self._location(key),
+            *(location or self._location(key)),
             key=key,
             value=value,
             expected=expected,
             example=example,
         )
 
-    def _location(self, key: str) -> tuple[Span, str]:
+    def _location(self, key: str) -> Place:
         """Return the span of an entry's name and its line, else the whole file."""
         pattern = re.compile(rf"""\s*\[?\s*["']?(?P<key>{re.escape(key)})["']?\s*[].=]""")
-        for number, line in self._own_lines():
+        for number, line in self._own_lines(self._header):
             found = pattern.match(line)
             if found is not None:
                 begin, end = found.span("key")
                 return Span(self._name, number, begin + 1, end + 1), line
         return whole_file(self._name), ""
 
-    def _own_lines(self) -> Iterator[tuple[int, str]]:
-        """Yield the lines of our table with their numbers, its header as if it began the file."""
+    def _own_lines(self, header: str) -> Iterator[tuple[int, str]]:
+        """Yield the lines of a table with their numbers, its header among them."""
         table = ""
         for number, line in enumerate(self._lines, 1):
             found = _TABLE.fullmatch(line)
             if found is not None:
                 table = "".join(found[1].split())
-            if table == self._header:
+            if table == header:
                 yield number, line
+
+
+def _flat(table: Mapping[str, Any], prefix: str = "") -> Iterator[tuple[str, Any]]:
+    """Yield the names and values of a table in tables, the names joined by dots."""
+    for name, value in table.items():
+        if isinstance(value, dict):
+            yield from _flat(value, f"{prefix}{name}.")
+        else:
+            yield f"{prefix}{name}", value
+
+
+def _is_finite(value: str | float) -> bool:
+    return isinstance(value, str) or math.isfinite(value)

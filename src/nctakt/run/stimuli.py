@@ -110,6 +110,13 @@ def parse_assignment(text: str) -> tuple[str, float | str]:
     return name, _parse_value(name, value.strip())
 
 
+def assignment_text(name: str, value: float | str) -> str:
+    """Return the text of an assignment, which ``parse_assignment`` reads."""
+    if isinstance(value, str):
+        return f'{name}="{value}"'
+    return f"{name}={int(value) if value == int(value) else repr(value)}"
+
+
 def parse_stimulus(time: str, assignment: str) -> Stimulus:
     """Return the stimulus of ``--at TIME NAME=VALUE``; raises ``Failure`` for mistakes."""
     return Stimulus(time, *parse_assignment(assignment))

@@ -23,7 +23,6 @@ from nctakt.messages import diagnostic
 from nctakt.messages.studies import UNKNOWN_PROGRAM_VARIABLE
 from nctakt.nc.parse.lexer import without_comments
 from nctakt.plc import load_plc
-from nctakt.project.machine_choice import machine_of
 from nctakt.run.controller import Controller, NcText
 from nctakt.run.plc_view import AnyPlc
 from nctakt.run.program_loader import AnyProgram, LoadedProgram
@@ -71,8 +70,7 @@ class Bench:
     def __init__(self, plan: Plan, access: FileAccess | None = None) -> None:
         self.plan = plan
         self.access = access = access or FileAccess()
-        folder = plan.machine or machine_of(plan.program, access).path
-        self.machine = load_machine(folder, access=access)
+        self.machine = load_machine(plan.machine, access=access)
         self._schedule_files = (
             None if plan.rtconf is None else ScheduleFiles(plan.rtconf, plan.load, plan.system)
         )

@@ -24,7 +24,6 @@ from nctakt.lists.machine.files import DEMO_FOLDER
 from nctakt.messages import diagnostic
 from nctakt.messages.files import FILE_NOT_READABLE
 from nctakt.messages.studies import EXTRA_MISSING, UPLOAD_TOO_LARGE
-from nctakt.project.machine_choice import machine_of
 from nctakt.studies.plan import Plan
 from nctakt.studies.plan_files import files_of
 from nctakt.studies.python_measure import PythonMeasure
@@ -138,9 +137,7 @@ def bundle(plan: Plan, uploads: Sequence[Path] = ()) -> Bundle:
         files += [*(files_below(path) if path.is_dir() else [path]), *further.files]
         names += further.names
         folders += further.folders
-    machine = None
-    if not plan.is_schedule:
-        machine = (plan.machine or machine_of(plan.program, FileAccess()).path).resolve()
+    machine = None if plan.is_schedule else (plan.machine or DEMO_FOLDER).resolve()
     own = DEMO_FOLDER.parent.resolve()
     built_in = machine.name if machine is not None and machine.is_relative_to(own) else ""
     access = FileAccess()

@@ -14,6 +14,8 @@ from pathlib import Path
 from nctakt.base.dataclass import dataclass, field
 from nctakt.lists.format.times import Time
 from nctakt.plc.inputs import read_inputs
+from nctakt.project.run_settings import DEFAULT_PLC
+from nctakt.run.stimuli import assignment_text
 from nctakt.studies.changed_schedule import FAMILY, ScheduleChanges
 from nctakt.studies.dimension import Dimension, Value, chance
 from nctakt.studies.faults import PlcFaults
@@ -133,12 +135,12 @@ def command_of(plan: Plan, inputs: RunInputs) -> str | None:
     words = ["nctakt", "run", str(plan.program)]
     if plan.machine is not None:
         words += ["--machine", str(plan.machine)]
-    if plan.plc is not None:
-        words += ["--plc", str(plan.plc)]
+    if plan.plc is not None or plan.names_default_plc:
+        words += ["--plc", DEFAULT_PLC if plan.plc is None else str(plan.plc)]
     for name, value in inputs.assignments.items():
-        words += ["--set", f"{name}={word_of(value)}"]
+        words += ["--set", assignment_text(name, value)]
     for time, name, value in inputs.stimuli:
-        words += ["--at", str(time).replace(" ", ""), f"{name}={word_of(value)}"]
+        words += ["--at", str(time).replace(" ", ""), assignment_text(name, value)]
     for option, path in (
         ("--rtconf", inputs.schedule.rtconf or plan.rtconf),
         ("--load", inputs.schedule.load or plan.load),
@@ -152,10 +154,3 @@ def command_of(plan: Plan, inputs: RunInputs) -> str | None:
     if plan.after.count:
         words += ["--after", str(plan.after).replace(" ", "")]
     return shlex.join(words)
-
-
-def word_of(value: Amount) -> str:
-    """Return a value as the words of a command have it."""
-    if isinstance(value, str):
-        return f'"{value}"'
-    return str(int(value)) if value == int(value) else repr(value)

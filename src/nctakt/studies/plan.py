@@ -59,10 +59,11 @@ class Goal:
 class Plan:
     """A checked plan; ``text``: that of the program where it is in no file.
 
-    ``machine`` ``None``: the one on which ``nctakt run`` runs the program. ``assignments`` and
-    ``stimuli`` are those of all runs. ``count``: the number of points of a method without a grid.
-    ``rtconf``, ``load``, ``system``: the scheduling list, its load and its operating system;
-    ``is_schedule``: the list is simulated without a program, which ``program`` then stands for.
+    ``machine`` ``None``: the demo machine. ``plc`` ``None``: the built-in one; with
+    ``names_default_plc`` because the plan says so. ``assignments`` and ``stimuli`` are those of all
+    runs. ``count``: the number of points of a method without a grid. ``rtconf``, ``load``,
+    ``system``: the scheduling list, its load and its operating system; ``is_schedule``: the list is
+    simulated without a program, which ``program`` then stands for.
     ``places``: where the entries stand in the plan's file, with the text of the line.
     """
 
@@ -85,6 +86,7 @@ class Plan:
     load: Path | None = None
     system: str = "rtx"
     is_schedule: bool = False
+    names_default_plc: bool = False
     places: Mapping[Entry, Place] = field(default_factory=dict, compare=False, repr=False)
 
     @property

@@ -27,7 +27,7 @@ from nctakt.lists.machine.scheduling import load_rtconf
 from nctakt.lists.machine.scheduling_profile import PROFILES
 from nctakt.messages import Collector, diagnostic
 from nctakt.messages.studies import EMPTY_STUDY, INVALID_PLAN, NAME_TAKEN
-from nctakt.project.machine_choice import machine_of
+from nctakt.project.run_settings import DEFAULT_PLC, Named, RunSettings, run_settings
 from nctakt.run.program_loader import NcText
 from nctakt.run.stimuli import parse_assignment
 from nctakt.studies.changed_schedule import FAMILY
@@ -126,7 +126,7 @@ class _Reader(PlanReader):
     """Reads the tables of one plan."""
 
     _program = Path()
-    _machine: Path | None = None
+    _settings: RunSettings | None = None
     _rtconf: Path | None = None
     _tick: int | None = None
     _words: type[Reader] = Reader
@@ -136,18 +136,15 @@ class _Reader(PlanReader):
         source = tables.get("program")
         text = source.text if isinstance(source, NcText) else None
         program = Path(source.name) if isinstance(source, NcText) else self._path(tables, "program")
-        machine, plc = self._path(tables, "machine"), self._path(tables, "plc")
+        machine, plc = self._path(tables, "machine"), self._plc(tables)
         rtconf, load = self._path(tables, "rtconf"), self._path(tables, "load")
-        if "program" not in tables and "rtconf" not in tables:
-            self.missing("program", THE_PLAN)
-        if ("load" in tables or "os" in tables) and "rtconf" not in tables:
-            self.missing("rtconf", THE_PLAN)
-        if "program" not in tables:
-            for key in ("machine", "plc", "after", "set", "at"):
-                if key in tables:
-                    self.wrong(key, tables[key], _WITH_PROGRAM)
-        self._program, self._machine, self._rtconf = program or Path(), machine, rtconf
+        self._check_entries(tables)
+        self._program, self._rtconf = program or Path(), rtconf
         is_schedule = "program" not in tables and "rtconf" in tables
+        values, until = self._values(tables.get("set", {})), self.length(tables, "until")
+        if program is not None:
+            self._take_settings(Named(machine=machine, plc=plc, values=values, until=until))
+        settings = self._settings
         if rtconf is not None:
             self._words = ScheduleReader if is_schedule else ScheduledProgramReader
         measures = self._measures(tables.get("measure", {}))
@@ -161,17 +158,17 @@ class _Reader(PlanReader):
         )
         plan = Plan(
             rtconf or Path() if is_schedule else self._program,
-            machine,
-            plc,
+            machine if settings is None else settings.machine,
+            None if settings is None else settings.plc,
             dimensions,
             measures,
             self._expectations(tables.get("expect", []), known),
             method,
             count,
             self.whole(tables, "seed", 0, 0),
-            self.length(tables, "until"),
+            until if settings is None or settings.until is None else read_time(settings.until),
             self.time(tables, "after") or Time(0),
-            self._assignments(tables.get("set", {})),
+            tuple({**({} if settings is None else settings.values), **values}.items()),
             self._stimuli(tables.get("at", [])),
             self._goals(
                 tables.get("find", []), known, [dimension.name for dimension in dimensions]
@@ -181,6 +178,7 @@ class _Reader(PlanReader):
             load,
             self.choice(tables, "os", list(PROFILES)),
             is_schedule,
+            plc == Path(DEFAULT_PLC),
         )
         plan = replace(plan, places=self._places(plan))
         self._check_names(plan)
@@ -188,6 +186,17 @@ class _Reader(PlanReader):
         if not self.diagnostics:
             self._check_size(plan)
         return plan
+
+    def _check_entries(self, tables: dict[str, Any]) -> None:
+        """Note what is missing beside other entries, and what belongs to a program only."""
+        if "program" not in tables and "rtconf" not in tables:
+            self.missing("program", THE_PLAN)
+        if ("load" in tables or "os" in tables) and "rtconf" not in tables:
+            self.missing("rtconf", THE_PLAN)
+        if "program" not in tables:
+            for key in ("machine", "plc", "after", "set", "at"):
+                if key in tables:
+                    self.wrong(key, tables[key], _WITH_PROGRAM)
 
     def _check_size(self, plan: Plan) -> None:
         """Note a plan without runs (901304), and lists of which one has more values."""
@@ -216,10 +225,14 @@ class _Reader(PlanReader):
         keys += [(measure.name, "measure", measure.name) for measure in plan.measures]
         keys += [(name, "set", name) for name, _ in plan.assignments]
         keys += [("expect", "", "expect"), ("at", "", "at")]
-        return {
+        places: dict[Entry, Place] = {
             (table, entry): self.location(key, table, entry if isinstance(entry, int) else 0)
             for key, table, entry in keys
         }
+        if self._settings is not None and self._settings.project is not None:
+            of_project = self._settings.project.places
+            places |= {("set", name): of_project[name] for name in self._settings.values}
+        return places
 
     # --- entries ---------------------------------------------------------------------------------
 
@@ -232,10 +245,22 @@ class _Reader(PlanReader):
             self.wrong(key, value, FILE)
         return path
 
-    def _assignments(self, table: Any) -> tuple[tuple[str, float | str], ...]:
+    def _plc(self, tables: dict[str, Any]) -> Path | None:
+        """Return the file of the PLC, or the word for the built-in one."""
+        is_default = tables.get("plc") == DEFAULT_PLC and not is_there(self.folder / DEFAULT_PLC)
+        return Path(DEFAULT_PLC) if is_default else self._path(tables, "plc")
+
+    def _take_settings(self, named: Named) -> None:
+        """Take what the plan leaves out from the project of its program."""
+        try:
+            self._settings = run_settings([self._program], FileAccess(), named)
+        except Failure as failure:
+            self.diagnostics += failure.diagnostics
+
+    def _values(self, table: Any) -> dict[str, float | str]:
         if not isinstance(table, dict):
             self.wrong("set", table, TABLE)
-            return ()
+            return {}
         values = {
             name: int(value) if value is True or value is False else value
             for name, value in table.items()
@@ -243,7 +268,7 @@ class _Reader(PlanReader):
         for name, value in values.items():
             if not is_value(value):
                 self.wrong(str(name), value, NUMBER_OR_TEXT, "set")
-        return tuple(values.items())
+        return values
 
     def _stimuli(self, entries: Any) -> tuple[tuple[Time, str, float | str], ...]:
         """Return the values at times of all runs: ``at = [["20 ms", "V.E.DOOR = 1"]]``."""
@@ -344,9 +369,8 @@ class _Reader(PlanReader):
             with contextlib.suppress(Failure):
                 if self._rtconf is not None:
                     self._tick = self._configuration().cycle_time_us
-                else:
-                    folder = self._machine or machine_of(self._program, FileAccess()).path
-                    self._tick = load_machine(folder).cycle_time_us
+                elif self._settings is not None:
+                    self._tick = load_machine(self._settings.machine).cycle_time_us
         return self._tick or 1000
 
     def _slice_us(self) -> int:

@@ -16,12 +16,13 @@ from typing import Any
 from nctakt.files.access import FileAccess
 from nctakt.files.output import OutputFile, write_file
 from nctakt.project.project_file import OWN_NAME, PYTHON_NAME
+from nctakt.run.stimuli import assignment_text
 from nctakt.run.tape import TapeWriter, name_on_tape
 from nctakt.studies.bench import Bench
 from nctakt.studies.changed_lists import changed_texts
 from nctakt.studies.changed_schedule import ScheduleFiles
 from nctakt.studies.dimension import Value
-from nctakt.studies.inputs import RunInputs, inputs_of, word_of
+from nctakt.studies.inputs import RunInputs, inputs_of
 from nctakt.studies.plan import Plan
 from nctakt.studies.schedule_bench import DURATION, ScheduleBench
 
@@ -83,7 +84,7 @@ def _words(plan: Plan, inputs: RunInputs) -> dict[str, Any]:
         "others": [],
         "machine": None if plan.machine is None else str(plan.machine),
         "root": None,
-        "assignments": [f"{name}={word_of(value)}" for name, value in inputs.assignments.items()],
+        "assignments": [assignment_text(*one) for one in inputs.assignments.items()],
         "ticks": None,
         "until": None if plan.until is None else str(plan.until),
         "after": str(plan.after),

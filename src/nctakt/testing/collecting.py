@@ -11,13 +11,15 @@ import pytest
 
 from nctakt.base.failure import Failure
 from nctakt.base.text import decode_text
-from nctakt.lists.machine.machine import Machine, load_machine
+from nctakt.lists.machine.machine import load_machine
 from nctakt.plc import load_plc
+from nctakt.project.run_settings import RunSettings
+from nctakt.results.run import Run
 from nctakt.run.controller import Controller, NcText
 from nctakt.testing.coverage import note_coverage, session_coverage
 from nctakt.testing.expectations import Script, read_script
-from nctakt.testing.machine_under_test import configured_machine
 from nctakt.testing.queries import NcRun, values_before
+from nctakt.testing.settings_under_test import settings_of_test
 from nctakt.testing.verdict import differences
 
 
@@ -34,7 +36,14 @@ class NcFile(pytest.File):
 
 
 class NcItem(pytest.Item):
-    """Runs a program and compares the run with its comments."""
+    """Runs a program and compares the run with its comments.
+
+    ``funcargs``: it has no fixtures; plugins such as pytest-lsp look for them in each item.
+    """
+
+    def __init__(self, **words: Any) -> None:
+        super().__init__(**words)
+        self.funcargs: dict[str, object] = {}
 
     def runtest(self) -> None:
         """Run the program; raises ``UnmetError`` with all unmet expectations."""
@@ -55,37 +64,44 @@ class NcItem(pytest.Item):
 
     def _run(self, script: Script, text: str) -> NcRun:
         folder = self.path.parent
-        controller = Controller(self._machine(script))
+        settings = settings_of_test(self.config, self.path, script.named(folder))
+        try:
+            run, start = self._run_with(settings, script, text)
+        except Failure as failure:
+            raise settings.placed(failure) from failure
+        note_coverage(self.config, run)
+        return NcRun(run, start)
+
+    def _run_with(
+        self, settings: RunSettings, script: Script, text: str
+    ) -> tuple[Run, dict[str, float]]:
+        """Return the run and the values of its signals before the first tick."""
+        controller = Controller(load_machine(settings.machine))
         names = [*controller.default_signals]
         names += [name for name in self._signals(script) if f"{name}.ACS.ACT_POS" not in names]
-        start = values_before(controller, dict.fromkeys(names), script.assignments)
+        values = {**settings.values, **script.assignments}
+        start = values_before(controller, dict.fromkeys(names), values)
         run = controller.run(
             NcText(self._shown(), text),
-            set=script.assignments,
+            set=values,
             at=script.stimuli,
-            until=script.until,
+            until=settings.until,
             after=script.after,
-            plc=None if script.plc is None else load_plc(folder / script.plc),
+            plc=None if settings.plc is None else load_plc(settings.plc),
             wait_for_start=script.waits_for_start,
             signals=list(start),
             channels={
-                number: [folder / program for program in programs]
+                number: [self.path.parent / program for program in programs]
                 for number, programs in script.channels.items()
             },
             why=session_coverage(self.config) is not None,
         )
-        note_coverage(self.config, run)
-        return NcRun(run, start)
+        return run, start
 
     def _signals(self, script: Script) -> list[str]:
         return [
             expectation.name for expectation in script.expectations if expectation.kind == "value"
         ]
-
-    def _machine(self, script: Script) -> Machine:
-        if script.machine is None:
-            return configured_machine(self.config, self.path)
-        return load_machine(self.path.parent / script.machine)
 
     def _shown(self) -> str:
         """Return the path of the file as pytest shows it."""

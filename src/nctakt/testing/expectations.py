@@ -42,6 +42,7 @@ from nctakt.messages import diagnostic
 from nctakt.messages.inputs import INVALID_EXPECTATION, INVALID_GIVEN_INPUT, NO_BRANCH_IN_LINE
 from nctakt.nc.check.comments import misspelt_keywords
 from nctakt.nc.source import Source
+from nctakt.project.run_settings import Named
 from nctakt.run.stimuli import Stimulus, parse_assignment
 
 #: Tolerance of an expected value unless the expectation has one.
@@ -107,6 +108,16 @@ class Script:
     after: TimeLike = 0
     waits_for_start: bool = False
     channels: dict[int, list[str]] = field(default_factory=dict)
+
+    def named(self, folder: Path) -> Named:
+        """Return what it names of the settings of its run; ``folder``: that of the program."""
+        return Named(
+            machine=self.machine,
+            plc=self.plc,
+            values=self.assignments,
+            until=self.until,
+            base=folder,
+        )
 
 
 def read_script(path: Path, text: str) -> Script:

@@ -7,7 +7,8 @@ needs it.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import sys
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -74,18 +75,49 @@ def pytest_terminal_summary(
     terminalreporter: pytest.TerminalReporter, config: pytest.Config
 ) -> None:
     """Tell which machines the tests had that no test and no entry of pytest's names."""
-    from nctakt.testing.machine_under_test import REPORTED_MACHINES  # noqa: PLC0415 - see above
+    from nctakt.testing.settings_under_test import REPORTED_MACHINES  # noqa: PLC0415 - see above
 
     for text in config.stash.get(REPORTED_MACHINES, {}):
         terminalreporter.write_line(f"nctakt: {text}")
 
 
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_call(item: pytest.Item) -> Iterator[None]:
+    """Let a mistake in what a test asks of nctakt end at the test's line, unless --full-trace."""
+    try:
+        return (yield)
+    except Exception as error:
+        failure = sys.modules.get("nctakt.base.failure")
+        if failure is None or not isinstance(error, failure.Failure):
+            raise
+        if not item.config.getoption("fulltrace"):
+            _end_outside_of_nctakt(error)
+        raise
+
+
+def _end_outside_of_nctakt(error: Exception) -> None:
+    """Cut the end of a traceback that lies within nctakt, and what led to the error there."""
+    error.__cause__, error.__suppress_context__ = None, True
+    last, entry = None, error.__traceback__
+    while entry is not None:
+        if not entry.tb_frame.f_globals.get("__name__", "").startswith("nctakt."):
+            last = entry
+        entry = entry.tb_next
+    if last is not None:
+        last.tb_next = None
+
+
 @pytest.fixture
 def machine(request: pytest.FixtureRequest) -> Machine:
     """The machine under test: ``nctakt_machine``, else that of the project around the test."""
-    from nctakt.testing.machine_under_test import configured_machine  # noqa: PLC0415 - see above
+    from nctakt.base.failure import Failure  # noqa: PLC0415 - see above
+    from nctakt.lists.machine.machine import load_machine  # noqa: PLC0415
+    from nctakt.testing.settings_under_test import settings_of_test  # noqa: PLC0415
 
-    return configured_machine(request.config, request.path)
+    try:
+        return load_machine(settings_of_test(request.config, request.path).machine)
+    except Failure as failure:
+        pytest.fail(str(failure), pytrace=False)
 
 
 @pytest.fixture
@@ -105,6 +137,7 @@ def run_nc(controller: Controller, request: pytest.FixtureRequest) -> Callable[.
     config, folder = request.config, request.path.parent
 
     def run(program: str | Path, **options: Any) -> NcRun:
+        __tracebackhide__ = True
         if session_coverage(config) is not None:
             options["why"] = True
         done = run_program(controller, program, folder, **options)

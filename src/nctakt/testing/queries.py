@@ -9,16 +9,20 @@ assertion fails.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import NOTHING
 from nctakt.base.failure import Failure
+from nctakt.files.access import FileAccess
+from nctakt.lists.format import arguments
 from nctakt.lists.format.times import Time, TimeLike, read_time
 from nctakt.messages import diagnostic
 from nctakt.messages.command_line import RUN_NOT_ENDED
 from nctakt.messages.inputs import NO_BRANCH_IN_LINE
 from nctakt.plc import AnyPlc, load_plc
+from nctakt.project.run_settings import Named, RunSettings, run_settings
 from nctakt.results.run import Run
 from nctakt.run.controller import Controller, NcText
 from nctakt.run.stimuli import StimulusLike
@@ -48,37 +52,54 @@ def run_program(
 ) -> NcRun:
     """Run a program: a file (relative to ``folder``), or a text of several lines.
 
-    ``plc``: an object, or its file; ``signals`` are recorded beside positions, path speed,
-    override, block and active cycles; the other parameters are those of ``Controller.run``. A run
-    that comes to its limit raises ``Failure`` (901016) if ``limit_fails``, which is so unless a
-    limit is given.
+    ``plc``: an object, its file, or ``default`` for the built-in one; ``signals`` are recorded
+    beside positions, path speed, override, block and active cycles; the other parameters are those
+    of ``Controller.run``. What is not named comes from the project around ``folder``, but
+    for the machine. A run that comes to its limit raises ``Failure`` (901016) if ``limit_fails``,
+    which is so unless a limit is named.
     """
+    if set is not None:
+        arguments.mapping("set", set)
     if isinstance(program, str) and "\n" in program:
         source: Path | NcText = NcText(TEXT_NAME, program)
     else:
         source = folder / program
-    if isinstance(plc, str | Path):
-        plc = load_plc(folder / plc)
+    named = Named(values=set or {}, until=until, is_limited=ticks is not None, base=folder)
+    settings, own_plc = _settings_beside(named, plc)
+    values = {**settings.values, **(set or {})}
     names = list(dict.fromkeys([*controller.default_signals, *signals]))
-    start = values_before(controller, names, set or {})
-    run = controller.run(
-        source,
-        set=set,
-        at=at,
-        until=until,
-        ticks=ticks,
-        after=after,
-        plc=plc,
-        wait_for_start=wait_for_start,
-        signals=names,
-        why=why,
-    )
+    try:
+        start = values_before(controller, names, values)
+        run = controller.run(
+            source,
+            set=values,
+            at=at,
+            until=settings.until,
+            ticks=ticks,
+            after=after,
+            plc=own_plc,
+            wait_for_start=wait_for_start,
+            signals=names,
+            why=why,
+        )
+    except Failure as failure:
+        raise settings.placed(failure) from failure
     if limit_fails is None:
         limit_fails = until is None and ticks is None
     if limit_fails and run.state == "limit":
         message = diagnostic(RUN_NOT_ENDED, time=str(Time(run.virtual_time_us)))
         raise Failure(message, *run.diagnostics)
     return NcRun(run, start)
+
+
+def _settings_beside(
+    named: Named, plc: AnyPlc | str | Path | None
+) -> tuple[RunSettings, AnyPlc | None]:
+    """Return the settings of a run with the PLC that it names, and that PLC or the project's."""
+    if plc is None or isinstance(plc, str | Path):
+        settings = run_settings([named.base], FileAccess(), replace(named, plc=plc))
+        return settings, None if settings.plc is None else load_plc(settings.plc)
+    return run_settings([named.base], FileAccess(), replace(named, has_plc=True)), plc
 
 
 def values_before(

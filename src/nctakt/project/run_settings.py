@@ -1,0 +1,145 @@
+# SPDX-License-Identifier: MIT
+"""The settings of a run: what its words leave out comes from environment and project file.
+
+In: programs, and what a command, a test, a plan or a launch configuration names. Out:
+``RunSettings``. Every kind of run takes them from here, so that a program has one result, however
+it is started.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping, Sequence
+from pathlib import Path
+
+from nctakt.base.dataclass import dataclass
+from nctakt.base.diagnostics import Diagnostic, Language
+from nctakt.base.failure import Failure
+from nctakt.files.access import FileAccess
+from nctakt.lists.format.times import TimeLike
+from nctakt.lists.machine.files import machine_folder
+from nctakt.messages import diagnostic
+from nctakt.messages.project import PROGRAMS_OF_DIFFERENT_MACHINES
+from nctakt.project.machine_choice import MachineChoice, choose_machine, machine_of
+from nctakt.project.project_file import Project, find_project
+
+#: The word for the built-in PLC, where the project file names another one.
+DEFAULT_PLC = "default"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Named:
+    """What the words of a run name themselves; ``None`` and empty: nothing.
+
+    ``plc``: a file, ``DEFAULT_PLC`` for the built-in PLC; ``has_plc``: it has one that is no file.
+    ``values``: the variables that it sets before the first tick. ``is_limited``: it has a limit of
+    another form than ``until``. ``base``: the folder from which machine and PLC are seen.
+    """
+
+    machine: str | Path | None = None
+    plc: str | Path | None = None
+    has_plc: bool = False
+    values: Collection[str] = ()
+    until: TimeLike | None = None
+    is_limited: bool = False
+    base: Path = Path()
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RunSettings:
+    """What a run takes.
+
+    ``machine`` ``None``: the demo machine, because nobody names one; ``machine_note`` tells which
+    setting names it. ``plc`` ``None``: the built-in one, or one that is no file. ``values``: those
+    of variables before the first tick, beside those that the run sets itself.
+    """
+
+    machine: Path | None
+    machine_note: Diagnostic | None
+    plc: Path | None
+    values: Mapping[str, float | str]
+    until: TimeLike | None
+    language: Language | None
+    signals: tuple[str, ...] | None
+    project: Project | None
+
+    def placed(self, failure: Failure) -> Failure:
+        """Return a failure of the run; what is wrong with a project's value has its place there."""
+        project = self.project
+        if project is None:
+            return failure
+        return Failure(
+            *(
+                project.placed(found) if found.values.get("name") in self.values else found
+                for found in failure.diagnostics
+            )
+        )
+
+
+def run_settings(
+    programs: Sequence[Path], access: FileAccess, named: Named | None = None
+) -> RunSettings:
+    """Return the settings of a run of programs, by the project of the first one.
+
+    Without programs it is the project of the working directory. Raises ``Failure`` for an invalid
+    project file (901060 …), a file that ``access`` does not admit, and programs of several machines
+    (901065).
+    """
+    named = named or Named()
+    project = find_project(programs[0] if programs else Path(), access)
+    machine, note = None, None
+    if named.machine is not None:
+        machine = machine_folder(named.machine, named.base)
+    else:
+        choice = _machine_of_all(programs, project, access)
+        if not choice.is_demo:
+            machine, note = choice.path, choice.note()
+    is_limited = named.is_limited or named.until is not None
+    of_project = {} if project is None else project.values
+    return RunSettings(
+        machine=machine,
+        machine_note=note,
+        plc=_plc(named, project, access),
+        values={name: value for name, value in of_project.items() if name not in named.values},
+        until=named.until if is_limited or project is None else project.until,
+        language=None if project is None else project.language,
+        signals=None if project is None else project.signals,
+        project=project,
+    )
+
+
+def _plc(named: Named, project: Project | None, access: FileAccess) -> Path | None:
+    """Return the file of the PLC; ``None``: the built-in one."""
+    if named.plc is not None:
+        file = named.base / named.plc
+        return None if str(named.plc) == DEFAULT_PLC and not file.exists() else file
+    if named.has_plc or project is None or project.plc is None:
+        return None
+    access.check_admitted(project.plc)
+    return project.plc
+
+
+def _machine_of_all(
+    programs: Sequence[Path], project: Project | None, access: FileAccess
+) -> MachineChoice:
+    """Return the machine of all programs; raises ``Failure`` (901065) if they have several."""
+    if not programs:
+        return choose_machine(None, project, access)
+    first = programs[0]
+    machine = choose_machine(first, project, access)
+    seen = {first.parent}
+    for program in programs[1:]:
+        if program.parent in seen:
+            continue
+        seen.add(program.parent)
+        other = machine_of(program, access)
+        if other.path != machine.path:
+            raise Failure(
+                diagnostic(
+                    PROGRAMS_OF_DIFFERENT_MACHINES,
+                    first=str(first),
+                    machine=machine.shown,
+                    second=str(program),
+                    other=other.shown,
+                )
+            )
+    return machine

@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: MIT
+"""The settings that a test of pytest runs with, and the notes on machines that nobody named."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from nctakt.files.access import FileAccess
+from nctakt.lists.machine.files import machine_folder
+from nctakt.project.machine_choice import machine_of_environment
+from nctakt.project.run_settings import Named, RunSettings, run_settings
+
+#: Under it a process of pytest keeps the notes on the machines of its tests.
+REPORTED_MACHINES = pytest.StashKey[dict[str, None]]()
+
+
+def settings_of_test(config: pytest.Config, test: Path, named: Named | None = None) -> RunSettings:
+    """Return the settings of a test or an NC file beside what it names itself.
+
+    They are those with which ``nctakt run`` runs a program there; between ``NCTAKT_MACHINE`` and
+    the machine of the project comes ``nctakt_machine`` (relative to the root of the tests). Raises
+    ``Failure`` as ``run_settings``.
+    """
+    named = named or Named()
+    entry = config.getini("nctakt_machine")
+    if entry and named.machine is None and machine_of_environment() is None:
+        named = replace(named, machine=machine_folder(entry, config.rootpath))
+    settings = run_settings([test], FileAccess(), named)
+    note = settings.machine_note
+    if note is not None:
+        config.stash.setdefault(REPORTED_MACHINES, {})[note.text()] = None
+    return settings

@@ -9,12 +9,14 @@ import pytest
 from decided import numbers, perform, told
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from polylines import Points, apart, way
 from random_seeds import MANY
 
 from nctakt.base.failure import Failure
 from nctakt.cli import main
 from nctakt.debugger.arguments import Arguments
 from nctakt.debugger.launch import read_configuration
+from nctakt.results.run import Run
 from nctakt.run.controller import Controller
 from nctakt.run.program_loader import NcText
 from nctakt.session.session import Session
@@ -172,3 +174,103 @@ def test_the_command_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) ->
     assert "61.000000 35.000000 3.000000" in capsys.readouterr().out
     assert main(["run", str(program), "--from-line", "1", "--from-block", "10"]) == 2
     assert "901732" in capsys.readouterr().err
+
+
+COUNTING = """#RT CYCLE{0} [ID=1 SCOPE=BLOCK]
+$IF ONCE 1
+V.E.COUNT += 1
+$ENDIF
+#RT CYCLE END
+"""
+
+
+def test_a_defined_block_cycle_can_be_started_behind_the_start_block() -> None:
+    """Manual 2.3.1: DEF defines it for the whole program, each START arms it for one block."""
+    text = (
+        COUNTING.format(" DEF")
+        + "#RT CYCLE START [ID=1]\nG00 X10\nX20\n#RT CYCLE START [ID=1]\nX30\nM30"
+    )
+    for line, expected in ((6, 2), (7, 2), (8, 1), (9, 1), (10, 1), (11, 0)):
+        controller = Controller()
+        run = perform(text, controller, from_line=line)
+        assert (run.state, numbers(run)) == ("ended", [901731]), line
+        assert controller.read("V.E.COUNT") == expected, line
+
+
+@pytest.mark.parametrize("line", [2, 7, 8])
+def test_a_block_cycle_runs_in_its_block_not_on_the_way_to_it(line: int) -> None:
+    """RC-105: only where its block runs: from Y20 on, where the search begins at that block."""
+    text = "G00 X10\n" + COUNTING.format("") + "Y20\nY30\nM30"
+    text = text.replace("ONCE 1", "ONCE V.RTA.ACS.ACT_POS.X < 10")
+    controller = Controller()
+    run = perform(text, controller, from_line=line)
+    assert controller.read("V.E.COUNT") == 0
+    assert len(told(run, "created")) == (line < 8)
+    assert len(told(run, "ended")) == (line < 8)
+
+
+def test_a_cycle_held_before_its_block_is_held_in_it() -> None:
+    """RC-111: HOLD and CONTINUE in front of the start block come behind the definition."""
+    text = COUNTING.format("") + "#RT CYCLE HOLD [ID=1]\n{0}G00 X10\nX20\nM30"
+    for control, expected in (("", 0), ("#RT CYCLE CONTINUE [ID=1]\n", 1)):
+        controller = Controller()
+        program = text.format(control)
+        run = perform(
+            program, controller, from_line=program[: program.index("G00")].count("\n") + 1
+        )
+        assert (run.state, controller.read("V.E.COUNT")) == ("ended", expected)
+
+
+_POINTS = "#SPLINE ON\nG01 X10 Y0 F600\nX20 Y10\nX30 Y0\nX40 Y10\nX50 Y0\n#SPLINE OFF\nX60\nM30"
+SHAPED = {
+    "akima": _POINTS,
+    "bspline": f"#SPLINE TYPE BSPLINE\n{_POINTS}",
+    "corners": "G01 X10 F600\nG302 I2\nY10 #CHR=1\nX30\nY20\nM30",
+    "contour": "V.G.WZ_AKT.R = 2\nG41 G01 X10 Y0 F600\nX20\nY-10\nX10\nY10\nG40 X0 Y20\nM30",
+    "curve": "#CONTOUR MODE [DIST PRE_DIST=2 POST_DIST=1]\nG61 G01 X10 F600\nY10\nX20\nY20\nM30",
+    "tilted": "#CS ON [1, 2, 3, 30, 0, 20]\nG01 X10 Y0 F600\nG02 X20 I5\nG01 X30\n#CS OFF\nX0\nM30",
+}
+
+
+@pytest.mark.parametrize("name", SHAPED)
+def test_the_way_from_any_block_is_that_of_the_whole_run(name: str) -> None:
+    """Splines, chamfers, roundings, compensated and contoured corners (MO-4, MO-9, MO-18)."""
+    axes = [f"{axis}.ACS.ACT_POS" for axis in "XYZ"]
+    lines = SHAPED[name].count("\n")
+    whole = perform(SHAPED[name], signals=axes, blocks=True)
+    assert whole.state == "ended", whole.diagnostics
+    for line in range(1, lines + 1):
+        run = perform(SHAPED[name], signals=axes, blocks=True, from_line=line)
+        assert run.state == "ended", (line, run.diagnostics)
+        assert apart(_way_from(whole, line, axes), _way_from(run, line, axes)) < 0.02, line
+
+
+def _way_from(run: Run, line: int, axes: list[str]) -> Points:
+    """The way from the tick in which a block begins, and where the axes come from."""
+    begin = next(
+        one.tick for one in run.events if one.kind == "block" and one.span and one.span.line == line
+    )
+    return way(run, axes, max(0, begin - 2))
+
+
+def test_axes_that_a_cycle_has_moved_stay_where_they_are() -> None:
+    """RC-409: the program does not know the position of Y until its path moves it again."""
+    cycle = "#RT CYCLE [ID=1]\n$IF ONCE 1\nY[INDP G90 G00 POS=50]\n$ENDIF\n#RT CYCLE END\n"
+    run = perform(f"{cycle}G00 X10\nG04 X1\nX20\nM30", from_line=8, signals=["Y.ACS.ACT_POS"])
+    assert run.state == "ended", run.diagnostics
+    assert run.trace is not None
+    assert run.trace["Y.ACS.ACT_POS"][-1] == 50.0
+
+
+def test_a_start_within_a_realtime_loop_is_refused_by_name() -> None:
+    """901960: it is decoded as a whole."""
+    text = "#RT WHILE\nG00 X10\nX0\n#RT ENDWHILE\nX5\nM30"
+    assert numbers(perform(text, from_line=2)) == [901960]
+    assert numbers(perform(text, from_line=5)) == [901731]
+
+
+def test_a_value_of_now_in_front_of_it_is_told() -> None:
+    """901961, once for each place: positions of the axes are not those of the program."""
+    text = "G00 X10\n$FOR P2 = 1, 3, 1\nP1 = V.RTA.ACS.ACT_POS.X\n$ENDFOR\nP3 = V.E.COUNT\nX20\nM30"
+    assert numbers(perform(text, from_line=6)) == [901961, 901731]
+    assert numbers(perform(text, from_line=3)) == [901731]

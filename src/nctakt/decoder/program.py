@@ -131,7 +131,13 @@ class ProgramDecoder:
         self._stops_at_lines = environment.parameters.single_block == ALL_LINES
         self._takes_runs = takes_runs and not self._stops_at_lines
         self._search = BlockSearch(
-            self._values, path, start, self._pass_time, self._block_decoder.spindles.gears
+            self._values,
+            path,
+            start,
+            self._stages.pass_time,
+            self._block_decoder.spindles.gears,
+            self._uncertain_axes,
+            lambda: self._loops.is_decoding,
         )
         self._blocks = 0
         self._started_blocks = 0
@@ -145,12 +151,12 @@ class ProgramDecoder:
         The channel list may name programs that run before and after it. ``members``: the axes that
         an earlier program has left to the channel.
         """
-        commands = self._run(program)
         self._search.begin(program.source.file)
+        commands = self._exchange.run(self._run(program), members, lambda: self._current)
+        commands = self._stages.run(commands)
         if self._search.is_active:
             commands = self._search.filter(commands, program.main.span)
-        commands = self._exchange.run(commands, members, lambda: self._current)
-        return self._stages.run(commands)
+        return commands
 
     def _run(self, program: ProgramText) -> Generator[Command, Answer]:
         yield from self._hash_commands.begin_program(program.main.span)
@@ -262,7 +268,7 @@ class ProgramDecoder:
                 return signal
             if self._call_stack.modal_count:
                 self._modal.after_statement(statement)
-            elif reader is not None and label is None and not self._state.is_searching:
+            elif reader is not None and label is None and not self._search.is_active:
                 self._blocks = yield from self._plain.decode(reader, self._blocks)
         self._nested -= 1
         if self._call_stack.modal_count and not is_part:

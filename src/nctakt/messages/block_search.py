@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from nctakt.messages.catalogue import error, note
+from nctakt.messages.catalogue import error, note, warning
 
 START_BLOCK_LOCKED = error(
     21399,
@@ -49,4 +49,23 @@ BOTH_STARTS_GIVEN = error(
     de="--from-line und --from-block schließen einander aus",
     remedy_en="Name the start block by its line or by its N number.",
     remedy_de="Den Startsatz durch seine Zeile oder durch seine Satznummer nennen.",
+)
+START_IN_LOOP = error(
+    901960,
+    en="block search cannot begin within a realtime loop, which is decoded as a whole",
+    de="der Satzvorlauf kann nicht in einer Echtzeit-Schleife enden: sie wird als Ganzes dekodiert",
+    remedy_en="Begin at #RT WHILE, or behind #RT ENDWHILE.",
+    remedy_de="Bei #RT WHILE oder hinter #RT ENDWHILE beginnen.",
+    reaction=2,
+    clearing=3,
+)
+READ_DURING_SEARCH = warning(
+    901961,
+    en="{variable} is read in front of the start block: its value is that of now, not the one that "
+    "it would have in the program",
+    de="{variable} wird vor dem Startsatz gelesen: der Wert ist der jetzige, nicht der, den sie im "
+    "Programm hätte",
+    remedy_en="Begin in front of this block where its value matters.",
+    remedy_de="Vor diesem Satz beginnen, wo es auf den Wert ankommt.",
+    variable=("the variable as written", "die Variable, wie geschrieben"),
 )

@@ -56,7 +56,10 @@ CLOSE_ENOUGH = 1e-9
 
 
 class RealtimeLoops:
-    """Decodes loops; ``run`` decodes statements, ``shape`` shapes the motions of a body."""
+    """Decodes loops; ``run`` decodes statements, ``shape`` shapes the motions of a body.
+
+    ``is_decoding``: a body is decoded at this moment.
+    """
 
     def __init__(
         self,
@@ -71,6 +74,7 @@ class RealtimeLoops:
         self._block_decoder = block_decoder
         self._run = run
         self._shape = shape
+        self.is_decoding = False
 
     def loop(self, loop: tree.RealtimeLoop, number: int) -> Generator[Command, Answer]:
         """Yield the commands of a loop; decoding continues when the realtime part has left it."""
@@ -88,7 +92,9 @@ class RealtimeLoops:
         )
         yield from self._block_decoder.technology.before_feed()
         begin = tuple(self._state.positions)
+        self.is_decoding = True
         body = self._body(loop)
+        self.is_decoding = False
         if spline.is_on:
             self._values.fail(SPLINE_AT_LOOP, loop.span, command="#RT ENDWHILE")
         motions = sum(isinstance(command, Segment) for command in body)

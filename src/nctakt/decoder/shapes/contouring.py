@@ -42,6 +42,7 @@ from nctakt.decoder.state.environment import DecodeError
 from nctakt.decoder.state.feed_modifiers import FeedModifiers
 from nctakt.decoder.state.packing import takes_time
 from nctakt.decoder.state.spindle_commands import AwaitSpindle, SpindleJob
+from nctakt.decoder.state.start_block import StartReached
 from nctakt.decoder.state.tool_life import ToolLifeFactors
 from nctakt.decoder.values.variables import Values
 from nctakt.kernel import rows
@@ -63,6 +64,7 @@ _WITHOUT_CONTOUR = (
     _ACTIONS
     | BlockMark
     | EmptyBlock
+    | StartReached
     | ToolLifeFactors
     | UserMessage
     | WaitMark

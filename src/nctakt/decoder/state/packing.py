@@ -60,7 +60,7 @@ from nctakt.decoder.state.spindle_commands import (
     SpindleJob,
     SpindleLimits,
 )
-from nctakt.decoder.state.start_block import SingleStep
+from nctakt.decoder.state.start_block import SingleStep, StartReached
 from nctakt.decoder.state.tool_life import ToolLife, ToolLifeFactors
 from nctakt.kernel import codes, rows
 
@@ -202,7 +202,7 @@ def pack(command: Command, reference: int = 0) -> list[float]:
 
 def takes_time(command: Command) -> bool:
     """Return whether ticks pass while the command is executed."""
-    if isinstance(command, SetLimits):
+    if isinstance(command, SetLimits | StartReached):
         return False
     return isinstance(command, Segment) or pack(command)[rows.KIND] in rows.TIMED_KINDS
 

@@ -39,3 +39,18 @@ class StartBlock:
         if self.line:
             return Text(f"line {self.line}", f"Zeile {self.line}")
         return Text(f"N{self.number}", f"N{self.number}")
+
+
+@dataclass(frozen=True, slots=True)
+class StartReached(Command):
+    """The start block begins here, behind what the search leaves out; it ends in the search.
+
+    ``span``: the block. ``positions``: where the program has the axes. ``uncertain``: the axes that
+    realtime cycles may have moved since, which stay where they are. ``steps``: the gear step that
+    each spindle would have.
+    """
+
+    span: Span
+    positions: tuple[float, ...]
+    uncertain: tuple[str, ...]
+    steps: dict[int, int]

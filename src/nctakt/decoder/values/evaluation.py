@@ -31,6 +31,7 @@ from nctakt.kernel.base import arithmetic
 from nctakt.kernel.cycles.context import Context, empty_context
 from nctakt.kernel.cycles.expressions import OPERATIONS
 from nctakt.messages import diagnostic
+from nctakt.messages.block_search import READ_DURING_SEARCH
 from nctakt.messages.checked_values import INDEX_OUT_OF_RANGE
 from nctakt.messages.decoder import (
     ARGUMENT_OUT_OF_RANGE,
@@ -82,6 +83,7 @@ class Evaluator:
         self.environment = environment
         self.state = state
         self._fetched: dict[int, float | str] = {}
+        self._read_in_search: set[Span] = set()
         self._builder = ExpressionBuilder(
             self._leaf, self._compare_texts, self._query_number, macro=self.no_macro
         )
@@ -328,6 +330,8 @@ class Evaluator:
             cell = self.cell(variable, location)
             self.check_flush_allowed(path_text(variable), variable.span)
             source = self.environment.source_id(variable.span)
+            if variable.family in ("RTA", "RTG"):
+                self._note_search(variable)
             answer = yield ReadRealtime(source, number, cell)
             assert isinstance(answer, float)
             # the answer is from the last tick, so the memory still holds the same value
@@ -411,7 +415,14 @@ class Evaluator:
         if system is not None and system.waits:
             cell = self.system.cell(variable, system)
             self.check_flush_allowed(path_text(variable), variable.span)
+            self._note_search(variable)
             yield ReadRealtime(self.environment.source_id(variable.span), number, cell)
+
+    def _note_search(self, variable: tree.Variable) -> None:
+        """Warn, once, of a value that block search reads before the motions that make it."""
+        if self.state.is_searching and variable.span not in self._read_in_search:
+            self._read_in_search.add(variable.span)
+            self.warn(READ_DURING_SEARCH, variable.span, variable=path_text(variable))
 
     def _value_in(self, cell: int, location: Location) -> float | str:
         """Return the current value in memory."""

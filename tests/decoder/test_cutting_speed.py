@@ -11,7 +11,10 @@ import pytest
 
 import nctakt
 from nctakt.base.diagnostics import Severity
+from nctakt.checking.check import check_files
+from nctakt.lists.machine.machine import load_machine
 from nctakt.results.run import Run
+from nctakt.run.assembly import AssembledMachine
 from nctakt.run.controller import Controller, NcText
 
 SIGNALS = ("X.ACS.ACT_POS", "Z.ACS.ACT_POS", "S.SPEED", "BLOCK", "PATH.SPEED")
@@ -19,15 +22,24 @@ SIGNALS = ("X.ACS.ACT_POS", "Z.ACS.ACT_POS", "S.SPEED", "BLOCK", "PATH.SPEED")
 
 @pytest.fixture(scope="module")
 def lathe(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Return the demo machine whose X is a face axis (P-AXIS-00015 bit 0x40)."""
-    machine = tmp_path_factory.mktemp("lathe") / "machine"
+    """Return the demo machine whose X is a face axis, with diameters under G90."""
+    return _lathe(tmp_path_factory.mktemp("lathe"), absolute=1, relative=0)
+
+
+def _lathe(folder: Path, absolute: int, relative: int) -> Path:
+    """Make the demo machine with X as face axis (P-AXIS-00015 bit 0x40, P-AXIS-00058, 00059)."""
+    machine = folder / "machine"
     shutil.copytree(Path(nctakt.__file__).parent / "machines" / "demo", machine)
+    diameters = (
+        f"kenngr.durchm_prog_abs {absolute}",
+        f"kenngr.durchm_prog_rel {relative}",
+    )
     for file in machine.rglob("*.lis"):
         text = file.read_text("utf-8")
         lines = [line.split() for line in text.splitlines()]
         if ["kopf.achs_nr", "1"] in lines:
             kept = [line for line in text.splitlines() if "kenngr.achs_mode" not in line]
-            file.write_text("\n".join(["kenngr.achs_mode 0x41", *kept, ""]), "utf-8")
+            file.write_text("\n".join([*diameters, "kenngr.achs_mode 0x41", *kept, ""]), "utf-8")
     return machine
 
 
@@ -160,6 +172,35 @@ def test_g51_halves_absolute_positions_of_the_face_axis(lathe: Path) -> None:
     assert values_of(result, 20, "X.ACS.ACT_POS")[-1][0] == pytest.approx(40.0, abs=0.1)
     assert ends[30] == pytest.approx((35.0, 9.0), abs=0.1)
     assert ends[50] == pytest.approx((40.0, 9.0), abs=0.1)
+
+
+@pytest.mark.parametrize(
+    ("absolute", "relative", "end"), [(1, 1, 25.0), (0, 0, 50.0), (1, 0, 30.0), (0, 1, 45.0)]
+)
+def test_the_list_says_what_is_a_diameter(
+    absolute: int, relative: int, end: float, tmp_path: Path
+) -> None:
+    """P-AXIS-00058 for G90, P-AXIS-00059 for G91; neither: G51 changes nothing, which is told."""
+    machine = _lathe(tmp_path, absolute, relative)
+    found = run(machine, "G18 G51\nG01 X40 F6000\nG91 X10\nM30")
+    assert found.trace is not None
+    assert found.trace["X.ACS.ACT_POS"][-1] == pytest.approx(end, abs=1e-9)
+    assert [one.id for one in found.diagnostics] == ([] if absolute or relative else [901962])
+    file = tmp_path / "far.nc"
+    file.write_text("G18 G51\nG90 G00 X19000\nM30\n")
+    errors = [] if absolute else [120002]
+    checked = check_files([file], AssembledMachine(load_machine(machine)))
+    found_ids = [one.diagnostic.id for one in checked.findings]
+    assert [one for one in found_ids if one != 901962] == errors
+    assert [one.id for one in Controller(machine).run(file, ticks=10).errors] == errors
+
+
+def test_many_plain_blocks_know_diameters(lathe: Path) -> None:
+    """What is decoded without a tree has them, too."""
+    blocks = "".join(f"X{20 + number % 7}\n" for number in range(600))
+    found = run(lathe, f"G18 G51 G01 F60000\n{blocks}X40\nM30")
+    assert found.trace is not None
+    assert max(found.trace["X.ACS.ACT_POS"]) == pytest.approx(20.0, abs=1e-9)
 
 
 def test_g51_halves_the_centre_of_a_rotation(lathe: Path) -> None:

@@ -140,6 +140,22 @@ def test_a_written_universal_kinematic_counts_from_the_next_activation_on(machin
     assert said == ["-10.000", "-10.000", "-20.000", "30.000 20.000"]
 
 
+def test_angles_are_handed_on(machine: Path) -> None:
+    """P-CHAN-00112: -1 hands the angles on to the kinematic: the axes turn by them, as by 12."""
+    said = [
+        run(
+            machine,
+            f"V.G.KIN[91].PROGRAMMING_MODE = {mode}\nV.G.KIN[91].RTCP = 0\n#TRAFO ON\n"
+            "G01 X10 C30 A10 F5000\n#TRAFO OFF\n"
+            '#MSG ["%.3f %.3f %.3f", V.A.ABS.X, V.A.ABS.C, V.A.ABS.A]\n',
+        )
+        for mode in (-1, 12)
+    ]
+    assert [found.errors for found, _ in said] == [(), ()]
+    assert said[0][1] == said[1][1]
+    assert said[0][1][0].endswith("30.000 10.000")
+
+
 def test_a_tool_adds_to_the_numbers_of_the_universal_kinematic(machine: Path) -> None:
     """P-TOOL-00009: parameter 5 is the height of the holder, in 0.1 µm."""
     found, said = run(

@@ -339,6 +339,16 @@ class PathChecker:
             if arc is not None and facts.is_shifted is False:
                 self._arc_limits(arc, start, block.span)
 
+    def _diameter_or_radius(self, axis: AxisConfiguration, value: float) -> float | None:
+        """Return what a value of the face axis is under G51; ``None`` where that is uncertain."""
+        facts = self._facts
+        is_diameter = axis.absolute_diameters if facts.is_absolute else axis.relative_diameters
+        if axis.absolute_diameters != axis.relative_diameters and facts.is_absolute is None:
+            return None
+        if not is_diameter:
+            return value
+        return 0.5 * value if facts.has_diameters else None
+
     def _target(self, word: AxisWord) -> None:
         """Note where a word leads its axis, and check its limits."""
         facts, axis = self._facts, self._axes.get(word.name)
@@ -347,8 +357,8 @@ class PathChecker:
         value = None if word.value is None else self._constant(word.value)
         if value is not None and axis.is_linear:
             value = None if facts.is_inch is None else value * self._unit()
-        if value is not None and axis.is_face and facts.is_absolute is not False:
-            value = None if facts.has_diameters is None else value / (1 + facts.has_diameters)
+        if value is not None and axis.is_face and facts.has_diameters is not False:
+            value = self._diameter_or_radius(axis, value)
         if value is not None and facts.is_absolute is False:
             begin = facts.positions.get(word.name)
             value = None if begin is None else begin + value

@@ -59,3 +59,13 @@ CUTTING_DECIDED = note(
     cause_en="The sources name the last position and the offset, not which tick counts.",
     cause_de="Die Quellen nennen letzte Position und Verschiebung, nicht den Takt, der gilt.",
 )
+DIAMETERS_WITHOUT_EFFECT = note(
+    901962,
+    en="G51 changes nothing: the list of {axis} makes neither positions nor ways diameters",
+    de="G51 ändert nichts: die Liste von {axis} macht weder Positionen noch Wege zu Durchmessern",
+    remedy_en="Set kenngr.durchm_prog_abs (P-AXIS-00058) for G90, kenngr.durchm_prog_rel "
+    "(P-AXIS-00059) for G91.",
+    remedy_de="kenngr.durchm_prog_abs (P-AXIS-00058) für G90, kenngr.durchm_prog_rel "
+    "(P-AXIS-00059) für G91 setzen.",
+    axis=("the face axis", "die Planachse"),
+)

@@ -85,8 +85,9 @@ KINEMATIC_PROGRAMMING_MODE = warning(
     901494,
     en="{key}: {value} is not a programming mode of kinematic {id}; it cannot be used",
     de="{key}: {value} ist kein Programmiermodus der Kinematik {id}; sie ist nicht verwendbar",
-    remedy_en="Use 10 (vector), 12 (direct), 13 (conformal), or 14 to 19 (AB BA AC CA BC CB).",
-    remedy_de="10 (Vektor), 12 (direkt), 13 (konform) oder 14 bis 19 (AB BA AC CA BC CB) angeben.",
+    remedy_en="Use 10 (vector), 12 or -1 (direct), 13 (conformal), 14 to 19 (AB BA AC CA BC CB).",
+    remedy_de="10 (Vektor), 12 oder -1 (direkt), 13 (konform), 14 bis 19 (AB BA AC CA BC CB) "
+    "angeben.",
     key=_KEY,
     id=_ID,
     value=_VALUE,

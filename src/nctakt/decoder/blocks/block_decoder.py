@@ -15,6 +15,7 @@ from nctakt.decoder.blocks.block_content import BlockContent
 from nctakt.decoder.blocks.contour_lines import ContourLines, FirstLine
 from nctakt.decoder.blocks.corners import changes_contour
 from nctakt.decoder.blocks.cutting_speed import CuttingSpeeds
+from nctakt.decoder.blocks.diameters import tell_effect
 from nctakt.decoder.blocks.dynamic_weights import DynamicWeighting
 from nctakt.decoder.blocks.edge_banding import seek_edge, switch_edge_banding
 from nctakt.decoder.blocks.feed import FeedRate
@@ -71,6 +72,7 @@ from nctakt.nc.vocabulary.functions import (
     AXIS_WEIGHTS,
     COMPENSATIONS,
     CONTOURING_ONCE,
+    DIAMETER_ON,
     DWELL,
     EXACT_STOP_ONCE,
     FEED_PER_MINUTE,
@@ -370,6 +372,8 @@ class BlockDecoder:
                 switch_edge_banding(self._values, function, span)
             case group:
                 check_function(self._values, function, span)
+                if function == DIAMETER_ON:
+                    tell_effect(self._values, span)
                 if group is Group.PLANE:
                     self.frame.leave_plane(function, span)
                 if state.path.compensation.is_active:

@@ -90,7 +90,8 @@ class FrameCommands:
                     axis=word.name,
                     plane=self._state.path.plane,
                 )
-            centre[axis] = radius_of(self._values, axis, value * self._state.length_unit_mm)
+            position = value * self._state.length_unit_mm
+            centre[axis] = radius_of(self._values, axis, position, is_absolute=True)
         content.axes = []
         frame.axes = plane
         frame.centre = (centre[plane[0]], centre[plane[1]])

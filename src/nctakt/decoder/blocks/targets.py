@@ -60,7 +60,9 @@ class Targets:
                 index = self._environment.axis_numbers[word.name]
                 begin = offsets.total(index, kinds) if self._state.absolute else target[index]
                 distance = self.in_axis_unit(index, value) if is_inch else value
-                target[index] = begin + radius_of(self._values, index, distance)
+                target[index] = begin + radius_of(
+                    self._values, index, distance, is_absolute=self._state.absolute
+                )
                 spans[index] = word.span
         if content.kept:
             spans = dict.fromkeys(content.kept, span) | spans
@@ -105,7 +107,9 @@ class Targets:
         for index, value in programmed.items():
             begin = 0.0 if is_absolute else values[index]
             distance = self.in_axis_unit(index, value)
-            values[index] = begin + radius_of(self._values, index, distance)
+            values[index] = begin + radius_of(
+                self._values, index, distance, is_absolute=is_absolute
+            )
         mapped = frame.outside(values)
         return offsets.outside([a + b for a, b in zip(mapped, totals, strict=True)], kinds)
 
@@ -145,7 +149,10 @@ class Targets:
             index = self._environment.axis_numbers[word.name]
             begin = 0.0 if self._state.absolute else programmed[index]
             programmed[index] = begin + radius_of(
-                self._values, index, self.in_axis_unit(index, value)
+                self._values,
+                index,
+                self.in_axis_unit(index, value),
+                is_absolute=self._state.absolute,
             )
             for moved in frame.moved_with(index):
                 spans.setdefault(moved, word.span)

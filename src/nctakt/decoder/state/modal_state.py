@@ -195,7 +195,7 @@ class PathState:
     """The modal state of the path: plane, arcs, ends of blocks.
 
     ``limits_jerk``: the slope is an S-curve (P-CHAN-00071). ``radius``: the last R, 0 before the
-    first. ``contour``: how corners are rounded. ``has_diameters``: absolute positions of the face
+    first. ``contour``: how corners are rounded. ``has_diameters``: positions or ways of the face
     axis are diameters (G51). ``turning_plane``: the axes of the plane of #FACE or #CYL.
     ``hsc_deviation``: that of ``#HSC`` in mm, 0 while it is off.
     """

@@ -160,6 +160,22 @@ _CHARACTER = (
         "Art des FIR-Filters; außer bei 0 ist #FILTER ON nicht möglich",
     ),
     _axis(
+        "P-AXIS-00058",
+        "kenngr.durchm_prog_abs",
+        ValueType.BOOLEAN,
+        False,
+        "Under G51 absolute positions of the face axis (G90) are diameters",
+        "Mit G51 sind absolute Positionen der Planachse (G90) Durchmesser",
+    ),
+    _axis(
+        "P-AXIS-00059",
+        "kenngr.durchm_prog_rel",
+        ValueType.BOOLEAN,
+        False,
+        "Under G51 relative ways of the face axis (G91) are diameters",
+        "Mit G51 sind relative Wege der Planachse (G91) Durchmesser",
+    ),
+    _axis(
         "P-AXIS-00457",
         "kenngr.enable_single_axis",
         ValueType.BOOLEAN,

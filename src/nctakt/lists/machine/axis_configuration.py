@@ -173,7 +173,9 @@ class AxisConfiguration:
     actual position = command position (P-AXIS-00096). ``obstacle``: what the axis cannot pass, in
     mm or degrees; 0: nothing. ``file``: the list that describes the axis. ``is_face``: it is the
     face axis of a lathe, whose position is a radius; ``is_c_axis``: the C axis of a lathe
-    (both P-AXIS-00015). ``mode``: all of P-AXIS-00015. ``filter_type``: of its FIR filter, 0 none.
+    (both P-AXIS-00015). ``absolute_diameters``, ``relative_diameters``: what G51 makes of its
+    positions and ways (P-AXIS-00058, 00059). ``mode``: all of P-AXIS-00015. ``filter_type``: of its
+    FIR filter, 0 none.
     ``gears``: the dynamics of all gear steps. ``checks_tool_speed``: P-AXIS-00474.
     ``gantry``: what it follows for ever.
     """
@@ -195,6 +197,8 @@ class AxisConfiguration:
     file: str
     is_face: bool = False
     is_c_axis: bool = False
+    absolute_diameters: bool = False
+    relative_diameters: bool = False
     mode: int = 1
     measuring: AxisMeasuring = AxisMeasuring()
     homing: AxisHoming = AxisHoming()
@@ -270,6 +274,8 @@ def axis_configuration(values: Values, collector: Collector) -> AxisConfiguratio
         values.file,
         bool(mode & _FACE_BIT),
         bool(mode & _C_AXIS_BIT),
+        values.flag("kenngr.durchm_prog_abs"),
+        values.flag("kenngr.durchm_prog_rel"),
         mode,
         axis_measuring(values),
         axis_homing(values),

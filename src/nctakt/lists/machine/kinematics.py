@@ -14,6 +14,8 @@ UNIVERSAL = 91
 TRIPODS = (12, 19)
 #: Programming modes of the universal kinematic (P-CHAN-00288).
 POINT_VECTOR, DIRECT, CONFORMAL = 10, 12, 13
+#: The mode that hands the programmed angles on as they are (P-CHAN-00112); as DIRECT.
+HANDED_ON = -1
 #: Modes with two angles of an ideal chain, in the order of their rotary axes.
 CLASSIC_MODES = {14: "AB", 15: "BA", 16: "AC", 17: "CA", 18: "BC", 19: "CB"}
 PROGRAMMING_MODES = (POINT_VECTOR, DIRECT, CONFORMAL, *CLASSIC_MODES)

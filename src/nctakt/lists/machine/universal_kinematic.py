@@ -13,6 +13,8 @@ from collections.abc import Callable, Mapping
 from nctakt.base.diagnostics import Message
 from nctakt.lists.declared.kinematics import MAX_CHAIN
 from nctakt.lists.machine.kinematics import (
+    DIRECT,
+    HANDED_ON,
     POINT_VECTOR,
     PROGRAMMING_MODES,
     UNIVERSAL,
@@ -123,11 +125,12 @@ class DefinitionReader:
             raise UnusableKinematicError(
                 KINEMATIC_CHAIN_INVALID, "chain[]", (0,), chain=text, count=int(count)
             )
+        mode = int(self._value("programming_mode")) or self._listed_mode
         kinematic = UniversalKinematic(
             self._vector("zero_orientation[]"),
             self._point("zero_position[]"),
             self._value("rtcp") != 0.0,
-            int(self._value("programming_mode")) or self._listed_mode,
+            DIRECT if mode == HANDED_ON else mode,
             axes,
             tuple(int(index) for index in chain),
             self._linkage(),

@@ -49,6 +49,7 @@ from nctakt.nc.check.findings import Findings
 from nctakt.nc.check.frames import (
     check_scale_factors,
 )
+from nctakt.nc.check.motion_words import functions_of
 from nctakt.nc.check.path_commands import check_path_axis
 from nctakt.nc.check.returns import check_return
 from nctakt.nc.check.spindle_commands import SpindleChecker
@@ -74,6 +75,7 @@ from nctakt.nc.vocabulary.function_rows import WITH_AXES, Form, Group
 from nctakt.nc.vocabulary.functions import (
     BLOCK_TRANSITIONS,
     GEAR_FUNCTIONS,
+    HOMING,
     PROGRAM_ENDS,
     RETURN_COMMANDS,
     SUBPROGRAM_ENDS,
@@ -96,7 +98,7 @@ Role = Literal["main", "called", "either"]
 @dataclass(slots=True)
 class _BlockState:
     """The words of a block so far: their names, the G function of each group, any unknown word,
-    whether a G function is computed.
+    whether a G function is computed, whether G74 homes spindles.
 
     A block that begins with an unknown word is usually not NC text, so one report is enough.
     """
@@ -110,6 +112,7 @@ class _BlockState:
     words: set[str] = field(default_factory=set)
     functions: set[float] = field(default_factory=set)
     is_computed: bool = False
+    homes_spindles: bool = False
 
 
 #: What is told once per program about gear changes.
@@ -147,8 +150,12 @@ class WordChecker:
         state = _BlockState(role, any(_returns(word) for word in block.words))
         state.axis_words = tuple(word for word in block.words if isinstance(word, AxisWord))
         commands, words = split(block.words, self.spindles)
+        state.homes_spindles = bool(commands) and HOMING in functions_of(block)
         for command in commands:
-            self._commands.check(command)
+            if state.homes_spindles:
+                self._findings.report_support(support_level.form("G74 S1"), command.span)
+            else:
+                self._commands.check(command)
         for word in words:
             match word:
                 case AxisWord():
@@ -304,7 +311,7 @@ class WordChecker:
             check_weight(word, self._values, self._findings)
         elif word.additional is not None or word.arguments:
             self._findings.report(EXTRA_PARAMETERS, word.span, word=entry.name)
-        if entry.form in WITH_AXES and not state.axis_words:
+        if entry.form in WITH_AXES and not (state.axis_words or state.homes_spindles):
             self._findings.report(COMMAND_WITHOUT_AXIS, word.span, command=entry.name)
         group = Group.CONTOURING if number in BLOCK_TRANSITIONS else entry.group
         if group is None:

@@ -20,9 +20,12 @@ from nctakt.messages.spindles import (
 )
 from nctakt.nc.check.expressions import ValueChecker
 from nctakt.nc.check.findings import Findings
+from nctakt.nc.tree import BlockWord, Expression, Keyword, Number
+from nctakt.nc.vocabulary import support_level
 from nctakt.nc.vocabulary.functions import (
     CLOCKWISE,
     COUNTERCLOCKWISE,
+    HOMING,
     SPINDLE_FUNCTIONS,
     SPINDLE_POSITION,
     SPINDLE_STOP,
@@ -55,6 +58,11 @@ class SpindleChecker:
             self._findings.report(NO_MAIN_SPINDLE, command.span)
         for word in command.wrong:
             written = self._findings.written(word.span)
+            form = _refused_form(word)
+            if form:
+                shown = form.replace("S", command.name or "S", 1)
+                self._findings.report_support(support_level.form(form), word.span, shown)
+                continue
             if written in WORDS:
                 suggestion = f"{written}=…"
             else:
@@ -110,3 +118,13 @@ class SpindleChecker:
             return functions[0] != SPINDLE_POSITION and has_values == (True, False)
         turns = functions[:1] in ([CLOCKWISE], [COUNTERCLOCKWISE])
         return turns and functions[1:] == [SPINDLE_POSITION] and has_values == (True, True)
+
+
+def _refused_form(word: BlockWord | Keyword | Expression) -> str:
+    """Return the form that a known word of spindle commands stands for; empty for no such word."""
+    if not isinstance(word, Keyword):
+        return ""
+    if word.name in ("CALLAX", "PUTAX") and word.value is None:
+        return f"S[{word.name}]"
+    is_homing = isinstance(word.value, Number) and word.value.value == HOMING
+    return "S[G74]" if word.name == "G" and is_homing else ""

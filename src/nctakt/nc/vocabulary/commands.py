@@ -423,6 +423,33 @@ FORMS = table(
     ("X[FIXED_STOP …]", SIMULATED, "motion to a fixed stop", "Fahren auf Festanschlag"),
     ("X[…]", REFUSED, "command for one axis", "Befehl für eine Achse"),
     ("S2[…]", SIMULATED, "command for a spindle", "Befehl für eine Spindel"),
+    (
+        "S[CALLAX]",
+        REFUSED,
+        "a spindle fetches its axis",
+        "eine Spindel holt ihre Achse",
+        Text(
+            "`#CAX OFF` gives an axis back to its spindle.",
+            "`#CAX OFF` gibt eine Achse ihrer Spindel zurück.",
+        ),
+    ),
+    (
+        "S[PUTAX]",
+        REFUSED,
+        "a spindle gives its axis",
+        "eine Spindel gibt ihre Achse ab",
+        Text(
+            "`#CAX [S, C]` makes a spindle an axis of the path.",
+            "`#CAX [S, C]` macht eine Spindel zur Achse der Bahn.",
+        ),
+    ),
+    (
+        "S[G74]",
+        REFUSED,
+        "homing of a spindle",
+        "Referenzfahrt einer Spindel",
+    ),
+    ("G74 S1", REFUSED, "homing of a spindle", "Referenzfahrt einer Spindel"),
     ("M17[…]", SIMULATED, "return with a jump", "Rücksprung mit Ziel"),
     (
         "L CYCLE [MODAL_MOVE]",

@@ -61,10 +61,8 @@ START_IN_LOOP = error(
 )
 READ_DURING_SEARCH = warning(
     901961,
-    en="{variable} is read in front of the start block: its value is that of now, not the one that "
-    "it would have in the program",
-    de="{variable} wird vor dem Startsatz gelesen: der Wert ist der jetzige, nicht der, den sie im "
-    "Programm hätte",
+    en="{variable} is read before the start block: it has the value of now, not of the program",
+    de="{variable} wird vor dem Startsatz gelesen: der Wert ist der jetzige, nicht der im Programm",
     remedy_en="Begin in front of this block where its value matters.",
     remedy_de="Vor diesem Satz beginnen, wo es auf den Wert ankommt.",
     variable=("the variable as written", "die Variable, wie geschrieben"),

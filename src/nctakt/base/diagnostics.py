@@ -102,22 +102,23 @@ class Message:
     """A message of the catalogue, declared in ``messages/``; a slotted class, cheap to make.
 
     ``id`` is the number that leads: the controller's, or from 900000 on one of nctakt.
-    ``text`` and ``remedy`` are format strings over the names in ``parameters``, whose values give
-    the meaning of each in English and German. ``reaction`` and ``clearing`` are the controller's
-    classes for the effect of an error and for clearing it (0: none; ``messages/classes.py`` has
-    their meaning). ``cause`` explains how the error comes about; ``known_as`` are its further
-    numbers, ``cases`` those that lead in some cases instead of ``id``.
+    ``text`` and ``remedy`` are format strings over the names in ``parameters``; ``explained``
+    returns these with their meanings. ``reaction`` and ``clearing`` are the controller's classes
+    for the effect of an error and for clearing it (0: none; ``messages/classes.py`` has their
+    meaning). ``cause`` explains how the error comes about; ``known_as`` are its further numbers,
+    ``cases`` those that lead in some cases instead of ``id``.
     """
 
     __slots__ = (
         "_cause",
+        "_explained",
+        "_parameters",
         "_remedy",
         "_text",
         "cases",
         "clearing",
         "id",
         "known_as",
-        "parameters",
         "reaction",
         "severity",
     )
@@ -129,7 +130,7 @@ class Message:
         text: tuple[str, str],
         remedy: tuple[str, str],
         cause: tuple[str, str],
-        parameters: Mapping[str, tuple[str, str]],
+        explained: Callable[[], Mapping[str, tuple[str, str]]],
         reaction: int = 0,
         clearing: int = 0,
         known_as: tuple[int, ...] = (),
@@ -140,11 +141,19 @@ class Message:
         self._text = text
         self._remedy = remedy
         self._cause = cause
-        self.parameters = parameters
+        self._explained = explained
+        self._parameters: Mapping[str, tuple[str, str]] | None = None
         self.reaction = reaction
         self.clearing = clearing
         self.known_as = known_as
         self.cases = cases
+
+    @property
+    def parameters(self) -> Mapping[str, tuple[str, str]]:
+        """The names in text and remedy, and the meaning of each in English and German."""
+        if self._parameters is None:
+            self._parameters = self._explained()
+        return self._parameters
 
     @property
     def leading(self) -> tuple[int, ...]:

@@ -12,10 +12,8 @@ AXIS_NOT_IN_CHANNEL = error(
     remedy_en="Fetch it first, for example #CALL AX [{axis}, 4, 3]; its channel gives it: #PUT AX.",
     remedy_de="Sie vorher holen, zum Beispiel #CALL AX [{axis}, 4, 3]; ihr Kanal gibt sie mit "
     "#PUT AX ab.",
-    axis=("the axis", "die Achse"),
     holder=("which channel has it", "welcher Kanal sie hat"),
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 UNKNOWN_AXIS_NUMBER = error(
     901801,
@@ -23,10 +21,8 @@ UNKNOWN_AXIS_NUMBER = error(
     de="{value} ist keine logische Nummer einer Achse dieser Maschine: {numbers}",
     remedy_en="Choose one of these; kopf.achs_nr of each axis list has its number.",
     remedy_de="Eine davon wählen; kopf.achs_nr jeder Achsliste enthält ihre Nummer.",
-    value=("the value", "der Wert"),
     numbers=("the numbers of the axes", "die Nummern der Achsen"),
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 INVALID_AXIS_PLACE = error(
     901802,
@@ -34,10 +30,8 @@ INVALID_AXIS_PLACE = error(
     de="{value} ist kein Index einer Achse in diesem Kanal: 0 … {highest}",
     remedy_en="Choose a whole number in this range; 0 … 2 are the main axes.",
     remedy_de="Eine ganze Zahl in diesem Bereich wählen; 0 … 2 sind die Hauptachsen.",
-    value=("the value", "der Wert"),
     highest=("the highest index", "der höchste Index"),
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 AXIS_TWICE = error(
     901803,
@@ -49,8 +43,7 @@ AXIS_TWICE = error(
     what=("the name, number or index", "Name, Nummer oder Index"),
     first=("the number of the first axis", "die Nummer der ersten Achse"),
     second=("the number of the second axis", "die Nummer der zweiten Achse"),
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 UNSUITABLE_AXIS_NAME = error(
     901804,
@@ -58,9 +51,7 @@ UNSUITABLE_AXIS_NAME = error(
     de="{name} kann kein Achsname sein",
     remedy_en="Begin the name with one of the letters A B C Q U V W X Y Z.",
     remedy_de="Den Namen mit einem der Buchstaben A B C Q U V W X Y Z beginnen.",
-    name=("the name", "der Name"),
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 AXIS_OPTION_REFUSED = error(
     901805,
@@ -68,9 +59,7 @@ AXIS_OPTION_REFUSED = error(
     de="{option} wird nicht simuliert: Verschiebungen einer geholten Achse beginnen immer bei 0",
     remedy_en="Leave it out; program offsets behind the command, for example with G54.",
     remedy_de="Weglassen; Verschiebungen hinter dem Befehl programmieren, zum Beispiel mit G54.",
-    option=("the option", "die Option"),
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 EXCHANGE_UNDER_TRANSFORMATION = error(
     901806,
@@ -78,9 +67,7 @@ EXCHANGE_UNDER_TRANSFORMATION = error(
     de="{command}, während Koordinatensystem, Transformation oder abgebildete Kontur aktiv sind",
     remedy_en="Switch it off before: #CS OFF ALL, #TRAFO OFF, #ROTATION OFF.",
     remedy_de="Vorher abwählen: #CS OFF ALL, #TRAFO OFF, #ROTATION OFF.",
-    command=("the command", "der Befehl"),
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 EXCHANGE_IN_SEARCH = error(
     901809,
@@ -88,9 +75,7 @@ EXCHANGE_IN_SEARCH = error(
     de="{command} vor dem Startsatz: ein Satzvorlauf tauscht keine Achsen",
     remedy_en="Begin at a block in front of the command, or let the search pass it by.",
     remedy_de="An einem Satz vor dem Befehl beginnen oder ihn im Vorlauf überspringen.",
-    command=("the command", "der Befehl"),
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 AXIS_OF_SPINDLE = error(
     901807,
@@ -100,10 +85,8 @@ AXIS_OF_SPINDLE = error(
     remedy_en="Fetch another axis; exchange of spindles (S[PUTAX]) is not simulated.",
     remedy_de="Eine andere Achse holen; der Tausch von Spindeln (S[PUTAX]) wird nicht simuliert.",
     value=("the logical number", "die logische Nummer"),
-    spindle=("the spindle", "die Spindel"),
     channel=("its channel", "ihr Kanal"),
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 AXIS_NEVER_GIVEN = warning(
     901808,
@@ -124,7 +107,5 @@ CYCLE_AXIS_NOT_IN_CHANNEL = error(
     "cycle was defined.",
     cause_de="Die Achse wurde getauscht: ein Zyklus behält die Achse, für die der Name stand, als "
     "der Zyklus definiert wurde.",
-    axis=("the axis", "die Achse"),
-    reaction=6,
-    clearing=6,
+    classes=(6, 6),
 )

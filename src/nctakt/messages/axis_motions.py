@@ -18,8 +18,7 @@ AXIS_NOT_AT_BLOCK_START = error(
     cause_de="Etwas anderes als die Bahn hat eine Achse bewegt, seit der Satz dekodiert wurde; die "
     "Bahn springt nie.",
     axis=("the first such axis", "die erste solche Achse"),
-    reaction=6,
-    clearing=6,
+    classes=(6, 6),
 )
 AXIS_MOVED_BY_PATH = error(
     50603,
@@ -31,9 +30,7 @@ AXIS_MOVED_BY_PATH = error(
     cause_en="An axis has one owner at a time: the path while the current block moves it.",
     cause_de="Eine Achse hat immer nur einen Eigentümer: die Bahn, während der aktuelle Satz sie "
     "bewegt.",
-    axis=("the axis", "die Achse"),
-    reaction=6,
-    clearing=6,
+    classes=(6, 6),
 )
 AXIS_IN_ERROR_STATE = error(
     60213,
@@ -42,9 +39,7 @@ AXIS_IN_ERROR_STATE = error(
     de="Achse {axis} ist im Fehlerzustand und nimmt vor einem Reset keinen Auftrag an",
     remedy_en="Reset the channel; the error before this one says what happened.",
     remedy_de="Den Kanal zurücksetzen; der Fehler davor sagt, was geschehen ist.",
-    axis=("the axis", "die Achse"),
-    reaction=6,
-    clearing=6,
+    classes=(6, 6),
 )
 INDP_TARGET_OUTSIDE_LIMITS = error(
     60158,
@@ -56,12 +51,8 @@ INDP_TARGET_OUTSIDE_LIMITS = error(
     remedy_en="Give a target between kenngr.swe_neg and kenngr.swe_pos, offsets included.",
     remedy_de="Ein Ziel zwischen kenngr.swe_neg und kenngr.swe_pos angeben, einschließlich "
     "Verschiebungen.",
-    axis=("the axis", "die Achse"),
     target=("the target in mm or degrees", "das Ziel in mm oder Grad"),
-    low=("the lower limit", "die untere Grenze"),
-    high=("the upper limit", "die obere Grenze"),
-    reaction=6,
-    clearing=6,
+    classes=(6, 6),
 )
 BUFFERED_MOTION_WAITING = error(
     1704,
@@ -71,9 +62,7 @@ BUFFERED_MOTION_WAITING = error(
     remedy_en="Command the next one once the waiting one has started, or use ABORTING.",
     remedy_de="Die nächste erst beauftragen, wenn die wartende begonnen hat, oder ABORTING "
     "verwenden.",
-    axis=("the axis", "die Achse"),
-    reaction=6,
-    clearing=6,
+    classes=(6, 6),
 )
 MOTION_ENDED_BY_LIMIT = error(
     1702,
@@ -90,9 +79,7 @@ MOTION_ENDED_BY_LIMIT = error(
     cause_de="Eine Endlosbewegung wurde so gebremst, dass sie auf dem Endschalter steht, oder ein "
     "BUFFERED-Weg hätte von seinem Start aus darüber hinausgeführt: nach einer Endlosbewegung ist "
     "das dort, wo diese ihre Geschwindigkeit erreicht.",
-    axis=("the axis", "die Achse"),
-    reaction=6,
-    clearing=6,
+    classes=(6, 6),
 )
 AXIS_IN_INDEPENDENT_MOTION = error(
     50766,
@@ -110,8 +97,6 @@ AXIS_IN_INDEPENDENT_MOTION = error(
     "einer Achse, die ein Echtzeit-Zyklus bewegt, wartet, bis sie steht; in einer Endlosbewegung "
     "bleibt sie nie stehen. Eine angehaltene Bewegung behält ihr Ziel und ginge später von einer "
     "Position aus weiter, die die Bahn verlassen hat.",
-    axis=("the axis", "die Achse"),
     motion=("its motion beside the path", "ihre Bewegung neben der Bahn"),
-    reaction=6,
-    clearing=6,
+    classes=(6, 6),
 )

@@ -46,8 +46,6 @@ RT_WHILE_WITHOUT_HISTORY = error(
     remedy_de="Dem Kanal Speicher geben: fb_storage_size (P-STUP-00033) in der Hochlaufliste.",
     cause_en="The passes of a realtime loop are kept in the memory of backward motion.",
     cause_de="Die Durchläufe einer Echtzeit-Schleife liegen im Speicher des Rückwärtsfahrens.",
-    reaction=2,
-    clearing=3,
 )
 RT_WHILE_TOO_LONG = error(
     51027,
@@ -63,8 +61,6 @@ RT_WHILE_TOO_LONG = error(
         "the number of blocks that the history holds",
         "die Anzahl der Sätze, die die Historie fasst",
     ),
-    reaction=2,
-    clearing=3,
 )
 NOT_ALLOWED_IN_RT_WHILE = error(
     22073,
@@ -76,9 +72,7 @@ NOT_ALLOWED_IN_RT_WHILE = error(
     "for synchronous V.E variables that do not depend on what happens meanwhile.",
     cause_de="Der Echtzeit-Teil wiederholt, was einmal dekodiert wurde: Bewegungen mit G00 bis G03 "
     "und Werte für synchrone V.E-Variablen, die nicht von dem abhängen, was inzwischen geschieht.",
-    command=("the command as written", "der Befehl, wie geschrieben"),
-    reaction=3,
-    clearing=3,
+    classes=(3, 3),
 )
 RT_WHILE_DURING_COMPENSATION = error(
     22158,
@@ -88,8 +82,6 @@ RT_WHILE_DURING_COMPENSATION = error(
     remedy_de="Vor der Schleife G40 programmieren.",
     cause_en="The path of a realtime loop must end where it began.",
     cause_de="Die Bahn einer Echtzeit-Schleife muss dort enden, wo sie begann.",
-    reaction=2,
-    clearing=3,
 )
 RT_WHILE_NESTED = error(
     22181,
@@ -97,9 +89,6 @@ RT_WHILE_NESTED = error(
     de="{found}: Echtzeit-Schleifen stehen nacheinander, jede mit ihrem eigenen #RT ENDWHILE",
     remedy_en="Write one #RT ENDWHILE for each #RT WHILE, and do not nest realtime loops.",
     remedy_de="Zu jedem #RT WHILE ein #RT ENDWHILE schreiben; Echtzeit-Schleifen nicht schachteln.",
-    found=("the command as written", "der Befehl, wie geschrieben"),
-    reaction=2,
-    clearing=3,
 )
 RT_WHILE_PATH_NOT_CLOSED = error(
     50991,
@@ -113,9 +102,6 @@ RT_WHILE_PATH_NOT_CLOSED = error(
         "the distance between start and end in mm or degrees",
         "der Abstand zwischen Anfang und Ende in mm oder Grad",
     ),
-    axis=("the axis", "die Achse"),
-    reaction=2,
-    clearing=3,
 )
 RT_WHILE_WITHOUT_END = error(
     50992,
@@ -123,8 +109,6 @@ RT_WHILE_WITHOUT_END = error(
     de="#RT WHILE ohne #RT ENDWHILE",
     remedy_en="Close the realtime loop with #RT ENDWHILE.",
     remedy_de="Die Echtzeit-Schleife mit #RT ENDWHILE schließen.",
-    reaction=2,
-    clearing=3,
 )
 RT_WHILE_WITHOUT_MOTION = error(
     900883,
@@ -134,8 +118,7 @@ RT_WHILE_WITHOUT_MOTION = error(
     remedy_de="Zwischen #RT WHILE und #RT ENDWHILE mindestens eine Bewegung mit Weg programmieren.",
     cause_en="A pass without a motion would take no time.",
     cause_de="Ein Durchlauf ohne Bewegung bräuchte keine Zeit.",
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 EDGE_BANDING_NOT_SIMULATED = error(
     900884,
@@ -143,8 +126,7 @@ EDGE_BANDING_NOT_SIMULATED = error(
     de="G108: Kantenanleimen über Sätze hinweg (P-CHAN-00029) wird nicht simuliert",
     remedy_en="Set kasto_multi_block to 0 and measure within the block of the M function.",
     remedy_de="kasto_multi_block auf 0 setzen und im Satz der M-Funktion messen.",
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 EDGE_NOT_FOUND = error(
     50891,
@@ -155,8 +137,7 @@ EDGE_NOT_FOUND = error(
     "programmieren.",
     cause_en="A function of type MNE_SNS waits for the measuring event within its block.",
     cause_de="Eine Funktion der Art MNE_SNS wartet in ihrem Satz auf das Messereignis.",
-    reaction=6,
-    clearing=6,
+    classes=(6, 6),
 )
 OPTIONAL_PART_WORDS = error(
     22132,
@@ -164,8 +145,6 @@ OPTIONAL_PART_WORDS = error(
     de="#OPTIONAL EXECUTION hat APPROACH und SIMULATE",
     remedy_en="Remove one of them.",
     remedy_de="Eines davon entfernen.",
-    reaction=2,
-    clearing=3,
 )
 OPTIONAL_PART_SWITCHED_TWICE = error(
     22143,
@@ -173,6 +152,4 @@ OPTIONAL_PART_SWITCHED_TWICE = error(
     de="#OPTIONAL EXECUTION hat mehr als eines von ON, OFF und CLEAR",
     remedy_en="Write one of them.",
     remedy_de="Eines davon schreiben.",
-    reaction=2,
-    clearing=3,
 )

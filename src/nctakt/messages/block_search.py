@@ -11,8 +11,6 @@ START_BLOCK_LOCKED = error(
     de="der Satzvorlauf kann hier nicht enden: der Programmteil ist gesperrt",
     remedy_en="Choose a block in front of #BLOCKSEARCH LOCKED, or behind #BLOCKSEARCH RELEASED.",
     remedy_de="Einen Satz vor #BLOCKSEARCH LOCKED oder hinter #BLOCKSEARCH RELEASED wählen.",
-    reaction=2,
-    clearing=3,
 )
 HOMING_DURING_SEARCH = error(
     50717,
@@ -21,8 +19,6 @@ HOMING_DURING_SEARCH = error(
     remedy_en="Home the axes before, and skip the block (/G74), or begin in front of it.",
     remedy_de="Die Achsen vorher referenzieren und den Satz ausblenden (/G74), oder vor ihm "
     "beginnen.",
-    reaction=2,
-    clearing=3,
 )
 START_BLOCK_NOT_REACHED = error(
     901730,
@@ -31,8 +27,7 @@ START_BLOCK_NOT_REACHED = error(
     remedy_en="Name the line of a block, or its N number, that the program executes.",
     remedy_de="Die Zeile eines Satzes oder seine Satznummer nennen, den das Programm ausführt.",
     block=("its line or number: N120", "seine Zeile oder Nummer: N120"),
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 START_OF_SEARCH = note(
     901731,

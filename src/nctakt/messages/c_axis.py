@@ -13,8 +13,6 @@ NOT_THE_MAIN_SPINDLE = error(
     remedy_de="Die Hauptspindel nennen oder weglassen (P-CHAN-00051, P-CHAN-00053).",
     spindle=("what the command names", "was der Befehl nennt"),
     main=("the name of the main spindle", "der Name der Hauptspindel"),
-    reaction=2,
-    clearing=3,
 )
 C_AXIS_IN_PLANE = error(
     20893,
@@ -23,8 +21,6 @@ C_AXIS_IN_PLANE = error(
     remedy_en="Program {command} OFF before it.",
     remedy_de="Davor {command} OFF programmieren.",
     command=("the command of the plane", "der Befehl der Ebene"),
-    reaction=2,
-    clearing=3,
 )
 NO_NAME_OF_C_AXIS = error(
     901817,
@@ -32,8 +28,7 @@ NO_NAME_OF_C_AXIS = error(
     de="#CAX ohne Namen, und die Kanalliste hat keinen Namen der C-Achse",
     remedy_en="Program #CAX [C], or set default_ax_name_of_spindle (P-CHAN-00010).",
     remedy_de="#CAX [C] programmieren oder default_ax_name_of_spindle setzen (P-CHAN-00010).",
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 SPINDLE_IS_C_AXIS = error(
     901818,
@@ -41,10 +36,8 @@ SPINDLE_IS_C_AXIS = error(
     de="die Spindel {spindle} ist hier die C-Achse {axis} der Bahn",
     remedy_en="Program #CAX OFF before it.",
     remedy_de="Davor #CAX OFF programmieren.",
-    spindle=("name of the spindle", "Name der Spindel"),
     axis=("name of the C axis", "Name der C-Achse"),
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 C_AXIS_OF_OTHER_SPINDLE = error(
     901872,
@@ -56,6 +49,5 @@ C_AXIS_OF_OTHER_SPINDLE = error(
     "eine Achse sein.",
     cause_en="nctakt makes the C axis of one spindle of a channel.",
     cause_de="nctakt bildet die C-Achse aus einer Spindel des Kanals.",
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )

@@ -10,11 +10,16 @@ from __future__ import annotations
 import copyreg
 from collections.abc import Callable
 from functools import cache, partial
+from string import Formatter
 
 from nctakt.base.diagnostics import Cases, Message, Severity
+from nctakt.messages.placeholders import COMMON
 
 #: The range of nctakt's own numbers; all others are the controller's.
 FIRST_OWN, LAST_OWN = 900_000, 999_999
+
+#: Classes of effect and of clearing: of most errors of the controller; of what has none.
+USUAL_CLASSES, NO_CLASSES = (2, 3), (0, 0)
 
 _declared: list[Message] = []
 _own: set[int] = set()
@@ -31,29 +36,32 @@ def _declare(
     remedy_de: str = "",
     cause_en: str = "",
     cause_de: str = "",
-    reaction: int = 0,
-    clearing: int = 0,
+    classes: tuple[int, int] | None = None,
     known_as: tuple[int, ...] = (),
     cases: Cases | None = None,
     **parameters: tuple[str, str],
 ) -> Message:
     """Declare the message of a number; ``parameters`` explains the names in its texts, en and de.
 
+    Names that a message does not explain have the meaning of ``placeholders.py``.
     Text and remedy are format strings; ``cause`` explains how the error comes about.
-    ``reaction`` and ``clearing`` are the controller's classes (``classes.py``). ``known_as`` are
-    other numbers of the same message: nctakt's own where the controller's leads, those of other
-    documents.
+    ``classes`` are the controller's for the effect of an error and for clearing it
+    (``classes.py``): those of most of its errors unless given, none for nctakt's own messages.
+    ``known_as`` are other numbers of the same message: nctakt's own where the controller's leads,
+    those of other documents.
     ``cases``: the numbers of a message that the controller numbers by case (``cases.py``).
     """
+    if classes is None:
+        is_usual = severity is Severity.ERROR and not is_own(number)
+        classes = USUAL_CLASSES if is_usual else NO_CLASSES
     message = Message(
         number,
         severity,
         (en, de),
         (remedy_en, remedy_de),
         (cause_en, cause_de),
-        parameters,
-        reaction,
-        clearing,
+        partial(_explained, f"{en}{remedy_en}", parameters),
+        *classes,
         known_as,
         cases,
     )
@@ -62,6 +70,13 @@ def _declare(
     _own.update(own)
     _declared.append(message)
     return message
+
+
+def _explained(texts: str, parameters: dict[str, tuple[str, str]]) -> dict[str, tuple[str, str]]:
+    """Return the names in the texts of a message with their meanings, in their order."""
+    names = dict.fromkeys(name for _, name, _, _ in Formatter().parse(texts) if name is not None)
+    assert parameters.keys() <= names.keys(), sorted(parameters)
+    return {name: parameters.get(name) or COMMON[name] for name in names}
 
 
 error = partial(_declare, Severity.ERROR)

@@ -15,10 +15,6 @@ DUPLICATE_INDP_KEYWORD = error(
     cause_en="The keywords of a single-axis command may appear in any order, each once.",
     cause_de="Die Schlüsselwörter eines Einzelachsbefehls stehen in beliebiger Reihenfolge, jedes "
     "einmal.",
-    axis=("the axis", "die Achse"),
-    word=("the word as written", "das Wort, wie geschrieben"),
-    reaction=2,
-    clearing=3,
 )
 INDP_KEYWORD_NOT_ALLOWED = error(
     50965,
@@ -29,10 +25,7 @@ INDP_KEYWORD_NOT_ALLOWED = error(
     cause_en="A single axis moves in a straight line: absolute or relative, at rapid speed or with "
     "FEED.",
     cause_de="Eine Einzelachse fährt geradlinig: absolut oder relativ, im Eilgang oder mit FEED.",
-    axis=("the axis", "die Achse"),
-    word=("the word as written", "das Wort, wie geschrieben"),
-    reaction=6,
-    clearing=6,
+    classes=(6, 6),
 )
 INDEPENDENT_MOTION_NOT_PERMITTED = error(
     50966,
@@ -45,9 +38,7 @@ INDEPENDENT_MOTION_NOT_PERMITTED = error(
     "it.",
     cause_de="Echtzeit-Zyklen und SPS bewegen eine Achse nur neben der Bahn, wenn ihre Liste es "
     "erlaubt.",
-    axis=("the axis", "die Achse"),
-    reaction=6,
-    clearing=6,
+    classes=(6, 6),
 )
 INDEPENDENT_MOTION_REFUSED = error(
     50967,
@@ -62,10 +53,8 @@ INDEPENDENT_MOTION_REFUSED = error(
     "must specify one of these.",
     cause_de="Ein Einzelachsbefehl fährt auf eine Position, fährt endlos oder stoppt; seine "
     "Schlüsselwörter müssen eines davon angeben.",
-    axis=("the axis", "die Achse"),
     reason=("what does not fit", "was nicht passt"),
-    reaction=6,
-    clearing=6,
+    classes=(6, 6),
 )
 INDP_OUTSIDE_REALTIME_CYCLE = error(
     900260,
@@ -74,18 +63,16 @@ INDP_OUTSIDE_REALTIME_CYCLE = error(
     de="{axis}[INDP …] gehört in einen Echtzeit-Zyklus",
     remedy_en="Move it into #RT CYCLE … #RT CYCLE END, or move the axis with the path.",
     remedy_de="In #RT CYCLE … #RT CYCLE END verschieben oder die Achse mit der Bahn bewegen.",
-    axis=("the axis", "die Achse"),
 )
 UNKNOWN_INDP_KEYWORD = error(
     21068,
+    classes=(0, 0),
     known_as=(900261,),
     en="{axis}[INDP …]: unknown keyword {word}",
     de="{axis}[INDP …]: unbekanntes Schlüsselwort {word}",
     remedy_en="Keywords: ABORTING, BUFFERED, STOP, OFFSET=, G90, G91, G00, G01, FEED=, POS=, DIR=",
     remedy_de="Schlüsselwörter: ABORTING, BUFFERED, STOP, OFFSET=, G90, G91, G00, G01, FEED=, "
     "POS=, DIR=",
-    axis=("the axis", "die Achse"),
-    word=("the word as written", "das Wort, wie geschrieben"),
 )
 INDP_OF_SPINDLE = error(
     900262,
@@ -94,14 +81,13 @@ INDP_OF_SPINDLE = error(
     de="{spindle} ist eine Spindel; INDP bewegt Achsen",
     remedy_en="Name an axis of the channel before the bracket.",
     remedy_de="Vor der Klammer eine Achse des Kanals nennen.",
-    spindle=("the spindle", "die Spindel"),
 )
 INDP_KEYWORD_WITH_VALUE = error(
     21068,
+    classes=(0, 0),
     known_as=(900263,),
     en="the keyword {word} takes no value",
     de="das Schlüsselwort {word} erwartet keinen Wert",
     remedy_en="Remove the value.",
     remedy_de="Den Wert entfernen.",
-    word=("the word as written", "das Wort, wie geschrieben"),
 )

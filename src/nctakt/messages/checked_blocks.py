@@ -19,7 +19,6 @@ NOT_SIMULATED = error(
     de="{command} ({meaning}) wird von dieser Version nicht simuliert",
     remedy_en="Remove it: its effect would change positions or times. {instead}",
     remedy_de="Entfernen: die Wirkung würde Positionen oder Zeiten ändern. {instead}",
-    command=("the word or command", "das Wort oder der Befehl"),
     meaning=("its effect", "die Wirkung"),
     instead=(
         "what to use instead, if there is something",
@@ -32,40 +31,36 @@ ACCEPTED_WITHOUT_EFFECT = note(
     de="{command} ({meaning}) wird akzeptiert und hat hier keine Wirkung",
     remedy_en="Nothing to do; this is reported once per program.",
     remedy_de="Nichts zu tun; das wird einmal je Programm gemeldet.",
-    command=("the word or command", "das Wort oder der Befehl"),
     meaning=("its effect", "die Wirkung"),
 )
 UNKNOWN_COMMAND = error(
     20209,
+    classes=(0, 0),
     known_as=(900202,),
     cases=by_beginning("word", {"#": 20509}),
     en="unknown command {word}",
     de="unbekannter Befehl {word}",
     remedy_en="Did you mean {nearest}?",
     remedy_de="War {nearest} gemeint?",
-    word=("the word as written", "das Wort, wie geschrieben"),
-    nearest=("the most similar known name, or –", "der ähnlichste bekannte Name, oder –"),
 )
 UNKNOWN_WORD = error(
     20797,
+    classes=(0, 0),
     known_as=(900203, 20180, 20875, 21047),
     en="unknown word {word}: neither a word of the language nor an axis or spindle of this channel",
     de="unbekanntes Wort {word}: weder Sprachelement noch Achse oder Spindel dieses Kanals",
     remedy_en="Axes of the channel: {axes}; most similar: {nearest}",
     remedy_de="Achsen des Kanals: {axes}; am ähnlichsten: {nearest}",
-    word=("the word as written", "das Wort, wie geschrieben"),
-    axes=("names of the channel's axes", "Namen der Achsen des Kanals"),
-    nearest=("the most similar known name, or –", "der ähnlichste bekannte Name, oder –"),
 )
 INVALID_FUNCTION_NUMBER = error(
     20107,
+    classes=(0, 0),
     known_as=(900204,),
     cases=Cases((20131, 20154, 20161), unknown_functions),
     en="{word} is not a valid function",
     de="{word} ist keine gültige Funktion",
     remedy_en="Give the number of a G, M or H function as a whole number.",
     remedy_de="Die Nummer einer G-, M- oder H-Funktion als ganze Zahl angeben.",
-    word=("the word as written", "das Wort, wie geschrieben"),
 )
 NO_PROGRAM_FOR_G_FUNCTION = error(
     20131,
@@ -79,8 +74,6 @@ NO_PROGRAM_FOR_G_FUNCTION = error(
     "P-CHAN-00187).",
     word=("the function", "die Funktion"),
     key=("the key of the channel list", "der Schlüssel in der Kanalliste"),
-    reaction=2,
-    clearing=3,
 )
 FUNCTION_NOT_DEFINED = error(
     900205,
@@ -89,7 +82,6 @@ FUNCTION_NOT_DEFINED = error(
     de="{word} ist in der Kanalliste nicht definiert",
     remedy_en="Give it a synchronisation type there, for example {key} MOS",
     remedy_de="Dort eine Synchronisationsart angeben, zum Beispiel {key} MOS",
-    word=("the word as written", "das Wort, wie geschrieben"),
     key=("the key of the channel list", "der Schlüssel in der Kanalliste"),
 )
 AXIS_FUNCTION_IN_CYCLE = error(
@@ -99,7 +91,6 @@ AXIS_FUNCTION_IN_CYCLE = error(
     de="{word} gehört zur Achse {axis}; ein Echtzeit-Zyklus gibt nur Funktionen des Kanals aus",
     remedy_en="Use another function, or remove {key} from the channel list.",
     remedy_de="Eine andere Funktion verwenden oder {key} aus der Kanalliste entfernen.",
-    word=("the word as written", "das Wort, wie geschrieben"),
     axis=("the axis that the channel list names", "die Achse, die die Kanalliste nennt"),
     key=("the key of the channel list", "der Schlüssel in der Kanalliste"),
 )
@@ -112,7 +103,6 @@ PROGRAM_CONTROL_IN_CYCLE = error(
     remedy_de="Eine andere M-Funktion ausgeben und die SPS darauf reagieren lassen.",
     cause_en="Such functions end or call programs, which only the decoder can do.",
     cause_de="Solche Funktionen beenden Programme oder rufen sie auf; das kann nur der Dekoder.",
-    word=("the word as written", "das Wort, wie geschrieben"),
 )
 WORD_VALUE_MISSING = error(
     900208,
@@ -121,10 +111,10 @@ WORD_VALUE_MISSING = error(
     de="nach {word} fehlt der Wert",
     remedy_en="Write a number, a variable or an expression after it.",
     remedy_de="Eine Zahl, eine Variable oder einen Ausdruck angeben.",
-    word=("the word as written", "das Wort, wie geschrieben"),
 )
 DUPLICATE_WORD = error(
     20203,
+    classes=(0, 0),
     known_as=(900209, 21785),
     cases=by_word_or_group(
         {
@@ -144,7 +134,6 @@ DUPLICATE_WORD = error(
     de="{word} ist in diesem Satz doppelt angegeben",
     remedy_en="Keep the one that you need.",
     remedy_de="Nur das gewünschte behalten.",
-    word=("the word as written", "das Wort, wie geschrieben"),
 )
 EXCLUSIVE_WORDS = error(
     900210,
@@ -154,11 +143,11 @@ EXCLUSIVE_WORDS = error(
     de="{word} und {other} dürfen nicht im selben Satz stehen",
     remedy_en="Split the block, or keep one of them.",
     remedy_de="Den Satz aufteilen oder eines davon behalten.",
-    word=("the word as written", "das Wort, wie geschrieben"),
     other=("the function that stands before it", "die Funktion davor"),
 )
 G04_NOT_ALONE = error(
     20685,
+    classes=(0, 0),
     known_as=(900211,),
     en="G04 must be alone in its block, with one time in seconds",
     de="G04 muss allein im Satz stehen, mit einer Zeit in Sekunden",
@@ -167,6 +156,7 @@ G04_NOT_ALONE = error(
 )
 G04_WITHOUT_TIME = error(
     21786,
+    classes=(0, 0),
     en="G04 without a time",
     de="G04 ohne Zeit",
     remedy_en="Give the time in seconds: G04 X0.5 or G04 0.5",
@@ -174,6 +164,7 @@ G04_WITHOUT_TIME = error(
 )
 G04_WITH_TWO_TIMES = error(
     21785,
+    classes=(0, 0),
     en="G04 with more than one time",
     de="G04 mit mehr als einer Zeit",
     remedy_en="Keep one of them: G04 X0.5 or G04 0.5",
@@ -186,7 +177,6 @@ EXTRA_PARAMETERS = error(
     de="{word} hat keine weiteren Parameter",
     remedy_en="Remove what follows the number.",
     remedy_de="Alles hinter der Nummer entfernen.",
-    word=("the word as written", "das Wort, wie geschrieben"),
 )
 NOT_NC_TEXT = error(
     900229,
@@ -198,6 +188,7 @@ NOT_NC_TEXT = error(
 )
 FORMAT_VALUE_COUNT = error(
     20721,
+    classes=(0, 0),
     known_as=(900230,),
     en="placeholders in the text: {expected}, values given: {given}",
     de="Platzhalter im Text: {expected}, angegebene Werte: {given}",
@@ -208,12 +199,12 @@ FORMAT_VALUE_COUNT = error(
 )
 INVALID_PLACEHOLDER = error(
     21180,
+    classes=(0, 0),
     known_as=(900231, 21232),
     en="{word} is not a valid placeholder",
     de="{word} ist kein gültiger Platzhalter",
     remedy_en="Write %d, %f, %e, %g, %x or %s, or %% for a percent sign.",
     remedy_de="%d, %f, %e, %g, %x oder %s schreiben, oder %% für ein Prozentzeichen.",
-    word=("the word as written", "das Wort, wie geschrieben"),
 )
 TEXT_FOR_NUMERIC_WORD = error(
     900232,
@@ -231,18 +222,16 @@ INVALID_COMMAND_FORM = error(
     de="diese Form von {command} gibt es nicht",
     remedy_en="Write: {forms}",
     remedy_de="Schreibweise: {forms}",
-    command=("the command", "der Befehl"),
     forms=("the valid forms", "die gültigen Formen"),
 )
 UNKNOWN_COMMAND_OPTION = error(
     21220,
+    classes=(0, 0),
     known_as=(900234, 21711),
     en="{command} has no option {word}",
     de="{command} hat keine Option {word}",
     remedy_en="Possible options: {names}",
     remedy_de="Mögliche Optionen: {names}",
-    command=("the command", "der Befehl"),
-    word=("the word as written", "das Wort, wie geschrieben"),
     names=("the options that exist", "die Optionen, die es gibt"),
 )
 G60_WITHOUT_MOTION = error(
@@ -251,8 +240,6 @@ G60_WITHOUT_MOTION = error(
     de="G60 in einem Satz ohne Bewegung",
     remedy_en="Write it in the block at whose end the axes should stop.",
     remedy_de="In den Satz schreiben, an dessen Ende die Achsen anhalten sollen.",
-    reaction=2,
-    clearing=3,
 )
 WORD_VALUE_OUT_OF_RANGE = error(
     900847,
@@ -261,12 +248,9 @@ WORD_VALUE_OUT_OF_RANGE = error(
     de="{word}: {value} liegt nicht zwischen {minimum} und {maximum}",
     remedy_en="An M or H function passes the PLC a 32-bit whole number.",
     remedy_de="Mit einer M- oder H-Funktion erhält die SPS eine ganze Zahl mit 32 Bit.",
-    word=("the word as written", "das Wort, wie geschrieben"),
     value=("the value, rounded", "der Wert, gerundet"),
     minimum=("lower limit", "untere Grenze"),
-    maximum=("upper limit", "obere Grenze"),
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 G163_WITHOUT_RADIUS = error(
     900927,
@@ -275,6 +259,5 @@ G163_WITHOUT_RADIUS = error(
     de="G163 ohne Radius",
     remedy_en="Write G163=10: the radius of this arc and of those that follow, as with R10.",
     remedy_de="G163=10 schreiben: der Radius dieses Kreises und der folgenden, wie bei R10.",
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )

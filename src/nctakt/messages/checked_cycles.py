@@ -13,20 +13,20 @@ FREQUENCY_OUTSIDE_REALTIME_CYCLE = error(
     de="{word}: ONCE, EDGE und ALWAYS gehören in einen Echtzeit-Zyklus",
     remedy_en="Remove the word, or move the $IF into #RT CYCLE … #RT CYCLE END.",
     remedy_de="Das Wort entfernen oder das $IF in #RT CYCLE … #RT CYCLE END verschieben.",
-    word=("the word as written", "das Wort, wie geschrieben"),
 )
 LOOP_CONTROL_OUTSIDE_LOOP = error(
     20243,
+    classes=(0, 0),
     known_as=(900223,),
     cases=by_beginning("word", {"$CONTINUE": 20244}),
     en="{word} is not inside anything that it could leave or repeat",
     de="{word} steht nicht in einer Schleife, die es verlassen oder wiederholen könnte",
     remedy_en="Put it in a loop; $BREAK also ends a $CASE.",
     remedy_de="In eine Schleife setzen; $BREAK beendet auch ein $CASE.",
-    word=("the word as written", "das Wort, wie geschrieben"),
 )
 DUPLICATE_KEYWORD = error(
     21887,
+    classes=(0, 0),
     known_as=(900224, 21537),
     cases=by_beginning(
         "command",
@@ -36,8 +36,6 @@ DUPLICATE_KEYWORD = error(
     de="{command}: das Schlüsselwort {word} ist doppelt angegeben",
     remedy_en="Keep one of them.",
     remedy_de="Eines davon behalten.",
-    command=("the command", "der Befehl"),
-    word=("the word as written", "das Wort, wie geschrieben"),
 )
 INVALID_KEYWORD_VALUE = error(
     900225,
@@ -46,7 +44,6 @@ INVALID_KEYWORD_VALUE = error(
     de="{word} = {value} ist nicht gültig",
     remedy_en="Possible values: {names}",
     remedy_de="Mögliche Werte: {names}",
-    word=("the word as written", "das Wort, wie geschrieben"),
     value=("the value as written, or –", "der Wert, wie geschrieben, oder –"),
     names=("the possible values", "die möglichen Werte"),
 )
@@ -70,8 +67,6 @@ TEXT_IN_REALTIME_CYCLE = error(
     cause_de="Was in jedem Takt läuft, dauert begrenzt lange; alles andere mit Texten ist Sache "
     "des Dekoders. Die Steuerung kennt in Echtzeit-Zyklen gar keine Texte.",
     name=("the variable or text", "die Variable oder der Text"),
-    reaction=2,
-    clearing=3,
 )
 TEXT_OF_ANOTHER_LENGTH = error(
     901079,
@@ -99,9 +94,6 @@ REALTIME_CYCLES_OFF = error(
     "start.",
     cause_de="Ohne Eintrag in der Kanalliste sind sie ausgeschaltet; eine Änderung wirkt ab dem "
     "nächsten Start.",
-    command=("the command", "der Befehl"),
-    reaction=2,
-    clearing=3,
 )
 INVALID_GLOBAL_CYCLE_ID = error(
     21983,
@@ -112,9 +104,6 @@ INVALID_GLOBAL_CYCLE_ID = error(
     cause_en="A GLOBAL cycle outlives its program; later it can be held or deleted only by its ID.",
     cause_de="Ein GLOBAL-Zyklus überlebt sein Programm; später lässt er sich nur über seine ID "
     "anhalten oder löschen.",
-    id=("the ID", "die ID"),
-    reaction=2,
-    clearing=3,
 )
 VALUE_LIST_IN_CYCLE = error(
     22001,
@@ -126,8 +115,6 @@ VALUE_LIST_IN_CYCLE = error(
     cause_de="Eine Zuweisung speichert je Takt eine Zahl, damit die Laufzeit eines Zyklus bekannt "
     "ist.",
     name=("the structure or array", "die Struktur oder das Feld"),
-    reaction=2,
-    clearing=3,
 )
 COMMAND_NOT_ALLOWED_IN_CYCLE = error(
     22002,
@@ -142,9 +129,6 @@ COMMAND_NOT_ALLOWED_IN_CYCLE = error(
     "the path.",
     cause_de="Ein Echtzeit-Zyklus läuft in jedem Takt bis zu seinem Ende: nichts darin kann "
     "springen, warten oder die Bahn bewegen.",
-    command=("the word or command", "das Wort oder der Befehl"),
-    reaction=2,
-    clearing=3,
 )
 CYCLE_WITHOUT_ID = error(
     22003,
@@ -155,8 +139,6 @@ CYCLE_WITHOUT_ID = error(
     cause_en="Without an ID such a cycle could not be started or ended later.",
     cause_de="Ohne ID ließe sich ein solcher Zyklus später weder starten noch beenden.",
     word=("DEF or SCOPE=GLOBAL", "DEF oder SCOPE=GLOBAL"),
-    reaction=2,
-    clearing=3,
 )
 UNKNOWN_KEYWORD_IN_CYCLE = error(
     22004,
@@ -166,10 +148,6 @@ UNKNOWN_KEYWORD_IN_CYCLE = error(
     remedy_de="Entfernen.",
     cause_en="The command is available in realtime cycles, but this part of it needs the decoder.",
     cause_de="Den Befehl gibt es im Echtzeit-Zyklus, aber dieser Teil davon braucht den Dekoder.",
-    command=("the command", "der Befehl"),
-    word=("the word as written", "das Wort, wie geschrieben"),
-    reaction=2,
-    clearing=3,
 )
 TIMER_WITHOUT_SYN = error(
     22006,
@@ -182,8 +160,6 @@ TIMER_WITHOUT_SYN = error(
     cause_de="Zeitgeber des Dekoders laufen beim Dekodieren, der Bewegung voraus; die der Zyklen "
     "laufen mit den Takten.",
     action=("START, STOP, READ or CLEAR", "START, STOP, READ oder CLEAR"),
-    reaction=2,
-    clearing=3,
 )
 ASYNCHRONOUS_WRITE_IN_CYCLE = error(
     22009,
@@ -197,9 +173,6 @@ ASYNCHRONOUS_WRITE_IN_CYCLE = error(
     "constant in the cycle from then on.",
     cause_de="Eine asynchrone Variable wird einmal gelesen, wenn die Definition dekodiert wird, "
     "und ist dann im Zyklus eine Konstante.",
-    name=("the variable", "die Variable"),
-    reaction=2,
-    clearing=3,
 )
 ELSEIF_WITH_FREQUENCY = error(
     22021,
@@ -211,9 +184,6 @@ ELSEIF_WITH_FREQUENCY = error(
     "none.",
     cause_de="ONCE, EDGE und ALWAYS halten einen Zustand für ihr eigenes $IF; ein weiterer Zweig "
     "hätte keinen.",
-    word=("the word as written", "das Wort, wie geschrieben"),
-    reaction=2,
-    clearing=3,
 )
 FREQUENCY_IF_WITH_ELSE = error(
     22022,
@@ -226,8 +196,6 @@ FREQUENCY_IF_WITH_ELSE = error(
     cause_de="Solange ALWAYS eingerastet oder ONCE erledigt ist, wird die Bedingung nicht "
     "ausgewertet: über den anderen Zweig würde nie entschieden.",
     word=("ONCE, EDGE or ALWAYS", "ONCE, EDGE oder ALWAYS"),
-    reaction=2,
-    clearing=3,
 )
 FUNCTION_GIVEN_TO_AXIS_IN_CYCLE = error(
     901004,
@@ -235,7 +203,6 @@ FUNCTION_GIVEN_TO_AXIS_IN_CYCLE = error(
     de="ein Echtzeit-Zyklus kann keine M- oder H-Funktion an eine Achse ausgeben: {command}",
     remedy_en="Output the function of the channel here, or that of the axis in the program.",
     remedy_de="Hier die Funktion des Kanals ausgeben oder die der Achse im Programm.",
-    command=("the command as written", "der Befehl, wie geschrieben"),
 )
 INVALID_CYCLE_ID = error(
     50875,
@@ -248,8 +215,7 @@ INVALID_CYCLE_ID = error(
     cause_de="Eine ID ist eine ganze Zahl ab 1; Ausdrücke darin werden beim Dekodieren des Satzes "
     "berechnet.",
     id=("the value of the ID", "der Wert der ID"),
-    reaction=6,
-    clearing=6,
+    classes=(6, 6),
 )
 CYCLE_M_FUNCTION_NOT_DEFINED = error(
     50938,
@@ -261,9 +227,7 @@ CYCLE_M_FUNCTION_NOT_DEFINED = error(
     "can be output.",
     cause_de="Ein Zyklus gibt Funktionen an die SPS aus, ohne zu warten; ausgeben lassen sich nur "
     "die der Kanalliste.",
-    function=("the number of the function", "die Nummer der Funktion"),
-    reaction=6,
-    clearing=6,
+    classes=(6, 6),
 )
 CYCLE_H_FUNCTION_NOT_DEFINED = error(
     50940,
@@ -275,7 +239,5 @@ CYCLE_H_FUNCTION_NOT_DEFINED = error(
     "can be output.",
     cause_de="Ein Zyklus gibt Funktionen an die SPS aus, ohne zu warten; ausgeben lassen sich nur "
     "die der Kanalliste.",
-    function=("the number of the function", "die Nummer der Funktion"),
-    reaction=6,
-    clearing=6,
+    classes=(6, 6),
 )

@@ -8,14 +8,13 @@ from nctakt.messages.catalogue import error, warning
 
 UNKNOWN_VARIABLE = error(
     20196,
+    classes=(0, 0),
     known_as=(900213, 20092, 20394),
     cases=by_beginning("name", {"V.P.": 20932, "V.L.": 20932, "V.S.": 20932, "V.I.": 21761}),
     en="unknown variable {name}",
     de="unbekannte Variable {name}",
     remedy_en="Did you mean {nearest}? Names are case-sensitive.",
     remedy_de="War {nearest} gemeint? Groß- und Kleinschreibung zählt.",
-    name=("the variable", "die Variable"),
-    nearest=("the most similar known name, or –", "der ähnlichste bekannte Name, oder –"),
 )
 UNKNOWN_AXIS_OF_VARIABLE = error(
     901003,
@@ -23,19 +22,16 @@ UNKNOWN_AXIS_OF_VARIABLE = error(
     de="{name}: dieser Kanal hat keine Achse {axis}",
     remedy_en="Axes of the channel: {axes}",
     remedy_de="Achsen des Kanals: {axes}",
-    name=("the variable", "die Variable"),
-    axis=("the axis as written", "die Achse, wie geschrieben"),
-    axes=("the axes of the channel", "die Achsen des Kanals"),
 )
 WRONG_INDEX_COUNT = error(
     20974,
+    classes=(0, 0),
     known_as=(900214,),
     cases=by_counts(few=21216, many=20974, none=21768),
     en="wrong number of indices for {name}: {expected} expected, {given} given",
     de="falsche Anzahl von Indizes bei {name}: {expected} erwartet, {given} angegeben",
     remedy_en="Write {expected} indices in brackets.",
     remedy_de="{expected} Indizes in Klammern schreiben.",
-    name=("the variable", "die Variable"),
     expected=("the number of declared indices", "die Anzahl der deklarierten Indizes"),
     given=("the number of indices as written", "die Anzahl der angegebenen Indizes"),
 )
@@ -46,46 +42,44 @@ STRUCTURE_USED_AS_VALUE = error(
     de="{name} ist eine Struktur, kein einzelner Wert",
     remedy_en="Use a member: {member}",
     remedy_de="Ein Element angeben: {member}",
-    name=("the variable", "die Variable"),
     member=("the member that was probably meant", "das vermutlich gemeinte Element"),
 )
 VARIABLE_READ_ONLY = error(
     20100,
+    classes=(0, 0),
     known_as=(900216,),
     en="{name} is READ_ONLY and cannot be written",
     de="{name} ist READ_ONLY und nicht beschreibbar",
     remedy_en="Write another variable, or change access_rights in the variables list.",
     remedy_de="Eine andere Variable beschreiben oder access_rights in der Variablenliste ändern.",
-    name=("the variable", "die Variable"),
 )
 VARIABLE_WRITE_ONLY = error(
     20097,
+    classes=(0, 0),
     known_as=(900217,),
     en="{name} is WRITE_ONLY and cannot be read",
     de="{name} ist WRITE_ONLY und nicht lesbar",
     remedy_en="Read another variable, or change access_rights in the variables list.",
     remedy_de="Eine andere Variable lesen oder access_rights in der Variablenliste ändern.",
-    name=("the variable", "die Variable"),
 )
 UNKNOWN_EXPRESSION_FUNCTION = error(
     20392,
+    classes=(0, 0),
     known_as=(900218,),
     en="unknown function {word}",
     de="unbekannte Funktion {word}",
     remedy_en="Did you mean {nearest}?",
     remedy_de="War {nearest} gemeint?",
-    word=("the word as written", "das Wort, wie geschrieben"),
-    nearest=("the most similar known name, or –", "der ähnlichste bekannte Name, oder –"),
 )
 WRONG_ARGUMENT_COUNT = error(
     21474,
+    classes=(0, 0),
     known_as=(900219,),
     cases=by_counts(few=21471, many=21474),
     en="wrong number of arguments for {word}: {expected} expected, {given} given",
     de="falsche Anzahl von Argumenten bei {word}: {expected} erwartet, {given} angegeben",
     remedy_en="Write {expected} values in the brackets, separated by commas.",
     remedy_de="{expected} Werte in die Klammern schreiben, durch Kommas getrennt.",
-    word=("the word as written", "das Wort, wie geschrieben"),
     expected=("the number of arguments of the function", "die Anzahl der Argumente der Funktion"),
     given=("the number of arguments as written", "die Anzahl der angegebenen Argumente"),
 )
@@ -96,17 +90,15 @@ QUERY_IN_REALTIME_CYCLE = error(
     de="{word} fragt nach Namen oder Texten und ist im Echtzeit-Zyklus nicht erlaubt",
     remedy_en="Assign its value to a P parameter first, and read that parameter.",
     remedy_de="Den Wert vorher einem P-Parameter zuweisen und diesen lesen.",
-    word=("the word as written", "das Wort, wie geschrieben"),
 )
 NOT_A_VALUE = error(
     20392,
+    classes=(0, 0),
     known_as=(900221,),
     en="{word} is not a value",
     de="{word} ist kein Wert",
     remedy_en="Did you mean {nearest}? Variables begin with V., functions have brackets.",
     remedy_de="War {nearest} gemeint? Variablen beginnen mit V., Funktionen haben Klammern.",
-    word=("the word as written", "das Wort, wie geschrieben"),
-    nearest=("the most similar known name, or –", "der ähnlichste bekannte Name, oder –"),
 )
 ASYNCHRONOUS_INDEX = warning(
     900227,
@@ -118,7 +110,6 @@ ASYNCHRONOUS_INDEX = warning(
     "a constant.",
     cause_de="Der Zyklus enthält als Konstante den Wert, den die Variable beim Dekodieren der "
     "Definition hatte.",
-    name=("the variable", "die Variable"),
 )
 MIXED_SYNCHRONOUS_ACCESS = error(
     900228,
@@ -126,7 +117,6 @@ MIXED_SYNCHRONOUS_ACCESS = error(
     de="{name} wird in einem Satz mit und ohne Vs. angesprochen",
     remedy_en="Write Vs. here, too: the variable is synchronous for the whole block.",
     remedy_de="Auch hier Vs. schreiben: die Variable ist für den ganzen Satz synchron.",
-    name=("the variable", "die Variable"),
 )
 ACCESS_NOT_DEFINED = error(
     21993,
@@ -139,12 +129,9 @@ ACCESS_NOT_DEFINED = error(
     "cycles; nctakt explain shows them.",
     cause_de="Jede V.RTG- und V.RTA-Variable hat eigene Rechte für Programme und für "
     "Echtzeit-Zyklen; nctakt explain zeigt sie.",
-    name=("the variable", "die Variable"),
     access=("R for reading, W for writing", "R für Lesen, W für Schreiben"),
     decoder=("what programs may do", "was Programme dürfen"),
     cycle=("what realtime cycles may do", "was Echtzeit-Zyklen dürfen"),
-    reaction=2,
-    clearing=3,
 )
 INDEX_OUT_OF_RANGE = error(
     21928,
@@ -156,10 +143,7 @@ INDEX_OUT_OF_RANGE = error(
     cause_en="Indices count from 0 and are rounded to the nearest whole number.",
     cause_de="Indizes zählen ab 0 und werden auf die nächste ganze Zahl gerundet.",
     variable=("the array", "das Feld"),
-    index=("the index", "der Index"),
     count=("elements of the array", "Elemente des Feldes"),
-    reaction=2,
-    clearing=3,
 )
 CYCLE_INDEX_OUT_OF_RANGE = error(
     50929,
@@ -172,10 +156,8 @@ CYCLE_INDEX_OUT_OF_RANGE = error(
     cause_en="Indices count from 0 and are rounded to the nearest whole number.",
     cause_de="Indizes zählen ab 0 und werden auf die nächste ganze Zahl gerundet.",
     variable=("the array", "das Feld"),
-    index=("the index", "der Index"),
     count=("elements of the array", "Elemente des Feldes"),
-    reaction=6,
-    clearing=6,
+    classes=(6, 6),
 )
 UNKNOWN_TYPE = error(
     900136,
@@ -184,47 +166,44 @@ UNKNOWN_TYPE = error(
     de="unbekannter Typ {word}",
     remedy_en="Did you mean {nearest}? A variable without a type is REAL64.",
     remedy_de="War {nearest} gemeint? Ohne Typ ist eine Variable REAL64.",
-    word=("the word as written", "das Wort, wie geschrieben"),
-    nearest=("the most similar known name, or –", "der ähnlichste bekannte Name, oder –"),
 )
 NOT_A_PROGRAM_VARIABLE = error(
     20908,
+    classes=(0, 0),
     known_as=(900137, 20915, 20931),
     en="{word} is not a variable that programs can create",
     de="{word} ist keine Variable, die ein Programm anlegen kann",
     remedy_en="Programs create and delete {families}. V.E and V.CH are declared in lists.",
     remedy_de="Programme legen {families} an und löschen sie. V.E und V.CH werden in Listen "
     "deklariert.",
-    word=("the word as written", "das Wort, wie geschrieben"),
     families=("the families of such variables", "die Familien solcher Variablen"),
 )
 INVALID_EXIST_ARGUMENT = error(
     20868,
+    classes=(0, 0),
     known_as=(900138, 21023, 22254, 22275),
     en="{word} cannot be queried",
     de="{word} kann nicht abgefragt werden",
     remedy_en="Query a variable, @P1 … of a call, or an M or H function: EXIST[M100]",
     remedy_de="Eine Variable, @P1 … eines Aufrufs oder eine M- oder H-Funktion abfragen: "
     "EXIST[M100]",
-    word=("the word as written", "das Wort, wie geschrieben"),
 )
 TOO_MANY_INDICES = error(
     20974,
+    classes=(0, 0),
     known_as=(900139, 20924),
     en="{name} has more than {maximum} indices",
     de="{name} hat mehr als {maximum} Indizes",
     remedy_en="Declare an array of at most {maximum} dimensions.",
     remedy_de="Ein Feld mit höchstens {maximum} Dimensionen anlegen.",
-    name=("the variable", "die Variable"),
     maximum=("the maximum number of indices", "die größte Anzahl von Indizes"),
 )
 INVALID_ELEMENT_COUNT = error(
     20917,
+    classes=(0, 0),
     known_as=(900140, 20906),
     en="{name} cannot have {count} elements",
     de="{name} kann nicht {count} Elemente haben",
     remedy_en="Write a whole number of at least 1.",
     remedy_de="Eine ganze Zahl ab 1 schreiben.",
-    name=("the variable", "die Variable"),
-    count=("the number as written", "die Anzahl, wie geschrieben"),
 )

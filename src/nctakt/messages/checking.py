@@ -13,7 +13,6 @@ NOTHING_TO_CHECK = warning(
     "individually.",
     remedy_de="Programme in Ordnern enden mit {suffixes}, Listen mit .lis; andere Dateien einzeln "
     "nennen.",
-    folder=("the path as it was given", "der Pfad, wie angegeben"),
     suffixes=("the suffixes of programs", "die Endungen von Programmen"),
 )
 NOTHING_NAMED_TO_CHECK = error(
@@ -29,7 +28,6 @@ NOT_A_TEXT_FILE = error(
     de="{file} ist keine Textdatei",
     remedy_en="Name NC programs and ASCII lists.",
     remedy_de="NC-Programme und ASCII-Listen nennen.",
-    file=("the path as it was given", "der Pfad, wie angegeben"),
 )
 FILE_ENCRYPTED = note(
     900582,
@@ -38,7 +36,6 @@ FILE_ENCRYPTED = note(
     de="{file} ist verschlüsselt und kann nicht geprüft werden",
     remedy_en="Check the program from which it was made.",
     remedy_de="Das Programm prüfen, aus dem die Datei entstanden ist.",
-    file=("the path as it was given", "der Pfad, wie angegeben"),
 )
 LIST_CHECKED_ALONE = note(
     900583,

@@ -27,7 +27,6 @@ RECORDING_WITHOUT_TRACE = error(
     remedy_en="Name a file for the trace: --trace out.csv; --signals chooses for --plot, too.",
     remedy_de="Eine Datei für die Aufzeichnung angeben: --trace out.csv; --signals wählt auch für "
     "--plot aus.",
-    option=("the option", "die Option"),
 )
 WAITING_AT_RUN_LIMIT = note(
     900820,
@@ -57,12 +56,12 @@ NO_CYCLE_DEFINED = note(
 )
 INVALID_SKIP_OPTION = error(
     21655,
+    classes=(0, 0),
     known_as=(900490,),
     en="{found} is not a skip level",
     de="{found} ist keine Ausblendebene",
     remedy_en="Levels are whole numbers from 1 to {maximum}, separated by commas: --skip 1,3",
     remedy_de="Ebenen sind ganze Zahlen von 1 bis {maximum}, durch Kommas getrennt: --skip 1,3",
-    found=("the word as written", "das Wort, wie geschrieben"),
     maximum=("the highest level", "die höchste Ebene"),
 )
 UNKNOWN_OPTION = error(
@@ -71,9 +70,6 @@ UNKNOWN_OPTION = error(
     de="unbekannte Option {option}",
     remedy_en="Did you mean {nearest}? All options: {help}",
     remedy_de="War {nearest} gemeint? Alle Optionen: {help}",
-    option=("the option", "die Option"),
-    nearest=("the nearest known name", "der ähnlichste bekannte Name"),
-    help=("the command that shows the help", "der Befehl, der die Hilfe zeigt"),
 )
 INVALID_OPTION_VALUE = error(
     900908,
@@ -81,10 +77,8 @@ INVALID_OPTION_VALUE = error(
     de="{value} ist kein gültiger Wert für {name}",
     remedy_en="Expected: {expected}. More: {help}",
     remedy_de="Erwartet: {expected}. Mehr: {help}",
-    value=("the value as it was given", "der Wert, wie angegeben"),
     name=("the option or argument", "die Option oder das Argument"),
     expected=("the possible values", "die möglichen Werte"),
-    help=("the command that shows the help", "der Befehl, der die Hilfe zeigt"),
 )
 INVALID_COMMAND_LINE = error(
     900909,
@@ -92,8 +86,6 @@ INVALID_COMMAND_LINE = error(
     de="die Befehlszeile ist ungültig: {reason}",
     remedy_en="What is possible: {help}",
     remedy_de="Was möglich ist: {help}",
-    reason=("the reason", "der Grund"),
-    help=("the command that shows the help", "der Befehl, der die Hilfe zeigt"),
 )
 ARGUMENT_MISSING = error(
     900910,
@@ -102,7 +94,6 @@ ARGUMENT_MISSING = error(
     remedy_en="Add it after the command. More: {help}",
     remedy_de="Nach dem Befehl angeben. Mehr: {help}",
     name=("the option or argument", "die Option oder das Argument"),
-    help=("the command that shows the help", "der Befehl, der die Hilfe zeigt"),
 )
 OPTION_VALUE_MISSING = error(
     900911,
@@ -110,8 +101,6 @@ OPTION_VALUE_MISSING = error(
     de="in der Befehlszeile fehlt der Wert nach {option}",
     remedy_en="Add the value after the option. More: {help}",
     remedy_de="Den Wert nach der Option angeben. Mehr: {help}",
-    option=("the option", "die Option"),
-    help=("the command that shows the help", "der Befehl, der die Hilfe zeigt"),
 )
 UNKNOWN_SUBCOMMAND = error(
     900912,
@@ -119,8 +108,6 @@ UNKNOWN_SUBCOMMAND = error(
     de="unbekannter Befehl {word}",
     remedy_en="Did you mean {nearest}? Commands: {names}.",
     remedy_de="War {nearest} gemeint? Befehle: {names}.",
-    word=("the word as it was given", "das Wort, wie angegeben"),
-    nearest=("the nearest known name", "der ähnlichste bekannte Name"),
     names=("the commands", "die Befehle"),
 )
 WATCH_LIBRARY_MISSING = error(

@@ -13,8 +13,6 @@ ANGLES_ARE_PARALLEL = error(
     remedy_de="Zwei Winkel schreiben, die sich nicht nur um ein Vielfaches von 180° unterscheiden.",
     first=("angle of the first line", "Winkel der ersten Geraden"),
     angle=("angle of the second line", "Winkel der zweiten Geraden"),
-    reaction=2,
-    clearing=3,
 )
 ANGLE_WITH_BOTH_AXES = error(
     21895,
@@ -22,8 +20,6 @@ ANGLE_WITH_BOTH_AXES = error(
     de="#ANG mit beiden Achsen der Ebene",
     remedy_en="Leave one of the two axes out; both belong to the second of two lines only.",
     remedy_de="Eine der beiden Achsen weglassen; beide gehören nur in die zweite von zwei Geraden.",
-    reaction=2,
-    clearing=3,
 )
 CONTOUR_LINE_INCOMPLETE = error(
     21904,
@@ -31,8 +27,6 @@ CONTOUR_LINE_INCOMPLETE = error(
     de="die Gerade von #ANG hat kein Ende",
     remedy_en="Add an axis of the plane, or #ANG and both axes in the next block.",
     remedy_de="Eine Achse der Ebene ergänzen, oder im nächsten Satz #ANG und beide Achsen.",
-    reaction=2,
-    clearing=3,
 )
 SECOND_LINE_RELATIVE = error(
     21910,
@@ -40,8 +34,6 @@ SECOND_LINE_RELATIVE = error(
     de="die zweite von zwei Geraden von #ANG hat ein relatives Ziel",
     remedy_en="Write G90 in its block, and its target absolutely.",
     remedy_de="G90 in den Satz schreiben und das Ziel absolut programmieren.",
-    reaction=2,
-    clearing=3,
 )
 ANGLE_DURING_ARC = error(
     901833,
@@ -57,6 +49,4 @@ AXIS_NOT_REACHED_BY_ANGLE = error(
     de="eine Gerade unter {angle}° führt zu keiner anderen Stelle von {axis}",
     remedy_en="Write the other axis of the plane, or another angle.",
     remedy_de="Die andere Achse der Ebene schreiben oder einen anderen Winkel.",
-    angle=("the angle in degrees", "der Winkel in Grad"),
-    axis=("the axis as programmed", "die Achse, wie programmiert"),
 )

@@ -19,8 +19,6 @@ COORDINATE_SYSTEM_NOT_STORED = error(
     kind=_KIND,
     id=("the number or name of the coordinate system", "Nummer oder Name des Koordinatensystems"),
     known=("the known coordinate systems", "die bekannten Koordinatensysteme"),
-    reaction=2,
-    clearing=3,
 )
 INVALID_COORDINATE_SYSTEM_NUMBER = error(
     20820,
@@ -29,9 +27,6 @@ INVALID_COORDINATE_SYSTEM_NUMBER = error(
     remedy_en="Program a number above 0.",
     remedy_de="Eine Nummer über 0 programmieren.",
     kind=_KIND,
-    id=("the number", "die Nummer"),
-    reaction=2,
-    clearing=3,
 )
 NO_COORDINATE_SYSTEM_ACTIVE = warning(
     20824,
@@ -41,8 +36,7 @@ NO_COORDINATE_SYSTEM_ACTIVE = warning(
     remedy_en="Remove it; #{kind} OFF ALL is allowed where none is active.",
     remedy_de="Entfernen; #{kind} OFF ALL ist erlaubt, wenn keines aktiv ist.",
     kind=_KIND,
-    reaction=1,
-    clearing=1,
+    classes=(1, 1),
 )
 LINEAR_AXES_MISSING = error(
     20660,
@@ -51,8 +45,6 @@ LINEAR_AXES_MISSING = error(
     de="ein Koordinatensystem braucht Linearachsen als die ersten drei Achsen des Kanals",
     remedy_en="Put the linear axes first in the channel list (gruppe[0].achse[0] … [2]).",
     remedy_de="Die Linearachsen in der Kanalliste voranstellen (gruppe[0].achse[0] … [2]).",
-    reaction=2,
-    clearing=3,
 )
 TOO_MANY_COORDINATE_SYSTEMS = error(
     21234,
@@ -62,9 +54,6 @@ TOO_MANY_COORDINATE_SYSTEMS = error(
     remedy_en="Reuse a number, or use #{kind} ON with values and without a number.",
     remedy_de="Eine Nummer wiederverwenden oder #{kind} ON mit Werten und ohne Nummer verwenden.",
     kind=_KIND,
-    maximum=("the maximum number", "die größte Anzahl"),
-    reaction=2,
-    clearing=3,
 )
 TOO_MANY_ACTIVE_SYSTEMS = error(
     20826,
@@ -72,9 +61,6 @@ TOO_MANY_ACTIVE_SYSTEMS = error(
     de="mehr als {maximum} Koordinatensysteme sind zugleich aktiv",
     remedy_en="Switch off those that are no longer used, with #CS OFF, #ACS OFF or #BCS OFF.",
     remedy_de="Nicht mehr benutzte mit #CS OFF, #ACS OFF oder #BCS OFF ausschalten.",
-    maximum=("the maximum number", "die größte Anzahl"),
-    reaction=2,
-    clearing=3,
 )
 EFFECTOR_SYSTEM_WITH_OTHERS = error(
     901893,
@@ -82,10 +68,8 @@ EFFECTOR_SYSTEM_WITH_OTHERS = error(
     de="{command}, solange {other} aktiv ist: #ECS verträgt kein anderes Koordinatensystem",
     remedy_en="Switch off the active system before, with #CS OFF ALL or #ECS OFF.",
     remedy_de="Das aktive System vorher mit #CS OFF ALL oder #ECS OFF ausschalten.",
-    command=("the command", "der Befehl"),
     other=("the active system", "das aktive System"),
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 COORDINATE_SYSTEM_DURING_COMPENSATION = error(
     900846,
@@ -95,9 +79,7 @@ COORDINATE_SYSTEM_DURING_COMPENSATION = error(
     de="{command} bei aktiver Werkzeugradiuskorrektur",
     remedy_en="Write it before G41 and G42, or after G40 and the motion that leaves the contour.",
     remedy_de="Vor G41 und G42 schreiben, oder nach G40 und der Bewegung, die die Kontur verlässt.",
-    command=("the word or command", "das Wort oder der Befehl"),
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 INVALID_COORDINATE_SYSTEM_NAME = error(
     900929,
@@ -107,10 +89,7 @@ INVALID_COORDINATE_SYSTEM_NAME = error(
     remedy_en="Choose another name of up to {maximum} characters; ACS, IMCS and MCS are reserved.",
     remedy_de="Einen anderen Namen mit bis zu {maximum} Zeichen wählen; ACS, IMCS und MCS sind "
     "reserviert.",
-    name=("the name as written", "der Name, wie geschrieben"),
-    maximum=("upper limit", "obere Grenze"),
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 COORDINATE_SYSTEM_NAME_TAKEN = error(
     21599,
@@ -119,10 +98,7 @@ COORDINATE_SYSTEM_NAME_TAKEN = error(
     de="#CS ADD [{name}]: ein Koordinatensystem dieses Namens liegt schon auf dem Stapel",
     remedy_en="Choose another name. Present: {known}",
     remedy_de="Einen anderen Namen wählen. Vorhanden: {known}",
-    name=("the name as written", "der Name, wie geschrieben"),
     known=("the coordinate systems on the stack", "die Koordinatensysteme auf dem Stapel"),
-    reaction=2,
-    clearing=3,
 )
 COORDINATE_SYSTEM_STACK_FULL = error(
     21600,
@@ -131,11 +107,7 @@ COORDINATE_SYSTEM_STACK_FULL = error(
     remedy_en="Up to {maximum} systems can be stacked; remove one with #CS DEL. Present: {known}",
     remedy_de="Bis zu {maximum} Systeme können gestapelt sein; mit #CS DEL eines entfernen. "
     "Vorhanden: {known}",
-    name=("the name as written", "der Name, wie geschrieben"),
-    maximum=("upper limit", "obere Grenze"),
     known=("the coordinate systems on the stack", "die Koordinatensysteme auf dem Stapel"),
-    reaction=2,
-    clearing=3,
 )
 UNKNOWN_COORDINATE_SYSTEM_NAME = error(
     21601,
@@ -144,10 +116,7 @@ UNKNOWN_COORDINATE_SYSTEM_NAME = error(
     de="#CS SELECT [{name}]: unbekanntes Koordinatensystem",
     remedy_en="Define it first with #CS ADD [{name}] [shift, angles]. Present: {known}",
     remedy_de="Vorher mit #CS ADD [{name}] [Verschiebung, Winkel] definieren. Vorhanden: {known}",
-    name=("the name as written", "der Name, wie geschrieben"),
     known=("the coordinate systems on the stack", "die Koordinatensysteme auf dem Stapel"),
-    reaction=2,
-    clearing=3,
 )
 MACHINE_SYSTEM_MISSING = error(
     901821,
@@ -155,8 +124,7 @@ MACHINE_SYSTEM_MISSING = error(
     de="#CS SELECT [MCS], aber keine Transformation ist aktiv",
     remedy_en="Program #TRAFO ON before it, or #CS OFF ALL to leave all systems.",
     remedy_de="Davor #TRAFO ON programmieren, oder #CS OFF ALL, um alle Systeme zu verlassen.",
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 CS_SELECT_DURING_CS_ON = error(
     900932,
@@ -167,6 +135,5 @@ CS_SELECT_DURING_CS_ON = error(
     "one.",
     remedy_de="Es vorher mit #CS OFF ausschalten; innerhalb des angewählten darf es wieder "
     "eingeschaltet werden.",
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )

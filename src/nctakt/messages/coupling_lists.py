@@ -99,7 +99,6 @@ GANTRY_SLAVE_HAS_NARROWER_LIMIT = warning(
     remedy_de="Dem Master Grenzen geben, die auch der Slave einhält.",
     cause_en="No channel knows the slave of a fixed gantry: it follows wherever its master goes.",
     cause_de="Kein Kanal kennt den Slave eines festen Gantryverbunds: er folgt dem Master überall.",
-    key=("the entry", "der Eintrag"),
     slave=_SLAVE,
     master=_MASTER,
 )

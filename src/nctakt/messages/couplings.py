@@ -18,8 +18,6 @@ HOMING_WHILE_COUPLED = error(
     remedy_en="Program #AX LINK OFF ALL before it, and couple the axes again afterwards.",
     remedy_de="Davor #AX LINK OFF ALL programmieren und die Achsen danach wieder koppeln.",
     group=_GROUP,
-    reaction=2,
-    clearing=3,
 )
 COUPLING_DURING_COMPENSATION = error(
     20457,
@@ -28,8 +26,6 @@ COUPLING_DURING_COMPENSATION = error(
     remedy_en="Couple the axes before G41 or G42, and release them behind G40.",
     remedy_de="Die Achsen vor G41 oder G42 koppeln und hinter G40 lösen.",
     command=_COMMAND,
-    reaction=2,
-    clearing=3,
 )
 COUPLING_GROUP_OUT_OF_RANGE = error(
     20461,
@@ -38,10 +34,6 @@ COUPLING_GROUP_OUT_OF_RANGE = error(
     remedy_en="Groups have whole numbers from {low} to {high}; 0 is the one of the channel list.",
     remedy_de="Gruppen haben ganze Nummern von {low} bis {high}; 0 ist die der Kanalliste.",
     group=_GROUP,
-    low=("lowest number", "kleinste Nummer"),
-    high=("highest number", "größte Nummer"),
-    reaction=2,
-    clearing=3,
 )
 MAIN_AXIS_AS_SLAVE = error(
     20467,
@@ -51,8 +43,6 @@ MAIN_AXIS_AS_SLAVE = error(
     remedy_de="Slaves haben den Index 3 oder höher; die beiden tauschen oder vorher #SET AX.",
     slave=_SLAVE,
     master=_MASTER,
-    reaction=2,
-    clearing=3,
 )
 COUPLED_TYPES_DIFFER = error(
     20468,
@@ -64,8 +54,6 @@ COUPLED_TYPES_DIFFER = error(
     "Spindeln mit Spindeln.",
     slave=_SLAVE,
     master=_MASTER,
-    reaction=2,
-    clearing=3,
 )
 COUPLED_MODES_DIFFER = error(
     20469,
@@ -75,8 +63,6 @@ COUPLED_MODES_DIFFER = error(
     remedy_de="Beiden dasselbe kenngr.achs_mode geben, etwa als Moduloachsen.",
     slave=_SLAVE,
     master=_MASTER,
-    reaction=2,
-    clearing=3,
 )
 ACTIVE_GROUP_DEFINED_AGAIN = error(
     20472,
@@ -85,8 +71,6 @@ ACTIVE_GROUP_DEFINED_AGAIN = error(
     remedy_en="Program #DISABLE AX LINK [{group}] before it.",
     remedy_de="Davor #DISABLE AX LINK [{group}] programmieren.",
     group=_GROUP,
-    reaction=2,
-    clearing=3,
 )
 AXIS_FOLLOWS_ITSELF = error(
     20475,
@@ -95,8 +79,6 @@ AXIS_FOLLOWS_ITSELF = error(
     remedy_en="Name two different axes.",
     remedy_de="Zwei verschiedene Achsen nennen.",
     slave=_SLAVE,
-    reaction=2,
-    clearing=3,
 )
 SLAVE_TWICE_IN_GROUP = error(
     20476,
@@ -105,8 +87,6 @@ SLAVE_TWICE_IN_GROUP = error(
     remedy_en="Let it follow one of them only.",
     remedy_de="Sie nur einem von ihnen folgen lassen.",
     slave=_SLAVE,
-    reaction=2,
-    clearing=3,
 )
 SLAVE_IS_MASTER_IN_GROUP = error(
     20477,
@@ -115,8 +95,6 @@ SLAVE_IS_MASTER_IN_GROUP = error(
     remedy_en="Let all slaves follow the first master; chains are not possible.",
     remedy_de="Alle Slaves dem ersten Master folgen lassen; Ketten sind nicht möglich.",
     axis=_AXIS,
-    reaction=2,
-    clearing=3,
 )
 COUPLED_AXIS_GIVEN = error(
     20545,
@@ -127,8 +105,6 @@ COUPLED_AXIS_GIVEN = error(
     command=_COMMAND,
     axis=_AXIS,
     group=_GROUP,
-    reaction=2,
-    clearing=3,
 )
 FACTOR_IS_ZERO = error(
     21077,
@@ -136,8 +112,6 @@ FACTOR_IS_ZERO = error(
     de="ein Koppelfaktor von 0",
     remedy_en="Program a numerator and a denominator that are not 0; -1, 1 mirrors.",
     remedy_de="Zähler und Nenner ungleich 0 programmieren; -1, 1 spiegelt.",
-    reaction=2,
-    clearing=3,
 )
 DENOMINATOR_MISSING = error(
     21110,
@@ -145,8 +119,6 @@ DENOMINATOR_MISSING = error(
     de="dem Koppelfaktor fehlt der Nenner",
     remedy_en="Program both: [C=A, 1, 2] for half the way.",
     remedy_de="Beide programmieren: [C=A, 1, 2] für den halben Weg.",
-    reaction=2,
-    clearing=3,
 )
 SLAVE_IN_TWO_GROUPS = error(
     21283,
@@ -156,8 +128,6 @@ SLAVE_IN_TWO_GROUPS = error(
     remedy_de="Davor #DISABLE AX LINK [{group}] programmieren.",
     axis=_AXIS,
     group=_GROUP,
-    reaction=2,
-    clearing=3,
 )
 SLAVE_IS_MASTER_OF_GROUP = error(
     21284,
@@ -167,8 +137,6 @@ SLAVE_IS_MASTER_OF_GROUP = error(
     remedy_de="Davor #DISABLE AX LINK [{group}] programmieren.",
     axis=_AXIS,
     group=_GROUP,
-    reaction=2,
-    clearing=3,
 )
 MASTER_IS_SLAVE_OF_GROUP = error(
     21285,
@@ -178,8 +146,6 @@ MASTER_IS_SLAVE_OF_GROUP = error(
     remedy_de="Davor #DISABLE AX LINK [{group}] programmieren.",
     axis=_AXIS,
     group=_GROUP,
-    reaction=2,
-    clearing=3,
 )
 COUPLED_AXIS_MOVED_TO_INDEX = error(
     21312,
@@ -190,8 +156,6 @@ COUPLED_AXIS_MOVED_TO_INDEX = error(
     command=_COMMAND,
     axis=_AXIS,
     group=_GROUP,
-    reaction=2,
-    clearing=3,
 )
 MAIN_SPINDLE_AS_SLAVE = error(
     21347,
@@ -202,8 +166,6 @@ MAIN_SPINDLE_AS_SLAVE = error(
     "SPINDLE).",
     slave=_SLAVE,
     master=_MASTER,
-    reaction=2,
-    clearing=3,
 )
 COUPLED_AXIS_MOVES_ALONE = error(
     21481,
@@ -211,9 +173,6 @@ COUPLED_AXIS_MOVES_ALONE = error(
     de="Achse {axis} ist gekoppelt und nimmt keinen eigenen Auftrag an",
     remedy_en="Move the master with the path, or release the coupling (#DISABLE AX LINK).",
     remedy_de="Den Master mit der Bahn bewegen oder die Kopplung lösen (#DISABLE AX LINK).",
-    axis=("the axis", "die Achse"),
-    reaction=2,
-    clearing=3,
 )
 GANTRY_ASKEW = error(
     901879,
@@ -226,8 +185,7 @@ GANTRY_ASKEW = error(
     cause_en="The actual positions of master and slave differ by more than is allowed.",
     cause_de="Die Istpositionen von Master und Slave weichen mehr als erlaubt voneinander ab.",
     axis=("the master", "der Master"),
-    reaction=6,
-    clearing=6,
+    classes=(6, 6),
 )
 UNKNOWN_COUPLING_GROUP = error(
     901880,
@@ -238,8 +196,7 @@ UNKNOWN_COUPLING_GROUP = error(
     command=_COMMAND,
     group=_GROUP,
     known=("the groups that are defined", "die Gruppen, die festgelegt sind"),
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 UNKNOWN_COUPLED_AXIS = error(
     901881,
@@ -249,8 +206,7 @@ UNKNOWN_COUPLED_AXIS = error(
     remedy_de="Eine von diesen nennen: {known}",
     axis=("the name or logical number", "der Name oder die logische Nummer"),
     known=("the axes and spindles", "die Achsen und Spindeln"),
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 TOO_MANY_PAIRS = error(
     901882,
@@ -259,8 +215,7 @@ TOO_MANY_PAIRS = error(
     remedy_en="Put the others into a group of their own.",
     remedy_de="Die übrigen in eine eigene Gruppe legen.",
     limit=("the highest number of pairs", "die höchste Anzahl von Paaren"),
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 SLAVE_PROGRAMMED = error(
     901883,
@@ -270,8 +225,7 @@ SLAVE_PROGRAMMED = error(
     remedy_de="{master} programmieren oder vorher die Kopplung lösen (#DISABLE AX LINK).",
     axis=_SLAVE,
     master=_MASTER,
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 NOT_WHILE_COUPLED = error(
     901884,
@@ -281,8 +235,7 @@ NOT_WHILE_COUPLED = error(
     remedy_de="Achsen ohne Transformationen, G96 und Satzvorlauf koppeln; sie vorher lösen.",
     command=_COMMAND,
     other=("what excludes it", "was ihn ausschließt"),
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 SLAVE_OUTSIDE_LIMITS = error(
     901885,
@@ -295,10 +248,7 @@ SLAVE_OUTSIDE_LIMITS = error(
     slave=_SLAVE,
     master=_MASTER,
     position=("position of the slave in mm or degrees", "Position des Slaves in mm oder Grad"),
-    low=("the lower limit", "die untere Grenze"),
-    high=("the upper limit", "die obere Grenze"),
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 GROUP_NOT_RESTORED = warning(
     901888,
@@ -320,6 +270,5 @@ SPINDLES_FOLLOW_JOBS = error(
     remedy_en="Write the pair without them: S2=S.",
     remedy_de="Das Paar ohne sie schreiben: S2=S.",
     slave=_SLAVE,
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )

@@ -18,7 +18,6 @@ INVALID_COVERAGE_DATA = error(
     de="{file} enthält keine Abdeckungsdaten, die dieses nctakt lesen kann",
     remedy_en="Name a file written by --data or --format json, or delete it to start again.",
     remedy_de="Eine Datei von --data oder --format json nennen, oder sie löschen und neu beginnen.",
-    file=("the path as it was given", "der Pfad, wie angegeben"),
 )
 COVERAGE_COUNTS_DROPPED = warning(
     900802,
@@ -43,6 +42,5 @@ UNKNOWN_COVERAGE_FORMAT = error(
     de="{file}: die Endung nennt kein bekanntes Format für die Abdeckung",
     remedy_en="Use one of these suffixes: {suffixes}.",
     remedy_de="Eine dieser Endungen verwenden: {suffixes}.",
-    file=("the path as it was given", "der Pfad, wie angegeben"),
     suffixes=("the known suffixes", "die bekannten Endungen"),
 )

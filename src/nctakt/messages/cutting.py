@@ -21,25 +21,22 @@ CUTTING_WITHOUT_FACE_AXIS = error(
     de="konstante Schnittgeschwindigkeit (G96) ohne Planachse in der Ebene G{plane}",
     remedy_en="Set the bit 0x40 in kenngr.achs_mode (P-AXIS-00015) of the face axis.",
     remedy_de="Das Bit 0x40 in kenngr.achs_mode (P-AXIS-00015) der Planachse setzen.",
-    plane=("the active plane", "die aktive Ebene"),
-    reaction=2,
-    clearing=3,
 )
 CUTTING_WITH_TWO_FACE_AXES = error(
     20064,
+    classes=(0, 0),
     en="two face axes in the plane G{plane}",
     de="zwei Planachsen in der Ebene G{plane}",
     remedy_en="Leave the bit 0x40 of P-AXIS-00015 to one axis of the plane.",
     remedy_de="Das Bit 0x40 von P-AXIS-00015 nur bei einer Achse der Ebene setzen.",
-    plane=("the active plane", "die aktive Ebene"),
 )
 INVALID_SPINDLE_LIMIT = error(
     120169,
+    classes=(0, 0),
     en="the highest spindle speed (G196) cannot be {value}",
     de="die höchste Spindeldrehzahl (G196) kann nicht {value} sein",
     remedy_en="Program S above 0 in the block with G196.",
     remedy_de="Im Satz mit G196 ein S über 0 programmieren.",
-    value=("the value", "der Wert"),
 )
 CUTTING_WITH_PLC_SPINDLE = error(
     901532,
@@ -48,7 +45,6 @@ CUTTING_WITH_PLC_SPINDLE = error(
     remedy_en="Take a main spindle that the CNC turns (spindel[i].plc_control 0, P-CHAN-00069).",
     remedy_de="Eine Hauptspindel nehmen, die die CNC dreht (spindel[i].plc_control 0, "
     "P-CHAN-00069).",
-    spindle=("the spindle", "die Spindel"),
 )
 CUTTING_DECIDED = note(
     901533,

@@ -20,7 +20,6 @@ MESSAGE_TOO_LONG = error(
     remedy_en="Send shorter messages.",
     remedy_de="Kürzere Nachrichten senden.",
     count=("its length", "ihre Länge"),
-    limit=("the limit", "die Grenze"),
 )
 NOT_A_MESSAGE = error(
     901222,
@@ -45,7 +44,6 @@ WRONG_ARGUMENT = error(
     remedy_en="docs/debugger.md explains the settings of a launch configuration.",
     remedy_de="docs/debugger.md erklärt die Einstellungen einer Startkonfiguration.",
     name=("the argument", "das Argument"),
-    expected=("what it must be", "was es sein muss"),
 )
 NOT_LAUNCHED = error(
     901225,
@@ -69,7 +67,6 @@ TOO_MANY_REQUESTS = error(
     de="es warten schon {limit} Anfragen",
     remedy_en="Wait for answers before you ask on.",
     remedy_de="Antworten abwarten, dann weiterfragen.",
-    limit=("the limit", "die Grenze"),
 )
 REQUEST_CANCELLED = note(
     901228,
@@ -84,7 +81,6 @@ NOT_IN_THE_RUN = error(
     de="{file} ist kein Programm dieses Laufs",
     remedy_en="Launch it, or call it from the program that runs.",
     remedy_de="Es starten oder vom laufenden Programm aus aufrufen.",
-    file=("the file", "die Datei"),
 )
 NO_LINE_TO_STOP_AT = error(
     901230,
@@ -92,7 +88,6 @@ NO_LINE_TO_STOP_AT = error(
     de="ab Zeile {line} gibt es keinen Satz",
     remedy_en="Set the breakpoint at a block, or at a branch of a realtime cycle.",
     remedy_de="Den Haltepunkt auf einen Satz oder einen Zweig eines Echtzeit-Zyklus setzen.",
-    line=("the line", "die Zeile"),
 )
 NOT_A_HIT_CONDITION = error(
     901231,
@@ -100,7 +95,6 @@ NOT_A_HIT_CONDITION = error(
     de="das ist keine Trefferbedingung: {text}",
     remedy_en="Write 5 (from the fifth time on), == 5, > 5, <= 5, or % 5 (each fifth time).",
     remedy_de="Schreibweisen: 5 (ab dem fünften Mal), == 5, > 5, <= 5, % 5 (jedes fünfte Mal).",
-    text=("the text", "der Text"),
 )
 CHANGES_NEEDS_A_BRANCH = error(
     901232,
@@ -115,7 +109,6 @@ DECODER_VARIABLE = error(
     de="{name} gehört zum Dekoder, der den Takten vorausläuft: nur lesbar",
     remedy_en="Set a V.E or V.CH variable, or a value of the HLI.",
     remedy_de="Eine Variable V.E oder V.CH oder einen Wert der HLI setzen.",
-    name=("the variable", "die Variable"),
 )
 UNKNOWN_REFERENCE = error(
     901234,
@@ -124,7 +117,6 @@ UNKNOWN_REFERENCE = error(
     remedy_en="Numbers hold until the run goes on.",
     remedy_de="Nummern gelten, bis der Lauf weitergeht.",
     what=("what it is the number of", "wessen Nummer es ist"),
-    number=("the number", "die Nummer"),
 )
 UNKNOWN_CONSOLE_COMMAND = error(
     901235,
@@ -132,7 +124,6 @@ UNKNOWN_CONSOLE_COMMAND = error(
     de="das ist weder ein Befehl der Konsole noch ein Ausdruck: {text}",
     remedy_en="Type help for the commands.",
     remedy_de="Mit help die Befehle ansehen.",
-    text=("the text", "der Text"),
 )
 NEVER_HELD = note(
     901236,
@@ -156,8 +147,6 @@ NO_LIVE_PAGE = error(
     de="an Port {port} antwortet kein nctakt live: {reason}",
     remedy_en="Start nctakt live with --dap PORT, and attach to that port.",
     remedy_de="nctakt live mit --dap PORT starten und diesen Port angeben.",
-    port=("the port", "der Port"),
-    reason=("the system's reason", "der Grund des Systems"),
 )
 UNREADABLE_VALUE_TEXT = error(
     901239,
@@ -165,5 +154,4 @@ UNREADABLE_VALUE_TEXT = error(
     de="das ist kein Wert: {text}",
     remedy_en='Write a number, TRUE, FALSE or a text in quotes: "A1".',
     remedy_de='Eine Zahl, TRUE, FALSE oder einen Text in Anführungszeichen schreiben: "A1".',
-    text=("the text", "der Text"),
 )

@@ -15,8 +15,6 @@ NO_FEED_ACTIVE = error(
     cause_en="A G01 block moves at the feed F, and no F has been given since the start of the "
     "program.",
     cause_de="Ein G01-Satz fährt mit dem Vorschub F; seit Programmstart ist keiner programmiert.",
-    reaction=2,
-    clearing=3,
 )
 ARGUMENT_OUT_OF_RANGE = error(
     21241,
@@ -33,8 +31,6 @@ ARGUMENT_OUT_OF_RANGE = error(
     cause_de="Winkel sind in Grad. Wurzeln brauchen Werte ab 0, Logarithmen über 0, ASIN und ACOS "
     "−1 … 1; TAN und COT haben Pole.",
     operation=("the function", "die Funktion"),
-    reaction=2,
-    clearing=3,
 )
 OPERATION_WITHOUT_RESULT = error(
     20396,
@@ -46,8 +42,6 @@ OPERATION_WITHOUT_RESULT = error(
     "too large.",
     remedy_de="Die Operanden vorher prüfen: Divisor 0, negative Basis oder zu große Bitmuster.",
     operation=("the operator", "der Operator"),
-    reaction=2,
-    clearing=3,
 )
 RESULT_TOO_LARGE = error(
     21739,
@@ -56,8 +50,6 @@ RESULT_TOO_LARGE = error(
     de="das Ergebnis dieses Ausdrucks ist zu groß für eine Zahl",
     remedy_en="Keep intermediate results below 1.8e308.",
     remedy_de="Zwischenergebnisse unter 1,8e308 halten.",
-    reaction=2,
-    clearing=3,
 )
 FOR_STEP_ZERO = error(
     20852,
@@ -66,8 +58,6 @@ FOR_STEP_ZERO = error(
     de="die Schrittweite dieses $FOR ist 0",
     remedy_en="Give a step other than 0; for a loop that only $BREAK ends, write $WHILE 1.",
     remedy_de="Eine Schrittweite ungleich 0 angeben; $WHILE 1, wenn nur $BREAK sie beendet.",
-    reaction=2,
-    clearing=3,
 )
 TOO_MANY_BLOCKS_WITHOUT_TIME = error(
     900303,
@@ -79,8 +69,7 @@ TOO_MANY_BLOCKS_WITHOUT_TIME = error(
     cause_en="Such a loop would be decoded forever, and no tick would ever run.",
     cause_de="Eine solche Schleife würde endlos dekodiert, und es käme nie ein Takt.",
     count=("the maximum number of such blocks", "die größte Anzahl solcher Sätze"),
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 MSG_FORMAT_MISMATCH = error(
     20721,
@@ -90,8 +79,6 @@ MSG_FORMAT_MISMATCH = error(
     remedy_en="Give one value for each %d, %f, %s … of the format.",
     remedy_de="Zu jedem %d, %f, %s … des Formats einen Wert angeben.",
     found=("the surplus placeholder or value", "der überzählige Platzhalter oder Wert"),
-    reaction=2,
-    clearing=3,
 )
 INVALID_DWELL_TIME = error(
     20751,
@@ -102,8 +89,6 @@ INVALID_DWELL_TIME = error(
     remedy_en="Program a time of 0 s or more.",
     remedy_de="Eine Zeit von 0 s oder mehr programmieren.",
     seconds=("the time", "die Zeit"),
-    reaction=2,
-    clearing=3,
 )
 TARGET_OUTSIDE_LIMITS = error(
     120002,
@@ -114,12 +99,7 @@ TARGET_OUTSIDE_LIMITS = error(
     "{high}",
     remedy_en="Program a position between the limits (P-AXIS-00177, P-AXIS-00178).",
     remedy_de="Eine Position zwischen den Grenzen programmieren (P-AXIS-00177, P-AXIS-00178).",
-    axis=("name of the axis", "Name der Achse"),
     position=("target in mm or degrees", "Ziel in mm oder Grad"),
-    low=("lower limit", "untere Grenze"),
-    high=("upper limit", "obere Grenze"),
-    reaction=2,
-    clearing=3,
 )
 PROGRAMS_NESTED_TOO_DEEP = error(
     20365,
@@ -132,8 +112,6 @@ PROGRAMS_NESTED_TOO_DEEP = error(
         "the maximum nesting, the main program included",
         "die größte Schachtelung, einschließlich Hauptprogramm",
     ),
-    reaction=2,
-    clearing=3,
 )
 STRUCTURES_AND_CALLS_TOO_DEEP = error(
     20211,
@@ -143,8 +121,6 @@ STRUCTURES_AND_CALLS_TOO_DEEP = error(
     remedy_en="Nest less deeply.",
     remedy_de="Weniger tief schachteln.",
     limit=("the maximum nesting", "die größte Schachtelung"),
-    reaction=2,
-    clearing=3,
 )
 RETURN_LABEL_NOT_UNIQUE = error(
     20836,
@@ -155,9 +131,6 @@ RETURN_LABEL_NOT_UNIQUE = error(
     remedy_de="Die Marke von M17 muss in dem Programm, das weiterläuft, genau einmal stehen, in "
     "keiner Schleife.",
     name=("the program", "das Programm"),
-    label=("the label", "die Sprungmarke"),
-    reaction=2,
-    clearing=3,
 )
 TOO_FEW_OPEN_CALLS = warning(
     22268,
@@ -168,8 +141,7 @@ TOO_FEW_OPEN_CALLS = warning(
     remedy_de="JUMPS zählt von 1 bis zur Anzahl offener Aufrufe; MAIN führt ins Hauptprogramm.",
     count=("the number after JUMPS", "die Zahl hinter JUMPS"),
     maximum=("the number of open calls", "die Anzahl offener Aufrufe"),
-    reaction=1,
-    clearing=1,
+    classes=(1, 1),
 )
 JUMP_TARGET_NOT_NC_TEXT = error(
     900311,
@@ -178,8 +150,7 @@ JUMP_TARGET_NOT_NC_TEXT = error(
     de="ein Sprung hat hierher geführt, und dies ist kein gültiger NC-Text",
     remedy_en="Remove the text, or jump to another label.",
     remedy_de="Den Text entfernen oder zu einer anderen Marke springen.",
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 CALL_PARAMETER_MISSING = error(
     20925,
@@ -189,8 +160,6 @@ CALL_PARAMETER_MISSING = error(
     remedy_en="Call with L CYCLE [NAME=… {name}=…], or check with EXIST[{name}].",
     remedy_de="Mit L CYCLE [NAME=… {name}=…] aufrufen oder mit EXIST[{name}] prüfen.",
     name=("the parameter of the call", "der Parameter des Aufrufs"),
-    reaction=2,
-    clearing=3,
 )
 VALUE_OUTSIDE_TYPE_RANGE = error(
     20847,
@@ -199,12 +168,6 @@ VALUE_OUTSIDE_TYPE_RANGE = error(
     de="{name} kann {value} nicht aufnehmen: ihr Typ reicht von {low} bis {high}",
     remedy_en="Declare it with a larger type, or keep the value within the range.",
     remedy_de="Sie mit einem größeren Typ anlegen oder den Wert im Bereich halten.",
-    name=("the variable", "die Variable"),
-    value=("the value", "der Wert"),
-    low=("the lowest value", "der kleinste Wert"),
-    high=("the highest value", "der größte Wert"),
-    reaction=2,
-    clearing=3,
 )
 VARIABLE_NOT_PRESENT = error(
     20932,
@@ -215,10 +178,7 @@ VARIABLE_NOT_PRESENT = error(
     "its program.",
     remedy_de="War {nearest} gemeint? Vorher in #VAR anlegen; eine V.L-Variable lebt so lange wie "
     "ihr Programm.",
-    name=("the variable", "die Variable"),
     nearest=("the most similar variable that exists", "die ähnlichste vorhandene Variable"),
-    reaction=2,
-    clearing=3,
 )
 VALUE_COUNT_MISMATCH = error(
     900315,
@@ -227,11 +187,9 @@ VALUE_COUNT_MISMATCH = error(
     de="{given} Werte für {name}, die {count} Elemente hat",
     remedy_en="Give at most as many values as there are elements.",
     remedy_de="Höchstens so viele Werte angeben, wie es Elemente gibt.",
-    name=("the variable", "die Variable"),
     given=("the number of values", "die Anzahl der Werte"),
     count=("the number of elements", "die Anzahl der Elemente"),
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 TOO_MANY_ELEMENTS = error(
     20917,
@@ -240,11 +198,8 @@ TOO_MANY_ELEMENTS = error(
     de="{name} hätte {count} Elemente; möglich sind {maximum}",
     remedy_en="Declare a smaller array.",
     remedy_de="Ein kleineres Feld anlegen.",
-    name=("the variable", "die Variable"),
     count=("the number of elements", "die Anzahl der Elemente"),
     maximum=("the maximum number of elements", "die größte Anzahl von Elementen"),
-    reaction=2,
-    clearing=3,
 )
 VALUE_LIST_FOR_ONE_ELEMENT = error(
     900317,
@@ -253,8 +208,7 @@ VALUE_LIST_FOR_ONE_ELEMENT = error(
     de="einem einzelnen Element kann keine Werteliste zugewiesen werden",
     remedy_en="Write the array without indices, or a single value.",
     remedy_de="Das Feld ohne Indizes oder einen einzelnen Wert schreiben.",
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 UNKNOWN_TIMER = error(
     21167,
@@ -263,10 +217,6 @@ UNKNOWN_TIMER = error(
     de="unbekannter Zeitgeber {id}",
     remedy_en="Timers are numbered from 0 to {maximum}.",
     remedy_de="Zeitgeber haben die Nummern 0 bis {maximum}.",
-    id=("the number as written", "die Nummer, wie geschrieben"),
-    maximum=("the highest number", "die größte Nummer"),
-    reaction=2,
-    clearing=3,
 )
 UNKNOWN_MACRO = error(
     20619,
@@ -276,10 +226,6 @@ UNKNOWN_MACRO = error(
     remedy_en='Did you mean {nearest}? Write "{name}" = "text" first; names are case-sensitive.',
     remedy_de='War {nearest} gemeint? Vorher "{name}" = "Text" schreiben; Groß- und '
     "Kleinschreibung zählt.",
-    name=("the name", "der Name"),
-    nearest=("the known name that is most like it", "der ähnlichste bekannte Name"),
-    reaction=2,
-    clearing=3,
 )
 MACROS_NESTED_TOO_DEEP = error(
     900848,
@@ -290,9 +236,7 @@ MACROS_NESTED_TOO_DEEP = error(
     remedy_de="Ein Makro darf weder im eigenen Text vorkommen noch in dem eines Makros, das es "
     "benutzt.",
     name=("the innermost macro", "das innerste Makro"),
-    limit=("the limit", "die Grenze"),
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 MACRO_TEXT_TOO_LONG = error(
     900849,
@@ -306,9 +250,7 @@ MACRO_TEXT_TOO_LONG = error(
         "the macro at which the limit is exceeded",
         "das Makro, bei dem die Grenze überschritten wird",
     ),
-    limit=("the limit", "die Grenze"),
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 G194_ABOVE_MAX_FEED = error(
     900925,
@@ -317,8 +259,5 @@ G194_ABOVE_MAX_FEED = error(
     de="G194: {value} % liegt über dem maximalen Vorschub",
     remedy_en="With G194, F is a share of the maximum feed: above 0, at most {maximum} %.",
     remedy_de="Mit G194 ist F ein Anteil am maximalen Vorschub: über 0, höchstens {maximum} %.",
-    value=("the value as programmed", "der Wert, wie programmiert"),
-    maximum=("upper limit", "obere Grenze"),
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )

@@ -26,10 +26,6 @@ LOG_CYCLE_CREATED = note(
     de="Zyklus {cycle} mit Gueltigkeit {scope} wurde angelegt",
     remedy_en="V.RTG.CYCLES.DIAG_LEVEL below 3 keeps such lines out of the diagnosis data.",
     remedy_de="V.RTG.CYCLES.DIAG_LEVEL unter 3 hält solche Zeilen aus den Diagnosedaten heraus.",
-    cycle=(
-        "the cycle's ID, or # and a number when it has none",
-        "die ID des Zyklus, ohne ID # und eine Nummer",
-    ),
     scope=("BLOCK, PROG or GLOBAL", "BLOCK, PROG oder GLOBAL"),
 )
 LOG_CYCLE_STARTED = note(
@@ -38,10 +34,6 @@ LOG_CYCLE_STARTED = note(
     de="Zyklus {cycle} wurde gestartet",
     remedy_en="V.RTG.CYCLES.DIAG_LEVEL below 3 keeps such lines out of the diagnosis data.",
     remedy_de="V.RTG.CYCLES.DIAG_LEVEL unter 3 hält solche Zeilen aus den Diagnosedaten heraus.",
-    cycle=(
-        "the cycle's ID, or # and a number when it has none",
-        "die ID des Zyklus, ohne ID # und eine Nummer",
-    ),
 )
 LOG_CYCLE_HELD = note(
     900554,
@@ -49,10 +41,6 @@ LOG_CYCLE_HELD = note(
     de="Zyklus {cycle} wurde angehalten",
     remedy_en="V.RTG.CYCLES.DIAG_LEVEL below 3 keeps such lines out of the diagnosis data.",
     remedy_de="V.RTG.CYCLES.DIAG_LEVEL unter 3 hält solche Zeilen aus den Diagnosedaten heraus.",
-    cycle=(
-        "the cycle's ID, or # and a number when it has none",
-        "die ID des Zyklus, ohne ID # und eine Nummer",
-    ),
 )
 LOG_CYCLE_CONTINUED = note(
     900555,
@@ -60,10 +48,6 @@ LOG_CYCLE_CONTINUED = note(
     de="Zyklus {cycle} wurde fortgesetzt",
     remedy_en="V.RTG.CYCLES.DIAG_LEVEL below 3 keeps such lines out of the diagnosis data.",
     remedy_de="V.RTG.CYCLES.DIAG_LEVEL unter 3 hält solche Zeilen aus den Diagnosedaten heraus.",
-    cycle=(
-        "the cycle's ID, or # and a number when it has none",
-        "die ID des Zyklus, ohne ID # und eine Nummer",
-    ),
 )
 LOG_CYCLE_ABORTED = note(
     900556,
@@ -71,10 +55,6 @@ LOG_CYCLE_ABORTED = note(
     de="Die Aktionen von Zyklus {cycle} wurden abgebrochen",
     remedy_en="V.RTG.CYCLES.DIAG_LEVEL below 3 keeps such lines out of the diagnosis data.",
     remedy_de="V.RTG.CYCLES.DIAG_LEVEL unter 3 hält solche Zeilen aus den Diagnosedaten heraus.",
-    cycle=(
-        "the cycle's ID, or # and a number when it has none",
-        "die ID des Zyklus, ohne ID # und eine Nummer",
-    ),
 )
 LOG_CYCLE_ENDED_WITH_SCOPE = note(
     900557,
@@ -82,10 +62,6 @@ LOG_CYCLE_ENDED_WITH_SCOPE = note(
     de="Zyklus {cycle} endete mit seiner Gueltigkeit",
     remedy_en="V.RTG.CYCLES.DIAG_LEVEL below 3 keeps such lines out of the diagnosis data.",
     remedy_de="V.RTG.CYCLES.DIAG_LEVEL unter 3 hält solche Zeilen aus den Diagnosedaten heraus.",
-    cycle=(
-        "the cycle's ID, or # and a number when it has none",
-        "die ID des Zyklus, ohne ID # und eine Nummer",
-    ),
 )
 LOG_CYCLE_DELETED = note(
     900558,
@@ -93,10 +69,6 @@ LOG_CYCLE_DELETED = note(
     de="Zyklus {cycle} wurde geloescht",
     remedy_en="V.RTG.CYCLES.DIAG_LEVEL below 3 keeps such lines out of the diagnosis data.",
     remedy_de="V.RTG.CYCLES.DIAG_LEVEL unter 3 hält solche Zeilen aus den Diagnosedaten heraus.",
-    cycle=(
-        "the cycle's ID, or # and a number when it has none",
-        "die ID des Zyklus, ohne ID # und eine Nummer",
-    ),
 )
 LOG_CYCLE_ENDED_BY_RESET = note(
     900559,
@@ -104,10 +76,6 @@ LOG_CYCLE_ENDED_BY_RESET = note(
     de="Zyklus {cycle} wurde durch einen Reset beendet",
     remedy_en="V.RTG.CYCLES.DIAG_LEVEL below 3 keeps such lines out of the diagnosis data.",
     remedy_de="V.RTG.CYCLES.DIAG_LEVEL unter 3 hält solche Zeilen aus den Diagnosedaten heraus.",
-    cycle=(
-        "the cycle's ID, or # and a number when it has none",
-        "die ID des Zyklus, ohne ID # und eine Nummer",
-    ),
 )
 LOG_CYCLE_ENDED_BY_ERROR = note(
     900560,
@@ -115,10 +83,6 @@ LOG_CYCLE_ENDED_BY_ERROR = note(
     de="Zyklus {cycle} wurde durch einen Fehler beendet",
     remedy_en="V.RTG.CYCLES.DIAG_LEVEL below 3 keeps such lines out of the diagnosis data.",
     remedy_de="V.RTG.CYCLES.DIAG_LEVEL unter 3 hält solche Zeilen aus den Diagnosedaten heraus.",
-    cycle=(
-        "the cycle's ID, or # and a number when it has none",
-        "die ID des Zyklus, ohne ID # und eine Nummer",
-    ),
 )
 LOG_BRANCH_RUNS = note(
     900561,
@@ -126,10 +90,6 @@ LOG_BRANCH_RUNS = note(
     de="Zyklus {cycle}: der Zweig in Zeile {line} laeuft",
     remedy_en="V.RTG.CYCLES.DIAG_LEVEL below 4 keeps such lines out of the diagnosis data.",
     remedy_de="V.RTG.CYCLES.DIAG_LEVEL unter 4 hält solche Zeilen aus den Diagnosedaten heraus.",
-    cycle=(
-        "the cycle's ID, or # and a number when it has none",
-        "die ID des Zyklus, ohne ID # und eine Nummer",
-    ),
     line=("the line of the branch", "die Zeile des Zweigs"),
 )
 LOG_VARIABLE_WRITTEN = note(
@@ -138,11 +98,6 @@ LOG_VARIABLE_WRITTEN = note(
     de="Zyklus {cycle}: {variable} = {value}",
     remedy_en="V.RTG.CYCLES.DIAG_LEVEL below 4 keeps such lines out of the diagnosis data.",
     remedy_de="V.RTG.CYCLES.DIAG_LEVEL unter 4 hält solche Zeilen aus den Diagnosedaten heraus.",
-    cycle=(
-        "the cycle's ID, or # and a number when it has none",
-        "die ID des Zyklus, ohne ID # und eine Nummer",
-    ),
-    variable=("the variable's name", "der Name der Variablen"),
     value=("its new value", "ihr neuer Wert"),
 )
 LOG_FUNCTION_OUTPUT = note(
@@ -151,10 +106,6 @@ LOG_FUNCTION_OUTPUT = note(
     de="Zyklus {cycle}: {function} wurde ausgegeben, Nummer {sequence} im Takt",
     remedy_en="V.RTG.CYCLES.DIAG_LEVEL below 4 keeps such lines out of the diagnosis data.",
     remedy_de="V.RTG.CYCLES.DIAG_LEVEL unter 4 hält solche Zeilen aus den Diagnosedaten heraus.",
-    cycle=(
-        "the cycle's ID, or # and a number when it has none",
-        "die ID des Zyklus, ohne ID # und eine Nummer",
-    ),
     function=("the M or H function", "die M- oder H-Funktion"),
     sequence=("its number within the tick, from 1", "ihre Nummer im Takt, ab 1"),
 )
@@ -164,11 +115,6 @@ LOG_AXIS_MOVES = note(
     de="Zyklus {cycle}: Achse {axis} faehrt auf {position}",
     remedy_en="V.RTG.CYCLES.DIAG_LEVEL below 4 keeps such lines out of the diagnosis data.",
     remedy_de="V.RTG.CYCLES.DIAG_LEVEL unter 4 hält solche Zeilen aus den Diagnosedaten heraus.",
-    cycle=(
-        "the cycle's ID, or # and a number when it has none",
-        "die ID des Zyklus, ohne ID # und eine Nummer",
-    ),
-    axis=("the axis", "die Achse"),
     position=("its target in ACS, in mm or degrees", "ihr Ziel in ACS, in mm oder Grad"),
 )
 LOG_AXIS_MOVES_ENDLESSLY = note(
@@ -177,11 +123,6 @@ LOG_AXIS_MOVES_ENDLESSLY = note(
     de="Zyklus {cycle}: Achse {axis} faehrt endlos in {direction} Richtung",
     remedy_en="V.RTG.CYCLES.DIAG_LEVEL below 4 keeps such lines out of the diagnosis data.",
     remedy_de="V.RTG.CYCLES.DIAG_LEVEL unter 4 hält solche Zeilen aus den Diagnosedaten heraus.",
-    cycle=(
-        "the cycle's ID, or # and a number when it has none",
-        "die ID des Zyklus, ohne ID # und eine Nummer",
-    ),
-    axis=("the axis", "die Achse"),
     direction=("positive or negative", "positiv oder negativ"),
 )
 LOG_MOTION_STATE = note(
@@ -190,11 +131,6 @@ LOG_MOTION_STATE = note(
     de="Zyklus {cycle}: die Bewegung der Achse {axis} {state}",
     remedy_en="V.RTG.CYCLES.DIAG_LEVEL below 4 keeps such lines out of the diagnosis data.",
     remedy_de="V.RTG.CYCLES.DIAG_LEVEL unter 4 hält solche Zeilen aus den Diagnosedaten heraus.",
-    cycle=(
-        "the cycle's ID, or # and a number when it has none",
-        "die ID des Zyklus, ohne ID # und eine Nummer",
-    ),
-    axis=("the axis", "die Achse"),
     state=("its new state", "ihr neuer Zustand"),
 )
 LOG_SPINDLE_TURNS = note(
@@ -203,11 +139,6 @@ LOG_SPINDLE_TURNS = note(
     de="Zyklus {cycle}: Spindel {spindle}: {function} mit {speed} 1/min",
     remedy_en="V.RTG.CYCLES.DIAG_LEVEL below 4 keeps such lines out of the diagnosis data.",
     remedy_de="V.RTG.CYCLES.DIAG_LEVEL unter 4 hält solche Zeilen aus den Diagnosedaten heraus.",
-    cycle=(
-        "the cycle's ID, or # and a number when it has none",
-        "die ID des Zyklus, ohne ID # und eine Nummer",
-    ),
-    spindle=("the spindle", "die Spindel"),
     function=("M3, M4 or M19", "M3, M4 oder M19"),
     speed=("its speed", "ihre Drehzahl"),
 )
@@ -217,11 +148,6 @@ LOG_SPINDLE_STOPS = note(
     de="Zyklus {cycle}: Spindel {spindle}: M5",
     remedy_en="V.RTG.CYCLES.DIAG_LEVEL below 4 keeps such lines out of the diagnosis data.",
     remedy_de="V.RTG.CYCLES.DIAG_LEVEL unter 4 hält solche Zeilen aus den Diagnosedaten heraus.",
-    cycle=(
-        "the cycle's ID, or # and a number when it has none",
-        "die ID des Zyklus, ohne ID # und eine Nummer",
-    ),
-    spindle=("the spindle", "die Spindel"),
 )
 LOG_SPINDLE_POSITION = note(
     901044,
@@ -229,11 +155,6 @@ LOG_SPINDLE_POSITION = note(
     de="Zyklus {cycle}: Spindel {spindle} wird auf {position} Grad positioniert",
     remedy_en="V.RTG.CYCLES.DIAG_LEVEL below 4 keeps such lines out of the diagnosis data.",
     remedy_de="V.RTG.CYCLES.DIAG_LEVEL unter 4 hält solche Zeilen aus den Diagnosedaten heraus.",
-    cycle=(
-        "the cycle's ID, or # and a number when it has none",
-        "die ID des Zyklus, ohne ID # und eine Nummer",
-    ),
-    spindle=("the spindle", "die Spindel"),
     position=("its position", "ihre Position"),
 )
 LOG_SPINDLE_REACHED = note(
@@ -242,11 +163,6 @@ LOG_SPINDLE_REACHED = note(
     de="Zyklus {cycle}: der Auftrag der Spindel {spindle} ist erledigt",
     remedy_en="V.RTG.CYCLES.DIAG_LEVEL below 4 keeps such lines out of the diagnosis data.",
     remedy_de="V.RTG.CYCLES.DIAG_LEVEL unter 4 hält solche Zeilen aus den Diagnosedaten heraus.",
-    cycle=(
-        "the cycle's ID, or # and a number when it has none",
-        "die ID des Zyklus, ohne ID # und eine Nummer",
-    ),
-    spindle=("the spindle", "die Spindel"),
 )
 LOG_TIMER = note(
     901046,
@@ -254,10 +170,6 @@ LOG_TIMER = note(
     de="Zyklus {cycle}: #TIMER {action} des Zeitgebers {timer}",
     remedy_en="V.RTG.CYCLES.DIAG_LEVEL below 4 keeps such lines out of the diagnosis data.",
     remedy_de="V.RTG.CYCLES.DIAG_LEVEL unter 4 hält solche Zeilen aus den Diagnosedaten heraus.",
-    cycle=(
-        "the cycle's ID, or # and a number when it has none",
-        "die ID des Zyklus, ohne ID # und eine Nummer",
-    ),
     action=("START, STOP or CLEAR", "START, STOP oder CLEAR"),
     timer=("0 … 127", "0 … 127"),
 )
@@ -267,10 +179,6 @@ LOG_TIMER_READ = note(
     de="Zyklus {cycle}: #TIMER READ des Zeitgebers {timer}: {value} ms",
     remedy_en="V.RTG.CYCLES.DIAG_LEVEL below 4 keeps such lines out of the diagnosis data.",
     remedy_de="V.RTG.CYCLES.DIAG_LEVEL unter 4 hält solche Zeilen aus den Diagnosedaten heraus.",
-    cycle=(
-        "the cycle's ID, or # and a number when it has none",
-        "die ID des Zyklus, ohne ID # und eine Nummer",
-    ),
     timer=("0 … 127", "0 … 127"),
     value=("the time that it has counted", "die Zeit, die er gezählt hat"),
 )
@@ -280,10 +188,6 @@ LOG_USER_ERROR = note(
     de="Zyklus {cycle}: #ERROR mit ID {id} und RC {rc}",
     remedy_en="V.RTG.CYCLES.DIAG_LEVEL below 4 keeps such lines out of the diagnosis data.",
     remedy_de="V.RTG.CYCLES.DIAG_LEVEL unter 4 hält solche Zeilen aus den Diagnosedaten heraus.",
-    cycle=(
-        "the cycle's ID, or # and a number when it has none",
-        "die ID des Zyklus, ohne ID # und eine Nummer",
-    ),
     id=("the error's number", "die Nummer des Fehlers"),
     rc=("its reaction", "seine Reaktion"),
 )

@@ -46,6 +46,5 @@ NAME_IS_FIXED = error(
     de="{name} kann hier nicht umbenannt werden: {reason}",
     remedy_en="Rename it where it is given.",
     remedy_de="Dort umbenennen, wo der Name vergeben wird.",
-    name=("the name", "der Name"),
     reason=("why not", "warum nicht"),
 )

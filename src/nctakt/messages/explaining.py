@@ -11,7 +11,6 @@ UNKNOWN_TOPIC = error(
     de="unbekanntes Stichwort '{word}'",
     remedy_en="nctakt explain without a word lists all topics.",
     remedy_de="nctakt explain ohne Wort zeigt alle Stichwörter.",
-    word=("the word as it was given", "das Wort, wie angegeben"),
 )
 MISSPELLED_TOPIC = error(
     900571,
@@ -19,8 +18,6 @@ MISSPELLED_TOPIC = error(
     de="unbekanntes Stichwort '{word}'",
     remedy_en="Did you mean {nearest}?",
     remedy_de="War {nearest} gemeint?",
-    word=("the word as it was given", "das Wort, wie angegeben"),
-    nearest=("the nearest known word", "das ähnlichste bekannte Wort"),
 )
 CYCLE_NOT_IN_RUN = error(
     900574,
@@ -37,7 +34,6 @@ LINE_NOT_IN_CYCLE = error(
     de="Zeile {line} gehört zu keinem Echtzeit-Zyklus",
     remedy_en="The nearest line of a cycle is {nearest}",
     remedy_de="Die nächste Zeile eines Zyklus ist {nearest}",
-    line=("the line that was given", "die angegebene Zeile"),
     nearest=("the nearest line of a cycle", "die nächste Zeile eines Zyklus"),
 )
 TICK_NOT_IN_RUN = error(
@@ -46,7 +42,6 @@ TICK_NOT_IN_RUN = error(
     de="Takt {tick} liegt außerhalb des Laufs, der von Takt {first} bis Takt {last} ging",
     remedy_en="Give a time within the run.",
     remedy_de="Eine Zeit innerhalb des Laufs angeben.",
-    tick=("the tick", "der Takt"),
     first=("the run's first tick", "der erste Takt des Laufs"),
     last=("its last tick", "sein letzter Takt"),
 )
@@ -64,5 +59,4 @@ PROGRAMS_WITHOUT_CYCLES = error(
     de="Zeile {line} gehört zu keinem Echtzeit-Zyklus: die Programme haben keinen",
     remedy_en="Name a program that defines realtime cycles.",
     remedy_de="Ein Programm nennen, das Echtzeit-Zyklen definiert.",
-    line=("the line that was given", "die angegebene Zeile"),
 )

@@ -13,9 +13,7 @@ FEED_PER_REVOLUTION_SPINDLE_STOPPED = error(
     de="Vorschub je Umdrehung (G95), aber das Programm lässt die Spindel {spindle} stehen",
     remedy_en="Program M03 or M04 with a speed S first.",
     remedy_de="Vorher M03 oder M04 mit einer Drehzahl S programmieren.",
-    spindle=("the spindle's name", "der Name der Spindel"),
-    reaction=6,
-    clearing=6,
+    classes=(6, 6),
 )
 FEED_NOT_POSITIVE = error(
     20176,
@@ -24,9 +22,6 @@ FEED_NOT_POSITIVE = error(
     de="Vorschub {value} liegt nicht über 0",
     remedy_en="Program F with a value above 0; the target defines the direction.",
     remedy_de="F mit einem Wert über 0 programmieren; die Richtung ergibt sich aus dem Ziel.",
-    value=("the value", "der Wert"),
-    reaction=2,
-    clearing=3,
 )
 INVALID_PROGRAM_OVERRIDE = error(
     21419,
@@ -37,11 +32,8 @@ INVALID_PROGRAM_OVERRIDE = error(
     remedy_en="100 is the programmed speed.",
     remedy_de="100 ist die programmierte Geschwindigkeit.",
     word=("FEED_FACT, RAPID_FACT or SPEED_FACT", "FEED_FACT, RAPID_FACT oder SPEED_FACT"),
-    value=("the value", "der Wert"),
     low=("lowest override", "kleinster Override"),
     high=("highest override", "größter Override"),
-    reaction=2,
-    clearing=3,
 )
 FEED_PER_REVOLUTION_WITHOUT_SPINDLE = error(
     21980,
@@ -52,8 +44,6 @@ FEED_PER_REVOLUTION_WITHOUT_SPINDLE = error(
     "(P-CHAN-00053).",
     remedy_de="Sie in der Kanalliste nennen: main_spindle_ax_nr (P-CHAN-00051), main_spindle_name "
     "(P-CHAN-00053).",
-    reaction=2,
-    clearing=3,
 )
 END_FEED_WITHOUT_G94 = error(
     901590,
@@ -62,8 +52,7 @@ END_FEED_WITHOUT_G94 = error(
     remedy_en="Program G94, or remove E.",
     remedy_de="G94 programmieren oder E entfernen.",
     mode=("the active G function", "die aktive G-Funktion"),
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 INVALID_WEIGHT = error(
     901550,
@@ -73,9 +62,7 @@ INVALID_WEIGHT = error(
     remedy_en="Program a weight above 0; 0 is allowed for G127, G128, G129 and G136, too.",
     remedy_de="Eine Gewichtung über 0 programmieren; 0 auch bei G127, G128, G129 und G136.",
     word=("the G function", "die G-Funktion"),
-    value=("the value", "der Wert"),
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 NO_FEED_AXES = note(
     21209,
@@ -98,9 +85,7 @@ AXIS_NOT_ROTARY = error(
     de="#FGROUP ROT: {axis} ist keine Rundachse",
     remedy_en="Name the rotary axis that turns the workpiece: #FGROUP ROT [AX=C REF=40].",
     remedy_de="Die Rundachse nennen, die das Werkstück dreht: #FGROUP ROT [AX=C REF=40].",
-    axis=("the axis", "die Achse"),
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 FEED_GROUP_VALUE_NOT_POSITIVE = error(
     901831,
@@ -109,9 +94,7 @@ FEED_GROUP_VALUE_NOT_POSITIVE = error(
     remedy_en="Program a factor of the axis, or a radius in mm, above 0.",
     remedy_de="Einen Faktor der Achse oder einen Radius in mm über 0 programmieren.",
     word=("the axis or REF", "die Achse oder REF"),
-    value=("the value", "der Wert"),
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 CORNER_FEED_MISSING = error(
     20795,
@@ -119,8 +102,6 @@ CORNER_FEED_MISSING = error(
     de="G13: es gibt noch keinen Vorschub an Ecken",
     remedy_en="Program #CORNER PARAM [DIST=10 UNIT=PERCENT FEED=50] before it.",
     remedy_de="Davor #CORNER PARAM [DIST=10 UNIT=PERCENT FEED=50] programmieren.",
-    reaction=2,
-    clearing=3,
 )
 CORNER_VALUE_NOT_POSITIVE = error(
     901832,
@@ -129,9 +110,7 @@ CORNER_VALUE_NOT_POSITIVE = error(
     remedy_en="Program a distance and a feed above 0; G12 switches the deceleration off.",
     remedy_de="Abstand und Vorschub über 0 programmieren; G12 schaltet die Verzögerung aus.",
     word=("DIST or FEED", "DIST oder FEED"),
-    value=("the value", "der Wert"),
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 WAITING_FOR_MAIN_SPINDLE = warning(
     900819,

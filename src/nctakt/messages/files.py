@@ -11,7 +11,6 @@ FILE_MISSING = error(
     de="{file} gibt es nicht",
     remedy_en="Check the path; it is relative to the folder in which nctakt is run.",
     remedy_de="Den Pfad prüfen; er gilt relativ zum Ordner, in dem nctakt läuft.",
-    file=("the path as it was given", "der Pfad, wie angegeben"),
 )
 FOLDER_INSTEAD_OF_FILE = error(
     900501,
@@ -19,7 +18,6 @@ FOLDER_INSTEAD_OF_FILE = error(
     de="{file} ist ein Ordner; hier wird eine Datei gebraucht",
     remedy_en="Name a file in the folder.",
     remedy_de="Eine Datei aus dem Ordner nennen.",
-    file=("the path as it was given", "der Pfad, wie angegeben"),
 )
 NOT_A_REGULAR_FILE = error(
     901483,
@@ -27,7 +25,6 @@ NOT_A_REGULAR_FILE = error(
     de="{file} ist keine reguläre Datei, sondern eine Pipe, ein Socket oder ein Gerät",
     remedy_en="Name a regular file: reading anything else may never end.",
     remedy_de="Eine reguläre Datei nennen: Anderes zu lesen endet vielleicht nie.",
-    file=("the path as it was given", "der Pfad, wie angegeben"),
 )
 NEITHER_FOLDER_NOR_LIST = error(
     900502,
@@ -35,7 +32,6 @@ NEITHER_FOLDER_NOR_LIST = error(
     de="{folder} ist weder ein Ordner noch eine Liste",
     remedy_en="Name the folder that holds the machine's lists, or its start-up list.",
     remedy_de="Den Ordner mit den Listen der Maschine nennen, oder ihre Hochlaufliste.",
-    folder=("the path as it was given", "der Pfad, wie angegeben"),
 )
 FILE_NOT_READABLE = error(
     900503,
@@ -43,8 +39,6 @@ FILE_NOT_READABLE = error(
     de="{file} kann nicht gelesen werden: {reason}",
     remedy_en="Check the access rights of the file, and whether it is complete.",
     remedy_de="Die Zugriffsrechte der Datei prüfen, und ob sie vollständig ist.",
-    file=("the path as it was given", "der Pfad, wie angegeben"),
-    reason=("the error of the operating system", "der Fehler des Betriebssystems"),
 )
 STDIN_NAMED_TWICE = error(
     900504,
@@ -64,7 +58,6 @@ TEXT_CHANGED = error(
     "due.",
     cause_de="Ein Programm von mehr als 1 MB steht nicht im Speicher: seine Zeilen werden gelesen, "
     "wenn sie an der Reihe sind.",
-    file=("the path as it was given", "der Pfad, wie angegeben"),
 )
 UNKNOWN_TRACE_FORMAT = error(
     900506,
@@ -72,7 +65,6 @@ UNKNOWN_TRACE_FORMAT = error(
     de="{file}: die Endung nennt kein bekanntes Format für Aufzeichnungen",
     remedy_en="Use one of these suffixes: {suffixes}.",
     remedy_de="Eine dieser Endungen verwenden: {suffixes}.",
-    file=("the path as it was given", "der Pfad, wie angegeben"),
     suffixes=("the known suffixes", "die bekannten Endungen"),
 )
 FILE_NOT_WRITABLE = error(
@@ -81,8 +73,6 @@ FILE_NOT_WRITABLE = error(
     de="{file} kann nicht geschrieben werden: {reason}",
     remedy_en="Choose an existing folder with write permission and free space.",
     remedy_de="Einen vorhandenen Ordner mit Schreibrecht und freiem Platz wählen.",
-    file=("the path as it was given", "der Pfad, wie angegeben"),
-    reason=("the error of the operating system", "der Fehler des Betriebssystems"),
 )
 NOT_A_TRACE = error(
     900508,
@@ -90,7 +80,6 @@ NOT_A_TRACE = error(
     de="{file} ist keine Aufzeichnung von nctakt",
     remedy_en="Name a file written by nctakt run --trace.",
     remedy_de="Eine Datei nennen, die nctakt run --trace geschrieben hat.",
-    file=("the path as it was given", "der Pfad, wie angegeben"),
 )
 OUTPUT_IS_READ = error(
     900913,
@@ -101,7 +90,6 @@ OUTPUT_IS_READ = error(
     cause_en="Links and other spellings of the path lead to the same file.",
     cause_de="Verknüpfungen und andere Schreibweisen des Pfads führen zur selben Datei.",
     option=("the option that names the output", "die Option, die die Ausgabe nennt"),
-    file=("the path as it was given", "der Pfad, wie angegeben"),
 )
 OUTPUTS_ARE_ONE_FILE = error(
     900914,
@@ -111,7 +99,6 @@ OUTPUTS_ARE_ONE_FILE = error(
     remedy_de="Für jede eine eigene Datei wählen.",
     option=("the option that names the output", "die Option, die die Ausgabe nennt"),
     other=("the other output", "die andere Ausgabe"),
-    file=("the path as it was given", "der Pfad, wie angegeben"),
 )
 FILE_TOO_LONG = error(
     900915,
@@ -122,7 +109,6 @@ FILE_TOO_LONG = error(
     "Datei mit Zeilen ist.",
     cause_en="Lists, pipes, devices and lines that belong together are read at once.",
     cause_de="Listen, Pipes, Geräte und zusammengehörige Zeilen werden auf einmal gelesen.",
-    file=("the path as it was given", "der Pfad, wie angegeben"),
     limit=("the limit in bytes", "die Grenze in Byte"),
 )
 FILE_OUTSIDE = error(
@@ -132,7 +118,6 @@ FILE_OUTSIDE = error(
     remedy_en="Only files in these folders may be read (--confine); move the file there.",
     remedy_de="Nur Dateien in diesen Ordnern dürfen gelesen werden (--confine); die Datei dorthin "
     "verschieben.",
-    file=("the path as it was given", "der Pfad, wie angegeben"),
     folders=("the folders that may be read", "die Ordner, die gelesen werden dürfen"),
 )
 OUTPUT_CUT_OFF = note(
@@ -141,7 +126,6 @@ OUTPUT_CUT_OFF = note(
     de="was bis dahin geschrieben wurde, steht in {file}",
     remedy_en="The file can be read up to its last complete line.",
     remedy_de="Die Datei ist bis zur letzten vollständigen Zeile lesbar.",
-    file=("the file", "die Datei"),
 )
 OUTPUT_IN_USE = error(
     900919,
@@ -149,7 +133,6 @@ OUTPUT_IN_USE = error(
     de="{file} wird gerade von einem anderen Lauf geschrieben",
     remedy_en="Wait until it ends, or choose another name.",
     remedy_de="Dessen Ende abwarten oder einen anderen Namen wählen.",
-    file=("the path as it was given", "der Pfad, wie angegeben"),
 )
 FOLDER_INSTEAD_OF_PROGRAM = error(
     901015,
@@ -161,7 +144,6 @@ FOLDER_INSTEAD_OF_PROGRAM = error(
     "on that machine.",
     cause_de="Ein Maschinenordner enthält die Listen einer Maschine (nctakt new schreibt einen); "
     "Programme laufen auf dieser Maschine.",
-    folder=("the folder", "der Ordner"),
 )
 BYTE_ORDER_MARK = warning(
     21798,

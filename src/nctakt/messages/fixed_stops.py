@@ -11,9 +11,6 @@ FIXED_STOP_WITHOUT_MOTION = error(
     de="{axis}[FIXED_STOP ON] in einem Satz, der {axis} nicht bewegt",
     remedy_en="Program the motion to the stop in the same block: X100 X[FIXED_STOP ON].",
     remedy_de="Die Bewegung zum Anschlag im selben Satz programmieren: X100 X[FIXED_STOP ON].",
-    axis=("the axis", "die Achse"),
-    reaction=2,
-    clearing=3,
 )
 INVALID_FIXED_STOP_RANGE = error(
     21968,
@@ -24,8 +21,6 @@ INVALID_FIXED_STOP_RANGE = error(
     remedy_de="Prozente des Weges im Satz angeben: ab 0, START kleiner als END, END höchstens 100.",
     start=("the value of START", "der Wert von START"),
     end=("the value of END", "der Wert von END"),
-    reaction=2,
-    clearing=3,
 )
 FIXED_STOP_NOT_FOUND = error(
     50886,
@@ -38,9 +33,7 @@ FIXED_STOP_NOT_FOUND = error(
     "antr.simu.fixed_stop of the axis list.",
     cause_de="Eine überwachte Achse muss auf ein Hindernis treffen; in der Simulation ist das "
     "antr.simu.fixed_stop der Achsliste.",
-    axis=("the axis", "die Achse"),
-    reaction=6,
-    clearing=6,
+    classes=(6, 6),
 )
 FIXED_STOP_WITHOUT_HISTORY = error(
     50881,
@@ -48,9 +41,6 @@ FIXED_STOP_WITHOUT_HISTORY = error(
     de="{axis}[FIXED_STOP ON] braucht den Verlauf der Bahn, und dieser Kanal hat keinen",
     remedy_en="Give the channel memory for it: fb_storage_size (P-STUP-00033).",
     remedy_de="Dem Kanal Speicher dafür geben: fb_storage_size (P-STUP-00033).",
-    axis=("the axis", "die Achse"),
-    reaction=2,
-    clearing=3,
 )
 FIXED_STOP_ACTIVE = error(
     21969,
@@ -60,9 +50,6 @@ FIXED_STOP_ACTIVE = error(
     remedy_en="End it first, with a motion away from the stop: {axis}0 {axis}[FIXED_STOP OFF].",
     remedy_de="Sie zuerst beenden, mit einer Bewegung vom Anschlag weg: "
     "{axis}0 {axis}[FIXED_STOP OFF].",
-    axis=("the axis", "die Achse"),
-    reaction=2,
-    clearing=3,
 )
 AXIS_AT_FIXED_STOP = error(
     21967,
@@ -71,9 +58,6 @@ AXIS_AT_FIXED_STOP = error(
     de="{axis} steht am Festanschlag oder war auf dem Weg dorthin und kann nicht verfahren werden",
     remedy_en="End the monitoring in the block that moves away: {axis}0 {axis}[FIXED_STOP OFF].",
     remedy_de="Die Überwachung im Satz beenden, der wegfährt: {axis}0 {axis}[FIXED_STOP OFF].",
-    axis=("the axis", "die Achse"),
-    reaction=2,
-    clearing=3,
 )
 POSITION_AT_FIXED_STOP = error(
     21964,
@@ -82,7 +66,4 @@ POSITION_AT_FIXED_STOP = error(
     de="#CHANNEL INIT [ACTPOS] fordert die Position von {axis} an, die am Festanschlag steht",
     remedy_en="Leave the stop first: {axis}0 {axis}[FIXED_STOP OFF].",
     remedy_de="Zuerst vom Anschlag wegfahren: {axis}0 {axis}[FIXED_STOP OFF].",
-    axis=("the axis", "die Achse"),
-    reaction=2,
-    clearing=3,
 )

@@ -54,7 +54,6 @@ WRONG_LIST_KIND = error(
     de="{path} wird ignoriert: kein Eintrag gehört zu {kind}, einige gehören zu {found}",
     remedy_en="Name the right file, or correct the name of the entry.",
     remedy_de="Die richtige Datei nennen oder den Namen des Eintrags berichtigen.",
-    path=("the path as written", "der Pfad, wie geschrieben"),
     kind=("the kind of list that belongs here", "die Art von Liste, die hierher gehört"),
     found=("the kind of list that the file holds", "die Art von Liste, die die Datei enthält"),
 )
@@ -65,7 +64,6 @@ UNKNOWN_CHANNEL = error(
     de="es gibt keinen Kanal {channel}: die Maschine hat {count}",
     remedy_en="Count channels from 1, or give the machine more of them (kanal_anzahl).",
     remedy_de="Kanäle ab 1 zählen oder der Maschine mehr geben (kanal_anzahl).",
-    channel=("the number of the channel", "die Nummer des Kanals"),
     count=("the number of channels of the machine", "die Anzahl der Kanäle der Maschine"),
 )
 AXIS_IN_TWO_CHANNELS = error(
@@ -101,7 +99,6 @@ FOLDER_NOT_EMPTY = error(
     de="{folder} ist nicht leer; es wurde nichts geschrieben",
     remedy_en="Name a folder that does not exist yet.",
     remedy_de="Einen Ordner nennen, den es noch nicht gibt.",
-    folder=("the folder as the user gave it", "der Ordner, wie angegeben"),
 )
 FOLDER_NOT_WRITABLE = error(
     900747,
@@ -109,8 +106,6 @@ FOLDER_NOT_WRITABLE = error(
     de="{folder} kann nicht geschrieben werden: {reason}",
     remedy_en="Choose a folder with write permission.",
     remedy_de="Einen Ordner mit Schreibrecht wählen.",
-    folder=("the folder as the user gave it", "der Ordner, wie angegeben"),
-    reason=("the error of the operating system", "der Fehler des Betriebssystems"),
 )
 LISTS_WRITTEN = note(
     900748,
@@ -118,7 +113,6 @@ LISTS_WRITTEN = note(
     de="{count} Listen einer Maschine wurden nach {folder} geschrieben",
     remedy_en="Adapt them, then: nctakt check {folder}",
     remedy_de="Sie anpassen, dann: nctakt check {folder}",
-    folder=("the folder as the user gave it", "der Ordner, wie angegeben"),
     count=("the number of lists", "die Anzahl der Listen"),
 )
 ENTRIES_AS_COMMENTS = warning(
@@ -127,7 +121,6 @@ ENTRIES_AS_COMMENTS = warning(
     de="unbekannte Einträge stehen als Kommentare in den XML-Listen: {count} ({names})",
     remedy_en="XML names parameters by their IDs; keep the ASCII lists for these.",
     remedy_de="XML nennt Parameter mit ihrer ID; für diese die ASCII-Listen behalten.",
-    count=("the number of these entries", "die Anzahl dieser Einträge"),
     names=("the first of them, each with its list", "die ersten davon, mit ihrer Liste"),
 )
 LISTS_KEPT_IN_ASCII = note(
@@ -145,5 +138,4 @@ CHANNEL_WITHOUT_AXES = warning(
     de="Kanal {channel} hat keine Achsen: er kann nichts bewegen",
     remedy_en="Name its axes in the channel list: gruppe[0].achse[i].",
     remedy_de="In der Kanalliste seine Achsen nennen: gruppe[0].achse[i].",
-    channel=("the number of the channel", "die Nummer des Kanals"),
 )

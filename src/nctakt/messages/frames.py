@@ -11,10 +11,6 @@ INVALID_MIRROR_VALUE = error(
     de="G351 mit {axis}{value}: nur -1 und 1 sind möglich",
     remedy_en="Write -1 to mirror the axis, 1 to end it.",
     remedy_de="Mit -1 die Achse spiegeln, mit 1 das Spiegeln beenden.",
-    axis=("the axis", "die Achse"),
-    value=("its value", "ihr Wert"),
-    reaction=2,
-    clearing=3,
 )
 NOT_AN_AXIS_OF_THE_PLANE = error(
     22156,
@@ -22,10 +18,6 @@ NOT_AN_AXIS_OF_THE_PLANE = error(
     de="G68: {axis} ist keine Achse der Ebene G{plane}",
     remedy_en="Name the centre of rotation by the two axes of the active plane.",
     remedy_de="Den Drehpunkt mit den beiden Achsen der aktiven Ebene angeben.",
-    axis=("the axis", "die Achse"),
-    plane=("the active plane", "die aktive Ebene"),
-    reaction=2,
-    clearing=3,
 )
 ROTATION_ENDED_BY_PLANE = warning(
     901729,
@@ -41,8 +33,7 @@ SCALE_IS_ON = error(
     de="#SCALE, während die Kontur schon skaliert ist",
     remedy_en="Write #SCALE OFF before other factors.",
     remedy_de="Vor anderen Faktoren #SCALE OFF schreiben.",
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 INVALID_SCALE_FACTOR = error(
     901726,
@@ -50,10 +41,8 @@ INVALID_SCALE_FACTOR = error(
     de="#SCALE {axis}{value}: Faktoren sind größer als 0",
     remedy_en="Write a factor above 0; G21 … G23 or G351 mirror.",
     remedy_de="Einen Faktor über 0 schreiben; G21 … G23 oder G351 spiegeln.",
-    axis=("the axis", "die Achse"),
     value=("its factor", "ihr Faktor"),
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 ARC_SCALED_UNEQUALLY = error(
     901727,
@@ -63,9 +52,7 @@ ARC_SCALED_UNEQUALLY = error(
     remedy_de="Beiden Achsen der Ebene denselben Faktor geben oder die Kurve aus Geraden bilden.",
     cause_en="The arc would become part of an ellipse.",
     cause_de="Der Kreis würde zum Teil einer Ellipse.",
-    plane=("the active plane", "die aktive Ebene"),
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 FRAME_DURING_COMPENSATION = error(
     901728,
@@ -75,6 +62,5 @@ FRAME_DURING_COMPENSATION = error(
     remedy_de="Vorher die Werkzeugradiuskorrektur mit G40 beenden.",
     word=("what changes the contour", "was die Kontur ändert"),
     compensation=("`G41` or `G42`", "`G41` oder `G42`"),
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )

@@ -15,8 +15,6 @@ GEAR_STEP_OUT_OF_FORMAT = error(
     remedy_en="Gear steps have whole numbers from 1 to 65535.",
     remedy_de="Getriebestufen haben ganze Nummern von 1 bis 65535.",
     stage=_STAGE,
-    reaction=2,
-    clearing=3,
 )
 UNKNOWN_SPINDLE_GEAR = error(
     20029,
@@ -27,8 +25,6 @@ UNKNOWN_SPINDLE_GEAR = error(
     spindle=_SPINDLE,
     stage=_STAGE,
     known=("the gear steps of the list", "die Getriebestufen der Liste"),
-    reaction=2,
-    clearing=3,
 )
 GEAR_CHANGE_WHILE_TURNING = error(
     60285,
@@ -37,8 +33,7 @@ GEAR_CHANGE_WHILE_TURNING = error(
     remedy_en="Program M5 before it, or M40 … M45, which stop the spindle themselves.",
     remedy_de="Davor M5 programmieren, oder M40 … M45, die die Spindel selbst anhalten.",
     spindle=_SPINDLE,
-    reaction=6,
-    clearing=6,
+    classes=(6, 6),
 )
 GEAR_OF_PLC_SPINDLE = error(
     901876,
@@ -47,8 +42,7 @@ GEAR_OF_PLC_SPINDLE = error(
     remedy_en="Gear steps need a spindle that the CNC turns (spindel[i].plc_control 0).",
     remedy_de="Getriebestufen brauchen eine Spindel, die die CNC dreht (spindel[i].plc_control 0).",
     spindle=_SPINDLE,
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 NO_GEAR_FOR_SPEED = error(
     901877,
@@ -57,10 +51,8 @@ NO_GEAR_FOR_SPEED = error(
     remedy_en="Program a speed within the ranges of spindel[i].range_table: {ranges}",
     remedy_de="Eine Drehzahl aus den Bereichen von spindel[i].range_table programmieren: {ranges}",
     spindle=_SPINDLE,
-    speed=("the programmed speed", "die programmierte Drehzahl"),
     ranges=("the ranges of all steps", "die Bereiche aller Stufen"),
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 GEAR_FUNCTION_SYNCHRONISATION = error(
     901878,
@@ -69,6 +61,5 @@ GEAR_FUNCTION_SYNCHRONISATION = error(
     remedy_en="Set m_synch[{function}] to MVS_SVS (P-CHAN-00041).",
     remedy_de="m_synch[{function}] auf MVS_SVS setzen (P-CHAN-00041).",
     function=("number of the M function", "Nummer der M-Funktion"),
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )

@@ -11,7 +11,6 @@ NO_HLI_OF_NAME = error(
     de="das HLI {name} gibt es nicht: in {seconds} s hat es niemand freigegeben",
     remedy_en="Start nctakt run PROGRAM --hli {name}. Shared at present: {known}",
     remedy_de="nctakt run PROGRAMM --hli {name} starten. Zurzeit freigegeben: {known}",
-    name=("the name that was given", "der angegebene Name"),
     seconds=("how long it was waited for", "wie lange darauf gewartet wurde"),
     known=("the images that can be found, or –", "die Abbilder, die sich finden lassen, oder –"),
 )
@@ -21,7 +20,6 @@ NOT_AN_HLI = error(
     de="der gemeinsame Speicher {name} ist kein HLI von nctakt",
     remedy_en="Give the name behind nctakt run --hli.",
     remedy_de="Den Namen hinter nctakt run --hli angeben.",
-    name=("the name that was given", "der angegebene Name"),
 )
 HLI_VERSION_DIFFERS = error(
     901432,
@@ -58,7 +56,6 @@ HLI_HAS_NO_NAME = error(
     remedy_en="Did you mean {nearest}? It has HLI values and V.E variables, each with its index.",
     remedy_de="War {nearest} gemeint? Es hat HLI-Werte und V.E-Variablen, jede mit ihrem Index.",
     hli=("the name of the shared memory", "der Name des gemeinsamen Speichers"),
-    name=("the name as written", "der Name, wie geschrieben"),
     nearest=("the nearest name, or –", "der ähnlichste Name, oder –"),
 )
 HLI_INDEX_OUTSIDE = error(
@@ -67,7 +64,6 @@ HLI_INDEX_OUTSIDE = error(
     de="{name} liegt außerhalb des Feldes, dessen letzter Index {last} ist",
     remedy_en="Use an index from 0 to {last}.",
     remedy_de="Einen Index von 0 bis {last} verwenden.",
-    name=("the name as written", "der Name, wie geschrieben"),
     last=("the last index", "der letzte Index"),
 )
 UNKNOWN_HLI_SPINDLE = error(
@@ -76,7 +72,6 @@ UNKNOWN_HLI_SPINDLE = error(
     de="unbekannte Spindel {name}",
     remedy_en="Did you mean {nearest}? Name one of these: {known}",
     remedy_de="War {nearest} gemeint? Eine von diesen nennen: {known}",
-    name=("the name", "der Name"),
     nearest=("the nearest spindle, or –", "die ähnlichste Spindel, oder –"),
     known=("the spindles of the machine", "die Spindeln der Maschine"),
 )

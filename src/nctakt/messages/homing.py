@@ -14,9 +14,7 @@ HOMING_NOT_ALLOWED = error(
     "type than DISABLED.",
     remedy_de="{axis} aus G74 nehmen oder kenngr.homing.homing_type (P-AXIS-00299) auf eine andere "
     "Art als DISABLED setzen.",
-    axis=("the axis", "die Achse"),
-    reaction=2,
-    clearing=6,
+    classes=(2, 6),
 )
 INVALID_HOMING_ORDER = error(
     901710,
@@ -24,9 +22,7 @@ INVALID_HOMING_ORDER = error(
     de="{value} ist kein Platz in der Reihenfolge der Referenzpunktfahrt",
     remedy_en="Write a whole number from 1 on: the axes with 1 come first, equal ones together.",
     remedy_de="Eine ganze Zahl ab 1 schreiben: Achsen mit 1 kommen zuerst, gleiche gemeinsam.",
-    value=("the value as programmed", "der Wert, wie programmiert"),
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 HOMING_DURING_TRANSFORMATION = error(
     901711,
@@ -34,8 +30,7 @@ HOMING_DURING_TRANSFORMATION = error(
     de="G74, während eine Transformation oder ein Koordinatensystem des Programms aktiv ist",
     remedy_en="Switch it off first: #TRAFO OFF, #CS OFF ALL.",
     remedy_de="Sie vorher ausschalten: #TRAFO OFF, #CS OFF ALL.",
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 NEGATIVE_LIMIT_IGNORED = warning(
     21648,
@@ -45,7 +40,6 @@ NEGATIVE_LIMIT_IGNORED = warning(
     "(P-CHAN-00498) to 0.",
     remedy_de="Innerhalb der Endschalter der Liste bleiben oder "
     "range_check_prog_soft_limits (P-CHAN-00498) = 0.",
-    axis=("the axis", "die Achse"),
     value=("the limit in mm or degrees", "der Endschalter in mm oder Grad"),
     listed=("the limit of the list", "der Endschalter der Liste"),
 )
@@ -57,7 +51,6 @@ POSITIVE_LIMIT_IGNORED = warning(
     "(P-CHAN-00498) to 0.",
     remedy_de="Innerhalb der Endschalter der Liste bleiben oder "
     "range_check_prog_soft_limits (P-CHAN-00498) = 0.",
-    axis=("the axis", "die Achse"),
     value=("the limit in mm or degrees", "der Endschalter in mm oder Grad"),
     listed=("the limit of the list", "der Endschalter der Liste"),
 )
@@ -68,11 +61,8 @@ NEGATIVE_LIMIT_TOO_HIGH = error(
     remedy_en="Program a smaller value, or move the positive limit first (G99).",
     remedy_de="Einen kleineren Wert programmieren oder zuerst den positiven Endschalter "
     "versetzen (G99).",
-    axis=("the axis", "die Achse"),
     value=("the limit in mm or degrees", "der Endschalter in mm oder Grad"),
     other=("the positive limit in force", "der wirksame positive Endschalter"),
-    reaction=2,
-    clearing=3,
 )
 POSITIVE_LIMIT_TOO_LOW = error(
     21878,
@@ -81,9 +71,6 @@ POSITIVE_LIMIT_TOO_LOW = error(
     remedy_en="Program a greater value, or move the negative limit first (G98).",
     remedy_de="Einen größeren Wert programmieren oder zuerst den negativen Endschalter "
     "versetzen (G98).",
-    axis=("the axis", "die Achse"),
     value=("the limit in mm or degrees", "der Endschalter in mm oder Grad"),
     other=("the negative limit in force", "der wirksame negative Endschalter"),
-    reaction=2,
-    clearing=3,
 )

@@ -18,6 +18,4 @@ INVALID_HSC_VALUE = error(
     de="{word} von #HSC kann nicht {value} sein",
     remedy_en="Write 1 or 2 for OPMODE, otherwise 0 or more.",
     remedy_de="Für OPMODE 1 oder 2 schreiben, sonst mindestens 0.",
-    word=("the keyword", "das Schlüsselwort"),
-    value=("the value as programmed", "der Wert, wie programmiert"),
 )

@@ -20,7 +20,6 @@ WRONG_TIME_TYPE = error(
     de="{value} ist vom Typ {type} und kann keine Zeitangabe sein",
     remedy_en='Give a text such as "20 ms", a number of seconds, or a datetime.timedelta.',
     remedy_de='Einen Text wie "20 ms", eine Zahl in Sekunden oder ein datetime.timedelta angeben.',
-    value=("the value as it was given", "der Wert, wie angegeben"),
     type=("its type in Python", "sein Typ in Python"),
 )
 NOT_A_STIMULUS = error(
@@ -29,7 +28,6 @@ NOT_A_STIMULUS = error(
     de="{value} ist kein Wert zu einer Zeit",
     remedy_en='Give a time, the name of a variable and its value: ("20 ms", "V.E.DOOR", 1).',
     remedy_de='Zeit, Name der Variablen und Wert angeben: ("20 ms", "V.E.DOOR", 1).',
-    value=("the value as it was given", "der Wert, wie angegeben"),
 )
 ARGUMENT_OF_WRONG_TYPE = error(
     901186,
@@ -38,8 +36,6 @@ ARGUMENT_OF_WRONG_TYPE = error(
     remedy_en="Give such a value; help(nctakt) shows the functions with their arguments.",
     remedy_de="Einen solchen Wert angeben; help(nctakt) zeigt die Funktionen mit ihren Argumenten.",
     name=("the argument", "das Argument"),
-    expected=("what it must be", "was es sein muss"),
-    value=("the value as it was given", "der Wert, wie angegeben"),
 )
 TEXT_INSTEAD_OF_FILE = error(
     900515,
@@ -71,8 +67,6 @@ UNREADABLE_VALUE = error(
     de="{name}: '{value}' ist kein gültiger Wert",
     remedy_en="Write a number, TRUE, FALSE or a text in double quotes.",
     remedy_de="Eine Zahl, TRUE, FALSE oder einen Text in Anführungszeichen schreiben.",
-    name=("the variable", "die Variable"),
-    value=("the value as it was given", "der Wert, wie angegeben"),
 )
 UNKNOWN_MACHINE_VARIABLE = error(
     900540,
@@ -80,7 +74,6 @@ UNKNOWN_MACHINE_VARIABLE = error(
     de="unbekannte Variable {name}",
     remedy_en="The names are in the machine's variables list.",
     remedy_de="Die Namen stehen in der Variablenliste der Maschine.",
-    name=("the name", "der Name"),
 )
 MISSPELLED_MACHINE_VARIABLE = error(
     900541,
@@ -88,8 +81,6 @@ MISSPELLED_MACHINE_VARIABLE = error(
     de="unbekannte Variable {name}",
     remedy_en="Did you mean {nearest}?",
     remedy_de="War {nearest} gemeint?",
-    name=("the name", "der Name"),
-    nearest=("the nearest known name", "der ähnlichste bekannte Name"),
 )
 VARIABLE_NOT_SETTABLE = error(
     900542,
@@ -98,7 +89,6 @@ VARIABLE_NOT_SETTABLE = error(
     remedy_en="Set V.E or V.CH variables; write V.RT* variables in a program or a realtime cycle.",
     remedy_de="V.E- oder V.CH-Variablen setzen; V.RT* in einem Programm oder Echtzeit-Zyklus "
     "schreiben.",
-    name=("the name", "der Name"),
 )
 VALUE_NOT_OF_TYPE = error(
     900543,
@@ -106,9 +96,6 @@ VALUE_NOT_OF_TYPE = error(
     de="{name} ist vom Typ {type} und kann den Wert {value} nicht annehmen",
     remedy_en="Assign a number to a number, a text to a text.",
     remedy_de="Einer Zahl eine Zahl zuweisen, einem Text einen Text.",
-    name=("the variable", "die Variable"),
-    type=("its type", "ihr Typ"),
-    value=("the value", "der Wert"),
 )
 UNKNOWN_SIGNAL = error(
     900544,
@@ -117,7 +104,6 @@ UNKNOWN_SIGNAL = error(
     remedy_en="Signals are X.ACS.ACT_POS and similar, PATH.SPEED, BLOCK, V.E and V.CH variables.",
     remedy_de="Signale sind X.ACS.ACT_POS und ähnliche, PATH.SPEED, BLOCK, V.E- und "
     "V.CH-Variablen.",
-    name=("the name", "der Name"),
 )
 MISSPELLED_SIGNAL = error(
     900545,
@@ -125,8 +111,6 @@ MISSPELLED_SIGNAL = error(
     de="unbekanntes Signal {name}",
     remedy_en="Did you mean {nearest}?",
     remedy_de="War {nearest} gemeint?",
-    name=("the name", "der Name"),
-    nearest=("the nearest known name", "der ähnlichste bekannte Name"),
 )
 INVALID_EXPECTATION = error(
     900660,
@@ -157,7 +141,6 @@ NO_BRANCH_IN_LINE = error(
     de="kein Echtzeit-Zyklus hat einen Zweig in Zeile {line}",
     remedy_en="Lines with branches: {known}.",
     remedy_de="Zeilen mit Zweigen: {known}.",
-    line=("the line", "die Zeile"),
     known=("the lines with branches", "die Zeilen mit Zweigen"),
 )
 INVALID_GIVEN_INPUT = error(
@@ -186,7 +169,6 @@ STIMULUS_NOT_REACHED = warning(
     de="{name} hat bei {time} keinen Wert erhalten: der Lauf endete vorher, nach {end}",
     remedy_en="Give it an earlier time, or let the run go on (--after, --until).",
     remedy_de="Eine frühere Zeit angeben oder den Lauf fortsetzen (--after, --until).",
-    name=("the variable", "die Variable"),
     time=("the time of the value", "die Zeit des Wertes"),
     end=("how long the run lasted", "die Dauer des Laufs"),
 )

@@ -13,7 +13,6 @@ INVALID_RECORDING = error(
     "nctakt schedule simulate --csv.",
     remedy_de="VCD, CSV mit time_us und bit1 … bit7 oder die Tabelle von schedule simulate --csv "
     "angeben.",
-    file=("the file", "die Datei"),
     reason=("what is wrong with it", "was an ihr falsch ist"),
 )
 NOTHING_LEARNT = error(

@@ -17,7 +17,6 @@ ASYNCHRONOUS_CONDITION = warning(
     "number then.",
     cause_de="Der Dekoder baut den Zyklus aus seiner Definition; Asynchrones wird dabei zu einer "
     "Zahl.",
-    name=("the variable", "die Variable"),
     seen=("the value that is read", "der gelesene Wert"),
 )
 ASYNCHRONOUS_VALUE = note(
@@ -32,7 +31,6 @@ ASYNCHRONOUS_VALUE = note(
     "number then.",
     cause_de="Der Dekoder baut den Zyklus aus seiner Definition; Asynchrones wird dabei zu einer "
     "Zahl.",
-    name=("the variable", "die Variable"),
     seen=("the value that is read", "der gelesene Wert"),
 )
 CONSTANT_CONDITION = warning(
@@ -57,8 +55,6 @@ COMPARISON_OUTSIDE_TYPE_RANGE = warning(
     de="{name} ist vom Typ {type}: dieser Vergleich ist {result}, unabhängig vom Wert",
     remedy_en="It holds whole numbers from {low} to {high}; compare with one of these.",
     remedy_de="Sie fasst ganze Zahlen von {low} bis {high}; mit einer davon vergleichen.",
-    name=("the variable", "die Variable"),
-    type=("its type", "ihr Typ"),
     result=("never true or always true", "nie wahr oder immer wahr"),
     low=("its lowest value", "ihr kleinster Wert"),
     high=("its highest value", "ihr größter Wert"),
@@ -98,7 +94,6 @@ OVERRIDE_FOR_ONE_TICK = warning(
     "written in each tick.",
     cause_de="Die CYCLE-Overrides sind am Anfang jedes Takts 100 %; ein anderer Wert muss in jedem "
     "Takt geschrieben werden.",
-    name=("the variable", "die Variable"),
     word=("ONCE or EDGE", "ONCE oder EDGE"),
 )
 FUNCTION_OUTPUT_EACH_TICK = warning(
@@ -202,7 +197,6 @@ EXACT_POSITION_COMPARISON = note(
     "values.",
     cause_de="Positionen haben viele Nachkommastellen; von Takt zu Takt überspringt eine bewegte "
     "Achse fast alle Werte.",
-    name=("the variable", "die Variable"),
 )
 FLUSH_DURING_COMPENSATION = error(
     20651,
@@ -218,8 +212,6 @@ FLUSH_DURING_COMPENSATION = error(
     command=("the variable or command", "die Variable oder der Befehl"),
     word=("G41, G42 or #SPLINE ON", "G41, G42 oder #SPLINE ON"),
     variable=("the variable, if it is one", "die Variable, falls es eine ist"),
-    reaction=2,
-    clearing=3,
 )
 AXIS_COMMANDED_EACH_TICK = warning(
     900270,
@@ -231,7 +223,6 @@ AXIS_COMMANDED_EACH_TICK = warning(
     "BUFFERED each one waits for the running motion.",
     cause_de="Mit G91 beginnt jeder Befehl einen neuen Weg dort, wo die Achse gerade ist; mit "
     "BUFFERED wartet jeder auf die laufende Bewegung.",
-    axis=("the axis", "die Achse"),
     word=("G91 or BUFFERED", "G91 oder BUFFERED"),
 )
 ARC_LIKELY_WITHOUT_CENTRE = warning(
@@ -262,8 +253,6 @@ INDP_WORD_WITHOUT_EFFECT = note(
     de="{word} hat hier keine Wirkung: {reason}",
     remedy_en="Remove it.",
     remedy_de="Entfernen.",
-    word=("the keyword", "das Schlüsselwort"),
-    reason=("the reason", "der Grund"),
 )
 CONSTANT_ROUNDED = warning(
     901050,
@@ -271,8 +260,6 @@ CONSTANT_ROUNDED = warning(
     de="{name} ist vom Typ {type}: {value} wird auf {rounded} gerundet",
     remedy_en="Write a whole number, or use a variable of type REAL64. {percent}",
     remedy_de="Eine ganze Zahl schreiben oder eine Variable vom Typ REAL64 verwenden. {percent}",
-    name=("the variable", "die Variable"),
-    type=("its type", "ihr Typ"),
     value=("the constant", "die Konstante"),
     rounded=("the constant, rounded", "die Konstante, gerundet"),
     percent=("what percentages mean, or –", "was Prozente bedeuten, oder –"),
@@ -284,7 +271,6 @@ CONSTANT_NOT_BOOLEAN = warning(
     remedy_en="Write 0 or 1 (FALSE or TRUE), or use a variable of another type.",
     remedy_de="0 oder 1 schreiben (FALSE oder TRUE) oder eine Variable eines anderen Typs "
     "verwenden.",
-    name=("the variable", "die Variable"),
     value=("the constant", "die Konstante"),
     stored=("the value that is stored", "der gespeicherte Wert"),
 )

@@ -30,7 +30,6 @@ SCHED_FIFO_NOT_PERMITTED = warning(
     "capability SYS_NICE.",
     remedy_de="Als root starten, rtprio in /etc/security/limits.conf erhöhen oder einem Container "
     "SYS_NICE geben.",
-    reason=("the error of the operating system", "der Fehler des Betriebssystems"),
 )
 TIMER_INSTEAD_OF_INTERRUPT = note(
     900683,
@@ -64,7 +63,6 @@ SEMAPHORE_NOT_CREATED = error(
     remedy_en="Make sure that /dev/shm exists and is writable.",
     remedy_de="Sicherstellen, dass /dev/shm vorhanden und beschreibbar ist.",
     name=("the semaphore, or its file", "der Semaphor oder seine Datei"),
-    reason=("the error of the operating system", "der Fehler des Betriebssystems"),
 )
 SEMAPHORE_NOT_OPENED = error(
     900687,
@@ -75,7 +73,6 @@ SEMAPHORE_NOT_OPENED = error(
     remedy_de="Zuerst das Programm starten, das ihn anlegt; den Namen gibt external_object_name "
     "oder --semaphore.",
     name=("the semaphore", "der Semaphor"),
-    reason=("the error of the operating system", "der Fehler des Betriebssystems"),
 )
 CPU_WOULD_STARVE = error(
     900688,
@@ -85,7 +82,6 @@ CPU_WOULD_STARVE = error(
     remedy_en="Reduce the load, run with --no-fifo, or insist with --force.",
     remedy_de="Die Last verringern, mit --no-fifo ausführen oder mit --force darauf bestehen.",
     demand=("the demand of all threads, in percent", "der Bedarf aller Threads, in Prozent"),
-    cpu=("the processor", "der Prozessor"),
 )
 SCHEDULE_RUN_ENDED = error(
     900689,
@@ -101,7 +97,6 @@ LOAD_MACHINE_IGNORED = note(
     de="machine.{key} der Last wird ignoriert: dieser Rechner hat die CPUs {cpus}",
     remedy_en="Nothing to do; a simulation uses the load.",
     remedy_de="Nichts zu tun; eine Simulation verwendet die Last.",
-    key=("the entry", "der Eintrag"),
     cpus=("the processors that can be used", "die verfügbaren Prozessoren"),
 )
 SCHEDULE_RECORDING_FULL = warning(
@@ -154,10 +149,8 @@ CYCLES_MAY_TAKE_WINDOWS_TIME = warning(
     "{cycle} µs",
     remedy_en="Lower rt_cycles.max_duration ({share} %), or windows_time.",
     remedy_de="rt_cycles.max_duration ({share} %) oder windows_time verringern.",
-    channel=("the channel's number", "die Nummer des Kanals"),
     share=("P-CHAN-00425, in percent of the NC cycle", "P-CHAN-00425, in Prozent des NC-Takts"),
     allowed=("this share of the NC cycle, in µs", "dieser Anteil am NC-Takt, in µs"),
-    windows=("windows_time, in µs", "windows_time, in µs"),
     cycle=("cycle_time, in µs", "cycle_time in µs"),
 )
 POSTS_DRAINED = note(

@@ -67,7 +67,6 @@ BLANK_MISSING = warning(
     de="{key}: hier fehlt ein Leerzeichen",
     remedy_en="Separate name, value and comment with blanks.",
     remedy_de="Name, Wert und Kommentar durch Leerzeichen trennen.",
-    key=("the entry's name", "der Name des Eintrags"),
 )
 UNKNOWN_PARAMETER = warning(
     900008,
@@ -78,7 +77,6 @@ UNKNOWN_PARAMETER = warning(
     remedy_en="nctakt knows all published parameters; a vendor-specific one has no effect here.",
     remedy_de="nctakt kennt alle veröffentlichten Parameter; ein herstellereigener hat hier keine "
     "Wirkung.",
-    key=("the name as it stands in the list", "der Name, wie er in der Liste steht"),
 )
 #: The number of an unknown entry in a kind of list that has one.
 UNKNOWN_ENTRY_NUMBERS = {"axis": 110303, "startup": 1001117}
@@ -91,8 +89,6 @@ MISSPELLED_PARAMETER = warning(
     de="{key} ist kein Parameter dieser Liste; der Eintrag wird ignoriert",
     remedy_en="Did you mean {nearest}?",
     remedy_de="War {nearest} gemeint?",
-    key=("the name as it stands in the list", "der Name, wie er in der Liste steht"),
-    nearest=("the known name that is most like it", "der ähnlichste bekannte Name"),
 )
 UNKNOWN_ENTRIES = note(
     900010,
@@ -109,7 +105,6 @@ PARAMETER_INDEX_OUT_OF_RANGE = warning(
     de="{key}: der Index liegt außerhalb {low} … {high}; der Eintrag wird ignoriert",
     remedy_en="Use an index from {low} to {high}.",
     remedy_de="Einen Index von {low} bis {high} verwenden.",
-    key=("the entry's name", "der Name des Eintrags"),
     low=("the lowest index", "der kleinste Index"),
     high=("the highest index", "der größte Index"),
 )
@@ -121,7 +116,6 @@ PARAMETER_OF_OTHER_LIST = warning(
     de="{key} ist kein Parameter dieser Liste; der Eintrag wird ignoriert",
     remedy_en="It belongs in the {list} list ({id}).",
     remedy_de="Er gehört in die {list}-Liste ({id}).",
-    key=("the name as it stands in the list", "der Name, wie er in der Liste steht"),
     list=("the kind of list where it belongs", "die Art der Liste, in die er gehört"),
     id=("the parameter's ID there", "die ID des Parameters dort"),
 )
@@ -132,8 +126,6 @@ VALUE_MISSING = warning(
     de="{key} hat keinen Wert; es gilt der Standardwert {default}",
     remedy_en="Write the value after the name, or delete the line.",
     remedy_de="Den Wert hinter den Namen schreiben oder die Zeile löschen.",
-    key=("the entry's name", "der Name des Eintrags"),
-    default=("the value that is used", "der Wert, der gilt"),
 )
 NOT_A_NUMBER = warning(
     2022,
@@ -142,9 +134,6 @@ NOT_A_NUMBER = warning(
     de="{key}: '{value}' ist keine Zahl; es gilt der Standardwert {default}",
     remedy_en="Write a number, and a blank before any comment.",
     remedy_de="Eine Zahl schreiben, und vor einem Kommentar ein Leerzeichen.",
-    key=("the entry's name", "der Name des Eintrags"),
-    value=("the value as it stands in the list", "der Wert, wie er in der Liste steht"),
-    default=("the value that is used", "der Wert, der gilt"),
 )
 NOT_A_WHOLE_NUMBER = warning(
     2006,
@@ -152,9 +141,6 @@ NOT_A_WHOLE_NUMBER = warning(
     de="{key}: '{value}' ist keine ganze Zahl; es gilt der Standardwert {default}",
     remedy_en="Write a whole number in the unit of the entry; explain shows it.",
     remedy_de="Eine ganze Zahl in der Einheit des Eintrags schreiben; explain zeigt sie.",
-    key=("the entry's name", "der Name des Eintrags"),
-    value=("the value as it stands in the list", "der Wert, wie er in der Liste steht"),
-    default=("the value that is used", "der Wert, der gilt"),
 )
 QUOTED_NUMBER = warning(
     900015,
@@ -162,7 +148,6 @@ QUOTED_NUMBER = warning(
     de="{key}: die Zahl steht in Anführungszeichen; sie wird übernommen",
     remedy_en="Write the number without quotation marks.",
     remedy_de="Die Zahl ohne Anführungszeichen schreiben.",
-    key=("the entry's name", "der Name des Eintrags"),
 )
 CLOSING_QUOTE_MISSING = warning(
     900016,
@@ -171,7 +156,6 @@ CLOSING_QUOTE_MISSING = warning(
     "übernommen",
     remedy_en="Close the text with a quotation mark.",
     remedy_de="Den Text mit einem Anführungszeichen schließen.",
-    key=("the entry's name", "der Name des Eintrags"),
 )
 TEXT_AFTER_QUOTE = warning(
     900017,
@@ -179,7 +163,6 @@ TEXT_AFTER_QUOTE = warning(
     de="{key}: was auf den Text in Anführungszeichen folgt, ist kein Kommentar und wird ignoriert",
     remedy_en="Start a comment after a text with '('.",
     remedy_de="Einen Kommentar hinter einem Text mit '(' beginnen.",
-    key=("the entry's name", "der Name des Eintrags"),
 )
 UNQUOTED_SPECIAL_CHARACTERS = warning(
     900018,
@@ -187,7 +170,6 @@ UNQUOTED_SPECIAL_CHARACTERS = warning(
     de="{key}: der Text hat Sonderzeichen, aber keine Anführungszeichen; er gilt bis '('",
     remedy_en="Put the text in quotation marks; start a comment with '('.",
     remedy_de="Den Text in Anführungszeichen setzen; einen Kommentar mit '(' beginnen.",
-    key=("the entry's name", "der Name des Eintrags"),
 )
 PARAMETER_OUT_OF_RANGE = warning(
     900019,
@@ -196,10 +178,7 @@ PARAMETER_OUT_OF_RANGE = warning(
     de="{key}: {value} liegt nicht in {range}; es gilt der Standardwert {default}",
     remedy_en="Use a value in {range}.",
     remedy_de="Einen Wert aus {range} verwenden.",
-    key=("the entry's name", "der Name des Eintrags"),
-    value=("the value as it stands in the list", "der Wert, wie er in der Liste steht"),
     range=("the values that are allowed", "die erlaubten Werte"),
-    default=("the value that is used", "der Wert, der gilt"),
 )
 PARAMETER_TEXT_TOO_LONG = warning(
     1021,
@@ -209,10 +188,8 @@ PARAMETER_TEXT_TOO_LONG = warning(
     "'{default}'",
     remedy_en="Shorten the text.",
     remedy_de="Den Text kürzen.",
-    key=("the entry's name", "der Name des Eintrags"),
     length=("the text's length", "die Länge des Textes"),
     limit=("the longest text allowed", "der längste erlaubte Text"),
-    default=("the value that is used", "der Wert, der gilt"),
 )
 UNKNOWN_PARAMETER_VALUE = warning(
     2021,
@@ -221,10 +198,7 @@ UNKNOWN_PARAMETER_VALUE = warning(
     de="{key}: '{value}' ist keiner der Werte {names}; es gilt der Standardwert {default}",
     remedy_en="Use one of {names}.",
     remedy_de="Einen der Werte {names} verwenden.",
-    key=("the entry's name", "der Name des Eintrags"),
-    value=("the value as it stands in the list", "der Wert, wie er in der Liste steht"),
     names=("the allowed names", "die erlaubten Namen"),
-    default=("the value that is used", "der Wert, der gilt"),
 )
 NOT_A_BOOLEAN = warning(
     1019,
@@ -233,9 +207,6 @@ NOT_A_BOOLEAN = warning(
     de="{key}: '{value}' ist kein boolescher Wert; es gilt der Standardwert {default}",
     remedy_en="Write FALSE or TRUE.",
     remedy_de="FALSE oder TRUE schreiben.",
-    key=("the entry's name", "der Name des Eintrags"),
-    value=("the value as it stands in the list", "der Wert, wie er in der Liste steht"),
-    default=("the value that is used", "der Wert, der gilt"),
 )
 DUPLICATE_ENTRY = warning(
     900023,
@@ -244,7 +215,6 @@ DUPLICATE_ENTRY = warning(
     de="{key} steht in Zeile {first} und in Zeile {second}; es gilt Zeile {taken}",
     remedy_en="Delete one of the two lines.",
     remedy_de="Eine der beiden Zeilen löschen.",
-    key=("the entry's name", "der Name des Eintrags"),
     first=("the earlier line", "die frühere Zeile"),
     second=("the later line", "die spätere Zeile"),
     taken=("the line whose value is used", "die Zeile, deren Wert gilt"),
@@ -268,9 +238,7 @@ INVALID_PARAMETER_REFERENCE = warning(
     "Standardwert {default}",
     remedy_en="Name a numeric parameter of the same list, or write the number itself.",
     remedy_de="Einen Zahlenparameter derselben Liste nennen oder die Zahl selbst schreiben.",
-    key=("the entry's name", "der Name des Eintrags"),
     value=("the reference as it stands in the list", "der Verweis, wie er in der Liste steht"),
-    default=("the value that is used", "der Wert, der gilt"),
 )
 PARAMETER_WITHOUT_EFFECT = note(
     900026,
@@ -278,11 +246,7 @@ PARAMETER_WITHOUT_EFFECT = note(
     de="{key} ({id}) ist {value} (Standardwert {default}) und hat hier keine Wirkung: {meaning}",
     remedy_en="Nothing to do: no run depends on it.",
     remedy_de="Nichts zu tun: kein Lauf hängt davon ab.",
-    key=("the entry's name", "der Name des Eintrags"),
     id=("the parameter's ID", "die ID des Parameters"),
-    value=("the value that the list gives", "der Wert aus der Liste"),
-    default=("the parameter's default", "der Standardwert des Parameters"),
-    meaning=("what the parameter means", "die Bedeutung des Parameters"),
 )
 PARAMETER_WOULD_CHANGE_RUN = warning(
     900970,
@@ -292,11 +256,7 @@ PARAMETER_WOULD_CHANGE_RUN = warning(
     "keine Wirkung: {meaning}",
     remedy_en="Expect other positions, times or outputs on the machine.",
     remedy_de="An der Maschine andere Positionen, Zeiten oder Ausgaben erwarten.",
-    key=("the entry's name", "der Name des Eintrags"),
     id=("the parameter's ID", "die ID des Parameters"),
-    value=("the value that the list gives", "der Wert aus der Liste"),
-    default=("the parameter's default", "der Standardwert des Parameters"),
-    meaning=("what the parameter means", "die Bedeutung des Parameters"),
 )
 PARAMETER_MAY_CHANGE_RUN = note(
     900971,
@@ -306,11 +266,7 @@ PARAMETER_MAY_CHANGE_RUN = note(
     "Wirkung: {meaning}",
     remedy_en="Expect other positions, times or outputs on the machine.",
     remedy_de="An der Maschine andere Positionen, Zeiten oder Ausgaben erwarten.",
-    key=("the entry's name", "der Name des Eintrags"),
     id=("the parameter's ID", "die ID des Parameters"),
-    value=("the value that the list gives", "der Wert aus der Liste"),
-    default=("the parameter's default", "der Standardwert des Parameters"),
-    meaning=("what the parameter means", "die Bedeutung des Parameters"),
 )
 WITHOUT_EFFECT_WOULD_CHANGE_RUN = warning(
     900028,
@@ -318,7 +274,6 @@ WITHOUT_EFFECT_WOULD_CHANGE_RUN = warning(
     de="Einträge ohne Wirkung hier, die einen Lauf ändern würden: {count} ({names})",
     remedy_en="List all of them with their meaning: nctakt check --effects",
     remedy_de="Alle mit ihrer Bedeutung zeigen: nctakt check --effects",
-    count=("the number of these entries", "die Anzahl dieser Einträge"),
     names=("the first of them", "die ersten davon"),
 )
 WITHOUT_EFFECT_MAY_CHANGE_RUN = note(
@@ -327,7 +282,6 @@ WITHOUT_EFFECT_MAY_CHANGE_RUN = note(
     de="Einträge ohne Wirkung hier, die einen Lauf ändern können: {count} ({names})",
     remedy_en="List all of them with their meaning: nctakt check --effects",
     remedy_de="Alle mit ihrer Bedeutung zeigen: nctakt check --effects",
-    count=("the number of these entries", "die Anzahl dieser Einträge"),
     names=("the first of them", "die ersten davon"),
 )
 BEYOND_OTHER_PARAMETER = warning(
@@ -337,8 +291,6 @@ BEYOND_OTHER_PARAMETER = warning(
     de="{key}: {value} liegt {side} der Grenze {other} ({id}); es gilt {limit}",
     remedy_en="Change one of the two values.",
     remedy_de="Einen der beiden Werte ändern.",
-    key=("the entry's name", "der Name des Eintrags"),
-    value=("the value as it stands in the list", "der Wert, wie er in der Liste steht"),
     side=("above or below", "über oder unter"),
     other=("the entry that sets the bound", "der Eintrag, der die Grenze setzt"),
     id=("the ID of that parameter", "die ID jenes Parameters"),
@@ -387,11 +339,8 @@ INVALID_SYNCHRONISATION_TYPE = warning(
     "used: the path waits for the PLC.",
     cause_de="Eine Funktion ohne gültige Synchronisationsart darf nicht verlorengehen; darum gilt "
     "die sicherste: die Bahn wartet auf die SPS.",
-    key=("the entry's name", "der Name des Eintrags"),
-    value=("the value as it stands in the list", "der Wert, wie er in der Liste steht"),
     default=("the synchronisation type that is used", "die Synchronisationsart, die gilt"),
-    reaction=1,
-    clearing=1,
+    classes=(1, 1),
 )
 UNKNOWN_FUNCTION_AXIS = warning(
     21131,
@@ -402,7 +351,6 @@ UNKNOWN_FUNCTION_AXIS = warning(
     remedy_en="Use a name of gruppe[0].achse[i].bezeichnung or spindel[i].bezeichnung.",
     remedy_de="Einen Namen aus gruppe[0].achse[i].bezeichnung oder spindel[i].bezeichnung "
     "verwenden.",
-    key=("the entry", "der Eintrag"),
     value=("the name", "der Name"),
 )
 PROCESS_TIME_WITHOUT_WAITING = warning(
@@ -412,7 +360,6 @@ PROCESS_TIME_WITHOUT_WAITING = warning(
     remedy_en="Set it to 0, or let the channel wait for the function (MVS_SVS, MVS_SNS, MNS_SNS).",
     remedy_de="Auf 0 setzen oder den Kanal auf die Funktion warten lassen (MVS_SVS, MVS_SNS, "
     "MNS_SNS).",
-    key=("the entry", "der Eintrag"),
     value=("the time in 0.1 µs", "die Zeit in 0,1 µs"),
 )
 LEAD_TIME_TOO_SHORT = warning(
@@ -433,8 +380,6 @@ PATH_GIVEN_TWICE = warning(
     de="{key} {value} verwendet schon {other}",
     remedy_en="Give each folder of a type a number and a priority of its own.",
     remedy_de="Jedem Verzeichnis einer Art eine eigene Nummer und Priorität geben.",
-    key=("the entry", "der Eintrag"),
-    value=("its value", "sein Wert"),
     other=("the folder before", "das Verzeichnis davor"),
 )
 SYNCHRONISATION_NOT_OF_FUNCTION = warning(
@@ -443,7 +388,6 @@ SYNCHRONISATION_NOT_OF_FUNCTION = warning(
     de="{key}: diese Funktion kann die Art {value} nicht haben; {default} wird verwendet",
     remedy_en="Use MOS, MVS_SVS, MVS_SNS, MNS_SNS or MNE_SNS.",
     remedy_de="MOS, MVS_SVS, MVS_SNS, MNS_SNS oder MNE_SNS verwenden.",
-    key=("the entry", "der Eintrag"),
     value=("the synchronisation type", "die Synchronisationsart"),
     default=("the synchronisation type that is used", "die Synchronisationsart, die gilt"),
 )

@@ -20,8 +20,6 @@ ADDRESS_NOT_USABLE = error(
     remedy_de="Das Programm am Port beenden oder einen anderen nennen: --port 0 nimmt einen "
     "freien.",
     host=("the address", "die Adresse"),
-    port=("the port", "der Port"),
-    reason=("the system's reason", "der Grund des Systems"),
 )
 PROGRAM_CHANGED_ON_DISK = error(
     901162,
@@ -47,7 +45,6 @@ MESSAGE_NOT_READABLE = warning(
     "NCTAKT_DEBUG=1.",
     remedy_de="Der Lauf geht weiter. Kommt es nach dem Neuladen wieder, bitte mit NCTAKT_DEBUG=1 "
     "melden.",
-    reason=("the reason", "der Grund"),
 )
 SESSION_IS_SHARED = error(
     901475,

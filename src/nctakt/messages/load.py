@@ -11,7 +11,6 @@ INVALID_LOAD_FILE = error(
     de="{file} ist keine Last in TOML: {reason}",
     remedy_en="Correct the text.",
     remedy_de="Den Text berichtigen.",
-    file=("the file", "die Datei"),
     reason=("the error of the TOML reader", "der Fehler beim Lesen von TOML"),
 )
 LOAD_OF_UNUSED_FUNCTION = warning(
@@ -39,9 +38,6 @@ INVALID_LOAD_VALUE = error(
     de="Last: {key}: {value} ist nicht {expected}",
     remedy_en="Correct the entry.",
     remedy_de="Den Eintrag berichtigen.",
-    key=("the entry", "der Eintrag"),
-    value=("its value", "sein Wert"),
-    expected=("what is expected", "was erwartet wird"),
 )
 UNKNOWN_LOAD_ENTRY = error(
     900624,
@@ -49,7 +45,6 @@ UNKNOWN_LOAD_ENTRY = error(
     de="Last: unbekannter Eintrag {key}",
     remedy_en="Possible entries: {names}.",
     remedy_de="Mögliche Einträge: {names}.",
-    key=("the entry", "der Eintrag"),
     names=("the possible entries", "die möglichen Einträge"),
 )
 LOAD_ASSUMED = note(
@@ -65,7 +60,6 @@ LOAD_INTERRUPT_WITHOUT_EFFECT = warning(
     de="Last: interrupt.{key} hat keine Wirkung: der Timer startet die NC-Takte",
     remedy_en="Delete the entry, or use --convention to choose what interrupt_source means.",
     remedy_de="Den Eintrag löschen oder mit --convention festlegen, was interrupt_source bedeutet.",
-    key=("the entry", "der Eintrag"),
 )
 CALL_COUNT_NOT_SIMULATED = error(
     900628,
@@ -73,7 +67,6 @@ CALL_COUNT_NOT_SIMULATED = error(
     de="{thread}: {count} Aufrufe je Aktivierung sind nicht simulierbar",
     remedy_en="Set calls_per_cycle so that there are at most {limit}.",
     remedy_de="calls_per_cycle so setzen, dass es höchstens {limit} sind.",
-    thread=("the thread", "der Thread"),
     count=("the number of its calls", "die Anzahl seiner Aufrufe"),
     limit=("the maximum number of calls", "die größte Anzahl von Aufrufen"),
 )

@@ -28,13 +28,13 @@ STARTUP_LIST_MISSING = error(
 )
 LIST_FILE_MISSING = error(
     2001,
+    classes=(0, 0),
     known_as=(900062, 1000056, 1000058, 1000059, 1000060, 1000061, 1000062, 21144, 22017),
     en="the list {path} does not exist",
     de="die Liste {path} gibt es nicht",
     remedy_en="Searched: {folders}; correct the path, or name another folder with --root.",
     remedy_de="Durchsucht: {folders}; den Pfad berichtigen oder mit --root einen weiteren Ordner "
     "angeben.",
-    path=("the path as written", "der Pfad, wie geschrieben"),
     folders=("the folders that were searched", "die durchsuchten Ordner"),
 )
 PATHS_TAKEN_AS = note(
@@ -47,7 +47,6 @@ PATHS_TAKEN_AS = note(
     "Groß-/Kleinschreibung.",
     count=("the number of these paths", "die Anzahl dieser Pfade"),
     path=("the first path as written", "der erste Pfad, wie geschrieben"),
-    file=("the file that was found", "die gefundene Datei"),
 )
 SEVERAL_STARTUP_LISTS = error(
     900973,
@@ -86,6 +85,7 @@ MANDATORY_PARAMETER_MISSING = warning(
 )
 AXIS_LIST_MISSING = error(
     20312,
+    classes=(0, 0),
     known_as=(900066, 110199, 1000099),
     en="no axis list has the logical number {logical} of {name}, which is ignored",
     de="keine Achsliste hat die logische Nummer {logical} von {name}; {name} wird ignoriert",
@@ -96,6 +96,7 @@ AXIS_LIST_MISSING = error(
 )
 INVALID_LOGICAL_AXIS_NUMBER = error(
     110064,
+    classes=(0, 0),
     known_as=(900067, 1000177, 1001121),
     cases=in_case(110076, lambda values: values["logical"] == 0),
     en="the logical axis number {logical} is 0 or already used by another axis list; this list is "
@@ -116,6 +117,7 @@ RTCONF_MISSING = note(
 )
 INVALID_AXIS_NAME = error(
     20425,
+    classes=(0, 0),
     known_as=(900069, 20420, 20423),
     cases=Cases((20419, 20424, 20971, 21045), names_of_axes),
     en="{key}: {value} is not a valid name or is already used; the entry is ignored",
@@ -124,7 +126,6 @@ INVALID_AXIS_NAME = error(
     "once.",
     remedy_de="Achsnamen beginnen mit A, B, C, Q oder U bis Z, Spindelnamen mit S; jeder nur "
     "einmal.",
-    key=("the entry", "der Eintrag"),
     value=("the name, or –", "der Name oder –"),
 )
 DESCRIBED_COUNT_MISMATCH = warning(
@@ -135,7 +136,6 @@ DESCRIBED_COUNT_MISMATCH = warning(
     remedy_en="Make the number match what is described.",
     remedy_de="Die Anzahl an die Beschreibung anpassen.",
     key=("the entry that gives the number", "der Eintrag, der die Anzahl nennt"),
-    count=("the number as written", "die Anzahl, wie geschrieben"),
     found=("the number of those that are described", "die Anzahl der beschriebenen"),
 )
 UNKNOWN_MAIN_SPINDLE = warning(
@@ -171,7 +171,6 @@ UNKNOWN_GEAR_STEP = warning(
     de="es gibt keine Getriebestufe {number}; es gilt Stufe {used}",
     remedy_en="Correct kenngr.getriebe_stufe or getriebe[i].nummer.",
     remedy_de="kenngr.getriebe_stufe oder getriebe[i].nummer berichtigen.",
-    number=("the number as written", "die Nummer, wie geschrieben"),
     used=("the gear step that is used", "die Stufe, die gilt"),
 )
 SOFTWARE_LIMITS_SWAPPED = warning(
@@ -193,7 +192,6 @@ AXIS_BEYOND_LIMIT = warning(
     remedy_en="Move it between its limits first: a run begins with all axes at 0.",
     remedy_de="Sie zuerst zwischen ihre Endschalter fahren: ein Lauf beginnt mit allen Achsen bei "
     "0.",
-    axis=("the axis", "die Achse"),
     limit=("the limit in mm or degrees", "der Endschalter in mm oder Grad"),
     tolerance=("its tolerance (P-AXIS-00179)", "seine Toleranz (P-AXIS-00179)"),
 )
@@ -225,7 +223,6 @@ GLOBAL_VARIABLE_DECLARED_DIFFERENTLY = error(
     "{first}",
     remedy_en="Declare a GLOBAL variable identically in all channels.",
     remedy_de="Eine GLOBAL-Variable in allen Kanälen gleich deklarieren.",
-    name=("the variable", "die Variable"),
     channel=("the number of the channel that differs", "die Nummer des abweichenden Kanals"),
     first=(
         "the number of the channel that declares it first",

@@ -13,8 +13,7 @@ PROBE_PRESSED = error(
     "to 1.",
     remedy_de="HLI.PROBE vor dem Satz auf 0 setzen oder meas_allow_actuated_probe (P-CHAN-00312) "
     "auf 1.",
-    reaction=6,
-    clearing=6,
+    classes=(6, 6),
 )
 NO_PROBE_SIGNAL = error(
     901700,
@@ -28,8 +27,7 @@ NO_PROBE_SIGNAL = error(
     "(P-CHAN-00176) or #MEAS [ERR_NO_SIGNAL=1] says so.",
     cause_de="Messtyp 2 braucht das Signal; die anderen, wo es meas_error_no_signal "
     "(P-CHAN-00176) oder #MEAS [ERR_NO_SIGNAL=1] verlangt.",
-    reaction=6,
-    clearing=6,
+    classes=(6, 6),
 )
 NO_MEASURING_WAY = error(
     50067,
@@ -39,8 +37,6 @@ NO_MEASURING_WAY = error(
     "(P-CHAN-00313) to 0.",
     remedy_de="Ein Ziel hinter dem Werkstück programmieren oder meas_error_no_move_path "
     "(P-CHAN-00313) = 0 setzen.",
-    reaction=2,
-    clearing=3,
 )
 UNKNOWN_MEASURING_TYPE = error(
     20437,
@@ -48,9 +44,6 @@ UNKNOWN_MEASURING_TYPE = error(
     de="{type} ist kein Messtyp",
     remedy_en="Types 1 to 4 and 7 are those of G100, 5 and 6 those of G310.",
     remedy_de="1 bis 4 und 7 sind die Typen von G100, 5 und 6 die von G310.",
-    type=("the type as programmed", "der Typ, wie programmiert"),
-    reaction=2,
-    clearing=3,
 )
 TYPE_WITHOUT_G100 = error(
     20138,
@@ -59,8 +52,6 @@ TYPE_WITHOUT_G100 = error(
     remedy_en="Choose type 1, 2, 3 or 4 by #MEAS MODE before the block, or write G310.",
     remedy_de="Vor dem Satz mit #MEAS MODE Typ 1, 2, 3 oder 4 wählen, oder G310 schreiben.",
     type=("the active type", "der wirksame Typ"),
-    reaction=2,
-    clearing=3,
 )
 TYPE_WITHOUT_G310 = error(
     20956,
@@ -69,8 +60,6 @@ TYPE_WITHOUT_G310 = error(
     remedy_en="Write #MEAS MODE [5] before the block.",
     remedy_de="Vor dem Satz #MEAS MODE [5] schreiben.",
     type=("the active type", "der wirksame Typ"),
-    reaction=2,
-    clearing=3,
 )
 MEASURING_DURING_SEARCH = error(
     50718,
@@ -79,8 +68,7 @@ MEASURING_DURING_SEARCH = error(
     remedy_en="Skip the block (/{word}), or begin in front of it.",
     remedy_de="Den Satz ausblenden (/{word}) oder vor ihm beginnen.",
     word=("G100 or G310", "G100 oder G310"),
-    reaction=2,
-    clearing=7,
+    classes=(2, 7),
 )
 NO_FIXED_STOP_DETECTION = error(
     901701,
@@ -92,11 +80,8 @@ NO_FIXED_STOP_DETECTION = error(
     "P-AXIS-00769 or P-AXIS-00331.",
     cause_de="Am Festanschlag eilt der Sollwert der Achse um mehr als P-AXIS-00774, P-AXIS-00769 "
     "oder P-AXIS-00331 voraus.",
-    axis=("the axis", "die Achse"),
     key=("the entry of its list", "der Eintrag ihrer Liste"),
-    value=("its value", "sein Wert"),
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 NOT_A_MEASURING_AXIS = error(
     50059,
@@ -105,9 +90,7 @@ NOT_A_MEASURING_AXIS = error(
     de="{axis} darf nicht an Messfahrten teilnehmen",
     remedy_en="Set kenngr.messachse (P-AXIS-00118) of the axis to 1.",
     remedy_de="kenngr.messachse (P-AXIS-00118) der Achse auf 1 setzen.",
-    axis=("the axis", "die Achse"),
-    reaction=4,
-    clearing=6,
+    classes=(4, 6),
 )
 WRONG_MEASURING_AXES = error(
     50061,
@@ -116,11 +99,9 @@ WRONG_MEASURING_AXES = error(
     de="Messtyp {type} mit {count} Achsen: {axes}",
     remedy_en="Type 2 measures exactly one axis, type 4 the first three of the channel only.",
     remedy_de="Typ 2 misst genau eine Achse, Typ 4 nur die ersten drei des Kanals.",
-    type=("the type", "der Typ"),
     count=("how many axes the block has", "wie viele Achsen der Satz hat"),
     axes=("the axes of the block", "die Achsen des Satzes"),
-    reaction=4,
-    clearing=6,
+    classes=(4, 6),
 )
 CONTINUATION_WITHOUT_TYPE_3 = error(
     20772,
@@ -130,8 +111,6 @@ CONTINUATION_WITHOUT_TYPE_3 = error(
     remedy_en="Write #MEAS MODE [3] before the block.",
     remedy_de="Vor dem Satz #MEAS MODE [3] schreiben.",
     type=("the active type", "der wirksame Typ"),
-    reaction=2,
-    clearing=3,
 )
 CONTINUATION_WITHOUT_MEASURING = error(
     901705,
@@ -139,8 +118,7 @@ CONTINUATION_WITHOUT_MEASURING = error(
     de="G106 in einem Satz, der nicht misst",
     remedy_en="Write G100 in the same block, with measuring type 3.",
     remedy_de="G100 in denselben Satz schreiben, mit Messtyp 3.",
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 NO_MEASURED_VALUE = error(
     901706,
@@ -149,9 +127,7 @@ NO_MEASURED_VALUE = error(
     remedy_en="Measure the axis first (G100), and ask V.A.MERF.{axis} whether the probe touched.",
     remedy_de="Die Achse zuerst messen (G100) und mit V.A.MERF.{axis} prüfen, ob der Taster "
     "geschaltet hat.",
-    axis=("the axis", "die Achse"),
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 SIMULATED_OFFSET_WITHOUT_MODE = error(
     901707,
@@ -159,12 +135,10 @@ SIMULATED_OFFSET_WITHOUT_MODE = error(
     de="SIMU_OFFSET ohne eine Achse, deren simulierter Taster am Ziel schaltet",
     remedy_en="Give a measuring axis meas_simu.meas_simu_mode (P-AXIS-00112) 4.",
     remedy_de="Einer Messachse meas_simu.meas_simu_mode (P-AXIS-00112) 4 geben.",
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 PROBE_CHOICE_WITHOUT_EFFECT = note(
     901708,
     en="{word} of #MEAS chooses nothing: all axes measure with HLI.PROBE",
     de="{word} von #MEAS wählt nichts aus: alle Achsen messen mit HLI.PROBE",
-    word=("the keyword", "das Schlüsselwort"),
 )

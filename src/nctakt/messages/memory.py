@@ -16,8 +16,6 @@ TEXT_INSTEAD_OF_NUMBER = error(
     remedy_de="Eine Variable mit einer Zahl verwenden; Texte lassen sich zuweisen, vergleichen, "
     "mit #MSG ausgeben.",
     name=("the variable, or the text", "die Variable oder der Text"),
-    reaction=2,
-    clearing=3,
 )
 OPERATOR_WITH_TEXT = error(
     21458,
@@ -27,8 +25,6 @@ OPERATOR_WITH_TEXT = error(
     remedy_en="Compare texts with == or !=, concatenate them with +.",
     remedy_de="Texte mit == oder != vergleichen, mit + verketten.",
     operator=("the operator", "der Operator"),
-    reaction=2,
-    clearing=3,
 )
 NUMBER_INSTEAD_OF_TEXT = error(
     21460,
@@ -39,8 +35,6 @@ NUMBER_INSTEAD_OF_TEXT = error(
     remedy_de="Einen Text in Anführungszeichen schreiben oder eine Variable vom Typ STRING oder "
     "VSTRING angeben.",
     value=("the expression as written", "der Ausdruck, wie geschrieben"),
-    reaction=2,
-    clearing=3,
 )
 TEXT_TOO_LONG = error(
     21462,
@@ -51,11 +45,8 @@ TEXT_TOO_LONG = error(
     "VSTRING",
     remedy_de="Den Text kürzen oder die Variable vergrößern: P-EXTV-00022 für STRING, 00008 für "
     "VSTRING",
-    name=("the variable", "die Variable"),
     limit=("the maximum number of characters", "die größte Anzahl von Zeichen"),
     count=("the number of characters of the text", "die Anzahl der Zeichen des Textes"),
-    reaction=2,
-    clearing=3,
 )
 CHARACTER_NOT_STORABLE = error(
     900344,
@@ -65,10 +56,8 @@ CHARACTER_NOT_STORABLE = error(
     remedy_en="Use characters of Windows-1252: a variable stores each character in one byte.",
     remedy_de="Zeichen aus Windows-1252 verwenden: eine Variable speichert jedes Zeichen in einem "
     "Byte.",
-    name=("the variable", "die Variable"),
     character=("the number of the character in Unicode", "die Nummer des Zeichens in Unicode"),
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 AGGREGATE_TYPE_MISMATCH = error(
     21443,
@@ -86,8 +75,6 @@ AGGREGATE_TYPE_MISMATCH = error(
         "die Struktur oder das Feld auf der linken Seite",
     ),
     member=("a value of the right-hand side", "ein Wert der rechten Seite"),
-    reaction=2,
-    clearing=3,
 )
 PLC_VALUE_NOT_FINITE = warning(
     21820,
@@ -98,9 +85,7 @@ PLC_VALUE_NOT_FINITE = warning(
     remedy_en="Write a finite number; this is reported once for each variable.",
     remedy_de="Eine endliche Zahl schreiben; dies wird je Variable einmal gemeldet.",
     value=("an infinite number, or NaN", "eine unendliche Zahl oder NaN"),
-    variable=("the variable", "die Variable"),
-    reaction=1,
-    clearing=1,
+    classes=(1, 1),
 )
 HLI_IMAGE_EXISTS = error(
     900347,
@@ -123,7 +108,6 @@ SHARED_MEMORY_EXISTS = error(
     de="den gemeinsamen Speicher {name} gibt es schon",
     remedy_en="Choose another name; if nobody uses the old one any more, remove it (/dev/shm).",
     remedy_de="Einen anderen Namen wählen; den alten, falls unbenutzt, entfernen (/dev/shm).",
-    name=("the name that was given", "der angegebene Name"),
 )
 SHARED_MEMORY_NOT_AVAILABLE = error(
     900350,
@@ -132,8 +116,6 @@ SHARED_MEMORY_NOT_AVAILABLE = error(
     de="der gemeinsame Speicher {name} ist nicht verfügbar: {reason}",
     remedy_en="Choose a short name of letters, digits and underscores.",
     remedy_de="Einen kurzen Namen aus Buchstaben, Ziffern und Unterstrichen wählen.",
-    name=("the name that was given", "der angegebene Name"),
-    reason=("the error of the operating system", "der Fehler des Betriebssystems"),
 )
 NOT_VISIBLE_TO_PLC = error(
     900351,
@@ -141,5 +123,4 @@ NOT_VISIBLE_TO_PLC = error(
     de="{name} gehört dem Kanal und ist für eine SPS nicht sichtbar",
     remedy_en="Use a V.E variable, which programs, cycles and the PLC share.",
     remedy_de="Eine V.E-Variable verwenden, die Programme, Zyklen und SPS gemeinsam haben.",
-    name=("the variable", "die Variable"),
 )

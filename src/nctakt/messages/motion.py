@@ -17,8 +17,6 @@ ARC_WITHOUT_CENTRE = error(
     "in an earlier block.",
     cause_de="G02 und G03 brauchen einen Mittelpunkt, der nicht der Startpunkt ist; der Radius "
     "darf aus einem früheren Satz stammen.",
-    reaction=2,
-    clearing=3,
 )
 ARC_RADIUS_TOO_SMALL = error(
     20033,
@@ -28,10 +26,7 @@ ARC_RADIUS_TOO_SMALL = error(
     remedy_en="Program a larger radius, or the centre. A full circle needs its centre.",
     remedy_de="Einen größeren Radius oder den Mittelpunkt programmieren. Ein Vollkreis braucht "
     "seinen Mittelpunkt.",
-    radius=("the radius in mm", "der Radius in mm"),
     minimum=("half the distance to the target in mm", "der halbe Abstand zum Ziel in mm"),
-    reaction=2,
-    clearing=3,
 )
 POINTS_ON_A_LINE = error(
     901892,
@@ -42,8 +37,7 @@ POINTS_ON_A_LINE = error(
     "two arcs.",
     remedy_de="Mit I, J, K einen Punkt zwischen Start und Ziel des Bogens programmieren. Ein "
     "Vollkreis sind zwei Bögen.",
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 ARC_IN_SPACE_DURING_COMPENSATION = error(
     22081,
@@ -51,8 +45,6 @@ ARC_IN_SPACE_DURING_COMPENSATION = error(
     de="G303 bei aktiver Werkzeugradiuskorrektur",
     remedy_en="Program the arc behind G40 and the motion that leaves the contour.",
     remedy_de="Den Kreis hinter G40 und der Bewegung programmieren, die die Kontur verlässt.",
-    reaction=2,
-    clearing=3,
 )
 ARC_CENTRE_TOO_FAR_OFF = error(
     20035,
@@ -70,8 +62,6 @@ ARC_CENTRE_TOO_FAR_OFF = error(
     "Radius.",
     shift=("the distance in mm", "die Strecke in mm"),
     allowed=("the limit in mm", "die Grenze in mm"),
-    reaction=2,
-    clearing=3,
 )
 PLANE_AXIS_MISSING = error(
     20938,
@@ -82,8 +72,6 @@ PLANE_AXIS_MISSING = error(
     remedy_de="Mit G17, G18 oder G19 eine andere Ebene wählen oder die Achse in die Kanalliste "
     "aufnehmen.",
     plane=("number of the G function", "Nummer der G-Funktion"),
-    reaction=2,
-    clearing=3,
 )
 CENTRE_NOT_IN_PLANE = error(
     900704,
@@ -92,10 +80,8 @@ CENTRE_NOT_IN_PLANE = error(
     de="{word} ist keine Mittelpunktkoordinate der Ebene G{plane}",
     remedy_en="Program I and J in G17, K and I in G18, J and K in G19.",
     remedy_de="Bei G17 I und J programmieren, bei G18 K und I, bei G19 J und K.",
-    word=("the word", "das Wort"),
     plane=("number of the G function", "Nummer der G-Funktion"),
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 ARC_OUTSIDE_LIMITS = error(
     120002,
@@ -106,15 +92,10 @@ ARC_OUTSIDE_LIMITS = error(
     "{low} … {high}",
     remedy_en="Program an arc within the limits (P-AXIS-00177, P-AXIS-00178).",
     remedy_de="Einen Kreisbogen innerhalb der Grenzen programmieren (P-AXIS-00177, P-AXIS-00178).",
-    axis=("name of the axis", "Name der Achse"),
     position=(
         "the farthest position on the arc in mm",
         "die entfernteste Position auf dem Bogen in mm",
     ),
-    low=("lower limit", "untere Grenze"),
-    high=("upper limit", "obere Grenze"),
-    reaction=2,
-    clearing=3,
 )
 COMMAND_WORD_NOT_SIMULATED = error(
     900706,
@@ -124,11 +105,8 @@ COMMAND_WORD_NOT_SIMULATED = error(
     remedy_de="Entfernen oder verwenden, was simuliert wird: {names}",
     cause_en="It would change positions or times in a way that nctakt does not model.",
     cause_de="Es würde Positionen oder Zeiten in einer Weise ändern, die nctakt nicht nachbildet.",
-    word=("the keyword as the program has it", "das Schlüsselwort, wie es im Programm steht"),
-    command=("the command", "der Befehl"),
     names=("the keywords that are simulated", "die Schlüsselwörter, die simuliert werden"),
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 INVALID_CONTOUR_DEVIATION = error(
     21401,
@@ -137,9 +115,6 @@ INVALID_CONTOUR_DEVIATION = error(
     de="die Abweichung {value} beim Überschleifen muss größer als 0 sein",
     remedy_en="Program a PATH_DEV above 0, or switch contouring off with G260.",
     remedy_de="Ein PATH_DEV über 0 programmieren oder das Überschleifen mit G260 ausschalten.",
-    value=("the value", "der Wert"),
-    reaction=2,
-    clearing=3,
 )
 FILTER_NOT_SIMULATED = error(
     901875,
@@ -147,7 +122,6 @@ FILTER_NOT_SIMULATED = error(
     de="#FILTER: die Achse {axis} hat einen FIR-Filter vom Typ {type}, der nicht simuliert wird",
     remedy_en="Set vib_guard.type (P-AXIS-00586) to 0 for a run without filters.",
     remedy_de="vib_guard.type (P-AXIS-00586) für einen Lauf ohne Filter auf 0 setzen.",
-    axis=("name of the axis", "Name der Achse"),
     type=("the type of its filter", "der Typ ihres Filters"),
 )
 CURVE_OUTSIDE_LIMITS = error(
@@ -156,13 +130,10 @@ CURVE_OUTSIDE_LIMITS = error(
     de="die Kurve von #CONTOUR MODE führt Achse {axis} auf {position}, außerhalb {low} … {high}",
     remedy_en="Move the interim point or the corner away from the limit (P-AXIS-00177, -00178).",
     remedy_de="Zwischenpunkt oder Ecke von der Grenze weg verlegen (P-AXIS-00177, -00178).",
-    axis=("name of the axis", "Name der Achse"),
     position=(
         "a position on the curve in mm or degrees",
         "eine Position der Kurve in mm oder Grad",
     ),
-    low=("lower limit", "untere Grenze"),
-    high=("upper limit", "obere Grenze"),
 )
 CONTOUR_MODE_WHILE_ON = error(
     120698,
@@ -172,8 +143,7 @@ CONTOUR_MODE_WHILE_ON = error(
     remedy_de="Vor dem Wechsel G260 schreiben und dahinter G261.",
     mode=("the new mode", "der neue Modus"),
     before=("the mode before", "der Modus davor"),
-    reaction=2,
-    clearing=6,
+    classes=(2, 6),
 )
 CONTOUR_SHARE_OUT_OF_RANGE = error(
     901870,
@@ -181,11 +151,7 @@ CONTOUR_SHARE_OUT_OF_RANGE = error(
     de="{word} {value} von #CONTOUR MODE liegt nicht in 0 … {highest}",
     remedy_en="REMAIN_PART is a share in per cent, MAX_ANGLE an angle in degrees.",
     remedy_de="REMAIN_PART ist ein Anteil in Prozent, MAX_ANGLE ein Winkel in Grad.",
-    word=("the keyword", "das Schlüsselwort"),
-    value=("the value", "der Wert"),
-    highest=("the highest value", "der größte Wert"),
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 INVALID_VECTOR_LIMIT = error(
     21205,
@@ -194,10 +160,6 @@ INVALID_VECTOR_LIMIT = error(
     de="{word} von #VECTOR LIMIT ist {value}, muss aber größer als 0 sein",
     remedy_en="Program a limit above 0, or switch it off: #VECTOR LIMIT OFF [{word}]",
     remedy_de="Eine Grenze über 0 programmieren oder sie ausschalten: #VECTOR LIMIT OFF [{word}]",
-    word=("the keyword", "das Schlüsselwort"),
-    value=("the value", "der Wert"),
-    reaction=2,
-    clearing=3,
 )
 UNKNOWN_SLOPE = error(
     21304,
@@ -206,9 +168,6 @@ UNKNOWN_SLOPE = error(
     remedy_en="0 is STEP, 1 TRAPEZ, 2 SIN2, 3 HSC.",
     remedy_de="0 ist STEP, 1 TRAPEZ, 2 SIN2, 3 HSC.",
     value=("the number", "die Nummer"),
-    highest=("the highest number", "die größte Nummer"),
-    reaction=2,
-    clearing=3,
 )
 SIMPLIFIED = note(
     901551,
@@ -218,20 +177,17 @@ SIMPLIFIED = note(
     remedy_de="Nichts zu tun, wenn das genügt; das wird einmal je Programm gemeldet.",
     cause_en="No public source settles what the controller does in detail.",
     cause_de="Keine öffentliche Quelle sagt genau, was die Steuerung tut.",
-    command=("the word or command", "das Wort oder der Befehl"),
     meaning=("what nctakt does", "was nctakt tut"),
 )
 UNKNOWN_COMMAND_KEYWORD = error(
     21220,
+    classes=(0, 0),
     known_as=(900900,),
     cases=by_beginning("command", {"#CS TRACK": 21855, "#CS SHIFT": 21857, "#MSG": 21711}),
     en="{command} has no keyword {word}",
     de="{command} hat kein Schlüsselwort {word}",
     remedy_en="Did you mean {nearest}?",
     remedy_de="War {nearest} gemeint?",
-    word=("the keyword as the program has it", "das Schlüsselwort, wie es im Programm steht"),
-    command=("the command", "der Befehl"),
-    nearest=("the nearest known name", "der ähnlichste bekannte Name"),
 )
 ARC_WITH_CENTRE_AND_RADIUS = error(
     21024,
@@ -242,6 +198,4 @@ ARC_WITH_CENTRE_AND_RADIUS = error(
     remedy_de="Den Mittelpunkt (I, J, K) oder den Radius R programmieren, nicht beides.",
     cause_en="Each of them alone fixes the circle; together they need not agree.",
     cause_de="Jeder von beiden legt den Kreis fest; gemeinsam müssen sie nicht zueinander passen.",
-    reaction=2,
-    clearing=3,
 )

@@ -8,12 +8,12 @@ from nctakt.messages.catalogue import error, warning
 
 UNEXPECTED_TEXT = error(
     20797,
+    classes=(0, 0),
     known_as=(900100, 20200),
     en="{found} is not expected here",
     de="{found} ist hier nicht zu erwarten",
     remedy_en="Remove it, or write the block according to the grammar.",
     remedy_de="Entfernen oder den Satz nach der Grammatik schreiben.",
-    found=("the text at this position", "der Text an dieser Stelle"),
 )
 VALUE_EXPECTED = error(
     900101,
@@ -22,7 +22,6 @@ VALUE_EXPECTED = error(
     de="vor {found} fehlt ein Wert",
     remedy_en="Write a number, a variable or an expression.",
     remedy_de="Eine Zahl, eine Variable oder einen Ausdruck schreiben.",
-    found=("the text at this position", "der Text an dieser Stelle"),
 )
 EQUALS_BEFORE_CONDITION = error(
     901041,
@@ -38,6 +37,7 @@ EQUALS_BEFORE_CONDITION = error(
 )
 BRACKET_NOT_CLOSED = error(
     20397,
+    classes=(0, 0),
     known_as=(900102, 20198, 21217),
     en="this bracket is not closed",
     de="diese Klammer wird nicht geschlossen",
@@ -54,6 +54,7 @@ UNMATCHED_CLOSING_BRACKET = error(
 )
 TEXT_NOT_CLOSED = error(
     20790,
+    classes=(0, 0),
     known_as=(900104, 20613, 20615, 20629, 20715),
     en="this text has no closing quote",
     de="diesem Text fehlt das schließende Anführungszeichen",
@@ -62,13 +63,13 @@ TEXT_NOT_CLOSED = error(
 )
 STRUCTURE_NOT_CLOSED = error(
     20375,
+    classes=(0, 0),
     known_as=(900105, 21500, 21501, 21502),
     cases=by_beginning("begin", {"#IF": 21387}),
     en="{begin} is never closed",
     de="{begin} wird nie geschlossen",
     remedy_en="Write {end}; nested structures end in reverse order.",
     remedy_de="{end} schreiben; geschachtelte Strukturen enden in umgekehrter Reihenfolge.",
-    begin=("the word that opens the structure", "das Wort, das die Struktur öffnet"),
     end=("the word that closes it", "das Wort, das sie schließt"),
 )
 STRUCTURE_NOT_OPENED = error(
@@ -95,7 +96,6 @@ STRUCTURE_NOT_OPENED = error(
     de="{word} ohne {begin}",
     remedy_en="Remove it, or write {begin} first.",
     remedy_de="Entfernen oder vorher {begin} schreiben.",
-    word=("the word at this position", "das Wort an dieser Stelle"),
     begin=("the word that should come before", "das Wort, das vorher kommen muss"),
 )
 UNKNOWN_CONTROL_WORD = error(
@@ -105,7 +105,6 @@ UNKNOWN_CONTROL_WORD = error(
     de="{word} ist keine Steueranweisung",
     remedy_en="Did you mean {suggestion}? There must be no blank after $.",
     remedy_de="War {suggestion} gemeint? Nach $ darf kein Leerzeichen stehen.",
-    word=("the word as written", "das Wort, wie geschrieben"),
     suggestion=("the most similar control statement", "die ähnlichste Steueranweisung"),
 )
 BINARY_FILE = error(
@@ -134,16 +133,17 @@ BLOCK_LONGER_THAN_MANUAL = warning(
 )
 STRUCTURES_NESTED_TOO_DEEP = error(
     20211,
+    classes=(0, 0),
     known_as=(900111, 20590),
     en="{begin} is inside more than {limit} other structures",
     de="{begin} steht in mehr als {limit} anderen Strukturen",
     remedy_en="Move the inner part into a subprogram.",
     remedy_de="Den inneren Teil in ein Unterprogramm auslagern.",
-    begin=("the word that opens the structure", "das Wort, das die Struktur öffnet"),
     limit=("the maximum nesting", "die größte Schachtelung"),
 )
 COMMENT_NOT_CLOSED = error(
     20568,
+    classes=(0, 0),
     known_as=(900112,),
     en="this comment is never closed",
     de="dieser Kommentar wird nie geschlossen",
@@ -159,7 +159,6 @@ SYMBOL_EXPECTED = error(
     remedy_en="Write '{symbol}'.",
     remedy_de="'{symbol}' schreiben.",
     symbol=("the missing symbol", "das fehlende Zeichen"),
-    found=("the text at this position", "der Text an dieser Stelle"),
 )
 NAME_EXPECTED = error(
     900114,
@@ -169,7 +168,6 @@ NAME_EXPECTED = error(
     remedy_en="Write the name of a variable, label, program or command.",
     remedy_de="Den Namen einer Variablen, einer Marke, eines Programms oder eines Befehls "
     "schreiben.",
-    found=("the text at this position", "der Text an dieser Stelle"),
 )
 STATEMENT_BEFORE_CASE = error(
     900115,
@@ -188,6 +186,7 @@ ONLY_DECLARATIONS_IN_VAR = error(
 )
 SECOND_MAIN_PROGRAM = error(
     20193,
+    classes=(0, 0),
     known_as=(900117, 21313),
     en="the file already has a main program before %{name}",
     de="die Datei hat vor %{name} schon ein Hauptprogramm",
@@ -212,16 +211,17 @@ NUMBER_TOO_LARGE = error(
 )
 BRANCH_AFTER_ELSE = error(
     20214,
+    classes=(0, 0),
     known_as=(900120,),
     cases=by_beginning("word", {"$ELSEIF": 20216}),
     en="{word} after the $ELSE of the same $IF",
     de="{word} nach dem $ELSE desselben $IF",
     remedy_en="Put a single $ELSE last, or close the $IF first.",
     remedy_de="Ein einziges $ELSE ans Ende setzen oder das $IF vorher schließen.",
-    word=("the word at this position", "das Wort an dieser Stelle"),
 )
 INVALID_SKIP_LEVEL = error(
     21655,
+    classes=(0, 0),
     known_as=(900122,),
     en="there is no skip level {level}: levels are 1 to {limit}",
     de="es gibt keine Ausblendebene {level}: Ebenen sind 1 bis {limit}",
@@ -238,8 +238,6 @@ BLOCK_TOO_LONG = error(
     remedy_de="Auf mehrere Sätze aufteilen.",
     length=("the number of characters in the block", "die Anzahl der Zeichen im Satz"),
     limit=("the maximum number of characters", "die größte Anzahl von Zeichen"),
-    reaction=2,
-    clearing=3,
 )
 COMMENT_BEGIN_NOT_ALONE = error(
     20566,
@@ -247,8 +245,6 @@ COMMENT_BEGIN_NOT_ALONE = error(
     de="#COMMENT BEGIN muss allein im Satz stehen",
     remedy_en="Write it in a block of its own.",
     remedy_de="In einen eigenen Satz schreiben.",
-    reaction=2,
-    clearing=3,
 )
 COMMENT_END_NOT_ALONE = error(
     20569,
@@ -256,8 +252,6 @@ COMMENT_END_NOT_ALONE = error(
     de="#COMMENT END muss allein im Satz stehen",
     remedy_en="Write it in a block of its own.",
     remedy_de="In einen eigenen Satz schreiben.",
-    reaction=2,
-    clearing=3,
 )
 UNKNOWN_CYCLE_KEYWORD = error(
     21985,
@@ -273,8 +267,6 @@ UNKNOWN_CYCLE_KEYWORD = error(
     cause_de="In den Klammern von #RT CYCLE stehen ID, SCOPE und END_ACTION, jedes einmal und in "
     "beliebiger Reihenfolge.",
     keyword=("the word as written", "das Wort, wie geschrieben"),
-    reaction=2,
-    clearing=3,
 )
 CYCLE_BEGIN_END_MISMATCH = error(
     22005,
@@ -287,8 +279,6 @@ CYCLE_BEGIN_END_MISMATCH = error(
     cause_de="Definitionen lassen sich nicht schachteln: jede beginnt mit #RT CYCLE und endet mit "
     "#RT CYCLE END.",
     found=("the command at this position", "der Befehl an dieser Stelle"),
-    reaction=2,
-    clearing=3,
 )
 EXPRESSION_TOO_DEEP = error(
     20386,
@@ -300,6 +290,5 @@ EXPRESSION_TOO_DEEP = error(
     cause_en="The realtime part evaluates with little memory, so the depth is limited.",
     cause_de="Der Echtzeit-Teil rechnet mit wenig Speicher; darum ist die Tiefe begrenzt.",
     limit=("the maximum nesting", "die größte Schachtelung"),
-    reaction=6,
-    clearing=6,
+    classes=(6, 6),
 )

@@ -11,8 +11,6 @@ SECURITY_FOLDER_NOT_USABLE = error(
     de="der Ordner {folder} mit Zertifikat und Benutzern ist nicht verwendbar: {reason}",
     remedy_en="Name a folder that can be written, or mend or delete its files.",
     remedy_de="Einen beschreibbaren Ordner nennen oder seine Dateien berichtigen oder löschen.",
-    folder=("the folder", "der Ordner"),
-    reason=("the reason", "der Grund"),
 )
 OPCUA_LIBRARY_MISSING = error(
     901473,

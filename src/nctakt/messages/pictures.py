@@ -11,8 +11,6 @@ WRONG_SUFFIX = error(
     de="{file}: eine Datei von {option} muss auf {suffix} enden",
     remedy_en="Choose this suffix.",
     remedy_de="Diese Endung wählen.",
-    file=("the file", "die Datei"),
-    option=("the option", "die Option"),
     suffix=("the suffix", "die Endung"),
 )
 RUN_NOT_RECORDED = error(

@@ -113,7 +113,6 @@ UNKNOWN_PLC_AXIS = error(
     de="unbekannte Achse {name}",
     remedy_en="Did you mean {nearest}? Name one of these: {known}",
     remedy_de="War {nearest} gemeint? Eine von diesen nennen: {known}",
-    name=("the name", "der Name"),
     nearest=("the nearest axis, or –", "die ähnlichste Achse, oder –"),
     known=("the axes of the machine", "die Achsen der Maschine"),
 )
@@ -161,9 +160,7 @@ CHANNEL_BEING_RESET = error(
     remedy_de="Die Achse nach dem Reset erneut beauftragen.",
     cause_en="A reset lasts until all axes of the channel have stopped.",
     cause_de="Ein Reset dauert, bis alle Achsen des Kanals stehen.",
-    axis=("the axis", "die Achse"),
-    reaction=6,
-    clearing=6,
+    classes=(6, 6),
 )
 UNKNOWN_PLC_NAME = error(
     901008,
@@ -172,8 +169,6 @@ UNKNOWN_PLC_NAME = error(
     remedy_en="Did you mean {nearest}? docs/plc.md lists the names.",
     remedy_de="War {nearest} gemeint? docs/plc.md nennt die Namen.",
     owner=("the object in the PLC's file", "das Objekt in der Datei der SPS"),
-    name=("the name as written", "der Name, wie geschrieben"),
-    nearest=("the nearest known name, or –", "der ähnlichste bekannte Name, oder –"),
 )
 PLC_NAME_NOT_SETTABLE = error(
     901009,
@@ -192,7 +187,6 @@ WRONG_PLC_TYPE = error(
     remedy_de="docs/plc.md zeigt je ein Beispiel.",
     name=("the attribute", "das Attribut"),
     value=("the value as written", "der Wert, wie geschrieben"),
-    expected=("what it must be", "was es sein muss"),
 )
 WRONG_HANDLER_PARAMETERS = error(
     901011,
@@ -209,8 +203,6 @@ UNKNOWN_HLI_VALUE = error(
     de="das HLI hat hier keinen Wert {name}",
     remedy_en="Did you mean {nearest}? Possible are: {known}",
     remedy_de="War {nearest} gemeint? Möglich sind: {known}",
-    name=("the name", "der Name"),
-    nearest=("the nearest known name, or –", "der ähnlichste bekannte Name, oder –"),
     known=("the names that there are", "die vorhandenen Namen"),
 )
 UNKNOWN_FUNCTION_IN_PLC = error(

@@ -7,12 +7,12 @@ from nctakt.messages.catalogue import error, note
 
 SUBPROGRAM_END_IN_MAIN_PROGRAM = error(
     20376,
+    classes=(0, 0),
     known_as=(900123,),
     en="{word} ends a subprogram, but this is the main program",
     de="{word} beendet ein Unterprogramm, dies ist aber das Hauptprogramm",
     remedy_en="Write M30, or call this text with L or LL.",
     remedy_de="M30 schreiben oder diesen Text mit L oder LL aufrufen.",
-    word=("the word as written", "das Wort, wie geschrieben"),
 )
 PROGRAM_ENDS_AS_SUBPROGRAM = note(
     901076,
@@ -21,19 +21,19 @@ PROGRAM_ENDS_AS_SUBPROGRAM = note(
     remedy_en="Write M30 if it is a main program; check it together with its caller if it is not.",
     remedy_de="M30 schreiben, wenn es ein Hauptprogramm ist; sonst mit dem Aufrufer zusammen "
     "prüfen.",
-    word=("the word as written", "das Wort, wie geschrieben"),
 )
 PROGRAM_END_IN_SUBPROGRAM = error(
     20377,
+    classes=(0, 0),
     known_as=(900124,),
     en="{word} ends a main program, but this is a subprogram",
     de="{word} beendet ein Hauptprogramm, dies ist aber ein Unterprogramm",
     remedy_en="Write M17 to return to the caller.",
     remedy_de="M17 schreiben, um zum Aufrufer zurückzukehren.",
-    word=("the word as written", "das Wort, wie geschrieben"),
 )
 BLOCK_NUMBER_BEFORE_HASH_IF = error(
     20593,
+    classes=(0, 0),
     known_as=(900125,),
     en="there must be no block number before #IF",
     de="vor #IF darf keine Satznummer stehen",
@@ -42,6 +42,7 @@ BLOCK_NUMBER_BEFORE_HASH_IF = error(
 )
 UNKNOWN_LABEL = error(
     20840,
+    classes=(0, 0),
     known_as=(900126, 21697, 21698),
     en="this program has no label {label}",
     de="dieses Programm hat keine Sprungmarke {label}",
@@ -50,30 +51,30 @@ UNKNOWN_LABEL = error(
     "schreiben.",
     cause_en="A jump stays within its main program or subprogram.",
     cause_de="Ein Sprung bleibt in seinem Haupt- oder Unterprogramm.",
-    label=("the label", "die Sprungmarke"),
     nearest=("the most similar label", "die ähnlichste Sprungmarke"),
 )
 JUMP_INTO_LOOP = error(
     21480,
+    classes=(0, 0),
     known_as=(900127,),
     en="the label {label} is in a loop: it is not possible to jump there",
     de="die Sprungmarke {label} steht in einer Schleife: dorthin kann nicht gesprungen werden",
     remedy_en="Put the label before or after the loop; use $CONTINUE and $BREAK inside it.",
     remedy_de="Die Marke vor oder hinter die Schleife setzen; innerhalb $CONTINUE und $BREAK "
     "verwenden.",
-    label=("the label", "die Sprungmarke"),
 )
 DUPLICATE_LABEL = error(
     20836,
+    classes=(0, 0),
     known_as=(900128,),
     en="the label {label} is defined twice in this program",
     de="die Sprungmarke {label} ist in diesem Programm doppelt definiert",
     remedy_en="Rename one of them.",
     remedy_de="Eine der beiden umbenennen.",
-    label=("the label", "die Sprungmarke"),
 )
 UNKNOWN_LOCAL_SUBPROGRAM = error(
     20373,
+    classes=(0, 0),
     known_as=(900129,),
     en="this file has no local subprogram {name}",
     de="diese Datei hat kein lokales Unterprogramm {name}",
@@ -81,7 +82,6 @@ UNKNOWN_LOCAL_SUBPROGRAM = error(
     "L.",
     remedy_de="War {nearest} gemeint? Ein lokales Unterprogramm beginnt mit %L {name}; Dateien mit "
     "L aufrufen.",
-    name=("the name", "der Name"),
     nearest=("the most similar local subprogram", "das ähnlichste lokale Unterprogramm"),
 )
 DUPLICATE_LOCAL_SUBPROGRAM = error(
@@ -90,7 +90,6 @@ DUPLICATE_LOCAL_SUBPROGRAM = error(
     de="das lokale Unterprogramm {name} ist schon in Zeile {line} definiert",
     remedy_en="Rename one of them.",
     remedy_de="Eines der beiden umbenennen.",
-    name=("the name", "der Name"),
     line=("the line of the first definition", "die Zeile der ersten Definition"),
 )
 PROGRAM_NOT_FOUND = error(
@@ -100,10 +99,7 @@ PROGRAM_NOT_FOUND = error(
     de="das Programm {name} wurde nicht gefunden",
     remedy_en="Searched: {folders}. Add folders with path[i].dir in the channel list.",
     remedy_de="Durchsucht: {folders}. Weitere Ordner mit path[i].dir in der Kanalliste angeben.",
-    name=("the name", "der Name"),
     folders=("the folders that were searched", "die durchsuchten Ordner"),
-    reaction=2,
-    clearing=3,
 )
 INVALID_CALL_PARAMETER = error(
     900133,
@@ -112,8 +108,6 @@ INVALID_CALL_PARAMETER = error(
     de="{word} ist kein Parameter eines Aufrufs",
     remedy_en="Did you mean {nearest}? A call has NAME and @P1 … @P200.",
     remedy_de="War {nearest} gemeint? Ein Aufruf hat NAME und @P1 … @P200.",
-    word=("the word", "das Wort"),
-    nearest=("the most similar word", "das ähnlichste Wort"),
 )
 INVALID_RETURN_OPTION = error(
     900135,
@@ -122,7 +116,6 @@ INVALID_RETURN_OPTION = error(
     de="{word} ist keine gültige Angabe für einen Rücksprung",
     remedy_en="M17 takes [MAIN] or [JUMPS=number], and a label: [NAME] or N20.",
     remedy_de="M17 nimmt [MAIN] oder [JUMPS=Zahl] und eine Marke: [NAME] oder N20.",
-    word=("the word as written", "das Wort, wie geschrieben"),
 )
 CYCLE_CALL_WITHOUT_NAME = error(
     900916,

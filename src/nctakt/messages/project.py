@@ -19,8 +19,6 @@ UNKNOWN_PROJECT_ENTRY = error(
     de="Projektdatei: unbekannter Eintrag {key}",
     remedy_en="Did you mean {nearest}? Possible entries: {names}.",
     remedy_de="War {nearest} gemeint? Mögliche Einträge: {names}.",
-    key=("the entry", "der Eintrag"),
-    nearest=("the nearest known name", "der ähnlichste bekannte Name"),
     names=("the possible entries", "die möglichen Einträge"),
 )
 INVALID_PROJECT_VALUE = error(
@@ -29,9 +27,6 @@ INVALID_PROJECT_VALUE = error(
     de="Projektdatei: {key}: {value} ist nicht {expected}",
     remedy_en="Write it like this: {example}",
     remedy_de="So schreiben: {example}",
-    key=("the entry", "der Eintrag"),
-    value=("its value", "sein Wert"),
-    expected=("what is expected", "was erwartet wird"),
     example=("an example", "ein Beispiel"),
 )
 PROJECT_PATH_MISSING = error(
@@ -40,8 +35,6 @@ PROJECT_PATH_MISSING = error(
     de="Projektdatei: {key}: {path} gibt es nicht",
     remedy_en="Paths are relative to the folder of the project file.",
     remedy_de="Pfade gehen vom Ordner der Projektdatei aus.",
-    key=("the entry", "der Eintrag"),
-    path=("the path as written", "der Pfad, wie geschrieben"),
 )
 MACHINE_OF_SETTING = note(
     901064,

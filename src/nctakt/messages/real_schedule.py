@@ -25,7 +25,6 @@ THREADS_SHARED = note(
     de="diese Threads teilen sich die Arbeit eines anderen mit derselben Funktion: {threads}",
     remedy_en="Interpolation and decoder of a context each run in the first of their threads.",
     remedy_de="Interpolation und Dekoder eines Kontexts laufen je im ersten ihrer Threads.",
-    threads=("the threads", "die Threads"),
 )
 THREADS_WITHOUT_WORK = note(
     901462,
@@ -33,7 +32,6 @@ THREADS_WITHOUT_WORK = note(
     de="diese Threads haben hier keine Arbeit und laufen nicht: {threads}",
     remedy_en="nctakt schedule run plays all threads, by the times of a load.",
     remedy_de="nctakt schedule run spielt alle Threads, mit den Zeiten einer Last.",
-    threads=("the threads", "die Threads"),
 )
 THREAD_NOT_PLACED = warning(
     901463,
@@ -41,7 +39,6 @@ THREAD_NOT_PLACED = warning(
     de="Thread {thread} hat nicht die Klasse oder den Prozessor der Liste: {reason}",
     remedy_en="Give nctakt the right to use SCHED_FIFO and this processor.",
     remedy_de="nctakt das Recht auf SCHED_FIFO und diesen Prozessor geben.",
-    thread=("the thread", "der Thread"),
     reason=("the reason of the system", "der Grund des Systems"),
 )
 REAL_SCHEDULE_HAS_NO_PAST = error(

@@ -17,11 +17,8 @@ CYCLES_EXCEED_STEP_LIMIT = error(
     "nctakt list shows the counts.",
     cause_de="Operator, Funktion, Variable, Zuweisung, Bedingung und Aktion zählen je eins; nctakt "
     "list zeigt die Zahlen.",
-    cycle=("the cycle at fault", "der fehlerhafte Zyklus"),
     steps=("the number of instructions so far", "die Anzahl der Anweisungen bis dahin"),
-    limit=("the limit", "die Grenze"),
-    reaction=6,
-    clearing=6,
+    classes=(6, 6),
 )
 CYCLE_MEMORY_FULL = error(
     50855,
@@ -34,8 +31,7 @@ CYCLE_MEMORY_FULL = error(
     "erhöhen.",
     needed=("the bytes of the cycle", "die Bytes des Zyklus"),
     free=("the bytes that are free", "die freien Bytes"),
-    reaction=6,
-    clearing=6,
+    classes=(6, 6),
 )
 CYCLE_TOO_LARGE = error(
     50857,
@@ -46,8 +42,7 @@ CYCLE_TOO_LARGE = error(
     remedy_de="Den Zyklus kürzen oder configuration.rt_cycles.memory (P-CHAN-00407) erhöhen.",
     needed=("the bytes of the cycle", "die Bytes des Zyklus"),
     free=("the bytes that are free", "die freien Bytes"),
-    reaction=6,
-    clearing=6,
+    classes=(6, 6),
 )
 UNKNOWN_CYCLE_ID = error(
     50858,
@@ -60,9 +55,7 @@ UNKNOWN_CYCLE_ID = error(
     "lives until DELETE.",
     cause_de="PROG-Zyklen enden mit dem Hauptprogramm, BLOCK-Zyklen mit ihrem Satz. Ein "
     "GLOBAL-Zyklus lebt bis DELETE.",
-    id=("the ID", "die ID"),
-    reaction=6,
-    clearing=6,
+    classes=(6, 6),
 )
 TOO_MANY_CYCLES = error(
     50877,
@@ -78,8 +71,7 @@ TOO_MANY_CYCLES = error(
         "the maximum number of cycles of a channel",
         "die größte Anzahl von Zyklen eines Kanals",
     ),
-    reaction=6,
-    clearing=6,
+    classes=(6, 6),
 )
 CYCLE_OPERATION_WITHOUT_RESULT = error(
     50879,
@@ -92,10 +84,8 @@ CYCLE_OPERATION_WITHOUT_RESULT = error(
     "The statement assigns nothing.",
     cause_de="Division durch null, Wurzel oder Logarithmus außerhalb des Bereichs oder ein zu "
     "großes Ergebnis. Zugewiesen wird nichts.",
-    cycle=("the cycle at fault", "der fehlerhafte Zyklus"),
     operation=("the operator or function", "der Operator oder die Funktion"),
-    reaction=6,
-    clearing=6,
+    classes=(6, 6),
 )
 CYCLE_VALUE_OUT_OF_RANGE = error(
     50892,
@@ -107,12 +97,10 @@ CYCLE_VALUE_OUT_OF_RANGE = error(
     "its type; nothing is stored here.",
     cause_de="Eine ganzzahlige Variable erhält die nächste ganze Zahl (halbe zur geraden) im "
     "Bereich ihres Typs; hier wird nichts gespeichert.",
-    variable=("the variable", "die Variable"),
     value=("the value, rounded", "der Wert, gerundet"),
     low=("the smallest value of its type", "der kleinste Wert ihres Typs"),
     high=("the largest value of its type", "der größte Wert ihres Typs"),
-    reaction=6,
-    clearing=6,
+    classes=(6, 6),
 )
 VALUE_NOT_FINITE = error(
     50893,
@@ -122,10 +110,7 @@ VALUE_NOT_FINITE = error(
     remedy_de="Eine endliche Zahl verwenden.",
     cause_en="Variables hold finite numbers only.",
     cause_de="Variablen enthalten nur endliche Zahlen.",
-    name=("the variable", "die Variable"),
-    value=("the value", "der Wert"),
-    reaction=6,
-    clearing=6,
+    classes=(6, 6),
 )
 CYCLE_ID_IN_USE = error(
     50900,
@@ -137,9 +122,7 @@ CYCLE_ID_IN_USE = error(
     "GLOBAL until DELETE, even in later programs.",
     cause_de="Ein Zyklus behält seine ID, bis seine Gültigkeit endet: PROG bis zum "
     "Hauptprogrammende, GLOBAL bis DELETE, auch in späteren Programmen.",
-    id=("the ID", "die ID"),
-    reaction=6,
-    clearing=6,
+    classes=(6, 6),
 )
 CYCLES_EXCEED_DURATION = error(
     50939,
@@ -156,14 +139,12 @@ CYCLES_EXCEED_DURATION = error(
     cause_de="Alle Zyklen eines Takts teilen sich die Zeit. In virtueller Zeit dauert jede "
     "Elementar-Anweisung 10 ns. Eine Fehlerliste nennt das 50930; dort steht 50939 für eine "
     "M-Funktion, die Programme steuert (M30 …), in einem Zyklus: hier 900207.",
-    cycle=("the cycle at fault", "der fehlerhafte Zyklus"),
     steps=("the number of instructions so far", "die Anzahl der Anweisungen bis dahin"),
     limit=(
         "the instructions for which the share of the tick is enough",
         "die Anweisungen, für die der Anteil am Takt reicht",
     ),
-    reaction=6,
-    clearing=6,
+    classes=(6, 6),
 )
 PLC_INTERFACE_FULL = error(
     50942,
@@ -175,10 +156,8 @@ PLC_INTERFACE_FULL = error(
     cause_en="A cycle does not wait: a function without a slot would be lost, so this is an error.",
     cause_de="Ein Zyklus wartet nicht: eine Funktion ohne Platz ginge verloren; darum ist das ein "
     "Fehler.",
-    function=("the function", "die Funktion"),
     slots=("the slots of the realtime section", "die Plätze des Echtzeit-Bereichs"),
-    reaction=6,
-    clearing=6,
+    classes=(6, 6),
 )
 TOO_MANY_FUNCTIONS_IN_TICK = error(
     50943,
@@ -190,10 +169,8 @@ TOO_MANY_FUNCTIONS_IN_TICK = error(
     "frees slots only after the tick.",
     cause_de="Was in einem Takt ausgegeben wird, steht gleichzeitig in der Schnittstelle; die SPS "
     "gibt Plätze erst nach dem Takt frei.",
-    function=("the function", "die Funktion"),
     slots=("the slots of the realtime section", "die Plätze des Echtzeit-Bereichs"),
-    reaction=6,
-    clearing=6,
+    classes=(6, 6),
 )
 NO_CYCLE_TO_DELETE = note(
     900410,
@@ -247,6 +224,5 @@ UNKNOWN_CYCLE_TIMER = error(
     remedy_en="Give #TIMER an ID from 0 to 127.",
     remedy_de="#TIMER eine ID von 0 bis 127 geben.",
     timer=("the ID", "die ID"),
-    reaction=6,
-    clearing=6,
+    classes=(6, 6),
 )

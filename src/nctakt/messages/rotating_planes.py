@@ -15,8 +15,6 @@ NO_C_AXIS = error(
     remedy_de="Eine Rundachse nennen, deren Liste die Betriebsart 0x204 hat (P-AXIS-00015, "
     "P-AXIS-00018).",
     command=_COMMAND,
-    reaction=2,
-    clearing=3,
 )
 FUNCTION_IN_PLANE = error(
     20944,
@@ -24,10 +22,7 @@ FUNCTION_IN_PLANE = error(
     de="G{function} ist zwischen {command} und seinem Ende nicht erlaubt",
     remedy_en="Program {command} OFF before it.",
     remedy_de="Davor {command} OFF programmieren.",
-    function=("number of the G function", "Nummer der G-Funktion"),
     command=_COMMAND,
-    reaction=2,
-    clearing=3,
 )
 C_AXIS_NOT_MODULO = warning(
     110565,
@@ -35,7 +30,6 @@ C_AXIS_NOT_MODULO = warning(
     de="die C-Achse {axis} von {command} ist keine Moduloachse; ihr Winkel zählt hier weiter",
     remedy_en="Set the bit 4 of P-AXIS-00015 in the list of the axis.",
     remedy_de="Das Bit 4 von P-AXIS-00015 in der Liste der Achse setzen.",
-    axis=("name of the axis", "Name der Achse"),
     command=_COMMAND,
 )
 UNKNOWN_AXIS_OF_PLANE = error(
@@ -44,7 +38,6 @@ UNKNOWN_AXIS_OF_PLANE = error(
     de="der Kanal hat keine Achse {axis}",
     remedy_en="Name one of the channel: {known}",
     remedy_de="Eine des Kanals nennen: {known}",
-    axis=("name of the axis", "Name der Achse"),
     known=("the axes of the channel", "die Achsen des Kanals"),
 )
 AXES_OF_PLANE = error(
@@ -55,8 +48,7 @@ AXES_OF_PLANE = error(
     remedy_de="Wie in #FACE [X, C] oder #CYL [Z, C, X60]: Linearachsen unter den ersten drei.",
     command=_COMMAND,
     needed=("what is missing", "was fehlt"),
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 PLANE_EXCLUDED = error(
     901814,
@@ -66,8 +58,7 @@ PLANE_EXCLUDED = error(
     remedy_de="Vorher das andere ausschalten.",
     command=_COMMAND,
     other=("what is active", "was aktiv ist"),
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 PLANE_NOT_CONFIGURED = error(
     901815,
@@ -77,8 +68,7 @@ PLANE_NOT_CONFIGURED = error(
     remedy_de="In der Kanalliste trafo[…].id {id} ergänzen (P-CHAN-00262).",
     command=_COMMAND,
     id=("number of the kinematic", "Nummer der Kinematik"),
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 PLANE_BY_GEOMETRY = note(
     901816,

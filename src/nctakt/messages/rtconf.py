@@ -22,7 +22,6 @@ SCHEDULE_TIME_MISSING = error(
     de="{key} fehlt oder ist ungültig und hat keinen Standardwert; es gelten {fallback} µs",
     remedy_en="Set {key}.",
     remedy_de="{key} setzen.",
-    key=("the parameter's name", "der Name des Parameters"),
     fallback=("the value that is used, in µs", "der Wert, der gilt, in µs"),
 )
 TIME_SLICE_ABOVE_CYCLE_TIME = error(
@@ -59,7 +58,6 @@ TIME_NOT_A_MULTIPLE = warning(
     de="{key}: {value} µs ist kein Vielfaches von {step} µs; es gelten {effective} µs",
     remedy_en="Write a multiple of {step}.",
     remedy_de="Ein Vielfaches von {step} schreiben.",
-    key=("the parameter's name", "der Name des Parameters"),
     value=("the time as written, in µs", "die Zeit, wie geschrieben, in µs"),
     step=(
         "the time of which it must be a multiple, in µs",
@@ -85,7 +83,6 @@ WINDOWS_TIME_BELOW_TIME_SLICE = error(
     remedy_en="Write a multiple of time_slice, or 0 to guarantee nothing.",
     remedy_de="Ein Vielfaches von time_slice schreiben oder 0, um nichts zu garantieren.",
     value=("windows_time as written, in µs", "windows_time, wie geschrieben, in µs"),
-    slice=("time_slice, in µs", "time_slice, in µs"),
 )
 WINDOWS_TIME_ZERO = note(
     900037,
@@ -120,7 +117,6 @@ WINDOWS_TIME_DIFFERS = note(
     remedy_en="The manual recommends equal times.",
     remedy_de="Das Handbuch empfiehlt gleiche Zeiten.",
     value=("windows_time, in µs", "windows_time, in µs"),
-    slice=("time_slice, in µs", "time_slice, in µs"),
 )
 SEMAPHORE_NAME_MISSING = note(
     900041,
@@ -153,7 +149,6 @@ THREAD_CYCLE_MISSING = warning(
     de="{key} ist 0 oder fehlt; der Thread läuft in jedem NC-Takt ({effective} µs)",
     remedy_en="Set the cycle.",
     remedy_de="Den Takt setzen.",
-    key=("the parameter's name", "der Name des Parameters"),
     effective=("the cycle that is used, in µs", "der Takt, der gilt, in µs"),
 )
 SCHEDULE_TEXT_EMPTY = warning(
@@ -162,7 +157,6 @@ SCHEDULE_TEXT_EMPTY = warning(
     de="{key} ist leer",
     remedy_en="Name the thread; a function without a name is never called.",
     remedy_de="Den Thread benennen; eine Funktion ohne Namen wird nie aufgerufen.",
-    key=("the parameter's name", "der Name des Parameters"),
 )
 DUPLICATE_THREAD_NAME = warning(
     900047,
@@ -170,7 +164,6 @@ DUPLICATE_THREAD_NAME = warning(
     de="{key}: {other} heißt bereits '{value}'",
     remedy_en="Use different names.",
     remedy_de="Verschiedene Namen verwenden.",
-    key=("the parameter's name", "der Name des Parameters"),
     other=("the parameter that had the name first", "der Parameter, der den Namen zuerst hatte"),
     value=("the name", "der Name"),
 )
@@ -188,7 +181,6 @@ MISSPELLED_THREAD_FUNCTION = warning(
     de="{key}: unbekannte Funktion '{value}'; war {name} gemeint?",
     remedy_en="Correct the name, or declare it as your own with --function {value}.",
     remedy_de="Den Namen berichtigen oder ihn mit --function {value} als eigenen angeben.",
-    key=("the parameter's name", "der Name des Parameters"),
     value=("the function's name", "der Name der Funktion"),
     name=("the most similar function of the controller", "die ähnlichste Funktion der Steuerung"),
 )
@@ -208,7 +200,6 @@ DUPLICATE_THREAD_BIT = note(
     de="{key}: {other} verwendet Bit {value} bereits",
     remedy_en="Use different bits to tell the functions apart.",
     remedy_de="Verschiedene Bits verwenden, um die Funktionen zu unterscheiden.",
-    key=("the parameter's name", "der Name des Parameters"),
     other=("the parameter that used the bit first", "der Parameter, der das Bit zuerst nutzte"),
     value=("the bit", "das Bit"),
 )
@@ -236,7 +227,6 @@ SCHEDULE_TIME_TOO_LONG = error(
     de="{key} ist länger als {limit} µs",
     remedy_en="Use a shorter time.",
     remedy_de="Eine kürzere Zeit verwenden.",
-    key=("the parameter's name", "der Name des Parameters"),
     limit=("the longest time, in µs", "die längste Zeit, in µs"),
 )
 THREAD_WITHOUT_FUNCTION = warning(
@@ -245,7 +235,6 @@ THREAD_WITHOUT_FUNCTION = warning(
     de="thread[{thread}] hat keine Funktion und läuft nie",
     remedy_en="Give the thread a function, or delete its lines.",
     remedy_de="Dem Thread eine Funktion geben oder seine Zeilen löschen.",
-    thread=("the thread's index", "der Index des Threads"),
 )
 SEVERAL_CALLS_PER_ACTIVATION = note(
     900054,
@@ -253,7 +242,6 @@ SEVERAL_CALLS_PER_ACTIVATION = note(
     de="{function} wird je Aktivierung {value}-mal aufgerufen; üblich ist das nur bei task_rnd",
     remedy_en="Set calls_per_cycle to 1.",
     remedy_de="calls_per_cycle auf 1 setzen.",
-    function=("the function's name", "der Name der Funktion"),
     value=("the number of calls", "die Anzahl der Aufrufe"),
 )
 EXTERNAL_THREAD_WITHOUT_SEMAPHORE = error(
@@ -270,5 +258,4 @@ REALTIME_OVERFLOW_NOT_REPORTED = note(
     de="thread[{thread}] ist der Echtzeit-Thread, aber sein Überlauf wird nicht gemeldet",
     remedy_en="Set error_on_overflow to 1.",
     remedy_de="error_on_overflow auf 1 setzen.",
-    thread=("the thread's index", "der Index des Threads"),
 )

@@ -21,7 +21,6 @@ TIME_SLICE_NOT_SETTABLE = note(
     de="time_slice ist unter {profile} nicht einstellbar",
     remedy_en="Write the period of the system's timer.",
     remedy_de="Die Periode des System-Timers schreiben.",
-    profile=("the operating system", "das Betriebssystem"),
 )
 WINDOWS_TIME_IGNORED = note(
     900602,
@@ -37,11 +36,9 @@ PRIORITY_OUT_OF_RANGE = warning(
     de="{key}: {value} liegt außerhalb {low} … {high} von {profile}; es gilt 0",
     remedy_en="Choose the operating system with --os, or correct the priority.",
     remedy_de="Das Betriebssystem mit --os wählen oder die Priorität berichtigen.",
-    key=("the parameter's name", "der Name des Parameters"),
     value=("the priority in the list", "die Priorität in der Liste"),
     low=("the lowest number", "die kleinste Zahl"),
     high=("the highest number", "die größte Zahl"),
-    profile=("the operating system", "das Betriebssystem"),
 )
 LOWEST_PRIORITY_ASSUMED = warning(
     900604,
@@ -49,8 +46,6 @@ LOWEST_PRIORITY_ASSUMED = warning(
     de="{key} fehlt oder ist ungültig; es gilt 0, die niedrigste Priorität von {profile}",
     remedy_en="Set the priority.",
     remedy_de="Die Priorität setzen.",
-    key=("the parameter's name", "der Name des Parameters"),
-    profile=("the operating system", "das Betriebssystem"),
 )
 HIGHEST_PRIORITY_ASSUMED = warning(
     900614,
@@ -58,8 +53,6 @@ HIGHEST_PRIORITY_ASSUMED = warning(
     de="{key} fehlt oder ist ungültig; es gilt 0, die höchste Priorität von {profile}",
     remedy_en="Set the priority.",
     remedy_de="Die Priorität setzen.",
-    key=("the parameter's name", "der Name des Parameters"),
-    profile=("the operating system", "das Betriebssystem"),
 )
 PRIORITY_RESERVED = warning(
     900605,
@@ -67,9 +60,7 @@ PRIORITY_RESERVED = warning(
     de="{key}: {profile} braucht die Priorität {value} selbst",
     remedy_en="Choose a priority further away from the end of the range.",
     remedy_de="Eine Priorität wählen, die weiter vom Rand des Bereichs entfernt ist.",
-    key=("the parameter's name", "der Name des Parameters"),
     value=("the priority", "die Priorität"),
-    profile=("the operating system", "das Betriebssystem"),
 )
 DUPLICATE_PRIORITY = warning(
     900606,
@@ -78,7 +69,6 @@ DUPLICATE_PRIORITY = warning(
     "zuerst",
     remedy_en="Use different priorities.",
     remedy_de="Verschiedene Prioritäten verwenden.",
-    key=("the parameter's name", "der Name des Parameters"),
     other=("the parameter with the same priority", "der Parameter mit derselben Priorität"),
     value=("the priority", "die Priorität"),
 )
@@ -90,7 +80,6 @@ THREAD_BEFORE_REALTIME_THREAD = warning(
     remedy_de="Das Betriebssystem prüfen (--os): manche zählen Prioritäten abwärts.",
     thread=("index of the realtime thread", "Index des Echtzeit-Threads"),
     other=("index of the thread that has priority", "Index des Threads, der Vorrang hat"),
-    profile=("the operating system", "das Betriebssystem"),
 )
 COMMENT_CONTRADICTS_ENTRY = note(
     900608,
@@ -98,7 +87,6 @@ COMMENT_CONTRADICTS_ENTRY = note(
     de="{key}: der Kommentar sagt {word}, was nicht stimmt",
     remedy_en="Correct the comment or the priority.",
     remedy_de="Kommentar oder Priorität berichtigen.",
-    key=("the parameter's name", "der Name des Parameters"),
     word=("the comment's word", "das Wort des Kommentars"),
 )
 TIME_SLICE_NOT_HAL_PERIOD = error(
@@ -107,7 +95,6 @@ TIME_SLICE_NOT_HAL_PERIOD = error(
     de="time_slice ({slice} µs) ist nicht die Periode des HAL-Timers ({hal} µs)",
     remedy_en="Set both to the same time in the RTX properties and in the list.",
     remedy_de="In den RTX-Einstellungen und in der Liste dieselbe Zeit setzen.",
-    slice=("time_slice, in µs", "time_slice, in µs"),
     hal=("the period set in RTX, in µs", "die in RTX eingestellte Periode, in µs"),
 )
 INVALID_SEMAPHORE_NAME = warning(
@@ -125,7 +112,6 @@ CHANNEL_CONTEXT_WITHOUT_THREAD = warning(
     de="Kanal {channel}: {key} {context}: kein Thread hat diesen Kontext und {function}",
     remedy_en="Give such a thread context_info {context}.",
     remedy_de="Einem solchen Thread context_info {context} geben.",
-    channel=("the channel's number", "die Nummer des Kanals"),
     key=("the channel's parameter", "der Parameter des Kanals"),
     context=("the context", "der Kontext"),
     function=("the function that a thread must have", "die Funktion, die ein Thread haben muss"),
@@ -163,7 +149,6 @@ WINDOWS_TIME_OFF = error(
     remedy_en="Write a multiple of time_slice, or 0 to guarantee nothing.",
     remedy_de="Ein Vielfaches von time_slice schreiben oder 0, um nichts zu garantieren.",
     value=("windows_time as written, in µs", "windows_time, wie geschrieben, in µs"),
-    slice=("time_slice, in µs", "time_slice, in µs"),
 )
 LIST_REWRITTEN = note(
     900619,

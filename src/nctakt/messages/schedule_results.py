@@ -7,23 +7,22 @@ from nctakt.messages.catalogue import error, warning
 
 CPU_MISSING = error(
     1000180,
+    classes=(0, 0),
     en="{thread}: CPU {cpu} does not exist; the operating system places the thread",
     de="{thread}: CPU {cpu} gibt es nicht; das Betriebssystem platziert den Thread",
     remedy_en="Choose a CPU from 1 to {cpus}, or simulate more CPUs with [machine] cpus.",
     remedy_de="Eine CPU von 1 bis {cpus} wählen oder mit [machine] cpus mehr simulieren.",
-    thread=("the thread", "der Thread"),
     cpu=("its CPU, from 1", "seine CPU, ab 1"),
     cpus=("the number of CPUs", "die Anzahl der CPUs"),
 )
 CPU_NOT_ASSIGNABLE = error(
     1000181,
+    classes=(0, 0),
     en="{thread} cannot be assigned to CPU {cpu}: {reason}",
     de="{thread} kann CPU {cpu} nicht zugewiesen werden: {reason}",
     remedy_en="Make the CPU available, or choose another one.",
     remedy_de="Die CPU verfügbar machen oder eine andere wählen.",
-    thread=("the thread", "der Thread"),
     cpu=("its CPU, from 1", "seine CPU, ab 1"),
-    reason=("the reason", "der Grund"),
 )
 THREAD_OVERFLOWED = error(
     900630,
@@ -32,7 +31,6 @@ THREAD_OVERFLOWED = error(
     "{time} µs",
     remedy_en="Shorten its functions, call them less often, or lengthen its cycle.",
     remedy_de="Seine Funktionen verkürzen, seltener aufrufen oder seinen Takt verlängern.",
-    thread=("the thread", "der Thread"),
     count=("the number of overflows", "die Anzahl der Überläufe"),
     time=(
         "the time of the first one, in µs of the simulation",
@@ -47,7 +45,6 @@ THREAD_HARDLY_COMPLETES = warning(
     "cycle.",
     remedy_de="Seine Funktionen oder die von Threads höherer Priorität verkürzen oder seinen Takt "
     "verlängern.",
-    thread=("the thread", "der Thread"),
     completed=("the number of times it finished", "wie oft er fertig wurde"),
     due=("the number of times it was due", "wie oft er fällig war"),
 )
@@ -59,7 +56,6 @@ THREAD_FALLS_BEHIND = warning(
     "cycle.",
     remedy_de="Seine Funktionen oder die von Threads höherer Priorität verkürzen oder seinen Takt "
     "verlängern.",
-    thread=("the thread", "der Thread"),
     waiting=("the number of activations that wait", "wie viele Aktivierungen warten"),
     due=("the number of times it was due", "wie oft er fällig war"),
 )
@@ -72,7 +68,6 @@ SUSPENSION_TOO_LATE = warning(
     remedy_en="NC interrupts must not come at shorter intervals than cycle_time.",
     remedy_de="NC-Interrupts dürfen nicht in kürzerem Abstand als cycle_time kommen.",
     count=("the number of such cycles", "die Anzahl dieser Takte"),
-    cycles=("the number of all cycles", "die Anzahl aller Takte"),
 )
 WINDOWS_TIME_VIOLATED = warning(
     900632,
@@ -81,10 +76,7 @@ WINDOWS_TIME_VIOLATED = warning(
     "({who})",
     remedy_en="Shorten what runs in the time of Windows, or the threads before it.",
     remedy_de="Verkürzen, was in der Zeit von Windows läuft, oder die Threads davor.",
-    cpu=("the processor", "der Prozessor"),
-    windows=("windows_time, in µs", "windows_time, in µs"),
     count=("the number of such cycles", "die Anzahl dieser Takte"),
-    cycles=("the number of all cycles", "die Anzahl aller Takte"),
     who=(
         "what ran in the time of Windows, with the number of cycles",
         "was in der Zeit von Windows lief, mit der Anzahl der Takte",
@@ -113,7 +105,6 @@ UNKNOWN_PICTURE_FORMAT = error(
     de="{file}: der Name eines Bilds muss auf .svg, .png oder .html enden",
     remedy_en="Choose one of these suffixes.",
     remedy_de="Eine dieser Endungen wählen.",
-    file=("the file", "die Datei"),
 )
 CPU_DEMAND_TOO_HIGH = warning(
     900637,
@@ -122,7 +113,6 @@ CPU_DEMAND_TOO_HIGH = warning(
     de="CPU {cpu}: suspendierbare Threads brauchen {demand} % der Zeit, verfügbar sind {supply} %",
     remedy_en="Shorten their functions, call them less often, or shorten windows_time.",
     remedy_de="Ihre Funktionen verkürzen, seltener aufrufen oder windows_time verkürzen.",
-    cpu=("the processor", "der Prozessor"),
     demand=("the demand of all threads, in percent", "der Bedarf aller Threads, in Prozent"),
     supply=(
         "the time left beside Windows, in percent",
@@ -135,7 +125,6 @@ THREAD_CAN_OVERFLOW = warning(
     de="{thread} kann überlaufen: Antwortzeit {response}, Takt {cycle} µs",
     remedy_en="Shorten its functions or those of the threads before it.",
     remedy_de="Seine Funktionen oder die der Threads davor verkürzen.",
-    thread=("the thread", "der Thread"),
     response=("the longest response time", "die längste Antwortzeit"),
     cycle=("its cycle, in µs", "sein Takt, in µs"),
 )
@@ -145,7 +134,5 @@ WINDOWS_TIME_CAN_BE_VIOLATED = warning(
     de="CPU {cpu}: im ungünstigsten Fall hat Windows in einem Takt weniger als {windows} µs",
     remedy_en="Shorten what cannot be suspended: {who}.",
     remedy_de="Verkürzen, was nicht suspendiert werden kann: {who}.",
-    cpu=("the processor", "der Prozessor"),
-    windows=("windows_time, in µs", "windows_time, in µs"),
     who=("the threads that cannot be suspended", "die nicht suspendierbaren Threads"),
 )

@@ -20,16 +20,17 @@ TICK_MISMATCH = warning(
 )
 NO_COMMON_TICK = error(
     260101,
+    classes=(0, 0),
     known_as=(900731, 1000141),
     en="the threads with task_int ({threads}) have different cycles: there is no common tick",
     de="die Threads mit task_int ({threads}) haben verschiedene Takte: es gibt keinen gemeinsamen "
     "Takt",
     remedy_en="Give these threads the same cycle; the channels of a machine run in lockstep.",
     remedy_de="Diesen Threads denselben Takt geben; Kanäle laufen im Gleichtakt.",
-    threads=("the threads", "die Threads"),
 )
 REQUIRED_FUNCTION_NOT_CALLED = error(
     260102,
+    classes=(0, 0),
     known_as=(900732,),
     en="no thread calls {function}: no program can run with this list",
     de="kein Thread ruft {function} auf: mit dieser Liste kann kein Programm laufen",
@@ -53,5 +54,4 @@ OPTION_WITHOUT_SCHEDULE = error(
     de="{option} braucht einen Ablauf, angegeben ist aber keiner",
     remedy_en="Name a scheduling list with --rtconf, or omit the option.",
     remedy_de="Mit --rtconf eine Scheduling-Liste nennen oder die Option weglassen.",
-    option=("the option", "die Option"),
 )

@@ -13,8 +13,6 @@ DOOR_ADDRESS_NOT_USABLE = error(
     remedy_de="Das Programm am Port beenden oder einen anderen nennen; Port 0 nimmt einen freien.",
     door=("the server", "der Server"),
     host=("the address", "die Adresse"),
-    port=("the port", "der Port"),
-    reason=("the system's reason", "der Grund des Systems"),
 )
 INVALID_DOOR_ADDRESS = error(
     901352,
@@ -22,8 +20,6 @@ INVALID_DOOR_ADDRESS = error(
     de="{option} braucht eine Adresse der Form HOST:PORT, nicht {text}",
     remedy_en="Write it with an equals sign, {option}=127.0.0.1:0, and programs before it.",
     remedy_de="Mit Gleichheitszeichen schreiben, {option}=127.0.0.1:0, und Programme davor.",
-    option=("the option", "die Option"),
-    text=("the text", "der Text"),
 )
 NO_DOOR = error(
     901353,
@@ -38,7 +34,6 @@ CONTROLLER_STOPPED = error(
     de="die Steuerung steht, deshalb enden die Server: {reason}",
     remedy_en="Start the command again; please report it if the reason is not yours.",
     remedy_de="Den Befehl neu starten; bitte melden, wenn der Grund nicht bei Ihnen liegt.",
-    reason=("the reason", "der Grund"),
 )
 CONTROLLER_SILENT = error(
     901507,
@@ -81,8 +76,6 @@ INVALID_NETWORK = error(
     remedy_en="Write an address, 192.168.0.7, or a network with zeros at its end, 192.168.0.0/24.",
     remedy_de="Eine Adresse schreiben, 192.168.0.7, oder ein Netz mit Nullen am Ende, "
     "192.168.0.0/24.",
-    option=("the option", "die Option"),
-    text=("the text", "der Text"),
 )
 ADS_NEEDS_SOURCES = error(
     902021,
@@ -110,7 +103,6 @@ INVALID_NET_ID = error(
     de="{text} ist keine NetId",
     remedy_en="Write six numbers from 0 to 255 with points between them, such as 5.1.204.160.1.1.",
     remedy_de="Sechs Zahlen von 0 bis 255 mit Punkten dazwischen schreiben, etwa 5.1.204.160.1.1.",
-    text=("the text", "der Text"),
 )
 PAGE_WITHOUT_PROGRAM = error(
     901477,

@@ -12,7 +12,6 @@ NOT_A_STOP = error(
     remedy_en="Write line 12, runs 6, turns 6, V.E.X > 5, changes V.E.X, M100, message or error.",
     remedy_de="Schreibweisen: line 12, runs 6, turns 6, V.E.X > 5, changes V.E.X, M100, message, "
     "error.",
-    text=("the text", "der Text"),
 )
 NOT_IN_THE_TICK = error(
     901151,
@@ -21,7 +20,6 @@ NOT_IN_THE_TICK = error(
     remedy_en="Watch a V.E, V.CH, V.RTA or V.RTG variable, or stop at the line that writes it.",
     remedy_de="Eine Variable V.E, V.CH, V.RTA oder V.RTG beobachten oder an der Zeile halten, die "
     "sie schreibt.",
-    name=("the variable", "die Variable"),
 )
 TOO_MANY_STOPS = error(
     901152,
@@ -30,7 +28,6 @@ TOO_MANY_STOPS = error(
     remedy_en="Remove some of them, or give one of them a condition.",
     remedy_de="Einige entfernen oder einen mit einer Bedingung versehen.",
     count=("the number of stops", "die Anzahl der Haltepunkte"),
-    limit=("the limit", "die Grenze"),
 )
 CONTROLLER_LOST = error(
     901153,
@@ -53,7 +50,6 @@ TICK_NOT_REACHED = error(
     de="Takt {tick} liegt nicht in diesem Zweig, der bis Takt {latest} reicht",
     remedy_en="Let the session run on to reach it.",
     remedy_de="Die Sitzung bis dorthin weiterlaufen lassen.",
-    tick=("the tick", "der Takt"),
     latest=("the last tick so far", "der bisher letzte Takt"),
 )
 SESSION_IS_CLOSED = error(
@@ -92,7 +88,6 @@ PROGRAM_NOT_SELECTED = warning(
     remedy_en="Wait for the end of its program, or press RESET first.",
     remedy_de="Das Ende seines Programms abwarten oder zuerst RESET drücken.",
     program=("the program's file", "die Datei des Programms"),
-    channel=("the number of the channel", "die Nummer des Kanals"),
     state=("`running` or `error`", "`running` oder `error`"),
 )
 

@@ -14,8 +14,6 @@ CORNER_SIZE_MISSING = error(
     remedy_de="I mit einer Größe über 0 in den Satz schreiben; ein späteres G301 oder G302 kommt "
     "dann ohne aus.",
     word=("G301, G302 or a word with a size", "G301, G302 oder ein Wort mit einer Größe"),
-    reaction=2,
-    clearing=3,
 )
 CORNER_SIZE_INVALID = error(
     20800,
@@ -25,8 +23,6 @@ CORNER_SIZE_INVALID = error(
     remedy_de="Eine Größe über 0 schreiben.",
     word=("G301, G302 or a word with a size", "G301, G302 oder ein Wort mit einer Größe"),
     value=("the size as programmed", "die Größe, wie programmiert"),
-    reaction=2,
-    clearing=3,
 )
 CORNER_OFF = error(
     21718,
@@ -37,8 +33,6 @@ CORNER_OFF = error(
     remedy_de="disable_chamfers_roundings (P-CHAN-00273) auf 0 setzen oder die Ecke selbst "
     "programmieren.",
     word=("G301, G302 or a word with a size", "G301, G302 oder ein Wort mit einer Größe"),
-    reaction=2,
-    clearing=3,
 )
 CORNER_WITHOUT_MOTION = warning(
     20351,
@@ -46,8 +40,7 @@ CORNER_WITHOUT_MOTION = warning(
     de="keine Bewegung vor der Fase oder Rundung; nichts wird eingefügt",
     remedy_en="Put G301 or G302 between two motions that no waiting separates.",
     remedy_de="G301 oder G302 zwischen zwei Bewegungen setzen, die kein Warten trennt.",
-    reaction=1,
-    clearing=1,
+    classes=(1, 1),
 )
 CORNER_WITHOUT_NEXT_MOTION = warning(
     901610,

@@ -11,11 +11,7 @@ SIGNAL_FORM = error(
     de="hinter {command} müssen SYN oder Klammern stehen; hier steht {found}",
     remedy_en="Possible forms: {forms}",
     remedy_de="Mögliche Formen: {forms}",
-    command=("the command", "der Befehl"),
-    found=("what stands there", "was dort steht"),
     forms=("the forms of the command", "die Formen des Befehls"),
-    reaction=2,
-    clearing=3,
 )
 SIGNAL_NUMBER_TWICE = error(
     21056,
@@ -24,9 +20,6 @@ SIGNAL_NUMBER_TWICE = error(
     remedy_en="Program a signal with one number; several signals need several commands.",
     remedy_de="Ein Signal mit einer Nummer programmieren; mehrere brauchen mehrere Befehle.",
     keyword=("ID, IDMIN, IDMAX or COUNT", "ID, IDMIN, IDMAX oder COUNT"),
-    command=("the command", "der Befehl"),
-    reaction=2,
-    clearing=3,
 )
 SIGNAL_NUMBER_MISSING = error(
     901500,
@@ -34,9 +27,7 @@ SIGNAL_NUMBER_MISSING = error(
     de="{command} hat keine Signalnummer",
     remedy_en="Program ID with a number from 1 on, for example ID=5.",
     remedy_de="ID mit einer Nummer ab 1 programmieren, zum Beispiel ID=5.",
-    command=("the command", "der Befehl"),
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 INVALID_SIGNAL_NUMBER = error(
     20995,
@@ -44,10 +35,6 @@ INVALID_SIGNAL_NUMBER = error(
     de="{value} ist keine Signalnummer: 1 … {highest}",
     remedy_en="Choose a whole number in this range.",
     remedy_de="Eine ganze Zahl in diesem Bereich wählen.",
-    value=("the value", "der Wert"),
-    highest=("the highest number", "die höchste Nummer"),
-    reaction=2,
-    clearing=3,
 )
 INVALID_SIGNAL_CHANNEL = error(
     20996,
@@ -56,9 +43,6 @@ INVALID_SIGNAL_CHANNEL = error(
     remedy_en="Choose a whole number in this range.",
     remedy_de="Eine ganze Zahl in diesem Bereich wählen.",
     value=("the value of CH", "der Wert von CH"),
-    highest=("the highest number", "die höchste Nummer"),
-    reaction=2,
-    clearing=3,
 )
 SIGNAL_CHANNEL_MISSING = error(
     250008,
@@ -68,8 +52,7 @@ SIGNAL_CHANNEL_MISSING = error(
     remedy_de="Einen Kanal der Maschine angeben; ihre Anzahl ist kanal_anzahl der Hochlaufliste.",
     value=("the value of CH", "der Wert von CH"),
     count=("the number of channels", "die Anzahl der Kanäle"),
-    reaction=3,
-    clearing=1,
+    classes=(3, 1),
 )
 INVALID_SIGNAL_COUNT = error(
     901501,
@@ -78,9 +61,7 @@ INVALID_SIGNAL_COUNT = error(
     remedy_en="Leave COUNT out, or choose a whole number in this range.",
     remedy_de="COUNT weglassen oder eine ganze Zahl in diesem Bereich wählen.",
     value=("the value of COUNT", "der Wert von COUNT"),
-    highest=("the highest number", "die höchste Zahl"),
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 EMPTY_SIGNAL_RANGE = error(
     901530,
@@ -90,8 +71,7 @@ EMPTY_SIGNAL_RANGE = error(
     remedy_de="Die kleinere Nummer als IDMIN programmieren.",
     low=("the value of ID or IDMIN", "der Wert von ID oder IDMIN"),
     high=("the value of IDMAX", "der Wert von IDMAX"),
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 INVALID_SIGNAL_VALUE = error(
     901502,
@@ -101,8 +81,7 @@ INVALID_SIGNAL_VALUE = error(
     remedy_de="Eine ganze Zahl in diesem Bereich wählen.",
     value=("the index", "der Index"),
     highest=("the highest index", "der höchste Index"),
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 SIGNAL_TARGET = error(
     901503,
@@ -112,9 +91,7 @@ SIGNAL_TARGET = error(
     remedy_de="Eine Variable oder einen Parameter angeben: P[0]=V.P.NAME oder P[0]=P1.",
     cause_en="The value of the signal goes from left to right, into what stands behind the =.",
     cause_de="Der Wert des Signals geht von links nach rechts, in das, was hinter dem = steht.",
-    command=("the command", "der Befehl"),
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 WAIT_SYN_WITH_VALUES = error(
     21344,
@@ -124,9 +101,6 @@ WAIT_SYN_WITH_VALUES = error(
     remedy_de="SYN weglassen: dann wartet der Dekoder und hat die Werte.",
     cause_en="With SYN the interpolator waits; the blocks behind are decoded before.",
     cause_de="Mit SYN wartet der Interpolator; die Sätze dahinter sind schon dekodiert.",
-    command=("the command", "der Befehl"),
-    reaction=2,
-    clearing=3,
 )
 SIGNAL_VALUE_NOT_SENT = error(
     21549,
@@ -136,8 +110,6 @@ SIGNAL_VALUE_NOT_SENT = error(
     remedy_de="P[{index}]= im sendenden #SIGNAL programmieren oder hier weglassen.",
     id=("number of the signal", "Nummer des Signals"),
     index=("index of the value", "Index des Parameters"),
-    reaction=2,
-    clearing=3,
 )
 TOO_MANY_SIGNALS = error(
     250001,
@@ -146,8 +118,7 @@ TOO_MANY_SIGNALS = error(
     remedy_en="Take signals with #WAIT, or clear them with #SIGNAL REMOVE.",
     remedy_de="Signale mit #WAIT abholen oder mit #SIGNAL REMOVE löschen.",
     count=("the number of signals", "die Anzahl der Signale"),
-    reaction=3,
-    clearing=6,
+    classes=(3, 6),
 )
 SIGNAL_OUT_OF_ORDER = error(
     250002,
@@ -158,8 +129,7 @@ SIGNAL_OUT_OF_ORDER = error(
     cause_en="Signals of one channel to another are taken in the order of their sending.",
     cause_de="Signale von einem Kanal an einen anderen werden in Sendereihenfolge abgeholt.",
     id=("number of the signal in front", "Nummer des Signals davor"),
-    reaction=3,
-    clearing=6,
+    classes=(3, 6),
 )
 AHEAD_TAKES_SIGNAL_EARLY = note(
     901504,
@@ -189,7 +159,6 @@ DEADLOCK = error(
     "that another one waits for.",
     cause_de="Jedes laufende Programm wartet, und keines kann das Signal senden oder die Achse "
     "abgeben, auf die ein anderes wartet.",
-    channel=("number of the channel", "Nummer des Kanals"),
     since=("since when", "seit wann"),
     awaited=("what it waits for, and from whom", "worauf und auf wen er wartet"),
     freed_by=("the line that would free it", "die Zeile, die ihn befreien würde"),

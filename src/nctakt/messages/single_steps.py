@@ -11,8 +11,6 @@ SINGLE_STEP_WORDS = error(
     de="#SINGLE STEP hat mehr als ein Schlüsselwort",
     remedy_en="Write one command for each: DISABLE, ENABLE or RESOLUTION=10.",
     remedy_de="Für jedes einen eigenen Befehl schreiben: DISABLE, ENABLE oder RESOLUTION=10.",
-    reaction=2,
-    clearing=3,
 )
 NEGATIVE_RESOLUTION = error(
     901887,
@@ -20,7 +18,5 @@ NEGATIVE_RESOLUTION = error(
     de="RESOLUTION von #SINGLE STEP ist {value}, kleiner als 0",
     remedy_en="0 stops at each block, 1 at those with a number, 10 at N10, N20 and so on.",
     remedy_de="0 hält an jedem Satz an, 1 an denen mit Nummer, 10 an N10, N20 und so weiter.",
-    value=("the value as programmed", "der programmierte Wert"),
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )

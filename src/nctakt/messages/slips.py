@@ -15,6 +15,7 @@ _REPLACEMENT = ("the text that belongs there", "der Text, der dort hingehört")
 
 EQUALS_IN_CONDITION = error(
     20797,
+    classes=(0, 0),
     known_as=(901163,),
     en="'{found}' assigns a value and compares nothing",
     de="'{found}' weist einen Wert zu und vergleicht nicht",
@@ -25,6 +26,7 @@ EQUALS_IN_CONDITION = error(
 )
 COMPARISON_AS_ASSIGNMENT = error(
     20797,
+    classes=(0, 0),
     known_as=(901164,),
     en="'{found}' compares and assigns nothing",
     de="'{found}' vergleicht und weist nichts zu",
@@ -35,6 +37,7 @@ COMPARISON_AS_ASSIGNMENT = error(
 )
 OPERATOR_OF_OTHER_LANGUAGE = error(
     20797,
+    classes=(0, 0),
     known_as=(901165,),
     en="'{found}' is not an operator of this language",
     de="'{found}' ist kein Operator dieser Sprache",
@@ -45,6 +48,7 @@ OPERATOR_OF_OTHER_LANGUAGE = error(
 )
 MISSPELT_FREQUENCY = error(
     20392,
+    classes=(0, 0),
     known_as=(901166,),
     en="'{found}' does not say how often $IF is true",
     de="'{found}' sagt nicht, wie oft $IF zutrifft",
@@ -55,6 +59,7 @@ MISSPELT_FREQUENCY = error(
 )
 UNIT_BEHIND_VALUE = error(
     20797,
+    classes=(0, 0),
     known_as=(901478,),
     en="{found} stands behind a value: values have no unit",
     de="{found} steht hinter einem Wert: Werte haben keine Einheit",
@@ -64,6 +69,7 @@ UNIT_BEHIND_VALUE = error(
 )
 POINT_MISSING_IN_NAME = error(
     20797,
+    classes=(0, 0),
     known_as=(901479,),
     en="{found} is not a variable: points divide the parts of its name",
     de="{found} ist keine Variable: Punkte trennen die Teile ihres Namens",
@@ -74,6 +80,7 @@ POINT_MISSING_IN_NAME = error(
 )
 SURPLUS_WORD = error(
     20797,
+    classes=(0, 0),
     known_as=(901167,),
     en="a condition ends with its line, without {found}",
     de="eine Bedingung endet mit ihrer Zeile, ohne {found}",
@@ -83,6 +90,7 @@ SURPLUS_WORD = error(
 )
 BODY_BEHIND_THEN = error(
     20797,
+    classes=(0, 0),
     known_as=(901480,),
     en="{found}: a condition ends with its line, without THEN",
     de="{found}: eine Bedingung endet mit ihrer Zeile, ohne THEN",
@@ -93,6 +101,7 @@ BODY_BEHIND_THEN = error(
 )
 BODY_BEHIND_CONDITION = error(
     20797,
+    classes=(0, 0),
     known_as=(901168,),
     en="{found} stands in the line of the condition",
     de="{found} steht in der Zeile der Bedingung",
@@ -105,6 +114,7 @@ BODY_BEHIND_CONDITION = error(
 )
 DECIMAL_COMMA = error(
     20797,
+    classes=(0, 0),
     known_as=(901169,),
     en="{found} is not a number: decimals follow a point",
     de="{found} ist keine Zahl: Nachkommastellen folgen einem Punkt",
@@ -115,6 +125,7 @@ DECIMAL_COMMA = error(
 )
 LETTER_IN_NUMBER = error(
     20797,
+    classes=(0, 0),
     known_as=(901170,),
     en="{found} has a letter in place of a digit",
     de="{found} hat einen Buchstaben an Stelle einer Ziffer",
@@ -125,6 +136,7 @@ LETTER_IN_NUMBER = error(
 )
 COMMENT_OF_OTHER_LANGUAGE = error(
     20797,
+    classes=(0, 0),
     known_as=(901171,),
     en="{found} does not begin a comment",
     de="{found} beginnt keinen Kommentar",
@@ -135,6 +147,7 @@ COMMENT_OF_OTHER_LANGUAGE = error(
 )
 STEP_OPERATOR = error(
     20797,
+    classes=(0, 0),
     known_as=(901172,),
     en="there is no operator as in {found}",
     de="einen Operator wie in {found} gibt es nicht",
@@ -145,6 +158,7 @@ STEP_OPERATOR = error(
 )
 CURLY_BRACKETS = error(
     20797,
+    classes=(0, 0),
     known_as=(901481,),
     en="{found}: curly brackets enclose neither a body nor a condition",
     de="{found}: geschweifte Klammern umschließen weder Rumpf noch Bedingung",
@@ -155,6 +169,7 @@ CURLY_BRACKETS = error(
 )
 KEYWORDS_WITHOUT_EQUALS = error(
     20797,
+    classes=(0, 0),
     known_as=(901482,),
     en="{found}: the sign = is missing between keyword and value",
     de="{found}: zwischen Schlüsselwort und Wert fehlt das Zeichen =",
@@ -165,6 +180,7 @@ KEYWORDS_WITHOUT_EQUALS = error(
 )
 ROUND_BRACKETS = error(
     20797,
+    classes=(0, 0),
     known_as=(901173,),
     en="{found} is a comment: round brackets hold no expression",
     de="{found} ist ein Kommentar: runde Klammern enthalten keinen Ausdruck",
@@ -175,6 +191,7 @@ ROUND_BRACKETS = error(
 )
 FUNCTION_WITHOUT_BRACKETS = error(
     20797,
+    classes=(0, 0),
     known_as=(901174,),
     en="a function needs brackets around its argument: {found}",
     de="eine Funktion braucht Klammern um ihr Argument: {found}",
@@ -185,6 +202,7 @@ FUNCTION_WITHOUT_BRACKETS = error(
 )
 ARGUMENTS_WITHOUT_BRACKETS = error(
     20797,
+    classes=(0, 0),
     known_as=(901175,),
     en="{found} needs square brackets around it",
     de="{found} gehört in eckige Klammern",
@@ -195,6 +213,7 @@ ARGUMENTS_WITHOUT_BRACKETS = error(
 )
 WORD_INSIDE_BRACKETS = error(
     21985,
+    classes=(0, 0),
     known_as=(901176,),
     en="the word in '{found}' belongs in front of the bracket",
     de="das Wort in '{found}' gehört vor die Klammer",
@@ -205,6 +224,7 @@ WORD_INSIDE_BRACKETS = error(
 )
 WORD_FOR_CYCLE_COMMAND = error(
     21985,
+    classes=(0, 0),
     known_as=(901177,),
     en="#RT CYCLE has no command {found}",
     de="#RT CYCLE hat keinen Befehl {found}",
@@ -216,6 +236,7 @@ WORD_FOR_CYCLE_COMMAND = error(
 )
 SIGN_MISSING_BEFORE_WORD = error(
     20797,
+    classes=(0, 0),
     known_as=(901178,),
     en="{found} needs the sign of its kind in front of it",
     de="vor {found} fehlt das Zeichen für die Art des Worts",
@@ -226,6 +247,7 @@ SIGN_MISSING_BEFORE_WORD = error(
 )
 SEPARATOR_IN_FOR = error(
     20229,
+    classes=(0, 0),
     known_as=(901179,),
     en="{found} does not divide the values of $FOR",
     de="{found} trennt die Werte von $FOR nicht",
@@ -236,6 +258,7 @@ SEPARATOR_IN_FOR = error(
 )
 WORD_OF_OTHER_CONTROL = error(
     20797,
+    classes=(0, 0),
     known_as=(901180,),
     en="{found} is a word of {control}, for {meaning}",
     de="{found} ist ein Wort von {control}, für {meaning}",

@@ -15,9 +15,7 @@ SPINDLE_BUSY = error(
     remedy_en="Give each spindle one job per tick; let the PLC acknowledge in time.",
     remedy_de="Jeder Spindel nur einen Auftrag je Takt geben; die SPS rechtzeitig quittieren "
     "lassen.",
-    spindle=("the spindle's name", "der Name der Spindel"),
-    reaction=6,
-    clearing=6,
+    classes=(6, 6),
 )
 SPINDLE_WORD_COUNT = error(
     50954,
@@ -29,9 +27,7 @@ SPINDLE_WORD_COUNT = error(
     "Position, oder nur M5.",
     cause_en="In the main program M3, M4 and M5 are mutually exclusive, and a position needs M19.",
     cause_de="Im Hauptprogramm schließen M3, M4 und M5 einander aus; eine Position braucht M19.",
-    command=("the command as written", "der Befehl, wie geschrieben"),
-    reaction=6,
-    clearing=6,
+    classes=(6, 6),
 )
 SPINDLE_AXIS_LIST_MISSING = error(
     50397,
@@ -40,10 +36,8 @@ SPINDLE_AXIS_LIST_MISSING = error(
     remedy_en="Give it an axis list (kopf.achs_nr), or leave it to the PLC (plc_control 1).",
     remedy_de="Ihr eine Achsliste geben (kopf.achs_nr) oder sie der SPS überlassen (plc_control "
     "1).",
-    spindle=("the spindle's name", "der Name der Spindel"),
     logical=("spindel[i].log_achs_nr", "spindel[i].log_achs_nr"),
-    reaction=6,
-    clearing=6,
+    classes=(6, 6),
 )
 CYCLE_ACTIONS_FULL = error(
     51028,
@@ -57,14 +51,13 @@ CYCLE_ACTIONS_FULL = error(
     "memory for realtime loops, which is 51029 here.",
     cause_de="Eine Aktion behält ihren Platz bis zu ihrem Ende. Eine Fehlerliste liest 51028 als "
     "fehlenden Speicher für Echtzeit-Schleifen: hier 51029.",
-    cycle=("the cycle at fault", "der fehlerhafte Zyklus"),
     used=("what its slots are used for", "wofür seine Plätze verwendet werden"),
     open=("how many of its actions are open", "wie viele seiner Aktionen offen sind"),
-    reaction=6,
-    clearing=6,
+    classes=(6, 6),
 )
 NOT_A_SPINDLE_WORD = error(
     21035,
+    classes=(0, 0),
     known_as=(900282, 20180, 21039),
     en="{word} does not belong to a spindle command",
     de="{word} gehört nicht zu einem Spindelbefehl",
@@ -72,11 +65,10 @@ NOT_A_SPINDLE_WORD = error(
     "POS.",
     remedy_de="War {nearest} gemeint? Ein Spindelbefehl hat M3, M4, M5, M19, S oder REV, S.POS "
     "oder POS.",
-    word=("the word as written", "das Wort, wie geschrieben"),
-    nearest=("the nearest known name", "der ähnlichste bekannte Name"),
 )
 NO_MAIN_SPINDLE = error(
     21961,
+    classes=(0, 0),
     known_as=(900473,),
     en="the channel has no main spindle",
     de="der Kanal hat keine Hauptspindel",
@@ -93,8 +85,6 @@ NO_SUCH_SPINDLE = error(
     remedy_de="Name oder logische Nummer einer seiner Spindeln programmieren. Bekannt: {known}",
     spindle=("the name or number as written", "Name oder Nummer, wie geschrieben"),
     known=("names of the spindles", "Namen der Spindeln"),
-    reaction=2,
-    clearing=3,
 )
 TOOL_SPEED_RANGE = error(
     60312,
@@ -103,12 +93,9 @@ TOOL_SPEED_RANGE = error(
     remedy_en="Program another speed, or change wz[i].vb_min and wz[i].vb_max of the tool list.",
     remedy_de="Eine andere Drehzahl programmieren oder wz[i].vb_min und wz[i].vb_max der "
     "Werkzeugliste ändern.",
-    spindle=("name of the spindle", "Name der Spindel"),
-    speed=("the speed", "die Drehzahl"),
     low=("least speed of the tool", "kleinste Drehzahl des Werkzeugs"),
     high=("highest speed of the tool; 0: none", "größte Drehzahl des Werkzeugs; 0: keine"),
-    reaction=6,
-    clearing=6,
+    classes=(6, 6),
 )
 MAIN_SPINDLE_IN_USE = error(
     901871,
@@ -117,8 +104,7 @@ MAIN_SPINDLE_IN_USE = error(
     remedy_en="Program G97 before it.",
     remedy_de="Davor G97 programmieren.",
     word=("what acts on the main spindle", "was auf die Hauptspindel wirkt"),
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 INVALID_SPINDLE_SPEED = error(
     20991,
@@ -127,9 +113,7 @@ INVALID_SPINDLE_SPEED = error(
     de="die Drehzahl einer Spindel kann nicht {value} sein: M3 und M4 bestimmen die Richtung",
     remedy_en="Give a speed of at least 0, and M3 or M4.",
     remedy_de="Eine Drehzahl ab 0 angeben, und M3 oder M4.",
-    value=("the value", "der Wert"),
-    reaction=6,
-    clearing=6,
+    classes=(6, 6),
 )
 M19_WITHOUT_SPEED = error(
     20007,
@@ -139,8 +123,6 @@ M19_WITHOUT_SPEED = error(
     remedy_en="Give the speed at which the spindle moves to its position: M19 S100 S.POS=90",
     remedy_de="Die Drehzahl angeben, mit der die Spindel auf ihre Position fährt: M19 S100 "
     "S.POS=90",
-    reaction=2,
-    clearing=3,
 )
 M19_SPEED_ZERO = error(
     20007,
@@ -149,8 +131,7 @@ M19_SPEED_ZERO = error(
     de="M19 mit der Drehzahl 0: die Spindel käme nie an",
     remedy_en="Give a speed above 0.",
     remedy_de="Eine Drehzahl über 0 angeben.",
-    reaction=6,
-    clearing=6,
+    classes=(6, 6),
 )
 SPINDLE_JOB_HELD = error(
     900811,
@@ -164,12 +145,11 @@ SPINDLE_JOB_HELD = error(
     "continue it, and the program is waiting.",
     cause_de="Ein Echtzeit-Zyklus hat die Spindel übernommen und ist angehalten: nur das Programm "
     "könnte ihn fortsetzen, und das wartet.",
-    spindle=("the spindle", "die Spindel"),
-    reaction=6,
-    clearing=6,
+    classes=(6, 6),
 )
 EXCLUSIVE_SPINDLE_WORDS = error(
     20155,
+    classes=(0, 0),
     known_as=(900901,),
     cases=in_case(21151, lambda values: "M19" in str(values["words"]).split(", ")),
     en="{words} must not be in the same block",
@@ -196,12 +176,10 @@ SPINDLE_SPEED_LIMITED = warning(
     "spindle.",
     remedy_de="Höchstens diese Drehzahl programmieren oder P-AXIS-00212 in der Achsliste der "
     "Spindel erhöhen.",
-    spindle=("the spindle's name", "der Name der Spindel"),
     limit=(
         "the maximum speed in the axis list, in 1/min",
         "die größte Drehzahl laut Achsliste in 1/min",
     ),
-    speed=("the speed as programmed", "die Drehzahl, wie programmiert"),
 )
 DWELL_WITHOUT_SPINDLE = error(
     20007,
@@ -213,6 +191,4 @@ DWELL_WITHOUT_SPINDLE = error(
     "G04 X1.5",
     cause_en="The dwell time is that of the revolutions at the programmed speed.",
     cause_de="Die Verweilzeit ist die der Umdrehungen bei der programmierten Drehzahl.",
-    reaction=2,
-    clearing=3,
 )

@@ -8,6 +8,7 @@ from nctakt.messages.catalogue import error
 
 SPLINE_AT_LOOP = error(
     22128,
+    classes=(0, 0),
     cases=by_beginning("command", {"#RT ENDWHILE": 22129}),
     en="{command} while a spline is active",
     de="{command}, während ein Spline aktiv ist",
@@ -21,9 +22,7 @@ INVALID_TRANSITION = error(
     de="{value} ist kein Übergang von Akima-Splines",
     remedy_en="Write 1 (AUTO), 2 (TANGENTIAL) or 3 (USER).",
     remedy_de="1 (AUTO), 2 (TANGENTIAL) oder 3 (USER) schreiben.",
-    value=("the value as programmed", "der Wert, wie programmiert"),
-    reaction=2,
-    clearing=6,
+    classes=(2, 6),
 )
 INVALID_SPLINE_VECTOR = error(
     120100,
@@ -31,11 +30,9 @@ INVALID_SPLINE_VECTOR = error(
     de="{command} braucht {axes}, und nicht in allen 0",
     remedy_en="Write the direction with all main axes: {command} {example}",
     remedy_de="Die Richtung mit allen Hauptachsen schreiben: {command} {example}",
-    command=("the command as written", "der Befehl, wie geschrieben"),
     axes=("the names of the main axes", "die Namen der Hauptachsen"),
     example=("a direction", "eine Richtung"),
-    reaction=2,
-    clearing=6,
+    classes=(2, 6),
 )
 NO_MOTION_BEFORE_SPLINE = error(
     120112,
@@ -44,8 +41,7 @@ NO_MOTION_BEFORE_SPLINE = error(
     remedy_en="Program a motion before it, behind #SPLINE TYPE, or #AKIMA TRANS [START=AUTO].",
     remedy_de="Davor und nach #SPLINE TYPE eine Bewegung oder #AKIMA TRANS [START=AUTO] "
     "programmieren.",
-    reaction=2,
-    clearing=6,
+    classes=(2, 6),
 )
 SPLINE_WITHOUT_MAIN_AXES = error(
     120180,
@@ -53,8 +49,7 @@ SPLINE_WITHOUT_MAIN_AXES = error(
     de="ein Satz eines Splines bewegt die Hauptachsen nicht",
     remedy_en="Move tracking axes with a main axis, or program #SPLINE OFF before.",
     remedy_de="Mitschleppachsen mit einer Hauptachse bewegen oder davor #SPLINE OFF programmieren.",
-    reaction=2,
-    clearing=6,
+    classes=(2, 6),
 )
 ARC_IN_BSPLINE = error(
     120254,
@@ -63,8 +58,7 @@ ARC_IN_BSPLINE = error(
     remedy_en="Use an Akima spline (#SPLINE TYPE AKIMA), or #SPLINE OFF before the arc.",
     remedy_de="Einen Akima-Spline verwenden (#SPLINE TYPE AKIMA) oder vor dem Kreis #SPLINE OFF "
     "programmieren.",
-    reaction=2,
-    clearing=6,
+    classes=(2, 6),
 )
 SPLINE_WITH_CONTOURING = error(
     120255,
@@ -72,8 +66,7 @@ SPLINE_WITH_CONTOURING = error(
     de="Ecken werden verschliffen, während ein Spline aktiv ist",
     remedy_en="Program G260 or #HSC OFF before the spline.",
     remedy_de="Vor dem Spline G260 oder #HSC OFF programmieren.",
-    reaction=2,
-    clearing=6,
+    classes=(2, 6),
 )
 NO_MOTION_BEHIND_SPLINE = error(
     901620,
@@ -109,13 +102,10 @@ SPLINE_OUTSIDE_LIMITS = error(
     de="der Spline führt die Achse {axis} auf {position}, außerhalb ihrer Grenzen {low} … {high}",
     remedy_en="Move its points away from the limit (P-AXIS-00177, -00178).",
     remedy_de="Seine Punkte von der Grenze weg verlegen (P-AXIS-00177, -00178).",
-    axis=("name of the axis", "Name der Achse"),
     position=(
         "a position on the curve in mm or degrees",
         "eine Position der Kurve in mm oder Grad",
     ),
-    low=("lower limit", "untere Grenze"),
-    high=("upper limit", "obere Grenze"),
 )
 CORNER_IN_SPLINE = error(
     901624,

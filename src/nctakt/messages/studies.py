@@ -11,7 +11,6 @@ INVALID_PLAN = error(
     de="der Plan ist kein gültiges TOML: {reason}",
     remedy_en="docs/studies.md shows a plan.",
     remedy_de="Einen Plan zeigt docs/studies.md.",
-    reason=("the reason", "der Grund"),
 )
 UNKNOWN_PLAN_ENTRY = error(
     901301,
@@ -19,7 +18,6 @@ UNKNOWN_PLAN_ENTRY = error(
     de="unbekannter Eintrag {key} im Plan; am nächsten: {nearest}",
     remedy_en="Possible here: {names}.",
     remedy_de="Hier möglich: {names}.",
-    key=("the entry", "der Eintrag"),
     nearest=("the nearest known one", "der nächste bekannte"),
     names=("the known entries", "die bekannten Einträge"),
 )
@@ -29,9 +27,6 @@ INVALID_PLAN_VALUE = error(
     de="{key} muss {expected} sein, nicht {value}",
     remedy_en="Change the entry of the plan; docs/studies.md lists all entries.",
     remedy_de="Den Eintrag des Plans ändern; alle Einträge stehen in docs/studies.md.",
-    key=("the entry", "der Eintrag"),
-    value=("its value", "sein Wert"),
-    expected=("what is expected", "was erwartet wird"),
 )
 PLAN_ENTRY_MISSING = error(
     901303,
@@ -39,7 +34,6 @@ PLAN_ENTRY_MISSING = error(
     de="dem Plan fehlt der Eintrag {key} in {table}",
     remedy_en="Add it; docs/studies.md lists all entries.",
     remedy_de="Den Eintrag ergänzen; alle Einträge stehen in docs/studies.md.",
-    key=("the entry", "der Eintrag"),
     table=("the table of the plan", "die Tabelle des Plans"),
 )
 EMPTY_STUDY = error(
@@ -71,8 +65,6 @@ INVALID_MEASURE = error(
     "time from M100 to M101 · duration.",
     remedy_de="Etwa: time of M100 · count of fired 17 · max X · X at end · "
     "time from M100 to M101 · duration.",
-    text=("the text", "der Text"),
-    reason=("the reason", "der Grund"),
 )
 INVALID_STUDY_EXPECTATION = error(
     901307,
@@ -81,8 +73,6 @@ INVALID_STUDY_EXPECTATION = error(
     remedy_en="Such as: max X < 300 · X < 50 within 100 ms · M100 once · message "
     '"done" before 2 s.',
     remedy_de='Etwa: max X < 300 · X < 50 within 100 ms · M100 once · message "done" before 2 s.',
-    text=("the text", "der Text"),
-    reason=("the reason", "der Grund"),
 )
 RUN_CRASHED = warning(
     901308,
@@ -100,7 +90,6 @@ OTHER_PLAN = error(
     remedy_en="Remove the folder, write to another file with --out, or leave --resume out.",
     remedy_de="Den Ordner entfernen, mit --out in eine andere Datei schreiben oder --resume "
     "weglassen.",
-    folder=("the folder", "der Ordner"),
 )
 NOT_ROWS_OF_A_STUDY = error(
     902023,
@@ -110,7 +99,6 @@ NOT_ROWS_OF_A_STUDY = error(
     remedy_de="Die Datei verschieben oder mit --out in eine andere schreiben.",
     cause_en="The rows of a study stand there until it is finished.",
     cause_de="Dort stehen die Zeilen einer Studie, bis sie fertig ist.",
-    file=("the file", "die Datei"),
 )
 STUDY_INTERRUPTED = note(
     901310,
@@ -120,7 +108,6 @@ STUDY_INTERRUPTED = note(
     remedy_de="--resume macht die fehlenden.",
     count=("the number of finished runs", "die Zahl der fertigen Läufe"),
     size=("the number of all runs", "die Zahl aller Läufe"),
-    folder=("the folder", "der Ordner"),
 )
 EXTRA_MISSING = error(
     901311,
@@ -139,7 +126,6 @@ UNKNOWN_PARAMETER_OF_STUDY = error(
     remedy_de="In welcher Liste er steht, sagt nctakt explain {parameter}.",
     parameter=("the parameter's ID", "die ID des Parameters"),
     of=("the axis or channel", "die Achse oder der Kanal"),
-    reason=("the reason", "der Grund"),
 )
 UNKNOWN_PROGRAM_VARIABLE = error(
     901313,
@@ -147,7 +133,6 @@ UNKNOWN_PROGRAM_VARIABLE = error(
     de="das Programm gibt {name} keine einfache Zahl, die eine Studie variieren könnte",
     remedy_en="Assign it a number in the program: {name} = 5",
     remedy_de="Ihr im Programm eine Zahl zuweisen: {name} = 5",
-    name=("the variable", "die Variable"),
 )
 NO_BOUNDARY = warning(
     901314,
@@ -155,8 +140,6 @@ NO_BOUNDARY = warning(
     de="kein Umschlag zwischen {low} und {high}: an beiden Enden gilt dasselbe Urteil",
     remedy_en="Choose from and to so that the expectations hold at one end only.",
     remedy_de="Die Grenzen from und to ändern, bis die Erwartungen nur an einem Ende gelten.",
-    low=("the lowest value", "der kleinste Wert"),
-    high=("the highest value", "der größte Wert"),
 )
 NOT_AN_INJECTION = error(
     901315,
@@ -164,7 +147,6 @@ NOT_AN_INJECTION = error(
     de="kein Eingriff: {text}",
     remedy_en='Such as: --each-tick "V.E.STOP=1 for 20 ms"',
     remedy_de='Etwa: --each-tick "V.E.STOP=1 for 20 ms"',
-    text=("the text", "der Text"),
 )
 CLUSTER_LOST = error(
     901316,
@@ -173,7 +155,6 @@ CLUSTER_LOST = error(
     remedy_en="Start it (dask scheduler); --resume goes on with the finished runs.",
     remedy_de="Ihn starten (dask scheduler); --resume macht mit den fertigen Läufen weiter.",
     address=("the address", "die Adresse"),
-    reason=("the reason", "der Grund"),
 )
 NAME_TAKEN = error(
     901390,
@@ -182,7 +163,6 @@ NAME_TAKEN = error(
     remedy_en="Give each dimension (name) and each measure a name of its own; {name} is taken.",
     remedy_de="Jeder Dimension (name) und jeder Messgröße einen eigenen Namen geben; {name} ist "
     "vergeben.",
-    name=("the name", "der Name"),
 )
 UNKNOWN_THREAD = error(
     901391,
@@ -191,7 +171,6 @@ UNKNOWN_THREAD = error(
     remedy_en="nctakt schedule show lists the threads; a name with a blank stands in quotes.",
     remedy_de="Die Threads zeigt nctakt schedule show; ein Name mit Leerzeichen steht in "
     "Anführungszeichen.",
-    name=("the name", "der Name"),
     nearest=("the nearest one", "der nächste"),
 )
 NOTHING_MEASURED = warning(
@@ -222,7 +201,6 @@ WORKER_UNFIT = error(
     remedy_de="Auf Scheduler und Workern dasselbe installieren wie hier; --upload DATEI.whl "
     "sendet, was die SPS braucht.",
     worker=("the worker or the scheduler", "der Worker oder der Scheduler"),
-    reason=("the reason", "der Grund"),
 )
 WORKER_NOT_STARTED = error(
     901486,
@@ -231,7 +209,6 @@ WORKER_NOT_STARTED = error(
     remedy_en="Memory may be short: try fewer processes (-j 1); --resume keeps finished runs.",
     remedy_de="Vielleicht reicht der Speicher nicht: weniger Prozesse (-j 1); --resume behält "
     "fertige Läufe.",
-    reason=("the reason", "der Grund"),
 )
 RUN_WITHOUT_TRACE = error(
     901350,

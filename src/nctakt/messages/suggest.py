@@ -21,6 +21,5 @@ INVALID_SLACK = error(
     "{names}.",
     remedy_de="Einen Prozentwert ab 0 und unter 100 schreiben, allein oder als THREAD=PROZENT. "
     "Threads sind {names}.",
-    text=("what was given", "was angegeben wurde"),
     names=("the names of the threads", "die Namen der Threads"),
 )

@@ -11,7 +11,6 @@ INVALID_TAPE = error(
     de="das ist keine Zeile einer Eingabe-Aufzeichnung: {reason}",
     remedy_en="Name a file that nctakt run --record has written.",
     remedy_de="Eine Datei nennen, die nctakt run --record geschrieben hat.",
-    reason=("the reason", "der Grund"),
 )
 TAPE_OF_OTHER_VERSION = error(
     901071,
@@ -53,13 +52,11 @@ REPLAY_AGREES = note(
     901075,
     en="the events of all {ticks} ticks are those of the recorded run",
     de="die Ereignisse aller {ticks} Takte sind die des aufgezeichneten Laufs",
-    ticks=("the number of ticks", "die Anzahl der Takte"),
 )
 REPLAY_NOT_COMPARED = note(
     901531,
     en="the tape grew until its process was ended: {ticks} ticks, no events to compare with",
     de="die Aufzeichnung wuchs bis zum Ende ihres Prozesses: {ticks} Takte, kein Vergleich möglich",
-    ticks=("the number of ticks", "die Anzahl der Takte"),
 )
 INPUT_NOT_POSSIBLE = error(
     901077,

@@ -13,10 +13,8 @@ THREAD_PITCH_MISSING = error(
     de="{function} ohne Steigung: {word} hat keinen Wert außer 0",
     remedy_en="Program the pitch of the axis with the longest way: I for X, J for Y, K for Z.",
     remedy_de="Die Steigung der Achse mit dem längsten Weg angeben: I für X, J für Y, K für Z.",
-    function=("the G function", "die G-Funktion"),
     word=("the word of the pitch", "das Wort der Steigung"),
-    reaction=2,
-    clearing=6,
+    classes=(2, 6),
 )
 NEGATIVE_THREAD_PITCH = error(
     901518,
@@ -24,7 +22,6 @@ NEGATIVE_THREAD_PITCH = error(
     de="die Steigung {value} von G33 liegt unter 0",
     remedy_en="The spindle's direction makes a left-hand thread: M4 instead of M3.",
     remedy_de="Ein Linksgewinde ergibt sich aus der Drehrichtung der Spindel: M4 statt M3.",
-    value=("the value", "der Wert"),
 )
 THREAD_SPINDLE_STOPPED = error(
     50499,
@@ -32,9 +29,7 @@ THREAD_SPINDLE_STOPPED = error(
     de="Gewindeschneiden (G33) bei stehender Spindel {spindle}",
     remedy_en="Program M03 or M04 with a speed S first.",
     remedy_de="Vorher M03 oder M04 mit einer Drehzahl S programmieren.",
-    spindle=("the spindle", "die Spindel"),
-    reaction=6,
-    clearing=6,
+    classes=(6, 6),
 )
 THREAD_WAY_TOO_SHORT = error(
     50206,
@@ -43,9 +38,7 @@ THREAD_WAY_TOO_SHORT = error(
     remedy_en="Program a higher speed or a larger pitch: at least 0.0000001 mm for each tick.",
     remedy_de="Eine höhere Drehzahl oder größere Steigung angeben: mindestens 0,0000001 mm je "
     "Takt.",
-    spindle=("the spindle", "die Spindel"),
-    reaction=4,
-    clearing=6,
+    classes=(4, 6),
 )
 THREAD_CHAIN_TOO_FAST = error(
     51103,
@@ -53,9 +46,7 @@ THREAD_CHAIN_TOO_FAST = error(
     de="die Gewindekette ist zu schnell für die Ecke zwischen zwei Sätzen (Spindel {spindle})",
     remedy_en="Lower the speed, or change direction and pitch in smaller steps.",
     remedy_de="Die Drehzahl senken oder Richtung und Steigung in kleineren Stufen ändern.",
-    spindle=("the spindle", "die Spindel"),
-    reaction=4,
-    clearing=6,
+    classes=(4, 6),
 )
 TAP_SPEED_ZERO = error(
     20007,
@@ -64,9 +55,6 @@ TAP_SPEED_ZERO = error(
     de="{function} ohne Spindeldrehzahl",
     remedy_en="Program S: above 0 into a right-hand thread, below 0 out of it.",
     remedy_de="S angeben: über 0 in ein Rechtsgewinde hinein, unter 0 heraus.",
-    function=("the G function", "die G-Funktion"),
-    reaction=2,
-    clearing=3,
 )
 TAP_WITH_FEED_FUNCTION = error(
     20635,
@@ -77,8 +65,6 @@ TAP_WITH_FEED_FUNCTION = error(
     remedy_de="F je Minute (G94) und eine feste Drehzahl (G97) programmieren: die Steigung ist "
     "F / S.",
     function=("the other function", "die andere Funktion"),
-    reaction=2,
-    clearing=3,
 )
 TAP_SPINDLE_TURNING = error(
     901508,
@@ -88,9 +74,7 @@ TAP_SPINDLE_TURNING = error(
     remedy_de="Die Spindel vorher anhalten, mit M05 oder M19.",
     cause_en="The path turns the spindle: it has to stand when tapping begins.",
     cause_de="Die Bahn dreht die Spindel: sie muss stehen, wenn das Gewindebohren beginnt.",
-    spindle=("the spindle", "die Spindel"),
-    reaction=6,
-    clearing=6,
+    classes=(6, 6),
 )
 THREAD_TOO_FAST = error(
     901509,
@@ -98,9 +82,7 @@ THREAD_TOO_FAST = error(
     de="das Gewinde ist zu schnell für die Achsen: Drehzahl von Spindel {spindle} mal Steigung",
     remedy_en="Program a lower speed; the axes allow at most P-AXIS-00212.",
     remedy_de="Eine kleinere Drehzahl programmieren; die Achsen erlauben höchstens P-AXIS-00212.",
-    spindle=("the spindle", "die Spindel"),
-    reaction=6,
-    clearing=6,
+    classes=(6, 6),
 )
 THREAD_LOST = error(
     901510,
@@ -109,9 +91,7 @@ THREAD_LOST = error(
     remedy_en="Keep its speed while the path accelerates; do not turn it before backward motion.",
     remedy_de="Ihre Drehzahl halten, während die Bahn beschleunigt; sie vor Rückwärtsfahrt nicht "
     "drehen.",
-    spindle=("the spindle", "die Spindel"),
-    reaction=6,
-    clearing=6,
+    classes=(6, 6),
 )
 THREAD_REVERSED = error(
     901511,
@@ -119,9 +99,7 @@ THREAD_REVERSED = error(
     de="Spindel {spindle} hat beim Gewindeschneiden die Richtung gewechselt",
     remedy_en="Reverse the spindle behind the thread.",
     remedy_de="Die Drehrichtung hinter dem Gewinde wechseln.",
-    spindle=("the spindle", "die Spindel"),
-    reaction=6,
-    clearing=6,
+    classes=(6, 6),
 )
 THREAD_TOO_SHORT = warning(
     901512,
@@ -138,10 +116,7 @@ SPINDLE_WORD_IN_TAPPING = error(
     de="{word}, während {function} aktiv ist",
     remedy_en="End tapping before, with G00 or G01: it has the spindle to itself.",
     remedy_de="Das Gewindebohren vorher mit G00 oder G01 beenden: es hat die Spindel für sich.",
-    word=("the word", "das Wort"),
-    function=("the G function", "die G-Funktion"),
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 THREAD_WITH_PLC_SPINDLE = error(
     901514,
@@ -149,8 +124,6 @@ THREAD_WITH_PLC_SPINDLE = error(
     de="{function} mit Spindel {spindle}, die die SPS dreht",
     remedy_en="Take a spindle that the CNC turns (spindel[i].plc_control 0, P-CHAN-00069).",
     remedy_de="Eine Spindel nehmen, die die CNC dreht (spindel[i].plc_control 0, P-CHAN-00069).",
-    function=("the G function", "die G-Funktion"),
-    spindle=("the spindle", "die Spindel"),
 )
 THREAD_DURING_COMPENSATION = error(
     901515,
@@ -158,7 +131,6 @@ THREAD_DURING_COMPENSATION = error(
     de="{function} bei aktiver Werkzeugradiuskorrektur",
     remedy_en="Program G40 before.",
     remedy_de="Vorher G40 programmieren.",
-    function=("the G function", "die G-Funktion"),
 )
 THREAD_ENTRY_DECIDED = note(
     901516,
@@ -186,9 +158,6 @@ INVALID_TURN_VALUE = error(
     de="#TURN: {word} kann nicht {value} sein",
     remedy_en="Give a whole number from 0 to {highest}.",
     remedy_de="Eine ganze Zahl von 0 bis {highest} angeben.",
-    word=("the keyword", "das Schlüsselwort"),
-    value=("the value", "der Wert"),
-    highest=("the highest value", "der größte Wert"),
 )
 TURN_VALUE_NOT_SIMULATED = error(
     901520,

@@ -8,22 +8,22 @@ from nctakt.messages.catalogue import error, warning
 
 UNKNOWN_TOOL = error(
     20172,
+    classes=(0, 0),
     known_as=(900865, 20296),
     en="the tool list has no tool {tool}",
     de="die Werkzeugliste hat kein Werkzeug {tool}",
     remedy_en="Add wz[{tool}] to the tool list of the channel, or select another tool.",
     remedy_de="wz[{tool}] in die Werkzeugliste des Kanals aufnehmen oder ein anderes Werkzeug "
     "anwählen.",
-    tool=("the number of the tool", "die Nummer des Werkzeugs"),
 )
 TOOL_NOT_VALID = error(
     20691,
+    classes=(0, 0),
     known_as=(900866,),
     en="tool {tool} is not valid",
     de="Werkzeug {tool} ist nicht gültig",
     remedy_en="Set wz[{tool}].gueltig (P-TOOL-00005) to 1, or select another tool.",
     remedy_de="wz[{tool}].gueltig (P-TOOL-00005) auf 1 setzen oder ein anderes Werkzeug anwählen.",
-    tool=("the number of the tool", "die Nummer des Werkzeugs"),
 )
 TOOL_TOO_SHORT = error(
     21426,
@@ -32,11 +32,8 @@ TOOL_TOO_SHORT = error(
     remedy_en="Correct wz[{tool}].laenge (P-TOOL-00003) or tool.minimum_length (P-CHAN-00156).",
     remedy_de="wz[{tool}].laenge (P-TOOL-00003) oder tool.minimum_length (P-CHAN-00156) "
     "korrigieren.",
-    tool=("the number of the tool", "die Nummer des Werkzeugs"),
     length=("the length of the tool in mm", "die Länge des Werkzeugs in mm"),
     minimum=("the least length in mm", "die kleinste Länge in mm"),
-    reaction=2,
-    clearing=3,
 )
 TOOL_TOO_THIN = error(
     21427,
@@ -45,11 +42,8 @@ TOOL_TOO_THIN = error(
     remedy_en="Correct wz[{tool}].radius (P-TOOL-00004) or tool.minimum_radius (P-CHAN-00157).",
     remedy_de="wz[{tool}].radius (P-TOOL-00004) oder tool.minimum_radius (P-CHAN-00157) "
     "korrigieren.",
-    tool=("the number of the tool", "die Nummer des Werkzeugs"),
     radius=("the radius of the tool in mm", "der Radius des Werkzeugs in mm"),
     minimum=("the least radius in mm", "der kleinste Radius in mm"),
-    reaction=2,
-    clearing=3,
 )
 FLUSH_WITHOUT_TOOL_MANAGEMENT = warning(
     21244,
@@ -67,12 +61,10 @@ TOOL_NOT_IN_LIST = error(
     "T.",
     remedy_de="wz[{tool}] in die Werkzeugliste des Kanals aufnehmen. Ein Kanal ohne Liste nimmt "
     "jedes T an.",
-    tool=("the number of the tool", "die Nummer des Werkzeugs"),
-    reaction=2,
-    clearing=3,
 )
 INVALID_TOOL_NUMBER = error(
     20171,
+    classes=(0, 0),
     known_as=(900867, 21242),
     cases=by_word("word", {"T": 20166}),
     en="{value} is not a tool number",
@@ -80,7 +72,6 @@ INVALID_TOOL_NUMBER = error(
     remedy_en="Write a whole number of at least 0 after {word}.",
     remedy_de="Nach {word} eine ganze Zahl ab 0 schreiben.",
     word=("the word: T or D", "das Wort: T oder D"),
-    value=("the value as programmed", "der Wert, wie programmiert"),
 )
 INVALID_TOOL_VALUE = error(
     22024,
@@ -88,9 +79,6 @@ INVALID_TOOL_VALUE = error(
     de="{value} ist hier kein gültiger Wert des Werkzeugs",
     remedy_en="Assign a whole number of at least 0.",
     remedy_de="Eine ganze Zahl ab 0 zuweisen.",
-    value=("the value as programmed", "der Wert, wie programmiert"),
-    reaction=2,
-    clearing=3,
 )
 INVALID_TOOL_LIFE_FACTOR = error(
     901720,
@@ -98,10 +86,7 @@ INVALID_TOOL_LIFE_FACTOR = error(
     de="{variable} kann nicht {value} sein: der Faktor ist mindestens 0",
     remedy_en="Assign 0 or more; 1 counts time and distance as they are.",
     remedy_de="0 oder mehr zuweisen; 1 zählt Zeit und Weg, wie sie sind.",
-    variable=("the variable", "die Variable"),
-    value=("the value as programmed", "der Wert, wie programmiert"),
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 TOOL_LENGTH_WITHOUT_AXIS = error(
     900868,
@@ -123,6 +108,7 @@ NO_RADIUS_TO_COMPENSATE = error(
 )
 COMPENSATION_NEEDS_LINE = error(
     90008,
+    classes=(0, 0),
     known_as=(900870,),
     cases=by_beginning("change", {"G40": 90013, "G41/G42": 90016}),
     en="{change}: the motion to or from a compensated contour must be a straight line",
@@ -141,6 +127,7 @@ COMPENSATION_NEEDS_LINE = error(
 )
 TOOL_TOO_LARGE_FOR_ARC = error(
     90017,
+    classes=(0, 0),
     known_as=(900871, 90147, 90190),
     en="the tool does not fit into the arc: its radius {radius} mm is not smaller than that of the "
     "arc",
@@ -148,10 +135,10 @@ TOOL_TOO_LARGE_FOR_ARC = error(
     "der des Bogens",
     remedy_en="Use a smaller tool, or a larger radius in the contour.",
     remedy_de="Ein kleineres Werkzeug oder einen größeren Radius in der Kontur verwenden.",
-    radius=("the radius in mm", "der Radius in mm"),
 )
 TOO_MANY_COMMANDS_IN_CONTOUR = error(
     90109,
+    classes=(0, 0),
     known_as=(900872, 90011),
     en="more than {count} commands between two motions of a compensated contour",
     de="mehr als {count} Befehle zwischen zwei Bewegungen einer korrigierten Kontur",
@@ -166,12 +153,12 @@ TOO_MANY_COMMANDS_IN_CONTOUR = error(
 )
 PLANE_CHANGE_DURING_COMPENSATION = error(
     20133,
+    classes=(0, 0),
     known_as=(900873,),
     en="{word} changes the plane while a contour is compensated in G{plane}",
     de="{word} wechselt die Ebene, während eine Kontur in G{plane} korrigiert wird",
     remedy_en="First leave the contour with G40 and a motion.",
     remedy_de="Vorher die Kontur mit G40 und einer Bewegung verlassen.",
-    word=("the word as written", "das Wort, wie geschrieben"),
     plane=("the number of the plane", "die Nummer der Ebene"),
 )
 TOOL_RADIUS_LOST = error(
@@ -180,7 +167,6 @@ TOOL_RADIUS_LOST = error(
     de="{command} entfernt den Werkzeugradius, während {word} aktiv ist",
     remedy_en="Write it before {word} or after G40, or select a tool with a radius.",
     remedy_de="Vor {word} oder nach G40 schreiben, oder ein Werkzeug mit Radius anwählen.",
-    command=("the word or command", "das Wort oder der Befehl"),
     word=("G41 or G42", "G41 oder G42"),
 )
 LINE_REVERSED_BY_RADIUS = error(
@@ -194,9 +180,7 @@ LINE_REVERSED_BY_RADIUS = error(
     "into the contour.",
     cause_de="Zwischen den beiden Ecken der Geraden ist kein Platz für das Werkzeug: es würde die "
     "Kontur verletzen.",
-    radius=("the radius in mm", "der Radius in mm"),
-    reaction=2,
-    clearing=6,
+    classes=(2, 6),
 )
 ARC_REVERSED_BY_RADIUS = error(
     90038,
@@ -209,9 +193,7 @@ ARC_REVERSED_BY_RADIUS = error(
     "into the contour.",
     cause_de="Zwischen den beiden Ecken des Bogens ist kein Platz für das Werkzeug: es würde die "
     "Kontur verletzen.",
-    radius=("the radius in mm", "der Radius in mm"),
-    reaction=2,
-    clearing=6,
+    classes=(2, 6),
 )
 TOOL_CUTS_CONTOUR = warning(
     900950,
@@ -275,6 +257,7 @@ TOOL_CUTS_INNER_CORNER = warning(
 )
 TOOL_WOULD_CUT_INNER_CORNER = error(
     90123,
+    classes=(0, 0),
     known_as=(900954, 90137),
     en="the closed contour begins in an inner corner: beside line {line} the tool would cut into "
     "it here",
@@ -296,6 +279,7 @@ TOOL_WOULD_CUT_INNER_CORNER = error(
 )
 CONTOUR_NOT_CLOSED = error(
     90119,
+    classes=(0, 0),
     known_as=(900955,),
     en="the contour does not end where it begins, as G238 requires",
     de="die Kontur endet nicht dort, wo sie beginnt, wie es G238 verlangt",
@@ -309,6 +293,7 @@ CONTOUR_NOT_CLOSED = error(
 )
 CLOSED_CONTOUR_TOO_LONG = error(
     90114,
+    classes=(0, 0),
     known_as=(900956,),
     en="the contour has more than {count} motions; with G238 all of them wait for the last one",
     de="die Kontur hat mehr als {count} Bewegungen; mit G238 warten alle auf die letzte",
@@ -318,6 +303,7 @@ CLOSED_CONTOUR_TOO_LONG = error(
 )
 G238_DURING_COMPENSATION = error(
     21318,
+    classes=(0, 0),
     known_as=(900957,),
     cases=by_word("word", {"G238": 21317}),
     en="{word} while compensation is active: G238 can be selected and deselected only without it",
@@ -325,7 +311,6 @@ G238_DURING_COMPENSATION = error(
     remedy_en="Write it before G41 or G42, or after G40 and the motion that leaves the contour.",
     remedy_de="Vor G41 oder G42 schreiben, oder nach G40 und der Bewegung, die die Kontur "
     "verlässt.",
-    word=("the word as written", "das Wort, wie geschrieben"),
 )
 TANGENTIAL_WITH_G238 = warning(
     21316,
@@ -343,6 +328,7 @@ TANGENTIAL_ALONE = error(
 )
 SIDE_CHANGE_WITH_G238 = error(
     90115,
+    classes=(0, 0),
     known_as=(900958,),
     en="with G238 the tool must stay on its side of the contour until G40",
     de="mit G238 muss das Werkzeug bis G40 auf seiner Seite der Kontur bleiben",
@@ -351,6 +337,7 @@ SIDE_CHANGE_WITH_G238 = error(
 )
 RADIUS_CHANGE_WITH_G238 = error(
     90127,
+    classes=(0, 0),
     en="with G238 the tool must keep its radius until G40",
     de="mit G238 muss das Werkzeug bis G40 seinen Radius behalten",
     remedy_en="Change the radius only after G40.",
@@ -362,8 +349,5 @@ NEGATIVE_TOOL_LIFE = error(
     de="{word} von #TOOL LIFE DEF ist {value}, kleiner als 0",
     remedy_en="Give mm for DIST and seconds for TIME, 0 or more.",
     remedy_de="Für DIST mm, für TIME Sekunden angeben, ab 0.",
-    word=("the keyword", "das Schlüsselwort"),
-    value=("its value", "sein Wert"),
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )

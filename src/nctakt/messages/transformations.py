@@ -15,12 +15,7 @@ TRANSFORMED_WAY_OUTSIDE_LIMITS = error(
     "{high}",
     remedy_en="Change the path or direction of the tool, or the clamping (P-AXIS-00177, -00178).",
     remedy_de="Weg oder Richtung des Werkzeugs oder die Aufspannung ändern (P-AXIS-00177, -00178).",
-    axis=("name of the axis", "Name der Achse"),
     position=("a position on the block in mm or degrees", "eine Position im Satz in mm oder Grad"),
-    low=("lower limit", "untere Grenze"),
-    high=("upper limit", "obere Grenze"),
-    reaction=2,
-    clearing=3,
 )
 KIN_ID_DURING_TRANSFORMATION = error(
     20687,
@@ -28,8 +23,6 @@ KIN_ID_DURING_TRANSFORMATION = error(
     de="die Kinematik kann nicht geändert werden, während eine Transformation aktiv ist",
     remedy_en="Program #TRAFO OFF before it.",
     remedy_de="Davor #TRAFO OFF programmieren.",
-    reaction=2,
-    clearing=3,
 )
 KINEMATIC_OF_TOOL_DIFFERS = error(
     20990,
@@ -39,8 +32,6 @@ KINEMATIC_OF_TOOL_DIFFERS = error(
     remedy_de="#TRAFO OFF programmieren, bevor das Werkzeug gewählt wird (P-TOOL-00011).",
     tool=("number of the tool's kinematic", "Nummer der Kinematik des Werkzeugs"),
     active=("number of the active kinematic", "Nummer der aktiven Kinematik"),
-    reaction=2,
-    clearing=3,
 )
 PARAMETER_DURING_TRANSFORMATION = error(
     21022,
@@ -48,8 +39,6 @@ PARAMETER_DURING_TRANSFORMATION = error(
     de="Kinematikparameter des Werkzeugs sind bei aktiver Transformation nicht änderbar",
     remedy_en="Program #TRAFO OFF before it, and #TRAFO ON behind it.",
     remedy_de="Davor #TRAFO OFF programmieren, dahinter wieder #TRAFO ON.",
-    reaction=2,
-    clearing=3,
 )
 NO_KINEMATIC_SELECTED = error(
     901601,
@@ -58,10 +47,8 @@ NO_KINEMATIC_SELECTED = error(
     remedy_en="Program #KIN ID [number] before it, or set P-CHAN-00032. In the list: {known}",
     remedy_de="Davor #KIN ID [Nummer] programmieren oder P-CHAN-00032 setzen. In der Liste: "
     "{known}",
-    command=("the command", "der Befehl"),
     known=("the kinematics of the channel list", "die Kinematiken der Kanalliste"),
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 UNKNOWN_KINEMATIC = error(
     901602,
@@ -73,8 +60,7 @@ UNKNOWN_KINEMATIC = error(
     "{known}",
     id=("number of the kinematic", "Nummer der Kinematik"),
     known=("the kinematics of the channel list", "die Kinematiken der Kanalliste"),
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 KINEMATIC_NOT_POSSIBLE = error(
     901603,
@@ -83,9 +69,7 @@ KINEMATIC_NOT_POSSIBLE = error(
     remedy_en="Select another kinematic, or change trafo[…] in the channel list.",
     remedy_de="Eine andere Kinematik wählen oder trafo[…] in der Kanalliste ändern.",
     id=("number of the kinematic", "Nummer der Kinematik"),
-    reason=("why", "warum"),
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 TRANSFORMATION_DURING_COMPENSATION = error(
     901604,
@@ -93,9 +77,7 @@ TRANSFORMATION_DURING_COMPENSATION = error(
     de="{command} während der Werkzeugradiuskorrektur",
     remedy_en="Program G40 and a motion before it.",
     remedy_de="Davor G40 und eine Bewegung programmieren.",
-    command=("the command", "der Befehl"),
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 TLC_AND_RTCP = error(
     20669,
@@ -103,9 +85,6 @@ TLC_AND_RTCP = error(
     de="{command}: #TLC und #RTCP oder #TRAFO schließen einander aus",
     remedy_en="Switch the other one off before.",
     remedy_de="Vorher das andere ausschalten.",
-    command=("the command", "der Befehl"),
-    reaction=2,
-    clearing=3,
 )
 TLC_DURING_COMPENSATION = error(
     20671,
@@ -113,8 +92,6 @@ TLC_DURING_COMPENSATION = error(
     de="#TLC ON während der Werkzeugradiuskorrektur",
     remedy_en="Program G40 and a motion before it.",
     remedy_de="Davor G40 und eine Bewegung programmieren.",
-    reaction=2,
-    clearing=3,
 )
 PTP_DURING_COMPENSATION = error(
     21525,
@@ -122,8 +99,6 @@ PTP_DURING_COMPENSATION = error(
     de="#PTP ON während der Werkzeugradiuskorrektur",
     remedy_en="Program G40 and a motion before it.",
     remedy_de="Davor G40 und eine Bewegung programmieren.",
-    reaction=2,
-    clearing=3,
 )
 MCS_DURING_PTP = error(
     21531,
@@ -131,9 +106,6 @@ MCS_DURING_PTP = error(
     de="{command} schaltet auf Maschinenkoordinaten, während #PTP ein ist",
     remedy_en="Program #PTP OFF before it.",
     remedy_de="Davor #PTP OFF programmieren.",
-    command=("the command", "der Befehl"),
-    reaction=2,
-    clearing=3,
 )
 COORDINATE_SYSTEM_DURING_PTP = error(
     21550,
@@ -141,9 +113,6 @@ COORDINATE_SYSTEM_DURING_PTP = error(
     de="{command} ändert das Koordinatensystem, während #PTP ein ist",
     remedy_en="Program #PTP OFF before it.",
     remedy_de="Davor #PTP OFF programmieren.",
-    command=("the command", "der Befehl"),
-    reaction=2,
-    clearing=3,
 )
 CONVERSION_DURING_TRANSFORMATION = error(
     21236,
@@ -151,9 +120,6 @@ CONVERSION_DURING_TRANSFORMATION = error(
     de="{command}, während eine Transformation oder ein Koordinatensystem aktiv ist",
     remedy_en="Program #TRAFO OFF and #CS OFF ALL before it; [CS 1 KIN] converts with them.",
     remedy_de="Davor #TRAFO OFF und #CS OFF ALL programmieren; [CS 1 KIN] rechnet mit ihnen um.",
-    command=("the command", "der Befehl"),
-    reaction=2,
-    clearing=3,
 )
 NOT_IN_MACHINE_COORDINATES = error(
     901760,
@@ -161,9 +127,7 @@ NOT_IN_MACHINE_COORDINATES = error(
     de="{command} zwischen #MCS ON und #MCS OFF",
     remedy_en="Program #MCS OFF before it.",
     remedy_de="Davor #MCS OFF programmieren.",
-    command=("the command", "der Befehl"),
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 POSITION_NOT_REACHED = error(
     901761,
@@ -171,9 +135,7 @@ POSITION_NOT_REACHED = error(
     de="keine Position der Achsen führt dorthin: {reason}",
     remedy_en="Program another direction of the tool, or select another kinematic.",
     remedy_de="Eine andere Richtung des Werkzeugs programmieren oder eine andere Kinematik wählen.",
-    reason=("why", "warum"),
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 PTP_WITHOUT_TRANSFORMATION = error(
     21527,
@@ -181,8 +143,6 @@ PTP_WITHOUT_TRANSFORMATION = error(
     de="#PTP ON, aber keine Transformation ist aktiv",
     remedy_en="Program #TRAFO ON before it.",
     remedy_de="Davor #TRAFO ON programmieren.",
-    reaction=2,
-    clearing=3,
 )
 NO_TOOL_ORIENTATION = error(
     292006,
@@ -191,8 +151,6 @@ NO_TOOL_ORIENTATION = error(
     remedy_en="Select a kinematic with two rotary axes.",
     remedy_de="Eine Kinematik mit zwei Drehachsen wählen.",
     id=("number of the kinematic", "Nummer der Kinematik"),
-    reaction=2,
-    clearing=3,
 )
 TRANSFORMATION_DURING_PTP = error(
     21552,
@@ -200,9 +158,6 @@ TRANSFORMATION_DURING_PTP = error(
     de="{command}, während #PTP ein ist",
     remedy_en="Program #PTP OFF before it.",
     remedy_de="Davor #PTP OFF programmieren.",
-    command=("the command", "der Befehl"),
-    reaction=2,
-    clearing=3,
 )
 ARC_DURING_PTP = error(
     901606,
@@ -212,8 +167,7 @@ ARC_DURING_PTP = error(
     remedy_de="Geraden programmieren oder davor #PTP OFF.",
     cause_en="With #PTP the axes go straight to the end of the block.",
     cause_de="Mit #PTP fahren die Achsen geradlinig zum Ende des Satzes.",
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 DIRECTION_OUT_OF_REACH = error(
     901618,
@@ -221,8 +175,7 @@ DIRECTION_OUT_OF_REACH = error(
     de="zu einem Punkt dieses Satzes führt keine Stellung der Achsen",
     remedy_en="Change the direction of the tool, or the path.",
     remedy_de="Die Richtung des Werkzeugs oder den Weg ändern.",
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 WAY_THROUGH_POLE = error(
     901619,
@@ -231,10 +184,7 @@ WAY_THROUGH_POLE = error(
     "springen",
     remedy_en="Lead the path past the pole, or turn the axis there before #TRAFO ON.",
     remedy_de="Den Weg am Pol vorbeiführen oder die Achse vor #TRAFO ON drehen.",
-    axis=("name of the axis", "Name der Achse"),
-    angle=("the angle in degrees", "der Winkel in Grad"),
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 NOT_OF_KINEMATIC = error(
     901819,
@@ -242,11 +192,8 @@ NOT_OF_KINEMATIC = error(
     de="{name} ist eine Zahl des Typs 91, die Kinematik {id} hat den Typ {type}",
     remedy_en="Name a kinematic of type 91, or use V.G.KIN[{id}].PARAM.",
     remedy_de="Eine Kinematik des Typs 91 nennen oder V.G.KIN[{id}].PARAM verwenden.",
-    name=("the name", "der Name"),
     id=("number of the kinematic", "Nummer der Kinematik"),
-    type=("its type", "ihr Typ"),
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 PARAMETER_NOT_PUBLIC = error(
     901820,
@@ -256,8 +203,7 @@ PARAMETER_NOT_PUBLIC = error(
     remedy_de="Seinen Namen verwenden: V.G.KIN[{id}].CHAIN[0], RTCP, PROGRAMMING_MODE, LINKAGE.",
     index=("index of the parameter", "Index des Parameters"),
     id=("number of the kinematic", "Nummer der Kinematik"),
-    reaction=2,
-    clearing=3,
+    classes=(2, 3),
 )
 FIXED_TYPE_SIGNS = note(
     901607,

@@ -11,7 +11,13 @@ from nctakt.messages.catalogue import error
 
 
 def _unreached(
-    number: int, *, en: str, de: str, cause_en: str, cause_de: str, clearing: int, reaction: int = 6
+    number: int,
+    *,
+    en: str,
+    de: str,
+    cause_en: str,
+    cause_de: str,
+    classes: tuple[int, int] = (6, 6),
 ) -> Message:
     return error(
         number,
@@ -21,8 +27,7 @@ def _unreached(
         remedy_de="Nichts zu tun: nctakt meldet das nie.",
         cause_en=cause_en,
         cause_de=cause_de,
-        reaction=reaction,
-        clearing=clearing,
+        classes=classes,
     )
 
 
@@ -33,7 +38,6 @@ def _cycle_fault(number: int) -> Message:
         de=f"ein übersetzter Echtzeit-Zyklus ist nicht, was der Echtzeit-Teil erwartet ({number})",
         cause_en="The checker lets no cycle pass that could do this: no program reaches it.",
         cause_de="Der Prüfer lässt keinen Zyklus durch, der das könnte: kein Programm erreicht es.",
-        clearing=6,
     )
 
 
@@ -50,8 +54,7 @@ UNREACHED = (
         de="#PTP ON während der Online-Werkzeugkorrektur (#OTC)",
         cause_en="nctakt refuses #OTC itself (900200), so it is never active.",
         cause_de="nctakt weist schon #OTC zurück (900200), es ist also nie aktiv.",
-        reaction=2,
-        clearing=3,
+        classes=(2, 3),
     ),
     _unreached(
         22121,
@@ -59,8 +62,7 @@ UNREACHED = (
         de="#PTP ON ist mit der aktiven Kinematik nicht möglich",
         cause_en="Which kinematics these are is not published; nctakt can do it with all it has.",
         cause_de="Welche Kinematiken das sind, ist nicht veröffentlicht; nctakt kann es mit allen.",
-        reaction=2,
-        clearing=3,
+        classes=(2, 3),
     ),
     _unreached(
         22017,
@@ -68,8 +70,7 @@ UNREACHED = (
         de="die Liste der V.CH-Variablen kann nicht gelesen werden",
         cause_en="nctakt reports this with 900062 or 900503, as for every other list.",
         cause_de="nctakt meldet es mit 900062 oder 900503, wie bei jeder anderen Liste.",
-        reaction=2,
-        clearing=7,
+        classes=(2, 7),
     ),
     _unreached(
         50874,
@@ -77,7 +78,6 @@ UNREACHED = (
         de="ein Echtzeit-Zyklus ist aus einem Grund ohne eigene Nummer gescheitert",
         cause_en="In nctakt each fault of a realtime cycle has its number.",
         cause_de="In nctakt hat jeder Fehler eines Echtzeit-Zyklus seine Nummer.",
-        clearing=6,
     ),
     _unreached(
         50876,
@@ -87,7 +87,6 @@ UNREACHED = (
         "reports that it is off.",
         cause_de="Dekoder und Echtzeit-Teil von nctakt haben einen gemeinsamen Schalter, "
         "P-CHAN-00406; 21982 meldet, dass er aus ist.",
-        clearing=6,
     ),
     _unreached(
         50898,
@@ -97,7 +96,6 @@ UNREACHED = (
         "900213.",
         cause_de="Der Prüfer löst Achsnamen auf, bevor ein Zyklus läuft; ein unbekannter ist "
         "900213.",
-        clearing=6,
     ),
     _unreached(
         50948,
@@ -106,7 +104,6 @@ UNREACHED = (
         cause_en="nctakt refuses transformations when a program is checked, so that none is ever "
         "active.",
         cause_de="nctakt lehnt Transformationen beim Prüfen ab, sodass nie eine aktiv ist.",
-        clearing=6,
     ),
     *CYCLE_FAULTS,
 )

@@ -7,6 +7,7 @@ from nctakt.messages.catalogue import error, warning
 
 USER_ERROR_WITHOUT_ID = error(
     21171,
+    classes=(0, 0),
     known_as=(900280,),
     en="#ERROR has no ID",
     de="#ERROR hat keine ID",
@@ -31,7 +32,6 @@ INVALID_USER_TEXT_LINE = warning(
     "ignoriert",
     remedy_en="Each line contains the number, a blank or tab, and the text.",
     remedy_de="Jede Zeile enthält die Nummer, ein Leerzeichen oder einen Tabulator und den Text.",
-    file=("the file", "die Datei"),
     line=("the line in the file", "die Zeile in der Datei"),
 )
 USER_TEXTS_MISSING = warning(
@@ -52,9 +52,7 @@ INVALID_USER_ERROR_ID = error(
     de="{value} ist keine gültige ID von #ERROR: IDs sind ganze Zahlen von 1 bis 1000",
     remedy_en="Give #ERROR an ID from 1 to 1000.",
     remedy_de="#ERROR eine ID von 1 bis 1000 geben.",
-    value=("the value", "der Wert"),
-    reaction=6,
-    clearing=6,
+    classes=(6, 6),
 )
 INVALID_USER_ERROR_RC = error(
     21173,
@@ -64,9 +62,7 @@ INVALID_USER_ERROR_RC = error(
     "zum Neustart",
     remedy_en="Give #ERROR a whole RC from 0 to 7.",
     remedy_de="#ERROR einen ganzzahligen RC von 0 bis 7 geben.",
-    value=("the value", "der Wert"),
-    reaction=6,
-    clearing=6,
+    classes=(6, 6),
 )
 INVALID_USER_ERROR_MID = error(
     900462,
@@ -76,7 +72,6 @@ INVALID_USER_ERROR_MID = error(
     "und über 0",
     remedy_en="Give #ERROR a MID of at least 1, or none.",
     remedy_de="#ERROR eine MID ab 1 geben oder keine.",
-    value=("the value", "der Wert"),
 )
 USER_WARNING = warning(
     900463,
@@ -89,8 +84,7 @@ USER_WARNING = warning(
         "die Nummer des Anwenderfehlers, mit seinem Text, falls vorhanden",
     ),
     values=("the values given by the program", "die vom Programm angegebenen Werte"),
-    reaction=1,
-    clearing=1,
+    classes=(1, 1),
 )
 USER_ERROR = error(
     900464,
@@ -103,8 +97,7 @@ USER_ERROR = error(
         "die Nummer des Anwenderfehlers, mit seinem Text, falls vorhanden",
     ),
     values=("the values given by the program", "die vom Programm angegebenen Werte"),
-    reaction=6,
-    clearing=3,
+    classes=(6, 3),
 )
 FATAL_USER_ERROR = error(
     900465,
@@ -119,8 +112,7 @@ FATAL_USER_ERROR = error(
         "die Nummer des Anwenderfehlers, mit seinem Text, falls vorhanden",
     ),
     values=("the values given by the program", "die vom Programm angegebenen Werte"),
-    reaction=6,
-    clearing=7,
+    classes=(6, 7),
 )
 STOPPED_BY_FATAL_USER_ERROR = error(
     900466,

@@ -25,11 +25,8 @@ INVALID_SCOPE = warning(
     "scope stays in its channel.",
     cause_de="Nur GLOBAL-Variablen gelten für alle Kanäle; eine Variable mit ungültigem "
     "Gültigkeitsbereich bleibt darum in ihrem Kanal.",
-    key=("the entry's name", "der Name des Eintrags"),
-    value=("the value as it stands in the list", "der Wert, wie er in der Liste steht"),
     default=("the scope that is used", "der Gültigkeitsbereich, der gilt"),
-    reaction=1,
-    clearing=1,
+    classes=(1, 1),
 )
 CHANNEL_VARIABLES_TOO_LARGE = error(
     22079,
@@ -45,8 +42,7 @@ CHANNEL_VARIABLES_TOO_LARGE = error(
     "teilweise gespeichert.",
     needed=("bytes of data and management", "Byte für Daten und Verwaltung"),
     available=("P-CHAN-00424", "P-CHAN-00424"),
-    reaction=2,
-    clearing=7,
+    classes=(2, 7),
 )
 INVALID_VARIABLE_NAME = warning(
     900080,
@@ -58,7 +54,6 @@ INVALID_VARIABLE_NAME = warning(
     remedy_en="Use up to {limit} letters, digits and underscores, starting with a letter.",
     remedy_de="Bis zu {limit} Buchstaben, Ziffern und Unterstriche verwenden, mit einem Buchstaben "
     "beginnend.",
-    key=("the entry's name", "der Name des Eintrags"),
     value=("the name", "der Name"),
     limit=("the maximum length", "die größte Länge"),
 )
@@ -68,7 +63,6 @@ LONG_VARIABLE_NAME = note(
     de="{key}: der Name hat {length} Zeichen; eine Steuerung erlaubt womöglich nur {limit}",
     remedy_en="Shorten the name if the controller refuses it.",
     remedy_de="Den Namen kürzen, falls die Steuerung ihn ablehnt.",
-    key=("the entry's name", "der Name des Eintrags"),
     length=("the length of the variable's name", "die Länge des Variablennamens"),
     limit=("the length given in the manual", "die Länge laut Handbuch"),
 )
@@ -91,7 +85,6 @@ UNKNOWN_VARIABLE_TYPE = warning(
     "ignoriert",
     remedy_en="Use one of {names}, or the name of a structure.",
     remedy_de="Einen der Typen {names} oder den Namen einer Struktur verwenden.",
-    key=("the entry's name", "der Name des Eintrags"),
     value=("the type as written", "der Typ, wie geschrieben"),
     names=("the types", "die Typen"),
 )
@@ -111,7 +104,6 @@ VARIABLE_TOO_LARGE = warning(
     de="{key}: die Variable hat mehr als {limit} Elemente und wird ignoriert",
     remedy_en="Make its arrays smaller.",
     remedy_de="Ihre Felder verkleinern.",
-    key=("the entry's name", "der Name des Eintrags"),
     limit=("the maximum number of elements", "die größte Anzahl von Elementen"),
 )
 VARIABLE_STRUCTURE_TOO_DEEP = warning(
@@ -143,7 +135,6 @@ VARIABLE_OFFSET_TOO_LARGE = warning(
     de="{key}: Byte {value} liegt außerhalb des Bereichs; die Variable entfällt",
     remedy_en="Give an offset up to {limit}, or leave it to the controller with -1.",
     remedy_de="Einen Offset bis {limit} angeben oder ihn mit -1 der Steuerung überlassen.",
-    key=("the entry's name", "der Name des Eintrags"),
     value=("P-EXTV-00002 as written", "P-EXTV-00002, wie geschrieben"),
     limit=("the largest possible offset", "der größte mögliche Offset"),
 )
@@ -154,7 +145,6 @@ VARIABLE_OUTSIDE_MEMORY = warning(
     de="V.E.{name} ({scope}) würde bei Byte {end} von {available} enden und entfällt",
     remedy_en="Give it a smaller byte_offset, or increase ext_var_max (P-STUP-00037).",
     remedy_de="Einen kleineren byte_offset angeben oder ext_var_max (P-STUP-00037) erhöhen.",
-    name=("the variable", "die Variable"),
     scope=("P-EXTV-00004", "P-EXTV-00004"),
     end=("the byte behind it", "das Byte dahinter"),
     available=("P-STUP-00037 in bytes", "P-STUP-00037 in Byte"),
@@ -168,7 +158,6 @@ EXTERNAL_VARIABLES_TOO_LARGE = warning(
     "{available}",
     remedy_en="Increase ext_var_max (P-STUP-00037): it counts blocks of 24 bytes.",
     remedy_de="ext_var_max erhöhen (P-STUP-00037): es zählt Blöcke zu 24 Byte.",
-    channel=("the number of the channel", "die Nummer des Kanals"),
     needed=("the bytes of the variables", "die Bytes der Variablen"),
     available=("P-STUP-00037 in bytes", "P-STUP-00037 in Byte"),
 )

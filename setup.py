@@ -10,6 +10,8 @@ and under Linux with the sanitizers of addresses and of undefined behaviour.
 """
 
 import os
+import re
+import runpy
 import sys
 from pathlib import Path
 from typing import ClassVar
@@ -24,6 +26,11 @@ from setuptools.modified import newer
 SOURCES = Path("src")
 SHARED = "nctakt._cython"
 SHARED_SOURCE = "src/nctakt/_cython.c"
+#: What copies the state of the realtime part: written by each build from the C types.
+STATE = "nctakt.kernel._state"
+STATE_SOURCE = Path("src/nctakt/kernel/_state.pyx")
+#: How C types and constants are taken from other modules.
+CIMPORT = re.compile(r"^from (nctakt[\w.]*) cimport (.+)$", re.MULTILINE)
 #: What holds in each compiled module whose first lines say nothing else.
 DIRECTIVES = {
     "language_level": 3,
@@ -70,12 +77,45 @@ def extensions() -> list[Extension]:
         for path in typed_modules()
     ]
     found.append(Extension(SHARED, [SHARED_SOURCE]))
+    found.append(Extension(STATE, [STATE_SOURCE.as_posix()]))
     if sys.platform == "linux":
         folder = SOURCES / "nctakt" / "linux"
         sources = sorted(path.as_posix() for path in folder.glob("*.c"))
         headers = sorted(path.as_posix() for path in folder.glob("*.h"))
         found.append(Extension("nctakt.linux.processes", sources, depends=headers))
     return found
+
+
+def cimports() -> dict[Path, set[Path]]:
+    """Return the ``.pxd`` files whose types or constants each file of the sources takes."""
+    found: dict[Path, set[Path]] = {}
+    for path in [*SOURCES.rglob("*.pxd"), STATE_SOURCE]:
+        taken = found.setdefault(path, set())
+        for module, names in CIMPORT.findall(path.read_text("utf-8")):
+            folder = SOURCES.joinpath(*module.split("."))
+            files = [folder, *(folder / name for name in names.replace(",", " ").split())]
+            taken.update(file for one in files if (file := one.with_suffix(".pxd")).exists())
+    return found
+
+
+def files_of(source: Path, needed: dict[Path, set[Path]]) -> set[Path]:
+    """Return the files that the C file of a module depends on, with all that these take."""
+    found = {Path("setup.py")}
+    waiting = [path for path in (source, source.with_suffix(".pxd")) if path.exists()]
+    while waiting:
+        path = waiting.pop()
+        if path not in found:
+            found.add(path)
+            waiting += needed.get(path, ())
+    return found
+
+
+def write_state_source() -> None:
+    """Write the module that copies the realtime part's state, if the C types have changed."""
+    kernel = STATE_SOURCE.parent
+    text = runpy.run_path(str(kernel / "state_fields.py"))["compiled_source"](kernel)
+    if not STATE_SOURCE.exists() or STATE_SOURCE.read_text("utf-8") != text:
+        STATE_SOURCE.write_text(text, "utf-8")
 
 
 def remove_strangers(folder: Path) -> None:
@@ -148,23 +188,31 @@ class BuildExtensions(build_ext):
         from Cython import __version__ as version  # noqa: PLC0415
         from Cython.Build import cythonize  # noqa: PLC0415
 
-        folder = f"build/cython-{version}{'-checked' if self.checked else ''}"
-        translated = cythonize(
-            self.extensions,
-            build_dir=folder,
+        write_state_source()
+        folder = Path(f"build/cython-{version}{'-checked' if self.checked else ''}")
+        needed = cimports()
+        stale = []
+        for one in self.extensions:
+            source = Path(one.sources[0])
+            if source.suffix != ".c" or one.name == SHARED:
+                translated = folder / source.with_suffix(".c")
+                if any(newer(str(file), str(translated)) for file in files_of(source, needed)):
+                    stale.append(one)
+        # What is up to date is not shown to Cython: it would look at its own files, too, which are
+        # new in each environment that pip builds in.
+        cythonize(
+            stale,
+            build_dir=str(folder),
             compiler_directives=DIRECTIVES | {"boundscheck": self.checked},
-            # Cython does not see that a module depends on ``cimport``-ed modules of constants.
-            force=any(
-                newer(str(file), f"{folder}/{SHARED_SOURCE}")
-                for file in (Path("setup.py"), *SOURCES.rglob("*.pxd"))
-            ),
+            force=True,
             nthreads=self.parallel,
             quiet=True,
             shared_utility_qualified_name=SHARED,
         )
-        sources = {one.name: one.sources for one in translated}
         for one in self.extensions:
-            one.sources = sources[one.name]
+            source = Path(one.sources[0])
+            if source.suffix != ".c" or one.name == SHARED:
+                one.sources = [str(folder / source.with_suffix(".c"))]
 
     def copy_extensions_to_source(self) -> None:
         """Copy the modules beside their sources, and remove those of modules that have moved."""

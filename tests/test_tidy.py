@@ -32,12 +32,14 @@ NUMBERS = (
     "kernel/kinematics/map_rows",
     "kernel/rows",
 )
+#: What copies the realtime part's state between ticks: made from the types of all others.
+WITHOUT_TYPES = ("kernel/state", "kernel/state_fields")
 #: The modules of the realtime part, relative to its folder and without an ending: ``path/path``.
 MODULES = sorted(
     path.relative_to(KERNEL).with_suffix("").as_posix()
     for path in KERNEL.rglob("*.py")
     if path.stem != "__init__"
-    and path.relative_to(PACKAGE).with_suffix("").as_posix() not in NUMBERS
+    and path.relative_to(PACKAGE).with_suffix("").as_posix() not in (*NUMBERS, *WITHOUT_TYPES)
 )
 SOURCES = sorted(PACKAGE.rglob("*.py"))
 PXD = sorted(

@@ -18,14 +18,11 @@ from nctakt.kernel.cycles.cycles import RealtimeCycle
 from nctakt.kernel.kernel import Kernel
 from nctakt.kernel.kinematics.maps import KinematicMaps
 from nctakt.kernel.path.path import Path
-from nctakt.kernel.state import axes, control, path
+from nctakt.kernel.state import ARRAYS, COPIERS
 from nctakt.kernel.tick.command_queue import CommandQueue
 from nctakt.kernel.tick.loop_body import LoopBody
 from nctakt.nc.vocabulary.cells import CELL_BYTES
 from nctakt.run.realtime_part import RealtimePart
-
-_COPIERS = {**axes.COPIERS, **path.COPIERS, **control.COPIERS}
-_ARRAYS = {**axes.ARRAYS, **path.ARRAYS, **control.ARRAYS}
 
 _KERNEL = "nctakt.kernel."
 
@@ -48,8 +45,8 @@ class Snapshot:
         for part in held_objects(realtime.kernel, _KERNEL):
             kept = type(part).__new__(type(part))
             for cls in type(part).__mro__:
-                if cls in _COPIERS:
-                    self._copies.append((_COPIERS[cls], part, kept))
+                if cls in COPIERS:
+                    self._copies.append((COPIERS[cls], part, kept))
             arrays = list(_buffers_of(part))
             buffers |= {id(buffer): buffer for buffer in arrays}
             if isinstance(part, _WITH_GROWING_ARRAYS):
@@ -90,7 +87,7 @@ class Snapshot:
             content[:] = buffer
         self._histories = []
         for one in self._paths:
-            rows, cells = path.history_of_path(one)
+            rows, cells = one.history()
             history = memoryview(_buffer_of(rows))[: CELL_BYTES * cells]
             self._histories.append((history, bytes(history)))
 
@@ -107,8 +104,8 @@ class Snapshot:
 def _buffers_of(part: object) -> Iterator[bytearray]:
     """Yield the memory of the arrays of an object."""
     for cls in type(part).__mro__:
-        if cls in _ARRAYS:
-            yield from map(_buffer_of, _ARRAYS[cls](part))
+        if cls in ARRAYS:
+            yield from map(_buffer_of, ARRAYS[cls](part))
 
 
 def _buffer_of(array: Any) -> bytearray:

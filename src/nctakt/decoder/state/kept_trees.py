@@ -11,7 +11,7 @@ from collections.abc import Callable, Hashable
 from typing import Any
 
 from nctakt.base.held_objects import held_objects
-from nctakt.kernel.state import control
+from nctakt.kernel.state import COPIERS
 
 #: Trees that are kept; then all are forgotten.
 MAX_KEPT = 64
@@ -47,7 +47,7 @@ class KeptTrees:
         for part in held_objects(tree, "nctakt.kernel."):
             kept = type(part).__new__(type(part))
             for cls in type(part).__mro__:
-                if cls in control.COPIERS:
-                    control.COPIERS[cls](part, kept)
-                    copies.append((control.COPIERS[cls], kept, part))
+                if cls in COPIERS:
+                    COPIERS[cls](part, kept)
+                    copies.append((COPIERS[cls], kept, part))
         self._kept[key] = owner, copies

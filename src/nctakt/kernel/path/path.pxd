@@ -71,6 +71,8 @@ cdef class Path(PathAxes):
     cdef void set_single(self, bint is_single) noexcept nogil
     cdef int is_at_end(self) noexcept nogil
     cdef int step_carried(self, double factor, int is_stopping) noexcept nogil
+    @cython.locals(count=Py_ssize_t)
+    cpdef tuple history(self)
     cdef double highest_speed(self, double factor, int is_stopping) noexcept nogil
     @cython.locals(rest_d=double, limit_a=double, end_v=double, remaining_v=double, ahead=double)
     cdef void replan(self, double limit_v) noexcept nogil

@@ -131,6 +131,14 @@ class Path(PathAxes):
                 self.oldest = self.used
             self.ends[i] = self.history_rows[end + i]
 
+    def history(self) -> tuple[memoryview[float], int]:
+        """Return the rows of the history, and how many of their cells count.
+
+        The first row counts always: it is read before there is any segment.
+        """
+        count = min(max(self.used, 1), self.ring_size)
+        return self.history_rows, count * self.width
+
     def programmed_speed(self) -> float:
         """Return the programmed speed of the current segment in mm/s, 0 without one."""
         if not self.is_active or self.is_dwell:

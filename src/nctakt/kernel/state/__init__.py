@@ -1,2 +1,0 @@
-# SPDX-License-Identifier: MIT
-"""Copies of the state of the realtime part."""

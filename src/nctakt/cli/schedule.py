@@ -22,7 +22,6 @@ from nctakt.cli.schedule_options import (
     MODEL_OPTIONS,
     OUTPUT_OPTIONS,
     ListRead,
-    drawn_cycles,
     guarded,
     make_model,
     open_outputs,
@@ -139,6 +138,7 @@ def _write_fixed(read: ListRead, words: dict[str, Any]) -> tuple[ListRead, Diagn
 
 def _simulate(words: dict[str, Any]) -> int:
     from nctakt.schedule.documents import simulation_document  # noqa: PLC0415
+    from nctakt.schedule.drawn_cycles import simulate_shown  # noqa: PLC0415
     from nctakt.schedule.findings import simulation_findings  # noqa: PLC0415
     from nctakt.schedule.report import response_report, simulation_report  # noqa: PLC0415
     from nctakt.schedule.simulate import simulate as run_model  # noqa: PLC0415
@@ -149,9 +149,13 @@ def _simulate(words: dict[str, Any]) -> int:
     load = read_model_load(read, words, collector)
     model = make_model(read, load, words, collector)
     cycles = simulated_cycles(model, words)
-    drawn = drawn_cycles(model, words)
     outputs = open_outputs(read, words)
-    run = run_model(model, max(cycles, drawn) if words["drawn"] else cycles, record=drawn)
+    drawn = words["drawn"]
+    run = (
+        run_model(model, max(cycles, drawn), record=drawn)
+        if drawn
+        else simulate_shown(model, cycles)
+    )
     findings = [*collector.diagnostics, *simulation_findings(run)]
     phases = simulate_worst_phases(run)
     report = simulation_report(run, phases, words["language"])

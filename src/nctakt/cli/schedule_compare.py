@@ -18,7 +18,6 @@ from nctakt.cli.schedule_options import (
     EXIT_CODES,
     LIST_OPTIONS,
     MODEL_OPTIONS,
-    drawn_cycles,
     guarded,
     make_model,
     publish,
@@ -77,9 +76,7 @@ def _compare(words: dict[str, Any]) -> int:
         picture = _open_picture(words["plot"], access)
         if picture is not None:
             stack.enter_context(picture)
-        # Both are drawn over the same number of NC cycles for comparison.
-        drawn = min(drawn_cycles(item.model, words) for item in inputs) if picture else 0
-        first, second = (_side(item, drawn) for item in inputs)
+        first, second = (_side(item) for item in inputs)
         comparison = compare_sides(first, second)
         text = comparison_report(comparison, first, second, words["language"])
         document = comparison_document(comparison, first, second)
@@ -100,17 +97,16 @@ def _read(words: dict[str, Any], access: FileAccess) -> _Input:
     return _Input(words, read, model, collector.diagnostics)
 
 
-def _side(side_input: _Input, drawn: int) -> Side:
-    """Analyse and simulate one list, ``drawn`` NC cycles with a record."""
+def _side(side_input: _Input) -> Side:
+    """Analyse and simulate one list; with ``--drawn`` so many NC cycles at least."""
     from nctakt.schedule.analyse import analyse  # noqa: PLC0415
     from nctakt.schedule.compare import Side  # noqa: PLC0415
     from nctakt.schedule.self_check import check_bounds  # noqa: PLC0415
     from nctakt.schedule.simulate import simulate  # noqa: PLC0415
 
     words = side_input.words
-    run = simulate(
-        side_input.model, max(simulated_cycles(side_input.model, words), drawn), record=drawn
-    )
+    cycles = max(simulated_cycles(side_input.model, words), words["drawn"] or 0)
+    run = simulate(side_input.model, cycles, record=0)
     analysis = analyse(side_input.model)
     check_bounds(analysis, run)
     return Side(Path(words["file"]).name, side_input.read.configuration, analysis, run)
@@ -128,15 +124,19 @@ def _open_picture(path: str | None, access: FileAccess) -> OutputFile | None:
 
 
 def _draw(picture: OutputFile, inputs: list[_Input], sides: tuple[Side, Side], report: str) -> None:
-    """Draw both schedules below each other."""
+    """Draw both schedules below each other, the same NC cycles of both."""
     from nctakt.schedule.draw import write_picture  # noqa: PLC0415
+    from nctakt.schedule.drawn_cycles import record_again, shown_together  # noqa: PLC0415
     from nctakt.schedule.gantt import below_each_other, gantt, picture_title  # noqa: PLC0415
 
-    language = inputs[0].words["language"]
+    words = inputs[0].words
+    drawn = words["drawn"]
+    shown = range(drawn) if drawn else shown_together([side.run for side in sides])
+    language = words["language"]
     figure = below_each_other(
         [
             gantt(
-                side.run,
+                record_again(side.run, shown),
                 picture_title(side_input.words["file"], side_input.words["load"]),
                 language,
             )

@@ -41,8 +41,6 @@ if TYPE_CHECKING:
     from nctakt.schedule.results import Simulation
 
 _DEFAULT_DURATION = "1s"
-#: Default maximum of NC cycles in pictures and traces.
-_MAX_DRAWN = 60
 
 #: Options for reading a scheduling list, also of ``nctakt check``.
 RTCONF_OPTIONS = (
@@ -142,7 +140,8 @@ OUTPUT_OPTIONS = (
         "--drawn",
         type=click.IntRange(min=1, max=100_000),
         metavar="N",
-        help="NC cycles in pictures and traces [default: one hyperperiod, at most 60].",
+        help="NC cycles in pictures and traces [default: up to the first repetition, or around the "
+        "first overflow; at most 60].",
     ),
 )
 
@@ -319,9 +318,10 @@ def simulated_cycles(model: Model, words: dict[str, Any]) -> int:
 
 def drawn_cycles(model: Model, words: dict[str, Any]) -> int:
     """Return the number of NC cycles in pictures and traces."""
+    from nctakt.schedule.drawn_cycles import MAX_DRAWN  # noqa: PLC0415
     from nctakt.schedule.simulate import hyperperiod  # noqa: PLC0415
 
-    return words["drawn"] or min(hyperperiod(model), _MAX_DRAWN)
+    return words["drawn"] or min(hyperperiod(model), MAX_DRAWN)
 
 
 class Outputs:

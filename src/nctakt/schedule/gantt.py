@@ -118,9 +118,10 @@ def _head(
 ) -> Iterator[Label]:
     """Yield list, load, times, rules and NC cycles."""
     shown = sum(strip.count for strip in strips)
-    recorded = sum(event.kind is EventKind.INTERRUPT for event in run.record.events)
-    cycles = _ALL_CYCLES if shown == recorded else _CHOSEN_CYCLES
-    numbers = {"first": 0, "last": recorded - 1, "count": shown, "all": recorded}
+    recorded = [event.value for event in run.record.events if event.kind is EventKind.INTERRUPT]
+    cycles = _ALL_CYCLES if shown == len(recorded) else _CHOSEN_CYCLES
+    numbers = {"first": min(recorded, default=0), "last": max(recorded, default=0)}
+    numbers |= {"count": shown, "all": len(recorded)}
     lines = [
         f"{title.list_name} · {title.load_name or _ASSUMED.get(language)}",
         *chosen_report(run.model, language),
@@ -142,7 +143,9 @@ class _Contents:
         self.language = language
         self.rows = rows_of(model, language)
         self.interrupts = [
-            event.time for event in run.record.events if event.kind is EventKind.INTERRUPT
+            (event.value, event.time)
+            for event in run.record.events
+            if event.kind is EventKind.INTERRUPT
         ]
         self.overflows = [event for event in run.record.events if event.kind is EventKind.OVERFLOW]
         self.pending = pending_times(run)
@@ -227,8 +230,8 @@ class _StripDrawing:
     def _edges(self) -> list[tuple[int, int]]:
         """Return number and time of the NC interrupts, the end of the strip with them."""
         strip = self._strip
-        times = self._contents.interrupts[strip.first : strip.first + strip.count]
-        return [*enumerate(times, strip.first), (strip.first + strip.count, strip.end)]
+        shown = self._contents.interrupts[strip.first : strip.first + strip.count]
+        return [*shown, (shown[-1][0] + 1, strip.end)]
 
     def _interrupts(self) -> Iterator[Shape]:
         strip = self._strip

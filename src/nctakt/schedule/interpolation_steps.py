@@ -14,7 +14,7 @@ from dataclasses import replace
 from nctakt.base.dataclass import dataclass
 from nctakt.schedule.model import Call, Model
 from nctakt.schedule.results import Job, Record, Segment
-from nctakt.schedule.tracebits import Ran, calls_of_job
+from nctakt.schedule.tracebits import Ran, calls_of_job, segments_by_job
 
 #: For each word of ``schedule`` the order of ``PARTS``.
 _ORDERS = {"STANDARD": (2, 0, 1), "COMPLETE": (0, 1, 2), "SWITCHED": (0, 1, 2)}
@@ -53,17 +53,15 @@ def dead_times(model: Model) -> list[tuple[str, int]]:
 
 def parts_of(model: Model, record: Record) -> list[Part]:
     """Return all parts in a record, piece by piece."""
-    segments: dict[tuple[int, int], list[Segment]] = {}
-    for segment in record.segments:
-        segments.setdefault((segment.task, segment.job), []).append(segment)
+    segments = segments_by_job(record)
     parts: list[Part] = []
     for job in record.jobs:
         calls = model.tasks[job.task].calls
         if not job.times or not any(call.execution.parts for call in calls):
             continue
         times, meanings = _split(model, job, calls)
-        own = segments.get((job.task, job.number), [])
-        for ran in calls_of_job(replace(job, times=times), own, model):
+        own = segments[job.task, job.number]
+        for ran in calls_of_job(replace(job, times=times), own, model, record.begin):
             part = meanings[ran.call]
             if part is not None:
                 parts += _pieces(ran, part, own, record.end)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Keeps all that happens in the first cycles of a simulation, for pictures and traces.
+"""Keeps all that happens in some cycles of a simulation, for pictures and traces.
 
 In: the calls of the simulation. Out: ``Record``. Pieces of one job that follow each other without a
 gap are one segment.
@@ -7,15 +7,17 @@ gap are one segment.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from nctakt.schedule.results import Event, EventKind, Job, Record, Segment
 
 
 class Recorder:
-    """Records ``cycles`` cycles, then closes."""
+    """Records these cycles, then closes."""
 
-    def __init__(self, cycles: int) -> None:
+    def __init__(self, cycles: range) -> None:
         self.cycles = cycles
-        self.is_open = cycles > 0
+        self.is_open = False
         self._begin: int | None = None
         self._end = 0
         self._segments: list[Segment] = []
@@ -24,6 +26,15 @@ class Recorder:
         self._numbers: dict[int, int] = {}
         self._newest: dict[int, int] = {}
         self._suspended: dict[int, int] = {}
+
+    def open(self, jobs: Sequence[int]) -> None:
+        """Begin to record; ``jobs``: how many jobs of each task have ended before."""
+        self.is_open = True
+        self._numbers = dict(enumerate(jobs))
+
+    def carry(self, task: int, due: int, times: tuple[int, ...], done: int) -> None:
+        """Record a job of ``task`` that goes on in the record; ``done``: its work before, in ns."""
+        self._jobs.append(Job(task, self._take_number(task), due, times, done))
 
     def interrupt(self, now: int, cycle: int) -> None:
         """Record the NC interrupt that opens ``cycle``."""
@@ -45,10 +56,14 @@ class Recorder:
 
     def job(self, task: int, due: int, now: int, times: tuple[int, ...]) -> None:
         """Record a job of ``task`` that is released at ``now`` and was due at ``due``."""
-        number = self._numbers.get(task, 0)
-        self._numbers[task] = number + 1
+        number = self._take_number(task)
         self._jobs.append(Job(task, number, due, times))
         self.event(Event(now, EventKind.RELEASE, task, number))
+
+    def _take_number(self, task: int) -> int:
+        number = self._numbers.get(task, 0)
+        self._numbers[task] = number + 1
+        return number
 
     def segment(self, cpu: int, begin: int, end: int, task: int, overhead: int) -> None:
         """Record that ``task`` has a processor from one time to another."""

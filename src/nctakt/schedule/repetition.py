@@ -41,13 +41,19 @@ class Repetition:
     """Looks for a state of the schedule that has occurred before."""
 
     def __init__(self) -> None:
-        #: After how many cycles the schedule repeats, once that is known.
+        #: After how many cycles the schedule repeats, and from which one on, once that is known.
         self.period: int | None = None
+        self.begin: int | None = None
+        self._first: tuple[object, ...] | None = None
         self._kept: tuple[object, ...] | None = None
         self._cycle = 0
         self._numbers: Snapshot | None = None
         self._patience = 1
         self._seen = 0
+
+    def note_start(self, state: RepeatingState, now: int) -> None:
+        """Keep the state at the start of the first cycle, too: the schedule may come back to it."""
+        self._first = state.key(now)
 
     def cycles_to_skip(self, state: RepeatingState, cycle: int, cycles: int, now: int) -> int:
         """Count and return the remaining cycles that are whole repetitions."""
@@ -55,6 +61,7 @@ class Repetition:
             return 0
         key = state.key(now)
         if key == self._kept and self._numbers is not None:
+            self.begin = 0 if key == self._first else self._cycle
             self.period = cycle - self._cycle
             times = (cycles - cycle) // self.period
             state.counters.repeat(self._numbers, times)

@@ -102,17 +102,21 @@ class Event:
 
 @dataclass(frozen=True, slots=True)
 class Job:
-    """One activation: its calls' execution times in their order, in ns."""
+    """One activation: its calls' execution times in their order, in ns.
+
+    ``done``: how much of its work, that of the activation included, lies before the record.
+    """
 
     task: int
     number: int
     due: int
     times: tuple[int, ...]
+    done: int = 0
 
 
 @dataclass(frozen=True, slots=True)
 class Record:
-    """The record of the first cycles, from ``begin`` to ``end``."""
+    """The record of some cycles, from ``begin`` to ``end``."""
 
     begin: int
     end: int
@@ -125,9 +129,9 @@ class Record:
 class Simulation:
     """A simulated schedule.
 
-    ``repeats_after``: the schedule was seen to repeat exactly with that many cycles, and the rest
-    was counted, not simulated; ``None``: each cycle was simulated. ``missed_suspensions``: cycles
-    that were over before their point of suspension.
+    ``repeats_after``: the schedule was seen to repeat exactly with that many cycles, from the cycle
+    ``repeats_from`` on, and the rest was counted, not simulated; ``None``: each cycle was
+    simulated. ``missed_suspensions``: cycles that were over before their point of suspension.
     """
 
     model: Model
@@ -140,6 +144,7 @@ class Simulation:
     suspended_cycles: int
     repeats_after: int | None
     record: Record
+    repeats_from: int | None = None
 
     @property
     def duration(self) -> int:

@@ -39,31 +39,38 @@ def hyperperiod(model: Model) -> int:
 
 
 def simulate(
-    model: Model, cycles: int, *, record: int | None = None, repeat: bool = True
+    model: Model, cycles: int, *, record: int | range | None = None, repeat: bool = True
 ) -> Simulation:
     """Simulate ``cycles`` NC cycles (at least one).
 
-    ``record``: how many of the first cycles are recorded in full, by default one hyperperiod.
-    ``repeat``: count repetitions instead of simulating them, where that is exact.
+    ``record``: the cycles that are recorded in full, or how many of the first ones, by default one
+    hyperperiod. ``repeat``: count repetitions instead of simulating them, where that is exact.
     """
     assert cycles > 0
-    recorded = hyperperiod(model) if record is None else record
-    state = SchedulerState(model, Recorder(min(cycles, recorded)))
+    wished = hyperperiod(model) if record is None else record
+    if isinstance(wished, int):
+        wished = range(wished)
+    recorded = wished[: max(0, cycles - wished.start)]
+    state = SchedulerState(model, Recorder(recorded))
     search = Repetition() if repeat and state.can_repeat else None
     start = begin = state.interrupt(0)
+    if search is not None:
+        search.note_start(state, begin)
     cycle = 0
     while cycle < cycles:
+        if recorded and cycle == recorded.start:
+            state.begin_record()
         end = state.interrupt(cycle + 1)
         state.run_cycle(cycle, begin, end)
         begin = end
         cycle += 1
-        if cycle == state.recorder.cycles:
+        if cycle == recorded.stop and state.recorder.is_open:
             state.end_record(begin)
-        if search is not None and cycle >= state.recorder.cycles:
+        if search is not None and cycle >= recorded.stop:
             skipped = search.cycles_to_skip(state, cycle, cycles, begin)
             cycle += skipped
             begin += skipped * model.train.distance
-    return state.result(cycles, start, begin, None if search is None else search.period)
+    return state.result(cycles, start, begin, search)
 
 
 class SchedulerState:
@@ -140,7 +147,7 @@ class SchedulerState:
             tuple((i, now - self._due[i]) for i in busy),
             tuple(tuple(now - due for due in waiting) for waiting in self._waiting),
             tuple(work.state for work in self._work),
-            tuple(self._last),
+            tuple(self._last) if self._switch else (),
             None if self._placement is None else self._placement.state,
             0 if self.model.is_synchronous else now % self.model.slice,
         )
@@ -156,6 +163,16 @@ class SchedulerState:
         if self._jitter:
             moment += self._chance.randint(-self._jitter, self._jitter)
         return moment
+
+    def begin_record(self) -> None:
+        """Begin the record, with the jobs that are open."""
+        self.recorder.open(list(self.counters.completed))
+        self._records = True
+        for i, left in enumerate(self.left):
+            if left != IDLE:
+                times = self._work[i].times
+                done = sum(times) + self.model.overheads.activation - left
+                self.recorder.carry(i, self._due[i], times, done)
 
     def end_record(self, now: int) -> None:
         """End the record at ``now``."""
@@ -284,7 +301,9 @@ class SchedulerState:
                     self.recorder.suspend(moment, i, self.left[i])
         return is_any
 
-    def result(self, cycles: int, begin: int, end: int, repeats: int | None) -> Simulation:
+    def result(
+        self, cycles: int, begin: int, end: int, repetition: Repetition | None
+    ) -> Simulation:
         """Return the results of the simulation."""
         unfinished = [self._due[i] if left != IDLE else None for i, left in enumerate(self.left)]
         return Simulation(
@@ -296,6 +315,7 @@ class SchedulerState:
             self.counters.windows_numbers(),
             self.counters.missed,
             self.counters.suspended_cycles,
-            repeats,
+            None if repetition is None else repetition.period,
             self.recorder.result(),
+            None if repetition is None else repetition.begin,
         )

@@ -155,7 +155,8 @@ class _Watcher(Recorder):
     """Records what concerns the controller in a period, instead of everything."""
 
     def __init__(self, model: Model, roles: ThreadRoles) -> None:
-        super().__init__(1)
+        super().__init__(range(0))
+        self.is_open = True
         self._roles = roles
         decoding = {task for tasks, _ in roles.decoders for task in tasks}
         self._calls = {task: _Calls(model, task) for task in decoding}

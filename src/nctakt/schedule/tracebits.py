@@ -9,6 +9,7 @@ with one bit either makes it high. Times in ns.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 from nctakt.base.dataclass import dataclass
 from nctakt.schedule.model import Model
@@ -33,16 +34,36 @@ class Ran:
 
 def calls_of(model: Model, record: Record) -> list[Ran]:
     """Return all calls, in the order of their tasks and jobs."""
-    segments: dict[tuple[int, int], list[Segment]] = {}
+    segments = segments_by_job(record)
+    return [
+        ran
+        for job in record.jobs
+        for ran in calls_of_job(job, segments[job.task, job.number], model, record.begin)
+    ]
+
+
+def segments_by_job(record: Record) -> dict[tuple[int, int], list[Segment]]:
+    """Return the processor time of each job by task and number, in the order of time."""
+    segments: dict[tuple[int, int], list[Segment]] = {
+        (job.task, job.number): [] for job in record.jobs
+    }
     for segment in record.segments:
         segments.setdefault((segment.task, segment.job), []).append(segment)
-    calls: list[Ran] = []
-    for job in record.jobs:
-        calls += calls_of_job(job, segments.get((job.task, job.number), []), model)
-    return calls
+    return segments
 
 
-def calls_of_job(job: Job, segments: list[Segment], model: Model) -> Iterator[Ran]:
+def calls_of_job(job: Job, segments: list[Segment], model: Model, begin: int) -> Iterator[Ran]:
+    """Yield the calls of a job, as far as they run from ``begin`` on, where the record begins."""
+    if not job.done:
+        yield from _distribute(job, segments, model)
+        return
+    before = Segment(0, begin - job.done, begin, job.task, job.number)
+    for ran in _distribute(job, [before, *segments], model):
+        if ran.end is None or ran.end > begin:
+            yield replace(ran, begin=max(begin, ran.begin))
+
+
+def _distribute(job: Job, segments: list[Segment], model: Model) -> Iterator[Ran]:
     """Distribute the processor time of a job over its calls, in their order."""
     pieces = list(_work_of(segments, model.overheads.activation))
     index = 0

@@ -121,6 +121,57 @@ def _written_again(folder: Path) -> bytes:
     return (folder / "again.json").read_bytes()
 
 
+IDLE = """%part
+#RT CYCLE [ID = 1 SCOPE = PROG]
+  $IF V.RTA.ACS.ACT_POS.X > 10 && V.E.TRIGGER == 1
+    M100
+    $IF EDGE V.E.VALUE > 3
+      M101
+    $ENDIF
+  $ELSE
+    V.E.COUNT = 1
+  $ENDIF
+#RT CYCLE END
+#RT CYCLE DEF [ID = 2 SCOPE = PROG]
+  $IF V.E.VALUE > 3
+    M102
+  $ENDIF
+#RT CYCLE END
+N10 G00 X20
+M30
+"""
+#: Why the branches of these lines never ran; V.E.TRIGGER is 0 all the time, nobody starts cycle 2.
+NEAR = "nearest at tick 0 (0 s): 0 == 1, 1 away"
+WHY_NOT = {
+    3: f"never true; V.E.TRIGGER == 1: never true, {NEAR}",
+    5: "not reached: line 3 did not run: never true",
+    13: "the cycle did not run: defined at tick 0 (0 s) with DEF, not started",
+}
+
+
+def test_a_vcd_file_says_why_a_reaction_never_ran(tmp_path: Path) -> None:
+    """Conditions that were never true have a wire that stays low, and the reason as a text."""
+    drawn(IDLE).write_vcd(tmp_path / "part.vcd")
+    found = changes(tmp_path / "part.vcd")
+    for line, reason in WHY_NOT.items():
+        scope = f"cycles.cycle_{2 if line == 13 else 1}"
+        for kind in ("condition", "reaction"):
+            assert found[f"{scope}.{kind}_line_{line}"] == [(0, "0")]
+        assert found[f"{scope}.why_not_line_{line}"][-1] == (0, reason.replace(" ", r"\x20"))
+    assert not any("line_8" in name and "reaction" not in name for name in found)
+
+
+@pytest.mark.parametrize("kind", ["condition", "reaction"])
+def test_a_file_for_perfetto_says_why_a_reaction_never_ran(kind: str, tmp_path: Path) -> None:
+    """Each branch has its tracks; on one without slices the reason stands at the begin."""
+    found = events(drawn(IDLE), tmp_path / "part.json")
+    name = {"condition": "never true", "reaction": "never ran"}[kind]
+    moments = [one for one in found if one["name"] == name]
+    assert {one["ts"] for one in moments} == {0}
+    told = {int(one["args"]["place"].split(":")[1]): one["args"]["why not"] for one in moments}
+    assert told == WHY_NOT
+
+
 def test_slices_of_a_track_are_apart(tmp_path: Path) -> None:
     """Functions that overlap have tracks of their own; each track has a name."""
     text = PART.replace("$IF ONCE V.RTA.ACS.ACT_POS.X > 5", "$IF V.RTA.ACS.ACT_POS.X > 19")

@@ -59,13 +59,13 @@ class Drawer:
 
     def write_vcd(self, run: Run, path: Path) -> None:
         """Write a VCD file."""
-        write_run_vcd(self._timeline(run), _trace(run), path)
+        write_run_vcd(self._timeline(run, idle=True), _trace(run), path)
 
     def write_perfetto(self, run: Run, path: Path, language: Language) -> None:
         """Write a file for Perfetto."""
-        write_run_perfetto(self._timeline(run), _trace(run), path, language)
+        write_run_perfetto(self._timeline(run, idle=True), _trace(run), path, language)
 
-    def _timeline(self, run: Run) -> Timeline:
+    def _timeline(self, run: Run, *, idle: bool = False) -> Timeline:
         return timeline_of(
             run.events,
             run.why,
@@ -73,6 +73,7 @@ class Drawer:
             first_tick=run.first_tick,
             ticks=run.ticks,
             line_at=self._line_at,
+            idle=idle,
         )
 
     def check_file(self, kind: str, file: str) -> None:

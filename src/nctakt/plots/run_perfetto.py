@@ -40,6 +40,12 @@ from nctakt.trace.recorded import Trace
 #: Maximum number of changes of a counter; of more the lowest and highest of each piece are kept.
 MAX_CHANGES = 100_000
 
+#: What is said on the track of a condition or reaction of which there is nothing.
+_NEVER: dict[TrackKind, Text] = {
+    "condition": Text("never true", "nie wahr"),
+    "reaction": Text("never ran", "nie gelaufen"),
+}
+
 #: The processes: name, kinds of their tracks.
 _PROCESSES: tuple[tuple[Text, tuple[TrackKind, ...]], ...] = (
     (
@@ -71,7 +77,10 @@ def _events(timeline: Timeline, trace: Trace, language: Language) -> Iterator[Tr
             tracks.sort(key=_cycle_order)
         numbers = count(1)
         for track in tracks:
-            yield from _track(track, pid, numbers, language)
+            if track.slices:
+                yield from _track(track, pid, numbers, language)
+            else:
+                yield from _idle(track, (pid, next(numbers)), timeline.begin_us, language)
     pid = len(_PROCESSES) + 1
     if trace.signals and trace.ticks:
         yield from process_name(pid, SIGNALS.get(language), pid)
@@ -86,18 +95,37 @@ def _cycle_order(track: Track) -> tuple[str, int, int]:
     return track.group, track.span.line, track.kind == "reaction"
 
 
+def _idle(
+    track: Track, place: tuple[int, int], begin_us: int, language: Language
+) -> Iterator[TraceEvent]:
+    """Yield a track on which nothing happens, with the reason at its begin."""
+    pid, tid = place
+    yield from thread_name(pid, tid, _name(track, language), tid)
+    details: dict[str, object] = {"text": track.text}
+    if track.span is not None:
+        details["place"] = f"{track.span.file}:{track.span.line}"
+    yield moment(
+        _NEVER[track.kind].get(language),
+        place,
+        begin_us,
+        details | {"why not": track.why_not.get(language)},
+    )
+
+
+def _name(track: Track, language: Language) -> str:
+    if track.kind in ("axis", "spindle", "function"):
+        return track.label
+    name = f"{kind_name(track.kind, language)} {track.label}".strip()
+    return f"{name}  {track.text}" if track.kind in ("condition", "reaction") else name
+
+
 def _track(
     track: Track, pid: int, numbers: Iterator[int], language: Language
 ) -> Iterator[TraceEvent]:
     """Yield a track; slices that overlap get further ones of its name."""
-    name = f"{kind_name(track.kind, language)} {track.label}".strip()
-    if track.kind in ("condition", "reaction"):
-        name = f"{name}  {track.text}"
-    if track.kind in ("axis", "spindle", "function"):
-        name = track.label
     for row in rows_of(track):
         tid = next(numbers)
-        yield from thread_name(pid, tid, name, tid)
+        yield from thread_name(pid, tid, _name(track, language), tid)
         for item in row:
             yield _slice(item, (pid, tid), language)
 

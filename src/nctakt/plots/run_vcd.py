@@ -40,6 +40,10 @@ def _tracks(timeline: Timeline) -> Iterator[VcdVariable]:
         elif track.kind in ("condition", "reaction"):
             name = f"{track.kind}_line_{track.span.line if track.span else 0}"
             yield VcdVariable(cycle, name, "wire", levels(apart(merged(times), GAP_US)))
+            if track.why_not.en and track.kind == "reaction":
+                line = track.span.line if track.span else 0
+                reason = [(timeline.begin_us, track.why_not.en)]
+                yield VcdVariable(cycle, f"why_not_line_{line}", "text", reason)
         elif track.kind == "function":
             lasting = [(begin, max(end, begin + GAP_US)) for begin, end in times]
             wires = levels(_separated(lasting))

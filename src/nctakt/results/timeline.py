@@ -11,7 +11,7 @@ from __future__ import annotations
 from typing import Literal, get_args
 
 from nctakt.base.dataclass import dataclass
-from nctakt.base.diagnostics import Span
+from nctakt.base.diagnostics import Span, Text
 
 #: The kinds of tracks, in the order in which they are shown.
 TrackKind = Literal[
@@ -61,7 +61,8 @@ class Track:
     """The slices of one thing in the order of their begin; ``group``: the cycle of a reaction.
 
     ``text``: the source line of a condition or reaction. ``left_out``: older slices that were not
-    kept. Only slices of channels, of functions and of moments may overlap.
+    kept. ``why_not``: why a condition was never true or a reaction never ran, which then has no
+    slices. Only slices of channels, of functions and of moments may overlap.
     """
 
     kind: TrackKind
@@ -71,6 +72,7 @@ class Track:
     span: Span | None = None
     text: str = ""
     left_out: int = 0
+    why_not: Text = Text("", "")
 
 
 @dataclass(frozen=True, slots=True)

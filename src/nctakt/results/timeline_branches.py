@@ -13,10 +13,12 @@ from collections.abc import Iterator
 from itertools import pairwise
 
 from nctakt.base.dataclass import dataclass, field
-from nctakt.base.diagnostics import Span
+from nctakt.base.diagnostics import Span, Text
 from nctakt.results.histories import BranchHistory, Change
 from nctakt.results.timeline import Slice, Track, TrackKind
 from nctakt.results.why import WhyReport
+from nctakt.results.why_text import why_never
+from nctakt.results.why_words import Words
 from nctakt.trace.events import number_text
 
 
@@ -27,39 +29,53 @@ class _Branch:
     group: str
     span: Span
     text: str
+    condition: str
     truths: list[Slice] = field(default_factory=list)
     bodies: list[Slice] = field(default_factory=list)
     truths_left_out: int = 0
     bodies_left_out: int = 0
+    why_not: Text = Text("", "")
 
 
-def branch_tracks(why: WhyReport) -> Iterator[Track]:
-    """Yield the tracks of all branches that have slices, conditions first."""
+def branch_tracks(why: WhyReport, *, idle: bool = False) -> Iterator[Track]:
+    """Yield the tracks of all branches that have slices, conditions first.
+
+    ``idle``: those without slices as well, with the reason why.
+    """
     branches: dict[tuple[str, Span], _Branch] = {}
     groups: dict[Span, str] = {}
+    last_tick = why.first_tick + why.ticks - 1
+    words = (Words("en", why.cycle_time_us), Words("de", why.cycle_time_us))
     for cycle in why.cycles:
-        if not cycle.life:
+        if not (cycle.life or idle):
             continue
         name = groups.setdefault(cycle.span, cycle.name) if "#" in cycle.name else cycle.name
+        name = name or f"{cycle.span.file}:{cycle.span.line}"
         for branch in cycle.branches:
             key = (name, branch.span)
-            own = branches.setdefault(key, _Branch(name, branch.span, branch.text))
+            own = branches.setdefault(
+                key, _Branch(name, branch.span, branch.text, branch.condition.text)
+            )
             own.truths += _truths(branch, why)
             own.bodies += _bodies(branch, why)
             own.truths_left_out += branch.condition.changes_left_out
             own.bodies_left_out += branch.bodies.left_out
+            if idle:
+                reasons = (why_never(cycle, branch, last_tick, one) for one in words)
+                own.why_not = Text(*reasons)
     for own in branches.values():
-        if own.truths:
+        if own.truths or (idle and own.condition and not own.bodies):
             yield _track(own, "condition", own.truths, own.truths_left_out)
     for own in branches.values():
-        if own.bodies:
+        if own.bodies or idle:
             yield _track(own, "reaction", own.bodies, own.bodies_left_out)
 
 
 def _track(own: _Branch, kind: TrackKind, slices: list[Slice], left_out: int) -> Track:
     ordered = tuple(sorted(slices, key=lambda item: item.begin_us))
     label = f"{own.group}: {own.span.line}"
-    return Track(kind, label, ordered, own.group, own.span, own.text, left_out)
+    why_not = Text("", "") if slices else own.why_not
+    return Track(kind, label, ordered, own.group, own.span, own.text, left_out, why_not)
 
 
 def _bodies(branch: BranchHistory, why: WhyReport) -> Iterator[Slice]:

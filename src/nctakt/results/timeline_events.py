@@ -47,11 +47,13 @@ def timeline_of(
     first_tick: int,
     ticks: int,
     line_at: Callable[[Span], str],
+    idle: bool = False,
 ) -> Timeline:
     """Return the timeline of a run of ``ticks`` ticks.
 
     ``line_at`` returns the source line of a span. Without ``why`` there are no conditions, and a
-    reaction is as long as it fired in tick after tick.
+    reaction is as long as it fired in tick after tick. ``idle``: with the conditions that were
+    never true and the reactions that never ran.
     """
     begin_us, end_us = first_tick * cycle_time_us, (first_tick + ticks) * cycle_time_us
     builder = _Builder(begin_us, end_us, cycle_time_us, line_at)
@@ -59,7 +61,7 @@ def timeline_of(
         builder.add(event)
     builder.finish()
     if why is not None:
-        builder.replace_reactions(why)
+        builder.replace_reactions(branch_tracks(why, idle=idle))
     tracks = sorted(builder.tracks(), key=lambda track: KINDS.index(track.kind))
     signals = tuple(builder.channels.taken)
     return Timeline(begin_us, end_us, cycle_time_us, tuple(tracks), signals)
@@ -255,15 +257,15 @@ class _Builder:
 
     # --- histories ------------------------------------------------------------------------------
 
-    def replace_reactions(self, why: WhyReport) -> None:
+    def replace_reactions(self, tracks: Iterable[Track]) -> None:
         """Take conditions and reactions from the histories, which know how long they lasted.
 
         Before the first slice that a history has kept, the firings stand.
         """
         of_branch = {_branch(*head[:2]): key for key, head in self._heads.items()}
-        for track in branch_tracks(why):
+        for track in tracks:
             key = of_branch.get(_branch(track.group, track.span))
-            if track.kind == "reaction" and key is not None:
+            if track.kind == "reaction" and key is not None and track.slices:
                 first_us = track.slices[0].begin_us
                 fired = self._slices.pop(key) if track.left_out else []
                 earlier = tuple(item for item in fired if item.end_us <= first_us)

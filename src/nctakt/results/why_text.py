@@ -206,11 +206,27 @@ def _history(cycle: CycleHistory, branch: BranchHistory, last_tick: int, words: 
         ran = words.get(_BODY_ONCE if count == 1 else _BODY, count=count, times=times)
         lines.append(ran + _commands(branch))
         return [*lines, *_frequency(branch, words)]
-    chain = _chain(cycle, branch, lambda other: why_branch_never(cycle, other, last_tick))
+    chain = _never_chain(cycle, branch, last_tick)
     if chain[0].kind != "false":
         lines += _changes(branch.condition, words)
     reason = words.branch_reason(cycle, branch, chain)
     return [*lines, words.get(_BODY_NEVER, reason=reason)]
+
+
+def why_never(cycle: CycleHistory, branch: BranchHistory, last_tick: int, words: Words) -> str:
+    """Return why the body of a branch never ran, with the parts of its condition; or nothing."""
+    chain = _never_chain(cycle, branch, last_tick)
+    if not chain:
+        return ""
+    reasons = [words.branch_reason(cycle, branch, chain)]
+    for part in branch.parts:
+        if part.nearest is not None:
+            reasons.append(f"{part.text}: {words.nearest(part, part.nearest)}")
+    return "; ".join(reasons)
+
+
+def _never_chain(cycle: CycleHistory, branch: BranchHistory, last_tick: int) -> list[Reason]:
+    return _chain(cycle, branch, lambda other: why_branch_never(cycle, other, last_tick))
 
 
 def _commands(branch: BranchHistory) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import io
 import json
+import os
 from collections.abc import Callable
 from pathlib import Path
 
@@ -131,6 +132,63 @@ def test_a_plc_that_fails_leaves_a_tape(told: Told) -> None:
     assert code == 0
     assert "51 ticks" in out
     assert "901075" in err
+
+
+def with_end(**words: object) -> str:
+    """Return the tape with another last line, whose files are those of ``words`` as well."""
+    *lines, end = Path("run.tape").read_text("utf-8").splitlines()
+    entry = json.loads(end)
+    entry["files"].update(words)
+    return "\n".join([*lines, json.dumps(entry), ""])
+
+
+@pytest.mark.parametrize("name", ["/dev/zero", "/etc/hostname", "../secret", "nctakt:../../secret"])
+def test_a_tape_reaches_the_files_of_its_folder_alone(told: Told, name: str) -> None:
+    """902024, and nothing is read or shown; ``--root`` names further folders."""
+    record(told)
+    Path("run.tape").write_text(with_end(**{name: "0" * 64}), "utf-8")
+    code, out, err = told("replay", "run.tape", "--anyway")
+    assert (code, out) == (2, "")
+    assert "902024" in err
+    assert name in err
+    Path("tapes").mkdir()
+    record(told)
+    Path("run.tape").rename("tapes/run.tape")
+    assert "902024" in told("replay", "tapes/run.tape")[2]
+    assert told("replay", "tapes/run.tape", "--root", ".")[0] == 0
+
+
+def test_a_tape_cannot_make_a_replay_read_for_ever(told: Told) -> None:
+    """A device is not read even where it is admitted, nor a file of another size than stated."""
+    record(told)
+    Path("run.tape").write_text(with_end(**{"/dev/zero": "0" * 64}), "utf-8")
+    code, _, err = told("replay", "run.tape", "--root", "/")
+    assert (code, "901073" in err) == (2, True)
+    os.mkfifo("pipe")
+    with Path("sparse").open("wb") as file:
+        file.truncate(1 << 40)
+    files = {"pipe": "0" * 64, "sparse": f"{'0' * 64} 5"}
+    record(told)
+    Path("run.tape").write_text(with_end(**files), "utf-8")
+    code, _, err = told("replay", "run.tape")
+    assert (code, "901073" in err, "sparse" in err) == (2, True, True)
+
+
+@pytest.mark.parametrize("place", ["files", "words", "texts"])
+def test_a_name_with_the_character_0_is_refused(told: Told, place: str) -> None:
+    """901070: no file has such a name."""
+    record(told)
+    head, *middle, end = map(json.loads, Path("run.tape").read_text("utf-8").splitlines())
+    if place == "files":
+        end["files"]["a\0b"] = "0" * 64
+    elif place == "words":
+        head["words"]["machine"] = "a\0b"
+    else:
+        head["texts"]["a\0b"] = "M30"
+    lines = map(json.dumps, (head, *middle, end))
+    Path("run.tape").write_text("\n".join([*lines, ""]), "utf-8")
+    code, _, err = told("replay", "run.tape", "--anyway")
+    assert (code, "901070" in err) == (2, True)
 
 
 def with_input(tape: str, values: list[object]) -> str:

@@ -95,7 +95,7 @@ def test_tapes_of_broken_runs(folder: Path, capsys: Captured) -> None:
     assert command == "nctakt study plan.toml --only 0 --record tapes"
     assert main([*shlex.split(command)[1:], "--quiet"]) == 1
     command = capsys.readouterr().out.splitlines()[-1].strip()
-    assert command == f"nctakt replay {Path('tapes/run-0.tape')}"
+    assert command == f"nctakt replay {Path('tapes/run-0.tape')} --root ."
     assert main(shlex.split(command)[1:]) == 0
 
 

@@ -114,7 +114,7 @@ def _converted(source: str, root: str | None, conversion: Conversion) -> dict[st
 
 def _write(folder: Path, lists: dict[str, bytes]) -> None:
     """Write the lists; raises ``Failure`` if the folder is in use or cannot be written."""
-    made = [one for one in (folder, *folder.parents) if not one.exists()]
+    new_folders = [one for one in (folder, *folder.parents) if not one.exists()]
     written: list[Path] = []
     try:
         folder.mkdir(parents=True, exist_ok=True)
@@ -125,7 +125,7 @@ def _write(folder: Path, lists: dict[str, bytes]) -> None:
                 write_file(folder / name, text)
                 written.append(folder / name)
         except BaseException:  # a full disk, Ctrl-C: half a machine is none
-            _remove(written, made)
+            _remove(written, new_folders)
             raise
     except OSError as error:
         reason = error.strerror or str(error)

@@ -16,15 +16,17 @@ import click
 from nctakt.base.diagnostics import Language
 from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_USAGE
-from nctakt.cli.file_options import CONFINE_OPTION, file_access
+from nctakt.cli.file_options import file_access
 from nctakt.cli.language import language_option
 from nctakt.cli.plotting import with_drawing_options
 from nctakt.cli.run import run_with
 from nctakt.cli.running import FORMAT_OPTION
 from nctakt.cli.terminal import print_diagnostics
+from nctakt.files.access import FileAccess
 
 _EPILOG = """\b
-A replay runs in the folder in which the run was recorded.
+A replay runs in the folder in which the run was recorded. A tape reaches the
+files of its own folder; --root names others.
 Exit codes: 0 it ran and the events were the recorded ones, 1 an NC error,
 interrupted by Ctrl-C or other events, 2 wrong usage or unusable input, 3 an
 error of nctakt's own.
@@ -47,7 +49,15 @@ error of nctakt's own.
 @click.option("--diagnosis", metavar="FILE", help="Write the realtime cycles' diagnosis data.")
 @click.option("--messages", metavar="FILE", help="Write the programs' messages to a file as well.")
 @click.option("--error-log", metavar="FILE", help="Write the user errors (#ERROR) to a file.")
-@CONFINE_OPTION
+@click.option(
+    "--root",
+    "--confine",
+    "confined",
+    metavar="DIR",
+    multiple=True,
+    type=click.Path(exists=True, file_okay=False),
+    help="Folder whose files the tape may name; may be repeated [default: the tape's].",
+)
 @language_option("Language of diagnostics, summary and diagnosis data [default: en].", None)
 @click.option("--quiet", is_flag=True, help="No summary and no notes.")
 @click.option(
@@ -74,10 +84,13 @@ def _replay(name: str, anyway: bool, words: dict[str, Any]) -> int:
     from nctakt.cli.tapes import check_unchanged, options_of  # noqa: PLC0415 - as above
     from nctakt.run.tape import path_of, read_tape  # noqa: PLC0415
 
-    access = file_access(words["confined"])
-    tape = read_tape(Path(name), access)
+    words["confined"] = words["confined"] or (str(Path(name).parent),)
+    access, of_tape = file_access(words["confined"]), FileAccess()
+    tape = read_tape(Path(name), of_tape)
+    access.note_all(of_tape)
+    changed = check_unchanged(tape, access, anyway=anyway)
     for list_name, text in tape.lists.items():
         access.replace(path_of(list_name), text.encode("utf-8"))
     options = options_of(tape, name, words, access)
-    print_diagnostics(check_unchanged(tape, anyway=anyway), options.language)
+    print_diagnostics(changed, options.language)
     return run_with(options, access)

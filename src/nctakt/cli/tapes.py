@@ -69,14 +69,16 @@ def options_of(tape: Tape, name: str, words: Mapping[str, Any], access: FileAcce
         **words,
         "language": words["language"] or (project and project.language) or "en",
         "project_signals": project and project.signals,
-        "confined": (*recorded["confined"], *words["confined"]),
     }
     return Options(**given, stimuli=(), plc=None, tape=tape)
 
 
-def check_unchanged(tape: Tape, *, anyway: bool) -> list[Diagnostic]:
-    """Return a warning (901073) for changed files with ``--anyway``, else raise ``Failure``."""
-    changed = changed_files(tape)
+def check_unchanged(tape: Tape, access: FileAccess, *, anyway: bool) -> list[Diagnostic]:
+    """Return a warning (901073) for changed files with ``--anyway``, else raise ``Failure``.
+
+    Raises ``Failure`` (902024) as well for files that ``access`` does not admit.
+    """
+    changed = changed_files(tape, access)
     if not changed:
         return []
     found = diagnostic(TAPE_FILES_CHANGED, files=", ".join(changed))

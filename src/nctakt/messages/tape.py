@@ -37,6 +37,18 @@ TAPE_FILES_CHANGED = error(
     remedy_de="--anyway wiederholt den Lauf mit den Dateien, wie sie jetzt sind.",
     files=("programs and lists", "Programme und Listen"),
 )
+TAPE_NAMES_OUTSIDE = error(
+    902024,
+    en="the tape names files outside of {folders}: {files}",
+    de="die Aufzeichnung nennt Dateien außerhalb von {folders}: {files}",
+    remedy_en="If you trust the tape, name the folder whose files it may have read: --root DIR",
+    remedy_de="Wenn Sie der Aufzeichnung vertrauen, den Ordner nennen, dessen Dateien sie lesen "
+    "darf: --root ORDNER",
+    cause_en="A tape may come from anywhere; it reaches the files of its own folder.",
+    cause_de="Eine Aufzeichnung kann von überall kommen; sie erreicht die Dateien ihres Ordners.",
+    folders=("the folders that may be read", "die Ordner, die gelesen werden dürfen"),
+    files=("the files", "die Dateien"),
+)
 REPLAY_DIFFERS = warning(
     901074,
     en="the events differ from those of the recorded run, first in tick {tick} ({time}): {events}",

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+import stat
 import zlib
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
@@ -23,7 +24,12 @@ from nctakt.base.text import decode_text
 from nctakt.base.version import __version__
 from nctakt.files.access import FileAccess
 from nctakt.messages import diagnostic
-from nctakt.messages.tape import INVALID_TAPE, TAPE_CUT_OFF, TAPE_OF_OTHER_VERSION
+from nctakt.messages.tape import (
+    INVALID_TAPE,
+    TAPE_CUT_OFF,
+    TAPE_NAMES_OUTSIDE,
+    TAPE_OF_OTHER_VERSION,
+)
 from nctakt.run.inputs import Input
 from nctakt.run.tape_lines import InputLines, inputs_of, to_json
 from nctakt.trace.events import Event
@@ -40,6 +46,9 @@ _BEGIN = '{"tape":'
 _OWN_MARK = "nctakt:"
 _OWN_FOLDER = Path(__file__).parent.parent
 
+#: Bytes of a file that are read at a time.
+_CHUNK_BYTES = 1 << 20
+
 #: Head, end, and what stands behind the last line end: nothing.
 _MIN_LINES = 3
 
@@ -50,7 +59,7 @@ class Tape:
 
     ``words`` are those of the command that it was started with, ``texts`` its programs that are no
     files, by their names. ``checksums``: tick -> that of its events. ``ticks`` and ``state``: how
-    it ended. ``digests``: file -> SHA-256 in hexadecimal digits. ``lists``: the texts of lists that
+    it ended. ``digests``: file -> as ``digest_of`` gives it. ``lists``: the texts of lists that
     were not read as they stand in their files, by the names of these. ``has_checksums``: not one
     that grew until its process was ended (``session/growing_tape.py``).
     """
@@ -62,18 +71,37 @@ class Tape:
     checksums: Mapping[int, int]
     ticks: int
     state: str
-    digests: Mapping[str, str]
+    digests: Mapping[str, str | None]
     lists: Mapping[str, str] = field(default_factory=dict)
     has_checksums: bool = True
 
 
 def digest_of(path: Path) -> str | None:
-    """Return the SHA-256 of a file in hexadecimal digits; ``None`` if it cannot be read."""
+    """Return the SHA-256 of a regular file in hexadecimal digits, and its size in bytes.
+
+    ``None`` if it cannot be read, or is no regular file: reading a device may never end.
+    """
+    size = _size_of(path)
+    if size is None:
+        return None
+    digest, left = hashlib.sha256(), size
     try:
         with path.open("rb") as file:
-            return hashlib.file_digest(file, "sha256").hexdigest()
+            while left and (data := file.read(min(left, _CHUNK_BYTES))):
+                digest.update(data)
+                left -= len(data)
     except OSError:
         return None
+    return f"{digest.hexdigest()} {size}"
+
+
+def _size_of(path: Path) -> int | None:
+    """Return the size of a regular file; ``None`` for what is none."""
+    try:
+        state = path.stat()
+    except OSError:
+        return None
+    return state.st_size if stat.S_ISREG(state.st_mode) else None
 
 
 def name_on_tape(path: Path) -> str:
@@ -91,9 +119,29 @@ def path_of(name: str) -> Path:
     return Path(name)
 
 
-def changed_files(tape: Tape) -> list[str]:
-    """Return the files of a tape that are not as they were when it was recorded."""
-    return [name for name, digest in tape.digests.items() if digest_of(path_of(name)) != digest]
+def changed_files(tape: Tape, access: FileAccess) -> list[str]:
+    """Return the files of a tape that are not as they were when it was recorded.
+
+    Raises ``Failure`` (902024) where it names files that ``access`` does not admit: none is looked
+    at then. A file of another size than the tape states is not read.
+    """
+    outside = [name for name in (*tape.digests, *tape.lists) if not access.admits(path_of(name))]
+    if outside:
+        found = diagnostic(
+            TAPE_NAMES_OUTSIDE, files=", ".join(outside), folders=access.shown_folders
+        )
+        raise Failure(found)
+    return [name for name, digest in tape.digests.items() if _is_changed(path_of(name), digest)]
+
+
+def _is_changed(path: Path, digest: str | None) -> bool:
+    if digest is None:
+        return _size_of(path) is not None
+    content, _, size = digest.partition(" ")
+    if size and str(_size_of(path)) != size:
+        return True
+    found = digest_of(path)
+    return found is None or found.partition(" ")[0] != content
 
 
 def checksum(events: Sequence[Event]) -> int:
@@ -199,6 +247,19 @@ def read_tape(path: Path, access: FileAccess) -> Tape:
     return reader.tape(head, inputs, checksums)
 
 
+def _are_digests(value: object) -> bool:
+    return isinstance(value, dict) and all(isinstance(one, str | None) for one in value.values())
+
+
+def _has_zero(value: object) -> bool:
+    """Return whether a text in a value of JSON has the character 0, which no name has."""
+    if isinstance(value, str):
+        return "\0" in value
+    if isinstance(value, dict):
+        return any(map(_has_zero, (*value, *value.values())))
+    return isinstance(value, list) and any(map(_has_zero, value))
+
+
 def _is_texts(value: object) -> bool:
     return isinstance(value, dict) and all(isinstance(one, str) for one in value.values())
 
@@ -254,8 +315,11 @@ class _Reader:
         if "end" not in end:
             self.cut_off()
         ticks, digests = end.get("ticks"), end.get("files")
-        if not isinstance(ticks, int) or not isinstance(digests, dict):
+        if not isinstance(ticks, int) or not _are_digests(digests):
             raise self._invalid(len(self._lines) - 1, "ticks or files is missing")
+        names = (head["words"], list(head["texts"]), list(head.get("lists", {})), list(digests))
+        if any(map(_has_zero, names)):
+            raise self._invalid(1, "a name with the character 0")
         return Tape(
             head["words"],
             head["texts"],

@@ -106,9 +106,10 @@ class Session:
     ) -> Self:
         """Return a session of the run on a tape, which needs no PLC.
 
-        Its inputs come when they came; what is written behind the start begins a branch. Raises
-        ``Failure`` for a tape that cannot be read, or whose programs and lists have changed, unless
-        it shall run ``anyway``.
+        Its inputs come when they came; what is written behind the start begins a branch. It
+        reaches the files in ``folders``, by default those of the folder of the tape. Raises
+        ``Failure`` for a tape that cannot be read, that names other files, or whose programs and
+        lists have changed, unless it shall run ``anyway``.
         """
         return cls.of_setup(read_setup(tape, folders, anyway=anyway), pace)
 

@@ -111,12 +111,16 @@ def _value(value: float | str) -> str:
 def read_setup(path: str | Path, folders: Sequence[str | Path] = (), *, anyway: bool) -> Setup:
     """Return the setup of the run on a tape; it has no PLC, but the PLC's inputs.
 
-    Raises ``Failure`` for a tape that cannot be read (901070 …), that needs a schedule (901149), or
-    whose programs or lists have changed (901073), unless it shall run ``anyway``.
+    It reaches the files in ``folders``, by default those of the folder of the tape. Raises
+    ``Failure`` for a tape that cannot be read (901070 …), that names others (902024), that needs a
+    schedule (901149), or whose programs or lists have changed (901073), unless it shall run
+    ``anyway``.
     """
-    tape = read_tape(Path(path), FileAccess([Path(folder) for folder in folders]))
+    folders = [Path(folder) for folder in folders]
+    tape = read_tape(Path(path), FileAccess(folders))
+    folders = folders or [Path(path).parent]
     words = words_of(tape, str(path))
-    changed = changed_files(tape)
+    changed = changed_files(tape, FileAccess(folders))
     if changed and not anyway:
         raise Failure(diagnostic(TAPE_FILES_CHANGED, files=", ".join(changed)))
     if tape.lists:
@@ -139,7 +143,7 @@ def read_setup(path: str | Path, folders: Sequence[str | Path] = (), *, anyway: 
         wait_for_start=words["wait_for_start"],
         skip=[int(level) for level in words["skip"].split(",") if level],
         acknowledges=not tape.has_plc,
-        folders=folders or words["confined"],
+        folders=folders,
         stays=words["stays"],
         inputs=tape.inputs,
         from_line=words["from_line"],

@@ -9,7 +9,7 @@ that the lists do not have, other numbers in the program.
 from __future__ import annotations
 
 import shlex
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -50,7 +50,22 @@ def record_run(bench: Bench, point: Sequence[Value], path: Path) -> str:
         )
         run = bench.begin(inputs, tape=tape).finish().outcome.run
         tape.finish(run.state, run.ticks, _files(bench))
-    return shlex.join(["nctakt", "replay", str(path)])
+    return shlex.join(["nctakt", "replay", str(path), *_roots(path, _files(bench))])
+
+
+def _roots(tape: Path, files: Mapping[str, Path]) -> list[str]:
+    """Return the options that let a tape reach its files where they are not in its folder."""
+    access = FileAccess([tape.parent])
+    outside = [file for file in files.values() if not access.admits(file)]
+    if not outside:
+        return []
+    here = FileAccess(["."])
+    folders = (
+        ["."]
+        if all(map(here.admits, (tape, *outside)))
+        else [*dict.fromkeys(str(file.parent) for file in (*outside, tape))]
+    )
+    return [word for folder in folders for word in ("--root", folder)]
 
 
 def _inputs(bench: Bench) -> FileAccess:

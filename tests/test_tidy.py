@@ -318,6 +318,32 @@ def test_types_fit_the_module(path: Path) -> None:
     assert set(fields) == given
 
 
+# --- processes ----------------------------------------------------------------------------------
+
+#: Functions that start another program; ``webbrowser`` starts none that imports modules.
+STARTING = re.compile(r"^(?:Popen|create_subprocess_\w+|check_(?:call|output)|exec[lv]p?e?|spawn[lv]p?e?|posix_spawnp?|system|popen|startfile)$")  # fmt: skip # noqa: E501
+
+
+def test_python_is_started_without_the_working_directory() -> None:
+    """Only ``base.python_process`` names the interpreter; each start of a program goes by it."""
+    for path in SOURCES:
+        if path == PACKAGE / "base" / "python_process.py":
+            continue
+        assert "sys.executable" not in path.read_text("utf-8"), path
+        for node in ast.walk(tree_of(path)):
+            if not isinstance(node, ast.Call):
+                continue
+            called = ast.unparse(node.func)
+            if STARTING.match(called.rpartition(".")[2]) or called == "subprocess.run":
+                command = ast.unparse(node.args[0])
+                assert command.lstrip("*").startswith("python_command("), (path, command)
+                environment = [ast.unparse(one.value) for one in node.keywords if one.arg == "env"]
+                assert "python_environment()" in "".join(environment), (path, command)
+        assert not {"multiprocessing.Process", "concurrent.futures.ProcessPoolExecutor"} & set(
+            imports(path)
+        ), path
+
+
 # --- determinism --------------------------------------------------------------------------------
 
 

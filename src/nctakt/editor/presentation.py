@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import asyncio
 import os
-import sys
 import tempfile
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -17,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 from lsprotocol import types
 
 from nctakt.base.diagnostics import Text
+from nctakt.base.python_process import python_command, python_environment
 from nctakt.editor.legend import LEGEND
 
 if TYPE_CHECKING:
@@ -122,11 +122,11 @@ async def _counted(path: Path) -> dict[int, int]:
     os.close(number)
     data = Path(name)
     try:
-        command = [sys.executable, "-m", "nctakt", "coverage", str(path)]
+        words = ("coverage", str(path), "--until", _COUNTED_TIME, "--data", name)
         process = await asyncio.create_subprocess_exec(
-            *command,
-            *("--until", _COUNTED_TIME, "--data", name),
+            *python_command("nctakt", *words),
             cwd=path.parent,
+            env=python_environment(),
             stdin=asyncio.subprocess.DEVNULL,
             stdout=asyncio.subprocess.DEVNULL,
             stderr=asyncio.subprocess.DEVNULL,

@@ -11,6 +11,7 @@ import mmap
 import sys
 from pathlib import Path
 
+from nctakt.base.python_process import start_resource_tracker
 from nctakt.hli.layout import MAGIC
 
 #: The folder of shared memory on Linux.
@@ -32,6 +33,7 @@ class SharedFile:
             from multiprocessing import resource_tracker  # noqa: PLC0415 - not on Linux
             from multiprocessing.shared_memory import SharedMemory  # noqa: PLC0415 - as above
 
+            start_resource_tracker()
             shared = SharedMemory(name)
             if sys.platform != "win32":
                 # the maker removes it; without this the end of this process would

@@ -12,7 +12,6 @@ from __future__ import annotations
 import contextlib
 import os
 import struct
-import sys
 import weakref
 from collections.abc import Iterator, Mapping, Sequence
 from types import TracebackType
@@ -20,6 +19,7 @@ from typing import TYPE_CHECKING
 
 from nctakt.base.diagnostics import Text
 from nctakt.base.failure import Failure
+from nctakt.base.python_process import start_resource_tracker
 from nctakt.hli.layout import (
     AXIS,
     CHANNEL,
@@ -62,9 +62,6 @@ from nctakt.run.image_inputs import ImageInputs
 
 if TYPE_CHECKING:
     from multiprocessing.shared_memory import SharedMemory
-
-#: The environment variable that says which warnings a Python process prints.
-_WARNINGS = "PYTHONWARNINGS"
 
 #: A row of ``kernel.plc.interface_image``: byte, kind, cell, bytes, whether the PLC may write it.
 _Row = tuple[int, int, int, int, bool]
@@ -414,7 +411,7 @@ def _create(name: str, size: int) -> SharedMemory:
     if not (name.isascii() and name.isprintable()) or ":" in name:
         reason = Text("only ASCII characters, without colon", "nur ASCII-Zeichen ohne Doppelpunkt")
         raise Failure(diagnostic(SHARED_MEMORY_NOT_AVAILABLE, name=repr(name), reason=reason))
-    _start_tracker()
+    start_resource_tracker()
     try:
         return SharedMemory(name, create=True, size=size)
     except FileExistsError as error:
@@ -423,22 +420,3 @@ def _create(name: str, size: int) -> SharedMemory:
         raise Failure(
             diagnostic(SHARED_MEMORY_NOT_AVAILABLE, name=name, reason=str(error))
         ) from error
-
-
-def _start_tracker() -> None:
-    """Start Python's resource tracker, which removes the memory of a killed run, without warnings.
-
-    It inherits the environment variable that silences its warning.
-    """
-    if sys.platform == "win32":
-        return
-    from multiprocessing import resource_tracker  # noqa: PLC0415 - as above
-
-    before = os.environ.get(_WARNINGS)
-    os.environ[_WARNINGS] = "ignore::UserWarning"
-    try:
-        resource_tracker.ensure_running()
-    finally:
-        del os.environ[_WARNINGS]
-        if before is not None:
-            os.environ[_WARNINGS] = before

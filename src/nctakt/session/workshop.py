@@ -11,16 +11,15 @@ import os
 import secrets
 import signal
 import subprocess
-import sys
 import threading
 import time
 from collections.abc import Sequence
 from multiprocessing import AuthenticationError
 from multiprocessing.connection import Client, Connection, Listener
-from pathlib import Path
 from typing import Any, cast
 
 from nctakt.base.failure import Failure
+from nctakt.base.python_process import python_command, python_environment
 from nctakt.messages import diagnostic
 from nctakt.messages.session import CONTROLLER_LOST
 from nctakt.run.inputs import Input
@@ -135,12 +134,10 @@ class Workshop:
         """Return a new controller before its first tick; raises ``Failure`` with its mistakes."""
         name = self.next_name()
         address = self._listener.address
-        source = str(Path(__file__).parents[2])
-        search = os.pathsep.join(filter(None, (source, os.environ.get("PYTHONPATH", ""))))
         process = subprocess.Popen(
-            [sys.executable, "-P", "-m", "nctakt.session.worker", str(address), name],
+            python_command("nctakt.session.worker", str(address), name),
             stdin=subprocess.PIPE,
-            env={**os.environ, "PYTHONPATH": search},
+            env=python_environment(),
         )
         self._processes.append(process)
         assert process.stdin is not None

@@ -21,6 +21,7 @@ from typing import IO, Self
 
 from nctakt.base.diagnostics import Text
 from nctakt.base.failure import Failure
+from nctakt.base.python_process import python_command, python_environment
 from nctakt.messages import diagnostic
 from nctakt.messages.studies import WORKER_NOT_STARTED
 from nctakt.studies.bench import Bench
@@ -109,10 +110,10 @@ class WorkerProcess:
             try:
                 with _without_interrupts():
                     process = subprocess.Popen(
-                        [sys.executable, "-m", "nctakt.studies.worker"],
+                        python_command("nctakt.studies.worker"),
                         stdin=subprocess.PIPE,
                         stdout=subprocess.PIPE,
-                        env={**os.environ, "OPENBLAS_NUM_THREADS": "1"},
+                        env={**python_environment(), "OPENBLAS_NUM_THREADS": "1"},
                     )
             except OSError as error:
                 raise _not_started(error.strerror or str(error)) from error

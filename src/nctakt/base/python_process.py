@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: MIT
+"""How nctakt starts Python: with modules of nctakt and of libraries, not of the folder it is in.
+
+Python looks for modules in the working directory first, for ``-m`` and ``-c``: a ``json.py`` beside
+a program that somebody only opens would run. This module is the only one that names the
+interpreter; ``tests/test_tidy.py`` holds the others to it.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+from pathlib import Path
+
+#: The environment variable that does for Python what the option ``-P`` does.
+_SAFE_PATH = "PYTHONSAFEPATH"
+
+#: The environment variable that says which warnings a Python process prints.
+_WARNINGS = "PYTHONWARNINGS"
+
+_SEARCH_PATH = "PYTHONPATH"
+
+
+def python_command(module: str, *words: str) -> list[str]:
+    """Return the command that starts a module of nctakt."""
+    return [sys.executable, "-P", "-m", module, *words]
+
+
+def python_environment() -> dict[str, str]:
+    """Return the environment of such a command: it finds this nctakt, wherever it starts.
+
+    Entries of ``PYTHONPATH`` name the same folders as in this process, also from another working
+    directory; an empty entry, which means the working directory, is left out.
+    """
+    entries = os.environ.get(_SEARCH_PATH, "").split(os.pathsep)
+    named = [str(Path(entry).absolute()) for entry in entries if entry]
+    search = os.pathsep.join([str(Path(__file__).parents[2]), *named])
+    return {**os.environ, _SEARCH_PATH: search}
+
+
+def leave_working_directory() -> None:
+    """Let no module of the working directory be imported, where ``python -m`` has put it first."""
+    if not sys.flags.safe_path and sys.path and sys.path[0] in ("", str(Path.cwd())):
+        del sys.path[0]
+
+
+def start_resource_tracker() -> None:
+    """Start Python's resource tracker, which removes the shared memory of a killed process.
+
+    It is a Python process of its own, which prints no warning.
+    """
+    if sys.platform == "win32":
+        return
+    from multiprocessing import resource_tracker  # noqa: PLC0415 - most runs share no memory
+
+    changed = {_SAFE_PATH: "1", _WARNINGS: "ignore::UserWarning"}
+    before = {name: os.environ.get(name) for name in changed}
+    os.environ.update(changed)
+    try:
+        resource_tracker.ensure_running()
+    finally:
+        for name, value in before.items():
+            if value is None:
+                del os.environ[name]
+            else:
+                os.environ[name] = value

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import signal
 from collections.abc import Generator
 from pathlib import Path
 from typing import Any
@@ -13,6 +14,11 @@ from hypothesis import settings
 
 settings.register_profile("repeatable", derandomize=True, deadline=None, database=None)
 settings.load_profile("repeatable")
+
+if signal.getsignal(signal.SIGINT) == signal.SIG_IGN:
+    # A shell without job control has started the tests in the background: what they start would
+    # ignore Ctrl-C, too. Under a handler of Python it begins with the system's default.
+    signal.signal(signal.SIGINT, signal.default_int_handler)
 
 #: How a file says that all its tests are slow.
 _SLOW = "\npytestmark = pytest.mark.slow\n"

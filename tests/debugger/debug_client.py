@@ -12,7 +12,7 @@ from types import TracebackType
 from typing import Any, BinaryIO
 
 from nctakt.debugger.server import serve_streams
-from nctakt.debugger.transport import MessageReader
+from nctakt.ports.framing import MessageReader
 
 #: How long a test waits for a message, in seconds.
 PATIENCE_S = 20.0
@@ -27,10 +27,13 @@ class Refused(Exception):
 
 
 class DebugClient:
-    """A client at the ends of two pipes, with a server in a thread of its own."""
+    """A client at the ends of two pipes, with a server in a thread of its own, or at a port."""
 
-    def __init__(self, **options: Any) -> None:
-        own, other = socket.socketpair()
+    def __init__(self, port: int | None = None, **options: Any) -> None:
+        if port is None:
+            own, other = socket.socketpair()
+        else:
+            own = socket.create_connection(("127.0.0.1", port))
         own.settimeout(PATIENCE_S)
         self._socket = own
         self.writing: BinaryIO = own.makefile("wb", buffering=0)
@@ -40,7 +43,7 @@ class DebugClient:
             with other, other.makefile("rb") as reading, other.makefile("wb") as writing:
                 serve_streams(reading, writing, **options)
 
-        self.thread = threading.Thread(target=serve, daemon=True)
+        self.thread = threading.Thread(target=serve if port is None else int, daemon=True)
         self.thread.start()
         self._reader = MessageReader(self._reading, is_strict=False)
         self._count = 0

@@ -82,19 +82,41 @@ def test_the_page_may_begin_its_program_anew(session: Session, program: str) -> 
 
 
 def test_a_debugger_at_a_pipe_attaches_at_a_port(session: Session) -> None:
+    """It is of the same user, and so knows the token of the port."""
     server = PortServer(0, session=lambda: session)
     Thread(target=server.serve, daemon=True).start()
     with DebugClient() as client:
         client.ask("initialize")
         with pytest.raises(Refused, match="no nctakt live answers"):
             client.ask("attach", port=1)
-        client.ask("attach", port=server.port)
+        client.ask("attach", port=server.door.port)
         client.event("initialized")
         client.ask("configurationDone")
         assert client.stopped()["reason"] == "entry"
         assert client.go("next")["line"] == 1
         assert session.tick == 1
         client.ask("disconnect")
+    server.close()
+    assert not session.is_over
+
+
+def test_a_port_lets_nobody_attach_without_its_token(session: Session) -> None:
+    """901921 and 901922, and the connection ends; the token is an attribute of ``attach``."""
+    server = PortServer(0, folders=["."], session=lambda: session)
+    Thread(target=server.serve, daemon=True).start()
+    for arguments, number in (({}, "901921"), ({"token": "x" * 32}, "901922")):
+        with DebugClient(port=server.door.port) as client:
+            client.ask("initialize")
+            with pytest.raises(Refused) as refused:
+                client.ask("attach", **arguments)
+            assert number in refused.value.error["format"]
+            with pytest.raises((AssertionError, OSError)):
+                client.ask("threads")
+    with DebugClient(port=server.door.port) as client:
+        client.ask("initialize")
+        client.ask("attach", token=server.door.token)
+        client.ask("configurationDone")
+        assert client.stopped()["reason"] == "entry"
     server.close()
     assert not session.is_over
 

@@ -22,7 +22,7 @@ from random_seeds import all_seeds
 from nctakt import Failure
 from nctakt.debugger.adapter import MAX_REQUESTS
 from nctakt.debugger.server import PortServer
-from nctakt.debugger.transport import MAX_MESSAGE, MessageReader, MessageWriter
+from nctakt.ports.framing import MAX_MESSAGE, MessageReader, MessageWriter
 
 pytestmark = pytest.mark.slow
 
@@ -382,7 +382,7 @@ def test_a_client_that_breaks_off_leaves_no_traceback(monkeypatch: pytest.Monkey
     server = PortServer(0)
     threading.Thread(target=server.serve, daemon=True).start()
     before = set(threading.enumerate())
-    client = socket.create_connection(("127.0.0.1", server.port), timeout=20)
+    client = socket.create_connection(("127.0.0.1", server.door.port), timeout=20)
     client.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, struct.pack("ii", 1, 0))
     client.sendall(framed(b'{"seq": 1, "type": "request", "command": "initialize"}') * 200)
     client.recv(1)
@@ -396,18 +396,46 @@ def test_a_client_that_breaks_off_leaves_no_traceback(monkeypatch: pytest.Monkey
 def test_a_port_serves_several_clients_and_refuses_others(folder: Path) -> None:
     server = PortServer(0)
     threading.Thread(target=server.serve, daemon=True).start()
-    with pytest.raises(Failure, match="901161"):
-        PortServer(server.port)
-    with socket.create_connection(("127.0.0.1", server.port), timeout=20) as browser:
+    with pytest.raises(Failure, match="901920"):
+        PortServer(server.door.port)
+    with socket.create_connection(("127.0.0.1", server.door.port), timeout=20) as browser:
         browser.sendall(b"GET / HTTP/1.1\r\n\r\n")
         assert b"901220" in browser.makefile("rb").read()
     for _ in range(2):
-        with socket.create_connection(("127.0.0.1", server.port), timeout=20) as client:
+        with socket.create_connection(("127.0.0.1", server.door.port), timeout=20) as client:
             client.sendall(framed(b'{"seq": 1, "type": "request", "command": "initialize"}'))
             answer = MessageReader(client.makefile("rb"), is_strict=True).read()
             assert answer is not None
             assert answer["success"]
     server.close()
+
+
+def test_a_port_runs_programs_for_who_has_the_token(folder: Path, tmp_path: Path) -> None:
+    """Without it only what ``--confine`` allows; the file of the token is of this user alone."""
+    program = str(folder / "short.nc")
+    for folders, arguments, refusal in (
+        ((), {}, "901921"),
+        ((), {"token": "none"}, "901922"),
+        ((str(tmp_path),), {}, "outside"),
+        ((str(folder),), {"token": "none"}, "901922"),
+    ):
+        server = PortServer(0, folders=folders)
+        threading.Thread(target=server.serve, daemon=True).start()
+        with DebugClient(port=server.door.port) as client:
+            client.ask("initialize")
+            with pytest.raises(Refused) as refused:
+                client.ask("launch", program=program, **arguments)
+            assert refusal in refused.value.error["format"]
+        server.close()
+    for folders, has_token in (((), True), ((str(folder),), False)):
+        server = PortServer(0, folders=folders)
+        threading.Thread(target=server.serve, daemon=True).start()
+        token = server.door.token
+        with DebugClient(port=server.door.port) as client:
+            client.begin(program, **({"token": token} if has_token else {}))
+            client.ask("configurationDone")
+            assert client.stopped()["reason"] == "end"
+        server.close()
 
 
 def test_the_command_speaks_over_standard_input_and_output(folder: Path) -> None:

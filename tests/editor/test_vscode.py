@@ -32,6 +32,15 @@ def test_the_extension_has_what_the_server_names() -> None:
     assert all(f'"{command}"' in source for command in commands)
 
 
+def test_what_the_extension_starts_imports_no_module_of_the_folder() -> None:
+    """``python -m nctakt`` in a folder that is only opened would run a ``json.py`` there."""
+    source = (FOLDER / "src" / "extension.ts").read_text("utf-8")
+    assert 'args: [...rest, "lsp"], options: { env: environment() }' in source
+    assert '[...rest, "dap"], { env: environment() }' in source
+    assert source.count("spawn(") == source.count("env: environment() };\n  const running") == 1
+    assert source.count("createTerminal(") == source.count('env: { PYTHONSAFEPATH: "1" }') == 1
+
+
 def test_no_address_of_a_registry_is_in_the_lock_file() -> None:
     """The lock file holds versions and checksums only."""
     assert '"resolved"' not in (FOLDER / "package-lock.json").read_text("utf-8")

@@ -22,9 +22,18 @@ function words(): [string, string[]] {
   return [isRelative ? path.join(folder, command) : command, rest];
 }
 
+/** The environment of what is started: Python imports no modules of the folder it starts in. */
+function environment(): Record<string, string> {
+  const own: Record<string, string> = { PYTHONSAFEPATH: "1" };
+  for (const [name, value] of Object.entries(process.env)) {
+    if (value !== undefined && !(name in own)) own[name] = value;
+  }
+  return own;
+}
+
 async function startClient(): Promise<void> {
   const [command, rest] = words();
-  const server: ServerOptions = { command, args: [...rest, "lsp"] };
+  const server: ServerOptions = { command, args: [...rest, "lsp"], options: { env: environment() } };
   const others = settings().get<string[]>("languages", []);
   client = new LanguageClient("nctakt", "nctakt", server, {
     documentSelector: [...LANGUAGES, ...others].map((language) => ({ language })),
@@ -70,6 +79,7 @@ async function inTerminal(name: string, uri: unknown): Promise<void> {
     cwd: path.dirname(file),
     shellPath: command,
     shellArgs: [...rest, name, file],
+    env: { PYTHONSAFEPATH: "1" },
     isTransient: true,
   });
   terminal.show(true);
@@ -93,7 +103,8 @@ async function live(uri: unknown): Promise<void> {
   if (file === undefined) return;
   page?.kill();
   const [command, rest] = words();
-  const running = spawn(command, [...rest, "live", file, "--port", "0"], { cwd: path.dirname(file) });
+  const options = { cwd: path.dirname(file), env: environment() };
+  const running = spawn(command, [...rest, "live", file, "--port", "0"], options);
   page = running;
   let shown = false;
   let complaint = "";
@@ -151,7 +162,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
   const factory: vscode.DebugAdapterDescriptorFactory = {
     createDebugAdapterDescriptor: () => {
       const [command, rest] = words();
-      return new vscode.DebugAdapterExecutable(command, [...rest, "dap"]);
+      return new vscode.DebugAdapterExecutable(command, [...rest, "dap"], { env: environment() });
     },
   };
   context.subscriptions.push(

@@ -2,9 +2,9 @@
 """The command ``nctakt``: subcommands, each in a file of its own, and the exit codes.
 
 In: the words of the command line. Out: 0 for success, 1 for an NC error or an interrupt, 2 for
-wrong usage (an invalid option, file or machine), 3 for an internal error of nctakt. A subcommand's
-module is loaded when it is called, so that none waits for the libraries of another.
-``NCTAKT_DEBUG=1`` shows the traceback of an internal error.
+wrong usage (an invalid option, file or machine), 3 for an internal error of nctakt. SIGTERM
+interrupts as Ctrl-C does. A subcommand's module is loaded when it is called, so that none waits for
+the libraries of another. ``NCTAKT_DEBUG=1`` shows the traceback of an internal error.
 """
 
 from __future__ import annotations
@@ -12,11 +12,13 @@ from __future__ import annotations
 import gc
 import importlib
 import os
+import signal
 import sys
 from collections.abc import Sequence
 
 import click
 
+from nctakt.base.interrupts import handling
 from nctakt.base.version import __version__
 from nctakt.cli.terminal import complain, print_diagnostics, silence
 
@@ -78,7 +80,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     _never_fail_at_a_character()
     code = EXIT_RAN
     try:
-        code = _run(arguments)
+        with handling(signal.default_int_handler, only_termination=True):
+            code = _run(arguments)
         sys.stdout.flush()
     except BrokenPipeError as error:  # the reader has closed the pipe
         silence(sys.stdout)

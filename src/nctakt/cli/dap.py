@@ -20,8 +20,10 @@ from nctakt.cli.terminal import print_diagnostics
 
 _EPILOG = """\b
 Editors start it themselves; docs/debugger.md has the configurations of VS Code
-and Neovim. Without --port it speaks over standard input and output.
-Exit codes: 0 the client has gone, 2 wrong usage or an unusable port, 3 an error
+and Neovim. Without --port it speaks over standard input and output. A client at
+the port gives the token that is printed, and kept in a file of this user; with
+--confine a launch needs none. Ctrl-C and SIGTERM end it.
+Exit codes: 0 ended, or the client has gone, 2 wrong usage or an unusable port, 3 an error
 of nctakt's own.
 
 \b
@@ -45,15 +47,21 @@ def command(port: int | None, confined: tuple[str, ...], **words: Any) -> int:
 
     language: Language = words["language"] or "en"
     if port is None:
-        serve_pipe(folders=confined, language=language)
+        with contextlib.suppress(KeyboardInterrupt):  # as below
+            serve_pipe(folders=confined, language=language)
         return EXIT_RAN
     try:
         server = PortServer(port, folders=confined, language=language)
     except Failure as failure:
         print_diagnostics(failure.diagnostics, language)
         return EXIT_USAGE
-    click.echo(f"127.0.0.1:{server.port}")
-    with contextlib.suppress(KeyboardInterrupt):  # the way to end it
-        server.serve()
-    server.close()
+    try:
+        for line in server.door.lines():
+            click.echo(line)
+        if server.door.warning is not None:
+            print_diagnostics([server.door.warning], language)
+        with contextlib.suppress(KeyboardInterrupt):  # the way to end it
+            server.serve()
+    finally:
+        server.close()
     return EXIT_RAN

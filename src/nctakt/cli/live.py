@@ -2,7 +2,7 @@
 """``nctakt live``: a session on a page in the browser.
 
 In: programs, machine, PLC, address. Out: the address of the page (standard output), diagnostics
-(standard error). It ends at Ctrl-C.
+(standard error). It ends at Ctrl-C and SIGTERM.
 """
 
 from __future__ import annotations
@@ -31,6 +31,7 @@ from nctakt.messages import diagnostic
 from nctakt.messages.live import PAGE_NEEDS_FILES
 
 if TYPE_CHECKING:
+    from nctakt.debugger.server import PortServer
     from nctakt.live.shared import SharedSession
     from nctakt.session.session import Session
 
@@ -40,7 +41,7 @@ _LONGEST = "24 h"
 _EPILOG = """\b
 The page is for this computer alone, unless --host names another address; then
 its own address holds a token, which is printed once.
-Exit codes: 0 ended by Ctrl-C, 2 wrong usage or unusable input, 3 an error of
+Exit codes: 0 ended by Ctrl-C or SIGTERM, 2 wrong usage or unusable input, 3 an error of
 nctakt's own.
 
 \b
@@ -211,9 +212,10 @@ def _show(options: Options, access: FileAccess, own: _Words) -> int:
     channel = next(iter(documents))
     file = documents[channel][0].file
     shared = SharedSession(open_session, file, acknowledges=not own.acknowledge, channel=channel)
-    try:
+    with contextlib.ExitStack() as ends:
+        ends.callback(shared.close)
         if own.debug_port is not None:
-            _let_attach(shared, own.debug_port, options)
+            ends.callback(_let_attach(shared, own.debug_port, options).close)
         with contextlib.suppress(KeyboardInterrupt):  # the way to end it
             serve(
                 shared,
@@ -227,12 +229,10 @@ def _show(options: Options, access: FileAccess, own: _Words) -> int:
             )
         if own.tape is not None:
             shared.session.save(own.tape)
-    finally:
-        shared.close()
     return EXIT_RAN
 
 
-def _let_attach(shared: SharedSession, port: int, options: Options) -> None:
+def _let_attach(shared: SharedSession, port: int, options: Options) -> PortServer:
     """Let debuggers attach to the page's session; raises ``Failure`` if the port is taken."""
     from nctakt.debugger.server import PortServer  # noqa: PLC0415 - seldom needed
 
@@ -240,7 +240,11 @@ def _let_attach(shared: SharedSession, port: int, options: Options) -> None:
         port, folders=options.confined, language=options.language, session=lambda: shared.session
     )
     threading.Thread(target=server.serve, name="nctakt dap", daemon=True).start()
-    click.echo(f"dap 127.0.0.1:{server.port}")
+    for line in server.door.lines():
+        click.echo(f"dap {line}")
+    if server.door.warning is not None:
+        print_diagnostics([server.door.warning], options.language)
+    return server
 
 
 def _folders_of(options: Options) -> tuple[str, ...]:

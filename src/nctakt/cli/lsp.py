@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 """``nctakt lsp``: the language server for editors, over standard streams or TCP.
 
-In: the messages of an editor. Out: answers and findings. It ends with the editor, or at Ctrl-C.
+In: the messages of an editor. Out: answers and findings. It ends with the editor, or at Ctrl-C and
+SIGTERM.
 """
 
 from __future__ import annotations
@@ -21,8 +22,9 @@ from nctakt.messages.editor import EDITOR_LIBRARY_MISSING
 _EPILOG = """\b
 Editors start it by themselves and speak with it over its standard streams;
 docs/editor.md has the few lines that each needs. --tcp waits for one editor at
-an address instead.
-Exit codes: 0 ended, 2 wrong usage or a missing library, 3 an error of nctakt's
+an address instead, which gives the token that is printed, and kept in a file of
+this user. Ctrl-C and SIGTERM end it.
+Exit codes: 0 ended, 2 wrong usage, a missing library or an unusable port, 3 an error of nctakt's
 own.
 
 \b
@@ -36,9 +38,9 @@ own.
 @click.option(
     "--tcp",
     "port",
-    type=click.IntRange(1, 65535),
+    type=click.IntRange(0, 65535),
     metavar="PORT",
-    help="Wait for an editor at this port.",
+    help="Wait for an editor at this port, 0: a free one, which is printed.",
 )
 @click.option("--host", default="127.0.0.1", metavar="ADDRESS", help="Address of the port.")
 @language_option("Language of findings and explanations [default: en].")
@@ -50,7 +52,7 @@ def command(stdio: bool, port: int | None, host: str, language: Language) -> int
             import pygls  # noqa: F401, PLC0415 - only this command needs it
         except ImportError as error:
             raise Failure(diagnostic(EDITOR_LIBRARY_MISSING)) from error
-        from nctakt.editor import presentation  # noqa: PLC0415 - as above
+        from nctakt.editor import entrance, presentation  # noqa: PLC0415 - as above
         from nctakt.editor.server import Server  # noqa: PLC0415
 
         server = Server(language)
@@ -61,8 +63,14 @@ def command(stdio: bool, port: int | None, host: str, language: Language) -> int
         return EXIT_USAGE
     finally:
         gc.enable()
-    if port is not None and not stdio:
-        server.start_tcp(host, port)
-    else:
-        server.start_io()
+    if port is None or stdio:
+        entrance.serve_streams(server)
+        return EXIT_RAN
+    try:
+        entrance.serve_port(
+            server, host, port, click.echo, lambda found: print_diagnostics([found], language)
+        )
+    except Failure as failure:
+        print_diagnostics(failure.diagnostics, language)
+        return EXIT_USAGE
     return EXIT_RAN

@@ -9,17 +9,16 @@ from __future__ import annotations
 
 import contextlib
 import os
-import signal
 import sys
-import threading
 import time
 from collections.abc import Callable, Iterable
 from types import FrameType
-from typing import TYPE_CHECKING, Self, TextIO
+from typing import TYPE_CHECKING, Any, Self, TextIO
 
 import click
 
 from nctakt.base.diagnostics import Diagnostic, Language, Severity
+from nctakt.base.interrupts import handling
 from nctakt.lists.format.times import time_stamp
 
 if TYPE_CHECKING:
@@ -92,26 +91,25 @@ def show_at_the_end(show: Callable[[TextIO], None]) -> None:
 
 
 class InterruptRequest:
-    """Ctrl-C during a run: ``check`` raises after the first one.
+    """Ctrl-C or SIGTERM during a run: ``check`` raises after the first one.
 
-    So the run ends between two ticks, with all its records. A second Ctrl-C interrupts at once,
-    even an endless loop in the user's PLC.
+    So the run ends between two ticks, with all its records. A second one interrupts at once, even
+    an endless loop in the user's PLC.
     """
 
     def __init__(self) -> None:
         self._requested = False
+        self._handling = handling(self._on_interrupt)
 
     def __enter__(self) -> Self:
-        if threading.current_thread() is threading.main_thread():
-            self._before = signal.signal(signal.SIGINT, self._on_interrupt)
+        self._handling.__enter__()
         return self
 
-    def __exit__(self, *_: object) -> None:
-        if threading.current_thread() is threading.main_thread():
-            signal.signal(signal.SIGINT, self._before)
+    def __exit__(self, *reason: Any) -> None:
+        self._handling.__exit__(*reason)
 
     def check(self) -> None:
-        """Raise ``KeyboardInterrupt`` if Ctrl-C was pressed."""
+        """Raise ``KeyboardInterrupt`` if an end was asked for."""
         if self._requested:
             raise KeyboardInterrupt
 

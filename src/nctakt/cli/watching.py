@@ -2,8 +2,9 @@
 """``--watch``: a command carried out again whenever a file that it reads has changed.
 
 In: the command as a function of a ``FileAccess``, the files and folders that it was given. Out: the
-exit code of the last time, after Ctrl-C. The library watchfiles (extra ``watch``) tells of changes;
-what changed while the command ran is found by the state of the files when they were read.
+exit code of the last time, after Ctrl-C or SIGTERM. The library watchfiles (extra ``watch``) tells
+of changes; what changed while the command ran is found by the state of the files when they were
+read.
 """
 
 from __future__ import annotations
@@ -16,6 +17,7 @@ from typing import TYPE_CHECKING
 
 from nctakt.base.diagnostics import Language
 from nctakt.base.failure import Failure
+from nctakt.base.interrupts import terminations
 from nctakt.checking.inputs import LIST_SUFFIXES, PROGRAM_SUFFIXES
 from nctakt.cli.request import STANDARD_INPUT
 from nctakt.cli.terminal import complain
@@ -46,10 +48,11 @@ def watch(
     named: Sequence[str],
     language: Language,
 ) -> int:
-    """Carry out a command, and again at each change; its last exit code after Ctrl-C.
+    """Carry out a command, and again at each change; its last exit code after Ctrl-C or SIGTERM.
 
-    ``named``: the files and folders of the command line. Raises ``Failure``: the library is not
-    installed (901067), standard input is named (901068).
+    During a run Ctrl-C ends the run alone, SIGTERM the watching, too. ``named``: the files and
+    folders of the command line. Raises ``Failure``: the library is not installed (901067), standard
+    input is named (901068).
     """
     library = _library()
     if STANDARD_INPUT in named:
@@ -60,7 +63,10 @@ def watch(
         before = _state(folders)
         access = open_access()
         modules = set(sys.modules)
+        asked = terminations()
         code = carry_out(access)
+        if terminations() != asked:
+            return code
         _forget_users_modules(modules)
         sys.stdout.flush()
         new = [folder for folder in _folders(named, access) if folder not in folders]

@@ -14,7 +14,7 @@ import sys
 import threading
 import traceback
 from collections.abc import Callable, Sequence
-from typing import Any
+from typing import Any, Protocol
 
 from nctakt.base.diagnostics import Diagnostic, Language, Severity
 from nctakt.base.failure import Failure, error_text
@@ -25,7 +25,6 @@ from nctakt.debugger.exceptions import ExceptionFilters, filters
 from nctakt.debugger.launch import Configuration, read_configuration
 from nctakt.debugger.relay import Relay, Relayed
 from nctakt.debugger.requests import Requests
-from nctakt.debugger.transport import Message, MessageWriter
 from nctakt.messages import diagnostic
 from nctakt.messages.debugger import (
     NOT_LAUNCHED,
@@ -33,6 +32,7 @@ from nctakt.messages.debugger import (
     REQUEST_CANCELLED,
     TOO_MANY_REQUESTS,
 )
+from nctakt.ports.framing import Message, MessageWriter
 from nctakt.session.session import Session
 
 #: Requests that wait at most.
@@ -66,6 +66,13 @@ _CAPABILITIES = (
 )
 
 
+class Enter(Protocol):
+    """Admits a client of a port to a program, by the token; raises ``Failure``."""
+
+    def __call__(self, token: str | None, request: str, *, is_open: bool) -> None:
+        """``is_open``: the request needs no token."""
+
+
 #: Requests that end what is being done, such as a search backward.
 _ENDING = ("pause", "cancel", "terminate", "disconnect", "restart")
 
@@ -74,7 +81,7 @@ class Adapter:
     """One client's debugger; ``folders``: the only ones whose files may be run.
 
     ``shared`` returns the session of somebody else, to which ``attach`` leads; it may become
-    another one.
+    another one. ``enter``: admits a client of a port; ``None``: it has started this process.
     """
 
     def __init__(
@@ -84,7 +91,9 @@ class Adapter:
         folders: Sequence[str] = (),
         language: Language = "en",
         shared: Callable[[], Session] | None = None,
+        enter: Enter | None = None,
     ) -> None:
+        self._enter_port = enter
         self._writer = writer
         self._folders = folders
         self._language: Language = language
@@ -312,7 +321,18 @@ class Adapter:
             ],
         }
 
+    def _enter(self, request: str, arguments: Arguments, *, is_open: bool) -> None:
+        """Let a client of a port come in, with the token; raises ``Failure``, and leaves it."""
+        if self._enter_port is None:
+            return
+        try:
+            self._enter_port(arguments.optional_text("token"), request, is_open=is_open)
+        except Failure:
+            self._is_closed = True
+            raise
+
     def _launch(self, arguments: Arguments) -> dict[str, Any]:
+        self._enter("launch", arguments, is_open=bool(self._folders))
         configuration = read_configuration(arguments, self._folders)
         self._language = configuration.language or self._language
         self._open(configuration)
@@ -320,6 +340,7 @@ class Adapter:
 
     def _attach(self, arguments: Arguments) -> dict[str, Any] | None:
         """Join the session of ``nctakt live``, in this process or at a port."""
+        self._enter("attach", arguments, is_open=False)
         self._leave()
         if self._shared is None:
             port = arguments.number("port")

@@ -14,14 +14,16 @@ from collections.abc import Callable
 from typing import Any
 
 from nctakt.base.failure import Failure
-from nctakt.debugger.transport import Message, MessageReader, MessageWriter
 from nctakt.messages import diagnostic
 from nctakt.messages.debugger import NO_LIVE_PAGE
+from nctakt.ports.framing import Message, MessageReader, MessageWriter
+from nctakt.ports.token import known_token
 
 #: How long the other debugger may take to answer at first, in seconds.
 ANSWER_S = 10.0
 
-_HOST = "127.0.0.1"
+#: The only address of such a port, and what the file of its token is called by.
+HOST, KIND = "127.0.0.1", "dap"
 
 
 class Relayed(Exception):
@@ -40,7 +42,7 @@ class Relay:
     ) -> None:
         self._open = contextlib.ExitStack()
         try:
-            self._socket = socket.create_connection((_HOST, port), timeout=ANSWER_S)
+            self._socket = socket.create_connection((HOST, port), timeout=ANSWER_S)
             self._open.enter_context(self._socket)
             reading = self._open.enter_context(self._socket.makefile("rb"))
             writing = self._open.enter_context(self._socket.makefile("wb"))
@@ -55,6 +57,7 @@ class Relay:
             reason = getattr(error, "strerror", None) or str(error)
             raise Failure(diagnostic(NO_LIVE_PAGE, port=port, reason=reason)) from error
         self._socket.settimeout(None)
+        self._token = known_token(KIND, port)
         self._writer = writer
         self._end = end
         self._thread = threading.Thread(
@@ -63,7 +66,11 @@ class Relay:
         self._thread.start()
 
     def send(self, message: Message) -> None:
-        """Send a request of the editor."""
+        """Send a request of the editor; with the token of the port where this user has it."""
+        arguments = message.get("arguments")
+        if self._token is not None and message.get("command") == "attach":
+            known = arguments if isinstance(arguments, dict) else {}
+            message = {**message, "arguments": {**known, "token": self._token}}
         self._other.write(message)
 
     def _bring_back(self) -> None:

@@ -131,7 +131,11 @@ async def _counted(path: Path) -> dict[int, int]:
             stdout=asyncio.subprocess.DEVNULL,
             stderr=asyncio.subprocess.DEVNULL,
         )
-        await process.wait()
+        try:
+            await process.wait()
+        finally:
+            if process.returncode is None:  # the server ends
+                process.kill()
         coverage = from_json(name, data.read_text("ascii"))
     except Failure:
         return {}

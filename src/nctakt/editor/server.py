@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The server itself: requests of an editor -> answers of the other modules.
 
-In: messages of the Language Server Protocol, over standard streams or TCP. Out: answers, and
+In: messages of the Language Server Protocol, from ``entrance``. Out: answers, and
 findings after each change. Documents are kept here and not by pygls, which would copy a long text
 at each keystroke. The modules of the answers are loaded beside the first check, so that the editor
 need not wait for them at the start.
@@ -13,7 +13,7 @@ import sys
 from collections.abc import Sequence
 from concurrent.futures import Future
 from pathlib import Path
-from typing import Any
+from typing import Any, BinaryIO, cast
 
 from lsprotocol import types
 from pygls.exceptions import JsonRpcException
@@ -25,6 +25,7 @@ from nctakt.base.failure import Failure
 from nctakt.base.version import __version__
 from nctakt.editor.diagnosis import Diagnosis
 from nctakt.editor.document import Document, path_of, split_text
+from nctakt.editor.incoming import Incoming
 from nctakt.editor.workspace import Workspace
 
 #: Seconds between two switches of threads: a check must not hold up an answer.
@@ -84,6 +85,7 @@ class Server(LanguageServer):
         self.work = Workspace()
         self.diagnosis = Diagnosis(self.work, self._publish)
         self.reference = ""
+        self._incoming: Incoming | None = None
         sys.setswitchinterval(_SWITCH_S)
         register(self)
 
@@ -94,6 +96,17 @@ class Server(LanguageServer):
             if options.get("language") in ("en", "de"):
                 self.language = options["language"]
             self.reference = str(options.get("reference") or "")
+
+    def serve(self, incoming: Incoming, outgoing: BinaryIO) -> None:
+        """Serve an editor until it goes, or a signal ends it."""
+        self._incoming = incoming
+        self.start_io(cast("BinaryIO", incoming), outgoing)
+
+    def shutdown(self) -> None:
+        """End: nobody waits for the editor any more."""
+        if self._incoming is not None:
+            self._incoming.end()
+        super().shutdown()  # type: ignore[no-untyped-call]
 
     # --- documents -------------------------------------------------------------------------------
 

@@ -17,6 +17,7 @@ from typing import Any
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Text
 from nctakt.base.failure import Failure
+from nctakt.base.interrupts import handling
 from nctakt.linux import area as layout
 from nctakt.linux.area import AreaPart, Entries, SharedArea, TaskPart
 from nctakt.linux.names import SemaphoreNames
@@ -33,7 +34,6 @@ from nctakt.messages.schedule_results import CPU_NOT_ASSIGNABLE
 _LOOK = 0.02
 #: Time in seconds after its planned end at which the scheduler is killed.
 _PATIENCE = 15.0
-_SIGNALS = (signal.SIGINT, signal.SIGTERM)
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,16 +89,12 @@ def _wait(pid: int, plan: Plan) -> None:
     def pass_on(number: int, frame: FrameType | None) -> None:
         os.kill(pid, signal.SIGTERM)
 
-    before = [signal.signal(number, pass_on) for number in _SIGNALS]
     end = time.monotonic() + plan.moments[-1] / 1e9 + _PATIENCE
-    try:
+    with handling(pass_on):
         while os.waitpid(pid, os.WNOHANG) == (0, 0):
             if time.monotonic() > end:
                 os.kill(pid, signal.SIGKILL)
             time.sleep(_LOOK)
-    finally:
-        for number, handler in zip(_SIGNALS, before, strict=True):
-            signal.signal(number, handler)
 
 
 def _log(plan: Plan, area: SharedArea) -> RunLog:

@@ -13,6 +13,7 @@ import signal
 import sys
 from collections.abc import Callable, Mapping
 
+from nctakt.base import interrupts
 from nctakt.base.failure import Failure, error_text
 from nctakt.lists.machine.machine import Machine
 from nctakt.messages import diagnostic
@@ -129,7 +130,7 @@ class EndSignal:
         self._reason = ""
         self._host = host
         loop = asyncio.get_running_loop()
-        for number in (signal.SIGTERM, signal.SIGINT):
+        for number in interrupts.numbers():
             try:
                 loop.add_signal_handler(number, self._end.set)
             except (NotImplementedError, RuntimeError, ValueError):  # Windows, or another thread

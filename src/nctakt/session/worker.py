@@ -19,6 +19,7 @@ from collections.abc import Callable
 from multiprocessing.connection import Client, Connection
 from typing import Any
 
+from nctakt.base import interrupts
 from nctakt.base.failure import Failure
 from nctakt.session.engine import Engine
 from nctakt.session.setup import Setup
@@ -99,8 +100,7 @@ class Worker:
 def main() -> None:
     """Serve the session whose address is the first word; the key comes by standard input."""
     key = sys.stdin.buffer.read(KEY_SIZE)
-    for number in (signal.SIGINT, signal.SIGTERM):  # they may go to all processes of a group
-        signal.signal(number, signal.SIG_IGN)  # the session ends its workers itself
+    interrupts.ignore()  # they may go to a whole group; the session ends its workers itself
     if can_fork():
         signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # nobody waits for the copies
     worker = Worker(sys.argv[1], key)

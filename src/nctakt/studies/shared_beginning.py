@@ -13,9 +13,11 @@ from __future__ import annotations
 
 import os
 import pickle
+import signal
 import time
 from collections.abc import Sequence
 
+from nctakt.base import interrupts
 from nctakt.base.diagnostics import Severity
 from nctakt.base.failure import Failure
 from nctakt.run.machine_names import names_of_machine
@@ -150,6 +152,8 @@ class SharedBeginning:
         process = os.fork()
         if process == 0:
             try:
+                interrupts.ignore()
+                interrupts.end_with_parent()
                 os.close(reader)
                 row = self._finished(begun, number, point)
                 with os.fdopen(writer, "wb") as file:
@@ -157,9 +161,14 @@ class SharedBeginning:
             finally:
                 os._exit(0)
         os.close(writer)
-        with os.fdopen(reader, "rb") as file:
-            data = file.read()
-        os.waitpid(process, 0)
+        try:
+            with os.fdopen(reader, "rb") as file:
+                data = file.read()
+        except KeyboardInterrupt:
+            os.kill(process, signal.SIGKILL)
+            raise
+        finally:
+            os.waitpid(process, 0)
         if not data:
             return crashed_row(self._bench.plan, number)
         copied: Row = pickle.loads(data)

@@ -13,10 +13,10 @@ import contextlib
 import gc
 import os
 import pickle
-import signal
 import sys
 from typing import IO
 
+from nctakt.base import interrupts
 from nctakt.base.failure import Failure
 from nctakt.studies.bench import Bench
 from nctakt.studies.blocks import make_runs
@@ -51,8 +51,8 @@ def serve(bench: Bench, questions: IO[bytes], answers: IO[bytes]) -> None:
 
 
 def _leave_streams() -> None:
-    """Leave Ctrl-C to the process that asks, and its pipes to questions and answers."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    """Leave Ctrl-C and SIGTERM to the process that asks, and its pipes to questions and answers."""
+    interrupts.ignore()
     nothing = os.open(os.devnull, os.O_RDONLY)
     os.dup2(nothing, 0)
     os.close(nothing)

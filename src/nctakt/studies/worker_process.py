@@ -19,6 +19,7 @@ import warnings
 from collections.abc import Callable, Iterator, Sequence
 from typing import IO, Self
 
+from nctakt.base import interrupts
 from nctakt.base.diagnostics import Text
 from nctakt.base.failure import Failure
 from nctakt.base.python_process import python_command, python_environment
@@ -40,11 +41,11 @@ def can_copy() -> bool:
 
 @contextlib.contextmanager
 def _without_interrupts() -> Iterator[None]:
-    """Keep Ctrl-C from a process that starts meanwhile: the one that starts it answers."""
+    """Keep Ctrl-C and SIGTERM from a process that starts meanwhile: who starts it answers."""
     if sys.platform == "win32":
         yield
         return
-    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT, signal.SIGTERM})
     try:
         yield
     finally:
@@ -85,6 +86,7 @@ class WorkerProcess:
                 raise _not_started(error.strerror or str(error)) from error
             if pid == 0:
                 try:
+                    interrupts.end_with_parent()
                     for other in others:
                         other._leave()
                     os.close(questions)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Messages of the Debug Adapter Protocol on a stream of bytes, within bounds.
+"""Messages of editors and debuggers on a stream of bytes, within bounds.
 
 In: bytes of a client: lines of a header, an empty line, JSON. Out: messages as dictionaries, and
 the way back. A message of more than ``MAX_MESSAGE`` bytes, a header without a length, and JSON that
@@ -12,7 +12,7 @@ from __future__ import annotations
 import json
 import threading
 from math import isfinite
-from typing import Any, BinaryIO
+from typing import Any, BinaryIO, Protocol
 
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
@@ -31,10 +31,20 @@ _PASSED_OVER = 65536
 Message = dict[str, Any]
 
 
+class Readable(Protocol):
+    """What messages are read from."""
+
+    def readline(self, limit: int, /) -> bytes:
+        """Return a line, of at most ``limit`` bytes."""
+
+    def read(self, size: int, /) -> bytes:
+        """Return so many bytes; less at the end."""
+
+
 class MessageReader:
     """Reads messages; ``is_strict``: the first bytes that are no header end the stream."""
 
-    def __init__(self, stream: BinaryIO, *, is_strict: bool) -> None:
+    def __init__(self, stream: Readable, *, is_strict: bool) -> None:
         self._stream = stream
         self._is_strict = is_strict
         self._is_ended = False

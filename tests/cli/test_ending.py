@@ -1,0 +1,246 @@
+# SPDX-License-Identifier: MIT
+"""SIGTERM ends each long command as Ctrl-C does, also where SIGINT is ignored (``nohup … &``)."""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import signal
+import socket
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import IO
+
+import pytest
+
+import nctakt
+from nctakt.base import interrupts
+from nctakt.trace.reading import read_trace
+
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.skipif(os.name != "posix", reason="signals are sent in another way there"),
+]
+
+#: Without what NiceGUI takes for its own tests.
+ENVIRONMENT = {name: value for name, value in os.environ.items() if "PYTEST" not in name}
+
+SOURCES = Path(nctakt.__file__).parent.parent
+
+ENDLESS = '#MSG ["begun"]\n$WHILE 1\nG01 X10 F6000\nG01 X0\n$ENDWHILE\nM30\n'
+
+STUDY = """\
+program = "part.nc"
+until = "0.05 s"
+plc = "slow.py"
+vary = [{ variable = "V.E.VALUE", from = 1, to = 20000, step = 1 }]
+measure.end = "X at end"
+"""
+
+SLOW = "import time\nclass P:\n  def cycle(self, hli):\n    time.sleep(0.0001)\n"
+
+
+class Started:
+    """A command in a group of its own; ``ignores``: SIGINT is ignored, as in the background."""
+
+    def __init__(self, folder: Path, *words: str, ignores: bool) -> None:
+        before = signal.signal(signal.SIGINT, signal.SIG_IGN if ignores else signal.SIG_DFL)
+        try:
+            self.process = subprocess.Popen(
+                [sys.executable, "-P", "-m", "nctakt", *words],
+                cwd=folder,
+                stdin=subprocess.PIPE,
+                stdout=subprocess.PIPE,
+                stderr=subprocess.STDOUT,
+                env={**ENVIRONMENT, "PYTHONPATH": str(SOURCES), "PYTHONUNBUFFERED": "1"},
+                start_new_session=True,
+            )
+        finally:
+            signal.signal(signal.SIGINT, before)
+        self.said = ""
+
+    def until(self, text: str) -> None:
+        """Wait until it has said a text."""
+        while text not in self.said:
+            line = (self._out.readline()).decode()
+            assert line, self.said
+            self.said += line
+
+    @property
+    def _out(self) -> IO[bytes]:
+        assert self.process.stdout is not None
+        return self.process.stdout
+
+    def end(self, number: signal.Signals, *, in_group: bool = False) -> int:
+        """Send a signal; the exit code. No process of the group is left then."""
+        if in_group:
+            os.killpg(self.process.pid, number)
+        else:
+            self.process.send_signal(number)
+        self.said += self._out.read().decode()  # to the end of all that hold it open
+        code = self.process.wait(60)
+        for _ in range(200):
+            try:
+                os.killpg(self.process.pid, 0)
+            except ProcessLookupError:
+                return code
+            time.sleep(0.05)
+        pytest.fail("processes are left")
+
+    def close(self) -> None:
+        """End all of it for sure."""
+        with contextlib.suppress(ProcessLookupError):
+            os.killpg(self.process.pid, signal.SIGKILL)
+        self.process.communicate()
+
+
+Start = Callable[..., Started]
+
+
+@pytest.fixture
+def start(tmp_path: Path) -> Iterator[Start]:
+    """Starts commands in a folder with programs."""
+    (tmp_path / "part.nc").write_text("G01 X[V.E.VALUE] F600\nG04 1\nM30\n", "utf-8")
+    (tmp_path / "endless.nc").write_text(ENDLESS, "utf-8")
+    (tmp_path / "plan.toml").write_text(STUDY, "utf-8")
+    (tmp_path / "slow.py").write_text(SLOW, "utf-8")
+    started: list[Started] = []
+
+    def begin(*words: str, ignores: bool = True) -> Started:
+        started.append(Started(tmp_path, *words, ignores=ignores))
+        return started[-1]
+
+    yield begin
+    for one in started:
+        one.close()
+
+
+def test_a_run_ends_between_two_ticks_with_its_records(start: Start, tmp_path: Path) -> None:
+    """Exit code 1; trace and tape are whole.
+
+    SIGINT that the shell lets be ignored stays so: Ctrl-C is for what is in front.
+    """
+    words = ("endless.nc", "--until", "9999min", "--trace", "out.csv", "--record", "run.tape")
+    run = start("run", *words)
+    run.until("begun")
+    run.process.send_signal(signal.SIGINT)
+    with pytest.raises(subprocess.TimeoutExpired):
+        run.process.wait(0.5)
+    assert run.end(signal.SIGTERM) == 1
+    assert "endless.nc: interrupted, " in run.said
+    ticks = int(run.said.split("interrupted, ")[1].split()[0])
+    assert read_trace(tmp_path / "out.csv").ticks == ticks
+    assert (tmp_path / "run.tape").exists()
+
+
+@pytest.mark.parametrize("in_group", [False, True], ids=["alone", "with its workers"])
+def test_a_study_keeps_its_rows(start: Start, tmp_path: Path, in_group: bool) -> None:
+    """A note tells how many; no run counts as crashed, and all workers have ended."""
+    study = start("study", "plan.toml", "--out", "rows.csv", "--processes", "2", "--yes")
+    rows = tmp_path / "rows.csv.rows"
+    for _ in range(600):
+        if rows.exists() and rows.stat().st_size > 5_000:
+            break
+        time.sleep(0.05)
+    assert study.end(signal.SIGTERM, in_group=in_group) == 1, study.said
+    assert "rows.csv.rows" in study.said
+    assert "Traceback" not in study.said
+    assert b"crashed" not in rows.read_bytes()
+
+
+@pytest.mark.parametrize("program", ["part.nc", "endless.nc"], ids=["waiting", "in a run"])
+def test_watching_ends(start: Start, program: str) -> None:
+    """With the exit code of the last time; a run that goes on is interrupted."""
+    pytest.importorskip("watchfiles")
+    watched = start("run", program, "--until", "9999min", "--watch")
+    watched.until("901069" if program == "part.nc" else "begun")
+    assert watched.end(signal.SIGTERM) == (0 if program == "part.nc" else 1)
+
+
+def framed(request: dict[str, object]) -> bytes:
+    body = json.dumps(request).encode()
+    return b"Content-Length: %d\r\n\r\n%b" % (len(body), body)
+
+
+@pytest.mark.parametrize(
+    ("words", "number"),
+    [(("dap",), signal.SIGTERM), (("dap", "--port", "0"), signal.SIGINT)],
+    ids=["at a pipe", "at a port"],
+)
+def test_a_debugger_leaves_no_controller(
+    start: Start, words: tuple[str, ...], number: signal.Signals
+) -> None:
+    """While a program runs: exit code 0, as where the client has gone."""
+    debugger = start(*words, ignores=False)
+    arguments: dict[str, object] = {"program": "endless.nc", "until": "24 h"}
+    with contextlib.ExitStack() as files:
+        if len(words) > 1:
+            debugger.until("token")
+            address, token, *_ = debugger.said.split("\n")
+            arguments["token"] = token.split()[1]
+            port = int(address.rpartition(":")[2])
+            client = files.enter_context(socket.create_connection(("127.0.0.1", port)))
+            to, said = client.makefile("wb"), client.makefile("rb")
+        else:
+            assert debugger.process.stdin is not None
+            to, said = debugger.process.stdin, debugger._out
+        for seq, command in enumerate(("initialize", "launch", "configurationDone"), 1):
+            given = arguments if command == "launch" else {}
+            request = {"seq": seq, "type": "request", "command": command, "arguments": given}
+            to.write(framed(request))
+            to.flush()
+        while b"begun" not in said.read1(65536):
+            pass
+        assert debugger.end(number) == 0
+
+
+@pytest.mark.parametrize(
+    ("words", "number"),
+    [(("lsp",), signal.SIGINT), (("lsp", "--tcp", "0"), signal.SIGTERM)],
+    ids=["at a pipe", "at a port"],
+)
+def test_a_language_server_ends_though_its_editor_waits(
+    start: Start, words: tuple[str, ...], number: signal.Signals
+) -> None:
+    """Exit code 0."""
+    pytest.importorskip("pygls")
+    server = start(*words, ignores=False)
+    if len(words) > 1:
+        server.until("token")
+    else:
+        assert server.process.stdin is not None
+        server.process.stdin.write(
+            framed(
+                {"jsonrpc": "2.0", "id": 1, "method": "initialize", "params": {"capabilities": {}}}
+            )
+        )
+        server.process.stdin.flush()
+        server.until("Content-Length")
+    assert server.end(number) == 0
+
+
+def test_the_page_keeps_its_tape(start: Start, tmp_path: Path) -> None:
+    """What was lived through is written, as after Ctrl-C."""
+    pytest.importorskip("nicegui")
+    page = start("live", "part.nc", "--port", "0", "--dap", "0", "--record", "run.tape")
+    page.until("http://")
+    assert "dap token " in page.said
+    assert page.end(signal.SIGTERM) == 0, page.said
+    assert (tmp_path / "run.tape").stat().st_size > 0
+
+
+def test_outside_of_commands_signals_are_as_they_were() -> None:
+    """And in another thread nothing is changed."""
+    before = [signal.getsignal(number) for number in (signal.SIGINT, signal.SIGTERM)]
+    count = interrupts.terminations()
+    seen: list[int] = []
+    with interrupts.handling(lambda number, _: seen.append(number)):
+        signal.raise_signal(signal.SIGTERM)
+        signal.raise_signal(signal.SIGINT)
+    assert seen == [signal.SIGTERM, signal.SIGINT]
+    assert interrupts.terminations() == count + 1
+    assert [signal.getsignal(number) for number in (signal.SIGINT, signal.SIGTERM)] == before

@@ -51,8 +51,6 @@ START_IN_LOOP = error(
     de="der Satzvorlauf kann nicht in einer Echtzeit-Schleife enden: sie wird als Ganzes dekodiert",
     remedy_en="Begin at #RT WHILE, or behind #RT ENDWHILE.",
     remedy_de="Bei #RT WHILE oder hinter #RT ENDWHILE beginnen.",
-    reaction=2,
-    clearing=3,
 )
 READ_DURING_SEARCH = warning(
     901961,

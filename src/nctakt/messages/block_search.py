@@ -49,8 +49,9 @@ START_IN_LOOP = error(
     901960,
     en="block search cannot begin within a realtime loop, which is decoded as a whole",
     de="der Satzvorlauf kann nicht in einer Echtzeit-Schleife enden: sie wird als Ganzes dekodiert",
-    remedy_en="Begin at #RT WHILE, or behind #RT ENDWHILE.",
-    remedy_de="Bei #RT WHILE oder hinter #RT ENDWHILE beginnen.",
+    remedy_en="Begin at #RT WHILE, or after #RT ENDWHILE.",
+    remedy_de="Bei #RT WHILE oder nach #RT ENDWHILE beginnen.",
+    classes=(2, 3),
 )
 READ_DURING_SEARCH = warning(
     901961,

@@ -11,20 +11,18 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from nctakt.base.text import close_names
+from nctakt.base.misspelling import KnownNames
 
 KEYWORDS = ("expect", "given")
 
-#: Minimum similarity of a misspelt keyword: one or two letters differ.
-_SIMILARITY = 0.8
+_KNOWN = KnownNames(KEYWORDS)
 
 _HEAD = re.compile(r";\s*(?P<word>[^\W\d_]{4,9})\s*:", re.ASCII)
 
 
 def keyword_near(word: str) -> str:
     """Return the keyword that a word is or misspells; empty for any other word."""
-    near = close_names(word.lower(), KEYWORDS, _SIMILARITY)
-    return near[0] if near else ""
+    return _KNOWN.nearest(word) or ""
 
 
 def heads(line: str) -> Iterator[re.Match[str]]:

@@ -1,21 +1,106 @@
 # SPDX-License-Identifier: MIT
-"""Names that differ from a known name in a letter or two.
+"""The known name that an unknown one is meant for.
 
 In: known names, and an unknown one. Out: the known name that it is a misspelling of, if any is. A
 letter too many, too few or wrong and two swapped letters are an error each; letter case does not
-count. ``text.nearest`` suits names that may differ in more than that.
+count. Names that differ in their numbers, other than by a doubled or swapped digit, are different
+names, as are short ones that begin with different letters: what is suggested must be what was
+meant.
 """
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator
 
-#: Maximum number of errors of a name.
+#: Maximum number of errors of a name, and the lengths from which on it may have them.
 _MAX_ERRORS = 2
-#: Letters per error: a name of as many may have one error, of twice as many two.
-_LETTERS_PER_ERROR = 4
+_LENGTHS = ((8, 2), (3, 1))
+#: Farthest that two names are apart of which one is the beginning of the other.
+_FARTHEST = 2 * _MAX_ERRORS + 2
+#: Names up to this length must begin with the right letter.
+_SHORT = 4
+#: A beginning of a name: least number of its letters.
+_BEGINNING = 3
 #: Pieces of a name, of which at least one is left whole by two errors.
 _PIECES = 4
+_NUMBERS = re.compile(r"\d+")
+_DOUBLED = re.compile(r"(\d)\1+")
+_VARIABLE = re.compile(r"vs?\.[a-z]+\.")
+
+
+def nearest(name: str, names: Iterable[str]) -> str:
+    """Return the known name that ``name`` is meant for; empty if none is, or several might be.
+
+    Beside errors of typing it may have the parts of a path in another order, or be the beginning of
+    the known name, or the other way round.
+    """
+    folded = name.casefold()
+    best, rank, is_only = "", _FARTHEST + 1, True
+    for known in names:
+        found = _rank(folded, known.casefold())
+        if found is not None and found <= rank and known != best:
+            is_only = found < rank
+            best, rank = known, found
+    return best if is_only else ""
+
+
+def nearest_first(name: str, names: Iterable[str]) -> list[str]:
+    """Return known names in their order, but first the one that ``name`` is meant for."""
+    known = list(names)
+    meant = nearest(name, known)
+    return sorted(known, key=lambda other: other != meant)
+
+
+def _rank(name: str, known: str) -> int | None:
+    """Return how far two folded names are apart, ``None`` if neither is meant for the other."""
+    if name == known:
+        return 0
+    if _has_same_parts(name, known):
+        return 1
+    first, second = _without_common_parts(name, known)
+    shorter, longer = sorted((first, second), key=len)
+    is_beginning = longer.startswith(shorter)
+    errors = typing_errors(first, second, allowed_errors(first) + 1)
+    if errors <= allowed_errors(first) and _may_be(first, second):
+        return 2 * errors + (not is_beginning)
+    is_long = len(shorter) >= _BEGINNING and len(shorter) * 2 >= len(longer)
+    has_numbers = any(map(str.isdigit, longer[len(shorter) :]))
+    return _FARTHEST if is_beginning and is_long and not has_numbers else None
+
+
+def _without_common_parts(name: str, known: str) -> tuple[str, str]:
+    """Return what is left of two paths without the parts at both ends that they share."""
+    parts, others = name.split("."), known.split(".")
+    while len(parts) > 1 and len(others) > 1 and parts[0] == others[0]:
+        del parts[0], others[0]
+    while len(parts) > 1 and len(others) > 1 and parts[-1] == others[-1]:
+        del parts[-1], others[-1]
+    return ".".join(parts), ".".join(others)
+
+
+def _has_same_parts(name: str, known: str) -> bool:
+    """Return whether two paths have the same parts, but for the family of a variable."""
+    parts = sorted(_VARIABLE.sub("", name).split("."))
+    return len(parts) > 1 and parts == sorted(_VARIABLE.sub("", known).split("."))
+
+
+def allowed_errors(name: str) -> int:
+    """Return how many errors a misspelt name may have."""
+    return next((errors for length, errors in _LENGTHS if len(name) >= length), 0)
+
+
+def _may_be(name: str, known: str) -> bool:
+    """Return whether a name that differs by a few errors may be meant for the known one."""
+    has_same_letters = sorted(name) == sorted(known)
+    if _numbers(name) != _numbers(known) and not (has_same_letters and len(name) > _SHORT):
+        return False
+    return len(name) > _SHORT or name[:1] == known[:1] or has_same_letters
+
+
+def _numbers(name: str) -> list[str]:
+    """Return the numbers in a name, without leading zeros, a doubled digit as one."""
+    return [_DOUBLED.sub(r"\1", digits.lstrip("0")) for digits in _NUMBERS.findall(name)]
 
 
 class KnownNames:
@@ -32,11 +117,11 @@ class KnownNames:
     def nearest(self, name: str) -> str | None:
         """Return the known name that ``name`` is a misspelling of, ``None`` if there is none."""
         folded = name.casefold()
-        limit = min(_MAX_ERRORS, max(1, len(folded) // _LETTERS_PER_ERROR)) + 1
+        limit = allowed_errors(folded) + 1
         best: str | None = None
         for candidate in self._candidates(folded):
             errors = typing_errors(folded, candidate.casefold(), limit)
-            if errors < limit:
+            if errors < limit and _may_be(folded, candidate.casefold()):
                 limit, best = errors, candidate
         return best
 

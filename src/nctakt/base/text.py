@@ -1,16 +1,13 @@
 # SPDX-License-Identifier: MIT
-"""Bytes of a list or an NC program -> text -> lines, tolerantly; and misspelt names.
+"""Bytes of a list or an NC program -> text -> lines, tolerantly.
 
 In: the bytes of a file. Out: its text, its encoding and whether that was a guess; then its lines.
 Nothing here fails: each byte sequence can be read. The rules are those of the ASCII lists, and NC
 programs share them: a byte order mark decides; else UTF-8 if it is valid; else Windows-1252, in
-which each byte is a character. Lines end at CR LF, LF or CR and nowhere else. ``nearest`` finds the
-known name that is most similar to a misspelt one.
+which each byte is a character. Lines end at CR LF, LF or CR and nowhere else.
 """
 
 from __future__ import annotations
-
-from collections.abc import Iterable
 
 from nctakt.base.dataclass import dataclass
 
@@ -98,20 +95,3 @@ def split_lines(text: str) -> list[str]:
     if not lines[-1]:
         lines.pop()
     return lines
-
-
-def close_names(word: str, names: Iterable[str], similarity: float = 0.6) -> list[str]:
-    """Return the name most similar to ``word`` (at least ``similarity``, 0 to 1), alone in a list.
-
-    Empty if none is.
-    """
-    from difflib import get_close_matches  # noqa: PLC0415 - only after a mistake
-
-    return get_close_matches(word, list(names), 1, similarity)
-
-
-def nearest(name: str, names: Iterable[str]) -> str:
-    """Return the known name most similar to ``name`` in any letter case; empty if none is."""
-    by_fold = {known.casefold(): known for known in names}
-    matches = close_names(name.casefold(), by_fold)
-    return by_fold[matches[0]] if matches else ""

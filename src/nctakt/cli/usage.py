@@ -14,7 +14,7 @@ from typing import cast
 import click
 
 from nctakt.base.diagnostics import NOTHING, Diagnostic, Language, Text
-from nctakt.base.text import nearest
+from nctakt.base.misspelling import nearest
 from nctakt.cli.language import LANGUAGE_VARIABLE
 from nctakt.cli.terminal import print_diagnostics
 from nctakt.messages import diagnostic

@@ -32,7 +32,6 @@ from nctakt.messages.nc_text import (
     CYCLE_BEGIN_END_MISMATCH,
     STRUCTURE_NOT_CLOSED,
     TEXT_NOT_CLOSED,
-    UNKNOWN_CONTROL_WORD,
 )
 from nctakt.messages.slips import (
     BODY_BEHIND_CONDITION,
@@ -145,8 +144,6 @@ def _right_word(item: Diagnostic) -> str:
             if name == "nearest" and value[:1].isalpha() and len(value) == 1:
                 return ""
             return value
-    if item.message is UNKNOWN_CONTROL_WORD:
-        return str(item.values["suggestion"])
     return ""
 
 

@@ -15,7 +15,7 @@ from typing import TypeVar
 
 from nctakt.base.diagnostics import NOTHING
 from nctakt.base.failure import Failure
-from nctakt.base.text import nearest
+from nctakt.base.misspelling import nearest
 from nctakt.hli.layout import (
     AXIS,
     CHANNEL,

@@ -9,7 +9,7 @@ from __future__ import annotations
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import NOTHING
 from nctakt.base.failure import Failure
-from nctakt.base.text import nearest
+from nctakt.base.misspelling import nearest
 from nctakt.hli.layout import AXIS, CHANNEL, LAMPS
 from nctakt.messages import diagnostic
 from nctakt.messages.plc import UNKNOWN_HLI_VALUE

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from nctakt.base.diagnostics import NOTHING
 from nctakt.base.failure import Failure
-from nctakt.base.text import nearest
+from nctakt.base.misspelling import nearest
 from nctakt.hli.checked_values import characters_of, command_number, number_of, split_channel
 from nctakt.hli.function_codes import LETTERS
 from nctakt.hli.image_access import TEXT_TYPES, ImageAccess

@@ -20,9 +20,9 @@ from dataclasses import replace
 from typing import Protocol
 
 from nctakt.base.dataclass import dataclass
-from nctakt.base.diagnostics import Diagnostic, Message, Severity, Span
+from nctakt.base.diagnostics import NOTHING, Diagnostic, Message, Severity, Span
 from nctakt.base.line_shift import LineShift
-from nctakt.base.text import close_names
+from nctakt.base.misspelling import nearest
 from nctakt.lists.machine.channel_configuration import ChannelParameters
 from nctakt.messages import Collector
 from nctakt.messages.checked_blocks import NOT_NC_TEXT
@@ -428,8 +428,8 @@ class Inspection:
                 elif label in labels.in_loops:
                     self._report(JUMP_INTO_LOOP, span, label=label)
                 elif label not in labels.lines:
-                    near = close_names(label, labels.lines, 0.0)
-                    self._report(UNKNOWN_LABEL, span, label=label, nearest=near[0] if near else "–")
+                    near = nearest(label, labels.lines) or NOTHING
+                    self._report(UNKNOWN_LABEL, span, label=label, nearest=near)
         self._checker.targets = {}
 
     def finish(self) -> list[Diagnostic]:
@@ -441,13 +441,8 @@ class Inspection:
         self._end_section()
         for call in self.local_calls:
             if call.name not in self._subprograms:
-                near = close_names(call.name, self._subprograms, 0.0)
-                self._report(
-                    UNKNOWN_LOCAL_SUBPROGRAM,
-                    call.span,
-                    name=call.name,
-                    nearest=near[0] if near else "–",
-                )
+                near = nearest(call.name, self._subprograms) or NOTHING
+                self._report(UNKNOWN_LOCAL_SUBPROGRAM, call.span, name=call.name, nearest=near)
         found = sorted(self.found, key=_position)
         del self.found[count:]
         return _named(_without_redundant(found))

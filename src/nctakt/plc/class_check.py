@@ -14,8 +14,7 @@ from types import FunctionType
 from typing import Any
 
 from nctakt.base.diagnostics import NOTHING, Message
-from nctakt.base.misspelling import KnownNames
-from nctakt.base.text import nearest
+from nctakt.base.misspelling import KnownNames, nearest
 from nctakt.hli.operator_panel import SETTABLE
 from nctakt.messages.plc import (
     PLC_NAME_NOT_SETTABLE,

@@ -15,8 +15,8 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 from nctakt.base.diagnostics import NOTHING, Diagnostic, Message, Span, Text
-from nctakt.base.misspelling import KnownNames
-from nctakt.base.text import decode_text, nearest, split_lines
+from nctakt.base.misspelling import KnownNames, nearest
+from nctakt.base.text import decode_text, split_lines
 from nctakt.hli.operator_panel import SETTABLE
 from nctakt.hli.plc_entries import AXIS_NAMES, CHANNEL_NAMES, SpindleEntry, TechnologyEntry
 from nctakt.messages import Collector

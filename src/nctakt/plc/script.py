@@ -31,7 +31,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Self, TypeVar
 from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import NOTHING, Diagnostic, Span, Text
 from nctakt.base.failure import Failure
-from nctakt.base.text import nearest
+from nctakt.base.misspelling import nearest
 from nctakt.lists.format.times import Time, TimeLike, read_time
 from nctakt.messages import diagnostic
 from nctakt.messages.plc import HANDLER_NOT_CALLED, UNKNOWN_FUNCTION_IN_PLC, WRONG_PLC_TYPE

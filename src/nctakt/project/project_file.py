@@ -27,7 +27,7 @@ from typing import Any, cast
 from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import NOTHING, Diagnostic, Language, Span, Text, whole_file
 from nctakt.base.failure import Failure
-from nctakt.base.text import nearest
+from nctakt.base.misspelling import nearest
 from nctakt.files.access import FileAccess
 from nctakt.lists.format.times import Time, read_time
 from nctakt.lists.machine.files import machine_folder

@@ -11,7 +11,7 @@ import re
 from collections.abc import Iterator
 
 from nctakt.base.diagnostics import Diagnostic, Text
-from nctakt.base.text import nearest
+from nctakt.base.misspelling import nearest
 from nctakt.lists.machine.machine import Machine, load_machine
 from nctakt.lists.machine.variables import AccessRights, Node, Variable, VariableScope
 from nctakt.messages import diagnostic

@@ -8,7 +8,7 @@ word.
 from __future__ import annotations
 
 from nctakt.base.diagnostics import Language
-from nctakt.base.text import nearest
+from nctakt.base.misspelling import nearest
 from nctakt.reference.article import Article, Topic
 from nctakt.reference.interface import HLI
 from nctakt.reference.language import EXPRESSIONS, KEYWORDS_TOPIC, WORDS

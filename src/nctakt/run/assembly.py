@@ -11,8 +11,8 @@ from dataclasses import replace
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Span
+from nctakt.base.misspelling import nearest
 from nctakt.base.source_ids import SourceFiles
-from nctakt.base.text import nearest
 from nctakt.decoder.axis_limits import apply_axis_limits
 from nctakt.decoder.kinematics.selection import ChannelKinematics
 from nctakt.decoder.state.axis_places import AxisPlace, ChannelPlaces, ExchangeAxes, indices_of

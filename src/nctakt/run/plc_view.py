@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, NoReturn, Protocol
 
 from nctakt.base.diagnostics import NOTHING, Diagnostic
 from nctakt.base.failure import Failure
-from nctakt.base.text import nearest
+from nctakt.base.misspelling import nearest
 from nctakt.hli.checked_values import split_channel
 from nctakt.hli.function_codes import function_of
 from nctakt.hli.layout import AXIS, CHANNEL

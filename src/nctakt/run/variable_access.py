@@ -12,7 +12,7 @@ from collections.abc import Mapping, Sequence
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
-from nctakt.base.text import nearest
+from nctakt.base.misspelling import nearest
 from nctakt.hli.checked_values import (
     characters_of,
     command_number,

@@ -12,7 +12,7 @@ from collections.abc import Iterator, Mapping
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.failure import Failure
-from nctakt.base.text import nearest
+from nctakt.base.misspelling import nearest
 from nctakt.lists.declared.variables import SCALARS
 from nctakt.messages import diagnostic
 from nctakt.messages.inputs import MISSPELLED_MACHINE_VARIABLE, UNKNOWN_MACHINE_VARIABLE

@@ -14,7 +14,8 @@ from typing import NoReturn
 
 from nctakt.base.diagnostics import Text
 from nctakt.base.failure import Failure
-from nctakt.base.text import decode_text, nearest
+from nctakt.base.misspelling import nearest
+from nctakt.base.text import decode_text
 from nctakt.files.access import FileAccess
 from nctakt.lists.all_parameters import SCHEMAS
 from nctakt.lists.format.parameter import Parameter

@@ -17,7 +17,8 @@ from typing import Any
 from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Text
 from nctakt.base.failure import Failure
-from nctakt.base.text import decode_text, nearest
+from nctakt.base.misspelling import nearest
+from nctakt.base.text import decode_text
 from nctakt.files.access import FileAccess
 from nctakt.lists.declared.rtconf import RTCONF, RtconfConfiguration
 from nctakt.lists.format.parameter import Parameter

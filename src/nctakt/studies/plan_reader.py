@@ -12,7 +12,7 @@ from typing import Any, TypeVar
 
 from nctakt.base.diagnostics import NOTHING, Diagnostic, Message, Span, Text, whole_file
 from nctakt.base.failure import Failure
-from nctakt.base.text import nearest
+from nctakt.base.misspelling import nearest
 from nctakt.lists.format.times import Time, read_time
 from nctakt.messages import diagnostic
 from nctakt.messages.studies import INVALID_PLAN_VALUE, PLAN_ENTRY_MISSING, UNKNOWN_PLAN_ENTRY

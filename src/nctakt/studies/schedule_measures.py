@@ -23,7 +23,7 @@ from collections.abc import Iterator
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
-from nctakt.base.text import nearest
+from nctakt.base.misspelling import nearest
 from nctakt.messages import diagnostic
 from nctakt.messages.studies import UNKNOWN_THREAD
 from nctakt.schedule.analyse import Analysis

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from nctakt.base.text import nearest
+from nctakt.base.misspelling import nearest
 from nctakt.trace.events import Event
 from nctakt.trace.sinks import Signal, TraceHeader
 

@@ -15,7 +15,7 @@ from dataclasses import replace
 
 from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import NOTHING, Span
-from nctakt.base.text import nearest
+from nctakt.base.misspelling import nearest
 from nctakt.decoder.blocks.cutting_speed import CuttingSpeeds
 from nctakt.decoder.blocks.gear_changes import GearChanges
 from nctakt.decoder.blocks.technology_output import BlockFunction, process_ticks

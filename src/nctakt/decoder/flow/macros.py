@@ -13,7 +13,7 @@ from dataclasses import replace
 from functools import partial
 
 from nctakt.base.diagnostics import Span
-from nctakt.base.text import nearest
+from nctakt.base.misspelling import nearest
 from nctakt.decoder.flow.computed_blocks import check
 from nctakt.decoder.state.environment import DecoderEnvironment
 from nctakt.decoder.state.tools import Fail

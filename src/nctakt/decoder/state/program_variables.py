@@ -13,7 +13,7 @@ from math import prod
 
 from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Message
-from nctakt.base.text import nearest
+from nctakt.base.misspelling import nearest
 from nctakt.kernel.base import arithmetic
 from nctakt.lists.declared.variables import SCALARS
 from nctakt.messages.checked_values import INDEX_OUT_OF_RANGE, WRONG_INDEX_COUNT

@@ -6,7 +6,7 @@ In: the values of the list, its threads. Out: findings. Source: manual 4.1, 4.5,
 
 from __future__ import annotations
 
-from nctakt.base.text import close_names
+from nctakt.base.misspelling import nearest
 from nctakt.lists.declared.rtconf import KNOWN_FUNCTIONS, PRINTED_COUNT, SchedulerThread
 from nctakt.lists.format.parameter import with_indices
 from nctakt.lists.format.values import Values
@@ -29,8 +29,6 @@ _NAMES = {
     "thread[].function[]": _FUNCTION,
     "external_thread[]": "external_thread[].semaphore_name",
 }
-#: Minimum similarity of a misspelt name of a controller's function.
-_SIMILAR = 0.8
 
 
 def check_indices(
@@ -69,14 +67,14 @@ def check_function_names(
             name, at = function.name, (thread.index, function.index)
             if name in names_known:
                 continue
-            if similar := close_names(name, names_known, _SIMILAR):
+            if similar := nearest(name, names_known):
                 values.report(
                     collector,
                     MISSPELLED_THREAD_FUNCTION,
                     (_FUNCTION, *at),
                     key=with_indices(_FUNCTION, at),
                     value=name,
-                    name=similar[0],
+                    name=similar,
                 )
             else:
                 own.setdefault(name, at)

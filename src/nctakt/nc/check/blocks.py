@@ -12,8 +12,8 @@ from dataclasses import replace
 from typing import Literal
 
 from nctakt.base.dataclass import dataclass, field
-from nctakt.base.diagnostics import Text, number_text
-from nctakt.base.text import close_names
+from nctakt.base.diagnostics import NOTHING, Text, number_text
+from nctakt.base.misspelling import nearest
 from nctakt.lists.declared.offsets import MAX_GROUPS
 from nctakt.lists.machine.channel_configuration import ChannelParameters, program_parameter
 from nctakt.messages.checked_axes import INDP_OUTSIDE_REALTIME_CYCLE
@@ -199,14 +199,12 @@ class WordChecker:
 
     def unknown(self, word: AxisWord | Word | BracketCommand) -> None:
         """Report a word that is neither known nor an axis or spindle of the channel."""
-        names = [*self.axes, *self.spindles, "G", "M", "H", "F", "N"]
-        near = close_names(word.name, names)
         self._findings.report(
             UNKNOWN_WORD,
             word.span,
             word=self._findings.written(word.span),
             axes=", ".join(self.axes) or "–",
-            nearest=near[0] if near else "–",
+            nearest=nearest(word.name, (*self.axes, *self.spindles)) or NOTHING,
         )
 
     def _needs_value(self, word: AxisWord | Word) -> None:

@@ -9,7 +9,8 @@ from __future__ import annotations
 
 import re
 
-from nctakt.base.text import close_names
+from nctakt.base.diagnostics import NOTHING
+from nctakt.base.misspelling import nearest
 from nctakt.messages.checked_blocks import WORD_VALUE_MISSING
 from nctakt.messages.checked_cycles import DUPLICATE_KEYWORD
 from nctakt.messages.program_structure import INVALID_CALL_PARAMETER
@@ -99,8 +100,8 @@ class CallChecker:
 
     def _unknown(self, item: Keyword | Expression) -> None:
         word = self._findings.written(item.span)
-        near = close_names(word.upper(), ("@P1", *_MODAL), 0.0)
-        self._findings.report(INVALID_CALL_PARAMETER, item.span, word=word, nearest=near[0])
+        near = nearest(word, _MODAL) or NOTHING
+        self._findings.report(INVALID_CALL_PARAMETER, item.span, word=word, nearest=near)
 
 
 def _given(call: SubprogramCall) -> list[Expression]:

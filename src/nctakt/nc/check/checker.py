@@ -15,7 +15,7 @@ from dataclasses import replace
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Span
 from nctakt.base.line_shift import LineShift
-from nctakt.base.text import close_names
+from nctakt.base.misspelling import nearest_first
 from nctakt.lists.machine.channel_configuration import ChannelParameters
 from nctakt.messages import Collector
 from nctakt.messages.checked_blocks import (
@@ -328,8 +328,7 @@ class Checker:
             if option.name in _REFUSED_OPTIONS:
                 self._refuse_hash(message, "MSG", "INFO", shown=f"#MSG {option.name}")
             elif option.name not in _MESSAGE_OPTIONS:
-                near = close_names(option.name, _MESSAGE_OPTIONS)
-                names = [*near, *(name for name in _MESSAGE_OPTIONS if name not in near)]
+                names = nearest_first(option.name, _MESSAGE_OPTIONS)
                 self._findings.report(
                     UNKNOWN_COMMAND_OPTION,
                     option.span,

@@ -12,8 +12,8 @@ import re
 from collections.abc import Sequence
 from itertools import zip_longest
 
-from nctakt.base.diagnostics import number_text
-from nctakt.base.text import close_names
+from nctakt.base.diagnostics import NOTHING, number_text
+from nctakt.base.misspelling import nearest
 from nctakt.messages.checked_cycles import (
     ASYNCHRONOUS_WRITE_IN_CYCLE,
     TEXT_IN_REALTIME_CYCLE,
@@ -153,13 +153,9 @@ class ValueChecker:
                 if self.is_text(expression):
                     self._no_number(expression, expression.function)
             case Name():
-                names = [*FUNCTIONS, *CONSTANTS]
-                near = close_names(expression.name, names)
+                near = nearest(expression.name, (*FUNCTIONS, *CONSTANTS)) or NOTHING
                 self._findings.report(
-                    NOT_A_VALUE,
-                    expression.span,
-                    word=expression.text,
-                    nearest=near[0] if near else "–",
+                    NOT_A_VALUE, expression.span, word=expression.text, nearest=near
                 )
             case StringLiteral():
                 self._no_number(expression, '"…"')
@@ -232,10 +228,9 @@ class ValueChecker:
     def _call(self, call: Call) -> None:
         function = FUNCTIONS.get(call.function)
         if function is None:
-            near = close_names(call.function, list(FUNCTIONS))
-            nearest = near[0] if near else "–"
+            near = nearest(call.function, FUNCTIONS) or NOTHING
             self._findings.report(
-                UNKNOWN_EXPRESSION_FUNCTION, call.span, word=call.function, nearest=nearest
+                UNKNOWN_EXPRESSION_FUNCTION, call.span, word=call.function, nearest=near
             )
         elif function.decoder_only and self._in_cycle:
             self._findings.report(QUERY_IN_REALTIME_CYCLE, call.span, word=call.function)

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from nctakt.base.text import close_names
+from nctakt.base.misspelling import nearest_first
 from nctakt.messages.checked_blocks import INVALID_COMMAND_FORM, UNKNOWN_COMMAND_OPTION
 from nctakt.nc.check.expressions import ValueChecker
 from nctakt.nc.check.feed_groups import check_feed_group
@@ -120,9 +120,7 @@ class CommandChecker:
     def _option(
         self, command: str, word: str, names: Sequence[str], node: Timer | Keyword | Expression
     ) -> None:
-        near = close_names(word.upper(), names)
-        order = [*near, *(name for name in names if name not in near)]
-        listed = ", ".join(order)
+        listed = ", ".join(nearest_first(word, names))
         self._findings.report(
             UNKNOWN_COMMAND_OPTION, node.span, command=command, word=word, names=listed
         )

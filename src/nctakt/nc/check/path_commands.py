@@ -11,7 +11,7 @@ from collections.abc import Sequence
 
 from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import NOTHING, Span
-from nctakt.base.text import nearest
+from nctakt.base.misspelling import nearest
 from nctakt.base.whole_numbers import is_whole
 from nctakt.messages.checked_blocks import (
     EXCLUSIVE_WORDS,

@@ -6,8 +6,8 @@ In: ``#VAR`` and ``#DELETE``. Out: diagnostics.
 
 from __future__ import annotations
 
-from nctakt.base.diagnostics import number_text
-from nctakt.base.text import close_names
+from nctakt.base.diagnostics import NOTHING, number_text
+from nctakt.base.misspelling import nearest
 from nctakt.lists.declared.variables import SCALARS
 from nctakt.messages.checked_blocks import INVALID_COMMAND_FORM
 from nctakt.messages.checked_values import (
@@ -68,8 +68,8 @@ class ProgramVariableChecker:
                 )
         if declaration.type_name is not None and declaration.type_name not in TYPES:
             word = declaration.type_name
-            near = close_names(word, TYPES, 0.0)
-            self._findings.report(UNKNOWN_TYPE, declaration.span, word=word, nearest=near[0])
+            near = nearest(word, TYPES) or NOTHING
+            self._findings.report(UNKNOWN_TYPE, declaration.span, word=word, nearest=near)
         if declaration.size is not None:
             self._values.value(declaration.size)
         if isinstance(declaration.initial, ArrayLiteral):

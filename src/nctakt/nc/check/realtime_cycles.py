@@ -13,7 +13,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from nctakt.base.diagnostics import Span
-from nctakt.base.text import close_names
+from nctakt.base.misspelling import nearest_first
 from nctakt.base.whole_numbers import is_whole
 from nctakt.lists.machine.channel_configuration import ChannelParameters
 from nctakt.messages.checked_blocks import (
@@ -191,8 +191,7 @@ class CycleChecker:
         if isinstance(value, Name) and value.name in names:
             return value.name
         written = "–" if value is None else self._findings.written(value.span)
-        near = close_names(value.name, names) if isinstance(value, Name) else []
-        order = [*near, *(name for name in names if name not in near)]
+        order = nearest_first(value.name, names) if isinstance(value, Name) else names
         span = keyword.span if value is None else value.span
         self._findings.report(
             INVALID_KEYWORD_VALUE, span, word=keyword.name, value=written, names=", ".join(order)

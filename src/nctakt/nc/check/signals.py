@@ -11,7 +11,7 @@ from collections.abc import Iterator, Sequence
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Span, Text
-from nctakt.base.text import close_names
+from nctakt.base.misspelling import nearest_first
 from nctakt.base.whole_numbers import is_whole
 from nctakt.messages.checked_blocks import (
     INVALID_COMMAND_FORM,
@@ -300,8 +300,7 @@ class SignalChecker:
         )
 
     def _option(self, command: str, word: str, names: Sequence[str], span: Span) -> None:
-        near = close_names(word.upper(), names)
-        listed = ", ".join([*near, *(name for name in names if name not in near)])
+        listed = ", ".join(nearest_first(word, names))
         self._findings.report(
             UNKNOWN_COMMAND_OPTION, span, command=command, word=word, names=listed
         )

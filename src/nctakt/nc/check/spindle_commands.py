@@ -8,7 +8,7 @@ in several blocks; a realtime cycle gives a whole job in one.
 from __future__ import annotations
 
 from nctakt.base.diagnostics import NOTHING
-from nctakt.base.text import nearest
+from nctakt.base.misspelling import nearest
 from nctakt.lists.machine.channel_configuration import ChannelParameters
 from nctakt.messages.checked_cycles import DUPLICATE_KEYWORD
 from nctakt.messages.spindles import (

@@ -14,7 +14,7 @@ from string import ascii_letters
 from typing import NamedTuple, cast
 
 from nctakt.base.diagnostics import Span
-from nctakt.base.text import nearest
+from nctakt.base.misspelling import nearest
 from nctakt.messages.nc_text import NAME_EXPECTED, TEXT_NOT_CLOSED
 from nctakt.messages.program_structure import CYCLE_CALL_WITHOUT_NAME, INVALID_CALL_PARAMETER
 from nctakt.nc.parse.block_head import parse_label

@@ -11,7 +11,8 @@ import re
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
-from nctakt.base.text import close_names
+from nctakt.base.diagnostics import NOTHING
+from nctakt.base.misspelling import nearest
 from nctakt.messages.checked_blocks import UNKNOWN_COMMAND
 from nctakt.messages.nc_text import UNKNOWN_CONTROL_WORD
 from nctakt.nc.parse.expressions import shown
@@ -22,8 +23,6 @@ from nctakt.nc.tree import Name
 #: A second word, as in ``$ELSE IF``; not that of a jump, which has its own ``$``.
 _SECOND_PART = re.compile(r"\s+(IF|FOR|WHILE|DO|SWITCH)(?!\w)", re.IGNORECASE)
 _DIVIDED = ("$ELSE", "$END")
-#: How similar a word or command must be to open or close what the similar one does.
-_SIMILARITY = 0.75
 #: Words of other languages.
 _OTHER_WORDS = {
     "$ELIF": "$ELSEIF",
@@ -57,10 +56,10 @@ def control_word(
     if second is not None:
         text.pos = second.end()
         word += second[1].upper()
-    suggestion = _OTHER_WORDS.get(word) or close_names(word, names, 0.0)[0]
+    suggestion = _OTHER_WORDS.get(word) or nearest(word, names) or NOTHING
     written = shown(text.text[start : text.pos])
     error = BlockError(UNKNOWN_CONTROL_WORD, start, text.pos, word=written, suggestion=suggestion)
-    if not close_names(word, (suggestion,), _SIMILARITY) and word not in _OTHER_WORDS:
+    if suggestion == NOTHING:
         raise error
     structures.block_error(text, error)
     return suggestion
@@ -78,7 +77,7 @@ def structure_command(
         return _meant(text, words, end, structures)
     for meant in known:
         written = words[: len(meant)]
-        if close_names(" ".join(word.name for word in written), (" ".join(meant),), _SIMILARITY):
+        if nearest(" ".join(word.name for word in written), (" ".join(meant),)):
             return (*_meant(text, written, meant, structures), *words[len(meant) :])
     return tuple(words)
 

@@ -11,7 +11,7 @@ import re
 from collections.abc import Callable
 
 from nctakt.base.diagnostics import Message
-from nctakt.base.text import close_names
+from nctakt.base.misspelling import nearest
 from nctakt.messages.slips import (
     ARGUMENTS_WITHOUT_BRACKETS,
     BODY_BEHIND_CONDITION,
@@ -73,6 +73,8 @@ _OTHER_FREQUENCIES = {
     "R_TRIG": "EDGE",
     "TRIGGER": "EDGE",
     "FIRST": "ONCE",
+    "ON": "ONCE",
+    "ONES": "ONCE",
     "EVERY": "ALWAYS",
     "CYCLIC": "ALWAYS",
 }
@@ -92,7 +94,7 @@ def _bracketed(match: re.Match[str]) -> str:
 
 def _frequency(match: re.Match[str]) -> str:
     word = match["wrong"].upper()
-    return _OTHER_FREQUENCIES.get(word) or close_names(word, _FREQUENCIES, 0.0)[0]
+    return _OTHER_FREQUENCIES.get(word) or nearest(word, _FREQUENCIES)
 
 
 def _comment(match: re.Match[str]) -> str:
@@ -170,7 +172,7 @@ FORM_SLIPS: tuple[FormSlip, ...] = tuple(
         ),
         (rf"{_HEAD}{_DECLARED}\s*(?P<wrong>==)", COMPARISON_AS_ASSIGNMENT, "="),
         (
-            r"\$(?:IF|ELSEIF)\s+(?P<wrong>EDG|EDGES|EGDE|EDEG|EGE|EDGEE|ON|ONES?|ONC|ONEC|ALWAY"
+            r"\$(?:IF|ELSEIF)\s+(?P<wrong>EDG|EDGES|EGDE|EDEG|EGE|EDGEE|ONES?|ONC|ONEC|ALWAY"
             rf"|ALLWAYS|ALWYAS|{'|'.join(_OTHER_FREQUENCIES)})\b.*$",
             MISSPELT_FREQUENCY,
             _frequency,

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from types import MappingProxyType
 
-from nctakt.base.text import close_names
+from nctakt.base.misspelling import nearest
 from nctakt.lists.declared.technology_functions import TechnologyFunction
 from nctakt.nc.tree import Variable
 from nctakt.nc.vocabulary.commands import COMMANDS, CONTROLS, FORMS, VARIABLES
@@ -113,15 +113,9 @@ def form(example: str) -> Entry:
 def nearest_hash(words: Sequence[str]) -> str:
     """Return the known ``#`` command most similar to these words; empty if there is none."""
     written = ["#" + " ".join(words[:count]) for count in range(min(len(words), 3), 0, -1)]
-    pairs = [(near, name) for name in written for near in close_names(name, COMMANDS)]
-    if not pairs:
-        return ""
-    from difflib import SequenceMatcher  # noqa: PLC0415 - only after a mistake
-
-    return max(pairs, key=lambda pair: SequenceMatcher(None, *pair).ratio())[0]
+    return next(filter(None, (nearest(name, COMMANDS) for name in written)), "")
 
 
 def nearest_family(family: str) -> str:
     """Return the known family of variables most similar to this one; empty if there is none."""
-    near = close_names(f"V.{family}", [name for name in VARIABLES if name[0] == "V"])
-    return near[0] if near else ""
+    return nearest(f"V.{family}", [name for name in VARIABLES if name.count(".") == 1])

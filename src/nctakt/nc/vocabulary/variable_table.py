@@ -17,7 +17,7 @@ from dataclasses import replace
 from math import inf
 
 from nctakt.base.dataclass import dataclass, field
-from nctakt.base.text import nearest
+from nctakt.base.misspelling import nearest
 from nctakt.lists.declared.variables import SCALARS
 from nctakt.lists.machine.variables import AccessRights, Node, Variable, VariableScope
 from nctakt.nc.vocabulary.axis_commands import AxisTraits

@@ -29,6 +29,10 @@ CASES = (
     (("X", "Y"), "Z", ""),
     (("duration",), "dur", ""),
     (("max_duration",), "max_dur", "max_duration"),
+    (("CMDPOS", "AX"), "POS", "CMDPOS"),
+    (("CMDPOS", "ACTPOS"), "POS", ""),
+    (("FEED_FACT", "RAPID_FACT"), "FEED", "FEED_FACT"),
+    (("SPEED_FACT", "RAPID_FACT"), "FACT", ""),
     ((), "anything", ""),
 )
 

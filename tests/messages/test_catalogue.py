@@ -133,7 +133,7 @@ def test_the_controllers_number_leads() -> None:
         (900204, {"word": "G70000"}, 20107),
         (900204, {"word": "G1.5"}, 20107),
         (900204, {"word": "G777"}, 20131),
-        (900213, {"name": "V.P.SUM", "nearest": "–"}, 20932),
+        (900213, {"name": "V.P.SUM", "nearest": "–", "declared": "–"}, 20932),
         (900214, {"name": "V.P.SUM", "expected": 0, "given": 1}, 21768),
         (900219, {"word": "SIN", "expected": "1 or 2", "given": 0}, 21471),
         (900305, {"seconds": "-1"}, 20017),

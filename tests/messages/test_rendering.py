@@ -46,7 +46,7 @@ def test_a_remedy_does_not_ask_for_nothing() -> None:
     """Where no name is similar, or a list is empty, the sentence that would tell it is left out."""
     found = diagnostic(UNKNOWN_WORD, word="Q", axes="X, Y", nearest=NOTHING)
     assert found.remedy("en") == "Axes of the channel: X, Y"
-    found = diagnostic(UNKNOWN_VARIABLE, name="V.E.Q", nearest=NOTHING)
+    found = diagnostic(UNKNOWN_VARIABLE, name="V.G.Q", nearest=NOTHING, declared=NOTHING)
     assert found.remedy("de") == "Groß- und Kleinschreibung zählt."
     found = diagnostic(UNKNOWN_COMMAND, word="#Q", nearest=NOTHING)
     assert found.remedy("en") == "Check the spelling; no similar name is known."

@@ -78,6 +78,9 @@ def test_a_channel_without_axes_knows_no_axis() -> None:
         ("S22=100", "S2"),
         ("#RT CYCLE [SCOPE=GLOBL ID=1]", "GLOBAL, BLOCK, PROG"),
         ("Q5", "X, Y, Z, A"),
+        ("P1 = X.ACS.ACT_POS", "V.RTA.ACS.ACT_POS.X"),
+        ("IF P1 > 3", "$IF"),
+        ("Z[INDPP POS=3]", "INDP"),
     ],
 )
 def test_the_remedy_names_what_is_probably_meant(line: str, suggestion: str) -> None:
@@ -87,6 +90,77 @@ def test_the_remedy_names_what_is_probably_meant(line: str, suggestion: str) -> 
     assert len(found) == 1
     for language in ("en", "de"):
         assert suggestion in found[0].remedy(language)
+
+
+@pytest.mark.parametrize(
+    ("line", "remedy"),
+    [
+        ("P1 = V.E.FORCE", "V.E variables are declared in the machine's list of variables: var"),
+        ("P1 = V.CH.FORCE", "V.CH variables are declared in the machine's list of variables: vch"),
+        ("P1 = V.G.FEEDRAT", "V.G.FEEDRATE?"),
+        ("P1 = V.A.ABSS.X", "V.A.ABS.X?"),
+        ("P1 = V.G.WZ_AKT.RADIUS", "V.G.WZ_AKT.R?"),
+        ("P1 = V.SPDL_PROG.SPED.S", "V.SPDL_PROG.SPEED.S?"),
+        ("P1 = V.RTG.TIMER[200]", "below 128. The list sizes V.E and V.CH"),
+        ("Z[ABORTING G90 POS=30]", "Write Z[INDP …] in a realtime cycle."),
+        ("Z[INDP_ASYN POS=30]", "In realtime cycles X[INDP …] moves an axis by itself."),
+        ("#MSG INFO ['x']", "positions and times do not depend on it"),
+        ("#FILE DELETE [A]", "positions and times do not depend on it"),
+        ("#INIT MACRO TAB", "positions and times do not depend on it"),
+        ("#INIT V.E", "may be others than on the machine"),
+        ("P1 = V.I.STATE", "here it has none"),
+        ("G200", "its effect would change positions or times"),
+        ("V.E.LEVEL_1_A = [1, 2]", "Assign each element by itself."),
+    ],
+)
+def test_the_remedy_says_what_is_true_of_the_word(line: str, remedy: str) -> None:
+    """Where variables are declared, which ones are built in, what would be lost without it."""
+    found = findings((line.replace("'", '"'),))
+    assert len(found) == 1
+    assert remedy in found[0].remedy()
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "P1 = V.E.FORCE",
+        "P1 = POS + 1",
+        "P1 = V.G.NIX",
+        "P1 = V.A.NIX.X",
+        "XX = 3",
+        "#NIX",
+        "$NIX",
+        "LL NIX",
+        "$GOTO [NIX]",
+        "P1 = NIX[3]",
+    ],
+)
+def test_nothing_is_suggested_that_was_not_meant(line: str) -> None:
+    """Letters that are alike, a word of another family, and the only name that there is."""
+    found = findings(("[LABEL] P1 = 1", line, "M30", "%L OTHER", "M17"))
+    assert found
+    assert all("Did you mean" not in one.remedy() for one in found)
+
+
+@pytest.mark.parametrize(
+    ("value", "ids"),
+    [("POS", []), ("-1", []), ("POS + 0", [900225]), ("-NEG", [900225]), ("FORE", [900225])],
+)
+def test_the_direction_of_an_axis_is_a_word_or_a_number(value: str, ids: list[int]) -> None:
+    """Manual 4.5.1: POS, CUR, NEG or 1, 0, -1; with POS, which is no value, nothing is computed."""
+    lines = ("#RT CYCLE [ID=1 SCOPE=PROG]", f"A[INDP FEED=9 DIR={value}]", "#RT CYCLE END")
+    found = findings(lines)
+    assert [one.id for one in found] == ids
+    assert all("POS, CUR, NEG" in one.remedy() for one in found)
+
+
+@pytest.mark.parametrize("operand", ["P1", "V.E.VALUE", "[P1 > 3]"])
+@pytest.mark.parametrize("before", ["$IF ", "$WHILE P2 && ", "P2 = "])
+def test_the_negation_of_other_languages_is_not(before: str, operand: str) -> None:
+    """``!`` is a part of ``!=`` only; the operator is NOT."""
+    found = findings((f"{before}!{operand}",))
+    slip = next(one for one in found if "'!'" in one.text() or "!" in one.text())
+    assert slip.remedy() == "Write NOT"
 
 
 def test_the_manuals_line_that_assigns_a_parent_to_its_member_is_refused() -> None:

@@ -244,7 +244,7 @@ class Diagnostic:
         values = self._shown_values(language)
         empty = {name for name, value in values.items() if value == NOTHING}
         if not any(f"{{{name}}}" in template for name in empty):
-            return template.format_map(values)
+            return template.format_map(values).rstrip()
         sentences = [
             sentence.format_map(values)
             for sentence in _SENTENCE_END.split(template)

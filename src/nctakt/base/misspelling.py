@@ -16,12 +16,12 @@ from collections.abc import Iterable, Iterator
 #: Maximum number of errors of a name, and the lengths from which on it may have them.
 _MAX_ERRORS = 2
 _LENGTHS = ((8, 2), (3, 1))
-#: Farthest that two names are apart of which one is the beginning of the other.
-_FARTHEST = 2 * _MAX_ERRORS + 2
+#: Farthest that two names are apart of which one is the beginning or the end of the other.
+_FARTHEST = 2 * _MAX_ERRORS + 3
 #: Names up to this length must begin with the right letter.
 _SHORT = 4
-#: A beginning of a name: least number of its letters.
-_BEGINNING = 3
+#: Least number of letters of a beginning or end.
+_PART = 3
 #: Pieces of a name, of which at least one is left whole by two errors.
 _PIECES = 4
 _NUMBERS = re.compile(r"\d+")
@@ -32,8 +32,8 @@ _VARIABLE = re.compile(r"vs?\.[a-z]+\.")
 def nearest(name: str, names: Iterable[str]) -> str:
     """Return the known name that ``name`` is meant for; empty if none is, or several might be.
 
-    Beside errors of typing it may have the parts of a path in another order, or be the beginning of
-    the known name, or the other way round.
+    Beside errors of typing it may have the parts of a path in another order, or be the beginning
+    or the end of the known name, or the known name of it.
     """
     folded = name.casefold()
     best, rank, is_only = "", _FARTHEST + 1, True
@@ -43,6 +43,11 @@ def nearest(name: str, names: Iterable[str]) -> str:
             is_only = found < rank
             best, rank = known, found
     return best if is_only else ""
+
+
+def resembles(name: str, names: Iterable[str]) -> bool:
+    """Return whether ``name`` may be meant for one of the known names, or for several."""
+    return any(_rank(name.casefold(), known.casefold()) is not None for known in names)
 
 
 def nearest_first(name: str, names: Iterable[str]) -> list[str]:
@@ -60,13 +65,16 @@ def _rank(name: str, known: str) -> int | None:
         return 1
     first, second = _without_common_parts(name, known)
     shorter, longer = sorted((first, second), key=len)
-    is_beginning = longer.startswith(shorter)
+    is_beginning, is_end = longer.startswith(shorter), longer.endswith(shorter)
     errors = typing_errors(first, second, allowed_errors(first) + 1)
     if errors <= allowed_errors(first) and _may_be(first, second):
         return 2 * errors + (not is_beginning)
-    is_long = len(shorter) >= _BEGINNING and len(shorter) * 2 >= len(longer)
-    has_numbers = any(map(str.isdigit, longer[len(shorter) :]))
-    return _FARTHEST if is_beginning and is_long and not has_numbers else None
+    is_whole = longer.startswith(f"{shorter}_") or longer.endswith(f"_{shorter}")
+    is_long = len(shorter) >= _PART and (is_whole or len(shorter) * 2 >= len(longer))
+    has_same_numbers = sum(map(str.isdigit, first)) == sum(map(str.isdigit, second))
+    if (is_beginning or is_end) and is_long and has_same_numbers:
+        return _FARTHEST - is_beginning
+    return None
 
 
 def _without_common_parts(name: str, known: str) -> tuple[str, str]:

@@ -64,6 +64,21 @@ INDP_OUTSIDE_REALTIME_CYCLE = error(
     remedy_en="Move it into #RT CYCLE … #RT CYCLE END, or move the axis with the path.",
     remedy_de="In #RT CYCLE … #RT CYCLE END verschieben oder die Achse mit der Bahn bewegen.",
 )
+INDP_MISSING = error(
+    901984,
+    en="{axis}[…] has {word}, a keyword of independent motion, but not INDP",
+    de="{axis}[…] hat {word}, ein Schlüsselwort unabhängiger Bewegung, aber kein INDP",
+    remedy_en="Write {axis}[INDP …] in a realtime cycle.",
+    remedy_de="In einem Echtzeit-Zyklus {axis}[INDP …] schreiben.",
+)
+UNKNOWN_AXIS_COMMAND = error(
+    901985,
+    en="{axis}[{word} …] is no known command for an axis",
+    de="{axis}[{word} …] ist kein bekannter Befehl für eine Achse",
+    remedy_en="Did you mean {nearest}? Commands for an axis: {names}.",
+    remedy_de="War {nearest} gemeint? Befehle für eine Achse: {names}.",
+    names=("all of them", "alle"),
+)
 UNKNOWN_INDP_KEYWORD = error(
     21068,
     classes=(0, 0),

@@ -17,12 +17,12 @@ NOT_SIMULATED = error(
     900200,
     en="{command} ({meaning}) is not simulated by this version",
     de="{command} ({meaning}) wird von dieser Version nicht simuliert",
-    remedy_en="Remove it: its effect would change positions or times. {instead}",
-    remedy_de="Entfernen: die Wirkung würde Positionen oder Zeiten ändern. {instead}",
+    remedy_en="{advice}",
+    remedy_de="{advice}",
     meaning=("its effect", "die Wirkung"),
-    instead=(
-        "what to use instead, if there is something",
-        "was man stattdessen verwendet, falls es etwas gibt",
+    advice=(
+        "what to do, and what to use instead if there is something",
+        "was zu tun ist, und was man stattdessen verwendet, falls es etwas gibt",
     ),
 )
 ACCEPTED_WITHOUT_EFFECT = note(

@@ -13,8 +13,9 @@ UNKNOWN_VARIABLE = error(
     cases=by_beginning("name", {"V.P.": 20932, "V.L.": 20932, "V.S.": 20932, "V.I.": 21761}),
     en="unknown variable {name}",
     de="unbekannte Variable {name}",
-    remedy_en="Did you mean {nearest}? Names are case-sensitive.",
-    remedy_de="War {nearest} gemeint? Groß- und Kleinschreibung zählt.",
+    remedy_en="Did you mean {nearest}? Names are case-sensitive. {declared}",
+    remedy_de="War {nearest} gemeint? Groß- und Kleinschreibung zählt. {declared}",
+    declared=("where such variables are declared, or –", "wo man sie vereinbart, oder –"),
 )
 UNKNOWN_AXIS_OF_VARIABLE = error(
     901003,
@@ -137,9 +138,10 @@ INDEX_OUT_OF_RANGE = error(
     21928,
     en="{variable} has no element {index}; it has {count} elements, counted from 0",
     de="{variable} hat kein Element {index}; es gibt {count} Elemente, gezählt ab 0",
-    remedy_en="Keep the index within the array, or enlarge the array in the variables list.",
-    remedy_de="Den Index innerhalb des Feldes halten oder das Feld in der Variablenliste "
-    "vergrößern.",
+    remedy_en="Keep it below {count}. The list sizes V.E and V.CH, #VAR V.P, V.S and V.L; all "
+    "others are built in.",
+    remedy_de="Unter {count} bleiben. V.E und V.CH bemisst die Liste, V.P, V.S, V.L #VAR; andere "
+    "sind eingebaut.",
     cause_en="Indices count from 0 and are rounded to the nearest whole number.",
     cause_de="Indizes zählen ab 0 und werden auf die nächste ganze Zahl gerundet.",
     variable=("the array", "das Feld"),
@@ -150,9 +152,10 @@ CYCLE_INDEX_OUT_OF_RANGE = error(
     cases=by_beginning("variable", {"V.E.": 50895}),
     en="{variable} has no element {index} in this tick; it has {count} elements, counted from 0",
     de="{variable} hat in diesem Takt kein Element {index}; es gibt {count}, gezählt ab 0",
-    remedy_en="Keep the index within the array, or enlarge the array in the variables list.",
-    remedy_de="Den Index innerhalb des Feldes halten oder das Feld in der Variablenliste "
-    "vergrößern.",
+    remedy_en="Keep it below {count}. The list sizes V.E and V.CH, #VAR V.P, V.S and V.L; all "
+    "others are built in.",
+    remedy_de="Unter {count} bleiben. V.E und V.CH bemisst die Liste, V.P, V.S, V.L #VAR; andere "
+    "sind eingebaut.",
     cause_en="Indices count from 0 and are rounded to the nearest whole number.",
     cause_de="Indizes zählen ab 0 und werden auf die nächste ganze Zahl gerundet.",
     variable=("the array", "das Feld"),

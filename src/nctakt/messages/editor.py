@@ -46,5 +46,4 @@ NAME_IS_FIXED = error(
     de="{name} kann hier nicht umbenannt werden: {reason}",
     remedy_en="Rename it where it is given.",
     remedy_de="Dort umbenennen, wo der Name vergeben wird.",
-    reason=("why not", "warum nicht"),
 )

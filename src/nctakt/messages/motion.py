@@ -103,8 +103,8 @@ COMMAND_WORD_NOT_SIMULATED = error(
     de="{word} von {command} wird nicht simuliert",
     remedy_en="Remove it, or use what is simulated: {names}",
     remedy_de="Entfernen oder verwenden, was simuliert wird: {names}",
-    cause_en="It would change positions or times in a way that nctakt does not model.",
-    cause_de="Es würde Positionen oder Zeiten in einer Weise ändern, die nctakt nicht nachbildet.",
+    cause_en="It may change positions or times in a way that nctakt does not model.",
+    cause_de="Es kann Positionen oder Zeiten in einer Weise ändern, die nctakt nicht nachbildet.",
     names=("the keywords that are simulated", "die Schlüsselwörter, die simuliert werden"),
     classes=(2, 3),
 )

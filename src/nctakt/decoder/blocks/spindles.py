@@ -152,7 +152,9 @@ class SpindleWords:
         if index < 0:
             near = nearest(system.axis, environment.parameters.spindle_names) or NOTHING
             name = path_text(variable)
-            self.values.fail(UNKNOWN_VARIABLE, variable.span, name=name, nearest=near)
+            self.values.fail(
+                UNKNOWN_VARIABLE, variable.span, name=name, nearest=near, declared=NOTHING
+            )
         return index
 
     def choose_main(self, statement: tree.HashCommand, number: int) -> Generator[Command, Answer]:

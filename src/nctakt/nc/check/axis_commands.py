@@ -52,7 +52,9 @@ class AxisCommandChecker:
             findings = self._needs(command, bracket)
         for finding in findings:
             self._report(finding)
-        self._values.block(*command.expressions())
+        reported = {finding.span for finding in findings}
+        values = [value for value in command.expressions() if value.span not in reported]
+        self._values.block(*values)
 
     def _axis(self, bracket: BracketCommand) -> None:
         """Check that the axis belongs to the channel and may be moved independently (RC-406)."""

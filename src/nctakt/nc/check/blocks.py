@@ -16,7 +16,11 @@ from nctakt.base.diagnostics import NOTHING, Text, number_text
 from nctakt.base.misspelling import nearest
 from nctakt.lists.declared.offsets import MAX_GROUPS
 from nctakt.lists.machine.channel_configuration import ChannelParameters, program_parameter
-from nctakt.messages.checked_axes import INDP_OUTSIDE_REALTIME_CYCLE
+from nctakt.messages.checked_axes import (
+    INDP_MISSING,
+    INDP_OUTSIDE_REALTIME_CYCLE,
+    UNKNOWN_AXIS_COMMAND,
+)
 from nctakt.messages.checked_blocks import (
     DUPLICATE_WORD,
     EXCLUSIVE_WORDS,
@@ -62,13 +66,14 @@ from nctakt.nc.tree import (
     BracketCommand,
     Expression,
     Keyword,
+    Name,
     Number,
     OffsetCommand,
     StringWord,
     Word,
 )
 from nctakt.nc.vocabulary import support_level
-from nctakt.nc.vocabulary.axis_commands import has_function, is_axis_command
+from nctakt.nc.vocabulary.axis_commands import INDP_WORDS, has_function, is_axis_command
 from nctakt.nc.vocabulary.entries import Entry, Support
 from nctakt.nc.vocabulary.file_names import CHANGE
 from nctakt.nc.vocabulary.function_rows import WITH_AXES, Form, Group
@@ -87,6 +92,8 @@ from nctakt.nc.vocabulary.spindle_commands import split
 #: Kinds of offsets in ``#SUPPRESS OFFSETS`` (RC-407).
 OFFSETS = ("ZERO", "ADD_ZERO", "PSET", "CLAMP", "TOOL", "MEASURE", "MANUAL")
 _NUMBERED = ("G", "M", "H")
+#: Words of axis commands that are known and not simulated.
+_AXIS_FORMS = ("INDP_ASYN", "INDP_SYN", "OSC")
 #: Bounds of the value of an M or H function: signed, 32 bits.
 MIN_VALUE, MAX_VALUE = -(2**31), 2**31 - 1
 
@@ -378,16 +385,42 @@ class WordChecker:
             self._findings.report(FUNCTION_GIVEN_TO_AXIS_IN_CYCLE, command.span, command=written)
             return True
         if name in self.axes:
-            form, shown = "X[…]", f"{name}[…]"
-        elif name in RETURN_COMMANDS:
+            self._other_axis_command(command)
+            return True
+        if name in RETURN_COMMANDS:
             check_return(
                 command, state is not None and state.role == "main", self._values, self._findings
             )
             return True
+        return False
+
+    def _other_axis_command(self, command: BracketCommand) -> None:
+        """Report a command for an axis that is not simulated, misspelt, or lacks INDP."""
+        words = [item.name for item in command.items if isinstance(item, Keyword | Name)]
+        axis = command.name
+        known = next((word for word in words if word in _AXIS_FORMS), None)
+        motion = next((word for word in words if word in INDP_WORDS), None)
+        if known is not None:
+            entry = support_level.form(f"X[{known} …]")
+            self._findings.report_support(entry, command.span, f"{axis}[{known} …]")
+            return
+        names = ("INDP", "OVERRIDE", "FIXED_STOP", *_AXIS_FORMS)
+        others = (word for word in words if word not in INDP_WORDS)
+        misspelt = next((word for word in others if nearest(word, names) not in ("", word)), None)
+        if misspelt is not None:
+            self._findings.report(
+                UNKNOWN_AXIS_COMMAND,
+                command.span,
+                axis=axis,
+                word=misspelt,
+                nearest=nearest(misspelt, names),
+                names=", ".join(names),
+            )
+        elif motion is not None:
+            self._findings.report(INDP_MISSING, command.span, axis=axis, word=motion)
         else:
-            return False
-        self._findings.report_support(support_level.form(form), command.span, shown)
-        return True
+            entry = support_level.form("X[…]")
+            self._findings.report_support(entry, command.span, f"{axis}[…]")
 
     # --- offsets ---------------------------------------------------------------------------------
 

@@ -31,7 +31,6 @@ from nctakt.messages.checked_values import (
     QUERY_IN_REALTIME_CYCLE,
     TOO_MANY_INDICES,
     UNKNOWN_EXPRESSION_FUNCTION,
-    UNKNOWN_VARIABLE,
     VARIABLE_READ_ONLY,
     VARIABLE_WRITE_ONLY,
     WRONG_ARGUMENT_COUNT,
@@ -61,7 +60,7 @@ from nctakt.nc.tree import (
 from nctakt.nc.vocabulary import strings, support_level
 from nctakt.nc.vocabulary.cells import leaf_cells
 from nctakt.nc.vocabulary.entries import Support
-from nctakt.nc.vocabulary.operators import CONSTANTS, FUNCTIONS
+from nctakt.nc.vocabulary.operators import FUNCTIONS
 from nctakt.nc.vocabulary.realtime_variables import Access
 from nctakt.nc.vocabulary.resolution import (
     indices_of,
@@ -153,7 +152,7 @@ class ValueChecker:
                 if self.is_text(expression):
                     self._no_number(expression, expression.function)
             case Name():
-                near = nearest(expression.name, (*FUNCTIONS, *CONSTANTS)) or NOTHING
+                near = self._missing.nearest_value(expression.name) or NOTHING
                 self._findings.report(
                     NOT_A_VALUE, expression.span, word=expression.text, nearest=near
                 )
@@ -331,9 +330,7 @@ class ValueChecker:
         for index in indices_of(variable):
             self.value(index)
         if not variable.parts:
-            self._findings.report(
-                UNKNOWN_VARIABLE, variable.span, name=path_text(variable), nearest="–"
-            )
+            self._missing.unknown(variable)
         elif sum(1 for _ in indices_of(variable)) > MAX_DIMENSIONS:
             name = path_text(variable)
             self._findings.report(
@@ -435,13 +432,12 @@ class ValueChecker:
         """Return the location of a variable and check its indices; report it if there is none."""
         entry = support_level.variable(variable)
         if entry is None:
-            nearest = support_level.nearest_family(variable.family) or "–"
-            name = path_text(variable)
-            self._findings.report(UNKNOWN_VARIABLE, variable.span, name=name, nearest=nearest)
+            self._missing.unknown(variable, support_level.nearest_family(variable.family))
             return None
         if entry.support is not Support.SIMULATED:
             if not self._missing.report_axis(variable):
-                self._findings.report_support(entry, variable.span, path_text(variable))
+                near = self._missing.nearest_system_variable(variable)
+                self._findings.report_support(entry, variable.span, path_text(variable), near)
             return None
         for index in indices_of(variable):
             self.value(index)

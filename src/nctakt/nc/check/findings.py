@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from nctakt.base.diagnostics import NOTHING, Message, Span, Text
+from nctakt.base.diagnostics import Message, Span, Text
 from nctakt.messages import Collector
 from nctakt.messages.checked_blocks import ACCEPTED_WITHOUT_EFFECT, NOT_SIMULATED
 from nctakt.messages.motion import SIMPLIFIED
@@ -87,8 +87,11 @@ class Findings:
             self._reported[key] = None
             self.report(SIMPLIFIED, span, command=command, meaning=meaning)
 
-    def report_support(self, entry: Entry, span: Span, name: str = "") -> None:
-        """Report a refused entry, and an accepted one once; ``name``: as the program writes it."""
+    def report_support(self, entry: Entry, span: Span, name: str = "", nearest: str = "") -> None:
+        """Report a refused entry, and an accepted one once; ``name``: as the program writes it.
+
+        ``nearest``: a known name that may be meant.
+        """
         command = name or entry.name
         if entry.support is Support.SIMULATED:
             return
@@ -98,5 +101,8 @@ class Findings:
             self._reported[command] = None
             self.report(ACCEPTED_WITHOUT_EFFECT, span, command=command, meaning=entry.meaning)
             return
-        instead = entry.instead if entry.instead.en else NOTHING
-        self.report(NOT_SIMULATED, span, command=command, meaning=entry.meaning, instead=instead)
+        advice = entry.advice
+        if nearest:
+            meant = Text(f"Did you mean {nearest}? ", f"War {nearest} gemeint? ")
+            advice = Text(meant.en + advice.en, meant.de + advice.de)
+        self.report(NOT_SIMULATED, span, command=command, meaning=entry.meaning, advice=advice)

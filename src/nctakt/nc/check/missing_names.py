@@ -11,6 +11,8 @@ import re
 from collections.abc import Sequence
 from dataclasses import replace
 
+from nctakt.base.diagnostics import NOTHING, Text
+from nctakt.base.misspelling import nearest
 from nctakt.messages.checked_values import (
     STRUCTURE_USED_AS_VALUE,
     UNKNOWN_AXIS_OF_VARIABLE,
@@ -19,10 +21,22 @@ from nctakt.messages.checked_values import (
 )
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.tree import Part, Variable
+from nctakt.nc.vocabulary.operators import CONSTANTS, FUNCTIONS
 from nctakt.nc.vocabulary.resolution import indices_of, path_text
-from nctakt.nc.vocabulary.system_variables import SystemVariable, system_variable
+from nctakt.nc.vocabulary.system_variables import SystemVariable, known_paths, system_variable
 from nctakt.nc.vocabulary.variable_table import DECLARED, Location, NameTable, NotFound, Problem
 
+#: Family of a variable -> where its variables are declared.
+_DECLARED_IN = {
+    family: Text(
+        f"V.{family} variables are declared in the machine's list of variables: "
+        f"{entry}[0].name and so on.",
+        f"V.{family}-Variablen vereinbart die Variablenliste der Maschine: {entry}[0].name usw.",
+    )
+    for family, entry in (("E", "var"), ("CH", "vch"))
+}
+#: What others call the values of a tool.
+_TOOL_WORDS = {"RADIUS": "R", "RAD": "R", "LENGTH": "L", "LEN": "L", "LAENGE": "L"}
 _INDEX = re.compile(r"\[\d+\]")
 
 
@@ -41,10 +55,8 @@ class MissingNames:
             case Problem.UNKNOWN if self._lacks_axis(variable):
                 self._report_lacking(variable)
             case Problem.UNKNOWN:
-                nearest = (
-                    self._with_axis(variable) or self._spelled(variable) or missing.nearest or "–"
-                )
-                report(UNKNOWN_VARIABLE, span, name=path_text(variable), nearest=nearest)
+                near = self._with_axis(variable) or self._spelled(variable) or missing.nearest
+                self.unknown(variable, near)
             case Problem.INDICES:
                 actual = sum(1 for _ in indices_of(variable))
                 report(
@@ -70,17 +82,40 @@ class MissingNames:
         completed = replace(variable, parts=(*variable.parts, axis))
         if system_variable(completed, self._axes) is None:
             return False
-        name, nearest = path_text(variable), path_text(completed)
-        self._findings.report(UNKNOWN_VARIABLE, variable.span, name=name, nearest=nearest)
+        self.unknown(variable, path_text(completed))
         return True
 
     def report_spindle(self, variable: Variable, system: SystemVariable) -> None:
         """Report V.SPDL or V.SPDL_PROG of a spindle that the channel lacks."""
         spindles = self._names.spindle_names
         if system.kind == "spindle" and system.axis and system.axis not in spindles:
-            nearest = ", ".join(spindles) or "–"
-            name = path_text(variable)
-            self._findings.report(UNKNOWN_VARIABLE, variable.span, name=name, nearest=nearest)
+            self.unknown(variable, ", ".join(spindles))
+
+    def unknown(self, variable: Variable, near: str = "") -> None:
+        """Report a variable that does not exist; ``near``: the known one that was meant."""
+        self._findings.report(
+            UNKNOWN_VARIABLE,
+            variable.span,
+            name=path_text(variable),
+            nearest=near or NOTHING,
+            declared=_DECLARED_IN.get(variable.family, NOTHING),
+        )
+
+    def nearest_system_variable(self, variable: Variable) -> str:
+        """Return the controller's variable that an unknown one is meant for, else an empty text."""
+        first, _, last = path_text(variable).rpartition(".")
+        meant = f"{first}.{_TOOL_WORDS.get(last, last)}"
+        return nearest(meant, known_paths(self._axes, self._names.spindle_names))
+
+    def nearest_value(self, name: str) -> str:
+        """Return the function, constant or variable that a name is meant for, else an empty
+        text.
+        """
+        names = [*FUNCTIONS, *CONSTANTS]
+        if "." in name:
+            names = [path for path, _ in self._names.realtime()]
+            names += [path for path, _, _ in self._names.values()]
+        return nearest(name, names)
 
     def _report_lacking(self, variable: Variable) -> None:
         self._findings.report(

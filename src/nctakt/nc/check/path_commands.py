@@ -11,11 +11,12 @@ from collections.abc import Sequence
 
 from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import NOTHING, Span
-from nctakt.base.misspelling import nearest
+from nctakt.base.misspelling import nearest, resembles
 from nctakt.base.whole_numbers import is_whole
 from nctakt.messages.checked_blocks import (
     EXCLUSIVE_WORDS,
     INVALID_COMMAND_FORM,
+    UNKNOWN_COMMAND_OPTION,
     WORD_VALUE_MISSING,
 )
 from nctakt.messages.checked_cycles import DUPLICATE_KEYWORD
@@ -312,9 +313,12 @@ def is_size(keyword: str, value: float, mode: str) -> bool:
 
 def _refuse(name: str, word: str, allowed: Sequence[str], span: Span, findings: Findings) -> None:
     """Report a word that is misspelt or not simulated."""
-    near = None if word in REFUSED_MODES else nearest(word, allowed)
     names = ", ".join(allowed) or NOTHING
-    if near and near != word:
+    is_unknown = word not in (*REFUSED_MODES, *allowed)
+    near = nearest(word, allowed) if is_unknown else ""
+    if near:
         findings.report(UNKNOWN_COMMAND_KEYWORD, span, command=name, word=word, nearest=near)
+    elif is_unknown and resembles(word, allowed):
+        findings.report(UNKNOWN_COMMAND_OPTION, span, command=name, word=word, names=names)
     else:
         findings.report(COMMAND_WORD_NOT_SIMULATED, span, command=name, word=word, names=names)

@@ -55,6 +55,7 @@ _OPERATORS = {
     ":=": "=",
     "%": "MOD",
     "===": "==",
+    "!": "NOT",
     "!==": "!=",
 }
 _CYCLE_COMMANDS = {
@@ -142,6 +143,11 @@ FORM_SLIPS: tuple[FormSlip, ...] = tuple(
             _operator,
         ),
         (r"(?P<wrong>=>|=<|<>|:=|[=!]==)", OPERATOR_OF_OTHER_LANGUAGE, _operator),
+        (
+            r"(?:[-+*/=<>&|^\[,]|\$\w+|\b(?:ONCE|EDGE|ALWAYS|NOT))\s*(?P<wrong>!)\s*[\w\[]",
+            OPERATOR_OF_OTHER_LANGUAGE,
+            "NOT ",
+        ),
         (r"[\w\]]\s*(?P<wrong>%)\s*[\w\[]", OPERATOR_OF_OTHER_LANGUAGE, _operator),
         (
             rf"(?P<wrong>(?P<name>{_DECLARED})\s*(?P<sign>[+-])(?P=sign))",

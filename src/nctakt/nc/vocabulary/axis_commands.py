@@ -22,7 +22,18 @@ from nctakt.messages.checked_axes import (
 )
 from nctakt.messages.checked_blocks import WORD_VALUE_MISSING
 from nctakt.messages.checked_cycles import INVALID_KEYWORD_VALUE
-from nctakt.nc.tree import Block, BracketCommand, Expression, If, Keyword, Name, Number, Statement
+from nctakt.nc.tree import (
+    Binary,
+    Block,
+    BracketCommand,
+    Expression,
+    If,
+    Keyword,
+    Name,
+    Number,
+    Statement,
+    Unary,
+)
 from nctakt.nc.vocabulary.functions import ABSOLUTE, G_FUNCTIONS, LINE, RAPID, RELATIVE
 
 #: Values of OFFSET; single kinds in the order of ``kernel/axes/coordinates.py``, then ALL.
@@ -33,6 +44,8 @@ _SIGNS = tuple(DIRECTIONS.values())
 
 _FLAGS = ("INDP", "ABORTING", "BUFFERED", "STOP")
 _VALUES = ("OFFSET", "FEED", "POS", "DIR")
+#: Keywords that nothing but independent motion has.
+INDP_WORDS = ("ABORTING", "BUFFERED", "STOP", "OFFSET", "FEED", "POS")
 #: All keywords, for suggestions.
 KEYWORDS = (*_FLAGS, *_VALUES, "G90", "G91", "G00", "G01")
 _G_WORDS = MappingProxyType(
@@ -181,8 +194,10 @@ def read_axis_command(command: BracketCommand) -> tuple[AxisCommand, list[Findin
         _value(keywords, "POS"),
         _value(keywords, "DIR"),
     )
-    if isinstance(parsed.direction, Name) and parsed.direction.name not in DIRECTIONS:
-        findings.append(_unknown_choice(parsed.direction, "DIR", tuple(DIRECTIONS)))
+    direction = parsed.direction
+    is_name = isinstance(direction, Name) and direction.name in DIRECTIONS
+    if direction is not None and not is_name and _has_name(direction):
+        findings.append(_unknown_choice(direction, "DIR", tuple(DIRECTIONS)))
     if not findings:
         findings += [refusal(command, number) for number in _combination(parsed, keywords)]
     return parsed, findings
@@ -254,6 +269,24 @@ def _offset(keyword: Keyword | None, findings: list[Finding]) -> str:
         return value.name
     findings.append(_unknown_choice(value, "OFFSET", OFFSETS))
     return ""
+
+
+def _has_name(direction: Expression) -> bool:
+    """Return whether a direction is another name than POS, CUR or NEG, or computes with these."""
+    match direction:
+        case Name():
+            return True
+        case Unary():
+            return _has_direction(direction.operand)
+        case Binary():
+            return _has_direction(direction.left) or _has_direction(direction.right)
+    return False
+
+
+def _has_direction(value: Expression) -> bool:
+    if isinstance(value, Name):
+        return value.name in DIRECTIONS
+    return _has_name(value)
 
 
 def _unknown_choice(value: Expression, word: str, names: tuple[str, ...]) -> Finding:

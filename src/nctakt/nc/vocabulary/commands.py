@@ -172,6 +172,8 @@ COMMANDS = table(
     ),
     ("#FGROUP WAXIS", SIMULATED, "feed of the weakest axis", "Vorschub der schwächsten Achse"),
     ("#FILE", REFUSED, "files", "Dateien"),
+    ("#FILE DELETE", REFUSED, "delete a file", "Datei löschen"),
+    ("#FILE RENAME", REFUSED, "rename a file", "Datei umbenennen"),
     ("#FILE NAME", SIMULATED, "names of files", "Namen von Dateien"),
     ("#FILENAME", SIMULATED, "names of files", "Namen von Dateien"),
     (
@@ -191,6 +193,7 @@ COMMANDS = table(
     ("#IF", SIMULATED, "condition of preprocessing", "Bedingung vor der Dekodierung"),
     ("#INFO", REFUSED, "information", "Information"),
     ("#INIT", REFUSED, "set to initial values", "auf Anfangswerte setzen"),
+    ("#INIT MACRO TAB", REFUSED, "forget all macros", "alle Makros vergessen"),
     ("#JOG", REFUSED, "jogging", "Tippbetrieb"),
     ("#KIN", REFUSED, "kinematics", "Kinematik"),
     (
@@ -421,6 +424,27 @@ FORMS = table(
     ("X[INDP …]", SIMULATED, "motion of one axis, in cycles", "Bewegung einer Achse, in Zyklen"),
     ("X[OVERRIDE …]", SIMULATED, "override of one axis", "Override einer Achse"),
     ("X[FIXED_STOP …]", SIMULATED, "motion to a fixed stop", "Fahren auf Festanschlag"),
+    (
+        "X[INDP_ASYN …]",
+        REFUSED,
+        "motion of one axis beside the program, which does not wait for it",
+        "Bewegung einer Achse neben dem Programm, das nicht auf sie wartet",
+        Text(
+            "In realtime cycles X[INDP …] moves an axis by itself.",
+            "In Echtzeit-Zyklen bewegt X[INDP …] eine Achse für sich.",
+        ),
+    ),
+    (
+        "X[INDP_SYN …]",
+        REFUSED,
+        "motion of one axis beside the path, for whose end the block waits",
+        "Bewegung einer Achse neben der Bahn, auf deren Ende der Satz wartet",
+        Text(
+            "In realtime cycles X[INDP …] moves an axis by itself.",
+            "In Echtzeit-Zyklen bewegt X[INDP …] eine Achse für sich.",
+        ),
+    ),
+    ("X[OSC …]", REFUSED, "oscillation of one axis", "Pendeln einer Achse"),
     ("X[…]", REFUSED, "command for one axis", "Befehl für eine Achse"),
     ("S2[…]", SIMULATED, "command for a spindle", "Befehl für eine Spindel"),
     (
@@ -464,12 +488,20 @@ FORMS = table(
         REFUSED,
         "M or H function with a value, in realtime cycles",
         "M- oder H-Funktion mit Wert, in Echtzeit-Zyklen",
+        Text(
+            "Leave out the value, or write the function into the program.",
+            "Den Wert weglassen oder die Funktion ins Programm schreiben.",
+        ),
     ),
     (
         "M[P1], in cycles",
         REFUSED,
         "function with a computed number, in realtime cycles",
         "Funktion mit berechneter Nummer, in Echtzeit-Zyklen",
+        Text(
+            "Write the number, or a branch for each number.",
+            "Die Nummer schreiben oder einen Zweig je Nummer.",
+        ),
     ),
     ("M110 X", SIMULATED, "M or H function of one axis", "M- oder H-Funktion einer Achse"),
     ("G04 S", SIMULATED, "dwell in revolutions", "Verweilzeit in Umdrehungen"),
@@ -494,6 +526,7 @@ FORMS = table(
         REFUSED,
         "values of a list's array or structure",
         "Werte von Feld oder Struktur einer Liste",
+        Text("Assign each element by itself.", "Jedes Element für sich zuweisen."),
     ),
     (
         "V.E.A = V.CH.A",

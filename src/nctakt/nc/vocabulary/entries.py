@@ -2,7 +2,7 @@
 """Rows of the tables of known names: meaning and level of support.
 
 Three levels of support: *simulated*; *accepted*, checked but without effect on positions;
-*refused*, an error by name, because it would change positions or timing in a way that is not
+*refused*, an error by name, because it may change positions or timing in a way that is not
 modelled.
 """
 
@@ -42,6 +42,41 @@ class Kind(enum.Enum):
 
 
 NOTHING_INSTEAD = Text("", "")
+_MOVES = Text(
+    "Remove it: its effect would change positions or times.",
+    "Entfernen: die Wirkung würde Positionen oder Zeiten ändern.",
+)
+_QUIET = Text(
+    "Remove it: positions and times do not depend on it.",
+    "Entfernen: Positionen und Zeiten hängen nicht davon ab.",
+)
+_UNKNOWN = Text(
+    "Remove it: without it positions or times may be others than on the machine.",
+    "Entfernen: ohne es sind Positionen oder Zeiten vielleicht andere als an der Maschine.",
+)
+_NO_VALUE = Text(
+    "Leave it out, or write a value in its place: here it has none.",
+    "Weglassen oder einen Wert an seine Stelle schreiben: hier hat es keinen.",
+)
+
+
+#: Refused commands on which neither positions nor times depend.
+WITHOUT_MOTION = frozenset(
+    {
+        *("#MSG INFO", "#FILE DELETE", "#FILE RENAME", "#INIT MACRO TAB", "#CACHE", "#SCENE"),
+        *("#DB INFO", "#DIAGNOSIS", "#EXPORT VE", "#SAVE CONFIG", "#CLEAR CONFIG", "#INFO"),
+    }
+)
+#: Refused commands of which it depends on their words, or is not published, what they do.
+OF_UNKNOWN_EFFECT = frozenset(
+    {
+        *("#ADD", "#AX LOCK", "#AX UNLOCK", "#CHANNEL INTERFACE", "#CHANNEL SET", "#COMMAND"),
+        *("#CYL 2ROT", "#CYL ORI", "#DISTANCE PROG START", "#DRIVE", "#FACE 2ROT", "#FF", "#FILE"),
+        *("#GEO", "#GET", "#IDENT", "#INIT", "#LAH", "#LOAD CONFIG", "#MACHINE DATA"),
+        *("#MANUAL LIMITS", "#MARK", "#MSG SYN", "#SEGMENTATION", "#SET", "#STROKE DEF"),
+        *("#STOP REVERSIBLE", "#TRAFO PCS", "#TRAFO STACK", "X[…]"),
+    }
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,6 +88,19 @@ class Entry:
     support: Support
     meaning: Text
     instead: Text = NOTHING_INSTEAD
+
+    @property
+    def advice(self) -> Text:
+        """What to do about a refused name."""
+        first = _NO_VALUE if self.kind is Kind.VARIABLE else _MOVES
+        if self.name in WITHOUT_MOTION:
+            first = _QUIET
+        elif self.name in OF_UNKNOWN_EFFECT:
+            first = _UNKNOWN
+        if self.kind is Kind.FORM and self.instead.en:
+            return self.instead
+        second = self.instead
+        return Text(f"{first.en} {second.en}".rstrip(), f"{first.de} {second.de}".rstrip())
 
 
 #: Name, support, meaning in English and German, what to use instead.

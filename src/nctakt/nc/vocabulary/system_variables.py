@@ -8,14 +8,14 @@ tools.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import Literal, NamedTuple
 
 from nctakt.lists.machine.universal_kinematic import BASE, ENTRIES, PARAMETER
 from nctakt.nc.tree import Expression, Part, Variable
 from nctakt.nc.vocabulary.resolution import is_program_variable
-from nctakt.nc.vocabulary.spindle_variables import SPINDLE_BY_PATH, SPINDLE_FAMILIES
-from nctakt.nc.vocabulary.system_names import BY_PATH
+from nctakt.nc.vocabulary.spindle_variables import SPINDLE_BY_PATH, SPINDLE_FAMILIES, SPINDLE_ROWS
+from nctakt.nc.vocabulary.system_names import BY_PATH, ROWS
 
 SYSTEM_FAMILIES = ("G", "A", "TOOL", "TLM", *SPINDLE_FAMILIES)
 
@@ -172,6 +172,26 @@ def _of_tools(variable: Variable, axes: Sequence[str]) -> SystemVariable | None:
     if len(names) == 2 and names[0] == "V" and names[1] in axes and not indices:
         return SystemVariable("tool", "V", number, axis=names[1], is_writable=True)
     return None
+
+
+def known_paths(axes: Sequence[str], spindles: Sequence[str]) -> Iterator[str]:
+    """Yield the names of the controller's variables, ``[]`` for each index, as messages do."""
+    for row in ROWS:
+        if row.has_axis:
+            yield from (f"V.{row.family}.{row.path}.{axis}" for axis in axes)
+        else:
+            yield f"V.{row.family}.{row.path}" + ("[]" if row.elements else "")
+    for tool in ("V.G.WZ_AKT", "V.G.WZ[]"):
+        yield from (f"{tool}.{name}" for name in _TOOL_VALUES)
+        yield from (f"{tool}.V.{axis}" for axis in axes)
+    yield from ("V.G.TIMER[]", "V.G.T_AKT", "V.G.D_AKT", "V.G.WZR")
+    for spindle_row in SPINDLE_ROWS:
+        name = f"V.{spindle_row.family}.{spindle_row.path}"
+        yield from (f"{name}.{spindle}" for spindle in spindles if spindle_row.has_spindle)
+        if not spindle_row.has_spindle:
+            yield name
+    yield from (f"V.TOOL.{name}" for name in _IDENTITY)
+    yield from (f"V.TLM.{name}" for name in _LIFE_FACTORS)
 
 
 def is_whole_offset(variable: Variable) -> bool:

@@ -80,7 +80,7 @@ def test_a_study_is_a_test(pytester: pytest.Pytester, plan: Path) -> None:
     pytester.makepyfile('def test_it(study):\n    assert study("plan.toml")\n')
     known = {one.name for one in entry_points(group="pytest11")}
     words = [] if "nctakt_studies" in known else ["-p", "nctakt.studies.fixture"]
-    words += ["-p", "no:asyncio", "-p", "no:pytest-lsp", "-p", "no:cacheprovider"]
+    words += ["-p", "no:asyncio", "-p", "no:cacheprovider"]
     done = pytester.runpytest_inprocess(*words)
     done.assert_outcomes(failed=1)
     done.stdout.fnmatch_lines(["*first run 0: duration < 1.2 s*"])

@@ -34,9 +34,8 @@ G00 X10
 M30
 """
 
-#: Words of each call: no files left behind, warnings are errors. pytest-asyncio would give one, and
-#: pytest-lsp breaks items that are no functions.
-WORDS = ("-p", "no:asyncio", "-p", "no:pytest-lsp", "-p", "no:cacheprovider", "-q", "-W", "error")
+#: Words of each call: no files left behind, warnings are errors; pytest-asyncio would give one.
+WORDS = ("-p", "no:asyncio", "-p", "no:cacheprovider", "-q", "-W", "error")
 
 
 def plugin_words() -> list[str]:
@@ -122,6 +121,64 @@ def test_the_example_project_passes() -> None:
     done = run_pytest(ROOT / "examples" / "testing")
     assert done.returncode == 0, done.stdout + done.stderr
     assert "8 passed" in done.stdout
+
+
+def test_beside_other_plugins(sessions: Sessions) -> None:
+    """pytest-lsp, which looks into each item for fixtures, and pytest-asyncio are active."""
+    pytest.importorskip("pytest_lsp", reason="a plugin that looks into each item")
+    text = "import pytest\n\ndef test_it(pytestconfig):\n"
+    text += "    assert pytestconfig.pluginmanager.has_plugin('pytest-lsp')\n"
+    project(sessions.folder, part_nc="M100 ; expect: M100\nM30\n", test_it_py=text)
+    (sessions.folder / "wrong.nc").write_text("M100 ; expect: M101\nM30\n", "utf-8")
+    words = [*plugin_words(), "-p", "no:cacheprovider", "-q", "--import-mode=importlib"]
+    assert pytest.main(words) == 1
+    shown = "".join(sessions.capsys.readouterr())
+    assert "1 failed, 2 passed" in shown
+    assert "wrong.nc:1: expect: M101" in shown
+    assert "wrap_controller" not in shown
+
+
+#: A mistake in what a test asks for, and the line that makes it.
+MISTAKES = {
+    'run_nc("a.nc", set={"V.E.NOPE": 1})': "error 900541",
+    'run_nc("a.nc", set={"V.E.VALUE": "x"})': "error 9005",
+    'run_nc("a.nc", set=["V.E.VALUE"])': "error 9005",
+    'run_nc("a.nc", at=[("soon", "V.E.VALUE", 1)])': "error 900510",
+    'run_nc("a.nc", plc="none.py")': "error 9",
+    'run_nc("none.nc")': "error 9005",
+    'run_nc("a.nc", until="1 s", nothing=1)': "TypeError",
+    'run_nc("a.nc").fired(line=9)': "error 900663",
+    'run_nc("a.nc").value_at("X.ACS.ACT_POS", "soon")': "error 900510",
+    'run_nc("a.nc").value_at("V.E.NOPE", 1)': "KeyError",
+    'run_nc("a.nc").axis("Q")': "KeyError",
+    'run_nc("a.nc").m_function(7).at': "AssertionError",
+    'study(program="a.nc", expect=["nonsense"])': "error 901307",
+}
+
+
+def test_a_mistake_shows_the_line_of_the_test(sessions: Sessions) -> None:
+    """No frame of nctakt: neither its files nor its code, unless --full-trace asks for it."""
+    lines = [f"def test_{i}(run_nc, study):\n    {line}\n" for i, line in enumerate(MISTAKES)]
+    project(sessions.folder, a_nc="M100\nM30\n", test_a_py="\n".join(lines))
+    code, shown = sessions.run()
+    assert code == 1
+    assert f"{len(MISTAKES)} failed" in shown
+    for line, found in MISTAKES.items():
+        assert f">       {line}" in shown
+        assert found in shown
+    assert "src/nctakt" not in shown
+    assert "raise Failure" not in shown
+    assert "raise Failure" in sessions.run("--full-trace", "-k", "test_0")[1]
+
+
+def test_a_machine_that_cannot_be_used_has_no_traceback(sessions: Sessions) -> None:
+    """The fixtures say what is wrong with the lists, and nothing else."""
+    project(sessions.folder, test_a_py="def test_a(run_nc):\n    pass\n")
+    (sessions.folder / "pytest.ini").write_text("[pytest]\nnctakt_machine = none\n", "utf-8")
+    code, shown = sessions.run()
+    assert code == 1
+    assert "error 900060: the machine folder" in shown
+    assert "def machine" not in shown
 
 
 def test_the_plugin_loads_nothing_before_a_test_asks_for_it(tmp_path: Path) -> None:

@@ -33,8 +33,6 @@ def run_pytest(folder: Path, **environment: str) -> str:
             "-p",
             "no:asyncio",
             "-p",
-            "no:pytest-lsp",
-            "-p",
             "no:cacheprovider",
             "-q",
             ".",

@@ -148,12 +148,14 @@ class Occurrences:
     @property
     def at(self) -> float:
         """The time of the first occurrence in seconds; raises ``AssertionError`` without one."""
+        __tracebackhide__ = True
         assert self._occurrences, repr(self)
         return self._occurrences[0].at
 
     @property
     def tick(self) -> int:
         """The tick of the first occurrence; raises ``AssertionError`` without one."""
+        __tracebackhide__ = True
         assert self._occurrences, repr(self)
         return self._occurrences[0].tick
 
@@ -197,10 +199,12 @@ class AxisTrace:
 
     def position_at(self, time: TimeLike) -> float:
         """Return the command position that a realtime cycle reads at this time."""
+        __tracebackhide__ = True
         return self._run.value_at(f"{self.name}.ACS.ACT_POS", time)
 
     def actual_position_at(self, time: TimeLike) -> float:
         """Return the actual position at this time."""
+        __tracebackhide__ = True
         return self._run.value_at(f"{self.name}.ACS.CUR_POS", time)
 
     @property
@@ -306,6 +310,7 @@ class NcRun:
 
     def axis(self, name: str) -> AxisTrace:
         """Return the axis with this name."""
+        __tracebackhide__ = True
         if not self.has_axis(name):
             raise KeyError(f"there is no axis {name}")
         return AxisTrace(self, name)
@@ -320,6 +325,7 @@ class NcRun:
         The result of a tick counts from the begin of the next one on. Raises ``Failure`` for an
         invalid time.
         """
+        __tracebackhide__ = True
         trace = self.run.trace
         assert trace is not None
         if name not in self._start:

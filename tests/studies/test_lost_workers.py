@@ -272,6 +272,7 @@ def test_a_killed_scheduler_keeps_what_is_finished(
     told = capsys.readouterr().err
     assert "901316" in told
     assert "901310" in told
+    assert "Traceback" not in told
     kept = len(out.with_suffix(".csv.rows").read_bytes().splitlines()) - 1
     assert 0 < kept < 500
     assert f"{kept} of 500" in told

@@ -40,7 +40,7 @@ def test_the_summary_names_the_broken_runs(plan: Path, capsys: Captured) -> None
     lines = capsys.readouterr().out.splitlines()
     assert lines[0] == f"{plan}: 6 runs: 4 held, 2 broken"
     assert lines[1] == "  end  minimum 1  maximum 6"
-    assert lines[2] == "4: V.E.VALUE = 5: broken: X at end < 4.5"
+    assert lines[2] == "4: V.E.VALUE = 5: broken: X at end < 4.5 (5)"
     assert lines[3] == f"    nctakt run {plan.with_name('part.nc')} --set V.E.VALUE=5"
     assert main(["study", str(plan), "--only", "2", "--quiet"]) == 0
 

@@ -116,7 +116,13 @@ def _study(file: str, words: dict[str, Any]) -> int:
     if words["cover"]:
         return _cover(study, words)
     if finds:
-        return _find(study, words)
+        return _find(study, file, words)
+    if study.nominal is not None and study.nominal.broken:
+        from nctakt.messages import diagnostic  # noqa: PLC0415 - as above
+        from nctakt.messages.studies import UNCHANGED_RUN_BROKEN  # noqa: PLC0415
+
+        found = diagnostic(UNCHANGED_RUN_BROKEN, broken=study.nominal.broken)
+        print_diagnostics([found], words["language"])
     size, only = study.plan.size, words["only"]
     if only is not None and only >= size:
         raise click.UsageError(f"--only: the study has the runs 0 to {size - 1}")
@@ -168,9 +174,19 @@ def _show(study: Study, result: StudyResult, file: str, words: dict[str, Any]) -
         write_file(words["report"], result.report(words["language"], commands))
     for line in summary(study, result, file, commands, words["language"]):
         click.echo(line)
+    _tell_without_effect(result.without_effect, words)
     if words["shrink"] and result.first_broken(1):
         for line in shrunk_lines(study, result, words["language"]):
             click.echo(line)
+
+
+def _tell_without_effect(names: Sequence[str], words: dict[str, Any]) -> None:
+    """Warn of dimensions that changed nothing (901941)."""
+    from nctakt.messages import diagnostic  # noqa: PLC0415 - as above
+    from nctakt.messages.studies import DIMENSION_WITHOUT_EFFECT  # noqa: PLC0415
+
+    found = [diagnostic(DIMENSION_WITHOUT_EFFECT, name=name) for name in names]
+    print_diagnostics(found, words["language"])
 
 
 def _check_words(file: str, words: dict[str, Any]) -> None:
@@ -248,16 +264,17 @@ def _cover(study: Study, words: dict[str, Any]) -> int:
     return EXIT_RAN if reached.is_whole else EXIT_NC_ERROR
 
 
-def _find(study: Study, words: dict[str, Any]) -> int:
+def _find(study: Study, file: str, words: dict[str, Any]) -> int:
     """Answer the goals of a plan; exit code 1 if one of them has no answer."""
     from nctakt.cli.study_summary import answer_lines  # noqa: PLC0415 - as above
 
     answers = study.find()
     for answer in answers:
-        for line in answer_lines(study, answer, words["record"], words["language"]):
+        for line in answer_lines(study, answer, file, words["record"], words["language"]):
             click.echo(line)
         if answer.finding is not None:
             print_diagnostics([answer.finding], words["language"])
+        _tell_without_effect(answer.without_effect, words)
     return EXIT_NC_ERROR if any(answer.finding for answer in answers) else EXIT_RAN
 
 

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import re
+import shlex
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
@@ -99,11 +100,11 @@ def spans_of(result: StudyResult) -> dict[str, Span]:
 
 
 def answer_lines(
-    study: Study, answer: Answer, folder: str | None, language: Language
+    study: Study, answer: Answer, file: str, folder: str | None, language: Language
 ) -> Iterator[str]:
     """Yield the lines of the answer to a goal; write tapes of its runs to a folder, if named.
 
-    Raises ``Failure`` for files that cannot be written.
+    ``file``: the plan as the user named it. Raises ``Failure`` for files that cannot be written.
     """
     runs = _TEXTS[language][0]
     yield f"{answer.goal.word} {answer.goal.measure} ({answer.runs} {runs})"
@@ -113,8 +114,7 @@ def answer_lines(
         if folder is not None and row["verdict"] != FAILED:
             name = f"{answer.goal.word}-{answer.goal.measure}-{number}.tape"
             command = study.record(point, Path(folder) / re.sub(r"[^\w.-]", "_", name))
-        if command is not None:
-            yield f"    {command}"
+        yield f"    {command or shlex.join(['nctakt', 'study', file, '--record', 'tapes'])}"
 
 
 def shrunk_lines(study: Study, result: StudyResult, language: Language) -> Iterator[str]:

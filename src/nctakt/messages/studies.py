@@ -30,8 +30,8 @@ INVALID_PLAN_VALUE = error(
 )
 PLAN_ENTRY_MISSING = error(
     901303,
-    en="the plan has no entry {key} in {table}",
-    de="dem Plan fehlt der Eintrag {key} in {table}",
+    en='the plan has no entry "{key}" in {table}',
+    de='dem Plan fehlt der Eintrag "{key}" in {table}',
     remedy_en="Add it; docs/studies.md lists all entries.",
     remedy_de="Den Eintrag ergänzen; alle Einträge stehen in docs/studies.md.",
     table=("the table of the plan", "die Tabelle des Plans"),
@@ -136,8 +136,9 @@ UNKNOWN_PROGRAM_VARIABLE = error(
 )
 NO_BOUNDARY = warning(
     901314,
-    en="no switch-over between {low} and {high}: the verdict is the same at both ends",
-    de="kein Umschlag zwischen {low} und {high}: an beiden Enden gilt dasselbe Urteil",
+    en="no switch-over between {low} and {high}: the expectations hold at both ends or at neither",
+    de="kein Umschlag zwischen {low} und {high}: die Erwartungen gelten an beiden Enden oder an "
+    "keinem",
     remedy_en="Choose from and to so that the expectations hold at one end only.",
     remedy_de="Die Grenzen from und to ändern, bis die Erwartungen nur an einem Ende gelten.",
 )
@@ -172,6 +173,36 @@ UNKNOWN_THREAD = error(
     remedy_de="Die Threads zeigt nctakt schedule show; ein Name mit Leerzeichen steht in "
     "Anführungszeichen.",
     nearest=("the nearest one", "der nächste"),
+)
+ANSWER_BROKEN = warning(
+    901940,
+    en="the expectations do not hold in the run that was found: {broken}",
+    de="im gefundenen Lauf sind die Erwartungen verletzt: {broken}",
+    remedy_en="The search minimizes and maximizes without regard to expectations. Narrow from and "
+    "to by a boundary; or run the plan without find and take the best row that held.",
+    remedy_de="Die Suche minimiert und maximiert ohne Rücksicht auf Erwartungen. from und to mit "
+    "boundary eingrenzen; oder den Plan ohne find ausführen und die beste erfüllte Zeile nehmen.",
+    broken=("what does not hold", "was verletzt ist"),
+)
+DIMENSION_WITHOUT_EFFECT = warning(
+    901941,
+    en="{name} has no effect: runs that differ in nothing else have the same events and the same "
+    "measured values",
+    de="{name} hat keine Wirkung: Läufe, die sich nur darin unterscheiden, haben dieselben "
+    "Ereignisse und Messwerte",
+    remedy_en="Check whether the program uses it at all, and whether the values, or what is "
+    "measured, can show it.",
+    remedy_de="Prüfen, ob das Programm es überhaupt benutzt und ob die Werte oder die Messgrößen "
+    "es zeigen können.",
+    name=("the dimension", "die Dimension"),
+)
+UNCHANGED_RUN_BROKEN = warning(
+    901942,
+    en="the run without any injection is broken already: {broken}",
+    de="schon der Lauf ohne jeden Eingriff ist verletzt: {broken}",
+    remedy_en="Correct program or expectation first: each injection would show the same.",
+    remedy_de="Zuerst Programm oder Erwartung berichtigen: jeder Eingriff würde dasselbe zeigen.",
+    broken=("what does not hold", "was verletzt ist"),
 )
 NOTHING_MEASURED = warning(
     901393,

@@ -127,10 +127,9 @@ class BegunRun:
                 self.run.interrupt()
         finally:
             self.run.close()
-        injected = None if injected_us is None else injected_us / 1e6
         scheduled = self.run.scheduled_run
         simulation = scheduled.simulation() if isinstance(scheduled, ScheduledRun) else None
-        outcome = Outcome(self.run.result(), self.before, injected, simulation)
+        outcome = Outcome(self.run.result(), self.before, injected_us, simulation)
         if self.lent is not None:
             self.lent.give_back()
         return FinishedRun(outcome, self._inputs, self.digest.text())

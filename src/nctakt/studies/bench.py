@@ -36,6 +36,8 @@ from nctakt.studies.dimension import Value
 from nctakt.studies.faults import FaultyPlc
 from nctakt.studies.inputs import RunInputs, inputs_of
 from nctakt.studies.measure_nodes import reaction_time
+from nctakt.studies.measures import Expectation
+from nctakt.studies.outcome import Outcome
 from nctakt.studies.plan import Plan
 from nctakt.studies.python_measure import PythonMeasure
 from nctakt.studies.realtime_parts import MACHINES, RealtimeParts
@@ -93,7 +95,7 @@ class Bench:
         axes = {axis.name for axis in controller.channel_axes}
         plan = self.plan
         readers = [("measure", one.name, one.node.signals()) for one in plan.measures]
-        readers += [("", "expect", iter(one.signals)) for one in plan.expectations]
+        readers += [("expect", one.text, iter(one.signals)) for one in plan.expectations]
         signals: list[str] = []
         found: list[Diagnostic] = []
         for table, entry, names in readers:
@@ -181,9 +183,7 @@ class Bench:
         """Return measures, verdict and digest of a run."""
         plan, outcome = self.plan, finished.outcome
         row: Row = {measure.name: measure.value(outcome) for measure in plan.measures}
-        broken = [one.text for one in plan.expectations if not one.is_met(outcome)]
-        if not plan.speaks_of_errors:
-            broken += dict.fromkeys(f"error {found.id}" for found in outcome.run.errors)
+        broken = self.broken(outcome, plan.expectations)
         if self._reactions:
             row[REACTION] = reaction_time(self._reactions[0], outcome)
         return row | {
@@ -194,6 +194,13 @@ class Bench:
             "seed": plan.seed,
             "digest": finished.digest,
         }
+
+    def broken(self, outcome: Outcome, expectations: Sequence[Expectation]) -> list[str]:
+        """Return what a run breaks: expectations with what was instead, and unexpected errors."""
+        broken = [one.broken(outcome) for one in expectations if not one.is_met(outcome)]
+        if not self.plan.speaks_of_errors:
+            broken += dict.fromkeys(f"error {found.id}" for found in outcome.run.errors)
+        return broken
 
     def make(self, point: Sequence[Value]) -> FinishedRun:
         """Make the run with these values, up to where it is decided; raises ``Failure``."""

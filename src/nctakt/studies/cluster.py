@@ -12,6 +12,7 @@ from __future__ import annotations
 import contextlib
 import gc
 import importlib.util
+import logging
 import sys
 import tempfile
 import threading
@@ -156,6 +157,36 @@ def rows_of_cluster(
     except ImportError as error:
         raise Failure(diagnostic(EXTRA_MISSING, package="distributed", extra="cluster")) from error
     packed = bundle(plan, uploads)
+    is_own = not isinstance(address, distributed.Client)
+    with _quiet() if is_own else contextlib.nullcontext():
+        yield from _rows(plan, numbers, address, packed)
+
+
+@contextlib.contextmanager
+def _quiet() -> Iterator[None]:
+    """Keep distributed from logging what ``Failure`` says: lost connections, with tracebacks."""
+    loggers = [logging.getLogger(name) for name in ("distributed", "tornado")]
+    loggers += [
+        logging.getLogger(name)
+        for name in sorted(logging.root.manager.loggerDict)
+        if name.startswith(("distributed.", "tornado."))
+    ]
+    levels = [logger.level for logger in loggers]
+    for logger in loggers:
+        logger.setLevel(logging.CRITICAL + 1)
+    try:
+        yield
+    finally:
+        for logger, level in zip(loggers, levels, strict=True):
+            logger.setLevel(level)
+
+
+def _rows(
+    plan: Plan, numbers: Iterable[int], address: str | Any, packed: Bundle
+) -> Iterator[RowBlock]:
+    """Yield the rows of runs on a cluster; raises as ``rows_of_cluster``."""
+    import distributed  # noqa: PLC0415 - as above
+
     is_own = not isinstance(address, distributed.Client)
     try:
         client: Any = distributed.Client(address, timeout=CONNECT_S) if is_own else address

@@ -7,6 +7,7 @@ dimension of times is a whole number of microseconds, each other one a number or
 
 from __future__ import annotations
 
+import math
 from typing import Literal
 
 from nctakt.base.dataclass import dataclass
@@ -52,7 +53,8 @@ class Dimension:
     within ``amount`` of ``rest``. ``step`` 0: any value between ``low`` and ``high``.
     ``is_each_tick``: each tick of a run, from ``low`` up to the end of the unchanged run.
     ``nominal``: the value of the unchanged run; ``None``: the first one. ``is_whole``: it takes
-    whole numbers only, so that values between two of them are rounded.
+    whole numbers only, so that values between two of them are rounded. ``tick_us``: the length of a
+    tick, for times: those between two ticks would do what the next tick does.
     """
 
     name: str
@@ -71,6 +73,7 @@ class Dimension:
     is_each_tick: bool = False
     nominal: Value | None = None
     is_whole: bool = False
+    tick_us: int = 1
 
     @property
     def is_time(self) -> bool:
@@ -116,7 +119,17 @@ class Dimension:
         count = self.count
         if count:
             return self.value(min(int(share * count), count - 1))
-        return self._whole(self.low + share * (self.high - self.low))
+        value = self.low + share * (self.high - self.low)
+        if self.is_time:  # drawn by chance, or halved
+            return self._tick_at(value)
+        return self._whole(value)
+
+    def _tick_at(self, value_us: float) -> int:
+        """Return the nearest time between the bounds at which a tick begins, if there is one."""
+        first, last = math.ceil(self.low / self.tick_us), math.floor(self.high / self.tick_us)
+        if first > last:
+            return round(value_us)
+        return max(first, min(round(value_us / self.tick_us), last)) * self.tick_us
 
     def _whole(self, value: float) -> Value:
         """Return a time in whole microseconds; other values without the dust of the addition."""

@@ -52,23 +52,30 @@ def injection_table(text: str) -> dict[str, object]:
 
 @dataclass(frozen=True, slots=True)
 class Nominal:
-    """The unchanged run: its length in ticks, and first tick, line and text of its blocks."""
+    """The unchanged run: its length in ticks, and first tick, line and text of its blocks.
+
+    ``broken``: the expectations that it does not meet, beside those about an injection.
+    """
 
     ticks: int
     cycle_time_us: int
     blocks: tuple[tuple[int, int, str], ...]
+    broken: str = ""
 
 
 def nominal_run(bench: Bench) -> Nominal:
     """Make the unchanged run; raises ``Failure`` as a run."""
     inputs = RunInputs(dict(bench.plan.assignments), list(bench.plan.stimuli))
-    run = bench.begin(inputs, blocks=True).finish().outcome.run
+    outcome = bench.begin(inputs, blocks=True).finish().outcome
+    run = outcome.run
     blocks: list[tuple[int, int, str]] = []
     assert run.trace is not None
     for event in run.trace.events:
         if event.kind == "block" and event.span is not None:
             blocks.append((event.tick, event.span.line, bench.line(event.span.line)))
-    return Nominal(run.ticks, run.cycle_time_us, tuple(blocks))
+    about_it = [one for one in bench.plan.expectations if not one.is_about_injection]
+    broken = "; ".join(bench.broken(outcome, about_it))
+    return Nominal(run.ticks, run.cycle_time_us, tuple(blocks), broken)
 
 
 def with_span(plan: Plan, nominal: Nominal) -> Plan:

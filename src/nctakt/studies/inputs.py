@@ -23,6 +23,9 @@ from nctakt.studies.plan import Plan
 
 Amount = float | str
 
+#: The most values at times that a command names.
+MAX_STIMULI = 20
+
 
 @dataclass(slots=True)
 class RunInputs:
@@ -129,8 +132,14 @@ def _span(dimension: Dimension, cycle_time_us: int) -> tuple[int, int]:
 
 
 def command_of(plan: Plan, inputs: RunInputs) -> str | None:
-    """Return the command that makes this run; ``None`` if no option says what it needs."""
+    """Return the command that makes this run; ``None`` if no option says what it needs.
+
+    That is so as well where nobody would read the command: with more than ``MAX_STIMULI`` values
+    at times.
+    """
     if plan.is_schedule or plan.text is not None or inputs.needs_tape:
+        return None
+    if len(inputs.stimuli) > MAX_STIMULI:
         return None
     words = ["nctakt", "run", str(plan.program)]
     if plan.machine is not None:

@@ -1,18 +1,28 @@
 # SPDX-License-Identifier: MIT
-"""The parts of a measure: each computes its value from a run."""
+"""The parts of a measure: each computes its value from a run.
+
+Times are whole microseconds of the run; as values they are exact fractions of seconds, and so is
+what is computed from them. Rounding to a binary number comes where a result is shown.
+"""
 
 from __future__ import annotations
 
 import operator
 from collections.abc import Callable, Iterator, Sequence
+from fractions import Fraction
 from types import MappingProxyType
 from typing import Literal, Protocol
 
 from nctakt.base.dataclass import dataclass
 from nctakt.lists.format.times import Time
 from nctakt.studies.outcome import NotMeasuredError, Outcome
+from nctakt.testing.queries import NcRun, Occurrences
 
-Number = float | str
+#: A value: a number from signals, a count, an exact number, a text.
+Number = float | Fraction | str
+
+#: Microseconds in a second.
+_SECOND_US = 1_000_000
 
 BOOLEAN = (0.0, 1.0)
 
@@ -29,12 +39,17 @@ COMPARISONS = MappingProxyType(
     }
 )
 
-_ARITHMETIC: dict[str, Callable[[float, float], float]] = {
+_ARITHMETIC: dict[str, Callable[[float | Fraction, float | Fraction], float | Fraction]] = {
     "+": operator.add,
     "-": operator.sub,
     "*": operator.mul,
     "/": operator.truediv,
 }
+
+
+def seconds(time_us: int) -> Fraction:
+    """Return a time as a value, in seconds."""
+    return Fraction(time_us, _SECOND_US)
 
 
 class Node(Protocol):
@@ -56,7 +71,7 @@ class Constant:
     def value(self, outcome: Outcome) -> Number:
         """Return it; a time in seconds."""
         if isinstance(self.constant, Time):
-            return self.constant.us(outcome.cycle_time_us) / 1e6
+            return seconds(self.constant.us(outcome.cycle_time_us))
         return self.constant
 
     def signals(self) -> Iterator[str]:
@@ -73,7 +88,7 @@ class Property:
     def value(self, outcome: Outcome) -> Number:
         """Return it; the duration in seconds."""
         if self.name == "duration":
-            return outcome.duration
+            return seconds(outcome.run.virtual_time_us)
         return outcome.run.ticks if self.name == "ticks" else outcome.run.state
 
     def signals(self) -> Iterator[str]:
@@ -93,14 +108,14 @@ class Condition:
         """Return whether it holds for a value of the signal."""
         return bool(COMPARISONS[self.word](value, self.limit))
 
-    def times(self, outcome: Outcome) -> list[float]:
+    def times_us(self, outcome: Outcome) -> list[int]:
         """Return the times at which it becomes true; 0 if it is true from the begin on."""
         was_true = False
         times = []
         for tick, value in enumerate(outcome.values(self.name)):
             is_true = self.holds(value)
             if is_true and not was_true:
-                times.append(tick * outcome.run.cycle_time_us / 1e6)
+                times.append(tick * outcome.run.cycle_time_us)
             was_true = is_true
         return times
 
@@ -117,25 +132,27 @@ class Event:
     name: str = ""
     line: int | None = None
 
-    def times(self, outcome: Outcome) -> list[float]:
-        """Return the times of its occurrences in seconds."""
-        queries = outcome.queries
+    def times_us(self, outcome: Outcome) -> list[int]:
+        """Return the times of its occurrences."""
         if self.kind == "ended":
-            return [outcome.duration] if outcome.run.state == "ended" else []
+            return [outcome.run.virtual_time_us] if outcome.run.state == "ended" else []
+        return [one.at_us for one in self._occurrences(outcome.queries)]
+
+    def _occurrences(self, queries: NcRun) -> Occurrences:
         if self.kind == "fired":
-            return queries.find("", ("fired",), "", line=self.line, cycle=self.name or None).times
+            return queries.find("", ("fired",), "", line=self.line, cycle=self.name or None)
         if self.kind == "message":
-            return queries.message(self.name).times
+            return queries.message(self.name)
         if self.kind == "function":
-            return queries.function(self.name).times
-        return queries.find("", ("error", "user_error", "warning", "notice"), self.name).times
+            return queries.function(self.name)
+        return queries.find("", ("error", "user_error", "warning", "notice"), self.name)
 
     def count(self, outcome: Outcome) -> int:
         """Return how often it happened; an error of the decoder has no tick and counts as well."""
         if self.kind in ("error", "warning"):
             numbers = [one.id for one in outcome.run.diagnostics]
             return numbers.count(int(self.name))
-        return len(self.times(outcome))
+        return len(self.times_us(outcome))
 
     def signals(self) -> Iterator[str]:
         """Yield nothing."""
@@ -145,10 +162,10 @@ class Event:
 AnyEvent = Condition | Event
 
 
-def _first(times: Sequence[float]) -> float:
-    if not times:
+def _first(times_us: Sequence[int]) -> int:
+    if not times_us:
         raise NotMeasuredError
-    return times[0]
+    return times_us[0]
 
 
 @dataclass(frozen=True, slots=True)
@@ -160,8 +177,8 @@ class TimeOf:
 
     def value(self, outcome: Outcome) -> Number:
         """Return the time; raises ``NotMeasuredError`` if it did not happen."""
-        times = self.event.times(outcome)
-        return _first(times[-1:] if self.is_last else times)
+        times_us = self.event.times_us(outcome)
+        return seconds(_first(times_us[-1:] if self.is_last else times_us))
 
     def signals(self) -> Iterator[str]:
         """Yield those of the event."""
@@ -177,8 +194,9 @@ class TimeBetween:
 
     def value(self, outcome: Outcome) -> Number:
         """Return the time; raises ``NotMeasuredError`` if one of them did not happen."""
-        begin = _first(self.first.times(outcome))
-        return _first([time for time in self.second.times(outcome) if time >= begin]) - begin
+        begin_us = _first(self.first.times_us(outcome))
+        end_us = _first([time for time in self.second.times_us(outcome) if time >= begin_us])
+        return seconds(end_us - begin_us)
 
     def signals(self) -> Iterator[str]:
         """Yield those of both events."""
@@ -196,7 +214,7 @@ class CountOf:
         """Return the number."""
         if isinstance(self.event, Event):
             return self.event.count(outcome)
-        return len(self.event.times(outcome))
+        return len(self.event.times_us(outcome))
 
     def signals(self) -> Iterator[str]:
         """Yield those of the event."""
@@ -225,20 +243,20 @@ class ValueAt:
     """The value of a signal at the end, at a time, at the first occurrence of an event."""
 
     name: str
-    at: Node | AnyEvent | None
+    at: Time | AnyEvent | None
 
     def value(self, outcome: Outcome) -> Number:
         """Return the value; raises ``NotMeasuredError`` if the event did not happen."""
         if self.at is None:
             return outcome.values(self.name)[-1]
-        if isinstance(self.at, Condition | Event):
-            return outcome.value_at(self.name, _first(self.at.times(outcome)))
-        return outcome.value_at(self.name, float(self.at.value(outcome)))
+        if isinstance(self.at, Time):
+            return outcome.value_at(self.name, self.at.us(outcome.cycle_time_us))
+        return outcome.value_at(self.name, _first(self.at.times_us(outcome)))
 
     def signals(self) -> Iterator[str]:
         """Yield its signal and those of the event."""
         yield self.name
-        if self.at is not None:
+        if isinstance(self.at, Condition | Event):
             yield from self.at.signals()
 
 
@@ -257,7 +275,7 @@ class Binary:
             return BOOLEAN[_compare(self.word, left, right)]
         if isinstance(left, str) or isinstance(right, str):
             raise NotMeasuredError
-        return _ARITHMETIC[self.word](left, right)
+        return _ARITHMETIC[self.word](*_alike(left, right))
 
     def signals(self) -> Iterator[str]:
         """Yield those of both values."""
@@ -267,9 +285,23 @@ class Binary:
 
 def _compare(word: str, left: Number, right: Number) -> bool:
     """Return the result; texts are only equal or not."""
-    if isinstance(left, str) != isinstance(right, str):
+    if isinstance(left, str) and isinstance(right, str):
+        return bool(COMPARISONS[word](left, right))
+    if isinstance(left, str) or isinstance(right, str):
         raise NotMeasuredError
-    return bool(COMPARISONS[word](left, right))
+    return bool(COMPARISONS[word](*_alike(left, right)))
+
+
+def _alike(
+    left: float | Fraction, right: float | Fraction
+) -> tuple[float, float] | tuple[Fraction, Fraction]:
+    """Return two numbers as they can be compared: exact ones, binary ones beside a binary one.
+
+    A text such as 0.02 means that number, and beside a signal the binary one that is nearest to it.
+    """
+    if isinstance(left, float) or isinstance(right, float):
+        return float(left), float(right)
+    return Fraction(left), Fraction(right)
 
 
 @dataclass(frozen=True, slots=True)
@@ -281,8 +313,8 @@ class Order:
 
     def value(self, outcome: Outcome) -> Number:
         """Return 1 or 0; raises ``NotMeasuredError`` if the first one did not happen."""
-        first, second = _first(self.first.times(outcome)), self.second.times(outcome)
-        return BOOLEAN[not second or first < second[0]]
+        first_us, second_us = _first(self.first.times_us(outcome)), self.second.times_us(outcome)
+        return BOOLEAN[not second_us or first_us < second_us[0]]
 
     def signals(self) -> Iterator[str]:
         """Yield those of both events."""
@@ -301,26 +333,24 @@ class Reaction:
     limit: Time
     after: AnyEvent | None
 
-    def begin(self, outcome: Outcome) -> float:
+    def begin_us(self, outcome: Outcome) -> int:
         """Return the time from which on it counts; raises ``NotMeasuredError``."""
         if self.after is not None:
-            return _first(self.after.times(outcome))
-        return outcome.injected or 0.0
+            return _first(self.after.times_us(outcome))
+        return outcome.injected_us or 0
 
-    def reaction_time(self, outcome: Outcome) -> float:
-        """Return the time until the condition holds, in seconds; raises ``NotMeasuredError``."""
-        begin = self.begin(outcome)
+    def reaction_us(self, outcome: Outcome) -> int:
+        """Return the time until the condition holds; raises ``NotMeasuredError``."""
+        begin_us, length_us = self.begin_us(outcome), outcome.cycle_time_us
         values = outcome.values(self.condition.name)
-        first = -(-round(begin * 1e6) // outcome.run.cycle_time_us)
-        for tick in range(first, len(values)):
+        for tick in range(-(-begin_us // length_us), len(values)):
             if self.condition.holds(values[tick]):
-                return round(tick * outcome.run.cycle_time_us - begin * 1e6) / 1e6
+                return tick * length_us - begin_us
         raise NotMeasuredError
 
     def value(self, outcome: Outcome) -> Number:
         """Return 1 or 0; raises ``NotMeasuredError`` if the condition does not become true."""
-        limit = self.limit.us(outcome.run.cycle_time_us) / 1e6
-        return BOOLEAN[self.reaction_time(outcome) <= limit]
+        return BOOLEAN[self.reaction_us(outcome) <= self.limit.us(outcome.cycle_time_us)]
 
     def signals(self) -> Iterator[str]:
         """Yield those of the condition and the event."""
@@ -332,8 +362,27 @@ class Reaction:
 def reaction_time(reaction: Reaction, outcome: Outcome) -> float | None:
     """Return the time that a reaction took, in seconds; ``None`` if it did not come."""
     try:
-        return reaction.reaction_time(outcome)
+        return float(seconds(reaction.reaction_us(outcome)))
     except NotMeasuredError:
+        return None
+
+
+def found_instead(node: Node, outcome: Outcome) -> list[Number | None]:
+    """Return what an expectation compares, without the numbers of its text; ``None``: no value."""
+    if isinstance(node, Reaction):
+        return [reaction_time(node, outcome)]
+    parts: list[Node] = [node]
+    if isinstance(node, Binary):
+        parts = [one for one in (node.left, node.right) if not isinstance(one, Constant)]
+    elif isinstance(node, Order):
+        parts = [TimeOf(node.first), TimeOf(node.second)]
+    return [_value_of(one, outcome) for one in parts]
+
+
+def _value_of(node: Node, outcome: Outcome) -> Number | None:
+    try:
+        return node.value(outcome)
+    except (NotMeasuredError, ArithmeticError):
         return None
 
 
@@ -341,4 +390,4 @@ def as_text(value: Number | None) -> str:
     """Return a value as results show it."""
     if value is None:
         return "–"
-    return value if isinstance(value, str) else f"{value:.9g}"
+    return value if isinstance(value, str) else f"{float(value):.9g}"

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
+from fractions import Fraction
 from typing import ClassVar, NamedTuple
 
 from nctakt.base.diagnostics import Text
@@ -191,10 +192,10 @@ class Reader:
             self._expect(")")
             return node
         if self._word("-"):
-            return Binary("-", Constant(0.0), self._single())
+            return Binary("-", Constant(0), self._single())
         token = self._take()
         if token.kind == "number":
-            return Constant(float(token.text))
+            return Constant(Fraction(token.text))
         if token.kind == "time":
             return Constant(_time(token.text))
         if token.kind == "text":
@@ -235,13 +236,13 @@ class Reader:
         is_last = self._word("last")
         return TimeOf(self._event(), is_last)
 
-    def _moment(self) -> Node | AnyEvent | None:
+    def _moment(self) -> Time | AnyEvent | None:
         if self._word("end"):
             return None
         token = self._peek()
         if token.kind == "time":
             self._position += 1
-            return Constant(_time(token.text))
+            return _time(token.text)
         return self._event()
 
     # --- events ----------------------------------------------------------------------------------

@@ -21,6 +21,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
+from fractions import Fraction
 from pathlib import Path
 
 from nctakt.base.dataclass import dataclass
@@ -35,12 +36,19 @@ from nctakt.studies.measure_nodes import (
     Order,
     Reaction,
     as_text,
+    found_instead,
 )
 from nctakt.studies.measure_text import NotAMeasureError, Reader
 from nctakt.studies.outcome import NotMeasuredError, Outcome
 from nctakt.studies.python_measure import PythonMeasure
 from nctakt.testing import expectations
 from nctakt.testing.verdict import differences
+
+#: What a broken expectation tells at most of what was instead.
+MAX_FOUND = 3
+
+#: The begin of a line that tells it.
+_FOUND = "    + "
 
 #: A value of a measure; ``None``: it has none in this run.
 MeasuredValue = float | str | None
@@ -65,6 +73,8 @@ class Measure:
         """Return its value; raises ``NotMeasuredError`` with the reason, if there is one."""
         try:
             value = self.node.value(outcome)
+            if isinstance(value, Fraction):
+                value = float(value)
         except ArithmeticError as error:
             raise NotMeasuredError(str(error)) from error
         if isinstance(value, float) and not math.isfinite(value):
@@ -90,13 +100,32 @@ class Expectation:
     def is_met(self, outcome: Outcome) -> bool:
         """Return whether the run meets it; a measure without a value meets nothing."""
         if self.node is None:
-            assert self.written is not None
-            wrong = differences(outcome.queries, [self.written], "")
-            return not any(text.startswith(f":{self.written.line}: ") for text in wrong)
+            return not self._differences(outcome)
         try:
             return self.node.value(outcome) == BOOLEAN[True]
         except (NotMeasuredError, ArithmeticError):
             return False
+
+    def broken(self, outcome: Outcome) -> str:
+        """Return its text with what was instead in a run that does not meet it."""
+        if self.node is not None:
+            found = [as_text(value) for value in found_instead(self.node, outcome)]
+        else:
+            lines = "\n".join(self._differences(outcome)).splitlines()
+            found = [line.removeprefix(_FOUND) for line in lines if line.startswith(_FOUND)]
+        left = ["…"] if len(found) > MAX_FOUND else []
+        return f"{self.text} ({', '.join([*found[:MAX_FOUND], *left])})"
+
+    def _differences(self, outcome: Outcome) -> list[str]:
+        """Return how a run differs from an expectation of NC comments, as texts."""
+        assert self.written is not None
+        wrong = differences(outcome.queries, [self.written], "")
+        return [text for text in wrong if text.startswith(f":{self.written.line}: ")]
+
+    @property
+    def is_about_injection(self) -> bool:
+        """Whether it is about the time after the injection of an each-tick study."""
+        return self.reaction is not None and self.reaction.after is None
 
     @property
     def reaction(self) -> Reaction | None:

@@ -20,7 +20,7 @@ class NotMeasuredError(Exception):
 class Outcome:
     """A run, with the values of its signals ``before`` its first tick.
 
-    Times are seconds of the run. ``injected``: the time of the stimulus of an each-tick study.
+    Times are microseconds of the run. ``injected_us``: that of the stimulus of an each-tick study.
     ``simulation``: the schedule that the run went by, or that was simulated without one.
     """
 
@@ -28,13 +28,13 @@ class Outcome:
         self,
         run: Run,
         before: Mapping[str, float],
-        injected: float | None = None,
+        injected_us: int | None = None,
         simulation: Simulation | None = None,
     ) -> None:
         self.simulation = simulation
         self.run = run
         self.queries = NcRun(run, before)
-        self.injected = injected
+        self.injected_us = injected_us
         self._before = before
         self._columns: dict[str, Sequence[float]] = {}
 
@@ -45,19 +45,9 @@ class Outcome:
         return analyse(self.simulation.model)
 
     @property
-    def duration(self) -> float:
-        """The duration in seconds."""
-        return self.run.virtual_time_us / 1e6
-
-    @property
     def cycle_time_us(self) -> int:
         """The length of a tick in microseconds."""
         return self.run.cycle_time_us
-
-    @property
-    def tick_s(self) -> float:
-        """The length of a tick in seconds."""
-        return self.run.cycle_time_us / 1e6
 
     def values(self, name: str) -> Sequence[float]:
         """Return the values of a signal at the begin of each tick, and at the end of the run."""
@@ -67,8 +57,8 @@ class Outcome:
             self._columns[signal] = [self._before[signal], *self.run.trace[signal].tolist()]
         return self._columns[signal]
 
-    def value_at(self, name: str, time: float) -> float:
+    def value_at(self, name: str, time_us: int) -> float:
         """Return a signal at a time, as a realtime cycle reads it then."""
         values = self.values(name)
-        tick = -(-round(time * 1e6) // self.run.cycle_time_us)
+        tick = -(-time_us // self.run.cycle_time_us)
         return values[max(0, min(tick, len(values) - 1))]

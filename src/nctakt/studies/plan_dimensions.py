@@ -130,6 +130,7 @@ class DimensionReader:
             reader.truth(entry, "each_tick", "vary", number),
             self._nominal(kind),
             kind == "noise" or is_whole(kind, target),
+            self._tick_us() if kind in TIME_KINDS else 1,
         )
 
     # --- entries ---------------------------------------------------------------------------------

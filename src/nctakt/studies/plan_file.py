@@ -31,7 +31,7 @@ from nctakt.project.run_settings import DEFAULT_PLC, Named, RunSettings, run_set
 from nctakt.run.program_loader import NcText
 from nctakt.run.stimuli import parse_assignment
 from nctakt.studies.changed_schedule import FAMILY
-from nctakt.studies.measure_nodes import Node
+from nctakt.studies.measure_nodes import Constant, Node
 from nctakt.studies.measure_text import Reader
 from nctakt.studies.measures import Expectation, Measure, read_expectation, read_measure
 from nctakt.studies.plan import (
@@ -147,8 +147,7 @@ class _Reader(PlanReader):
         settings = self._settings
         if rtconf is not None:
             self._words = ScheduleReader if is_schedule else ScheduledProgramReader
-        measures = self._measures(tables.get("measure", {}))
-        known = {measure.name: measure.node for measure in measures}
+        measures, known = self._measures(tables.get("measure", {}))
         method = self.choice(tables, "method", METHODS)
         count = self.whole(tables, "count", 0)
         if method in DESIGNS and count > MAX_DESIGN:
@@ -222,13 +221,17 @@ class _Reader(PlanReader):
         keys: list[tuple[str, str, str | int]] = [
             (dimension.kind, "vary", number) for number, dimension in enumerate(plan.dimensions)
         ]
-        keys += [(measure.name, "measure", measure.name) for measure in plan.measures]
         keys += [(name, "set", name) for name, _ in plan.assignments]
-        keys += [("expect", "", "expect"), ("at", "", "at")]
+        keys += [("at", "", "at")]
         places: dict[Entry, Place] = {
             (table, entry): self.location(key, table, entry if isinstance(entry, int) else 0)
             for key, table, entry in keys
         }
+        for measure in plan.measures:
+            own = self.location_of_text(measure.text, measure.name, "measure")
+            places["measure", measure.name] = own
+        for one in plan.expectations:
+            places["expect", one.text] = self.location_of_text(one.text, "expect", "")
         if self._settings is not None and self._settings.project is not None:
             of_project = self._settings.project.places
             places |= {("set", name): of_project[name] for name in self._settings.values}
@@ -287,10 +290,11 @@ class _Reader(PlanReader):
                 stimuli.append((time, *assignment))
         return tuple(stimuli)
 
-    def _measures(self, table: Any) -> tuple[Measure, ...]:
+    def _measures(self, table: Any) -> tuple[tuple[Measure, ...], dict[str, Node]]:
+        """Return the measures, and what their names mean in further texts."""
         if not isinstance(table, dict):
             self.wrong("measure", table, TABLE)
-            return ()
+            return (), {}
         measures: list[Measure] = []
         known: dict[str, Node] = {}
         for name, text in table.items():
@@ -298,13 +302,12 @@ class _Reader(PlanReader):
                 wrong = (text, TEXT) if is_name(name) else (name, NAME)
                 self.wrong(name, *wrong, "measure")
                 continue
-            location = (name, "measure", 0)
-            entries = (name, text, dict(known), self.folder, self._words)
-            measure = self.tried(*location, read_measure, *entries)
+            words = (name, text, dict(known), self.folder, self._words)
+            measure = self.read(text, name, "measure", read_measure, *words)
             if measure is not None:
                 measures.append(measure)
-                known[name] = measure.node
-        return tuple(measures)
+            known[name] = Constant(0) if measure is None else measure.node  # told once
+        return tuple(measures), known
 
     def _expectations(self, entries: Any, known: dict[str, Node]) -> tuple[Expectation, ...]:
         entries = [entries] if isinstance(entries, str) else entries
@@ -313,7 +316,7 @@ class _Reader(PlanReader):
             self.wrong("expect", entries, LIST)
             return ()
         found = [
-            self.tried("expect", "", 0, read_expectation, one, known, self._words)
+            self.read(one, "expect", "", read_expectation, one, known, self._words)
             for one in entries
         ]
         return tuple(one for one in found if one is not None)

@@ -17,6 +17,7 @@ from nctakt.lists.format.times import Time, read_time
 from nctakt.messages import diagnostic
 from nctakt.messages.studies import INVALID_PLAN_VALUE, PLAN_ENTRY_MISSING, UNKNOWN_PLAN_ENTRY
 
+_ENTRY = re.compile(r"""\s*(?:\[|[\w.-]+\s*=|(?:"[^"]*"|'[^']*')\s*=)""")
 _HEADER = re.compile(r"\s*\[+\s*([\w.]+)\s*\]+")
 NUMBER = Text("a number", "eine Zahl")
 NUMBER_OR_TEXT = Text("a number or a text", "eine Zahl oder ein Text")
@@ -79,6 +80,9 @@ class PlanReader:
             return None, ""
         header, count = "", -1
         entry = re.compile(rf"""\s*["']?{re.escape(key)}["']?\s*=""")
+        inline = re.compile(
+            rf"""\s*{re.escape(table)}\s*[.=](?:.*[\s"'{{,.])??(?P<key>{re.escape(key)})["']?\s*="""
+        )
         fallback: tuple[Span | None, str] = (whole_file(self._file), "")
         for line_number, line in enumerate(self._lines, 1):
             match = _HEADER.match(line)
@@ -91,7 +95,23 @@ class PlanReader:
             if header == table and (not table or count == number) and entry.match(line):
                 begin = len(line) - len(line.lstrip()) + 1
                 return Span(self._file, line_number, begin, begin + len(key)), line
+            found = inline.match(line) if table and not header else None
+            if found is not None:
+                begin, end = found.span("key")
+                return Span(self._file, line_number, begin + 1, end + 1), line
         return fallback
+
+    def location_of_text(self, text: str, key: str, table: str) -> tuple[Span | None, str]:
+        """Return the place of a text in the value of an entry, else that of the entry."""
+        found = self.location(key, table, 0)
+        first = 0 if found[0] is None else found[0].line
+        for number, line in enumerate(self._lines[first - 1 :] if first else (), first):
+            if number > first and _ENTRY.match(line):
+                break
+            begin = line.find(text)
+            if begin >= 0:
+                return Span(self._file, number, begin + 1, begin + len(text) + 1), line
+        return found
 
     def report(self, found: Diagnostic, location: tuple[Span | None, str]) -> None:
         """Note a mistake at a place."""
@@ -127,11 +147,25 @@ class PlanReader:
         self, key: str, table: str, number: int, function: Callable[..., _T], *words: object
     ) -> _T | None:
         """Return the result of a function; ``None`` after a ``Failure``, which is noted."""
+        return self._noted(lambda: self.location(key, table, number), function, *words)
+
+    def read(
+        self, text: str, key: str, table: str, function: Callable[..., _T], *words: object
+    ) -> _T | None:
+        """Return what a function reads from a text, ``None`` after a ``Failure``, as ``tried``."""
+        return self._noted(lambda: self.location_of_text(text, key, table), function, *words)
+
+    def _noted(
+        self,
+        location: Callable[[], tuple[Span | None, str]],
+        function: Callable[..., _T],
+        *words: object,
+    ) -> _T | None:
         try:
             return function(*words)
         except Failure as failure:
             for found in failure.diagnostics:
-                self.report(found, self.location(key, table, number))
+                self.report(found, location())
             return None
 
     # --- entries ---------------------------------------------------------------------------------

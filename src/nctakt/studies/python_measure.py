@@ -6,6 +6,7 @@ from __future__ import annotations
 import importlib.util
 import math
 from collections.abc import Callable, Iterator
+from fractions import Fraction
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -44,7 +45,7 @@ class PythonMeasure:
             raise NotMeasuredError(f"{type(error).__name__}: {error}") from error
         if not math.isfinite(number):
             raise NotMeasuredError(f"the result is {number}")
-        return number
+        return Fraction(repr(number))  # the decimal number that is meant: 0.463 is 463 ms
 
     def signals(self) -> Iterator[str]:
         """Yield nothing: ``record`` of the plan names what it reads."""

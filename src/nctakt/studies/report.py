@@ -16,9 +16,12 @@ from typing import Any
 
 from nctakt.base.diagnostics import Language
 from nctakt.base.version import __version__
+from nctakt.messages import diagnostic
+from nctakt.messages.studies import DIMENSION_WITHOUT_EFFECT
 from nctakt.studies import charts
 from nctakt.studies.bench import HELD, REACTION, Row
 from nctakt.studies.each_tick import Nominal
+from nctakt.studies.effects import without_effect
 from nctakt.studies.measures import as_text
 from nctakt.studies.plan import Plan
 
@@ -101,8 +104,9 @@ class _Report:
         self._plan = plan
         self._blocks: list[tuple[float, str]] = []
         if nominal is not None:
-            tick_s = nominal.cycle_time_us / 1e6
-            self._blocks = [(tick * tick_s, str(line)) for tick, line, _ in nominal.blocks]
+            length_us = nominal.cycle_time_us
+            self._blocks = [(tick * length_us / 1e6, str(line)) for tick, line, _ in nominal.blocks]
+        self._dead = without_effect(plan, rows)
         self._texts = _TEXTS[language]
         self._language = language
         self._count = len(rows)
@@ -150,13 +154,15 @@ class _Report:
         expected = "".join(f"<li>{escape(one.text)}</li>" for one in self._plan.expectations)
         held = self._text("held", self._held)
         broken = self._text("broken", self._count - self._held)
+        dead = [diagnostic(DIMENSION_WITHOUT_EFFECT, name=name) for name in self._dead]
+        warnings = "".join(f"<p>{escape(one.text(self._language))}</p>" for one in dead)
         rest = ""
         if len(self._rows) < self._count:
             rest = f"<p>{self._text('sample', len(self._rows))}</p>"
         return (
             f"<p>{self._count} {self._text('runs')}: "
             f'<span class="held">{held}</span>, <span class="broken">{broken}</span>.</p>'
-            f"<ul>{expected}</ul>{rest}"
+            f"<ul>{expected}</ul>{rest}{warnings}"
         )
 
     def _numbers(self, *names: str) -> list[Row]:

@@ -87,7 +87,7 @@ class ScheduleBench(Bench):
         """
         plan, outcome = self.plan, finished.outcome
         assert isinstance(outcome, ScheduleOutcome)
-        broken = [one.text for one in plan.expectations if not one.is_met(outcome)]
+        broken = [one.broken(outcome) for one in plan.expectations if not one.is_met(outcome)]
         if not any("overflows" in one.text for one in plan.expectations):
             errors = simulation_findings(outcome.simulation)
             broken += dict.fromkeys(

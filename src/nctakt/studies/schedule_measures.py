@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Measures of a simulated schedule: texts -> numbers of its threads, of Windows, of processors.
 
-Times are seconds::
+Times are exact seconds::
 
     response of GEO             the longest one; min, mean, p50, p90, p99, p99.9 response of GEO
     bound of GEO                the longest one by analysis, of all phases and times
@@ -19,6 +19,7 @@ duration.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from fractions import Fraction
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic
@@ -38,6 +39,8 @@ from nctakt.studies.plan import Plan
 COUNTS = ("overflows", "lost", "jobs", "suspensions")
 #: Times of a thread.
 TIMES = ("response", "min", "max", "mean", "bound", "slack")
+#: Nanoseconds in a second.
+_SECOND_NS = Fraction(10**9)
 _WHOLE = ("cycles", "duration", "windows", "windows share", "windows violations")
 
 
@@ -73,7 +76,7 @@ class ScheduleNumber:
             return self._load(outcome.analysis)
         if self.name in _WHOLE:
             return self._whole(run)
-        return self._time(run, outcome) / 1e9
+        return self._time(run, outcome) / _SECOND_NS
 
     def signals(self) -> Iterator[str]:
         """Yield nothing."""
@@ -101,20 +104,21 @@ class ScheduleNumber:
     def _load(self, analysis: Analysis) -> float:
         return next(one.demand for one in analysis.cpus if str(one.cpu) == self.of)
 
-    def _whole(self, run: Simulation) -> float:
+    def _whole(self, run: Simulation) -> Number:
         windows = run.windows[-1]
         match self.name:
             case "cycles":
                 return run.cycles
             case "duration":
-                return run.duration / 1e9
+                return run.duration / _SECOND_NS
             case "windows":
-                return windows.minimum / 1e9
+                return windows.minimum / _SECOND_NS
             case "windows share":
-                return windows.total / (run.duration * (len(run.windows) - 1))
+                return Fraction(windows.total, run.duration * (len(run.windows) - 1))
         return windows.violated
 
-    def _time(self, run: Simulation, outcome: Outcome) -> float:
+    def _time(self, run: Simulation, outcome: Outcome) -> int | Fraction:
+        """Return a time in nanoseconds."""
         index = self._task(run.model)
         numbers, analysis = run.tasks[index], None
         if self.name == "bound":
@@ -125,7 +129,7 @@ class ScheduleNumber:
         if self.name == "min":
             return _measured(numbers.response_min)
         if self.name == "mean":
-            return numbers.response_sum / _measured(numbers.completed or None)
+            return Fraction(numbers.response_sum, _measured(numbers.completed or None))
         longest = numbers.response_max
         if numbers.unfinished_since is not None:
             longest = max(longest or 0, run.end - numbers.unfinished_since)
@@ -221,8 +225,7 @@ def _numbers_of(node: Node) -> Iterator[ScheduleNumber]:
 def problems_of_numbers(plan: Plan, model: Model) -> list[Diagnostic]:
     """Return what is wrong with the threads and processors that measures and expectations name."""
     readers = [("measure", measure.name, measure.node) for measure in plan.measures]
-    expected = (one.node for one in plan.expectations if one.node is not None)
-    readers += [("", "expect", node) for node in expected]
+    readers += [("expect", one.text, one.node) for one in plan.expectations if one.node is not None]
     found: list[Diagnostic] = []
     for table, entry, node in readers:
         for number in _numbers_of(node):

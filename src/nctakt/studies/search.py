@@ -10,14 +10,21 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
-from nctakt.messages.studies import EXTRA_MISSING, NO_BOUNDARY, NOTHING_MEASURED
+from nctakt.messages.studies import (
+    ANSWER_BROKEN,
+    EXTRA_MISSING,
+    NO_BOUNDARY,
+    NOTHING_MEASURED,
+)
 from nctakt.studies.bench import HELD, Bench, Row
 from nctakt.studies.dimension import Dimension, Value
+from nctakt.studies.effects import without_effect
 from nctakt.studies.plan import Goal
 
 #: Halvings of a dimension without a step: a millionth of a millionth of its span.
@@ -31,7 +38,8 @@ WIDE_SHARE = 0.6
 class Answer:
     """The answer to a goal: the run before and the run behind a switch-over, or the worst one.
 
-    ``points``: the values of each; ``runs``: how many were made. ``finding``: why there is none.
+    ``points``: the values of each; ``runs``: how many were made. ``finding``: why there is none, or
+    none that counts; ``without_effect``: dimensions that changed nothing in all these runs.
     """
 
     goal: Goal
@@ -39,6 +47,7 @@ class Answer:
     points: tuple[tuple[Value, ...], ...]
     runs: int
     finding: Diagnostic | None = None
+    without_effect: tuple[str, ...] = ()
 
 
 class _Runs:
@@ -60,13 +69,16 @@ class _Runs:
         """How many runs were made."""
         return len(self._rows)
 
+    def without_effect(self) -> tuple[str, ...]:
+        """Return the dimensions that changed nothing."""
+        return tuple(without_effect(self._bench.plan, self._rows.values()))
+
 
 def search(bench: Bench, goal: Goal) -> Answer:
     """Return the answer to a goal; raises ``Failure`` (901311) without the package it needs."""
     runs = _Runs(bench)
-    if goal.word == "boundary":
-        return _boundary(bench, goal, runs)
-    return _worst(bench, goal, runs)
+    find = _boundary if goal.word == "boundary" else _worst
+    return replace(find(bench, goal, runs), without_effect=runs.without_effect())
 
 
 def _boundary(bench: Bench, goal: Goal, runs: _Runs) -> Answer:
@@ -88,14 +100,15 @@ def _boundary(bench: Bench, goal: Goal, runs: _Runs) -> Answer:
     low, high = 0, dimension.count - 1 if dimension.count else 1 << MAX_HALVINGS
     last = high
     at_low, at_high = row_at(low), row_at(high)
-    if at_low["verdict"] == at_high["verdict"]:
+    holds_at_low = at_low["verdict"] == HELD
+    if holds_at_low == (at_high["verdict"] == HELD):
         found = diagnostic(NO_BOUNDARY, low=at_low[dimension.name], high=at_high[dimension.name])
         ends = (point_at(low), point_at(high))
         return Answer(goal, (at_low, at_high), ends, runs.count, found)
     while high - low > 1:
         middle = (low + high) // 2
         row = row_at(middle)
-        if row["verdict"] == at_low["verdict"]:
+        if (row["verdict"] == HELD) == holds_at_low:
             low, at_low = middle, row
         else:
             high, at_high = middle, row
@@ -135,6 +148,8 @@ def _worst(bench: Bench, goal: Goal, runs: _Runs) -> Answer:
     found = None
     if not isinstance(row[goal.measure], float | int):
         found = diagnostic(NOTHING_MEASURED, measure=goal.measure, count=runs.count)
+    elif row["verdict"] != HELD:
+        found = diagnostic(ANSWER_BROKEN, broken=row["broken"])
     return Answer(goal, (row,), (point,), runs.count, found)
 
 
@@ -222,7 +237,8 @@ def _nearest_broken(
     if isinstance(value, str) or isinstance(rest, str) or dimension.values:
         return value
     held = rest
-    step = dimension.step or abs(value - held) / (1 << MAX_HALVINGS)
+    smallest = dimension.tick_us if dimension.is_time else abs(value - held) / (1 << MAX_HALVINGS)
+    step = dimension.step or smallest
     while abs(value - held) > 1.5 * step:
         middle = held + round((value - held) / 2 / step) * step
         middle = round(middle) if dimension.is_time else middle

@@ -14,6 +14,7 @@ from nctakt.base.failure import Failure
 from nctakt.studies.bench import BROKEN, CRASHED, FAILED, HELD, Bench, Row, columns_of
 from nctakt.studies.dimension import Value
 from nctakt.studies.each_tick import Nominal, nominal_run, with_span
+from nctakt.studies.effects import without_effect
 from nctakt.studies.inputs import command_of, inputs_of
 from nctakt.studies.measures import MeasuredValue, function_measure
 from nctakt.studies.outcome import NotMeasuredError
@@ -70,6 +71,11 @@ class StudyResult:
         for row in self.rows:
             counts[str(row["verdict"])] += 1
         return counts
+
+    @property
+    def without_effect(self) -> list[str]:
+        """The dimensions that changed nothing: runs that differ in them alone are the same."""
+        return without_effect(self.plan, self.rows)
 
     def first_broken(self, count: int) -> list[Row]:
         """Return the first rows of the runs that did not meet all expectations, at most so many."""
@@ -246,7 +252,7 @@ class Study:
     def command(self, run: int | Sequence[Value]) -> str | None:
         """Return the command that makes a run alone, by its number or its values.
 
-        ``None`` if no option says its inputs.
+        ``None`` if no option says its inputs, or only a very long command would.
         """
         inputs = inputs_of(self.plan, self._point(run), self.bench.cycle_time_us)
         return command_of(self.plan, inputs)

@@ -86,7 +86,7 @@ class WindowOutcome(Outcome):
         signals: Sequence[str],
         rows: array[float],
     ) -> None:
-        super().__init__(run, before, injection.time_us / 1e6)
+        super().__init__(run, before, injection.time_us)
         self._injection = injection
         self._signals = signals
         self._rows = rows

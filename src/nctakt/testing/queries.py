@@ -26,7 +26,7 @@ from nctakt.project.run_settings import Named, RunSettings, run_settings
 from nctakt.results.run import Run
 from nctakt.run.controller import Controller, NcText
 from nctakt.run.stimuli import StimulusLike
-from nctakt.trace.events import Event, number_text
+from nctakt.trace.events import Event
 
 #: The name of a program that a test has as text.
 TEXT_NAME = "program.nc"
@@ -114,16 +114,21 @@ def values_before(
 
 @dataclass(frozen=True, slots=True)
 class Occurrence:
-    """An occurrence of an event: tick, time in seconds of the run, line of the program."""
+    """An occurrence of an event: tick, time of the run in microseconds, line of the program."""
 
     tick: int
-    at: float
+    at_us: int
     line: int | None
     text: str
 
+    @property
+    def at(self) -> float:
+        """The time in seconds."""
+        return self.at_us / 1e6
+
     def __str__(self) -> str:
         position = "" if self.line is None else f" (line {self.line})"
-        return f"{self.text} at {number_text(self.at)} s, tick {self.tick}{position}"
+        return f"{self.text} at {Time(self.at_us)}, tick {self.tick}{position}"
 
 
 class Occurrences:
@@ -210,7 +215,7 @@ class AxisTrace:
     @property
     def end_position(self) -> float:
         """The command position at the end of the run."""
-        return self._run.value_at(f"{self.name}.ACS.ACT_POS", self._run.duration)
+        return self._run.value_at(f"{self.name}.ACS.ACT_POS", Time(self._run.run.virtual_time_us))
 
 
 class NcRun:
@@ -301,7 +306,7 @@ class NcRun:
         return [
             Occurrence(
                 event.tick - self.run.first_tick,
-                (event.time_us - first_us) / 1e6,
+                event.time_us - first_us,
                 _line(event),
                 _text(event),
             )

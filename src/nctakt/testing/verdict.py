@@ -66,10 +66,10 @@ def _wrong_value(run: NcRun, expectation: Expectation) -> list[str]:
     return [f"{expectation.name} = {number_text(value)}"]
 
 
-def _value_time(run: NcRun, expectation: Expectation) -> float:
+def _value_time(run: NcRun, expectation: Expectation) -> Time:
     if not expectation.at:
-        return run.duration
-    return expectation.at[0].us(run.run.cycle_time_us) / 1e6
+        return Time(run.run.virtual_time_us)
+    return Time(expectation.at[0].us(run.run.cycle_time_us))
 
 
 def signal_of(run: NcRun, name: str) -> str:
@@ -103,7 +103,7 @@ def _wrong_error(diagnostics: Sequence[Diagnostic], expectation: Expectation) ->
 
 def _wrong_times(run: NcRun, expectation: Expectation) -> list[str]:
     occurrences = _occurrences(run, expectation)
-    times_us = [round(time.at * 1e6) for time in occurrences]
+    times_us = [one.at_us for one in occurrences]
     length_us = run.run.cycle_time_us
     expected_us = sorted(time.us(length_us) for time in expectation.at)
     if expectation.before is not None:
@@ -131,7 +131,7 @@ def _in_words_of_events(run: NcRun, expectation: Expectation) -> str:
     """Return the expectation in the words in which events are shown."""
     length_us = run.run.cycle_time_us
     if expectation.kind == "value":
-        at = Time(round(_value_time(run, expectation) * 1e6))
+        at = _value_time(run, expectation)
         return f"{expectation.name} = {number_text(expectation.number)} at {at}"
     words = {"function": expectation.name, "error": f"{expectation.number:.0f}"}
     subject = words.get(expectation.kind, f"{expectation.kind} {expectation.name}".strip())

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 from decided import perform, told
 
-from nctakt.lists.declared.single_block import ALL_LINES, EFFECTIVE_BLOCKS, ONLY_MOTIONS
+from nctakt.lists.machine.channel_configuration import ALL_LINES, EFFECTIVE_BLOCKS, ONLY_MOTIONS
 from nctakt.lists.machine.machine import Machine, load_machine
 from nctakt.messages.checked_blocks import (
     INVALID_COMMAND_FORM,

@@ -11,8 +11,8 @@ from decided import numbers, perform
 
 from nctakt.checking.program import check_program
 from nctakt.files.access import FileAccess
-from nctakt.lists.declared.channel import CHANNEL
-from nctakt.lists.declared.tools import TOOLS, Tool, tools_configuration
+from nctakt.lists.declared.schemas import CHANNEL, TOOLS
+from nctakt.lists.declared.tools import Tool, tools_configuration
 from nctakt.lists.format.list_check import load_list
 from nctakt.lists.machine.machine import load_machine
 from nctakt.lists.machine.tool_selection import tool_selection

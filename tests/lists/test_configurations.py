@@ -7,9 +7,8 @@ from math import inf
 
 import pytest
 
-from nctakt.lists.declared.axis import AXIS
-from nctakt.lists.declared.channel import CHANNEL
-from nctakt.lists.declared.startup import STARTUP, StartupConfiguration, startup_configuration
+from nctakt.lists.declared.schemas import AXIS, CHANNEL, STARTUP
+from nctakt.lists.declared.startup import StartupConfiguration, startup_configuration
 from nctakt.lists.format.list_check import load_list
 from nctakt.lists.format.schema import Schema
 from nctakt.lists.format.values import Values

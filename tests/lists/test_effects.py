@@ -14,7 +14,7 @@ from nctakt.lists.all_parameters import SCHEMAS
 from nctakt.lists.declared.offsets import ClampOffsets, ZeroOffsets
 from nctakt.lists.declared.startup import ChannelStartup, StartupConfiguration
 from nctakt.lists.declared.tools import Tool
-from nctakt.lists.format.parameter import Effect, Value
+from nctakt.lists.format.parameter import Value, pattern_of
 from nctakt.lists.format.values import Values
 from nctakt.lists.machine.axis_configuration import (
     AxisConfiguration,
@@ -38,6 +38,7 @@ from nctakt.lists.machine.tool_selection import ToolSelection
 SOURCE = "\n".join(
     path.read_text("utf-8") for path in sorted(Path(nctakt.__path__[0]).rglob("*.py"))
 )
+DECLARED = Path(nctakt.__path__[0]) / "lists" / "declared"
 #: What the lists of a machine yield.
 CONFIGURATIONS = (
     StartupConfiguration,
@@ -101,15 +102,15 @@ RARE = {
 }
 
 
-def test_what_nctakt_uses_is_declared_in_code_and_the_rest_in_tables() -> None:
-    """A declaration in code takes effect, one of a table has none; no name stands in both."""
+def test_each_name_has_one_line_of_its_table() -> None:
+    """No name stands twice, neither as an entry nor as an old name."""
     for schema in SCHEMAS:
-        assert {parameter.effect for parameter in schema.declared} <= {Effect.USED}
-        if schema.table is None:
-            continue
-        assert {one.effect for one in schema.table.parameters()} == {Effect.WITHOUT_EFFECT}
-        names = {parameter.pattern for parameter in schema.declared}
-        assert names.isdisjoint(schema.table.patterns())
+        names = [parameter.pattern for parameter in schema.parameters]
+        names += [pattern_of(alias.path) for one in schema.used for alias in one.aliases]
+        table = (DECLARED / f"{schema.kind}.tsv").read_text("utf-8").splitlines()[2:]
+        entries = [pattern_of(entry) for row in table for entry in row.split("\t")[1].split(" | ")]
+        assert len(entries) == len(schema.parameters)
+        assert [name for name in names if names.count(name) > 1] == []
 
 
 def test_each_parameter_that_takes_effect_is_read(
@@ -128,9 +129,7 @@ def test_each_parameter_that_takes_effect_is_read(
         (tmp_path / name).write_text(text, encoding="utf-8")
     for folder in (None, CENTRE, tmp_path):
         load_machine(folder, detail="all")  # read anew, also the built-in one
-    declared = {
-        (schema.kind, parameter.pattern) for schema in SCHEMAS for parameter in schema.declared
-    }
+    declared = {(schema.kind, parameter.pattern) for schema in SCHEMAS for parameter in schema.used}
     assert sorted(declared - read) == []
 
 

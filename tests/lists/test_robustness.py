@@ -8,10 +8,8 @@ from hypothesis import strategies as st
 from random_seeds import examples
 
 from nctakt.lists.all_parameters import SCHEMAS
-from nctakt.lists.declared.axis import AXIS
-from nctakt.lists.declared.channel import CHANNEL
-from nctakt.lists.declared.startup import STARTUP, startup_configuration
-from nctakt.lists.declared.variables import VARIABLES
+from nctakt.lists.declared.schemas import AXIS, CHANNEL, STARTUP, VARIABLES
+from nctakt.lists.declared.startup import startup_configuration
 from nctakt.lists.format.list_check import load_list
 from nctakt.lists.format.schema import Schema
 from nctakt.lists.machine.axis_configuration import axis_configuration

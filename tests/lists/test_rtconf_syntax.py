@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import pytest
 
-from nctakt.lists.declared.rtconf import RTCONF
+from nctakt.lists.declared.schemas import RTCONF
 from nctakt.lists.format.list_check import load_list
 from nctakt.lists.format.parameter import with_indices
 from nctakt.lists.format.values import Values

@@ -4,19 +4,18 @@
 from __future__ import annotations
 
 import re
+from pathlib import Path
 
 import pytest
 
 from nctakt.base.diagnostics import Text, whole_file
 from nctakt.lists.all_parameters import SCHEMAS, find_parameters
-from nctakt.lists.declared.axis import AXIS
-from nctakt.lists.declared.channel import CHANNEL
-from nctakt.lists.declared.rtconf import RTCONF
-from nctakt.lists.declared.variables import VARIABLES
+from nctakt.lists.declared.schemas import AXIS, CHANNEL, RTCONF, VARIABLES
 from nctakt.lists.format.list_check import load_list
 from nctakt.lists.format.parameter import Parameter, ValueType, shown
 from nctakt.lists.format.reader import ListDialect
 from nctakt.lists.format.schema import Schema
+from nctakt.lists.format.table import ParameterTable
 from nctakt.lists.format.values import Values
 from nctakt.lists.format.without_effect import Detail
 from nctakt.messages import Collector
@@ -354,8 +353,11 @@ def test_values_are_shown_as_a_list_writes_them() -> None:
     ]
 
 
-def test_names_are_declared_once() -> None:
+def test_names_are_declared_once(tmp_path: Path) -> None:
     """Two parameters with one name are a mistake of ours."""
-    one = Parameter("", "a", ValueType.UNS16, 0, Text("a", "b"))
+    row = "\ta\tUNS16\t0\t\t\t\t\tused\t\t\ta\tb\n"
+    table = tmp_path / "x.tsv"
+    table.write_text(f"id\tentry\n{row}{row}", "utf-8")
+    schema = Schema("x", Text("x", "y"), ListDialect(), ParameterTable(str(table)))
     with pytest.raises(AssertionError):
-        Schema("x", Text("x", "y"), ListDialect(), (one, one))
+        schema.find("a")

@@ -4,14 +4,13 @@
 from __future__ import annotations
 
 from nctakt.lists.declared.offsets import (
-    CLAMP_OFFSETS,
-    ZERO_OFFSETS,
     ClampOffsets,
     ZeroOffsets,
     clamp_offsets_configuration,
     zero_offsets_configuration,
 )
-from nctakt.lists.declared.tools import TOOLS, Tool, tools_configuration
+from nctakt.lists.declared.schemas import CLAMP_OFFSETS, TOOLS, ZERO_OFFSETS
+from nctakt.lists.declared.tools import Tool, tools_configuration
 from nctakt.lists.format.list_check import load_list
 from nctakt.lists.format.schema import Schema
 from nctakt.lists.format.values import Values

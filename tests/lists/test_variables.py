@@ -5,7 +5,8 @@ from __future__ import annotations
 
 import pytest
 
-from nctakt.lists.declared.variables import SCALARS, VARIABLES
+from nctakt.lists.declared.schemas import VARIABLES
+from nctakt.lists.declared.variables import SCALARS
 from nctakt.lists.format.list_check import load_list
 from nctakt.lists.machine.variables import (
     MANAGEMENT_BYTES,

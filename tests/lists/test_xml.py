@@ -8,8 +8,7 @@ from pathlib import Path
 import pytest
 
 from nctakt.base.diagnostics import Diagnostic, Severity
-from nctakt.lists.declared.axis import AXIS
-from nctakt.lists.declared.rtconf import RTCONF
+from nctakt.lists.declared.schemas import AXIS, RTCONF
 from nctakt.lists.format import xml_reader
 from nctakt.lists.format.list_check import load_list
 from nctakt.lists.format.schema import Schema

@@ -25,7 +25,7 @@ from nctakt.checking.suppression import Suppressions, apply, read_suppressions
 from nctakt.checking.targets import Target, Targets
 from nctakt.files.access import BEGIN_BYTES
 from nctakt.lists.all_parameters import SCHEMAS
-from nctakt.lists.declared.startup import STARTUP
+from nctakt.lists.declared.schemas import STARTUP
 from nctakt.lists.format.without_effect import Detail
 from nctakt.lists.machine.files import startup_list_around
 from nctakt.lists.machine.list_kinds import check_list_alone, kind_of

@@ -52,7 +52,7 @@ from nctakt.decoder.state.uncertain_axes import UncertainAxes
 from nctakt.decoder.values.variables import Values
 from nctakt.kernel import codes
 from nctakt.kernel.base import arithmetic
-from nctakt.lists.declared.single_block import ALL_LINES
+from nctakt.lists.machine.channel_configuration import ALL_LINES
 from nctakt.messages.checked_cycles import INVALID_CYCLE_ID, INVALID_GLOBAL_CYCLE_ID
 from nctakt.messages.decoder import (
     JUMP_TARGET_NOT_NC_TEXT,

@@ -10,21 +10,22 @@ import re
 from collections.abc import Iterator
 
 from nctakt.base.dataclass import dataclass
-from nctakt.lists.declared.axis import AXIS
-from nctakt.lists.declared.channel import CHANNEL
-from nctakt.lists.declared.offsets import CLAMP_OFFSETS, ZERO_OFFSETS
-from nctakt.lists.declared.other_kinds import (
+from nctakt.lists.declared.schemas import (
+    AXIS,
     AXIS_COMPENSATION,
+    CHANNEL,
+    CLAMP_OFFSETS,
     HARDWARE,
     LIST_DESCRIPTION,
     MANUAL_MODE,
+    RTCONF,
     SCENE,
+    STARTUP,
+    TOOLS,
+    VARIABLES,
     VOLUMETRIC_COMPENSATION,
+    ZERO_OFFSETS,
 )
-from nctakt.lists.declared.rtconf import RTCONF
-from nctakt.lists.declared.startup import STARTUP
-from nctakt.lists.declared.tools import TOOLS
-from nctakt.lists.declared.variables import VARIABLES
 from nctakt.lists.format.parameter import Parameter
 from nctakt.lists.format.schema import Schema
 

@@ -18,7 +18,7 @@ from nctakt.base.diagnostics import Language
 from nctakt.files.access import FileAccess
 from nctakt.lists.all_parameters import SCHEMA_BY_KIND
 from nctakt.lists.declared.rtconf import INTERRUPT_SOURCES
-from nctakt.lists.declared.startup import STARTUP
+from nctakt.lists.declared.schemas import STARTUP
 from nctakt.lists.format.parameter import ValueType
 from nctakt.lists.machine.files import ListSearch
 from nctakt.lists.machine.machine import Machine
@@ -32,7 +32,7 @@ from nctakt.machines.list_writer import (
 )
 
 #: Parameters of the start-up list that name files to be converted or copied.
-_PATHS = {parameter.id for parameter in STARTUP.declared if parameter.type is ValueType.STRING}
+_PATHS = {parameter.id for parameter in STARTUP.used if parameter.type is ValueType.STRING}
 _USER_TEXTS = "error_text_user_of_id"
 _DEFAULTS = ("default_sda_mds", "default_achs_mds")
 

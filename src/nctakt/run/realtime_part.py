@@ -21,8 +21,8 @@ from nctakt.kernel.path.path import Path as KernelPath
 from nctakt.kernel.plc.panel import Panel
 from nctakt.kernel.plc.technology_slots import Hli
 from nctakt.kernel.tick.channel import Channel
-from nctakt.lists.declared.single_block import ONLY_MOTIONS
 from nctakt.lists.machine.axes_by_number import path_axes, spindle_numbers
+from nctakt.lists.machine.channel_configuration import ONLY_MOTIONS
 from nctakt.lists.machine.gantries import gantries
 from nctakt.lists.machine.machine import Machine
 from nctakt.nc.vocabulary.variable_table import Layout, Location

@@ -9,7 +9,8 @@ from __future__ import annotations
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Language
-from nctakt.lists.declared.rtconf import RTCONF, RtconfConfiguration
+from nctakt.lists.declared.rtconf import RtconfConfiguration
+from nctakt.lists.declared.schemas import RTCONF
 from nctakt.lists.format.entries import read_entries
 from nctakt.lists.format.parameter import Parameter, Value, shown, with_indices
 from nctakt.lists.format.reader import BLANKS, Entry

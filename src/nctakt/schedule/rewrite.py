@@ -14,7 +14,8 @@ from collections.abc import Collection, Iterator
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.text import decode_text, encode_text
-from nctakt.lists.declared.rtconf import RTCONF, InterruptSource, RtconfConfiguration
+from nctakt.lists.declared.rtconf import InterruptSource, RtconfConfiguration
+from nctakt.lists.declared.schemas import RTCONF
 from nctakt.lists.format.entries import read_entries
 from nctakt.lists.format.parameter import Value, ValueType, shown, with_indices
 from nctakt.lists.format.reader import BLANKS, Entry

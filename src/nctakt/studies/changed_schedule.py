@@ -20,7 +20,8 @@ from nctakt.base.failure import Failure
 from nctakt.base.misspelling import nearest
 from nctakt.base.text import decode_text
 from nctakt.files.access import FileAccess
-from nctakt.lists.declared.rtconf import RTCONF, RtconfConfiguration
+from nctakt.lists.declared.rtconf import RtconfConfiguration
+from nctakt.lists.declared.schemas import RTCONF
 from nctakt.lists.format.parameter import Parameter
 from nctakt.lists.machine.scheduling import load_rtconf
 from nctakt.lists.machine.scheduling_profile import PROFILES, RtconfOptions

@@ -20,13 +20,14 @@ from nctakt.decoder.state.probe_commands import MeasurementRequest, Touch, Touch
 from nctakt.decoder.values.variables import Values
 from nctakt.kernel import codes
 from nctakt.kernel.base import arithmetic
-from nctakt.lists.declared.measuring import FIRST_TYPE, LAST_TYPE
 from nctakt.lists.machine.measuring import (
     AFTER_CYCLES,
     ALL_AT_TARGET,
     AT_OBJECT,
     AT_POSITION,
     AT_REST_PCT,
+    FIRST_TYPE,
+    LAST_TYPE,
     ONE_AT_TARGET,
     AxisMeasuring,
 )

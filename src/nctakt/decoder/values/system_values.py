@@ -19,9 +19,8 @@ from nctakt.decoder.state.modal_state import Measured, ModalState
 from nctakt.decoder.state.tools import Fail
 from nctakt.kernel import codes
 from nctakt.kernel.base import arithmetic
-from nctakt.lists.declared.kinematics import MAX_PARAMETERS
 from nctakt.lists.declared.offsets import MAX_GROUPS
-from nctakt.lists.machine.kinematics import UNIVERSAL, Kinematic
+from nctakt.lists.machine.kinematics import MAX_PARAMETERS, UNIVERSAL, Kinematic
 from nctakt.lists.machine.universal_kinematic import (
     BASE,
     ENTRIES,

@@ -10,10 +10,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from nctakt.base.dataclass import dataclass, field
-from nctakt.base.diagnostics import Text
-from nctakt.lists.format.parameter import Parameter, ValueType
-from nctakt.lists.format.reader import ListDialect
-from nctakt.lists.format.schema import Schema
 from nctakt.lists.format.values import Values
 from nctakt.messages import Collector
 from nctakt.messages.folders import (
@@ -23,13 +19,8 @@ from nctakt.messages.folders import (
 )
 
 MAX_GROUPS = 97
-MAX_CLAMP_GROUPS = 150
 MAX_AXES = 32
 _POSITION_UNITS = 10_000
-_POSITION = "0.1 µm, 1e-4°"
-_AXIS = f"achse[0..{MAX_AXES - 1}]"
-_ZERO = f"np_grp[0..{MAX_GROUPS - 1}].{_AXIS}"
-_CLAMP = f"pzv_grp[0..{MAX_CLAMP_GROUPS - 1}].{_AXIS}"
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,64 +48,6 @@ class ClampOffsets:
     def offset(self, group: int, axis: int) -> float:
         """Return the offset of a group in an axis of the channel, mm or degrees."""
         return self.groups.get(group, {}).get(axis, 0.0)
-
-
-ZERO_OFFSETS = Schema(
-    "zero_offsets",
-    Text("List of zero offsets", "Liste der Nullpunktverschiebungen"),
-    ListDialect(),
-    (
-        Parameter(
-            "P-ZERO-00001",
-            "g53_verfuegbar",
-            ValueType.BOOLEAN,
-            False,
-            Text(
-                "G53 has offsets of its own; otherwise it deselects all",
-                "G53 hat eigene Verschiebungen; sonst wählt es alle ab",
-            ),
-        ),
-        Parameter(
-            "P-ZERO-00002",
-            "default_index",
-            ValueType.UNS16,
-            0,
-            Text("Group that is active after start-up", "Gruppe, die nach dem Hochlauf aktiv ist"),
-            high=MAX_GROUPS - 1,
-        ),
-        Parameter(
-            "P-ZERO-00003",
-            f"{_ZERO}.versch",
-            ValueType.SGN32,
-            0,
-            Text("Zero offset of an axis of the channel", "Nullpunktverschiebung einer Kanalachse"),
-            unit=_POSITION,
-        ),
-        Parameter(
-            "P-ZERO-00004",
-            f"{_ZERO}.inaktiv",
-            ValueType.BOOLEAN,
-            False,
-            Text("The group leaves this axis alone", "Die Gruppe lässt diese Achse aus"),
-        ),
-    ),
-)
-
-CLAMP_OFFSETS = Schema(
-    "clamp_offsets",
-    Text("List of clamp offsets", "Liste der Platzverschiebungen"),
-    ListDialect(),
-    (
-        Parameter(
-            "P-CLMP-00001",
-            f"{_CLAMP}.versatz",
-            ValueType.SGN32,
-            0,
-            Text("Clamp offset of an axis of the channel", "Platzverschiebung einer Kanalachse"),
-            unit=_POSITION,
-        ),
-    ),
-)
 
 
 def zero_offsets_configuration(

@@ -8,20 +8,13 @@ values of the controller as a whole.
 from __future__ import annotations
 
 from nctakt.base.dataclass import dataclass
-from nctakt.base.diagnostics import Span, Text
-from nctakt.lists.format.parameter import Alias, Parameter, ValueType
-from nctakt.lists.format.reader import ListDialect
-from nctakt.lists.format.schema import Schema
-from nctakt.lists.format.table import ParameterTable
+from nctakt.base.diagnostics import Span
 from nctakt.lists.format.values import Values
 from nctakt.messages import Collector
 from nctakt.messages.backward import BACKWARD_MEMORY_TOO_SMALL
 from nctakt.messages.variables import INVALID_ALIGNMENT
 
-MAX_CHANNELS = 12
 MAX_AXES = 64
-MAX_VOLUMETRIC_COMPENSATIONS = 5
-_PATH_LENGTH = 256
 #: Alignments of a structure's members in bytes; 0: chosen by the controller.
 ALIGNMENTS = (0, 1, 2, 4, 8)
 
@@ -31,18 +24,6 @@ _LOOK_AHEAD = {
     "FCT_LOOK_AHEAD_HIGH": 190,
 }
 _CUSTOM_LOOK_AHEAD = "FCT_LOOK_AHEAD_CUSTOM"
-_INTERPOLATOR_FLAGS: dict[str, int | None] = dict.fromkeys(
-    (
-        "FCT_IPO_DEFAULT",
-        *_LOOK_AHEAD,
-        _CUSTOM_LOOK_AHEAD,
-        "FCT_LOOK_AHEAD_OPT",
-        "FCT_SYNC",
-        "FCT_LIFT_UP_TIME",
-        "FCT_SHIFT_NCBL",
-        "FCT_CALC_STATE_AT_T",
-    )
-)
 
 #: Lists that are read and checked, but have no effect: entry -> kind of list.
 _OTHER_KINDS = {
@@ -102,204 +83,6 @@ class StartupConfiguration:
     external_variables_bytes: int
     member_alignment: int
     error_texts: str
-
-
-def _list(id_: str, path: str, en: str, de: str, *aliases: str) -> Parameter:
-    """Return the declaration of a path to another list."""
-    old = tuple(Alias(alias, silent=True) for alias in aliases)
-    return Parameter(
-        id_, path, ValueType.STRING, "", Text(en, de), high=_PATH_LENGTH, aliases=old, restart=True
-    )
-
-
-_LISTS = (
-    Parameter(
-        "P-STUP-00008",
-        "listen",
-        ValueType.NAME,
-        "ASCII",
-        Text(
-            "Format of the lists; ASCII and XML are read",
-            "Format der Listen; gelesen werden ASCII und XML",
-        ),
-        names={"ASCII": None, "BINAER": None, "BINARY": None, "XML": None},
-        restart=True,
-    ),
-    Parameter(
-        "P-STUP-00001",
-        "kanal_anzahl",
-        ValueType.UNS16,
-        1,
-        Text("Number of channels", "Anzahl der Kanäle"),
-        low=1,
-        high=MAX_CHANNELS,
-        restart=True,
-    ),
-    Parameter(
-        "P-STUP-00014",
-        "zahl_mds",
-        ValueType.UNS16,
-        0,
-        Text("Number of axis lists", "Anzahl der Achslisten"),
-        high=MAX_AXES,
-        restart=True,
-    ),
-    _list(
-        "P-STUP-00034",
-        "default_sda_mds",
-        "List with defaults for all channels",
-        "Liste mit Standardwerten für alle Kanäle",
-    ),
-    _list("P-STUP-00009", "sda_mds[0..11]", "List of a channel", "Liste eines Kanals"),
-    _list(
-        "P-STUP-00035",
-        "default_achs_mds",
-        "List with defaults for all axes",
-        "Liste mit Standardwerten für alle Achsen",
-    ),
-    _list("P-STUP-00015", f"achs_mds[0..{MAX_AXES - 1}]", "List of an axis", "Liste einer Achse"),
-    _list(
-        "P-STUP-00146",
-        "ve_var[0..11]",
-        "Variables of a channel",
-        "Variablen eines Kanals",
-        "ext_var[0..11]",
-    ),
-    _list(
-        "P-STUP-00010",
-        "werkz_data[0..11]",
-        "Tools of a channel",
-        "Werkzeuge eines Kanals",
-    ),
-    _list(
-        "P-STUP-00011",
-        "nullp_data[0..11]",
-        "Zero offsets of a channel",
-        "Nullpunktverschiebungen eines Kanals",
-    ),
-    _list(
-        "P-STUP-00012",
-        "pzv_data[0..11]",
-        "Clamp offsets of a channel",
-        "Platzverschiebungen eines Kanals",
-    ),
-    _list(
-        "P-STUP-00013",
-        "hand_mds",
-        "Manual mode of all channels",
-        "Handbetrieb aller Kanäle",
-    ),
-    _list(
-        "P-STUP-00017",
-        f"achs_kw[0..{MAX_AXES - 1}]",
-        "Compensations of an axis",
-        "Kompensationen einer Achse",
-    ),
-    _list(
-        "P-STUP-00101",
-        f"vol_comp[0..{MAX_VOLUMETRIC_COMPENSATIONS - 1}].file_name",
-        "A volumetric compensation",
-        "Eine volumetrische Kompensation",
-    ),
-    _list(
-        "P-STUP-00136",
-        "hw_configuration_list",
-        "Hardware devices",
-        "Hardwaregeräte",
-    ),
-    _list(
-        "P-STUP-00137",
-        "scene_mds[0..11]",
-        "Scene of a channel with its collisions",
-        "Szene eines Kanals mit ihren Kollisionen",
-    ),
-    _list("P-STUP-00135", "rtconf_lis", "Scheduling of the threads", "Scheduling der Threads"),
-)
-
-_CONTROLLER = (
-    Parameter(
-        "P-STUP-00033",
-        "fb_storage_size[0..11]",
-        ValueType.UNS32,
-        0,
-        Text(
-            "Memory for backward motion on the path; 0: not available",
-            "Speicher für das Rückwärtsfahren auf der Bahn; 0: nicht verfügbar",
-        ),
-        unit="byte",
-        restart=True,
-    ),
-    Parameter(
-        "P-STUP-00037",
-        "ext_var_max",
-        ValueType.UNS16,
-        0,
-        Text(
-            "Memory for the V.E variables of each channel, in blocks of 24 byte; 0: no limit",
-            "Speicher für die V.E-Variablen jedes Kanals, in Blöcken zu 24 Byte; 0: ohne Grenze",
-        ),
-        unit="24 byte",
-        restart=True,
-    ),
-    Parameter(
-        "P-STUP-00145",
-        "ext_var_struct_member_alignment",
-        ValueType.UNS16,
-        0,
-        Text(
-            "Alignment of the members of V.E structures: 1, 2, 4, 8, or 0 for automatic",
-            "Ausrichtung der Elemente von V.E-Strukturen: 1, 2, 4, 8 oder 0 für automatisch",
-        ),
-        unit="byte",
-        restart=True,
-    ),
-    Parameter(
-        "P-STUP-00070",
-        "configuration.channel[0..11].interpolator.function",
-        ValueType.FLAGS,
-        ("FCT_IPO_DEFAULT",),
-        Text(
-            "Functions of the interpolator, above all the size of the look-ahead",
-            "Funktionen des Interpolators, vor allem die Weite der Vorausschau",
-        ),
-        names=_INTERPOLATOR_FLAGS,
-        restart=True,
-    ),
-    Parameter(
-        "P-STUP-00071",
-        "configuration.channel[0..11].interpolator.parameter",
-        ValueType.UNS32,
-        120,
-        Text(
-            "Blocks of look-ahead with FCT_LOOK_AHEAD_CUSTOM",
-            "Sätze der Vorausschau bei FCT_LOOK_AHEAD_CUSTOM",
-        ),
-        high=10000,
-        aliases=(
-            Alias("configuration.channel[0..11].interpolator.number_blocks_lah", silent=True),
-            Alias("configuration.channel[0..11].interpolator.param", silent=True),
-        ),
-        restart=True,
-    ),
-    Parameter(
-        "P-STUP-00169",
-        "error_text_user_of_id",
-        ValueType.STRING,
-        "",
-        Text("File with the texts of user errors", "Datei mit den Texten der Anwenderfehler"),
-        high=_PATH_LENGTH,
-        restart=True,
-    ),
-)
-
-
-STARTUP = Schema(
-    "startup",
-    Text("Start-up list", "Hochlaufliste"),
-    ListDialect(),
-    _LISTS + _CONTROLLER,
-    ParameterTable("startup.tsv"),
-)
 
 
 def startup_configuration(values: Values, collector: Collector) -> StartupConfiguration:

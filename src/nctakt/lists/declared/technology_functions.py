@@ -11,12 +11,10 @@ from __future__ import annotations
 from collections.abc import Collection
 
 from nctakt.base.dataclass import dataclass
-from nctakt.base.diagnostics import Text
-from nctakt.lists.format.parameter import Parameter, ValueType, with_indices
+from nctakt.lists.format.parameter import with_indices
 from nctakt.lists.format.values import Values
 from nctakt.messages import Collector
 from nctakt.messages.lists import (
-    INVALID_SYNCHRONISATION_TYPE,
     LEAD_TIME_TOO_SHORT,
     PROCESS_TIME_WITHOUT_WAITING,
     SYNCHRONISATION_NOT_OF_FUNCTION,
@@ -24,7 +22,6 @@ from nctakt.messages.lists import (
 )
 
 MAX_FUNCTIONS = 1000
-_MAX_SPINDLES = 6
 #: M functions of the controller itself, defined without an entry.
 INTERNAL_M_FUNCTIONS = (0, 1, 2, 3, 4, 17, 19, 29, 30)
 
@@ -52,7 +49,7 @@ MODIFIERS: dict[str, int | None] = {
     "FAW_SYNCH": 0x10000000,
 }
 NOT_VALID = "NOT_VALID"
-_FLAGS = {NOT_VALID: 0x80000000, **SYNCHRONISATIONS, **MODIFIERS}
+FLAGS = {NOT_VALID: 0x80000000, **SYNCHRONISATIONS, **MODIFIERS}
 _REPLACEMENT = ("MVS_SVS",)
 
 #: The spindle functions by their number in the list's keys; ``s`` is the S word.
@@ -83,117 +80,8 @@ class TechnologyFunction:
         return bits
 
 
-def _synchronisation(id_: str, path: str, default: str, en: str, de: str) -> Parameter:
-    return Parameter(
-        id_,
-        path,
-        ValueType.FLAGS,
-        (default,),
-        Text(en, de),
-        names=_FLAGS,
-        invalid=_REPLACEMENT,
-        invalid_message=INVALID_SYNCHRONISATION_TYPE,
-    )
-
-
-def _process_time(id_: str, path: str, en: str, de: str) -> Parameter:
-    return Parameter(id_, path, ValueType.UNS32, 0, Text(en, de), unit="0.1 µs")
-
-
-def _axis_name(id_: str, path: str, en: str, de: str) -> Parameter:
-    text = Text(en, de)
-    return Parameter(id_, path, ValueType.STRING, "", text, high=16)
-
-
-_INDEX = f"[0..{MAX_FUNCTIONS - 1}]"
-
-TECHNOLOGY = (
-    _synchronisation(
-        "P-CHAN-00041",
-        f"m_synch{_INDEX}",
-        NOT_VALID,
-        "Synchronisation type of an M function",
-        "Synchronisationsart einer M-Funktion",
-    ),
-    _synchronisation(
-        "P-CHAN-00027",
-        f"h_synch{_INDEX}",
-        NOT_VALID,
-        "Synchronisation type of an H function",
-        "Synchronisationsart einer H-Funktion",
-    ),
-    _process_time(
-        "P-CHAN-00040",
-        f"m_prozess_zeit{_INDEX}",
-        "Time that an M function takes, for simulations",
-        "Dauer einer M-Funktion, für Simulationen",
-    ),
-    _process_time(
-        "P-CHAN-00026",
-        f"h_prozess_zeit{_INDEX}",
-        "Time that an H function takes, for simulations",
-        "Dauer einer H-Funktion, für Simulationen",
-    ),
-    _axis_name(
-        "P-CHAN-00039",
-        f"m_default_outp_ax_name{_INDEX}",
-        "Axis for which an M function is output; empty: for the channel",
-        "Achse, für die eine M-Funktion ausgegeben wird; leer: für den Kanal",
-    ),
-    _axis_name(
-        "P-CHAN-00025",
-        f"h_default_outp_ax_name{_INDEX}",
-        "Axis for which an H function is output; empty: for the channel",
-        "Achse, für die eine H-Funktion ausgegeben wird; leer: für den Kanal",
-    ),
-)
-
 #: The synchronisation types of T.
 TOOL_SYNCHRONISATIONS = ("MOS", "MVS_SVS", "MVS_SNS", "MNS_SNS", "MNE_SNS")
-
-TOOL = (
-    _synchronisation(
-        "P-CHAN-00086",
-        "tool.synch",
-        "NO_SYNCH",
-        "Synchronisation type of T; NO_SYNCH: T is not output",
-        "Synchronisationsart von T; NO_SYNCH: T wird nicht ausgegeben",
-    ),
-)
-
-_SPINDLE_IDS = {
-    "s": ("P-CHAN-00081", "P-CHAN-00080"),
-    "m3": ("P-CHAN-00045", "P-CHAN-00044"),
-    "m4": ("P-CHAN-00047", "P-CHAN-00046"),
-    "m5": ("P-CHAN-00049", "P-CHAN-00048"),
-    "m19": ("P-CHAN-00043", "P-CHAN-00042"),
-}
-
-
-def _spindle_function(name: str) -> tuple[Parameter, Parameter]:
-    prefix = f"spindel[0..{_MAX_SPINDLES - 1}].{name}"
-    word = name.upper()
-    synchronisation, process_time = _SPINDLE_IDS[name]
-    return (
-        _synchronisation(
-            synchronisation,
-            f"{prefix}_synch",
-            "NO_SYNCH",
-            f"Synchronisation type of a spindle's {word}",
-            f"Synchronisationsart von {word} einer Spindel",
-        ),
-        _process_time(
-            process_time,
-            f"{prefix}_prozess_zeit",
-            f"Time that a spindle's {word} takes, for simulations",
-            f"Dauer von {word} einer Spindel, für Simulationen",
-        ),
-    )
-
-
-SPINDLE_FUNCTIONS: tuple[Parameter, ...] = tuple(
-    parameter for name in SPINDLE_FUNCTION_KEYS for parameter in _spindle_function(name)
-)
 
 
 def technology_functions(

@@ -1,21 +1,26 @@
 # SPDX-License-Identifier: MIT
-"""Declarations in a table: known parameters without an effect.
+"""The declarations of a kind of list: a table, one parameter a line.
 
-In: a file of tab-separated values beside the declarations in code, one parameter a line, written
-and kept by hand. Out: ``Parameter`` records, each created when it is needed. The columns:
+In: a file of tab-separated values, written and kept by hand. Out: ``Parameter`` records, each
+created when it is needed. The columns:
 
 ============  ======================================================================================
 ``id``        the manuals' ID; empty where no source gives one
-``entry``     the name with the ranges of its indices: ``getriebe[0..5].dynamik.a_max``
+``entry``     the name with the ranges of its indices: ``getriebe[0..5].dynamik.a_max``; several
+              with all else the same are joined by `` | ``
 ``type``      a ``ValueType``
 ``default``   as written in a list, or the ID of the parameter whose value it is
 ``range``     alternatives joined by `` | ``: ``LOW … HIGH``, where an end may be missing or name
               another parameter (``2*P-AXIS-00008``; ``<`` or ``>``: without it), single numbers,
               ``not 0``; for texts ``≤`` and the maximum length
 ``values``    names of a NAME or the flags of a FLAGS parameter, ``NAME=number`` where the number is
-              known; ``…`` at the end: there are more
+              known; ``…`` at the end: there are more; ``@name``: a set of names kept in code
 ``unit``      unit of the value
-``relevance`` whether another value than the default would change a run: yes, maybe, no
+``options``   ``restart``: a change counts from the next start; ``old=NAME``: an old name,
+              ``same=NAME``: a name that is as valid (``NAME:ID`` where it has an ID of its own);
+              ``invalid=VALUE``: what replaces a defective value instead of the default
+``effect``    ``used``; without effect: whether another value than the default would change a run,
+              yes, maybe or no
 ``concern``   its subject, in one word
 ``page``      number of its page in the public help
 ``en, de``    its meaning
@@ -25,13 +30,16 @@ and kept by hand. Out: ``Parameter`` records, each created when it is needed. Th
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from dataclasses import replace
 from functools import cached_property
 from pathlib import Path
+from types import MappingProxyType
 
 from nctakt.base.dataclass import dataclass
-from nctakt.base.diagnostics import Text
+from nctakt.base.diagnostics import Message, Text
 from nctakt.lists.format.parameter import (
+    Alias,
     Effect,
     Limit,
     Parameter,
@@ -46,54 +54,98 @@ _FOLDER = Path(__file__).parent.parent / "declared"
 _LIMIT = re.compile(r"([<>]?)(?:([0-9]+)\*)?(P-[A-Z]{4}-[0-9]{5})(?:/([0-9]+))?")
 _MORE = "…"
 _ID = re.compile(r"P-[A-Z]{4}-[0-9]{5}")
+#: What the line of a parameter with an effect has, and no other.
+_USED = "\tused\t"
+
+NO_NAMES: Mapping[str, Mapping[str, int | None]] = MappingProxyType({})
+NO_DEFECTS: Mapping[str, Message] = MappingProxyType({})
 
 
 class ParameterTable:
-    """The table of one kind of list; ``name`` is that of its file. It is read when needed."""
+    """The table of one kind of list; ``name`` is that of its file. It is read when needed.
 
-    def __init__(self, name: str) -> None:
+    ``names``: the sets of names that the column ``values`` takes from code. ``defects``: the
+    messages about defective values, by the name of their parameter.
+    """
+
+    def __init__(
+        self,
+        name: str,
+        names: Mapping[str, Mapping[str, int | None]] = NO_NAMES,
+        defects: Mapping[str, Message] = NO_DEFECTS,
+    ) -> None:
         self._name = name
+        self._names = names
+        self._defects = defects
         self._parameters: dict[str, Parameter] = {}
 
     @cached_property
-    def _lines(self) -> dict[str, str]:
-        """The lines of the table by the name of their parameter."""
+    def _lines(self) -> dict[str, tuple[str, str]]:
+        """The entries and lines of the table by the name of their parameter."""
         text = (_FOLDER / self._name).read_text("utf-8")
         lines = text.splitlines()
         heading = next(index for index, line in enumerate(lines) if not line.startswith("#"))
-        return {pattern_of(line.split("\t", 2)[1]): line for line in lines[heading + 1 :]}
+        found: dict[str, tuple[str, str]] = {}
+        for line in lines[heading + 1 :]:
+            for entry in line.split("\t", 2)[1].split(" | "):
+                pattern = pattern_of(entry)
+                assert pattern not in found, pattern
+                found[pattern] = entry, line
+        return found
+
+    @cached_property
+    def used(self) -> tuple[Parameter, ...]:
+        """The parameters that have an effect, in the order of the table."""
+        return tuple(
+            self._parameter(pattern) for pattern, (_, line) in self._lines.items() if _USED in line
+        )
 
     @cached_property
     def _patterns_by_id(self) -> dict[str, list[str]]:
         by_id: dict[str, list[str]] = {}
-        for pattern, line in self._lines.items():
+        for pattern, (_, line) in self._lines.items():
             by_id.setdefault(line.split("\t", 1)[0], []).append(pattern)
+        for parameter, alias in self._by_alias.values():
+            if alias.id:
+                by_id.setdefault(alias.id, []).append(parameter.pattern)
         by_id.pop("", None)
         return by_id
 
-    def find(self, pattern: str) -> Parameter | None:
-        """Return the parameter with that name."""
+    @cached_property
+    def _by_alias(self) -> dict[str, tuple[Parameter, Alias]]:
+        """The parameters that have further names, by these."""
+        return {
+            pattern_of(alias.path): (parameter, alias)
+            for parameter in self.used
+            for alias in parameter.aliases
+        }
+
+    def _parameter(self, pattern: str) -> Parameter:
+        """Return the parameter of a name that the table has."""
         parameter = self._parameters.get(pattern)
-        if parameter is None and (line := self._lines.get(pattern)) is not None:
-            parameter = self._parameters[pattern] = parse_line(line)
+        if parameter is None:
+            entry, line = self._lines[pattern]
+            parameter = parse_line(line, entry, self._names, self._defects.get(pattern))
+            self._parameters[pattern] = parameter
         return parameter
 
+    def find(self, pattern: str) -> tuple[Parameter, Alias | None] | None:
+        """Return the parameter with this name, and the alias if the name is a further one."""
+        if pattern in self._lines:
+            return self._parameter(pattern), None
+        return self._by_alias.get(pattern)
+
     def by_id(self, parameter_id: str) -> tuple[Parameter, ...]:
-        """Return the parameters with that ID."""
-        patterns = self._patterns_by_id.get(parameter_id, ())
-        return tuple(
-            parameter for pattern in patterns if (parameter := self.find(pattern)) is not None
-        )
+        """Return the parameters with that ID: some IDs stand for several names."""
+        return tuple(map(self._parameter, self._patterns_by_id.get(parameter_id, ())))
 
     def patterns(self) -> tuple[str, ...]:
-        """Return all names."""
-        return tuple(self._lines)
+        """Return all names, the further ones too."""
+        return (*self._lines, *self._by_alias)
 
     def parameters(self) -> tuple[Parameter, ...]:
         """Return all parameters in the order of the table."""
-        return tuple(
-            parameter for pattern in self._lines if (parameter := self.find(pattern)) is not None
-        )
+        return tuple(map(self._parameter, self._lines))
 
 
 @dataclass(frozen=True, slots=True)
@@ -108,15 +160,21 @@ class _Range:
     at_most: Limit | None = None
 
 
-def parse_line(line: str) -> Parameter:
-    """Return the parameter of a line of a table."""
-    id_, entry, type_name, default, range_, words, unit, relevance, concern, page, en, de = (
+def parse_line(
+    line: str,
+    entry: str,
+    names: Mapping[str, Mapping[str, int | None]] = NO_NAMES,
+    defect: Message | None = None,
+) -> Parameter:
+    """Return the parameter of a line of a table, with one of its entries."""
+    id_, _, type_name, default, range_, values, unit, options, effect, concern, page, en, de = (
         line.split("\t")
     )
     type_ = ValueType(type_name)
     has_default = not _ID.fullmatch(default)
     allowed = _parse_range(range_)
-    names = words.split()
+    words = values.split()
+    found = _parse_options(type_, options)
     return Parameter(
         id_,
         entry,
@@ -126,18 +184,51 @@ def parse_line(line: str) -> Parameter:
         low=allowed.low,
         high=allowed.high,
         unit=unit,
-        names=_numbers_of_names(names),
-        effect=Effect.WITHOUT_EFFECT,
+        names=names[values[1:]] if values.startswith("@") else _numbers_of_names(words),
+        aliases=found.aliases,
+        restart=found.restart,
+        effect=Effect.USED if effect == "used" else Effect.WITHOUT_EFFECT,
+        invalid=found.invalid,
+        invalid_message=defect,
         also=allowed.also,
         excluded=allowed.excluded,
         at_least=allowed.at_least,
         at_most=allowed.at_most,
-        has_more_names=_MORE in names,
+        has_more_names=_MORE in words,
         default_id="" if has_default else default,
-        relevance=Relevance(relevance),
+        relevance=Relevance.NO if effect == "used" else Relevance(effect),
         concern=concern,
         page=page,
     )
+
+
+@dataclass(frozen=True, slots=True)
+class _Options:
+    """The parts of the column ``options``; see ``Parameter``."""
+
+    aliases: tuple[Alias, ...] = ()
+    restart: bool = False
+    invalid: Value = None
+
+
+_NO_OPTIONS = _Options()
+
+
+def _parse_options(type_: ValueType, text: str) -> _Options:
+    if not text:
+        return _NO_OPTIONS
+    aliases: list[Alias] = []
+    restart, invalid = False, None
+    for word in text.split():
+        kind, _, value = word.partition("=")
+        if kind == "restart":
+            restart = True
+        elif kind == "invalid":
+            invalid = _default(type_, value)
+        else:
+            path, _, alias_id = value.partition(":")
+            aliases.append(Alias(path, kind == "same", alias_id))
+    return _Options(tuple(aliases), restart, invalid)
 
 
 def _numbers_of_names(words: list[str]) -> dict[str, int | None]:

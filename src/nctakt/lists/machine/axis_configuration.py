@@ -12,7 +12,6 @@ import enum
 from math import inf
 
 from nctakt.base.dataclass import dataclass
-from nctakt.lists.declared.axis import LINEAR_TYPE, ROTARY_TYPE, SPINDLE_TYPE
 from nctakt.lists.format.values import Values
 from nctakt.lists.machine.couplings import AxisGantry, axis_gantry
 from nctakt.lists.machine.homing import AxisHoming, axis_homing
@@ -44,9 +43,9 @@ _C_AXIS_BIT = 0x200
 class AxisType(enum.Enum):
     """The type of an axis (P-AXIS-00018)."""
 
-    LINEAR = LINEAR_TYPE
-    ROTARY = ROTARY_TYPE
-    SPINDLE = SPINDLE_TYPE
+    LINEAR = "ACHSTYP_TRANSLATOR"
+    ROTARY = "ACHSTYP_ROTATOR"
+    SPINDLE = "ACHSTYP_SPINDEL"
 
 
 @dataclass(frozen=True, slots=True)

@@ -44,6 +44,9 @@ from nctakt.messages.machine import (
     UNKNOWN_MAIN_SPINDLE,
 )
 
+#: Before which blocks single block stops (P-CHAN-00015).
+ONLY_MOTIONS, EFFECTIVE_BLOCKS, ALL_LINES = -1, 0, 1
+
 MAIN_PROGRAM_BIT, SUBPROGRAM_BIT = 1, 2
 MM_PER_MINUTE_FACTOR = 100.0
 #: Groups of G functions with a start value in the channel list (P-CHAN-00063).

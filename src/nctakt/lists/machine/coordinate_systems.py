@@ -6,8 +6,15 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from nctakt.base.dataclass import dataclass
-from nctakt.lists.declared.coordinate_systems import COMPONENTS, EFFECTOR_PLANES
 from nctakt.lists.format.values import Values
+
+#: The parts of a coordinate system, as entries name them: along and about the main axes.
+_COMPONENTS = (
+    "translation.t1", "translation.t2", "translation.t3",
+    "rotation.a1", "rotation.a2", "rotation.a3",
+)  # fmt: skip
+#: The second axis of an effector's coordinate system: its plane's name -> the main axes in it.
+_EFFECTOR_PLANES = {"XY": (0, 1), "ZX": (2, 0), "YZ": (1, 2)}
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,7 +40,7 @@ def listed_systems(values: Values) -> ListedSystems:
     systems = {}
     for index in values.indices("coordinate_system.def[]"):
         name = values.text("coordinate_system.def[].id", index).upper()
-        keys = [f"coordinate_system.def[].path[].{component}" for _, component, *_ in COMPONENTS]
+        keys = [f"coordinate_system.def[].path[].{component}" for component in _COMPONENTS]
         components = tuple(values.real(key, index, 0) for key in keys)
         if name:
             systems[name] = components
@@ -41,6 +48,6 @@ def listed_systems(values: Values) -> ListedSystems:
         systems,
         values.flag("coordinate_system.rotation_mode_fixed"),
         values.flag("coordinate_system.axes_offsets_layer_specific"),
-        EFFECTOR_PLANES[values.text("mach_plane_of_2nd_ecs_ax").upper()],
+        _EFFECTOR_PLANES[values.text("mach_plane_of_2nd_ecs_ax").upper()],
         values.text("kind_of_2nd_ecs_ax").upper() == "X",
     )

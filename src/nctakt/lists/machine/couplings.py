@@ -14,6 +14,9 @@ from nctakt.messages.coupling_lists import (
     LISTED_SLAVE_TWICE,
 )
 
+#: The pairs that a coupling group can have.
+MAX_PAIRS = 15
+
 _GROUP = "synchro_data.koppel_gruppe[]"
 _PAIR = "synchro_data.koppel_gruppe[].paar[]"
 _MASTER = f"{_PAIR}.log_achs_nr_master"

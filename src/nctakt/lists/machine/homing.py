@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 from nctakt.base.dataclass import dataclass
-from nctakt.lists.declared.homing import DISABLED
 from nctakt.lists.format.values import Values
 
 _POSITION_UNITS = 10_000
@@ -41,7 +40,7 @@ def axis_homing(values: Values) -> AxisHoming:
         distance = 0.0
     low, high = (values.integer(f"getriebe[].{name}", step) for name in ("vb_reflow", "vb_refmax"))
     return AxisHoming(
-        values.text("kenngr.homing.homing_type") != DISABLED,
+        values.text("kenngr.homing.homing_type") != "DISABLED",
         distance if is_positive else -distance,
         min(low, high) / _SPEED_UNITS,
         values.integer("getriebe[].pos_refpkt", step) / _POSITION_UNITS,

@@ -11,7 +11,6 @@ import itertools
 from collections.abc import Iterator, Mapping
 
 from nctakt.base.diagnostics import Message
-from nctakt.lists.declared.kinematics import PREFIXES
 from nctakt.lists.format.parameter import with_indices
 from nctakt.lists.format.values import Values
 from nctakt.lists.machine.kinematics import UNIVERSAL, Entry, Kinematic, Transformations
@@ -27,6 +26,9 @@ from nctakt.messages.kinematics import (
     KINEMATIC_WITHOUT_ID,
     ORIENTATION_MODE_WITHOUT_EFFECT,
 )
+
+#: Where a kinematic stands: short, and with its step.
+_PREFIXES = ("trafo[]", "kin_step[].trafo[]")
 
 #: P-CHAN-00177: the modes that act.
 _ORIENTATION_MODES = ("ANGLE", "VECTOR_2DOF")
@@ -55,7 +57,7 @@ def transformations(values: Values, axis_count: int, collector: Collector) -> Tr
 
 def _elements(values: Values, step: int) -> Iterator[tuple[str, tuple[int, ...]]]:
     """Yield where the kinematics of a step stand: prefix and indices."""
-    short, long = PREFIXES
+    short, long = _PREFIXES
     if step == 0:
         for index in values.indices(short):
             yield short, (index,)

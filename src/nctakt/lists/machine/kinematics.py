@@ -8,6 +8,9 @@ from collections.abc import Mapping
 from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Text
 
+#: The parameters that a kinematic can have.
+MAX_PARAMETERS = 74
+
 #: The type of the universal kinematic.
 UNIVERSAL = 91
 #: Types whose struts are not published.

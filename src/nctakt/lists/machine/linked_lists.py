@@ -12,7 +12,8 @@ from pathlib import Path
 
 from nctakt.base.text import is_binary
 from nctakt.files.access import FileAccess
-from nctakt.lists.declared.startup import STARTUP, ListReference, startup_configuration
+from nctakt.lists.declared.schemas import STARTUP
+from nctakt.lists.declared.startup import ListReference, startup_configuration
 from nctakt.lists.format.entries import read_entries
 from nctakt.lists.format.list_check import check_list, in_order_of_lines, load_list
 from nctakt.lists.format.schema import Schema

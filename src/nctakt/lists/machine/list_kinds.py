@@ -14,12 +14,8 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from nctakt.lists.all_parameters import FAMILIES, SCHEMA_BY_KIND, SCHEMAS
-from nctakt.lists.declared.rtconf import RTCONF
-from nctakt.lists.declared.startup import (
-    ListReference,
-    StartupConfiguration,
-)
-from nctakt.lists.declared.variables import VARIABLES
+from nctakt.lists.declared.schemas import RTCONF, VARIABLES
+from nctakt.lists.declared.startup import ListReference, StartupConfiguration
 from nctakt.lists.format.list_check import load_list
 from nctakt.lists.format.reader import Entry, ListDialect, read_list
 from nctakt.lists.format.schema import Schema

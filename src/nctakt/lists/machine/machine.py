@@ -19,26 +19,30 @@ from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
 from nctakt.files.access import FileAccess
 from nctakt.lists.all_parameters import SCHEMA_BY_KIND
-from nctakt.lists.declared.axis import AXIS
-from nctakt.lists.declared.channel import CHANNEL
 from nctakt.lists.declared.offsets import (
-    CLAMP_OFFSETS,
-    ZERO_OFFSETS,
     ClampOffsets,
     ZeroOffsets,
     clamp_offsets_configuration,
     zero_offsets_configuration,
 )
-from nctakt.lists.declared.rtconf import RTCONF, RtconfConfiguration
-from nctakt.lists.declared.startup import (
+from nctakt.lists.declared.rtconf import RtconfConfiguration
+from nctakt.lists.declared.schemas import (
+    AXIS,
+    CHANNEL,
+    CLAMP_OFFSETS,
+    RTCONF,
     STARTUP,
+    TOOLS,
+    VARIABLES,
+    ZERO_OFFSETS,
+)
+from nctakt.lists.declared.startup import (
     ChannelStartup,
     StartupConfiguration,
     startup_configuration,
 )
 from nctakt.lists.declared.technology_functions import check_lead_times
-from nctakt.lists.declared.tools import TOOLS, Tool, tools_configuration
-from nctakt.lists.declared.variables import VARIABLES
+from nctakt.lists.declared.tools import Tool, tools_configuration
 from nctakt.lists.format import arguments
 from nctakt.lists.format.times import Time
 from nctakt.lists.format.values import Values

@@ -6,6 +6,9 @@ from __future__ import annotations
 from nctakt.base.dataclass import dataclass
 from nctakt.lists.format.values import Values
 
+#: The types of measuring (P-CHAN-00057).
+FIRST_TYPE, LAST_TYPE = 1, 7
+
 _POSITION_UNITS = 10_000
 _SPEED_UNITS = 1_000
 #: Modes of P-AXIS-00112: when the simulated probe of an axis touches.

@@ -12,13 +12,13 @@ from __future__ import annotations
 from dataclasses import replace
 
 from nctakt.lists.declared.rtconf import (
-    RTCONF,
     ExternalThread,
     InterruptSource,
     RtconfConfiguration,
     SchedulerThread,
     ThreadFunction,
 )
+from nctakt.lists.declared.schemas import RTCONF
 from nctakt.lists.format.list_check import load_list
 from nctakt.lists.format.parameter import MAX_UNS16, MAX_UNS32, with_indices
 from nctakt.lists.format.values import Values

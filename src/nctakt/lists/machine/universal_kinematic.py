@@ -11,7 +11,6 @@ import math
 from collections.abc import Callable, Mapping
 
 from nctakt.base.diagnostics import Message
-from nctakt.lists.declared.kinematics import MAX_CHAIN
 from nctakt.lists.machine.kinematics import (
     DIRECT,
     HANDED_ON,
@@ -34,6 +33,9 @@ from nctakt.messages.kinematics import (
     KINEMATIC_VECTOR_AXES,
     KINEMATIC_ZERO_DIRECTION,
 )
+
+#: The joints that a chain can have.
+MAX_CHAIN = 6
 
 #: The entries of the definition, with the number of elements at each of their indices.
 ENTRIES: Mapping[str, tuple[int, ...]] = {

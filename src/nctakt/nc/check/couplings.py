@@ -12,7 +12,7 @@ from enum import Enum
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Span
-from nctakt.lists.declared.couplings import MAX_PAIRS
+from nctakt.lists.machine.couplings import MAX_PAIRS
 from nctakt.messages.checked_blocks import INVALID_COMMAND_FORM
 from nctakt.messages.couplings import DENOMINATOR_MISSING, TOO_MANY_PAIRS, UNKNOWN_COUPLED_AXIS
 from nctakt.nc.check.expressions import ValueChecker

@@ -1,15 +1,24 @@
 # SPDX-License-Identifier: MIT
-"""Who may see the live page: hosts, origins, tokens, ports."""
+"""Who may see the live page: hosts, origins, fetch metadata, tokens, ports."""
 
 import socket
 
 import pytest
 
 from nctakt.base.failure import Failure
-from nctakt.live.guard import is_admitted
+from nctakt.live.guard import Access
 from nctakt.live.server import usable_port
 
 LOCAL = {"host": "127.0.0.1:8765"}
+
+#: On this machine, on another address, and on this machine for an editor.
+HERE, THERE = Access("secret", is_closed=False, is_embedded=False), Access("secret", True, False)
+EMBEDDED = Access("secret", is_closed=False, is_embedded=True)
+
+
+def is_admitted(access: Access, headers: dict[str, str], given: str = "", path: str = "/") -> bool:
+    """Whether a request may pass."""
+    return access.why_refused(headers, path, given) is None
 
 
 @pytest.mark.parametrize(
@@ -31,7 +40,39 @@ LOCAL = {"host": "127.0.0.1:8765"}
 )
 def test_on_this_machine(headers: dict[str, str], admitted: bool) -> None:
     """No token, but the page's own host and origin."""
-    assert is_admitted(headers, "", None) is admitted
+    assert is_admitted(HERE, headers) is admitted
+
+
+@pytest.mark.parametrize(
+    ("site", "target", "admitted"),
+    [
+        ("none", "document", True),  # typed, or from a terminal
+        ("same-origin", "script", False),  # the page as a script
+        ("same-origin", "document", True),
+        ("cross-site", "image", False),
+        ("cross-site", "document", False),  # a link: a page with a link comes
+        ("same-site", "document", False),  # another port of this machine
+        ("cross-site", "iframe", False),
+        ("same-origin", "iframe", False),
+        ("cross-site", "websocket", False),
+    ],
+)
+def test_what_browsers_say_of_a_request(site: str, target: str, admitted: bool) -> None:
+    """Sec-Fetch-Site and Sec-Fetch-Dest, as the W3C's Fetch Metadata defines them."""
+    headers = {**LOCAL, "sec-fetch-site": site, "sec-fetch-dest": target}
+    assert is_admitted(HERE, headers) is admitted
+
+
+def test_an_editor_shows_the_page_in_a_panel() -> None:
+    """With the token in the address, and what the page asks for then; nobody else does."""
+    panel = {**LOCAL, "sec-fetch-site": "cross-site", "sec-fetch-dest": "iframe"}
+    own = {**LOCAL, "sec-fetch-site": "same-origin", "sec-fetch-dest": "script"}
+    assert is_admitted(EMBEDDED, panel, "secret")
+    assert is_admitted(EMBEDDED, own, path="/script.js")
+    assert not is_admitted(EMBEDDED, panel, "secrex")
+    assert not is_admitted(HERE, panel, "secret")
+    policies = [dict(one.headers())[b"content-security-policy"] for one in (HERE, EMBEDDED)]
+    assert policies == [b"frame-ancestors 'none'", b"frame-ancestors vscode-webview: vscode-file:"]
 
 
 @pytest.mark.parametrize(
@@ -48,7 +89,7 @@ def test_on_this_machine(headers: dict[str, str], admitted: bool) -> None:
 def test_on_another_address(cookie: str, given: str, admitted: bool) -> None:
     """The token is in the address once, then in a cookie."""
     headers = {"host": "cnc.example:8765", "cookie": cookie}
-    assert is_admitted(headers, given, "secret") is admitted
+    assert is_admitted(THERE, headers, given) is admitted
 
 
 def test_a_taken_port_is_told() -> None:

@@ -2,6 +2,7 @@
 """What the live page does with what it should not get: strangers, garbage, crowds, floods."""
 
 import contextlib
+import re
 import socket
 import subprocess
 import sys
@@ -26,6 +27,9 @@ if find_spec("nicegui") is None:  # its import takes long, and only the page's p
 client = pytest.importorskip("websockets.sync.client", reason="strangers need websockets")
 
 pytestmark = pytest.mark.slow
+
+#: What a browser says of a picture that a page of another site wants.
+WEBSITE = {"Sec-Fetch-Site": "cross-site", "Sec-Fetch-Mode": "no-cors", "Sec-Fetch-Dest": "image"}
 
 SOCKET = "/_nicegui_ws/socket.io/?EIO=4&transport=websocket"
 
@@ -63,10 +67,26 @@ def connected(address: str, **options: Any) -> Iterator[Any]:
         yield link
 
 
-def status_of(address: str) -> tuple[int, str]:
+@contextlib.contextmanager
+def looking(address: str, number: int) -> Iterator[Any]:
+    """A page that has connected, as its browser does."""
+    with urllib.request.urlopen(address, timeout=60) as answer:
+        found = re.search(r"['\"]client_id['\"]: ['\"]([-0-9a-f]+)", answer.read().decode("utf-8"))
+    assert found is not None
+    words = f"client_id={found[1]}&tab_id={number}&document_id={number}&next_message_id=0"
+    url = address.replace("http", "ws").rstrip("/") + SOCKET
+    with client.connect(f"{url}&{words}&implicit_handshake=true", open_timeout=30) as link:
+        link.recv(timeout=30)
+        link.send("40")
+        assert link.recv(timeout=30).startswith("40")
+        yield link
+
+
+def status_of(address: str, **headers: str) -> tuple[int, str]:
     """What an address answers: its status, the begin of its text."""
+    request = urllib.request.Request(address, headers=headers)
     try:
-        with urllib.request.urlopen(address, timeout=60) as answer:
+        with urllib.request.urlopen(request, timeout=60) as answer:
             return answer.status, answer.read(200).decode("utf-8", "replace")
     except urllib.error.HTTPError as error:
         return error.code, error.read(200).decode("utf-8", "replace")
@@ -103,11 +123,35 @@ def test_strangers_garbage_and_files(tmp_path: Path) -> None:
 
 
 def test_a_crowd_is_told(tmp_path: Path) -> None:
-    """The twenty-first browser gets a sentence, in the page's language."""
-    with served(program(tmp_path), "--lang", "de") as address:
-        answers = [status_of(address) for _ in range(25)]
-    assert [status for status, _ in answers] == [200] * 20 + [503] * 5
-    assert answers[-1][1].startswith("503: zu viele Browser")
+    """The twenty-first browser gets a sentence; who only fetches the page takes no place."""
+    errors = tmp_path / "errors.txt"
+    with served(program(tmp_path), "--lang", "de", errors=errors) as address:
+        for _ in range(25):
+            assert status_of(address, **WEBSITE)[0] == 403
+            assert status_of(address)[0] == 200
+        with contextlib.ExitStack() as crowd:
+            for number in range(20):
+                crowd.enter_context(looking(address, number))
+            status, text = status_of(address)
+            assert status == 503
+            assert text.startswith("503: zu viele Browser")
+    told = errors.read_text("utf-8")
+    assert "902040" in told
+    assert "25 × eine andere Website" in told
+
+
+def test_a_website_gets_nothing(tmp_path: Path) -> None:
+    """Neither in a frame nor as a picture; a link of one leads to a link of the page's own."""
+    with served(program(tmp_path)) as address:
+        request = urllib.request.Request(address)
+        with urllib.request.urlopen(request, timeout=60) as answer:
+            assert answer.headers["content-security-policy"] == "frame-ancestors 'none'"
+            assert answer.headers["x-frame-options"] == "DENY"
+        frame = {**WEBSITE, "Sec-Fetch-Dest": "iframe", "Sec-Fetch-Mode": "navigate"}
+        assert status_of(address, **frame) == (403, "403: not admitted\n")
+        link = {**WEBSITE, "Sec-Fetch-Dest": "document", "Sec-Fetch-Mode": "navigate"}
+        status, text = status_of(address, **link)
+        assert (status, '<a href="/">' in text) == (403, True)
 
 
 @pytest.mark.parametrize("mark", [pytest.param(None, marks=BROWSER)])

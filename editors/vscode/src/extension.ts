@@ -104,7 +104,7 @@ async function live(uri: unknown): Promise<void> {
   page?.kill();
   const [command, rest] = words();
   const options = { cwd: path.dirname(file), env: environment() };
-  const running = spawn(command, [...rest, "live", file, "--port", "0"], options);
+  const running = spawn(command, [...rest, "live", file, "--port", "0", "--embed"], options);
   page = running;
   let shown = false;
   let complaint = "";

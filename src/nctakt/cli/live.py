@@ -9,12 +9,14 @@ from __future__ import annotations
 
 import contextlib
 import threading
+from collections import Counter
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
 from nctakt.base.dataclass import dataclass
+from nctakt.base.diagnostics import Text
 from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_RAN
 from nctakt.cli.file_options import CONFINE_OPTION
@@ -28,7 +30,7 @@ from nctakt.files.access import FileAccess
 from nctakt.files.output import OutputFile
 from nctakt.lists.machine.files import machine_folder
 from nctakt.messages import diagnostic
-from nctakt.messages.live import PAGE_NEEDS_FILES
+from nctakt.messages.live import PAGE_HAS_REFUSED, PAGE_NEEDS_FILES
 
 if TYPE_CHECKING:
     from nctakt.debugger.server import PortServer
@@ -115,6 +117,9 @@ nctakt's own.
     metavar="N",
     help="Let debuggers attach at this port of this computer, 0: a free one, which is printed.",
 )
+@click.option(
+    "--embed", "is_embedded", is_flag=True, help="Let an editor show the page in one of its panels."
+)
 @click.option("--open", "opens_browser", is_flag=True, help="Open the page in the browser.")
 @CONFINE_OPTION
 @language_option("Language of the page and of diagnostics [default: en].", None)
@@ -128,6 +133,7 @@ def command(
     host: str,
     port: int,
     debug_port: int | None,
+    is_embedded: bool,
     opens_browser: bool,
     acknowledge: bool,
     pace: str,
@@ -135,7 +141,8 @@ def command(
     **words: Any,
 ) -> int:
     """Show a run on a page in the browser: play, pause, step, go back, edit, set variables."""
-    own = _Words((host, port), debug_port, opens_browser, acknowledge, pace, tape)
+    shown = is_embedded, opens_browser
+    own = _Words((host, port), debug_port, *shown, acknowledge, pace, tape)
 
     def show(options: Options, access: FileAccess) -> int:
         return _show(options, access, own)
@@ -150,6 +157,7 @@ class _Words:
 
     address: tuple[str, int]
     debug_port: int | None
+    is_embedded: bool
     opens_browser: bool
     acknowledge: bool
     pace: str
@@ -209,6 +217,7 @@ def _show(options: Options, access: FileAccess, own: _Words) -> int:
             from_block=options.from_block,
         )
 
+    refused: Counter[Text] = Counter()
     channel = next(iter(documents))
     file = documents[channel][0].file
     shared = SharedSession(open_session, file, acknowledges=not own.acknowledge, channel=channel)
@@ -224,9 +233,17 @@ def _show(options: Options, access: FileAccess, own: _Words) -> int:
                 (host, port),
                 has_plc=options.plc is not None,
                 opens_browser=own.opens_browser,
+                is_embedded=own.is_embedded,
                 tell=click.echo,
                 tell_error=lambda found: print_diagnostics([found], options.language),
+                refused=lambda _, reason: refused.update([reason]),
             )
+        if refused and not options.quiet:
+            words = (
+                f"{count} × {reason.get(options.language)}" for reason, count in refused.items()
+            )
+            found = diagnostic(PAGE_HAS_REFUSED, count=refused.total(), reasons=", ".join(words))
+            print_diagnostics([found], options.language)
         if own.tape is not None:
             shared.session.save(own.tape)
     return EXIT_RAN

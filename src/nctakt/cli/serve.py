@@ -428,6 +428,7 @@ def _page(options: Options, own: _Words, folders: Sequence[str], word: str) -> D
         acknowledges=not own.acknowledge,
         has_plc=options.plc is not None,
         tell_error=lambda found: print_diagnostics([found], options.language),
+        refused=lambda client, reason: host.refuse_later("live", client, reason.get("en")),
     )
 
 

@@ -15,6 +15,7 @@ from concurrent.futures import Future
 from nctakt.base.diagnostics import Diagnostic, Language
 from nctakt.base.failure import Failure
 from nctakt.live.document import Checker, Document
+from nctakt.live.guard import Refused
 from nctakt.live.server import end_page, serve, usable_port
 from nctakt.live.shared import SharedSession
 from nctakt.live.texts import Texts
@@ -24,7 +25,10 @@ from nctakt.session.session import Session
 
 
 class PageDoor:
-    """The page of a session at an address; ``programs``: by channel, at least one."""
+    """The page of a session at an address; ``programs``: by channel, at least one.
+
+    ``tell_error`` and ``refused`` are called from the page's own thread.
+    """
 
     def __init__(
         self,
@@ -37,6 +41,7 @@ class PageDoor:
         acknowledges: bool,
         has_plc: bool,
         tell_error: Callable[[Diagnostic], None],
+        refused: Refused,
     ) -> None:
         self._session = session
         self._address = address
@@ -44,6 +49,7 @@ class PageDoor:
         self._acknowledges = acknowledges
         self._has_plc = has_plc
         self._tell_error = tell_error
+        self._refused = refused
         self._documents = {
             number: [Document(program, checker) for program in own]
             for number, own in programs.items()
@@ -91,9 +97,9 @@ class PageDoor:
                 Texts(self._language),
                 address,
                 has_plc=self._has_plc,
-                opens_browser=False,
                 tell=self._address_told.set_result,
                 tell_error=self._tell_error,
+                refused=self._refused,
             )
         except BaseException as error:  # noqa: BLE001 - whoever opens the door gets it
             if not self._address_told.done():

@@ -18,15 +18,16 @@ from collections.abc import Callable, Mapping
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
 from nctakt.live.document import Document
-from nctakt.live.guard import LOCAL, WORD, Guard
+from nctakt.live.guard import LOCAL, WORD, Access, Guard, Refused
+from nctakt.live.places import MAX_BROWSERS, Places
 from nctakt.live.reporting import tell_errors
 from nctakt.live.shared import SharedSession
 from nctakt.live.texts import Texts
 from nctakt.messages import diagnostic
 from nctakt.messages.live import ADDRESS_NOT_USABLE, LIVE_LIBRARY_MISSING
 
-#: Browsers that may look at the page at a time.
-MAX_BROWSERS = 20
+#: Bytes of a message of a browser: the longest is the text of the editor.
+_MAX_MESSAGE = 16 * 1024 * 1024
 
 #: Where addresses that stand for all of a machine can be reached from itself.
 _REACHABLE = {"0.0.0.0": "127.0.0.1", "::": "::1"}
@@ -64,30 +65,36 @@ def serve(
     address: tuple[str, int],
     *,
     has_plc: bool,
-    opens_browser: bool,
+    opens_browser: bool = False,
+    is_embedded: bool = False,
     tell: Callable[[str], None],
     tell_error: Callable[[Diagnostic], None],
+    refused: Refused,
 ) -> None:
     """Serve the page until Ctrl-C.
 
-    ``tell`` gets its address once, ``tell_error`` what browsers send and nobody understands.
+    ``is_embedded``: an editor shows it in a panel. ``tell`` gets its address once, ``tell_error``
+    what browsers send and nobody understands, ``refused`` whose requests and connections were
+    refused, and why.
     """
-    from nicegui import Client, app, background_tasks, ui  # noqa: PLC0415 - only the page needs it
+    from nicegui import Client, app, background_tasks, context, ui  # noqa: PLC0415 - only the page needs it
 
-    from nctakt.live.page import Page  # noqa: PLC0415 - as above
+    from nctakt.live.connections import protocol  # noqa: PLC0415 - as above
+    from nctakt.live.page import Page  # noqa: PLC0415
 
     host, port = address
-    token = None if host in LOCAL else secrets.token_urlsafe(24)
-    word = "" if token is None else f"?{WORD}={token}"
+    access = Access(secrets.token_urlsafe(24), host not in LOCAL, is_embedded)
+    word = f"?{WORD}={access.token}" if access.is_closed or is_embedded else ""
+
+    places = Places(Client.instances, refused)
 
     @ui.page("/", title="nctakt live")
     def show() -> None:
+        places.let_wait(context.client)
         Page(shared, documents, texts, has_plc=has_plc)
 
     def refusal() -> str:
-        if len(Client.instances) < MAX_BROWSERS:
-            return ""
-        return texts["too_many"].format(count=MAX_BROWSERS)
+        return "" if places.make_room() else texts["too_many"].format(count=MAX_BROWSERS)
 
     async def begin() -> None:
         gc.freeze()  # what is there stays: a search for garbage is short then
@@ -105,7 +112,7 @@ def serve(
 
     sys.setswitchinterval(_SWITCH_S)
     tell_errors(tell_error)
-    app.add_middleware(Guard, token=token, refusal=refusal)
+    app.add_middleware(Guard, access=access, refusal=refusal, refused=refused)
     shown = f"[{host}]" if ":" in host else host
     app.on_startup(begin)
     ui.run(
@@ -117,6 +124,8 @@ def serve(
         show=f"/{word}" if opens_browser else False,
         show_welcome_message=False,
         uvicorn_logging_level="critical",
+        http=protocol(refused),
+        ws_max_size=_MAX_MESSAGE,
     )
 
 

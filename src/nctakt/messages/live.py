@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from nctakt.messages.catalogue import error, warning
+from nctakt.messages.catalogue import error, note, warning
 
 LIVE_LIBRARY_MISSING = error(
     901160,
@@ -52,4 +52,13 @@ SESSION_IS_SHARED = error(
     de="die Seite teilt diesen Lauf mit anderen Clients, sie kann ihn nicht neu beginnen",
     remedy_en="Save the program; it runs when it is selected again.",
     remedy_de="Das Programm speichern; es läuft, wenn es erneut angewählt wird.",
+)
+PAGE_HAS_REFUSED = note(
+    902040,
+    en="the page has refused requests and connections, {count} in all: {reasons}",
+    de="die Seite hat Anfragen und Verbindungen abgelehnt, zusammen {count}: {reasons}",
+    remedy_en="If they were yours: open the address that was printed, in a window of its own.",
+    remedy_de="Waren es eigene: die ausgegebene Adresse in einem eigenen Fenster öffnen.",
+    count=("how many", "wie viele"),
+    reasons=("the reasons, each with how often it came", "die Gründe, je mit ihrer Anzahl"),
 )

@@ -216,6 +216,11 @@ class Host:
             self.refuse(failure, door, client)
             raise
 
+    def refuse_later(self, door: str, client: str, reason: str) -> None:
+        """Tell in the log that something of a client was refused, from another thread."""
+        with contextlib.suppress(RuntimeError):  # the loop has ended
+            self.loop.call_soon_threadsafe(self.log.refuse, door, client, reason)
+
     def refuse(self, failure: Failure, door: str, client: str) -> None:
         """Tell in the log that something of a client was refused."""
         for found in failure.diagnostics[:1]:

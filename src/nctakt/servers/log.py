@@ -11,6 +11,7 @@ from __future__ import annotations
 import json
 import re
 import time
+from collections import Counter
 from collections.abc import Callable, Mapping
 from datetime import UTC, datetime
 
@@ -57,7 +58,10 @@ class _Budget:
 
 
 class ServerLog:
-    """Writes lines; ``write`` ``None``: nobody reads them."""
+    """Writes lines; ``write`` ``None``: nobody reads them.
+
+    ``refused``: how often something was refused, by doors.
+    """
 
     def __init__(
         self,
@@ -66,6 +70,7 @@ class ServerLog:
     ) -> None:
         self._write = write
         self._clock = clock
+        self.refused: Counter[str] = Counter()
         self._repeats: dict[_Key, _Repeats] = {}
         self._budgets: dict[str, _Budget] = {}
 
@@ -85,6 +90,7 @@ class ServerLog:
 
     def refuse(self, door: str, client: str, reason: str, **words: object) -> None:
         """Tell that something of a client was refused."""
+        self.refused[door] += 1
         found = _WITH_PORT.fullmatch(client)
         party = client if found is None else found[1]
         shown = {"door": door, "client": client, "reason": reason, **words}

@@ -90,7 +90,8 @@ async def serve(
         await host.close(answers=answers)
         lateness = {"late_slices": late, "worst_lateness_ms": round(worst_s * 1000, 3)}
         log.tell_counts()
-        log.note("closed", tick=session.tick, missed_frames=missed, **lateness)
+        refused = dict(sorted(log.refused.items()))
+        log.note("closed", tick=session.tick, missed_frames=missed, **lateness, refused=refused)
     if not answers:
         raise Failure(diagnostic(CONTROLLER_SILENT, seconds=f"{PAUSING_S:g}"))
 

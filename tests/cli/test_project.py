@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import json
+import os
 from collections.abc import Callable
 from pathlib import Path
 
@@ -242,6 +243,162 @@ def test_confined_runs_take_no_file_from_outside(told: Told) -> None:
     code, _, err = told("run", "programs/b.nc", "--confine", "programs")
     assert (code, err) == (0, "")
     assert find_project(Path("programs"), FileAccess(["programs"])) is None
+
+
+PROOF_PLC = """from pathlib import Path
+
+Path(__file__).with_name("ran").touch()
+
+
+class Cell:
+    def cycle(self, hli):
+        hli.acknowledge_all()
+"""
+
+
+@pytest.fixture
+def cell(told: Told, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A project whose PLC leaves the file ``ran`` when its code is run, and no trusted folders."""
+    monkeypatch.setenv("XDG_CONFIG_HOME", str(Path("settings").absolute()))
+    write("nctakt.toml", 'plc = "cell.py"\nmachine = "demo5"\n')
+    write("cell.py", PROOF_PLC)
+    for path in (Path(), Path("nctakt.toml"), Path("cell.py")):
+        path.chmod(0o700)
+    return Path("ran")
+
+
+def others_may_write(path: Path) -> None:
+    path.chmod(0o777)
+
+
+def belongs_to_another(path: Path) -> None:
+    os.chown(path, 65534, -1)
+
+
+RUNS = (
+    ("run", "programs/a.nc"),
+    ("why", "programs/a.nc"),
+    ("coverage", "programs/a.nc"),
+    ("live", "programs/a.nc", "--port", "0"),
+    ("serve", "programs/a.nc", "--ads=127.0.0.1:0"),
+    ("study", "programs/a.nc", "--each-tick", "V.E.WORD=1"),
+)
+
+
+@pytest.mark.skipif(os.name != "posix", reason="no owners")
+@pytest.mark.parametrize("name", ["nctakt.toml", ".", "cell.py"])
+@pytest.mark.parametrize(
+    "change",
+    [
+        others_may_write,
+        pytest.param(
+            belongs_to_another,
+            marks=pytest.mark.skipif(os.name != "posix" or os.geteuid() != 0, reason="not root"),
+        ),
+    ],
+)
+def test_code_that_others_may_have_written_is_not_run(
+    told: Told, cell: Path, name: str, change: Callable[[Path], None]
+) -> None:
+    """902025 at the entry, with what is wrong; ``--plc`` and ``--trust`` run it."""
+    assert told("run", "programs/a.nc", "--quiet")[0] == 0
+    cell.unlink()
+    change(Path(name))
+    code, out, err = told("run", "programs/a.nc")
+    assert (code, out) == (2, "")
+    assert err.startswith("nctakt.toml:1:1: error 902025: ")
+    assert str(Path(name).absolute()) in err
+    assert not cell.exists()
+    assert told("run", "programs/a.nc", "--quiet", "--plc", "cell.py")[0] == 0
+    cell.unlink()
+    assert told("run", "programs/a.nc", "--quiet", "--trust")[0] == 0
+    cell.unlink()
+    assert "902025" in told("run", "programs/a.nc")[2]  # it was for one command
+
+
+@pytest.mark.skipif(os.name != "posix", reason="no owners")
+@pytest.mark.parametrize("words", RUNS, ids=lambda words: str(words[0]))
+def test_no_kind_of_run_takes_code_that_others_may_write(
+    told: Told, cell: Path, words: tuple[str, ...]
+) -> None:
+    """902025, and its code has not been run."""
+    others_may_write(Path("nctakt.toml"))
+    code, _, err = told(*words)
+    assert (code, "902025" in err) == (2, True)
+    assert not cell.exists()
+
+
+@pytest.mark.skipif(os.name != "posix", reason="no owners")
+def test_a_list_names_the_trusted_folders(told: Told, cell: Path) -> None:
+    """A folder and all below it; the list counts only where nobody else may write it."""
+    others_may_write(Path("nctakt.toml"))
+    trusted = Path("settings/nctakt/trusted")
+    trusted.parent.mkdir(parents=True)
+    for text, code in (
+        (f"{Path.cwd()}\n", 0),
+        (f"# mine\n\n{Path.cwd().parent}\n", 0),
+        (f"{Path('programs').absolute()}\n.\n", 2),
+    ):
+        trusted.write_text(text, "utf-8")
+        trusted.chmod(0o600)
+        assert told("run", "programs/a.nc", "--quiet")[0] == code
+    trusted.write_text(f"{Path.cwd()}\n", "utf-8")
+    others_may_write(trusted)
+    code, _, err = told("run", "programs/a.nc", "--quiet")
+    assert (code, "others may write" in err, str(trusted.absolute()) in err) == (2, True, True)
+
+
+@pytest.mark.skipif(os.name != "posix", reason="no owners")
+def test_a_link_does_not_lend_its_target_to_somebody_else(told: Told, cell: Path) -> None:
+    """A folder of somebody else with a link to a project of mine."""
+    write("elsewhere/b.nc", PROGRAM)
+    Path("elsewhere/nctakt.toml").symlink_to(Path("nctakt.toml").absolute())
+    others_may_write(Path("elsewhere"))
+    assert "902025" in told("run", "elsewhere/b.nc")[2]
+    assert not cell.exists()
+
+
+def test_what_only_reads_runs_no_code_of_a_project(told: Told, cell: Path) -> None:
+    """check, list, explain, new and schedule; list says that the PLC is not run (902026)."""
+    write("rtconf.lis", "")
+    for words in (
+        ("check", "programs/a.nc"),
+        ("check", "."),
+        ("check",),
+        ("list", "programs/a.nc"),
+        ("explain", "20651"),
+        ("new", "machine"),
+        ("schedule", "show", "machine"),
+        ("schedule", "analyse", "machine"),
+        ("schedule", "simulate", "machine"),
+    ):
+        told(*words)
+        assert not cell.exists(), words
+    assert "note 902026: " in told("list", "programs/a.nc")[2]
+    assert told("list", "programs/a.nc", "--quiet")[0] == 0
+    assert not cell.exists()
+    assert told("list", "programs/a.nc", "--plc", "cell.py")[0] == 0
+    assert cell.exists()
+
+
+@pytest.mark.skipif(os.name != "posix", reason="no pipes with names")
+def test_files_name_no_pipe_to_be_read_for_ever(told: Told) -> None:
+    """A project (901063) and a plan (901302) name regular files and folders."""
+    os.mkfifo("pipe.py")
+    vary = '[[vary]]\nvariable = "V.E.WORD"\nvalues = [1]\n'
+    for entry in ("plc", "machine"):
+        write("nctakt.toml", f'{entry} = "pipe.py"\n')
+        code, _, err = told("run", "programs/a.nc")
+        assert (code, "nctakt.toml:1:1: error 901063: " in err) == (2, True)
+    Path("nctakt.toml").unlink()
+    for entries in (
+        'program = "pipe.py"',
+        'program = "programs/a.nc"\nplc = "pipe.py"',
+        'program = "programs/a.nc"\nmachine = "pipe.py"',
+        'program = "programs/a.nc"\n[measure]\nx = "python pipe.py:f"',
+    ):
+        write("plan.toml", f"{entries}\n{vary}")
+        assert told("study", "plan.toml", "--quiet")[0] == 2
 
 
 def test_formats_of_a_check_are_as_ever(told: Told) -> None:

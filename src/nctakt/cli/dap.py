@@ -16,6 +16,7 @@ from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_RAN, EXIT_USAGE
 from nctakt.cli.file_options import CONFINE_OPTION
 from nctakt.cli.language import language_option
+from nctakt.cli.start_options import TRUST_OPTION
 from nctakt.cli.terminal import print_diagnostics
 
 _EPILOG = """\b
@@ -40,6 +41,7 @@ of nctakt's own.
     help="Serve editors at this port of this computer, 0: a free one, which is printed.",
 )
 @CONFINE_OPTION
+@TRUST_OPTION
 @language_option("Language of texts and diagnostics [default: the editor's].", None)
 def command(port: int | None, confined: tuple[str, ...], **words: Any) -> int:
     """Debug programs from an editor: breakpoints in blocks and cycles, steps back in time."""

@@ -65,7 +65,7 @@ class ListedDefinition:
 @FORMAT_OPTION
 def command(**words: Any) -> int:
     """Run NC programs and list each realtime cycle that they define ('-': standard input)."""
-    return carry_out(words, _list)
+    return carry_out(words, _list, runs_code=False)
 
 
 def _list(options: Options, access: FileAccess) -> int:

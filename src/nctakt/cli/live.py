@@ -24,7 +24,7 @@ from nctakt.cli.language import language_option
 from nctakt.cli.request import STANDARD_INPUT, Options, read_request
 from nctakt.cli.running import choose_mode
 from nctakt.cli.settings import carry_out
-from nctakt.cli.start_options import FROM_BLOCK_OPTION, FROM_LINE_OPTION
+from nctakt.cli.start_options import FROM_BLOCK_OPTION, FROM_LINE_OPTION, TRUST_OPTION
 from nctakt.cli.terminal import print_diagnostics
 from nctakt.files.access import FileAccess
 from nctakt.files.output import OutputFile
@@ -70,6 +70,7 @@ nctakt's own.
     "around the program, else demo].",
 )
 @click.option("--plc", metavar="FILE.py", help="A class of yours that plays the PLC.")
+@TRUST_OPTION
 @click.option(
     "--set",
     "assignments",

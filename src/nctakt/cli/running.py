@@ -20,6 +20,7 @@ from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN
 from nctakt.cli.file_options import CONFINE_OPTION
 from nctakt.cli.language import language_option
 from nctakt.cli.request import Options, Request
+from nctakt.cli.start_options import TRUST_OPTION
 from nctakt.cli.terminal import InterruptRequest, ProgressBar, print_diagnostics
 from nctakt.files.access import FileAccess
 from nctakt.lists.format.times import Time
@@ -134,6 +135,7 @@ def run_options(
             metavar="FILE.py",
             help="A class of yours that plays the PLC; default: the built-in one.",
         ),
+        TRUST_OPTION,
         language_option(f"Language of {language_of} [default: en].", None),
         click.option("--quiet", is_flag=True, help=quiet_help),
         click.option(

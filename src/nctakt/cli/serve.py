@@ -27,7 +27,7 @@ from nctakt.cli.language import language_option
 from nctakt.cli.request import STANDARD_INPUT, Options, read_request
 from nctakt.cli.running import choose_mode
 from nctakt.cli.settings import carry_out
-from nctakt.cli.start_options import FROM_BLOCK_OPTION, FROM_LINE_OPTION
+from nctakt.cli.start_options import FROM_BLOCK_OPTION, FROM_LINE_OPTION, TRUST_OPTION
 from nctakt.cli.tapes import inputs_of_run
 from nctakt.cli.terminal import print_diagnostics
 from nctakt.files.access import FileAccess
@@ -84,6 +84,7 @@ that has stopped, 2 wrong usage or unusable input, 3 an error of nctakt's own.
     "around the program, else demo].",
 )
 @click.option("--plc", metavar="FILE.py", help="A class of yours that plays the PLC.")
+@TRUST_OPTION
 @click.option(
     "--set",
     "assignments",

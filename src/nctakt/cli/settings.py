@@ -18,14 +18,26 @@ from nctakt.cli.file_options import file_access
 from nctakt.cli.request import STANDARD_INPUT, Options
 from nctakt.cli.terminal import print_diagnostics
 from nctakt.files.access import FileAccess
+from nctakt.messages import diagnostic
+from nctakt.messages.project import PLC_NOT_RUN
 from nctakt.project.run_settings import Named, RunSettings, run_settings
 from nctakt.run.stimuli import assignment_text
 
 
-def carry_out(words: dict[str, Any], action: Callable[[Options, FileAccess], int]) -> int:
-    """Carry out a command that runs programs; its exit code. A ``Failure`` is shown."""
+def carry_out(
+    words: dict[str, Any],
+    action: Callable[[Options, FileAccess], int],
+    *,
+    runs_code: bool = True,
+) -> int:
+    """Carry out a command that runs programs; its exit code. A ``Failure`` is shown.
+
+    ``runs_code``: the project's PLC too; without it only one that the words name.
+    """
     paths = [*words["programs"], *(program for _, program in words["others"])]
-    return maybe_watched(words, paths, lambda access: _carry_out(words, action, access))
+    return maybe_watched(
+        words, paths, lambda access: _carry_out(words, action, access, runs_code=runs_code)
+    )
 
 
 def maybe_watched(
@@ -49,14 +61,21 @@ def maybe_watched(
 
 
 def _carry_out(
-    words: dict[str, Any], action: Callable[[Options, FileAccess], int], access: FileAccess
+    words: dict[str, Any],
+    action: Callable[[Options, FileAccess], int],
+    access: FileAccess,
+    *,
+    runs_code: bool,
 ) -> int:
     language: Language = words["language"] or "en"
     settings: RunSettings | None = None
     try:
-        settings = _settings(words, access)
+        settings = _settings(words, access, runs_code=runs_code)
         options = _completed(words, settings)
         language = options.language
+        project = settings.project
+        if not (runs_code or words["plc"] or words["quiet"]) and project and project.plc:
+            print_diagnostics([diagnostic(PLC_NOT_RUN, plc=str(project.plc))], language)
         return action(options, access)
     except Failure as failure:
         found = failure if settings is None else settings.placed(failure)
@@ -64,14 +83,14 @@ def _carry_out(
         return EXIT_USAGE
 
 
-def _settings(words: dict[str, Any], access: FileAccess) -> RunSettings:
+def _settings(words: dict[str, Any], access: FileAccess, *, runs_code: bool) -> RunSettings:
     """Return the settings of the words; raises ``Failure`` where these are wrong."""
     programs = [*words["programs"], *(program for _, program in words["others"])]
     files = [Path(program) for program in programs if program != STANDARD_INPUT]
     named = Named(
         machine=words["machine"],
         plc=words["plc"],
-        has_plc=words.get("hli") is not None,
+        has_plc=words.get("hli") is not None or not runs_code,
         values=[text.partition("=")[0].strip() for text in words["assignments"]],
         until=words["until"],
         is_limited=words["ticks"] is not None,

@@ -21,6 +21,7 @@ from nctakt.base.diagnostics import Language
 from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN, EXIT_USAGE
 from nctakt.cli.language import language_option
+from nctakt.cli.start_options import TRUST_OPTION
 from nctakt.cli.terminal import print_diagnostics
 
 if TYPE_CHECKING:
@@ -49,6 +50,7 @@ usage or unusable input, 3 an error of nctakt's own.
 @click.option("--expect", multiple=True, metavar="TEXT", help="Expect this of each run.")
 @click.option("--machine", metavar="FOLDER", help="The machine of a program without a plan.")
 @click.option("--plc", metavar="FILE", help="The PLC of a program without a plan.")
+@TRUST_OPTION
 @click.option("--until", metavar="TIME", help="The limit of each run of a program without a plan.")
 @click.option("--out", metavar="FILE", help="Write a row per run: .parquet, .csv or .jsonl.")
 @click.option("--report", metavar="FILE", help="Write a page (.html) with pictures of the results.")

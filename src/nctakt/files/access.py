@@ -221,6 +221,17 @@ class FileAccess:
             raise Failure(diagnostic(OUTPUT_IS_READ, option=option, file=str(path)))
 
 
+def is_file_or_folder(path: Path) -> bool:
+    """Return whether there is a regular file or a folder: what a file may name.
+
+    Reading a pipe or a device may never end, and no system takes each name.
+    """
+    try:
+        return path.is_file() or path.is_dir()
+    except (OSError, ValueError):
+        return False
+
+
 def _place_of(path: Path) -> tuple[Identity, str]:
     """Return folder and name of a file that may not be there yet."""
     folder = path.parent.stat()

@@ -36,6 +36,33 @@ PROJECT_PATH_MISSING = error(
     remedy_en="Paths are relative to the folder of the project file.",
     remedy_de="Pfade gehen vom Ordner der Projektdatei aus.",
 )
+PROJECT_NOT_TRUSTED = error(
+    902025,
+    en="project file: {key} is not run: {reason}",
+    de="Projektdatei: {key} wird nicht ausgeführt: {reason}",
+    remedy_en="If you trust it: --trust, or a line {folder} in {list}; or name the file yourself.",
+    remedy_de="Bei Vertrauen: --trust, oder eine Zeile {folder} in {list}; oder die Datei selbst "
+    "angeben.",
+    cause_en="Code of a project counts only if it, the project file and their folders belong to "
+    "you or to root, and nobody else may write them.",
+    cause_de="Code eines Projekts zählt nur, wenn er, die Projektdatei und deren Ordner Ihnen oder "
+    "root gehören und niemand sonst sie schreiben darf.",
+    key=("the entry", "der Eintrag"),
+    reason=(
+        "whose it is, or that others may write it",
+        "wem es gehört, oder dass andere schreiben",
+    ),
+    folder=("the folder of the project", "der Ordner des Projekts"),
+    list=("the file with the trusted folders", "die Datei mit den vertrauten Ordnern"),
+)
+PLC_NOT_RUN = note(
+    902026,
+    en="the PLC of the project, {plc}, is not run: this command runs nobody's code",
+    de="die SPS des Projekts, {plc}, läuft nicht: Dieser Befehl führt keinen fremden Code aus",
+    remedy_en="--plc {plc} runs it.",
+    remedy_de="--plc {plc} lässt sie laufen.",
+    plc=("the file", "die Datei"),
+)
 MACHINE_OF_SETTING = note(
     901064,
     en="the machine is {machine}, as {source} says",

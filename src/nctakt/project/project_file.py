@@ -28,7 +28,7 @@ from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import NOTHING, Diagnostic, Language, Span, Text, whole_file
 from nctakt.base.failure import Failure
 from nctakt.base.misspelling import nearest
-from nctakt.files.access import FileAccess
+from nctakt.files.access import FileAccess, is_file_or_folder
 from nctakt.lists.format.times import Time, read_time
 from nctakt.lists.machine.files import machine_folder
 from nctakt.messages import Collector
@@ -62,7 +62,7 @@ class Project:
     """The settings of a project file; ``None`` and empty: not set.
 
     Paths are relative to the working directory where they lie below it, else absolute. ``values``
-    are those of variables before the first tick; ``places``: where each stands.
+    are those of variables before the first tick; ``places``: where each stands, and ``plc``.
     """
 
     file: Path
@@ -207,7 +207,8 @@ class _Reader:
             self._paths(entries.get("paths")),
             self._until(entries.get("until")),
             values := self._values(entries.get("set")),
-            {name: self._location_of_value(name) for name in values},
+            {"plc": self._location("plc")}
+            | {name: self._location_of_value(name) for name in values},
         )
 
     def _path(self, key: str, value: Any, example: str) -> Path | None:
@@ -217,7 +218,7 @@ class _Reader:
             self._wrong(key, value, _TEXT, example)
             return None
         path = machine_folder(value, self._folder) if key == "machine" else self._folder / value
-        if not path.exists():
+        if not is_file_or_folder(path):
             self._collector.report(PROJECT_PATH_MISSING, *self._location(key), key=key, path=value)
         return from_here(Path(os.path.normpath(path)))
 

@@ -18,9 +18,10 @@ from nctakt.files.access import FileAccess
 from nctakt.lists.format.times import TimeLike
 from nctakt.lists.machine.files import machine_folder
 from nctakt.messages import diagnostic
-from nctakt.messages.project import PROGRAMS_OF_DIFFERENT_MACHINES
+from nctakt.messages.project import PROGRAMS_OF_DIFFERENT_MACHINES, PROJECT_NOT_TRUSTED
 from nctakt.project.machine_choice import MachineChoice, choose_machine, machine_of
 from nctakt.project.project_file import Project, find_project
+from nctakt.project.trust import list_of_trusted, why_distrusted
 
 #: The word for the built-in PLC, where the project file names another one.
 DEFAULT_PLC = "default"
@@ -81,8 +82,8 @@ def run_settings(
     """Return the settings of a run of programs, by the project of the first one.
 
     Without programs it is the project of the working directory. Raises ``Failure`` for an invalid
-    project file (901060 …), a file that ``access`` does not admit, and programs of several machines
-    (901065).
+    project file (901060 …), one that names code and is not trusted (902025), a file that ``access``
+    does not admit, and programs of several machines (901065).
     """
     named = named or Named()
     project = find_project(programs[0] if programs else Path(), access)
@@ -115,7 +116,26 @@ def _plc(named: Named, project: Project | None, access: FileAccess) -> Path | No
     if named.has_plc or project is None or project.plc is None:
         return None
     access.check_admitted(project.plc)
+    _check_trusted(project, "plc", project.plc)
     return project.plc
+
+
+def _check_trusted(project: Project, key: str, code: Path) -> None:
+    """Raise ``Failure`` (902025) for an entry that names code and may be somebody else's."""
+    folder = project.file.absolute().parent
+    reason = why_distrusted((project.file, code), folder)
+    if reason is not None:
+        span, line = project.places[key]
+        found = diagnostic(
+            PROJECT_NOT_TRUSTED,
+            span,
+            line,
+            key=key,
+            reason=reason,
+            folder=str(folder),
+            list=str(list_of_trusted()),
+        )
+        raise Failure(found)
 
 
 def _machine_of_all(

@@ -15,7 +15,7 @@ import stat
 import zlib
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeGuard
 
 from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Span
@@ -247,7 +247,7 @@ def read_tape(path: Path, access: FileAccess) -> Tape:
     return reader.tape(head, inputs, checksums)
 
 
-def _are_digests(value: object) -> bool:
+def _are_digests(value: object) -> TypeGuard[dict[str, str | None]]:
     return isinstance(value, dict) and all(isinstance(one, str | None) for one in value.values())
 
 

@@ -18,7 +18,7 @@ from typing import Any
 from nctakt.base.diagnostics import Diagnostic, Span, Text, whole_file
 from nctakt.base.failure import Failure
 from nctakt.base.text import decode_text
-from nctakt.files.access import FileAccess
+from nctakt.files.access import FileAccess, is_file_or_folder
 from nctakt.lists.declared.rtconf import RtconfConfiguration
 from nctakt.lists.format.times import Time, read_time
 from nctakt.lists.machine.files import machine_folder
@@ -56,7 +56,6 @@ from nctakt.studies.plan_reader import (
     THE_PLAN,
     PlanReader,
     is_name,
-    is_there,
     is_value,
     one_of,
 )
@@ -244,13 +243,15 @@ class _Reader(PlanReader):
         if value is None or key != "machine" or not isinstance(value, str) or not value:
             return None if key not in table else self.existing(value, key)
         path = machine_folder(value, self.folder)
-        if not is_there(path):
+        if not is_file_or_folder(path):
             self.wrong(key, value, FILE)
         return path
 
     def _plc(self, tables: dict[str, Any]) -> Path | None:
         """Return the file of the PLC, or the word for the built-in one."""
-        is_default = tables.get("plc") == DEFAULT_PLC and not is_there(self.folder / DEFAULT_PLC)
+        is_default = tables.get("plc") == DEFAULT_PLC and not is_file_or_folder(
+            self.folder / DEFAULT_PLC
+        )
         return Path(DEFAULT_PLC) if is_default else self._path(tables, "plc")
 
     def _take_settings(self, named: Named) -> None:

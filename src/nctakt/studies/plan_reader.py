@@ -13,6 +13,7 @@ from typing import Any, TypeVar
 from nctakt.base.diagnostics import NOTHING, Diagnostic, Message, Span, Text, whole_file
 from nctakt.base.failure import Failure
 from nctakt.base.misspelling import nearest
+from nctakt.files.access import is_file_or_folder
 from nctakt.lists.format.times import Time, read_time
 from nctakt.messages import diagnostic
 from nctakt.messages.studies import INVALID_PLAN_VALUE, PLAN_ENTRY_MISSING, UNKNOWN_PLAN_ENTRY
@@ -261,18 +262,10 @@ class PlanReader:
             self.wrong(key, value, TEXT, header, number)
             return None
         path = self.folder / value
-        if not is_there(path):
+        if not is_file_or_folder(path):
             self.wrong(key, str(value), FILE, header, number)
             return None
         return path
-
-
-def is_there(path: Path) -> bool:
-    """Return whether there is a file or folder; a name that no system takes is not there."""
-    try:
-        return path.exists()
-    except (OSError, ValueError):
-        return False
 
 
 def _shown(value: object) -> str:

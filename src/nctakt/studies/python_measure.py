@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from nctakt.base.dataclass import dataclass
+from nctakt.files.access import is_file_or_folder
 from nctakt.plc.loading import imports_beside
 from nctakt.studies.measure_nodes import Number
 from nctakt.studies.outcome import NotMeasuredError, Outcome
@@ -68,6 +69,8 @@ def loaded(file: Path, name: str) -> Callable[..., Number | None]:
 
     Raises whatever the file raises.
     """
+    if not is_file_or_folder(file):
+        raise FileNotFoundError(f"{file.name} is no file")
     spec = importlib.util.spec_from_file_location(f"nctakt_study_{file.stem}", file)
     if spec is None or spec.loader is None:
         raise ImportError(f"{file.name} is not a Python file")

@@ -1,0 +1,130 @@
+# SPDX-License-Identifier: MIT
+"""Whose settings may run code: those that nobody else can write, or of a folder that is trusted.
+
+In: files that name code, or have it. Out: why they do not count. A project file in a folder above
+may be anybody's; it has code run only if it and its folder belong to the user or to root and nobody
+else may write them, if the user trusts the folder (a line in ``nctakt/trusted`` below the folder of
+the user's settings), or if he trusts all of them for a command (``--trust``). Systems without
+owners in Python's sense (Windows) are not asked.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import stat
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+
+from nctakt.base.diagnostics import Text
+
+try:
+    import grp
+    import pwd
+except ImportError:  # Windows
+    grp = pwd = None  # type: ignore[assignment]
+
+#: The variable with the folder of the user's settings, and the list in it.
+_SETTINGS_VARIABLE, _LIST = "XDG_CONFIG_HOME", "nctakt/trusted"
+
+_is_all_trusted = False
+
+
+@contextlib.contextmanager
+def trusting() -> Iterator[None]:
+    """Trust all projects meanwhile."""
+    global _is_all_trusted  # noqa: PLW0603 - the user says it once for the process
+    before, _is_all_trusted = _is_all_trusted, True
+    try:
+        yield
+    finally:
+        _is_all_trusted = before
+
+
+def list_of_trusted() -> Path:
+    """Return the file that names the trusted folders, one a line; it need not be there."""
+    settings = os.environ.get(_SETTINGS_VARIABLE, "")
+    folder = Path(settings) if settings else Path(os.path.expanduser("~/.config"))  # noqa: PTH111 - without a home it stays as it is
+    return folder / _LIST
+
+
+def why_distrusted(files: Iterable[Path], folder: Path) -> Text | None:
+    """Return why files of a folder may not have code run; ``None`` if they may.
+
+    ``folder``: of the project, which the user may trust.
+    """
+    if pwd is None or _is_all_trusted:
+        return None
+    reason = _first_reason(files)
+    if reason is None:
+        return None
+    trusted = list_of_trusted()
+    try:
+        lines = trusted.read_text("utf-8", errors="replace").splitlines()
+    except OSError:
+        return reason
+    of_list = _first_reason([trusted])
+    if of_list is not None:
+        return of_list
+    here = os.path.realpath(folder)
+    names = (line.strip() for line in lines)
+    folders = (os.path.realpath(name) for name in names if Path(name).is_absolute())
+    return None if any(Path(here).is_relative_to(one) for one in folders) else reason
+
+
+def _first_reason(files: Iterable[Path]) -> Text | None:
+    """Return what is wrong with the first file, or its folder, that others own or may write."""
+    for file in files:
+        real = Path(os.path.realpath(file))
+        for path in dict.fromkeys((file.absolute().parent, real.parent, real)):
+            reason = _reason(path)
+            if reason is not None:
+                return reason
+    return None
+
+
+def _reason(path: Path) -> Text | None:
+    try:
+        state = path.stat()
+    except OSError as error:
+        text = error.strerror or str(error)
+        return Text(f"{path}: {text}", f"{path}: {text}")
+    owner = state.st_uid
+    if owner not in _own_users():
+        return Text(
+            f"{path} belongs to {_user(owner)}", f"{path} gehört dem Benutzer {_user(owner)}"
+        )
+    if state.st_mode & stat.S_IWOTH or (state.st_mode & stat.S_IWGRP and _is_shared(state)):
+        return Text(f"others may write {path}", f"andere dürfen {path} schreiben")
+    return None
+
+
+def _own_users() -> set[int]:
+    """Return root and the user, with ``sudo`` that one who has called it."""
+    users = {0, os.geteuid()}
+    caller = os.environ.get("SUDO_UID", "")
+    if os.geteuid() == 0 and caller.isascii() and caller.isdecimal():
+        users.add(int(caller))
+    return users
+
+
+def _is_shared(state: os.stat_result) -> bool:
+    """Return whether the group of a file has others than its owner in it.
+
+    Many systems give each user a group of the same name, and let the group write.
+    """
+    if state.st_gid == 0:
+        return False  # the group of root
+    try:
+        group = grp.getgrgid(state.st_gid)
+    except KeyError:
+        return True
+    owner = _user(state.st_uid)
+    return group.gr_name != owner or any(member != owner for member in group.gr_mem)
+
+
+def _user(number: int) -> str:
+    try:
+        return pwd.getpwuid(number).pw_name
+    except KeyError:
+        return str(number)

@@ -10,6 +10,7 @@ import pytest
 from decided import numbers, perform, told
 
 import nctakt
+from nctakt.cli import main
 from nctakt.run.controller import Controller, NcText
 from nctakt.run.stimuli import Stimulus
 
@@ -58,6 +59,8 @@ def test_each_standing_is_told_once() -> None:
     run = perform(STOPPED, at=stimuli, ticks=5000)
     assert (run.state, numbers(run)) == ("limit", [900819, 900819, 900820])
     assert "spindle S to turn" in run.diagnostics[-1].text("en")
+    advice = "Let it turn (M3 or M4 with S), or feed per minute (G94). Another limit"
+    assert run.diagnostics[-1].remedy().startswith(advice)
 
 
 def test_a_spindle_that_begins_to_turn_with_the_block_is_no_standing() -> None:
@@ -159,3 +162,128 @@ def test_spindles_are_waited_for(program: str, words: str, tmp_path: Path) -> No
     run = perform(program, Controller(tmp_path / "machine"), ticks=500)
     assert (run.state, numbers(run)[-1]) == ("limit", 900820)
     assert words in run.diagnostics[-1].text("en")
+
+
+@pytest.mark.parametrize(
+    ("program", "initial", "remedy"),
+    [
+        ("G00 X1\nM00\nM30", {}, "--at TIME HLI.START=1 goes on"),
+        (
+            "G00 X1\nG00 X2\nM30",
+            {"HLI.SINGLE_BLOCK": 1.0},
+            "--at TIME HLI.START=1 runs a block, --at TIME HLI.SINGLE_BLOCK=0 and a START all",
+        ),
+        ("G00 X1\nM30", {"HLI.FEED_HOLD": 1.0}, "--at TIME HLI.FEED_HOLD=0 ends it"),
+        ("G00 X1\nM30", {"HLI.OVERRIDE": 0.0}, "--at TIME HLI.OVERRIDE=100 raises it"),
+        (
+            "M3 S100\nG95 F1\nG01 X1\nM30",
+            {"HLI.S.OVERRIDE": 0.0},
+            "Its override is 0 %: --at TIME HLI.S.OVERRIDE=100",
+        ),
+        (
+            "G00 X1\n#WAIT FOR V.E.CONDITION == 1\nM30",
+            {},
+            "Give a variable of the condition another value (--at TIME NAME=VALUE), or let a "
+            "realtime cycle or the PLC do so",
+        ),
+    ],
+)
+def test_each_reason_has_its_remedy(
+    program: str, initial: dict[str, float | str], remedy: str
+) -> None:
+    """900820 advises what is true for the reason, and that alone."""
+    found = perform(program, set=initial, ticks=500).diagnostics[-1]
+    assert found.id == 900820
+    assert found.remedy() == f"{remedy}. Another limit: --until, --ticks."
+    assert found.remedy("de")
+
+
+#: X stands at the first position beyond 50 mm, V.E.CONDITION holds it there.
+HELD = """\
+#RT CYCLE [ID=7]
+$IF V.RTA.ACS.ACT_POS.X > 50 && V.E.CONDITION == 0
+{frequency}V.RTG.OVERRIDE.VEL.CYCLE = {first}
+{end}$ENDIF
+#RT CYCLE END
+G01 X100 F6000
+M30
+"""
+
+
+def test_the_line_that_holds_the_path_is_named() -> None:
+    """RC-305: the last write of the tick counts; the branch around it, and what that reads."""
+    text = HELD.format(frequency="V.RTG.OVERRIDE.VEL.CYCLE = 50\n", first=0, end="")
+    found = perform(text, ticks=2000).diagnostics[-1]
+    assert found.text().endswith(
+        "sets V.RTG.OVERRIDE.VEL.CYCLE to 0 % in line 4 of cycle 7, under "
+        "$IF V.RTA.ACS.ACT_POS.X > 50 && V.E.CONDITION == 0 in line 2"
+    )
+    remedy, _ = found.remedy().split(". Another limit")
+    held, position, condition = remedy.replace("; now ", ", ", 1).split(", ")
+    assert held == "It is held as long as line 2 runs"
+    assert position.startswith("V.RTA.ACS.ACT_POS.X = 5")
+    assert condition == "V.E.CONDITION = 0; from outside: --at TIME V.E.CONDITION=VALUE"
+    freed = perform(text, at=[Stimulus("1.5 s", "V.E.CONDITION", 1.0)], ticks=4000)
+    assert (freed.state, numbers(freed)) == ("ended", [])
+
+
+def test_a_latched_branch_is_no_way_out() -> None:
+    """RC-203: what ALWAYS has begun goes on, so only the branch around it can end it."""
+    inner = {"frequency": "$IF ALWAYS V.E.VALUE == 0\n", "first": 0, "end": "$ENDIF\n"}
+    found = perform(HELD.format(**inner), ticks=2000).diagnostics[-1]
+    assert "in line 2 and $IF ALWAYS V.E.VALUE == 0 in line 3" in found.text()
+    assert found.remedy().startswith("It is held as long as line 2 runs; now ")
+    alone = HELD.format(**inner).replace("$IF V.RTA", "$IF ALWAYS V.RTA")
+    found = perform(alone, ticks=2000).diagnostics[-1]
+    assert found.remedy().startswith(
+        "It is held as long as cycle 7 runs: nothing in it ends what line 4 does. "
+    )
+
+
+def test_an_axis_that_a_cycle_holds_is_told_as_the_path() -> None:
+    """V.RTA.OVERRIDE.VEL.CYCLE of an axis that the path waits for (RC-409)."""
+    text = """\
+#RT CYCLE [ID=1]
+$IF ONCE 1
+Z[INDP G01 G90 POS=100 FEED=6000]
+$ENDIF
+$IF V.RTA.ACS.ACT_POS.Z > 5
+V.RTA.OVERRIDE.VEL.CYCLE.Z = 0
+$ENDIF
+#RT CYCLE END
+#TIME 0.2
+G01 Z20 F600
+M30
+"""
+    found = perform(text, ticks=1000).diagnostics[-1]
+    assert "axis Z, which stands at an override of 0 % in line 6 of cycle 1" in found.text()
+    assert found.remedy().startswith("It is held as long as line 5 runs; now V.RTA.ACS.ACT_POS.Z")
+
+
+@pytest.mark.parametrize(
+    ("program", "limit", "found", "code"),
+    [
+        ("G00 X1\nM00\nM30", [], "error 902000", 1),
+        ("G00 X1\nM00\nM30", ["--until", "0.5"], "note 900820", 0),
+        (HELD.format(frequency="", first=0, end=""), [], "error 902000", 1),
+        ("M3 S1 M19 S.POS=180\nM30", [], "", 0),
+        ("$WHILE 1\nG01 X1 F600\nX0\n$ENDWHILE\nM30", [], "", 0),
+    ],
+)
+def test_a_program_that_stands_for_ever_is_an_error(
+    program: str,
+    limit: list[str],
+    found: str,
+    code: int,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    """Where nobody has set a limit, here 2 s instead of 600; what moves has only not ended yet."""
+    monkeypatch.setattr("nctakt.run.program_run.DEFAULT_LIMIT_US", 2_000_000)
+    file = tmp_path / "part.nc"
+    file.write_text(program, "utf-8")
+    assert main(["run", str(file), *limit]) == code
+    told_there = capsys.readouterr().err
+    assert found in told_there
+    assert bool(found) == (" waiting for " in told_there)

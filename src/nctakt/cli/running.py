@@ -56,9 +56,9 @@ FORMAT_OPTION = click.option(
 RUN_CODES = """\b
 Times are numbers with us, ms, s, min, h or ticks ('300 ticks'); a plain number
 means seconds.
-Exit codes: 0 success (also at a limit, unless --limit-fails), 1 an NC error or
-interrupted by Ctrl-C, 2 wrong usage or invalid input, 3 an internal error of
-nctakt.
+Exit codes: 0 success (also at a limit, unless --limit-fails), 1 an NC error, a
+program that stands where no limit was set, or interrupted by Ctrl-C, 2 wrong
+usage or invalid input, 3 an internal error of nctakt.
 """
 
 
@@ -262,7 +262,7 @@ def run_programs(
 
 
 def exit_code(options: Options, run: Run) -> int:
-    """Return 1 after an NC error, Ctrl-C, or at a limit with ``--limit-fails``; else 0."""
+    """Return 1 after an error, Ctrl-C, or at a limit with ``--limit-fails``; else 0."""
     is_missed = options.limit_fails and run.state == "limit"
     stopped = is_missed or run.state in ("error", "interrupted")
     return EXIT_NC_ERROR if stopped or run.errors else EXIT_RAN

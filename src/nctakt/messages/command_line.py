@@ -32,11 +32,22 @@ WAITING_AT_RUN_LIMIT = note(
     900820,
     en="at the limit of the run the program is waiting for {awaited}",
     de="an der Grenze des Laufs wartet das Programm auf {awaited}",
-    remedy_en="Provide what it waits for (--at 500ms HLI.START=1), or set another limit (--until, "
-    "--ticks).",
-    remedy_de="Auslösen, worauf es wartet (--at 500ms HLI.START=1), oder eine andere Grenze setzen "
-    "(--until, --ticks).",
+    remedy_en="{freed_by}. Another limit: --until, --ticks.",
+    remedy_de="{freed_by}. Eine andere Grenze: --until, --ticks.",
     awaited=("what is waited for", "worauf gewartet wird"),
+    freed_by=("what frees the program", "was das Programm befreit"),
+)
+STANDS_FOR_EVER = error(
+    902000,
+    en="after {limit} of the machine's time the program is still waiting for {awaited}",
+    de="nach {limit} Maschinenzeit wartet das Programm immer noch auf {awaited}",
+    remedy_en="{freed_by}. If the run shall end so, set a limit: --until, --ticks.",
+    remedy_de="{freed_by}. Soll der Lauf so enden, eine Grenze setzen: --until, --ticks.",
+    cause_en="Nobody has set a limit, so the run was meant to end with its program.",
+    cause_de="Niemand hat eine Grenze gesetzt; der Lauf sollte also mit seinem Programm enden.",
+    limit=("the limit of runs without one", "die Grenze von Läufen ohne eigene"),
+    awaited=("what is waited for", "worauf gewartet wird"),
+    freed_by=("what frees the program", "was das Programm befreit"),
 )
 LISTING_INCOMPLETE = note(
     900590,

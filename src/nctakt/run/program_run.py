@@ -17,7 +17,7 @@ from nctakt.base.failure import Failure
 from nctakt.decoder.cycles.builder import CycleDefinition
 from nctakt.decoder.state.start_block import StartBlock
 from nctakt.lists.format import arguments
-from nctakt.lists.format.times import TimeLike, read_time
+from nctakt.lists.format.times import Time, TimeLike, read_time
 from nctakt.messages import diagnostic
 from nctakt.messages.block_search import BOTH_STARTS_GIVEN
 from nctakt.messages.session import PROGRAM_NOT_SELECTED
@@ -193,6 +193,13 @@ class ProgramRun:
             return NEVER
         return min(limits) if limits else DEFAULT_LIMIT_US // self._cycle_time_us
 
+    def _default_limit(self) -> Text | None:
+        """Return the limit of runs without one, ``None`` if somebody has set a limit."""
+        if self._options.ticks is not None or self._options.until is not None:
+            return None
+        limit = str(Time(DEFAULT_LIMIT_US))
+        return Text(limit, limit)
+
     def _report_progress(self, on_progress: Callable[[int, int | None], None] | None) -> None:
         if on_progress is not None:
             on_progress(self._loop.tick, self._end)
@@ -280,7 +287,9 @@ class ProgramRun:
                 self.state = "error"
                 return
             if loop.tick >= end:
-                self._diagnostics += wait_reasons(self._machine, loop.channels)
+                self._diagnostics += wait_reasons(
+                    self._machine, loop.channels, self._default_limit()
+                )
                 self.state = worst_state(channels, "limit")
                 return
             # A path that brakes ends the run in the tick in which it stands.

@@ -43,7 +43,8 @@ class QueueFeeder:
     Blocks of ``skip_levels`` are left out; ``marks_blocks``: events tell when each block was
     decoded and when it is executed, and why the channel is flushed. ``start``: the
     block where the program begins by block search. ``fatal_error``: the decoder's
-    error that has stopped the program. ``state``: the modal state of the decoder.
+    error that has stopped the program. ``state``: the modal state of the decoder. ``condition``:
+    the ``#WAIT FOR`` that it evaluates tick by tick, 0: none.
     """
 
     def __init__(
@@ -90,6 +91,7 @@ class QueueFeeder:
         self.state = state
         self.fatal_error: Diagnostic | None = None
         self._waiting: Command | None = None
+        self.condition = 0
         self._unloaded: commands.LoadCycle | None = None
         self._unpaid: Command | None = None
         self._since = 0
@@ -186,6 +188,8 @@ class QueueFeeder:
         except DecodeError as error:
             self._give_up(error.diagnostic)
             return
+        if self.condition and not isinstance(command, commands.NextTick | commands.ReadRealtime):
+            self.condition = 0
         if self._budget is not None:
             self._budget.spend(self._decoder.started_blocks - first_block)
             if not self._budget.is_paid:
@@ -240,6 +244,7 @@ class QueueFeeder:
             self._channel.exchange.await_axes(command.source, self._since, command.awaited)
         else:
             self._channel.signals.await_tick(command.source)
+            self.condition = command.source
         self._waiting = command
         self._channel.decoder_open = False
 

@@ -3,12 +3,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Text
 from nctakt.decoder.state.in_force import InForce
 from nctakt.kernel import codes
 from nctakt.run.assembly import AssembledMachine
 from nctakt.run.wait_reasons import awaited
+
+if TYPE_CHECKING:
+    from nctakt.run.channel_run import ChannelRun
 
 _ZERO_OFFSETS = 1 << codes.ZERO_OFFSET | 1 << codes.ADD_ZERO_OFFSET
 
@@ -42,10 +48,12 @@ class ChannelState:
     awaited: Text | None = None
 
 
-def channel_states(machine: AssembledMachine) -> tuple[ChannelState, ...]:
-    """Return the state of each channel."""
+def channel_states(
+    machine: AssembledMachine, runs: Sequence[ChannelRun]
+) -> tuple[ChannelState, ...]:
+    """Return the state of each channel, whose programs are those of ``runs``."""
     found = []
-    for channel, assembled in zip(machine.channels, machine.assembled, strict=True):
+    for channel, assembled, run in zip(machine.channels, machine.assembled, runs, strict=True):
         spindles = []
         for index, spindle in enumerate(assembled.parameters.spindles):
             function, speed_v, is_open = channel.context.spindles.latest_job(index)
@@ -55,6 +63,6 @@ def channel_states(machine: AssembledMachine) -> tuple[ChannelState, ...]:
             machine.axes.offsets.of(axis, _ZERO_OFFSETS) for axis in assembled.members
         )
         programmed_v = channel.path.programmed_speed()
-        reason = awaited(machine, assembled.index)
+        reason = awaited(machine, assembled.index, run)
         found.append(ChannelState(programmed_v, tuple(spindles), in_force, zero_offsets, reason))
     return tuple(found)

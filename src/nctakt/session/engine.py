@@ -395,7 +395,7 @@ class Engine:
     def glance(self, names: Sequence[str]) -> Glance:
         """Return values, cycles and what waits, all of this tick; raises as ``read``."""
         values = tuple(self.read(names))
-        channels = channel_states(self._machine)
+        channels = channel_states(self._machine, self._loop.channels)
         return Glance(self.tick, values, tuple(self.cycles()), tuple(self.waiting()), channels)
 
     def inventory(self) -> Inventory:

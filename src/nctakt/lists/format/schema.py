@@ -7,12 +7,17 @@ the known name nearest to a misspelt one.
 
 from __future__ import annotations
 
+import re
+
 from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Text
 from nctakt.base.misspelling import KnownNames
 from nctakt.lists.format.parameter import Alias, Parameter
 from nctakt.lists.format.reader import ListDialect
 from nctakt.lists.format.table import ParameterTable
+
+#: Brackets with something else than an index.
+_NO_INDEX = re.compile(r"\[[^\]\d][^\]]*\]")
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,4 +71,4 @@ class Schema:
         """
         if not self._known_names:
             self._known_names.append(KnownNames(self.table.patterns()))
-        return self._known_names[0].nearest(pattern)
+        return self._known_names[0].nearest(_NO_INDEX.sub("[]", pattern))

@@ -208,7 +208,10 @@ def _reason_and_traceback(error: BaseException, path: Path) -> tuple[str, str]:
     files = (str(path), str(path.absolute()))
     first = next((i for i, frame in enumerate(frames) if frame.filename in files), len(frames))
     shown = [frame for frame in frames[first:] if _is_users(Path(frame.filename), path)]
-    lines = traceback.format_list(shown)
+    # without the marks below a line: each version of Python puts others there
+    lines = traceback.format_list(
+        [traceback.FrameSummary(one.filename, one.lineno, one.name, line=one.line) for one in shown]
+    )
     reason = traceback.format_exception_only(error)[-1].strip()
     if isinstance(error, SyntaxError):  # its position is in its text, not in a frame
         lines = traceback.format_exception_only(error)[:-1]

@@ -43,6 +43,9 @@ _RATE_S = 0.1
 #: The shortest and the longest time until the next attempt to connect, in seconds.
 _FIRST_RETRY_S, _LAST_RETRY_S = 1.0, 30.0
 
+#: The topics of requests.
+_REQUESTS = ("write", "press", "select")
+
 _DOOR = "mqtt"
 _AT_LEAST_ONCE = 1
 
@@ -69,9 +72,8 @@ class MqttDoor:
         import aiomqtt  # noqa: PLC0415 - an extra
 
         broker = self._broker
-        client = self._client()
         try:
-            await client.__aenter__()
+            client = await self._connected()
         except aiomqtt.MqttError as error:
             where = shown_address(broker.host, broker.port)
             raise Failure(diagnostic(BROKER_NOT_REACHED, broker=where, reason=error)) from error
@@ -100,6 +102,19 @@ class MqttDoor:
             timeout=_FIRST_RETRY_S * 5,
         )
 
+    async def _connected(self) -> aiomqtt.Client:
+        """Return a client that has subscribed to requests: from now on none of them is lost."""
+        client = self._client()
+        await client.__aenter__()
+        try:
+            await self._publish(client, "status", _json(online=True), retain=True)
+            for name in _REQUESTS:
+                await client.subscribe(f"{self._broker.root}/{name}", _AT_LEAST_ONCE)
+        except BaseException as error:
+            await client.__aexit__(type(error), error, None)
+            raise
+        return client
+
     async def _live(self, client: aiomqtt.Client, lost: tuple[type[Exception], ...]) -> None:
         """Serve one connection after another until the door closes."""
         retry_s = _FIRST_RETRY_S
@@ -107,8 +122,7 @@ class MqttDoor:
         while True:
             try:
                 if not is_connected:
-                    client = self._client()
-                    await client.__aenter__()
+                    client = await self._connected()
                     is_connected, retry_s = True, _FIRST_RETRY_S
                 self._host.log.note("connected", door=_DOOR, client=self._broker.host)
                 await self._serve(client)
@@ -126,13 +140,9 @@ class MqttDoor:
 
     async def _serve(self, client: aiomqtt.Client) -> None:
         """Publish and answer until the connection ends."""
-        root = self._broker.root
         behind = asyncio.Event()
         notices = self._host.notices.subscribe(behind.set)
         try:
-            await self._publish(client, "status", _json(online=True), retain=True)
-            for name in ("write", "press", "select"):
-                await client.subscribe(f"{root}/{name}", _AT_LEAST_ONCE)
             async with asyncio.TaskGroup() as group:
                 group.create_task(self._publish_values(client))
                 group.create_task(self._publish_notices(client, notices))
@@ -203,6 +213,8 @@ class MqttDoor:
         async for message in client.messages:
             topic = str(message.topic).removeprefix(f"{self._broker.root}/")
             payload = message.payload
+            if topic not in _REQUESTS:
+                continue  # some brokers send what nobody has subscribed to
             if message.retain:  # an old one, which would act again at each connection
                 self._host.log.refuse(_DOOR, self._broker.host, f"a retained {topic}")
                 continue

@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import gc
 import os
+import pickle
 import signal
 import sys
 import traceback
@@ -36,6 +37,16 @@ def can_fork() -> bool:
     return hasattr(os, "fork") and sys.platform == "linux"
 
 
+def send(connection: Connection[Any, Any], value: object) -> None:
+    """Send a value, from a copy: the library's own way leaves a buffer that nobody may free."""
+    connection.send_bytes(pickle.dumps(value, pickle.HIGHEST_PROTOCOL))
+
+
+def receive(connection: Connection[Any, Any]) -> Any:
+    """Return the next value."""
+    return pickle.loads(connection.recv_bytes())
+
+
 class Worker:
     """One controller and its connection to the session."""
 
@@ -48,20 +59,20 @@ class Worker:
     def connect(self, name: str) -> None:
         """Connect to the session as ``name``."""
         self._connection = Client(self._address, authkey=self._key)
-        self._connection.send(name)
+        send(self._connection, name)
 
     def serve(self) -> None:
         """Answer requests until the session closes the connection."""
         while self._connection is not None:
             try:
-                request, words = self._connection.recv()
+                request, words = receive(self._connection)
             except (EOFError, OSError):
                 return
             answer = self._answer(request, words)
             if answer is None:
                 continue  # in the copy, whose own connection follows
             try:
-                self._connection.send(answer)
+                send(self._connection, answer)
             except OSError:
                 return
 

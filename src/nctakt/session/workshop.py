@@ -26,7 +26,7 @@ from nctakt.run.inputs import Input
 from nctakt.session.engine import CycleState, Slice
 from nctakt.session.setup import Description, Setup
 from nctakt.session.stops import StopAt
-from nctakt.session.worker import BROKEN, KEY_SIZE, REFUSED, can_fork
+from nctakt.session.worker import BROKEN, KEY_SIZE, REFUSED, can_fork, receive, send
 
 #: How long a new process may take to report, in seconds.
 START_S = 60.0
@@ -58,8 +58,8 @@ class RemoteEngine:
         """Return the answer to a request."""
         self._workshop.asked = self
         try:
-            self._connection.send((request, words))
-            verdict, answer = self._connection.recv()
+            send(self._connection, (request, words))
+            verdict, answer = receive(self._connection)
         except (EOFError, OSError) as error:
             raise Failure(diagnostic(CONTROLLER_LOST, reason=str(error) or "EOF")) from error
         finally:
@@ -172,7 +172,7 @@ class Workshop:
         try:
             while name not in self._waiting:
                 connection = self._listener.accept()
-                self._waiting[connection.recv()] = connection
+                self._waiting[receive(connection)] = connection
                 if _NOBODY in self._waiting:
                     self._waiting.pop(_NOBODY).close()
                     if is_given_up.is_set():
@@ -189,7 +189,7 @@ class Workshop:
             contextlib.suppress(OSError, EOFError, AuthenticationError),
             Client(self._listener.address, authkey=self._key) as connection,
         ):
-            connection.send(_NOBODY)
+            send(connection, _NOBODY)
 
     @property
     def can_copy(self) -> bool:

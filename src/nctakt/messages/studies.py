@@ -178,22 +178,20 @@ ANSWER_BROKEN = warning(
     901940,
     en="the expectations do not hold in the run that was found: {broken}",
     de="im gefundenen Lauf sind die Erwartungen verletzt: {broken}",
-    remedy_en="The search minimizes and maximizes without regard to expectations. Narrow from and "
-    "to by a boundary; or run the plan without find and take the best row that held.",
-    remedy_de="Die Suche minimiert und maximiert ohne Rücksicht auf Erwartungen. from und to mit "
-    "boundary eingrenzen; oder den Plan ohne find ausführen und die beste erfüllte Zeile nehmen.",
+    remedy_en="Expectations do not bound this search: run the plan without find, take the best row "
+    "that held.",
+    remedy_de="Erwartungen begrenzen diese Suche nicht: ohne find ausführen, die beste erfüllte "
+    "Zeile nehmen.",
     broken=("what does not hold", "was verletzt ist"),
 )
 DIMENSION_WITHOUT_EFFECT = warning(
     901941,
-    en="{name} has no effect: runs that differ in nothing else have the same events and the same "
-    "measured values",
-    de="{name} hat keine Wirkung: Läufe, die sich nur darin unterscheiden, haben dieselben "
+    en="{name} has no effect: runs that differ in it alone have the same events and measured "
+    "values",
+    de="{name} hat keine Wirkung: Läufe, die sich nur darin unterscheiden, haben gleiche "
     "Ereignisse und Messwerte",
-    remedy_en="Check whether the program uses it at all, and whether the values, or what is "
-    "measured, can show it.",
-    remedy_de="Prüfen, ob das Programm es überhaupt benutzt und ob die Werte oder die Messgrößen "
-    "es zeigen können.",
+    remedy_en="Check whether the program uses it, and whether values and measures can show it.",
+    remedy_de="Prüfen, ob das Programm es benutzt und ob Werte und Messgrößen es zeigen können.",
     name=("the dimension", "die Dimension"),
 )
 UNCHANGED_RUN_BROKEN = warning(

@@ -184,8 +184,8 @@ def test_what_is_wrong_with_the_file(told: Told, text: str, first_line: str, exc
 @pytest.mark.parametrize(
     ("text", "first_line"),
     [
-        ("[set]\nV.E.WORD = 1\nV.E.NOPE = 1\n", "nctakt.toml:3:1: error 900541: "),
-        ('set = {"V.E.WORD" = 1, "V.E.NOPE" = 1}\n', "nctakt.toml:1:25: error 900541: "),
+        ("[set]\nV.E.WORD = 1\nV.E.NOPE = 1\n", "nctakt.toml:3:1: error 900540: "),
+        ('set = {"V.E.WORD" = 1, "V.E.NOPE" = 1}\n', "nctakt.toml:1:25: error 900540: "),
         ("set.V.E.WORD = 1e30\n", "nctakt.toml:1:5: error 20847: "),
         ('machine = "demo5"\n[set]\n"V.E.WORD" = "a"\n', "nctakt.toml:3:2: error 900543: "),
     ],

@@ -140,7 +140,7 @@ def test_beside_other_plugins(sessions: Sessions) -> None:
 
 #: A mistake in what a test asks for, and the line that makes it.
 MISTAKES = {
-    'run_nc("a.nc", set={"V.E.NOPE": 1})': "error 900541",
+    'run_nc("a.nc", set={"V.E.NOPE": 1})': "error 900540",
     'run_nc("a.nc", set={"V.E.VALUE": "x"})': "error 9005",
     'run_nc("a.nc", set=["V.E.VALUE"])': "error 9005",
     'run_nc("a.nc", at=[("soon", "V.E.VALUE", 1)])': "error 900510",

@@ -115,16 +115,11 @@ def _study(file: str, words: dict[str, Any]) -> int:
     if words["cover"] or finds:
         _check_rows(words, "--cover" if words["cover"] else "a plan with find")
     _check_outputs(study, [file], {name: words[name] for name in ("out", "report")})
+    _tell_unchanged(study, words)
     if words["cover"]:
         return _cover(study, words)
     if finds:
         return _find(study, file, words)
-    if study.nominal is not None and study.nominal.broken:
-        from nctakt.messages import diagnostic  # noqa: PLC0415 - as above
-        from nctakt.messages.studies import UNCHANGED_RUN_BROKEN  # noqa: PLC0415
-
-        found = diagnostic(UNCHANGED_RUN_BROKEN, broken=study.nominal.broken)
-        print_diagnostics([found], words["language"])
     size, only = study.plan.size, words["only"]
     if only is not None and only >= size:
         raise click.UsageError(f"--only: the study has the runs 0 to {size - 1}")
@@ -180,6 +175,16 @@ def _show(study: Study, result: StudyResult, file: str, words: dict[str, Any]) -
     if words["shrink"] and result.first_broken(1):
         for line in shrunk_lines(study, result, words["language"]):
             click.echo(line)
+
+
+def _tell_unchanged(study: Study, words: dict[str, Any]) -> None:
+    """Warn of an unchanged run that is broken already (901942)."""
+    from nctakt.messages import diagnostic  # noqa: PLC0415 - as above
+    from nctakt.messages.studies import UNCHANGED_RUN_BROKEN  # noqa: PLC0415
+
+    if study.nominal is not None and study.nominal.broken:
+        found = diagnostic(UNCHANGED_RUN_BROKEN, broken=study.nominal.broken)
+        print_diagnostics([found], words["language"])
 
 
 def _tell_without_effect(names: Sequence[str], words: dict[str, Any]) -> None:

@@ -22,13 +22,14 @@ if TYPE_CHECKING:
 @pytest.fixture
 def study(request: pytest.FixtureRequest) -> Callable[..., StudyResult]:
     """A function that makes the runs of a plan: a file beside the test, or its entries."""
-    from nctakt.studies.study import Study  # noqa: PLC0415 - see above
+    from nctakt.project.run_settings import DEFAULT_PLC  # noqa: PLC0415 - see above
+    from nctakt.studies.study import Study  # noqa: PLC0415
 
     folder = request.path.parent
 
     def make(file: str | Path | None = None, *, processes: int = 1, **entries: Any) -> StudyResult:
         for key in ("program", "plc"):
-            if isinstance(entries.get(key), str | Path):
+            if isinstance(entries.get(key), str | Path) and entries[key] != DEFAULT_PLC:
                 entries[key] = str(folder / entries[key])
         plan = Study(None if file is None else folder / file, **entries)
         return plan.run(processes=processes)

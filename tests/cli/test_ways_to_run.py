@@ -79,10 +79,13 @@ def expected(captured: Captured, program: str) -> tuple[str, int, int]:
 
 
 def test_the_commands_that_run(program: str, capsys: Captured) -> None:
-    """run, why, list, coverage; a recorded run and its replay."""
+    """run, why, coverage; a recorded run and its replay; list runs nobody's PLC unless named."""
     named = expected(capsys, program)
-    for command in ("run", "why", "list"):
+    for command in ("run", "why"):
         assert end_of(document(capsys, command, program)) == named, command
+    without_plc = end_of(document(capsys, "run", program, "--plc", "default"))
+    assert end_of(document(capsys, "list", program)) == without_plc != named
+    assert end_of(document(capsys, "list", program, "--plc", "cell.py")) == named
     run = document(capsys, "run", program, "--record", "a.tape", "--trace", "a.csv")
     assert end_of(run) == named
     assert Path("a.csv").read_bytes() == Path("named.csv").read_bytes()

@@ -27,7 +27,7 @@ _TOKEN = re.compile(
   | (?P<call>\b(?:LL|L)\s+(?:CYCLE\b|[^\s\[=;]+))
   | (?P<block>\bN\s*\d+\s*:?)
   | (?P<function>\b[GMH]\d+(?:\.\d+)?\b|\b[GMH](?=\[))
-  | (?P<parameter>[@]?\bP\d+\b|\bP(?=\[))
+  | (?P<parameter>@\bP\d+\b|\bP+\d+\b|\bP+(?=\[))
   | (?P<keyword>\b[A-Z_][A-Z_0-9]*(?=\s*=(?!=)))
   | (?P<axisword>(?<![A-Z_])[A-Z](?=[-+]?[\d.\[]))
   | (?P<number>\d+\.?\d*(?:E[-+]?\d+)?|\.\d+)

@@ -161,6 +161,15 @@ CALL_PARAMETER_MISSING = error(
     remedy_de="Mit L CYCLE [NAME=… {name}=…] aufrufen oder mit EXIST[{name}] prüfen.",
     name=("the parameter of the call", "der Parameter des Aufrufs"),
 )
+PARAMETER_ARRAY_MISSING = error(
+    20921,
+    classes=(2, 3),
+    en="there is no array {name} of parameters at this point",
+    de="es gibt an dieser Stelle kein Feld {name} von Parametern",
+    remedy_en="Declare it before, in lines of their own: #VAR, {name}[3] = [1, 2, 3], #ENDVAR.",
+    remedy_de="Vorher in eigenen Zeilen anlegen: #VAR, {name}[3] = [1, 2, 3], #ENDVAR.",
+    name=("the array", "das Feld"),
+)
 VALUE_OUTSIDE_TYPE_RANGE = error(
     20847,
     known_as=(900313, 20084),

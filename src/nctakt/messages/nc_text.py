@@ -292,3 +292,12 @@ EXPRESSION_TOO_DEEP = error(
     limit=("the maximum nesting", "die größte Schachtelung"),
     classes=(6, 6),
 )
+INDIRECT_PARAMETER_ARRAY = error(
+    901963,
+    classes=(2, 3),
+    en="an array of P parameters needs its number: {word} is not one",
+    de="ein Feld von P-Parametern braucht seine Nummer: {word} ist keine",
+    remedy_en="Write P10[1]; PP1 and P[…] name single parameters.",
+    remedy_de="P10[1] schreiben; PP1 und P[…] nennen einzelne Parameter.",
+    word=("the word as written", "das Wort, wie geschrieben"),
+)

@@ -127,7 +127,7 @@ _FURTHER: Mapping[str, tuple[Fact, ...]] = MappingProxyType(
 )
 
 _NUMBERED = re.compile(r"([GMH])0*(\d+)")
-_PARAMETER = re.compile(r"P\d+|P\[.*\]")
+_PARAMETER = re.compile(r"P+\d+(?:\[.*\])*|P+\[.*\]")
 _INDEX = re.compile(r"\[[^]]*\]")
 _LAST = re.compile(r"\.\w+$")
 _LAST_INDEX = re.compile(r"\[[^]]*\]$")

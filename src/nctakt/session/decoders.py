@@ -16,7 +16,8 @@ from nctakt.decoder.state.environment import DecoderEnvironment
 from nctakt.decoder.state.modal_state import ModalState
 from nctakt.decoder.state.program_variables import ProgramVariable, Scopes, Variables
 from nctakt.decoder.values.system_values import SystemValues
-from nctakt.nc.tree import Expression
+from nctakt.nc.tree import PARAMETER_ARRAYS, Expression
+from nctakt.nc.vocabulary.resolution import name_of
 
 #: Elements of an array that are shown.
 MAX_ELEMENTS = 1000
@@ -47,7 +48,8 @@ class DecoderFrame:
 class DecoderState:
     """The decoder of a channel; ``frames`` from the main program on.
 
-    ``program``: V.P, ``kept``: V.S, ``cycle``: V.CYC of the innermost cycle, ``parameters``: P1 …,
+    ``program``: V.P and arrays of P parameters, ``kept``: V.S, ``cycle``: V.CYC of the innermost
+    cycle, ``parameters``: P1 …,
     ``system``: V.G and V.A as the decoder would read them now.
     """
 
@@ -72,7 +74,7 @@ def decoder_state(channel: int, state: ModalState, environment: DecoderEnvironme
     return DecoderState(
         channel,
         frames,
-        _innermost("P", scopes),
+        _innermost("P", scopes) + _innermost(PARAMETER_ARRAYS, scopes),
         _innermost("S", scopes),
         _innermost("CYC", scopes),
         dict(sorted(state.parameters.items())),
@@ -104,7 +106,7 @@ def _innermost(family: str, scopes: Scopes) -> tuple[DecoderVariable, ...]:
 
 
 def _shown(family: str, variables: Variables) -> tuple[DecoderVariable, ...]:
-    return tuple(_one(f"V.{family}.{path}", variable) for path, variable in variables.items())
+    return tuple(_one(name_of(family, path), variable) for path, variable in variables.items())
 
 
 def _one(name: str, variable: ProgramVariable) -> DecoderVariable:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The variables that programs create: V.P, V.S, V.L, V.CYC.
+"""The variables that programs create: V.P, V.S, V.L, V.CYC, arrays of P parameters.
 
 In: declarations, names and indices. Out: values. V.P lives as long as its main program, V.S until
 the next start-up, V.L as long as its program and all that it calls, V.CYC as long as its cycle.
@@ -18,12 +18,15 @@ from nctakt.kernel.base import arithmetic
 from nctakt.lists.declared.variables import SCALARS
 from nctakt.messages.checked_values import INDEX_OUT_OF_RANGE, WRONG_INDEX_COUNT
 from nctakt.messages.decoder import (
+    PARAMETER_ARRAY_MISSING,
     TOO_MANY_ELEMENTS,
     VALUE_COUNT_MISMATCH,
     VALUE_OUTSIDE_TYPE_RANGE,
     VARIABLE_NOT_PRESENT,
 )
 from nctakt.messages.memory import NUMBER_INSTEAD_OF_TEXT, TEXT_INSTEAD_OF_NUMBER, TEXT_TOO_LONG
+from nctakt.nc import tree
+from nctakt.nc.vocabulary.resolution import name_of
 
 #: Maximum and default length of a STRING.
 LONGEST_STRING = 126
@@ -133,6 +136,7 @@ class Scopes:
 
     def __init__(self, kept: Variables) -> None:
         self._program: Variables = {}
+        self._arrays: Variables = {}
         self._kept = kept
         self._locals: list[Variables] = []
         self._cycles: list[Variables] = []
@@ -161,6 +165,8 @@ class Scopes:
                 return (self._kept,)
             case "L":
                 return self._locals[::-1]
+            case tree.PARAMETER_ARRAYS:
+                return (self._arrays,)
         return self._cycles[-1:]
 
     def find(self, family: str, path: str) -> ProgramVariable | None:
@@ -173,11 +179,14 @@ class Scopes:
     def get(self, family: str, path: str) -> ProgramVariable:
         """Return a variable as ``find``; raises ``VariableError`` 20932 if there is none."""
         variable = self.find(family, path)
+        if variable is None and family == tree.PARAMETER_ARRAYS:
+            raise VariableError(PARAMETER_ARRAY_MISSING, name=name_of(family, path))
         if variable is None:
             names = [name for scope in self.scopes_of(family) for name in scope]
             near = nearest(path, names)
-            shown = f"V.{family}.{near}" if near else "–"
-            raise VariableError(VARIABLE_NOT_PRESENT, name=f"V.{family}.{path}", nearest=shown)
+            shown = name_of(family, near) if near else "–"
+            name = name_of(family, path)
+            raise VariableError(VARIABLE_NOT_PRESENT, name=name, nearest=shown)
         return variable
 
     def for_writing(
@@ -186,9 +195,20 @@ class Scopes:
         """Return a variable as ``get``; the first value creates V.P and V.S."""
         if family in _MADE_BY_WRITING and not indices and self.find(family, path) is None:
             type_ = "STRING" if isinstance(value, str) else "REAL64"
-            name = f"V.{family}.{path}"
+            name = name_of(family, path)
             self.declare(family, path, ProgramVariable(name, type_, LONGEST_STRING, ()))
         return self.get(family, path)
+
+    def check_single(self, parameter: int) -> None:
+        """Raise ``VariableError`` if a P parameter is an array, which needs indices."""
+        if self._arrays and str(parameter) in self._arrays:
+            array = self._arrays[str(parameter)]
+            count = len(array.dimensions)
+            raise VariableError(WRONG_INDEX_COUNT, name=array.name, expected=count, given=0)
+
+    def is_array(self, parameter: int) -> bool:
+        """Return whether a P parameter is an array."""
+        return bool(self._arrays) and str(parameter) in self._arrays
 
     def declare(self, family: str, path: str, variable: ProgramVariable) -> None:
         """Declare a variable in the innermost scope, replacing one of the same name."""

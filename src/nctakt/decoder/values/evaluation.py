@@ -20,6 +20,7 @@ from nctakt.decoder.state.commands import (
 )
 from nctakt.decoder.state.environment import DecodeError, DecoderEnvironment
 from nctakt.decoder.state.modal_state import ModalState
+from nctakt.decoder.state.program_variables import VariableError
 from nctakt.decoder.state.tools import ActiveTool
 from nctakt.decoder.values.expressions import ExpressionBuilder
 from nctakt.decoder.values.fusing import Operand, constant
@@ -47,6 +48,8 @@ from nctakt.nc.fast.templates import TemplateExpression, to_tree
 from nctakt.nc.vocabulary import strings
 from nctakt.nc.vocabulary.operators import FUNCTIONS
 from nctakt.nc.vocabulary.resolution import (
+    as_array,
+    bare_name,
     indices_of,
     is_program_variable,
     is_text,
@@ -203,7 +206,9 @@ class Evaluator:
         """Return whether a variable, an M or H function of the list, or a call parameter exists."""
         if isinstance(asked, tree.Parameter):
             if not asked.call:
-                return self._parameter(asked) in self.state.parameters
+                number = self._parameter(asked)
+                is_array = self.state.call_stack.scopes.is_array(number)
+                return is_array or number in self.state.parameters
             return self._parameter(asked) in self.state.call_stack.arguments
         if isinstance(asked, tree.Name):
             parameters = self.environment.parameters
@@ -221,6 +226,7 @@ class Evaluator:
 
     def _size(self, asked: tree.Expression, dimension: int) -> int:
         """Return the number of elements of an array in a dimension; arrays of lists have one."""
+        asked = as_array(asked)
         assert isinstance(asked, tree.Variable)
         if is_program_variable(asked):
             return self.program_values.size(asked, dimension)
@@ -230,6 +236,17 @@ class Evaluator:
 
     def declare(self, declaration: tree.Declaration, number: int) -> Generator[Command, Answer]:
         """Declare the variable of a line of ``#VAR``."""
+        variable, initial = declaration.variable, declaration.initial
+        if variable.family == tree.PARAMETER_ARRAYS:
+            parameter = int(bare_name(variable))
+            if not (indices_of(variable) or isinstance(initial, tree.ArrayLiteral)):
+                value = 0.0
+                if initial is not None:
+                    value = yield from self.evaluate(initial, number)
+                self.program_values.delete(variable)
+                self.state.parameters[parameter] = value
+                return
+            self.state.parameters.pop(parameter, None)
         yield from self.program_values.declare(
             declaration, number, self.evaluate, self.evaluate_any
         )
@@ -310,7 +327,7 @@ class Evaluator:
                     return False
                 cells[cell] = value
             else:
-                cells[cell] = parameters.get(self._parameter(leaf), 0.0)
+                cells[cell] = parameters.get(self._single(leaf), 0.0)
         return True
 
     def _fetch(
@@ -348,7 +365,7 @@ class Evaluator:
             if isinstance(argument, str):
                 self.fail(TEXT_INSTEAD_OF_NUMBER, node.span, name="@P")
             return constant(argument)
-        return constant(self.state.parameters.get(self._parameter(node), 0.0))
+        return constant(self.state.parameters.get(self._single(node), 0.0))
 
     def no_macro(self, text: tree.StringLiteral) -> NoReturn:
         """Report a text where a number is needed as an undefined macro."""
@@ -358,6 +375,15 @@ class Evaluator:
         if isinstance(node.index, tree.Number):
             return int(node.index.value)
         return int(self._index(node.index))
+
+    def _single(self, node: tree.Parameter) -> int:
+        """Return the number of a P parameter; raises ``DecodeError`` for an array."""
+        number = self._parameter(node)
+        try:
+            self.state.call_stack.scopes.check_single(number)
+        except VariableError as error:
+            self.fail(error.message, node.span, **error.values)
+        return number
 
     def _index(self, index: tree.Expression) -> float:
         """Return the rounded value of an index; raises ``DecodeError`` for a fault."""

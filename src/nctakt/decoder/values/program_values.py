@@ -19,7 +19,7 @@ from nctakt.messages.checked_values import INVALID_ELEMENT_COUNT
 from nctakt.messages.decoder import OPERATION_WITHOUT_RESULT, VALUE_LIST_FOR_ONE_ELEMENT
 from nctakt.nc import tree
 from nctakt.nc.check.program_variables import TYPES
-from nctakt.nc.vocabulary.resolution import bare_name, indices_of
+from nctakt.nc.vocabulary.resolution import bare_name, indices_of, name_of, path_text
 
 Evaluate = Callable[[tree.Expression, int], Generator[Command, Answer, float]]
 EvaluateAny = Callable[[tree.Expression, int], Generator[Command, Answer, float | str]]
@@ -120,7 +120,7 @@ class ProgramValues:
                 self._fail(
                     INVALID_ELEMENT_COUNT,
                     index.span,
-                    name=f"V.{variable.family}",
+                    name=path_text(variable),
                     count=count,
                 )
             dimensions.append(int(count))
@@ -133,7 +133,7 @@ class ProgramValues:
         if declaration.size is not None:
             characters = yield from evaluate(declaration.size, number)
         path = bare_name(variable)
-        name = f"V.{variable.family}.{path}"
+        name = name_of(variable.family, path)
         try:
             declared = ProgramVariable(
                 name, _type(declaration, values), int(characters), tuple(dimensions)

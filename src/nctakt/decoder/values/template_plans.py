@@ -47,7 +47,7 @@ class TemplatePlan:
         self.is_real = False
 
     def find(self, scopes: Scopes) -> int:
-        """Look the variables up; return 0 if one does not exist or has elements."""
+        """Look the variables up; return 0 if one does not exist or has elements, or a parameter."""
         self.values = []
         self.changes = -1
         self.is_real = True
@@ -57,6 +57,9 @@ class TemplatePlan:
                 return 0
             self.is_real = self.is_real and variable.type == "REAL64"
             self.values.append(variable.values)
+        for number in self.parameters:
+            if scopes.is_array(number):
+                return 0
         self.changes = scopes.changes
         return 1
 
@@ -106,13 +109,13 @@ class TemplateEvaluator:
 
     def write(self, plan: TemplatePlan, value: float) -> int:
         """Assign to the variable or parameter of a template; return 0 if its tree is needed."""
-        if plan.parameters:
-            self.parameters[plan.parameters[0]] = value
-            return 1
-        if not plan.names:
+        if not (plan.parameters or plan.names):
             return 0
         if plan.changes != self.scopes.changes and plan.find(self.scopes) == 0:
             return 0
+        if plan.parameters:
+            self.parameters[plan.parameters[0]] = value
+            return 1
         if not plan.is_real:
             return 0
         plan.values[0][0] = value

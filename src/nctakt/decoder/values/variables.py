@@ -30,6 +30,7 @@ from nctakt.nc.fast.templates import TemplateExpression, to_tree
 from nctakt.nc.vocabulary import strings
 from nctakt.nc.vocabulary.cells import CELL_BYTES, leaf_cells
 from nctakt.nc.vocabulary.resolution import (
+    as_array,
     indices_of,
     is_program_variable,
     path_text,
@@ -69,9 +70,10 @@ class Values(Evaluator):
             yield from self.system.copy_offset(statement.target, value, source, number)
             return
         if isinstance(value, tree.ArrayLiteral):
-            assert isinstance(statement.target, tree.Variable)
+            target = as_array(to_tree(statement.target))
+            assert isinstance(target, tree.Variable)
             items = yield from self.program_values.items(value, number, self.evaluate_any)
-            self.program_values.fill(statement.target, items)
+            self.program_values.fill(target, items)
             return
         if isinstance(value, tree.Variable):
             aggregate = resolve_aggregate(value, self.environment.names)
@@ -119,7 +121,7 @@ class Values(Evaluator):
                 return
             if isinstance(value, str):
                 self.fail(TEXT_INSTEAD_OF_NUMBER, target.span, name="P")
-            self.state.parameters[self._parameter(target)] = value
+            self.state.parameters[self._single(target)] = value
             return
         if is_program_variable(target):
             for index in indices_of(target):

@@ -63,6 +63,7 @@ from nctakt.nc.vocabulary.entries import Support
 from nctakt.nc.vocabulary.operators import FUNCTIONS
 from nctakt.nc.vocabulary.realtime_variables import Access
 from nctakt.nc.vocabulary.resolution import (
+    as_array,
     indices_of,
     is_program_variable,
     is_text,
@@ -408,8 +409,8 @@ class ValueChecker:
         if self._in_cycle:
             name = path_text(target) if isinstance(target, Variable) else "P"
             self._findings.report(VALUE_LIST_IN_CYCLE, value.span, name=name)
-        elif isinstance(target, Variable) and is_program_variable(target):
-            self._program_variable(target)
+        elif isinstance(array := as_array(target), Variable) and is_program_variable(array):
+            self._program_variable(array)
             self.list_items(value)
         else:
             self._findings.report_support(support_level.form("[1, 2]"), value.span)

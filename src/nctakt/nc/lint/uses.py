@@ -25,7 +25,7 @@ from nctakt.nc.tree import (
     Unary,
     Variable,
 )
-from nctakt.nc.vocabulary.resolution import indices_of
+from nctakt.nc.vocabulary.resolution import indices_of, name_of
 from nctakt.nc.vocabulary.variable_table import NameTable
 
 COMPARISONS = ("==", "!=", "<", "<=", ">", ">=")
@@ -47,7 +47,7 @@ def element_name(variable: Variable) -> str:
             for index in part.indices
         )
         parts.append(part.name + "".join(indices))
-    return ".".join((f"V.{variable.family}", *parts))
+    return name_of(variable.family, ".".join(parts))
 
 
 def operand_key(target: Variable | Parameter) -> str:

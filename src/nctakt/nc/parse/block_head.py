@@ -22,7 +22,7 @@ HEAD = re.compile(
 )
 #: The same without groups, as the beginning of other patterns.
 BLOCK_HEAD = r"\s*(?:/\d*\s*)?(?:N\s*\d+\s*:?\s*)?(?:\[\s*[^\W\d]\w*\s*\]\s*)?"
-_COMPUTED_NUMBER = re.compile(r"\s*N(?=\s*(?:=|\[|@?P[\d\[]|Vs?\.))\s*=?", re.IGNORECASE)
+_COMPUTED_NUMBER = re.compile(r"\s*N(?=\s*(?:=|\[|@?P+[\d\[]|Vs?\.))\s*=?", re.IGNORECASE)
 #: The label that a jump names: a number or a name.
 LABEL = re.compile(r"\s*(?:N\s*(\d+)|\[\s*([^\W\d]\w*)\s*\])(?!\w)", re.IGNORECASE)
 _START = re.compile(r"\s*%\s*(?:([Ll])\s+(?=\S))?(.*\S)?", re.DOTALL)

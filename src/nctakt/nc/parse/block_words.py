@@ -77,7 +77,7 @@ _PLAIN_KINDS: dict[str, tuple[type[AxisWord] | type[Word], str]] = {
     letter: (AxisWord if letter.upper() in AXIS_LETTERS else Word, letter.upper())
     for letter in ascii_letters
 }
-_TARGET = re.compile(r"\s*(?:Vs?\.|@?P(?:\d|\[))", re.IGNORECASE)
+_TARGET = re.compile(r"\s*(?:Vs?\.|@?P+(?:\d|\[))", re.IGNORECASE)
 _GOTO = re.compile(r"\s*(\$GOTO)(?!\w)", re.IGNORECASE)
 _END_OF_WORDS = re.compile(f"{_TARGET.pattern}|{_GOTO.pattern}", re.IGNORECASE)
 _ASSIGN = re.compile(r"\s*([-+*/]?=)(?!=)")
@@ -92,11 +92,11 @@ _LONG_NAME = re.compile(
           | \#\s*(?:AKIMA\s+(?:START|END)VECTOR|SET\s+ASPLINE\s+(?:STARTTANG|ZIELTANG))\b )""",
     re.IGNORECASE | re.VERBOSE,
 )
-_GLUED = re.compile(rf"(?:Vs?\.|@|P(?:\d|\[)|(?:{FUNCTION_NAMES})\s*\[)", re.IGNORECASE)
+_GLUED = re.compile(rf"(?:Vs?\.|@|P+(?:\d|\[)|(?:{FUNCTION_NAMES})\s*\[)", re.IGNORECASE)
 #: A text that may hold names of macros between \" and \".
 _MACRO_TEXT = re.compile(r'\s*"((?:[^"\\]|\\"|\\(?!"))*)"')
 _DIGITS = re.compile(r"\.?\d")
-_BARE_VALUE = re.compile(r"\s+(?:[-+\d]|\.\d|Vs?\.|P(?:\d|\[))", re.IGNORECASE)
+_BARE_VALUE = re.compile(r"\s+(?:[-+\d]|\.\d|Vs?\.|P+(?:\d|\[))", re.IGNORECASE)
 _CALL = re.compile(
     r"""\s*(LL|L(?!L)|ll|l(?!l))
         (?: (?=\s*") | \s+(?=[^\s=\[+\-])                # a text, or a blank and a name,

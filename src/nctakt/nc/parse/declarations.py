@@ -16,11 +16,13 @@ from nctakt.nc.parse.expressions import (
     expected,
     parse_expression,
     parse_list,
+    parse_target,
     parse_variable,
     unreadable,
 )
 from nctakt.nc.parse.lexer import BlockError, BlockText, Lexer
-from nctakt.nc.tree import Declaration, Expression, Head
+from nctakt.nc.tree import PARAMETER_ARRAYS, Declaration, Expression, Head, Variable
+from nctakt.nc.vocabulary.resolution import as_array
 
 _QUOTED = re.compile(r'"[^"]*"?')
 _COLON = re.compile(r"\s*:")
@@ -46,13 +48,14 @@ def _is_open(content: str) -> bool:
 def parse_declaration(text: BlockText, head: Head) -> Declaration:
     """Return one declaration; raises ``BlockError`` 900116 for anything else."""
     start = text.skip_blanks()
-    variable = parse_variable(text)
+    variable = parse_variable(text) or _parameter(text)
     if variable is None:
         raise _no_declaration(text)
     type_name: str | None = None
     size: Expression | None = None
     initial: Expression | None = None
-    if text.match(_COLON) is not None:
+    is_typed = variable.family != PARAMETER_ARRAYS
+    if is_typed and text.match(_COLON) is not None:
         match = text.match(_TYPE)
         if match is None:
             raise expected(text, NAME_EXPECTED)
@@ -65,6 +68,13 @@ def parse_declaration(text: BlockText, head: Head) -> Declaration:
     if not text.at_end():
         raise unreadable(text)
     return Declaration(span, head, variable, type_name, size, initial)
+
+
+def _parameter(text: BlockText) -> Variable | None:
+    """Return ``P10`` or ``P10[3]`` as an array with these dimensions, ``None`` for another text."""
+    target = parse_target(text)
+    found = None if target is None else as_array(target)
+    return found if isinstance(found, Variable) else None
 
 
 def _no_declaration(text: BlockText) -> BlockError:

@@ -17,6 +17,7 @@ from nctakt.base.diagnostics import Message, Text
 from nctakt.messages.nc_text import (
     BRACKET_NOT_CLOSED,
     EXPRESSION_TOO_DEEP,
+    INDIRECT_PARAMETER_ARRAY,
     NAME_EXPECTED,
     NUMBER_TOO_LARGE,
     SYMBOL_EXPECTED,
@@ -27,6 +28,7 @@ from nctakt.messages.nc_text import (
 )
 from nctakt.nc.parse.lexer import BlockError, BlockText
 from nctakt.nc.tree import (
+    PARAMETER_ARRAYS,
     ArrayLiteral,
     Binary,
     Call,
@@ -55,7 +57,7 @@ FUNCTION_NAMES = "|".join(sorted(FUNCTIONS, key=len, reverse=True))
 NUMBER = re.compile(r"\s*(\d+\.?\d*|\.\d+)")
 STRING = re.compile(r'\s*"([^"]*)"')
 VARIABLE = re.compile(r"\s*V([sS])?\.", re.IGNORECASE)
-PARAMETER = re.compile(r"\s*(@?)P(?:(\d+)|(?=\[))", re.IGNORECASE)
+PARAMETER = re.compile(r"\s*(?:(@)P|(P+))(?:(\d+)|(?=\[))", re.IGNORECASE)
 OPENING = re.compile(r"\s*\[")
 CLOSING = re.compile(r"\s*\]")
 COMMA = re.compile(r"\s*,")
@@ -72,7 +74,7 @@ _PART = re.compile(r"\.([-+]?\w+)")
 _INDEX = re.compile(r"\[")
 _NEXT_TOKEN = re.compile(r"\s*(\w+|\S)")
 _STARTS_VALUE = re.compile(
-    r'\s*(?:[-+\d\["@]|\.\d|Vs?\.|P(?:\d|\[)|(?:TRUE|FALSE|PI|NOT)(?![\w.])'
+    r'\s*(?:[-+\d\["@]|\.\d|Vs?\.|P+(?:\d|\[)|(?:TRUE|FALSE|PI|NOT)(?![\w.])'
     rf"|(?:{FUNCTION_NAMES})\s*\[)",
     re.IGNORECASE,
 )
@@ -294,16 +296,45 @@ def _target(text: BlockText, depth: int) -> _SizedTarget | None:
     match = text.match(PARAMETER)
     if match is None:
         return None
-    start, end = match.start(1), match.end()
-    if match[2] is not None:
-        index = Sized(number_at(text, *match.span(2)), 1)
+    is_of_call = match[1] is not None
+    start, end = match.start(1 if is_of_call else 2), match.end()
+    if match[3] is not None:
+        if text.looking_at(_INDEX) is not None and not is_of_call:
+            return _parameter_array(text, match, depth)
+        index = Sized(number_at(text, *match.span(3)), 1)
     else:
         items = parse_list(text, depth)
         if len(items) != 1:
             raise BlockError(UNEXPECTED_TEXT, end, end + 1, found=quoted("["))
         index = items[0]
-    parameter = Parameter(text.span(start, text.pos), index.node, bool(match[1]))
-    return _SizedTarget(parameter, _checked(text, index.height + 1))
+    parameter, height = Parameter(text.span(start, text.pos), index.node, is_of_call), index.height
+    for _ in (match[2] or "")[1:]:
+        parameter, height = Parameter(parameter.span, parameter), height + 1
+    return _SizedTarget(parameter, _checked(text, height + 1))
+
+
+def _parameter_array(text: BlockText, match: re.Match[str], depth: int) -> _SizedTarget:
+    """Return the element of an array of P parameters whose indices follow, ``P10[1][2]``."""
+    if len(match[2]) > 1:
+        raise BlockError(
+            INDIRECT_PARAMETER_ARRAY, match.start(2), match.end(), word=match[0].strip()
+        )
+    indices, height = _indices(text, depth)
+    start, end = match.span(3)
+    span = text.span(match.start(2), text.pos)
+    part = Part(text.span(start, text.pos), str(int(text.text[start:end])), tuple(indices))
+    return _SizedTarget(Variable(span, PARAMETER_ARRAYS, (part,), False), _checked(text, height))
+
+
+def _indices(text: BlockText, depth: int) -> tuple[list[Expression], int]:
+    """Return the indices ``[1][2]`` or ``[1, 2]`` that follow, and the height of their node."""
+    indices: list[Expression] = []
+    height = 1
+    while text.looking_at(_INDEX) is not None:
+        for index in parse_list(text, depth):
+            indices.append(index.node)
+            height = max(height, index.height + 1)
+    return indices, height
 
 
 def parse_variable(text: BlockText, *, whole_family: bool = False) -> Variable | None:
@@ -327,11 +358,8 @@ def _variable(
     parts = []
     height = 1
     while (part := text.match(_PART)) is not None:
-        indices: list[Expression] = []
-        while text.looking_at(_INDEX) is not None:
-            for index in parse_list(text, depth):
-                indices.append(index.node)
-                height = max(height, index.height + 1)
+        indices, inner = _indices(text, depth)
+        height = max(height, inner)
         parts.append(Part(text.span(part.start(1), text.pos), part[1], tuple(indices)))
     open_end = text.text.startswith(".", text.pos)
     text.pos += open_end

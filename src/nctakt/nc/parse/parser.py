@@ -9,6 +9,7 @@ exist and where they are allowed. The grammar as text: ``grammar.txt``.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from nctakt.base.diagnostics import Diagnostic, Span
@@ -35,6 +36,9 @@ from nctakt.nc.tree import (
     Word,
 )
 from nctakt.nc.vocabulary.functions import ENDS
+
+#: A line of ``#VAR``.
+_DECLARED = re.compile(r"V[.S]|P\d", re.IGNORECASE)
 
 #: State of a ``StatementReader`` between two statements: whether all lines were empty, and that of
 #: its structures.
@@ -212,7 +216,7 @@ def _declaration_line(
 
 
 def _declares(text: BlockText) -> bool:
-    return text.text[text.pos : text.pos + 2].upper() in ("V.", "VS")
+    return _DECLARED.match(text.text, text.pos) is not None
 
 
 # --- the program ---------------------------------------------------------------------------------

@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterator
 from typing import Any
 
 from nctakt.nc.tree import (
+    PARAMETER_ARRAYS,
     ArrayLiteral,
     Assignment,
     AxisWord,
@@ -120,6 +121,9 @@ def _format_unary(node: Unary) -> str:
 
 
 def _format_variable(node: Variable) -> str:
+    if node.family == PARAMETER_ARRAYS:
+        (part,) = node.parts
+        return f"P{part.name}{_indices(part.indices)}"
     parts = "".join(f".{part.name}{_indices(part.indices)}" for part in node.parts)
     return f"{'Vs' if node.synchronous else 'V'}.{node.family}{parts or '.'}"
 

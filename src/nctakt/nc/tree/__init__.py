@@ -57,6 +57,7 @@ from nctakt.nc.tree.structures import (
     While,
 )
 from nctakt.nc.tree.values import (
+    PARAMETER_ARRAYS,
     ArrayLiteral,
     Binary,
     Bracket,
@@ -83,6 +84,7 @@ from nctakt.nc.tree.words import (
 
 __all__ = [
     "NO_HEAD",
+    "PARAMETER_ARRAYS",
     "ArrayLiteral",
     "Assignment",
     "AssignmentOperator",

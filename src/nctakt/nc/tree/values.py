@@ -59,11 +59,16 @@ class Part(Node):
     indices: tuple[Expression, ...] = ()
 
 
+#: The family of arrays of P parameters; the number is the only part.
+PARAMETER_ARRAYS = "P[]"
+
+
 @dataclass(frozen=True, slots=True)
 class Variable(Expression):
     """``V.<family>.<part>.<part> …``; ``synchronous`` for ``Vs.``.
 
-    ``family`` is E, CH, P, L, S, CYC, RTG, RTA, G, A, … in upper case. ``parts`` is empty only
+    ``family`` is E, CH, P, L, S, CYC, RTG, RTA, G, A, … in upper case; ``PARAMETER_ARRAYS`` for
+    ``P10[1]``. ``parts`` is empty only
     where a whole family is named (``#INIT V.E.``).
     """
 
@@ -74,7 +79,10 @@ class Variable(Expression):
 
 @dataclass(frozen=True, slots=True)
 class Parameter(Expression):
-    """``P1``, ``P[expression]``; ``call`` for the parameters of a call, ``@P1``."""
+    """``P1``, ``P[expression]``; ``call`` for the parameters of a call, ``@P1``.
+
+    ``PP1`` is ``P[P1]``.
+    """
 
     index: Expression
     call: bool = False

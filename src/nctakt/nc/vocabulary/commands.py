@@ -364,6 +364,8 @@ COMMANDS = table(
 VARIABLES = table(
     Kind.VARIABLE,
     ("P", SIMULATED, "parameters P1, P2, …", "Parameter P1, P2, …"),
+    ("P10[3]", SIMULATED, "arrays of parameters, by #VAR", "Felder von Parametern, durch #VAR"),
+    ("PP1", SIMULATED, "the parameter whose number P1 is", "der Parameter, dessen Nummer P1 ist"),
     ("V.E", SIMULATED, "external variables", "externe Variablen"),
     ("V.CH", SIMULATED, "variables of the channel", "Variablen des Kanals"),
     ("V.RTG", SIMULATED, "realtime variables of the channel", "Echtzeit-Variablen des Kanals"),

@@ -10,11 +10,14 @@ from collections.abc import Iterator
 from itertools import zip_longest
 
 from nctakt.nc.tree import (
+    PARAMETER_ARRAYS,
     ArrayLiteral,
     Binary,
     Call,
     Expression,
+    Number,
     Parameter,
+    Part,
     StringLiteral,
     Unary,
     Variable,
@@ -39,11 +42,27 @@ def resolve_aggregate(variable: Variable, names: NameTable) -> Aggregate | NotFo
 PROGRAM_FAMILIES = ("P", "S", "L", "CYC")
 
 
+def name_of(family: str, path: str) -> str:
+    """Return the name of a variable of a family as programs write it: ``V.P.A``, ``P10``."""
+    return f"P{path}" if family == PARAMETER_ARRAYS else f"V.{family}.{path}"
+
+
+def as_array(expression: Expression) -> Expression:
+    """Return the array that ``P10`` without an index may name; any other expression as it is."""
+    match expression:
+        case Parameter(index=Number(value=number), call=False):
+            part = Part(expression.span, f"{number:g}", ())
+            return Variable(expression.span, PARAMETER_ARRAYS, (part,), False)
+    return expression
+
+
 def is_program_variable(expression: Expression) -> bool:
     """Return whether the program itself creates the variable, so that its type is known only at
     run time.
     """
-    return isinstance(expression, Variable) and expression.family in PROGRAM_FAMILIES
+    return isinstance(expression, Variable) and (
+        expression.family in PROGRAM_FAMILIES or expression.family == PARAMETER_ARRAYS
+    )
 
 
 def bare_name(variable: Variable) -> str:
@@ -84,8 +103,8 @@ def indices_of(variable: Variable) -> list[Expression]:
 
 def path_text(variable: Variable) -> str:
     """Return the variable as messages show it, without index values: ``V.E.LIST[].MEMBER``."""
-    parts = (part.name + "[]" * len(part.indices) for part in variable.parts)
-    return ".".join((f"V.{variable.family}", *parts))
+    parts = [part.name + "[]" * len(part.indices) for part in variable.parts]
+    return name_of(variable.family, ".".join(parts)) if parts else f"V.{variable.family}"
 
 
 def variables_in(expression: Expression) -> Iterator[Variable]:

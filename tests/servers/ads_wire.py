@@ -54,7 +54,9 @@ class StandingSession:
         values = dict(zip(self._signals, self.read(*self._signals), strict=True))
         assert self._listener is not None
         self._listener.give(
-            SessionFrame(self.tick, 1, "ready", None, None, values, {}, (), 0, (), (), 0)
+            SessionFrame(
+                self.tick, self.tick, 1, 0, "ready", None, None, values, {}, (), 0, (), (), 0
+            )
         )
 
     def write_each(

@@ -53,10 +53,14 @@ def test_a_test_runs_on_the_machine_of_its_project(tmp_path: Path) -> None:
     (tmp_path / "test_b.py").write_text(
         'def test_b(run_nc):\n    assert run_nc("a.nc").ended\n', "utf-8"
     )
+    (tmp_path / "plan.toml").write_text('program = "a.nc"\n', "utf-8")
+    (tmp_path / "test_c.py").write_text(
+        'def test_c(study):\n    assert study(program="a.nc") and study("plan.toml")\n', "utf-8"
+    )
     told = run_pytest(tmp_path)
-    assert "2 passed" in told
+    assert "3 passed" in told
     assert told.count("nctakt: the machine is demo5, as nctakt.toml says") == 1
-    assert "2 failed" in run_pytest(tmp_path, NCTAKT_MACHINE="demo")
+    assert "3 failed" in run_pytest(tmp_path, NCTAKT_MACHINE="demo")
     (tmp_path / "pytest.ini").write_text("[pytest]\nnctakt_machine = demo\n", "utf-8")
-    assert "2 failed" in run_pytest(tmp_path)
-    assert "2 passed" in run_pytest(tmp_path, NCTAKT_MACHINE="demo5")
+    assert "3 failed" in run_pytest(tmp_path)
+    assert "3 passed" in run_pytest(tmp_path, NCTAKT_MACHINE="demo5")

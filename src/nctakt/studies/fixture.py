@@ -24,6 +24,7 @@ def study(request: pytest.FixtureRequest) -> Callable[..., StudyResult]:
     """A function that makes the runs of a plan: a file beside the test, or its entries."""
     from nctakt.project.run_settings import DEFAULT_PLC  # noqa: PLC0415 - see above
     from nctakt.studies.study import Study  # noqa: PLC0415
+    from nctakt.testing.settings_under_test import machine_of_configuration  # noqa: PLC0415
 
     folder = request.path.parent
 
@@ -31,7 +32,8 @@ def study(request: pytest.FixtureRequest) -> Callable[..., StudyResult]:
         for key in ("program", "plc"):
             if isinstance(entries.get(key), str | Path) and entries[key] != DEFAULT_PLC:
                 entries[key] = str(folder / entries[key])
-        plan = Study(None if file is None else folder / file, **entries)
+        machine = machine_of_configuration(request.config)
+        plan = Study(None if file is None else folder / file, default_machine=machine, **entries)
         return plan.run(processes=processes)
 
     return make

@@ -75,8 +75,10 @@ _WITH_PROGRAM = Text("left out without a program", "ohne Programm weggelassen")
 _POSITION = re.compile(r" ?\(at line (\d+), column (\d+)\)")
 
 
-def read_plan(path: Path) -> Plan:
+def read_plan(path: Path, default_machine: Path | None = None) -> Plan:
     """Return the plan of a file; paths in it are relative to its folder.
+
+    ``default_machine``: that of a plan that names none, before the project's.
 
     Raises one ``Failure`` with all mistakes: not TOML (901300), unknown entries (901301), values
     (901302), missing entries (901303), measures (901306), expectations (901307), names that are
@@ -88,14 +90,20 @@ def read_plan(path: Path) -> Plan:
         tables = tomllib.loads(text)
     except (ValueError, RecursionError) as error:  # not TOML; an impossible date; too deep
         raise Failure(_invalid(path, text, str(error))) from error
-    return read_tables(tables, path.parent, path.as_posix(), text.splitlines())
+    lines = text.splitlines()
+    return read_tables(tables, path.parent, path.as_posix(), lines, default_machine)
 
 
 def read_tables(
-    tables: dict[str, Any], folder: Path, file: str = "", lines: Sequence[str] = ()
+    tables: dict[str, Any],
+    folder: Path,
+    file: str = "",
+    lines: Sequence[str] = (),
+    default_machine: Path | None = None,
 ) -> Plan:
     """Return the plan of tables; ``file`` and ``lines``: where they stand, for messages."""
     reader = _Reader(folder, file, lines)
+    reader.default_machine = default_machine
     plan = reader.plan(tables)
     if reader.diagnostics:
         raise Failure(*sorted(reader.diagnostics, key=_line_of))
@@ -124,6 +132,7 @@ def _as_many(count: int, name: str) -> Text:
 class _Reader(PlanReader):
     """Reads the tables of one plan."""
 
+    default_machine: Path | None = None
     _program = Path()
     _settings: RunSettings | None = None
     _rtconf: Path | None = None
@@ -142,7 +151,9 @@ class _Reader(PlanReader):
         is_schedule = "program" not in tables and "rtconf" in tables
         values, until = self._values(tables.get("set", {})), self.length(tables, "until")
         if program is not None:
-            self._take_settings(Named(machine=machine, plc=plc, values=values, until=until))
+            self._take_settings(
+                Named(machine=machine or self.default_machine, plc=plc, values=values, until=until)
+            )
         settings = self._settings
         if rtconf is not None:
             self._words = ScheduleReader if is_schedule else ScheduledProgramReader

@@ -127,8 +127,9 @@ class Study:
     replace those of the file.
 
     ``functions``: further measures as Python functions, which get the queries of a run as a test
-    does (``run.m_function(100).at``). ``nominal``: the unchanged run of an each-tick study. Raises
-    ``Failure`` with all mistakes of the plan.
+    does (``run.m_function(100).at``). ``default_machine``: that of a plan that names none, before
+    the project's. ``nominal``: the unchanged run of an each-tick study. Raises ``Failure`` with all
+    mistakes of the plan.
 
     >>> study = Study(
     ...     program=NcText("move.nc", "G01 X100 F6000 M30"),
@@ -145,12 +146,13 @@ class Study:
         file: str | Path | None = None,
         *,
         functions: dict[str, Callable[..., MeasuredValue]] | None = None,
+        default_machine: Path | None = None,
         **entries: Any,
     ) -> None:
         if file is None:
-            plan = read_tables(entries, Path())
+            plan = read_tables(entries, Path(), default_machine=default_machine)
         else:
-            plan = replace(read_plan(Path(file)), **entries)
+            plan = replace(read_plan(Path(file), default_machine), **entries)
         if functions:
             own = tuple(function_measure(name, one) for name, one in functions.items())
             plan = replace(plan, measures=(*plan.measures, *own))

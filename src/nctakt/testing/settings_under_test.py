@@ -17,6 +17,14 @@ from nctakt.project.run_settings import Named, RunSettings, run_settings
 REPORTED_MACHINES = pytest.StashKey[dict[str, None]]()
 
 
+def machine_of_configuration(config: pytest.Config) -> Path | None:
+    """Return the machine of ``nctakt_machine``; ``None`` without it, and beside NCTAKT_MACHINE."""
+    entry = config.getini("nctakt_machine")
+    if not entry or machine_of_environment() is not None:
+        return None
+    return machine_folder(entry, config.rootpath)
+
+
 def settings_of_test(config: pytest.Config, test: Path, named: Named | None = None) -> RunSettings:
     """Return the settings of a test or an NC file beside what it names itself.
 
@@ -25,9 +33,8 @@ def settings_of_test(config: pytest.Config, test: Path, named: Named | None = No
     ``Failure`` as ``run_settings``.
     """
     named = named or Named()
-    entry = config.getini("nctakt_machine")
-    if entry and named.machine is None and machine_of_environment() is None:
-        named = replace(named, machine=machine_folder(entry, config.rootpath))
+    if named.machine is None:
+        named = replace(named, machine=machine_of_configuration(config))
     settings = run_settings([test], FileAccess(), named)
     note = settings.machine_note
     if note is not None:

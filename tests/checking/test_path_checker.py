@@ -3,12 +3,14 @@
 
 from __future__ import annotations
 
+import shutil
 from pathlib import Path
 
 import pytest
 
 from nctakt.base.diagnostics import Severity
 from nctakt.checking.check import check_files
+from nctakt.lists.machine.files import DEMO_FOLDER
 from nctakt.lists.machine.machine import load_machine
 from nctakt.run.assembly import AssembledMachine
 from nctakt.run.controller import Controller, NcText
@@ -41,12 +43,36 @@ WRONG = {
         7,
         20035,
     ),
+    "no feed in its mode": ("G00 X0\nG95 G01 X10", 2, 20008),
+    "no feed in its mode, an arc": ("F500 G00 X0 Y0\nG194 G03 X10 I5", 2, 20008),
+    "no feed in its mode, relative": ("G00 X5\nG91 G01 X0\nG95 X1\nX2", 3, 20008),
+    "an axis given away": ("#PUT AX [X, Y]\nG00 Z1\nG00 Y5", 3, 901800),
+    "all axes given away": ("#AX RELEASE ALL\nG00 Z1", 2, 901800),
+    "a cycle's axis given away": (
+        "#PUT AX [X]\n#RT CYCLE DEF [ID=1 SCOPE=PROG]\n$IF ONCE V.E.COUNT > 3\n"
+        "X[INDP G90 POS=5]\n$ENDIF\n#RT CYCLE END",
+        2,
+        901800,
+    ),
+    "an axis that a cycle commands": (
+        "#RT CYCLE [ID=1 SCOPE=PROG]\nX[INDP G90 G01 FEED=5000 POS=1]\n#RT CYCLE END\nG00 Y1\n"
+        "G00 X5",
+        2,
+        50603,
+    ),
+    "an axis that a cycle of the block commands": (
+        "G00 X0\n#RT CYCLE [ID=1 SCOPE=BLOCK]\nX[INDP FEED=5000]\n#RT CYCLE END\nG00 X5",
+        3,
+        50603,
+    ),
     "in a local subprogram": (
         "%L SUB\nG90 G17 G162 G71 G00 X0 Y0\nG02 X10 I3 F9\nM17\n%MAIN\nLL SUB",
         3,
         20035,
     ),
 }
+#: A cycle that commands its axis in each tick.
+COMMANDED = "P1 = 1\n#RT CYCLE [ID=1 SCOPE=PROG]\nX[INDP G90 G01 FEED=5000 POS=1]\n#RT CYCLE END\n"
 #: Programs that run, or whose mistake only a run can know.
 UNKNOWN = (
     "G00 X0 Y0\nG02 X10 I4.9",
@@ -62,6 +88,17 @@ UNKNOWN = (
     "G00 X0 Y0\nG04 X0.1\nG02 X10 I5",
     "G91\nG02 X10 I3",
     "%L SUB\nG02 X10 I3\nM17\n%MAIN\nG00 X0 Y0",
+    "G95 F1 G00 X0\nM3 S100 G01 X1",
+    "G95 G01 X0",
+    "G00 X0\n$IF P1 == 1\nG95 F1\n$ELSE\nG95 F2\n$ENDIF\nM3 S100 G01 X1",
+    "#PUT AX [X]\n#CALL AX [X, 1, 0]\nG00 X1",
+    "#PUT AX [X]\nP1 = V.RTA.ACS.ACT_POS.X",
+    f"{COMMANDED}G00 X1",
+    f"{COMMANDED}#RT CYCLE DELETE [ID=1]\nG00 X5",
+    f"{COMMANDED}#RT CYCLE HOLD [ID=1]\nG00 X5",
+    COMMANDED.replace("SCOPE=PROG", "SCOPE=BLOCK") + "G00 Y1\nG00 X5",
+    COMMANDED.replace("[ID", "DEF [ID") + "G00 X5",
+    COMMANDED.replace("X[", "$IF ONCE 1\nX[").replace("]\n#RT", "]\n$ENDIF\n#RT") + "G00 X5",
     "#RT CYCLE [SCOPE=PROG]\n$IF ONCE V.E.COUNT == 1\nX[INDP G90 POS=5]\n$ENDIF\n#RT CYCLE END\n"
     "G00 X0 Y0\nG02 X10 I3",
 )
@@ -88,6 +125,63 @@ def test_what_a_run_would_refuse_is_found(name: str) -> None:
 def test_nothing_is_said_of_what_is_not_certain(program: str) -> None:
     """Values, offsets, skipped blocks, branches, realtime cycles, callers."""
     assert errors(f"{program}\nM30\n") == []
+
+
+@pytest.mark.parametrize(
+    ("program", "columns"),
+    [
+        ("M3 S6001", [5]),
+        ("M3 S6000", []),
+        ("S2[M4 REV=7000]", [11]),
+        ("S7000 M5", [2]),
+        ("S P1", []),
+        ("G04 S7000", []),
+        ("G18 G96 S7000 M3", []),
+        ("G18 G96 S100\nS7000", []),
+        ("G97 S7000", [6]),
+        ("G18 G196 S7000", []),
+        ("G112 S7000", []),
+        ("#MAIN SPINDLE [S2]\nS7000", []),
+        ("L CYCLE [NAME=x.nc]\nS7000", []),
+    ],
+)
+def test_a_speed_beyond_the_spindle_is_a_warning(program: str, columns: list[int]) -> None:
+    """P-AXIS-00212 of the demo machine's spindles: 6000 1/min; a run gives the same number."""
+    checked = check_files(
+        [NcText("p.nc", f"{program}\nM30\n")], AssembledMachine(load_machine(None))
+    )
+    found = [one.diagnostic for one in checked.findings if one.diagnostic.id == 900905]
+    assert [one.span.column for one in found if one.span] == columns
+    if columns:
+        run = Controller().run(NcText("p.nc", f"{program}\nM30\n"))
+        warnings = [one for one in run.diagnostics if one.id == 900905]
+        assert [(one.span, one.text()) for one in warnings] == [
+            (one.span, one.text()) for one in found
+        ]
+
+
+def test_the_first_block_with_feed_needs_one(tmp_path: Path) -> None:
+    """P-CHAN-00099 is 0: the program has to give F before an axis moves with it (MO-17)."""
+    shutil.copytree(DEMO_FOLDER, tmp_path / "machine")
+    file = tmp_path / "machine" / "sda_mds1.lis"
+    lines = file.read_text("utf-8").splitlines()
+    kept = [line for line in lines if not line.startswith("prog_start.feedrate ")]
+    file.write_text("\n".join(("prog_start.feedrate 0", *kept)), "utf-8")
+    machine = load_machine(tmp_path / "machine")
+    for program, expected in (
+        ("G00 X5\nG01 X5\nX6\nX7", [3]),
+        ("G00 X5\nG01 F100 X6", []),
+        ("G00 X5\nF P1\nG01 X6", []),
+        ("G00 X5\nG01 X5", []),
+        ("G01 X6", []),
+        ("G00 X5\nG04 1\n$IF P1 > 3\nF100\n$ENDIF\nG01 X6", []),
+    ):
+        text = NcText("p.nc", f"P1 = 5\n{program}\nM30\n")
+        found = [one.diagnostic for one in check_files([text], AssembledMachine(machine)).findings]
+        lines = [one.span.line - 1 for one in found if one.id == 20008 and one.span]
+        assert lines == expected, program
+        run = Controller(machine).run(text)
+        assert not lines or [one.id for one in run.errors] == [20008]
 
 
 def test_a_file_that_ends_as_a_subprogram_may_begin_anyhow() -> None:

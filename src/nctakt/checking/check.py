@@ -19,6 +19,7 @@ from nctakt.base.failure import Failure
 from nctakt.base.text import BYTE_ORDER_MARKS, decode_text, split_lines
 from nctakt.checking.channel_uses import ProgramUses, report_missing_partners
 from nctakt.checking.check_memory import CheckMemory, Poll
+from nctakt.checking.cycle_links import LinkedProgram, report_unlinked_cycles
 from nctakt.checking.inputs import LIST_SUFFIX, Finding, gather
 from nctakt.checking.program import check_program
 from nctakt.checking.suppression import Suppressions, apply, read_suppressions
@@ -151,6 +152,7 @@ class _Checker:
         self._names: dict[Path, Path] = {}
         self._global_cycles: list[GlobalCycles] = []
         self._uses: list[ProgramUses] = []
+        self._linked: list[LinkedProgram] = []
         self._suppressions: dict[str, Suppressions] = {}
         #: Files that others call; programs that end as subprograms do, by the name of their file.
         self._called: dict[Path, None] = {}
@@ -186,6 +188,7 @@ class _Checker:
         collector = Collector()
         never_deleted(self._global_cycles, collector)
         report_missing_partners(self._uses, collector)
+        report_unlinked_cycles(self._linked, collector)
         self._keep("", collector.diagnostics)
         files = tuple(CheckedFile(file, kind) for file, kind in sorted(self._files.items()))
         machines = tuple(startup.parent.as_posix() for startup, _ in gathered.machines)
@@ -409,6 +412,7 @@ class _Checker:
             axes=target.axes,
             is_shifted=target.is_shifted,
             number=target.channel,
+            speed_limits=target.speed_limits,
             poll=self._poll,
             memory=memory,
         )
@@ -424,6 +428,15 @@ class _Checker:
                 checked.signals,
                 checked.exchanges,
                 role != "called" and checked.subprogram_end is None,
+            )
+        )
+        self._linked.append(
+            LinkedProgram(
+                Path(name).resolve(),
+                [path.resolve() for path in checked.called],
+                checked.cycles,
+                role != "called" and checked.subprogram_end is None and checked.is_complete,
+                not checked.is_complete and role == "called",
             )
         )
         self._keep(name, collector.diagnostics, (target.channel,))

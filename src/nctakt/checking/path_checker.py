@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Mistakes of the path that no run is needed for: arcs off their circle, targets out of the limits.
+"""Mistakes of the path that no run is needed for: arcs off their circle, targets out of the limits,
+blocks without feed, axes that others have.
 
 In: the statements of a program in the order of execution, each once. Out: the diagnostics that a
 run would give. Only constants count, and only what is certain: where a position, a plane or an
@@ -10,9 +11,20 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from types import MappingProxyType
 
-from nctakt.base.dataclass import dataclass, field
+from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Span
+from nctakt.base.line_shift import LineShift
+from nctakt.checking.cycle_axes import (
+    begin_cycle,
+    check_motion,
+    check_word,
+    end_block,
+    note_exchange,
+)
+from nctakt.checking.feeds_and_speeds import begin_program, check_feed, check_speeds, note_feed
+from nctakt.checking.path_facts import Facts
 from nctakt.decoder.blocks.path_motion import CENTRE_WORDS
 from nctakt.decoder.state.arcs import PLANES, Arc, ArcError, arc_about, arc_of_radius, extremes
 from nctakt.lists.machine.axis_configuration import AxisConfiguration
@@ -29,6 +41,7 @@ from nctakt.messages.motion import ARC_OUTSIDE_LIMITS
 from nctakt.nc.check.calls import may_call
 from nctakt.nc.check.dwells import dwell_of
 from nctakt.nc.check.findings import Findings
+from nctakt.nc.check.main_spindle import is_main_spindle
 from nctakt.nc.tree import (
     Assignment,
     AxisWord,
@@ -69,6 +82,8 @@ from nctakt.nc.vocabulary.functions import (
     ARCS,
     AXIS_VALUES,
     AXIS_WEIGHTS,
+    CONSTANT_SPEED,
+    CUTTING_SPEED,
     DIAMETER_ON,
     EDGE_BANDING,
     INCH,
@@ -87,7 +102,6 @@ _MM_PER_INCH = 25.4
 #: ``#`` commands that move nothing and shift nothing.
 _QUIET_COMMANDS = ("CONTOUR", "SLOPE", "OVERRIDE", "EXPL", "FILENAME")
 _QUIET_STATEMENTS = (
-    CycleControl,
     Flush,
     MacroDefinition,
     Time,
@@ -98,52 +112,24 @@ _QUIET_STATEMENTS = (
 )
 
 
-@dataclass(slots=True)
-class _Facts:
-    """What is certain at a point of the program; ``None``: unknown.
-
-    ``positions``: axis -> programmed position in mm or degrees. ``radius_mm``: that of R.
-    ``is_shifted`` is false while no offset acts.
-    """
-
-    positions: dict[str, float] = field(default_factory=dict)
-    motion: int | None = None
-    plane: int | None = None
-    is_absolute: bool | None = None
-    has_absolute_centre: bool | None = None
-    is_inch: bool | None = None
-    radius_mm: float | None = None
-    is_shifted: bool | None = None
-    has_diameters: bool | None = None
-
-    def copy(self) -> _Facts:
-        return replace(self, positions=dict(self.positions))
-
-    def join(self, other: _Facts) -> None:
-        """Keep only the facts that also hold in the other state."""
-        for name in self.__slots__:
-            if name != "positions" and getattr(self, name) != getattr(other, name):
-                setattr(self, name, None)
-        self.positions = {
-            axis: position
-            for axis, position in self.positions.items()
-            if other.positions.get(axis) == position
-        }
-
-
 @dataclass(frozen=True, slots=True)
 class PathState:
     """The state of a checker of the path between two statements."""
 
-    facts: _Facts
+    facts: Facts
     has_axis_cycles: bool
     is_main: bool
+
+    def shifted(self, shift: LineShift) -> PathState:
+        """Return it for a text with other lines; raises ``ReplacedLine``."""
+        return replace(self, facts=self.facts.shifted(shift))
 
 
 class PathChecker:
     """Follows one program; ``axes``: those of the channel by name, in the order of the path.
 
     ``begins``: the program may be a main program, and then begins as the channel list says.
+    ``speed_limits``: spindle -> its highest speed in 1/min, of those with one gear step.
     """
 
     def __init__(
@@ -154,14 +140,16 @@ class PathChecker:
         *,
         begins: bool,
         is_shifted: bool,
+        speed_limits: Mapping[str, float] = MappingProxyType({}),
     ) -> None:
         self._channel = channel
+        self._speed_limits = speed_limits
         self._axes = axes
         self._names = list(axes)
         self._findings = findings
         self._begins = begins and not channel.implicit_programs.program_start
         self._starts_shifted = is_shifted
-        self._facts = _Facts()
+        self._facts = Facts()
         self._has_axis_cycles = False
         #: M17 and M29 of the main program: how the program begins is its caller's matter.
         self.subprogram_ends: list[Span] = []
@@ -181,10 +169,10 @@ class PathChecker:
     def section(self, *, is_main: bool) -> None:
         """Begin a main program or a subprogram."""
         self._is_main = is_main
-        self._facts = _Facts()
+        self._facts = Facts()
         if is_main and self._begins:
             functions = self._channel.program_start.g_functions
-            self._facts = _Facts(
+            self._facts = Facts(
                 motion=functions[MOTION_GROUP],
                 plane=functions[PLANE_GROUP],
                 is_absolute=functions[DIMENSION_GROUP] == ABSOLUTE,
@@ -193,11 +181,12 @@ class PathChecker:
                 is_shifted=None if self._starts_shifted else False,
                 has_diameters=False,
             )
+            begin_program(self._facts, self._channel)
 
     def statement(self, statement: Statement) -> None:
         """Follow one statement with all statements inside it."""
         if statement.head.label is not None:
-            self._facts = _Facts()  # a jump may lead here from anywhere
+            self._facts = Facts()  # a jump may lead here from anywhere
         before = self._facts.copy() if statement.head.skip is not None else None
         match statement:
             case Block():
@@ -211,19 +200,27 @@ class PathChecker:
             case Switch():
                 self._branches((), *(case.body for case in statement.cases))
             case For() | While() | Do() | Repeat() | RealtimeLoop():
-                self._facts = _Facts()
+                self._facts = Facts()
                 self._all(statement.body)
-                self._facts = _Facts()
+                self._facts = Facts()
             case RealtimeCycle():
+                begin_cycle(statement, self._facts, self._findings)
                 self._has_axis_cycles |= _commands_axes(statement.body)
+            case CycleControl():
+                self._facts.commanded.clear()
             case Assignment():
                 if isinstance(statement.target, Variable) and statement.target.family == "G":
                     self._shift()
             case HashCommand():
+                note_exchange(statement, self._facts, self._names)
+                if is_main_spindle(statement):
+                    self._facts.is_cutting = None
                 if not _is_quiet(statement):
                     self._shift()
             case _ if not isinstance(statement, _QUIET_STATEMENTS):
-                self._facts = _Facts()
+                self._facts = Facts()
+        if not isinstance(statement, RealtimeCycle):
+            end_block(self._facts)
         if self._has_axis_cycles:
             self._facts.positions.clear()
         if before is not None:
@@ -254,7 +251,7 @@ class PathChecker:
         if dwell_of(block) is not None:
             return
         if may_call(block):
-            self._facts = _Facts()
+            self._facts = Facts()
             return
         facts = self._facts
         for word in block.words:
@@ -267,11 +264,13 @@ class PathChecker:
                 self._shift()
         numbers = [word for word in block.words if isinstance(word, Word) and word.name == "G"]
         if any(not isinstance(word.value, Number) for word in numbers):
-            self._facts = _Facts()
+            self._facts = Facts()
             return
         functions = [int(word.value.value) for word in numbers if isinstance(word.value, Number)]
         for function in functions:
             self._function(function)
+        note_feed(block, facts)
+        check_speeds(block, functions, facts, self._channel, self._speed_limits, self._findings)
         if ROTATION_ON not in functions:
             self._radius(block)
         if REFERENCE_OFFSET in functions:
@@ -294,6 +293,11 @@ class PathChecker:
                 facts.is_absolute = function == ABSOLUTE
             case Group.ARC_CENTRE:
                 facts.has_absolute_centre = function == ABSOLUTE_CENTRE
+            case Group.FEED:
+                facts.feed_mode = function
+            case Group.CUTTING:
+                is_known = function in (CUTTING_SPEED, CONSTANT_SPEED)
+                facts.is_cutting = function == CUTTING_SPEED if is_known else None
             case Group.DIAMETER:
                 facts.has_diameters = function == DIAMETER_ON
             case Group.UNIT:
@@ -333,7 +337,10 @@ class PathChecker:
             return
         start = dict(facts.positions)
         for word in words:
+            check_word(word, facts, self._findings)
             self._target(word)
+            check_motion(word.name, facts.positions.get(word.name), facts, self._findings)
+        self._feed(block.span, start)
         if facts.motion in ARCS and facts.plane is not None:
             arc = self._arc(block.span, start, centre)
             if arc is not None and facts.is_shifted is False:
@@ -348,6 +355,12 @@ class PathChecker:
         if not is_diameter:
             return value
         return 0.5 * value if facts.has_diameters else None
+
+    def _feed(self, span: Span, start: Mapping[str, float]) -> None:
+        """Check that a block has a feed where an axis certainly moves."""
+        ends = self._facts.positions
+        if any(start[axis] != end for axis, end in ends.items() if axis in start):
+            check_feed(span, self._facts, self._findings)
 
     def _target(self, word: AxisWord) -> None:
         """Note where a word leads its axis, and check its limits."""

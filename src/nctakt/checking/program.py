@@ -8,12 +8,12 @@ is in memory at a time, so that a program of any length can be checked.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from types import MappingProxyType
 
 from nctakt.base.dataclass import dataclass
-from nctakt.base.diagnostics import Diagnostic
+from nctakt.base.diagnostics import Diagnostic, Span
 from nctakt.checking.check_memory import FileMemory, Poll
 from nctakt.checking.program_pass import ProgramChannel, ProgramPass
 from nctakt.files.access import FileAccess
@@ -25,6 +25,7 @@ from nctakt.messages.program_structure import PROGRAM_ENDS_AS_SUBPROGRAM
 from nctakt.nc.check.blocks import Role
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.inspection import polled
+from nctakt.nc.lint.cycle_uses import CycleUse
 from nctakt.nc.lint.linter import GlobalCycles
 from nctakt.nc.lint.realtime_cycles import StepLimits
 from nctakt.nc.outline import AxisUse, SignalUse
@@ -39,7 +40,8 @@ class Checked:
     """The links of a checked program to others: its GLOBAL cycles, the files that it calls.
 
     ``signals`` and ``exchanges``: what it sends, awaits, fetches and gives. ``subprogram_end``: a
-    note that it ends as a subprogram, where it may also be a main program.
+    note that it ends as a subprogram, where it may also be a main program. ``cycles``: those that
+    it defines and starts. ``is_complete``: it has an end, and all files that it calls are there.
     """
 
     global_cycles: GlobalCycles
@@ -47,6 +49,8 @@ class Checked:
     subprogram_end: Diagnostic | None
     signals: tuple[SignalUse, ...]
     exchanges: tuple[AxisUse, ...]
+    cycles: tuple[CycleUse, ...]
+    is_complete: bool
 
 
 def check_program(
@@ -63,17 +67,20 @@ def check_program(
     axes: Mapping[str, AxisConfiguration] = MappingProxyType({}),
     is_shifted: bool = False,
     number: int = 1,
+    speed_limits: Mapping[str, float] = MappingProxyType({}),
     poll: Poll | None = None,
     memory: FileMemory | None = None,
 ) -> Checked:
     """Check a program with its local subprograms and return its links to others.
 
-    ``access`` admits the files that may be read. ``tools``, ``axes``, ``number``: those of the
-    channel. ``is_shifted``: offsets act from the start. ``role``: ``called`` if it is only called
-    by others. ``poll`` is called at regular intervals. ``memory``: what is kept of the file.
+    ``access`` admits the files that may be read. ``tools``, ``axes``, ``number``, ``speed_limits``:
+    those of the channel. ``is_shifted``: offsets act from the start. ``role``: ``called`` if it is
+    only called by others. ``poll`` is called at regular intervals. ``memory``: what is kept of it.
     Called files must exist, as well as those that the channel list runs with each main program.
     """
-    data = ProgramChannel(names, channel, limits, tools, role, axes, is_shifted, number)
+    data = ProgramChannel(
+        names, channel, limits, tools, role, axes, is_shifted, number, speed_limits
+    )
     if memory is not None:
         reading = memory.of_channel(data).read(source, poll)
     else:
@@ -87,15 +94,9 @@ def check_program(
     if role != "called":
         calls += [(name, reading.inspection.main) for name in channel.implicit_programs.names]
     folders = search_folders(source.file, channel, machine_folder)
-    called: dict[Path, None] = {}
-    for name, span in calls:
-        path = find_program(name, folders, access)
-        if path is None:
-            lost = missing(name, folders, access, span, source.line_of(span))
-            if not any(item.message is lost.message and item.span == lost.span for item in found):
-                found.append(lost)
-        else:
-            called[path] = None
+    called, lost = _called(calls, folders, access, source)
+    found += [item for item in lost if not _has(found, item)]
+    is_complete = reading.inspection.state.has_ended and not lost
     marked = None if memory is None else memory.scripts.of(source.lines)
     script = parse_script(source, found, marked)
     if not calls:  # a line may be one of a called file
@@ -108,7 +109,30 @@ def check_program(
         note = diagnostic(PROGRAM_ENDS_AS_SUBPROGRAM, ends[-1], line, word=word)
     program = reading.inspection.program
     uses = tuple(program.signals), tuple(program.exchanges)
-    return Checked(reading.linter.global_cycles, tuple(called), note, *uses)
+    cycles = tuple(reading.linter.cycle_uses)
+    return Checked(reading.linter.global_cycles, tuple(called), note, *uses, cycles, is_complete)
+
+
+def _called(
+    calls: Sequence[tuple[str, Span]], folders: list[Path], access: FileAccess, source: Source
+) -> tuple[dict[Path, None], list[Diagnostic]]:
+    """Return the files that are called, and the diagnostics of those that are missing."""
+    called: dict[Path, None] = {}
+    lost: list[Diagnostic] = []
+    for name, span in calls:
+        path = find_program(name, folders, access)
+        if path is not None:
+            called[path] = None
+        else:
+            error = missing(name, folders, access, span, source.line_of(span))
+            if not _has(lost, error):
+                lost.append(error)
+    return called, lost
+
+
+def _has(found: Sequence[Diagnostic], other: Diagnostic) -> bool:
+    """Return whether a message has been found at its position."""
+    return any(item.message is other.message and item.span == other.span for item in found)
 
 
 def _position(diagnostic: Diagnostic) -> tuple[int, int]:

@@ -24,6 +24,7 @@ from nctakt.nc.check.blocks import Role
 from nctakt.nc.check.branches import branch_outlines, realtime_cycles
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.inspection import Inspection, InspectionState
+from nctakt.nc.lint.cycle_uses import CycleUse
 from nctakt.nc.lint.linter import GlobalCycle, Linter, LinterState
 from nctakt.nc.lint.realtime_cycles import StepLimits
 from nctakt.nc.outline import AxisUse, Call, SignalUse
@@ -38,6 +39,7 @@ class ProgramChannel:
     """The channel, by its number, for which a program is checked, and the program's part.
 
     ``is_shifted``: offsets act from the start. ``role``: ``called`` if it is only called by others.
+    ``speed_limits``: spindle -> its highest speed in 1/min, of those with one gear step.
     """
 
     names: NameTable
@@ -48,6 +50,7 @@ class ProgramChannel:
     axes: Mapping[str, AxisConfiguration]
     is_shifted: bool
     number: int
+    speed_limits: Mapping[str, float]
 
     def is_same(self, other: ProgramChannel) -> bool:
         """Return whether it is the same channel of the same machine as loaded then."""
@@ -71,7 +74,8 @@ class PassState:
         """Return it for a text with other lines; raises ``ReplacedLine``."""
         if not shift.by:
             return self
-        return PassState(self.inspection.shifted(shift), self.linter.shifted(shift), self.path)
+        inspection, linter = self.inspection.shifted(shift), self.linter.shifted(shift)
+        return PassState(inspection, linter, self.path.shifted(shift))
 
 
 class ProgramPass:
@@ -101,6 +105,7 @@ class ProgramPass:
             Findings(source, self.of_path),
             begins=channel.role != "called",
             is_shifted=channel.is_shifted,
+            speed_limits=channel.speed_limits,
         )
         #: The lines of all branches of realtime cycles.
         self.branch_lines: list[int] = []
@@ -160,6 +165,7 @@ class ProgramPass:
             self.inspection.local_calls,
             self.linter.defined,
             self.linter.deleted,
+            self.linter.cycle_uses,
             self.path.subprogram_ends,
             self.branch_lines,
         )
@@ -180,9 +186,12 @@ def shifters(shift: LineShift) -> tuple[Callable[[Any], Any], ...]:
     def exchange(item: AxisUse) -> AxisUse:
         return replace(item, span=shift.span(item.span))
 
+    def use(item: CycleUse) -> CycleUse:
+        return item.shifted(shift)
+
     def same(item: int | None) -> int | None:
         return item
 
     found = shift.diagnostic
     span: Callable[[Span], Span] = shift.span
-    return found, found, found, call, signal, exchange, call, cycle, same, span, shift.line
+    return found, found, found, call, signal, exchange, call, cycle, same, use, span, shift.line

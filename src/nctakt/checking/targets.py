@@ -12,6 +12,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
+from nctakt.decoder.blocks.spindles import DEGREES_PER_S
 from nctakt.lists.machine.channel_configuration import ChannelParameters
 from nctakt.lists.machine.machine import Machine
 from nctakt.nc.lint.realtime_cycles import StepLimits
@@ -33,6 +34,12 @@ class Target:
         self.tools = configuration.tools
         axes = machine.configuration.axes
         self.axes = {axis.name: axes[axis.index] for axis in configuration.axes}
+        #: Spindle -> its highest speed in 1/min, where it has one gear step.
+        self.speed_limits = {
+            spindle.name: next(iter(gears.steps.values())).speed_v / DEGREES_PER_S
+            for index, spindle in enumerate(self.parameters.spindles)
+            if (gears := assembled.spindle_gears.get(index)) is not None and len(gears.steps) == 1
+        }
         self.is_shifted = configuration.is_shifted
         self.limits = StepLimits(context.max_steps, context.budget_steps)
         self.folder = machine.configuration.folder

@@ -143,6 +143,24 @@ GLOBAL_CYCLE_NEVER_DELETED = note(
     cause_de="Ein GLOBAL-Zyklus überlebt sein Programm und läuft auch zwischen Programmen.",
     id=("the ID of the cycle", "die ID des Zyklus"),
 )
+CYCLE_NEVER_STARTED = warning(
+    901986,
+    en="realtime cycle {id} is defined, and nothing starts it: it never runs",
+    de="Echtzeit-Zyklus {id} ist vereinbart, und nichts startet ihn: er läuft nie",
+    remedy_en="#RT CYCLE START [ID={id}] starts it; without DEF it starts at once.",
+    remedy_de="#RT CYCLE START [ID={id}] startet ihn; ohne DEF startet er sofort.",
+    id=("the ID of the cycle", "die ID des Zyklus"),
+)
+STARTED_CYCLE_NOT_DEFINED = warning(
+    901987,
+    en="no checked program defines realtime cycle {id}; without one left from before START is 50858",
+    de="kein geprüftes Programm vereinbart Echtzeit-Zyklus {id}; lebt keiner von früher: 50858",
+    remedy_en="Define it first: #RT CYCLE DEF [ID={id} SCOPE=PROG].",
+    remedy_de="Ihn vorher vereinbaren: #RT CYCLE DEF [ID={id} SCOPE=PROG].",
+    cause_en="A GLOBAL cycle outlives its program: an earlier one may have left it.",
+    cause_de="Ein GLOBAL-Zyklus überlebt sein Programm: ein früheres kann ihn hinterlassen haben.",
+    id=("the ID of the cycle", "die ID des Zyklus"),
+)
 CYCLE_MAY_EXCEED_STEP_LIMIT = warning(
     900246,
     en="this realtime cycle may need {steps} elementary instructions; P-CHAN-00427 allows {limit}",

@@ -36,6 +36,7 @@ from nctakt.nc.check.path_commands import command_name, keywords
 from nctakt.nc.lint.channel_flush import FlushChecker
 from nctakt.nc.lint.conditions import check_condition
 from nctakt.nc.lint.constants import check_constant, check_value
+from nctakt.nc.lint.cycle_uses import CycleUse
 from nctakt.nc.lint.overrides import check_overrides
 from nctakt.nc.lint.realtime_cycles import CycleLinter, KnownValue, StepLimits
 from nctakt.nc.lint.uses import element_name, integer_value, operand_key
@@ -59,6 +60,7 @@ from nctakt.nc.tree import (
     RealtimeLoop,
     Repeat,
     Statement,
+    StringLiteral,
     StringWord,
     SubprogramCall,
     Switch,
@@ -221,6 +223,8 @@ class Linter:
         #: GLOBAL cycles in the order of the text, and IDs of deleted ones, ``None``: a computed ID.
         self.defined: list[GlobalCycle] = []
         self.deleted: list[int | None] = []
+        #: What is defined and started, in the order of the text.
+        self.cycle_uses: list[CycleUse] = []
 
     @property
     def state(self) -> LinterState:
@@ -283,6 +287,8 @@ class Linter:
                 if command_name(statement) == "OVERRIDE":
                     check_overrides(keywords(statement), self._findings)
             case SubprogramCall():
+                if not isinstance(statement.name, StringLiteral):
+                    self._use(statement.span, None, is_definition=True, is_start=True)
                 self._state.values.clear()
                 self._state.lacks_radius = False
                 self._state.is_arc = False
@@ -382,11 +388,30 @@ class Linter:
         name = scope.name if isinstance(scope, Name) else "PROG"
         writes = self._cycles.cycle(cycle, self._state.values, is_inch=self._state.is_inch)
         self._writes(writes, _Writer(cycle.span.line, name, identity))
+        if "ID" in keywords:
+            self._use(
+                cycle.span, identity, name, is_definition=True, is_deferred=cycle.definition_only
+            )
         if identity is not None and name != "BLOCK":
             self._lives(identity, cycle)
         if name == "GLOBAL" and identity is not None and identity > 0:
             line = self._source.line_of(cycle.span)
             self.defined.append(GlobalCycle(identity, cycle.span, line))
+
+    def _use(
+        self,
+        span: Span,
+        identity: int | None,
+        scope: str = "",
+        *,
+        is_definition: bool = False,
+        is_start: bool = False,
+        is_deferred: bool = False,
+    ) -> None:
+        """Note what is defined or started."""
+        line = self._source.line_of(span)
+        use = CycleUse(identity, span, line, scope, is_definition, is_start, is_deferred)
+        self.cycle_uses.append(use)
 
     def _lives(self, identity: int, cycle: RealtimeCycle) -> None:
         """Note that a cycle lives; report the ID of one that certainly lives already."""
@@ -410,11 +435,13 @@ class Linter:
             )
 
     def _control(self, control: CycleControl) -> None:
-        if control.action != "DELETE":
+        if control.action not in ("DELETE", "START"):
             return
         values = [item.value for item in control.keywords if isinstance(item, Keyword)]
         identity = self._identity(values[0]) if values else 0
-        if identity is None:
+        if control.action == "START":
+            self._use(control.span, identity, is_start=True)
+        elif identity is None:
             self.deleted.append(None)
             self._state.living = frozenset()
         else:
@@ -439,6 +466,7 @@ class Linter:
         check_feed(block, self._findings)
         if may_call(block):
             self._state.living = frozenset()
+            self._use(block.span, None, is_definition=True, is_start=True)
         if has_radius(block) or any(isinstance(word, StringWord) for word in block.words):
             self._state.lacks_radius = False
         elif self._state.lacks_radius and lacks_centre(block, is_modal=self._state.is_arc):

@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: MIT
+"""Blocks without a feed, and speeds beyond those of a spindle.
+
+In: the blocks of a program with what is certain there. Out: the facts after them, and what a run
+would report (20008, 900905) where it is certain.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping
+
+from nctakt.base.diagnostics import Span
+from nctakt.checking.path_facts import Facts
+from nctakt.lists.machine.channel_configuration import ChannelParameters
+from nctakt.messages.decoder import NO_FEED_ACTIVE
+from nctakt.messages.spindles import SPINDLE_SPEED_LIMITED
+from nctakt.nc.check.findings import Findings
+from nctakt.nc.tree import Block, Number, Word
+from nctakt.nc.vocabulary.function_rows import Group
+from nctakt.nc.vocabulary.functions import (
+    ARCS,
+    CUTTING_SPEED,
+    FEED_PER_MINUTE,
+    FEED_PER_REVOLUTION,
+    FEED_SHARE,
+    GEAR_STEP,
+    INVERSE_TIME_FEED,
+    LINE,
+    NO_SPINDLE_OVERRIDE,
+    SPINDLE_LIMIT,
+    THREADS,
+    group_of,
+)
+from nctakt.nc.vocabulary.spindle_commands import split
+
+#: Modes of F that have no value at the start of a program, whatever the channel list says.
+_WITHOUT_START = frozenset((INVERSE_TIME_FEED, FEED_PER_REVOLUTION, FEED_SHARE))
+#: G functions beside which S is no speed that the spindle takes over.
+_OTHER_SPEEDS = frozenset((CUTTING_SPEED, SPINDLE_LIMIT, GEAR_STEP, NO_SPINDLE_OVERRIDE, *THREADS))
+
+
+def begin_program(facts: Facts, channel: ChannelParameters) -> None:
+    """Note what a main program begins with."""
+    start = channel.program_start
+    functions = start.g_functions.values()
+    in_force = {group_of(function): function for function in functions}
+    facts.feed_mode = in_force.get(Group.FEED, FEED_PER_MINUTE)
+    facts.lacking_feeds = _WITHOUT_START
+    if start.feed_mm_min == 0.0:
+        facts.lacking_feeds |= {FEED_PER_MINUTE}
+    facts.is_cutting = in_force.get(Group.CUTTING) == CUTTING_SPEED
+
+
+def note_feed(block: Block, facts: Facts) -> None:
+    """Note that a block gives an F in the present mode."""
+    if not any(isinstance(word, Word) and word.name == "F" for word in block.words):
+        return
+    if facts.feed_mode is None or facts.lacking_feeds is None:
+        facts.lacking_feeds = None
+    else:
+        facts.lacking_feeds -= {facts.feed_mode}
+
+
+def check_feed(span: Span, facts: Facts, findings: Findings) -> None:
+    """Report a block that certainly moves with feed and has none; once for each mode."""
+    if facts.motion not in (LINE, *ARCS) or not facts.lacking_feeds:
+        return
+    if facts.feed_mode in facts.lacking_feeds:
+        facts.lacking_feeds -= {facts.feed_mode}
+        findings.report(NO_FEED_ACTIVE, span)
+
+
+def check_speeds(
+    block: Block,
+    functions: Collection[int],
+    facts: Facts,
+    channel: ChannelParameters,
+    limits: Mapping[str, float],
+    findings: Findings,
+) -> None:
+    """Warn of constant speeds beyond ``limits``, the highest speeds of spindles in 1/min."""
+    if facts.is_cutting is not False or not _OTHER_SPEEDS.isdisjoint(functions):
+        return
+    commands, _ = split(block.words, channel.spindle_names)
+    for command in commands:
+        speed = command.speed
+        if not isinstance(speed, Number):
+            continue
+        for spindle in channel.spindles:
+            is_meant = spindle.is_main if not command.name else False
+            if is_meant or command.name in (spindle.name, spindle.list_name):
+                limit = limits.get(spindle.name)
+                if limit is not None and speed.value > limit * (1.0 + 1e-9):
+                    findings.report(
+                        SPINDLE_SPEED_LIMITED,
+                        speed.span,
+                        spindle=spindle.name,
+                        limit=limit,
+                        speed=speed.value,
+                    )
+                break

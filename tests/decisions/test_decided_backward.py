@@ -13,9 +13,10 @@ from decided import numbers
 import nctakt
 from nctakt.base.failure import Failure
 from nctakt.decoder.axis_limits import history_blocks
-from nctakt.lists.declared.startup import MIN_BACKWARD_MEMORY
+from nctakt.lists.declared.startup import MAX_BACKWARD_MEMORY, MIN_BACKWARD_MEMORY
 from nctakt.lists.machine.machine import load_machine
 from nctakt.results.run import Run
+from nctakt.run.assembly import AssembledMachine
 from nctakt.run.controller import Controller, NcText
 from nctakt.run.plc_view import PlcView
 from nctakt.run.stimuli import Stimulus
@@ -85,6 +86,15 @@ def test_too_little_memory_is_raised_and_said(tmp_path: Path) -> None:
     controller = Controller(machine)
     assert controller.hli.history_size == history_blocks(MIN_BACKWARD_MEMORY, 4)
     assert Controller().hli.history_size == history_blocks(0x200000, 4)
+
+
+def test_memory_beyond_reason_is_limited_and_a_check_takes_none(tmp_path: Path) -> None:
+    """P-STUP-00033 of 2 GB: warning 902027, and so many blocks as fit into 64 MiB."""
+    machine = load_machine(with_memory(tmp_path, 2147483647))
+    assert [one.message.id for one in machine.diagnostics] == [902027]
+    assert machine.channels[0].startup.backward_memory_bytes == MAX_BACKWARD_MEMORY == 64 << 20
+    checked = AssembledMachine(machine, has_history=False)
+    assert checked.channels[0].path.history_size == 0
 
 
 def test_the_oldest_blocks_are_forgotten(tmp_path: Path) -> None:

@@ -269,6 +269,18 @@ def test_largest_variable(members: int, fits: bool) -> None:
     assert len(paths(configuration)) == (MAX_LEAVES if fits else 0)
 
 
+def test_a_list_does_not_take_all_memory() -> None:
+    """All variables together have at most 2^20 elements (902028); smaller ones still fit."""
+    lines = [
+        f"var[{index}].name V{index}\nvar[{index}].array_elements {size}"
+        for index, size in enumerate([65535] * 18 + [16])
+    ]
+    configuration, found = load("\n".join(lines))
+    assert found == [902028, 902028]
+    names = [variable.name for variable in configuration.external]
+    assert names == [f"V{index}" for index in (*range(16), 18)]
+
+
 @pytest.mark.parametrize(("depth", "numbers"), [(32, []), (33, []), (34, [21440])])
 def test_deepest_nesting(depth: int, numbers: list[int]) -> None:
     """Structures nest 33 deep, not deeper."""

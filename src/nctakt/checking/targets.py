@@ -77,7 +77,7 @@ class Targets:
     def add(self, configuration: Machine) -> None:
         """Add a machine whose folder is checked."""
         if not self._for_all:
-            self._machines.append(_channels(AssembledMachine(configuration)))
+            self._machines.append(_channels(AssembledMachine(configuration, has_history=False)))
 
     def of(self, program: Path | None) -> Sequence[Target]:
         """Return the channels of a program; ``None``: a text without a folder."""
@@ -94,7 +94,7 @@ class Targets:
 
     def assign(self, path: Path, configuration: Machine) -> None:
         """Add a machine that a setting names by ``path``; ``use`` says for which programs."""
-        self.assigned[path] = _channels(AssembledMachine(configuration))
+        self.assigned[path] = _channels(AssembledMachine(configuration, has_history=False))
 
     def use(self, path: Path, folder: Path | None) -> None:
         """Let the programs of a folder (``None``: texts) be for the machine assigned to ``path``.

@@ -200,7 +200,7 @@ def _machine(options: Options, folder: str | None, access: FileAccess) -> Assemb
         folder, root=options.root, rtconf=_rtconf_options(options), access=access
     )
     print_diagnostics(configuration.diagnostics, options.language, Severity.ERROR)
-    return AssembledMachine(configuration, access)
+    return AssembledMachine(configuration, access, has_history=False)
 
 
 def _rtconf_options(options: Options) -> RtconfOptions:

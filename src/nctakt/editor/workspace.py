@@ -158,7 +158,7 @@ class Workspace:
             configuration = load_machine(folder, access=access)
         except Failure as failure:
             return LoadedMachine(self._demo()[0], access, failure.diagnostics)
-        return LoadedMachine(AssembledMachine(configuration, access), access)
+        return LoadedMachine(AssembledMachine(configuration, access, has_history=False), access)
 
     def _demo(self) -> tuple[AssembledMachine, OpenBuffers]:
         from nctakt.lists.machine.files import DEMO_FOLDER  # noqa: PLC0415 - as above

@@ -33,7 +33,9 @@ class Checker:
 
     def __init__(self, machine: str | None, folders: Sequence[str | Path]) -> None:
         access = FileAccess(folders)
-        self._machine = AssembledMachine(load_machine(machine, access=access), access)
+        self._machine = AssembledMachine(
+            load_machine(machine, access=access), access, has_history=False
+        )
         names = self._machine.assembled[0].names
         self.types = [(name, kind) for name, _, kind in names.values()]
 

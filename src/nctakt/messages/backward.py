@@ -17,6 +17,17 @@ BACKWARD_MEMORY_TOO_SMALL = warning(
     value=("P-STUP-00033 as written", "P-STUP-00033, wie geschrieben"),
     minimum=("the smallest size in bytes", "die kleinste Größe in Byte"),
 )
+BACKWARD_MEMORY_TOO_LARGE = warning(
+    902027,
+    en="the memory for backward motion ({value} bytes) is too large; {maximum} bytes are used",
+    de="der Speicher für das Rückwärtsfahren ({value} Byte) ist zu groß; es gelten {maximum} Byte",
+    remedy_en="Set fb_storage_size to at most {maximum}.",
+    remedy_de="fb_storage_size auf höchstens {maximum} setzen.",
+    cause_en="A list must not take the memory of the computer that simulates it.",
+    cause_de="Eine Liste darf dem Rechner, der sie simuliert, nicht den Speicher nehmen.",
+    value=("P-STUP-00033 as written", "P-STUP-00033, wie geschrieben"),
+    maximum=("the largest size in bytes", "die größte Größe in Byte"),
+)
 BACKWARD_WITHOUT_HISTORY = warning(
     50453,
     known_as=(900880, 50473),

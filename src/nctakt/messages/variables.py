@@ -106,6 +106,16 @@ VARIABLE_TOO_LARGE = warning(
     remedy_de="Ihre Felder verkleinern.",
     limit=("the maximum number of elements", "die größte Anzahl von Elementen"),
 )
+VARIABLES_TOO_MANY = warning(
+    902028,
+    en="{key}: with this variable the list has more than {limit} elements: it is ignored",
+    de="{key}: mit dieser Variable hat die Liste mehr als {limit} Elemente: sie wird ignoriert",
+    remedy_en="Make the arrays of the list smaller.",
+    remedy_de="Die Felder der Liste verkleinern.",
+    cause_en="A list must not take the memory of the computer that simulates it.",
+    cause_de="Eine Liste darf dem Rechner, der sie simuliert, nicht den Speicher nehmen.",
+    limit=("the maximum number of elements", "die größte Anzahl von Elementen"),
+)
 VARIABLE_STRUCTURE_TOO_DEEP = warning(
     21440,
     known_as=(900085,),

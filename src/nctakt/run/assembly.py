@@ -118,7 +118,8 @@ class AssembledMachine:
     ``names``, ``parameters`` and ``members`` are those of the first channel. ``report`` receives
     the diagnostics of a run; by default it does nothing. ``file_access`` reads the programs.
     ``poll`` is called between ticks, and repeatedly while programs are read and decoded.
-    ``realtime``: a realtime part of this machine as it is at start-up; by default a new one.
+    ``realtime``: a realtime part of this machine as it is at start-up; by default a new one, where
+    nothing will run without the path's history (``has_history``), the memory that lists ask for.
     """
 
     def __init__(
@@ -126,12 +127,16 @@ class AssembledMachine:
         configuration: Machine,
         access: FileAccess | None = None,
         realtime: RealtimePart | None = None,
+        *,
+        has_history: bool = True,
     ) -> None:
         self.configuration = configuration
         self.file_access = access or FileAccess()
         self._names = names_of_machine(configuration)
         self.layout = layout = self._names.layout
-        self.realtime = realtime = realtime or RealtimePart(configuration, layout)
+        self.realtime = realtime = realtime or RealtimePart(
+            configuration, layout, has_history=has_history
+        )
         self.memory = realtime.memory
         self.cells = realtime.cells
         self.record = realtime.record

@@ -44,10 +44,12 @@ class RealtimePart:
     ``kept_cycles``: cycles of earlier runs on it, where one run follows another. ``listed_limits``:
     the limits of each channel's axes with which its programs start. ``path_axes`` and ``spindles``:
     those of the machine by logical number. ``gear_steps``: of each channel's spindles.
+    ``has_history``: whether the paths get the memory of backward motion (P-STUP-00033).
     """
 
-    def __init__(self, configuration: Machine, layout: Layout) -> None:
+    def __init__(self, configuration: Machine, layout: Layout, *, has_history: bool = True) -> None:
         self._configuration = configuration
+        self._has_history = has_history
         self.kept_cycles: KeptTrees | None = None
         self.memory = bytearray(8 * layout.size)
         self.cells = memoryview(self.memory).cast("d")
@@ -77,6 +79,7 @@ class RealtimePart:
         parameters = own.parameters
         members = [axis.index for axis in own.axes]
         first = layout.channel_cell(index)
+        history_bytes = own.startup.backward_memory_bytes if self._has_history else 0
         room = max(len(members), self._room) if {*self.path_axes.values()} - {*members} else 0
         c_axis = configuration.c_axis_of(own)
         if c_axis >= 0:
@@ -93,7 +96,7 @@ class RealtimePart:
                 self.axes,
                 members,
                 configuration.cycle_time_us,
-                history_blocks(own.startup.backward_memory_bytes, len(members)),
+                history_blocks(history_bytes, len(members)),
                 room,
             ),
             Timers(self.memory, timers.cell, configuration.cycle_time_us),

@@ -11,7 +11,7 @@ from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Span
 from nctakt.lists.format.values import Values
 from nctakt.messages import Collector
-from nctakt.messages.backward import BACKWARD_MEMORY_TOO_SMALL
+from nctakt.messages.backward import BACKWARD_MEMORY_TOO_LARGE, BACKWARD_MEMORY_TOO_SMALL
 from nctakt.messages.variables import INVALID_ALIGNMENT
 
 MAX_AXES = 64
@@ -36,6 +36,9 @@ _OTHER_KINDS = {
 
 #: Minimum memory of backward motion in bytes (P-STUP-00033), if there is one.
 MIN_BACKWARD_MEMORY = 16384
+
+#: Maximum memory of backward motion of a channel in bytes: some 180,000 blocks of three axes.
+MAX_BACKWARD_MEMORY = 64 << 20
 
 
 @dataclass(frozen=True, slots=True)
@@ -146,7 +149,7 @@ def _channel(values: Values, index: int, collector: Collector) -> ChannelStartup
 
 
 def _backward_memory(values: Values, index: int, collector: Collector) -> int:
-    """Return the size of the path's history in bytes: 0, or at least ``MIN_BACKWARD_MEMORY``."""
+    """Return the size of the path's history in bytes: 0, or a size within the limits."""
     size = values.integer("fb_storage_size[]", index)
     if 0 < size < MIN_BACKWARD_MEMORY:
         values.report(
@@ -157,6 +160,11 @@ def _backward_memory(values: Values, index: int, collector: Collector) -> int:
             minimum=MIN_BACKWARD_MEMORY,
         )
         return MIN_BACKWARD_MEMORY
+    if size > MAX_BACKWARD_MEMORY:
+        at = ("fb_storage_size[]", index)
+        numbers = {"value": size, "maximum": MAX_BACKWARD_MEMORY}
+        values.report(collector, BACKWARD_MEMORY_TOO_LARGE, at, **numbers)
+        return MAX_BACKWARD_MEMORY
     return size
 
 

@@ -26,10 +26,13 @@ from nctakt.messages.variables import (
     VARIABLE_OFFSET_TOO_LARGE,
     VARIABLE_STRUCTURE_TOO_DEEP,
     VARIABLE_TOO_LARGE,
+    VARIABLES_TOO_MANY,
 )
 
 #: Maximum number of numbers and strings in a variable.
 MAX_LEAVES = 65_536
+#: Maximum number of numbers and strings in all variables of a list.
+MAX_LEAVES_OF_LIST = 1 << 20
 #: Maximum depth of structures in structures.
 MAX_NESTING = 32
 #: Maximum offset of a variable in a list, in bytes.
@@ -201,6 +204,7 @@ class _Builder:
         self.collector = collector
         self.structures: dict[str, tuple[_Element, ...]] = {}
         self.counts: dict[str, int] = {}
+        self._leaves = 0
         for index in values.indices("struct[]"):
             name = values.text("struct[].name", index)
             if not self._usable(name, self.structures, "struct[].name", index):
@@ -334,17 +338,15 @@ class _Builder:
         if elements is None:
             return False
         elements *= max(1, self.values.integer(array_pattern, index))
-        if elements > MAX_LEAVES:
-            key = with_indices(array_pattern, (index,))
-            self.values.report(
-                self.collector,
-                VARIABLE_TOO_LARGE,
-                (array_pattern, index),
-                key=key,
-                limit=MAX_LEAVES,
-            )
-            return False
-        return True
+        message, limit = VARIABLE_TOO_LARGE, MAX_LEAVES
+        if elements <= MAX_LEAVES:
+            if self._leaves + elements <= MAX_LEAVES_OF_LIST:
+                self._leaves += elements
+                return True
+            message, limit = VARIABLES_TOO_MANY, MAX_LEAVES_OF_LIST
+        key = with_indices(array_pattern, (index,))
+        self.values.report(self.collector, message, (array_pattern, index), key=key, limit=limit)
+        return False
 
     def _count(
         self, type_: str, at: tuple[str, *tuple[int, ...]], outer: tuple[str, ...]

@@ -38,11 +38,15 @@ static char *attach(const char *name)
         if (file < 0)
             continue;
         char *image = MAP_FAILED;
-        if (fstat(file, &status) == 0 && status.st_size > 0)
+        if (fstat(file, &status) == 0 && status.st_size >= (off_t)sizeof(hli_header))
             image = mmap(NULL, (size_t)status.st_size, PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
         close(file);
-        if (image != MAP_FAILED && ((volatile hli_header *)image)->ready)
+        if (image == MAP_FAILED)
+            continue;
+        volatile hli_header *header = (hli_header *)image;
+        if (header->ready && (uint64_t)status.st_size >= header->size)
             return image;
+        munmap(image, (size_t)status.st_size);
     }
     return NULL;
 }

@@ -16,7 +16,7 @@ from nctakt.cli.waiting import waiter
 from nctakt.hli.connection import PlcConnection
 from nctakt.hli.image_access import ImageAccess
 from nctakt.hli.layout import COMMAND, HEADER, LINK
-from nctakt.hli.places import entry
+from nctakt.hli.places import entry, size_of
 from nctakt.hli.plc_side import PlcSide
 from nctakt.hli.shared_file import FOLDER
 from nctakt.plc import AnyPlc, PartnerPlc
@@ -207,6 +207,7 @@ def test_an_hli_that_nobody_shares_is_told() -> None:
         (entry(HEADER, "axes").offset, struct.pack("=I", 2**32 - 1), 901433),
         (entry(HEADER, "link_offset").offset, struct.pack("=I", 2**31), 901433),
         (entry(HEADER, "names_size").offset, struct.pack("=I", 17), 901433),
+        (entry(HEADER, "size").offset, struct.pack("=I", 2**31), 901433),
     ],
 )
 def test_memory_of_another_kind_is_refused(offset: int, data: bytes, number: int) -> None:
@@ -229,6 +230,16 @@ def test_random_bytes_are_refused_or_read(cell: Cell) -> None:
                 ImageAccess("copy", memoryview(copy))
             except Failure as failure:
                 assert failure.diagnostics[0].id in (901431, 901432, 901433)
+
+
+def test_an_image_that_is_cut_off_is_refused(cell: Cell) -> None:
+    """901433 before anything behind its end is touched, which would end the process (SIGBUS)."""
+    whole = bytearray(cell.image.memory)
+    ImageAccess("copy", memoryview(whole))
+    for length in (len(whole) - 1, len(whole) // 2, size_of(HEADER)):
+        with pytest.raises(Failure) as caught:
+            ImageAccess("copy", memoryview(whole)[:length])
+        assert number_of(caught) == 901433
 
 
 def test_a_second_plc_is_refused(cell: Cell) -> None:

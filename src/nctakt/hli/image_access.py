@@ -84,6 +84,8 @@ class ImageAccess:
         version = self.number(HEADER, 0, "version")
         if version != VERSION:
             raise Failure(diagnostic(HLI_VERSION_DIFFERS, name=name, version=version, own=VERSION))
+        if self.number(HEADER, 0, "size") > len(memory):  # what is missing cannot be touched
+            raise self._layout_differs("size")
         for count, prefix, structure in _ARRAYS.values():
             self._check_array(count, prefix, structure)
         self._check_area("link_offset", size_of(LINK))

@@ -14,6 +14,7 @@ from concurrent.futures import Future
 
 from nctakt.base.diagnostics import Diagnostic, Language
 from nctakt.base.failure import Failure
+from nctakt.live.connections import MAX_CONNECTIONS
 from nctakt.live.document import Checker, Document
 from nctakt.live.guard import Refused
 from nctakt.live.server import end_page, serve, usable_port
@@ -29,6 +30,8 @@ class PageDoor:
 
     ``tell_error`` and ``refused`` are called from the page's own thread.
     """
+
+    max_connections = MAX_CONNECTIONS
 
     def __init__(
         self,

@@ -111,3 +111,15 @@ PAGE_WITHOUT_PROGRAM = error(
     remedy_en="Name the program that the page shows.",
     remedy_de="Das Programm nennen, das die Seite zeigt.",
 )
+TOO_FEW_DESCRIPTORS = error(
+    902041,
+    en="the doors may need {needed} file descriptors, and the system permits {limit}",
+    de="die Protokolle können {needed} Dateideskriptoren brauchen, das System erlaubt {limit}",
+    remedy_en="Permit more (ulimit -Hn {needed}), or serve fewer protocols.",
+    remedy_de="Mehr erlauben (ulimit -Hn {needed}) oder weniger Protokolle bedienen.",
+    needed=(
+        "as many as all connections and files may take",
+        "so viele wie alle Verbindungen und Dateien brauchen können",
+    ),
+    limit=("the hard limit of this process", "die harte Grenze dieses Prozesses"),
+)

@@ -50,7 +50,9 @@ _T = TypeVar("_T")
 
 
 class Door(Protocol):
-    """A server of one protocol in the host's loop."""
+    """A server of one protocol in the host's loop; ``max_connections``: how many it takes."""
+
+    max_connections: int
 
     async def prepare(self) -> None:
         """Do what takes time before clients can come; raises ``Failure``."""

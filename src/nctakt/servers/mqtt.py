@@ -53,6 +53,8 @@ _AT_LEAST_ONCE = 1
 class MqttDoor:
     """Publishes the state of a session below the root of its topics."""
 
+    max_connections = 1
+
     def __init__(self, host: Host, broker: Broker) -> None:
         self._host = host
         self._broker = broker

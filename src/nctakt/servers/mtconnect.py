@@ -16,6 +16,7 @@ from collections.abc import Callable, Iterator, Mapping
 
 from nctakt.base.version import __version__
 from nctakt.servers.address import listen_at, shown_address
+from nctakt.servers.connections import HEADER_S, NO_END, watch
 from nctakt.servers.host import Host
 from nctakt.servers.mtconnect_device import data_items, describe_device
 from nctakt.servers.notices import ServerNotice
@@ -32,6 +33,9 @@ MAX_CLIENTS = 64
 _MAX_LINE = 1024
 _MAX_WAITING = 1000
 
+#: How long an agent that has never sent a ping keeps its place where another one needs it.
+_SILENT_S = 30.0
+
 #: How long an agent may take for its last line when the door closes, in seconds.
 _LEAVING_S = 1.0
 
@@ -43,6 +47,8 @@ _DOOR = "mtconnect"
 
 class MtconnectDoor:
     """Tells agents the state of the machine; nothing can be written through it."""
+
+    max_connections = MAX_CLIENTS
 
     def __init__(self, host: Host, address: tuple[str, int]) -> None:
         self._host = host
@@ -89,7 +95,8 @@ class MtconnectDoor:
     async def _serve(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
         """Serve one agent until it leaves."""
         client = _Client(self._host, writer)
-        if len(self._clients) >= MAX_CLIENTS:
+        watch(writer.transport)
+        if len(self._clients) >= MAX_CLIENTS and not self._make_room():
             self._host.log.refuse(_DOOR, client.name, "too many clients")
             writer.close()
             return
@@ -107,6 +114,17 @@ class MtconnectDoor:
             self._clients.pop(client)
             client.abort()
             self._host.log.visit("disconnected", _DOOR, client.address, client=client.name)
+
+    def _make_room(self) -> bool:
+        """End the oldest client that has never sent a ping, as agents do, if there is one."""
+        latest_s = self._host.loop.time() - _SILENT_S
+        silent = (one for one in self._clients if one.is_silent and one.begun_s < latest_s)
+        oldest = min(silent, key=lambda one: one.begun_s, default=None)
+        if oldest is None:
+            return False
+        self._host.log.refuse(_DOOR, oldest.name, "no ping, and its place was needed")
+        oldest.abort()
+        return True
 
     def _take(self, frame: Frame) -> None:
         """Tell all agents what a frame has changed."""
@@ -142,6 +160,12 @@ class _Client:
         self._lines: deque[str] = deque()
         self._changed = asyncio.Event()
         self._pinged = False
+        self.begun_s = host.loop.time()
+
+    @property
+    def is_silent(self) -> bool:
+        """Whether it has never sent a ping."""
+        return not self._pinged
 
     def greet(self, device: str) -> None:
         """Queue the commands about the adapter and its device."""
@@ -212,10 +236,14 @@ class _Client:
         """Answer pings; whoever has sent one goes on doing so, or has gone."""
         while not self._writer.is_closing():
             seconds = 2.0 * HEARTBEAT_MS / 1000.0 if self._pinged else None
+            late = "no ping"
             try:
-                line = await asyncio.wait_for(reader.readline(), seconds)
+                line = await asyncio.wait_for(reader.read(1), seconds)
+                if line not in (b"", b"\n"):
+                    late = NO_END
+                    line += await asyncio.wait_for(reader.readline(), HEADER_S)
             except TimeoutError:
-                self._host.log.refuse(_DOOR, self.name, "no ping")
+                self._host.log.refuse(_DOOR, self.name, late)
                 return
             except ValueError:
                 self._host.log.refuse(_DOOR, self.name, "a line is too long")

@@ -18,6 +18,7 @@ from nctakt.base.failure import Failure, error_text
 from nctakt.lists.machine.machine import Machine
 from nctakt.messages import diagnostic
 from nctakt.messages.servers import CONTROLLER_SILENT, CONTROLLER_STOPPED
+from nctakt.servers.connections import provide_descriptors
 from nctakt.servers.host import Door, Host
 from nctakt.servers.log import ServerLog
 from nctakt.servers.notices import ServerNotice
@@ -63,6 +64,7 @@ async def serve(
     try:
         addresses: dict[str, str] = {}
         closed = {name: opener(host) for name, opener in doors.items()}
+        provide_descriptors(sum(door.max_connections for door in closed.values()))
         for door in closed.values():
             await door.prepare()
         host.clock.begin(session.tick)

@@ -201,6 +201,42 @@ def test_limits_of_sessions_subscriptions_and_items_are_told(served):
     asyncio.run(work())
 
 
+def test_who_has_vanished_makes_room(served):
+    """Sessions that wait for their clients go where others need their places, the oldest first."""
+
+    async def vanish(number):
+        client = Client(served.url)
+        await client.connect()
+        await client.create_subscription(50, None)
+        session = served.door._server.iserver.client_sessions[-1]
+        client.uaclient.protocol.transport.abort()
+        with contextlib.suppress(Exception):
+            await client.disconnect()
+        await until(lambda: session.left_s is not None)
+        return session
+
+    async def work():
+        server = served.door._server.iserver
+        await until(lambda: not server.client_sessions)
+        async with connected(served) as client:
+            gone = [await vanish(number) for number in range(7)]
+            assert len(server.client_sessions) == 8
+            others = []
+            for _ in range(3):
+                others.append(Client(served.url))
+                await others[-1].connect()  # at once
+            assert [one for one in gone if one in server.client_sessions] == gone[3:]
+            assert len(served.door._subscriptions.subscriptions) == 4
+            assert await client.get_node(f"{CHANNEL}.Id").read_value() == 1
+            for other in others:
+                await other.disconnect()
+            served.host.loop.call_soon_threadsafe(lambda: [server.make_room() for _ in gone])
+        await is_well(served)
+
+    asyncio.run(work())
+    assert "its connection is gone, and its place was needed" in served.refusals()
+
+
 def test_wrong_items_and_foreign_subscriptions_are_refused(served):
     """Unknown nodes, attributes, filters; the subscription of somebody else."""
 
@@ -247,8 +283,8 @@ def test_a_client_that_vanishes_in_a_write_leaves_nothing(served):
                 with contextlib.suppress(Exception, asyncio.CancelledError):
                     await task
         await is_well(served)
-        sessions = served.door._server.iserver._external_sessions
-        await until(lambda: not sessions)
+        server = served.door._server.iserver
+        await until(lambda: not server.client_sessions)
 
     asyncio.run(work())
 

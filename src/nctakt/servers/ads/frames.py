@@ -83,6 +83,11 @@ class FrameReader:
         self._max_frame = max_frame
         self._rest = b""
 
+    @property
+    def pending(self) -> int:
+        """The number of bytes that are no whole frame yet."""
+        return len(self._rest)
+
     def feed(self, data: bytes) -> Iterator[Frame]:
         """Yield the frames that are whole with these bytes; raises ``FrameError``."""
         if self._rest:

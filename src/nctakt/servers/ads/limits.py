@@ -3,8 +3,9 @@
 
 from __future__ import annotations
 
-#: Connections at a time; a further one is closed at once.
-MAX_CONNECTIONS = 256
+#: Connections at a time. A further one takes the place of one that has asked for nothing for that
+#: many seconds, and gets no notifications; if there is none, it is closed at once.
+MAX_CONNECTIONS, IDLE_S = 256, 30.0
 
 #: Clients (source NetId and port) of a connection.
 MAX_CLIENTS = 256

@@ -19,8 +19,16 @@ from nctakt.servers.address import Network, is_within, listen_at, shown_address
 from nctakt.servers.ads.access import DOOR
 from nctakt.servers.ads.clients import Client
 from nctakt.servers.ads.codes import TCP_PORT, AdsError, Error
-from nctakt.servers.ads.frames import Frame, FrameError, FrameReader, read_net_id, shown_net_id
+from nctakt.servers.ads.frames import (
+    HEADER,
+    Frame,
+    FrameError,
+    FrameReader,
+    read_net_id,
+    shown_net_id,
+)
 from nctakt.servers.ads.limits import (
+    IDLE_S,
     MAX_CLIENTS,
     MAX_CONNECTIONS,
     MAX_IN_FLIGHT,
@@ -29,6 +37,7 @@ from nctakt.servers.ads.limits import (
 )
 from nctakt.servers.ads.notifications import Notifier
 from nctakt.servers.ads.service import Later, Service
+from nctakt.servers.connections import Deadline, watch
 from nctakt.servers.host import Host
 from nctakt.session.listening import Frame as SessionFrame
 
@@ -48,6 +57,8 @@ class AdsDoor:
     clients may connect from, everywhere if it is empty. ``permitted``: NetIds that are served, all
     if it is empty; each client states its own.
     """
+
+    max_connections = MAX_CONNECTIONS
 
     def __init__(
         self,
@@ -83,6 +94,18 @@ class AdsDoor:
         )
         return f"{shown}/{shown_net_id(self.net_id)}"
 
+    def make_room(self) -> bool:
+        """End the connection that has asked for nothing for longest; return whether there was one.
+
+        Those that get notifications, or have asked lately, stay.
+        """
+        latest_s = self.host.loop.time() - IDLE_S
+        idle = [one for one in self.connections if one.is_idle and one.asked_s < latest_s]
+        if not idle:
+            return False
+        min(idle, key=lambda one: one.asked_s).end("its place was needed")
+        return True
+
     def _take_frame(self, frame: SessionFrame) -> None:
         self.service.notifier.take(frame.values, frame.tick)
 
@@ -117,7 +140,7 @@ def net_id_of(host: str) -> bytes:
 
 
 class Connection(asyncio.Protocol):
-    """One connection with its clients."""
+    """One connection with its clients; ``asked_s``: when its last frame came, by the loop."""
 
     def __init__(self, door: AdsDoor) -> None:
         self._door = door
@@ -128,6 +151,8 @@ class Connection(asyncio.Protocol):
         self._tasks: set[asyncio.Task[None]] = set()
         self._is_reading = True
         self._can_take = True
+        self.asked_s = 0.0
+        self._deadline: Deadline | None = None
         self._transport: asyncio.Transport | None = None
         self.peer = self._address = ""
 
@@ -142,7 +167,7 @@ class Connection(asyncio.Protocol):
         networks, reason = self._door.networks, ""
         if networks and not is_within(self._address, networks):
             reason = "the address is not one of --ads-from"
-        elif len(self._door.connections) >= MAX_CONNECTIONS:
+        elif len(self._door.connections) >= MAX_CONNECTIONS and not self._door.make_room():
             reason = "too many connections"
         if reason:
             self._log.refuse(DOOR, self._address, reason)
@@ -151,9 +176,9 @@ class Connection(asyncio.Protocol):
             return
         self._door.connections.add(self)
         self._transport.set_write_buffer_limits(MAX_UNREAD_ANSWERS)
-        connected = transport.get_extra_info("socket")
-        if connected is not None:
-            connected.setsockopt(socket.SOL_SOCKET, socket.SO_KEEPALIVE, 1)
+        watch(transport)
+        self.asked_s = self._door.host.loop.time()
+        self._deadline = Deadline(self._door.host.loop, HEADER.size, self._end_late)
         self._log.visit("connected", DOOR, self._address, peer=self.peer)
 
     def connection_lost(self, exc: Exception | None) -> None:
@@ -163,7 +188,18 @@ class Connection(asyncio.Protocol):
             self._transport = None
             self._log.visit("disconnected", DOOR, self._address, peer=self.peer)
 
+    @property
+    def is_idle(self) -> bool:
+        """Whether it waits for nothing: no answer, no notification."""
+        return not self._tasks and not any(one.notifications for one in self._clients.values())
+
+    def _end_late(self, reason: str) -> None:
+        self._log.refuse(DOOR, self._address, reason)
+        self.end(reason)
+
     def _forget(self) -> None:
+        if self._deadline is not None:
+            self._deadline.stop()
         for client in self._clients.values():
             self._service.forget(client)
         self._clients.clear()
@@ -187,8 +223,10 @@ class Connection(asyncio.Protocol):
             return
         answers: list[bytes] = []
         begins: list[Client] = []
+        is_new = False
         try:
             for frame in self._reader.feed(data):
+                is_new = True
                 if not frame.is_request:
                     continue
                 client = self._client(frame)
@@ -205,6 +243,10 @@ class Connection(asyncio.Protocol):
             self._write(b"".join(answers))
             self.end("not a frame of AMS")
             return
+        if is_new:
+            self.asked_s = self._door.host.loop.time()
+        if self._deadline is not None:
+            self._deadline.look(self._reader.pending, is_new=is_new)
         if answers:
             self._write(b"".join(answers))
         for client in begins:

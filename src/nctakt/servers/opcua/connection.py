@@ -9,16 +9,24 @@ from __future__ import annotations
 
 import asyncio
 import struct
+from collections.abc import Sequence
 from typing import Any
 
 from asyncua import ua
-from asyncua.common.utils import Buffer, ServiceError
-from asyncua.server.binary_server_asyncio import BinaryServer, OPCUAProtocol
-from asyncua.server.uaprocessor import PublishRequestData, UaProcessor
-from asyncua.ua.ua_binary import header_from_binary, struct_from_binary
 
 from nctakt.servers.address import shown_address
+from nctakt.servers.connections import Deadline, watch
 from nctakt.servers.log import ServerLog
+from nctakt.servers.opcua.library import (
+    Buffer,
+    LibraryConnection,
+    LibraryListener,
+    LibraryProcessor,
+    PublishRequestData,
+    ServiceError,
+    header_from_binary,
+    struct_from_binary,
+)
 from nctakt.servers.opcua.limits import Limits
 
 _PUBLISH = ua.NodeId(ua.ObjectIds.PublishRequest_Encoding_DefaultBinary)
@@ -33,7 +41,7 @@ _REGISTER = (
 _HEADER = 8
 
 
-class Processor(UaProcessor):
+class Processor(LibraryProcessor):
     """Answers the requests of one connection."""
 
     def __init__(self, server: Any, transport: Any, limits: Any, own: Limits, client: str) -> None:
@@ -41,15 +49,14 @@ class Processor(UaProcessor):
         self._own = own
         self.client = client
 
-    async def _process_message(
-        self, typeid: ua.NodeId, requesthdr: Any, seqhdr: Any, body: Any
-    ) -> Any:
+    async def handle(self, typeid: ua.NodeId, header: Any, sequence: Any, body: Any) -> Any:
+        """Answer a request; return whether the connection goes on."""
         if typeid in _REGISTER:
             raise ServiceError(ua.StatusCodes.BadServiceUnsupported)
         if typeid not in (_PUBLISH, _TRANSFER) or self.session is None:
-            done = await super()._process_message(typeid, requesthdr, seqhdr, body)
+            done = await super().handle(typeid, header, sequence, body)
             if self.session is not None:
-                self.session.client = self.client
+                self.session.join(self, self.client)
             return done
         if not self.session.is_activated():
             raise ServiceError(ua.StatusCodes.BadSessionNotActivated)
@@ -61,32 +68,30 @@ class Processor(UaProcessor):
             response.Parameters.Results = await self.session.transfer(
                 params, self.forward_publish_response, self.get_publish_request
             )
-            self.send_response(requesthdr.RequestHandle, seqhdr, response)
+            self.send_response(header.RequestHandle, sequence, response)
             return True
         params = struct_from_binary(ua.PublishParameters, body)
         results = self.session.acknowledge(params.SubscriptionAcknowledgements)
-        self._take_request(PublishRequestData(requesthdr, seqhdr, results))
+        self._take_request(PublishRequestData(header, sequence, results))
         return True
 
     def _take_request(self, request: PublishRequestData) -> None:
         """Answer a publish request at once if something waits for it; else keep it."""
         subscriptions = self.iserver.subscription_service.subscriptions
-        while self._publish_results_subs:
-            number = next(iter(self._publish_results_subs))
-            del self._publish_results_subs[number]
+        waiting = self.waiting_results
+        while waiting:
+            number = next(iter(waiting))
+            del waiting[number]
             subscription = subscriptions.get(number)
             if subscription is not None and subscription.publish(request):
                 return
-        if len(self._publish_requests) >= self._own.publish_requests:
-            self._evict_publish_request()
-        self._publish_requests.append(request)
+        if len(self.publish_requests) >= self._own.publish_requests:
+            self.evict_publish_request()
+        self.publish_requests.append(request)
 
     def forward_publish_response(self, body: bytes, request: PublishRequestData) -> None:
         """Answer a publish request with what is written already."""
-        data = self._connection.message_to_binary(
-            body, message_type=ua.MessageType.SecureMessage, request_id=request.seqhdr.RequestId
-        )
-        self._transport.write(data)
+        self.send_body(body, request)
 
     def send_response(
         self, requesthandle: int, seqhdr: Any, response: Any, msgtype: Any = None
@@ -97,7 +102,7 @@ class Processor(UaProcessor):
         )
 
 
-class Connection(OPCUAProtocol):
+class Connection(LibraryConnection):
     """One connection; ``client``: its address as it stands in the log."""
 
     def __init__(self, own: Limits, log: ServerLog, **words: Any) -> None:
@@ -106,24 +111,50 @@ class Connection(OPCUAProtocol):
         self._log = log
         self.client = ""
         self._received = bytearray()
+        self._begun_s = 0.0
+        self._deadline: Deadline | None = None
 
     def connection_made(self, transport: asyncio.BaseTransport) -> None:
         """Take a connection, unless there are too many."""
         peer = transport.get_extra_info("peername") or ("", 0)
         self.client = shown_address(str(peer[0]), peer[1])
-        if len(self.clients) >= self._own.connections:
+        if len(self.clients) >= self._own.connections and not self._make_room():
             self._log.refuse("opcua", peer[0], f"more than {self._own.connections} connections")
             transport.close()
             return
         super().connection_made(transport)
+        watch(transport)
+        loop = asyncio.get_running_loop()
+        self._begun_s = loop.time()
+        self._deadline = Deadline(loop, _HEADER, self._break)
         self.processor = Processor(
             self.iserver, self.transport, self.limits, self._own, self.client
         )
         self.processor.set_policies(self.policies)
 
+    @property
+    def is_waiting(self) -> bool:
+        """Whether it has no session any more, although it had time to open one."""
+        session = None if self.processor is None else self.processor.session
+        age_s = asyncio.get_running_loop().time() - self._begun_s
+        return age_s > self._own.activation_s and (session is None or not session.is_activated())
+
+    def _make_room(self) -> bool:
+        """Let the oldest connection without a session go; return whether there was one."""
+        oldest = next((one for one in self.clients if one.is_waiting), None)
+        if oldest is None:
+            return False
+        oldest._break("it has no session, and its place was needed")
+        self.clients.remove(oldest)
+        return True
+
     def connection_lost(self, ex: BaseException | None) -> None:
         """Forget a connection."""
+        if self._deadline is not None:
+            self._deadline.stop()
         if self.transport is not None:
+            if self.processor is not None and self.processor.session is not None:
+                self.processor.session.leave(self.processor)
             super().connection_lost(ex)
 
     def data_received(self, data: bytes) -> None:
@@ -134,6 +165,7 @@ class Connection(OPCUAProtocol):
             self._break("it does not read its responses")
             return
         self._received += data
+        count = 0
         while len(self._received) >= _HEADER:
             kind, _, size = struct.unpack_from("<3scI", self._received)
             if kind not in (b"HEL", b"OPN", b"MSG", b"CLO", b"ERR"):
@@ -143,11 +175,14 @@ class Connection(OPCUAProtocol):
                 self._break(f"a message of {size} bytes")
                 return
             if len(self._received) < size:
-                return
+                break
             whole = bytes(self._received[:size])
             del self._received[:size]
             if not self._queue(whole):
                 return
+            count += 1
+        if self._deadline is not None:
+            self._deadline.look(len(self._received), is_new=count > 0)
 
     def _queue(self, whole: bytes) -> bool:
         buffer = Buffer(whole)
@@ -161,9 +196,10 @@ class Connection(OPCUAProtocol):
             return False
         return True
 
-    async def _process_one_msg(self, header: Any, buf: Any) -> bool:
+    async def process(self, header: Any, message: Any) -> bool:
+        """Take a message; what cannot be read ends the connection."""
         try:
-            return bool(await super()._process_one_msg(header, buf))
+            return await super().process(header, message)
         except Exception as error:  # noqa: BLE001 - whatever the library does not expect of a client
             self._break(f"its message cannot be read ({type(error).__name__})")
             return False
@@ -174,7 +210,7 @@ class Connection(OPCUAProtocol):
             self.transport.abort()
 
 
-class Listener(BinaryServer):
+class Listener(LibraryListener):
     """Takes connections."""
 
     def __init__(self, own: Limits, log: ServerLog, **words: Any) -> None:
@@ -182,22 +218,14 @@ class Listener(BinaryServer):
         self._own = own
         self._log = log
 
-    def _make_protocol(self) -> Connection:
+    def make_protocol(self, policies: Sequence[Any]) -> Connection:
+        """Return the protocol of a new connection."""
         return Connection(
             self._own,
             self._log,
             iserver=self.iserver,
-            policies=self._policies,
+            policies=policies,
             clients=self.clients,
             closing_tasks=self.closing_tasks,
             limits=self.limits,
         )
-
-    async def bind(self) -> asyncio.Server:
-        """Take the address, but no connection yet; raises ``OSError``."""
-        loop = asyncio.get_running_loop()
-        self._server = await loop.create_server(
-            self._make_protocol, self.hostname, self.port, start_serving=False
-        )
-        self.cleanup_task = loop.create_task(self._close_task_loop())
-        return self._server

@@ -55,6 +55,7 @@ class OpcuaDoor:
         self._host = host
         self._address = address
         self._limits = limits or Limits()
+        self.max_connections = self._limits.connections
         self._security = None if is_loopback(address[0]) else Security(folder)
         self._tasks: list[asyncio.Task[None]] = []
         self._unlisten: list[Callable[[], None]] = []
@@ -69,7 +70,7 @@ class OpcuaDoor:
         internal = server.iserver
         nodes = Nodes(internal.aspace)
         self._space = space = LiveSpace(internal.aspace, host, host.clock)
-        self._subscriptions = Subscriptions(space, limits)
+        self._subscriptions = Subscriptions(space, limits, internal.make_room)
         internal.subscription_service = internal.isession.subscription_service = self._subscriptions
         types = CompanionTypes(nodes, cnc)
         types.add_all()

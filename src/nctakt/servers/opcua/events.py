@@ -14,10 +14,10 @@ from datetime import UTC, datetime
 from typing import Any
 
 from asyncua import ua
-from asyncua.server.address_space import AddressSpace
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Language, Text
+from nctakt.servers.opcua.library import AddressSpace
 
 #: A field: its value, or its value in a language; and its type.
 Field = tuple[Any, ua.VariantType]

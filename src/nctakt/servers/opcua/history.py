@@ -14,10 +14,10 @@ from datetime import UTC, datetime
 from typing import Any
 
 from asyncua import ua
-from asyncua.common.utils import ServiceError
 
 from nctakt.base.failure import Failure
 from nctakt.servers.host import Host
+from nctakt.servers.opcua.library import ServiceError
 from nctakt.servers.opcua.limits import Limits
 from nctakt.servers.opcua.live_space import LiveSpace
 from nctakt.servers.opcua.values import Live

@@ -8,7 +8,7 @@ somebody monitors is asked of the session, once for all that monitor it.
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
 
 from asyncua import ua
@@ -25,8 +25,9 @@ _DISABLED = ua.MonitoringMode.Disabled
 class MonitoredItems:
     """The items of all subscriptions; ``count``: how many there are."""
 
-    def __init__(self, space: LiveSpace, limits: Limits) -> None:
+    def __init__(self, space: LiveSpace, limits: Limits, make_room: Callable[[], bool]) -> None:
         self._space = space
+        self._make_room = make_room
         self._limits = limits
         self._item_number = 0
         self._paces: dict[float, Pace] = {}
@@ -36,6 +37,8 @@ class MonitoredItems:
         self, subscription: Subscription, params: ua.CreateMonitoredItemsParameters
     ) -> list[ua.MonitoredItemCreateResult]:
         """Monitor values and events from now on."""
+        while self.count + len(params.ItemsToCreate) > self._limits.items and self._make_room():
+            pass
         pairs = [self._create_item(subscription, request) for request in params.ItemsToCreate]
         items = [item for item, _ in pairs if item is not None]
         lives = [item.live for item in items if item.live is not None]

@@ -10,7 +10,8 @@ from __future__ import annotations
 from typing import Any
 
 from asyncua import ua
-from asyncua.server.address_space import AddressSpace, AttributeValue, NodeData
+
+from nctakt.servers.opcua.library import AddressSpace, AttributeValue, NodeData
 
 #: Kinds of references, as numbers of namespace 0.
 ORGANIZES, HAS_ENCODING, HAS_DESCRIPTION, HAS_TYPE, GENERATES = 35, 38, 39, 40, 41

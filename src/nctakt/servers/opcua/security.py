@@ -20,8 +20,6 @@ from pathlib import Path
 from typing import Any
 
 from asyncua import ua
-from asyncua.crypto import cert_gen
-from asyncua.crypto.permission_rules import User, UserRole
 from cryptography import x509
 from cryptography.hazmat.primitives.serialization import Encoding, load_pem_private_key
 from cryptography.x509.oid import ExtendedKeyUsageOID
@@ -29,6 +27,7 @@ from cryptography.x509.oid import ExtendedKeyUsageOID
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
 from nctakt.messages.opcua import SECURITY_FOLDER_NOT_USABLE
+from nctakt.servers.opcua.library import User, UserRole, cert_gen
 
 #: The file names in the folder.
 CERTIFICATE, KEY, USERS, PASSWORD = "certificate.der", "key.pem", "users", "first-password.txt"

@@ -10,17 +10,16 @@ import asyncio
 import logging
 from typing import Any
 
-from asyncua import Server, ua
-from asyncua.common.utils import ServiceError
-from asyncua.server.internal_server import InternalServer
+from asyncua import ua
 
 from nctakt.base.version import __version__
 from nctakt.servers.log import ServerLog
 from nctakt.servers.opcua.connection import Listener
+from nctakt.servers.opcua.library import LibraryInternalServer, LibraryServer, ServiceError
 from nctakt.servers.opcua.limits import Limits
 from nctakt.servers.opcua.machine_services import MachineServices
 from nctakt.servers.opcua.security import ANONYMOUS, NAMED, Anybody, Security, application_uri
-from nctakt.servers.opcua.sessions import ClientSession
+from nctakt.servers.opcua.sessions import DOOR, ClientSession
 
 #: The name that clients see.
 _NAME = "nctakt"
@@ -29,7 +28,7 @@ _NAME = "nctakt"
 logging.getLogger("asyncua").setLevel(logging.CRITICAL + 1)
 
 
-class CncInternalServer(InternalServer):
+class CncInternalServer(LibraryInternalServer):
     """Makes our sessions; ``services``: set before the first client comes.
 
     ``asking``: the address of the client whose password is looked at.
@@ -40,6 +39,7 @@ class CncInternalServer(InternalServer):
         self.limits = limits
         self.services: MachineServices | None = None
         self.asking = ""
+        self._ending: set[asyncio.Task[None]] = set()
         self.max_connections = limits.connections
         self.max_pending_activation_seconds = limits.activation_s
         self.allow_remote_admin = False
@@ -47,7 +47,7 @@ class CncInternalServer(InternalServer):
     def create_session(self, name: Any, user: Any = None, external: bool = False) -> ClientSession:
         """Return a new session of a client; raises ``ServiceError`` where there are too many."""
         assert self.services is not None
-        if external and len(self._external_sessions) >= self.limits.sessions:
+        if external and len(self.client_sessions) >= self.limits.sessions and not self.make_room():
             raise ServiceError(ua.StatusCodes.BadTooManySessions)
         session = ClientSession(
             self.services, self, self.aspace, self.subscription_service, name, external=external
@@ -55,8 +55,24 @@ class CncInternalServer(InternalServer):
         session.client = f"{name[0]}:{name[1]}" if isinstance(name, tuple) else str(name)
         return session
 
+    def make_room(self) -> bool:
+        """End the session that lost its connection first; return whether there was any."""
+        assert self.services is not None
+        left = [one for one in self.client_sessions if one.left_s is not None]
+        if not left:
+            return False
+        oldest = min(left, key=lambda one: one.left_s)
+        reason = "its connection is gone, and its place was needed"
+        self.services.host.log.refuse(DOOR, oldest.client, reason)
+        self.unregister_external_session(oldest)
+        self.subscription_service.expire_all(oldest.session_id)
+        task = asyncio.get_running_loop().create_task(oldest.close_session(False))
+        self._ending.add(task)
+        task.add_done_callback(self._ending.discard)
+        return True
 
-class CncServer(Server):
+
+class CncServer(LibraryServer):
     """A server on one address; ``security``: ``None`` for this computer's own one."""
 
     def __init__(self, limits: Limits, log: ServerLog, security: Security | None) -> None:
@@ -67,7 +83,7 @@ class CncServer(Server):
         self.name = _NAME
         self.product_uri = "urn:nctakt:product"
         self.manufacturer_name = _NAME
-        self._application_uri = application_uri()
+        self.set_application_uri_quietly(application_uri())
         self.limits.max_message_size = limits.message_bytes
         if security is None:
             self.set_security_policy([ua.SecurityPolicyType.NoSecurity])
@@ -150,9 +166,5 @@ class CncServer(Server):
         host, port = bound.sockets[0].getsockname()[:2]
         shown = f"[{host}]" if ":" in host else host
         self.set_endpoint(f"opc.tcp://{shown}:{port}/")
-        await self._setup_server_nodes()
-        await self.iserver.start()
-        listener.set_policies(self._policies)
-        self.bserver = listener
-        await bound.start_serving()
+        await self.begin(listener, bound)
         return bound

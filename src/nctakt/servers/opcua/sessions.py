@@ -13,12 +13,11 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 from asyncua import ua
-from asyncua.common.utils import ServiceError
-from asyncua.server.internal_session import InternalSession
 
 from nctakt.base.diagnostics import Language
 from nctakt.base.failure import Failure
 from nctakt.servers.host import Busy
+from nctakt.servers.opcua.library import InternalSession, ServiceError
 from nctakt.servers.opcua.machine_services import MachineServices
 from nctakt.servers.opcua.subscription import Subscription
 from nctakt.servers.opcua.values import Live
@@ -28,17 +27,32 @@ DOOR = "opcua"
 
 
 class ClientSession(InternalSession):
-    """One session; ``client``: the address of its connection; ``language``: of its texts."""
+    """One session; ``client``: the address of its connection; ``language``: of its texts.
+
+    ``left_s``: when it lost its connection, by the loop's clock; ``None`` while it has one. It
+    stays for its client to come back, until its time is over or another client needs its place.
+    """
 
     def __init__(self, services: MachineServices, *words: Any, **keywords: Any) -> None:
         self.services = services
         self.client = ""
+        self.left_s: float | None = None
+        self._link: object = None
         self.language: Language = "en"
         super().__init__(*words, **keywords)
         if self.external:
             self.iserver.unregister_external_session(self)
             self.auth_token = ua.NodeId(secrets.token_bytes(32), 0)
             self.iserver.register_external_session(self)
+
+    def join(self, connection: object, client: str) -> None:
+        """Belong to a connection from now on, whose client has this address."""
+        self._link, self.client, self.left_s = connection, client, None
+
+    def leave(self, connection: object) -> None:
+        """Be without a connection, unless it is another one by now."""
+        if self._link is connection:
+            self._link, self.left_s = None, asyncio.get_running_loop().time()
 
     async def create_session(self, params: Any, sockname: Any = None) -> Any:
         """Begin; raises ``ServiceError`` where there are too many sessions."""

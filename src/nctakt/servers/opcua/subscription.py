@@ -12,9 +12,9 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 from asyncua import ua
-from asyncua.ua.ua_binary import struct_to_binary
 
 from nctakt.servers.opcua import publishing
+from nctakt.servers.opcua.library import struct_to_binary
 from nctakt.servers.opcua.monitoring import EventSource, Item
 
 _REPORTING, _DISABLED = ua.MonitoringMode.Reporting, ua.MonitoringMode.Disabled

@@ -10,10 +10,9 @@ from collections.abc import Callable, Iterable
 from typing import Any
 
 from asyncua import ua
-from asyncua.common.utils import Buffer, ServiceError
-from asyncua.ua.ua_binary import struct_from_binary
 
 from nctakt.base.diagnostics import Language
+from nctakt.servers.opcua.library import Buffer, ServiceError, struct_from_binary
 from nctakt.servers.opcua.limits import Limits
 from nctakt.servers.opcua.live_space import LiveSpace
 from nctakt.servers.opcua.monitored_items import MonitoredItems
@@ -21,11 +20,15 @@ from nctakt.servers.opcua.subscription import Subscription
 
 
 class Subscriptions:
-    """The subscriptions of all sessions, by their numbers."""
+    """The subscriptions of all sessions, by their numbers.
 
-    def __init__(self, space: LiveSpace, limits: Limits) -> None:
+    ``make_room``: ends a session whose connection is gone, and returns whether there was one.
+    """
+
+    def __init__(self, space: LiveSpace, limits: Limits, make_room: Callable[[], bool]) -> None:
         self.limits = limits
-        self.items = MonitoredItems(space, limits)
+        self.make_room = make_room
+        self.items = MonitoredItems(space, limits, make_room)
         self.subscriptions: dict[int, Subscription] = {}
         self._number = 0
         self.languages: dict[ua.NodeId, Language] = {}
@@ -44,6 +47,8 @@ class Subscriptions:
         request_callback: Callable[[int], Any],
     ) -> ua.CreateSubscriptionResult:
         """Create a subscription of a session; raises ``ServiceError`` where there are too many."""
+        while len(self.subscriptions) >= self.limits.subscriptions and self.make_room():
+            pass
         own = sum(one.session_id == session_id for one in self.subscriptions.values())
         if (
             len(self.subscriptions) >= self.limits.subscriptions
@@ -107,6 +112,12 @@ class Subscriptions:
             self._forget(subscription)
             results.append(ua.StatusCode())
         return results
+
+    def expire_all(self, session_id: ua.NodeId) -> None:
+        """Delete the subscriptions of a session that ends."""
+        for subscription in list(self.subscriptions.values()):
+            if subscription.session_id == session_id:
+                self.expire(subscription)
 
     def expire(self, subscription: Subscription) -> None:
         """Delete a subscription whose client asks for nothing any more."""

@@ -13,11 +13,11 @@ from datetime import UTC, datetime
 from typing import Any
 
 from asyncua import ua
-from asyncua.ua.ua_binary import variant_to_binary
 
 from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Span
 from nctakt.servers.clock import MachineClock
+from nctakt.servers.opcua.library import variant_to_binary
 from nctakt.servers.store import Scalar
 from nctakt.session.engine import Glance
 

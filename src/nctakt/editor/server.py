@@ -11,7 +11,6 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Sequence
-from concurrent.futures import Future
 from pathlib import Path
 from typing import Any, BinaryIO, cast
 
@@ -26,6 +25,7 @@ from nctakt.base.version import __version__
 from nctakt.editor.diagnosis import Diagnosis
 from nctakt.editor.document import Document, path_of, split_text
 from nctakt.editor.incoming import Incoming
+from nctakt.editor.malformed import Refused, TolerantProtocol, unreadable
 from nctakt.editor.workspace import Workspace
 
 #: Seconds between two switches of threads: a check must not hold up an answer.
@@ -38,21 +38,8 @@ _SEVERITIES = {
 }
 
 
-class Refused(JsonRpcException):
-    """A request that is answered with the reason why it cannot be done."""
-
-    CODE = types.LSPErrorCodes.RequestFailed
-
-
-class _Protocol(LanguageServerProtocol):
-    """Leaves the texts of documents to the server; answers a refusal with its reason alone."""
-
-    def _send_handler_result(self, future: Future[Any], *, msg_id: str | int) -> None:
-        error = None if future.cancelled() else future.exception()
-        if isinstance(error, Refused):
-            self._send_response(msg_id, error=error.to_response_error())
-        else:
-            super()._send_handler_result(future, msg_id=msg_id)
+class _Protocol(TolerantProtocol):
+    """Leaves the texts of documents to the server."""
 
     @lsp_method(types.TEXT_DOCUMENT_DID_OPEN)
     def lsp_text_document__did_open(self, params: types.DidOpenTextDocumentParams) -> None:
@@ -88,6 +75,14 @@ class Server(LanguageServer):
         self._incoming: Incoming | None = None
         sys.setswitchinterval(_SWITCH_S)
         register(self)
+
+    def report_server_error(self, error: Exception, source: Any) -> None:
+        """Answer a body that cannot be read; show other errors that no request waits for."""
+        if source is JsonRpcException:
+            assert isinstance(self.protocol, TolerantProtocol)
+            self.protocol.answer(None, unreadable(error))
+        else:
+            super().report_server_error(error, source)
 
     def begin(self, params: types.InitializeParams) -> None:
         """Take the options of the editor: ``language``, ``reference`` (where codes lead)."""

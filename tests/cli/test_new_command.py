@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from nctakt.cli import main, new
+from nctakt.cli import main
 from nctakt.lists.machine.axis_configuration import AxisConfiguration
 from nctakt.lists.machine.machine import Machine, load_machine
 from nctakt.machines.commented import DEMO
@@ -60,16 +60,16 @@ def test_half_a_machine_is_not_left_behind(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """A full disk, Ctrl-C: what was made is removed, what was there stays."""
-    write, count = new.write_file, 0
+    opened, count = Path.open, 0
 
-    def broken(path: Path, data: bytes) -> None:
+    def broken(path: Path, mode: str = "r", *words: object, **options: object) -> object:
         nonlocal count
-        count += 1
-        if count % 4 == 0:
+        count += mode == "xb"
+        if mode == "xb" and count % 4 == 0:
             raise OSError(28, "No space left on device") if count < 5 else KeyboardInterrupt
-        write(path, data)
+        return opened(path, mode, *words, **options)  # type: ignore[call-overload]
 
-    monkeypatch.setattr(new, "write_file", broken)
+    monkeypatch.setattr(Path, "open", broken)
     assert main(["new", str(tmp_path / "new" / "machine")]) == 2
     assert "No space left" in capsys.readouterr().err
     (tmp_path / "empty").mkdir()

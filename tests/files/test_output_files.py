@@ -274,6 +274,26 @@ def test_an_output_does_not_take_the_name_of_another_one_while_it_is_written(fol
     assert Path("o.csv").read_text("utf-8") == "trace"
 
 
+def test_ctrl_c_tells_where_the_rest_is(
+    folder: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Standard error has ``interrupted`` and the note 900918; the earlier picture stays."""
+
+    def interrupted(path: Path, data: bytes) -> int:
+        with path.open("wb") as file:
+            file.write(data[:100])
+        raise KeyboardInterrupt
+
+    Path("p.svg").write_text("of yesterday", "utf-8")
+    monkeypatch.setattr(Path, "write_bytes", interrupted)
+    assert main(["run", "SUB.NC", "--plot", "p.svg", "--quiet"]) == 1
+    err = capsys.readouterr().err
+    assert "interrupted" in err
+    assert "note 900918: what had been written until then is in " in err
+    assert Path("p.svg").read_text("utf-8") == "of yesterday"
+    assert Path("p.partial.svg").stat().st_size == 100
+
+
 def test_what_an_exception_cuts_off_says_so_by_its_name(tmp_path: Path) -> None:
     """Ctrl-C and failures: the earlier file stays, and where the rest is stands with the error."""
     path = tmp_path / "out.csv"

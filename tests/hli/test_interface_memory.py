@@ -574,7 +574,8 @@ def test_a_plc_in_python_does_what_the_scripted_one_does(tmp_path: Path) -> None
     assert printed == "463000 us M100 X 200.748\n"
     assert trace == scripted(tmp_path)
     replayed = tmp_path / "replayed.csv"
-    words = ["replay", str(tmp_path / "run.tape"), "--quiet", "--trace", str(replayed)]
+    words = ["replay", str(tmp_path / "run.tape"), "--quiet", "--root", str(EXAMPLES)]
+    words += ["--trace", str(replayed)]
     subprocess.run(nctakt(*words), check=True, capture_output=True)
     assert replayed.read_bytes() == trace
 

@@ -115,9 +115,10 @@ def _run(arguments: Sequence[str] | None) -> int:
 
 
 def _complain_notes(error: BaseException) -> None:
-    """Show what was noted with an exception: files that were cut off."""
-    for note in getattr(error, "__notes__", ()):
-        complain(note)
+    """Show what was noted with an exception, or its cause: files that were cut off."""
+    for one in (error, error.__cause__):
+        for note in getattr(one, "__notes__", ()):
+            complain(note)
 
 
 def _open_streams() -> None:

@@ -19,7 +19,6 @@ from nctakt.cli import EXIT_RAN, EXIT_USAGE
 from nctakt.cli.language import language_option
 from nctakt.cli.terminal import print_diagnostics
 from nctakt.files.access import FileAccess
-from nctakt.files.output import write_file
 from nctakt.lists.machine.files import ListSearch
 from nctakt.lists.machine.machine import load_machine
 from nctakt.machines.commented import commented_lists
@@ -122,8 +121,9 @@ def _write(folder: Path, lists: dict[str, bytes]) -> None:
             raise Failure(diagnostic(FOLDER_NOT_EMPTY, folder=str(folder)))
         try:
             for name, text in lists.items():
-                write_file(folder / name, text)
-                written.append(folder / name)
+                with (folder / name).open("xb") as file:
+                    written.append(folder / name)
+                    file.write(text)
         except BaseException:  # a full disk, Ctrl-C: half a machine is none
             _remove(written, new_folders)
             raise

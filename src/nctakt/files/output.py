@@ -175,7 +175,8 @@ class OutputFile:
         self._file.close()
         if self._partial is None:
             return
-        if not self._has_begun:
+        state = _state_of(self._partial)
+        if not self._has_begun or (not self._has_failed and state and not state.st_size):
             with contextlib.suppress(OSError):
                 self._partial.unlink()
             return

@@ -25,6 +25,7 @@ from cryptography.hazmat.primitives.serialization import Encoding, load_pem_priv
 from cryptography.x509.oid import ExtendedKeyUsageOID
 
 from nctakt.base.failure import Failure
+from nctakt.files.output import write_file
 from nctakt.messages import diagnostic
 from nctakt.messages.opcua import SECURITY_FOLDER_NOT_USABLE
 from nctakt.servers.opcua.library import User, UserRole, cert_gen
@@ -96,7 +97,7 @@ class Security:
             [ExtendedKeyUsageOID.CLIENT_AUTH, ExtendedKeyUsageOID.SERVER_AUTH],
             _VALID_DAYS,
         )
-        path.write_bytes(certificate.public_bytes(Encoding.DER))
+        write_file(path, certificate.public_bytes(Encoding.DER))
         return certificate
 
     # --- users ----------------------------------------------------------------------------------
@@ -187,5 +188,11 @@ def _network(address: str) -> str:
 def _write_private(path: Path, content: bytes) -> None:
     """Write a file that nobody else may read; raises ``OSError``."""
     flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL
-    with os.fdopen(os.open(path, flags, _PRIVATE), "wb") as file:
-        file.write(content)
+    try:
+        with os.fdopen(os.open(path, flags, _PRIVATE), "wb") as file:
+            file.write(content)
+    except FileExistsError:
+        raise
+    except BaseException:  # half a key would stop each later start
+        path.unlink(missing_ok=True)
+        raise

@@ -369,8 +369,9 @@ HANDING_OUT = (
 )  # fmt: skip
 
 
-#: The PLC of a user in a process of its own; the CNC sees none of it but its answers.
-OUTSIDE = ("hli/connection.py",)
+#: The PLC of a user in a process of its own, of which the CNC sees nothing but its answers; and
+#: what an editor sends, by its own streams.
+OUTSIDE = ("editor/entrance.py", "editor/incoming.py", "hli/connection.py")
 
 
 def test_nobody_but_the_command_line_reads_a_clock() -> None:
@@ -379,7 +380,7 @@ def test_nobody_but_the_command_line_reads_a_clock() -> None:
         f"{path.relative_to(PACKAGE)}: {name}"
         for path in SOURCES
         if path.relative_to(PACKAGE).parts[0]
-        not in ("cli", "debugger", "linux", "live", "schedule", "servers")
+        not in ("cli", "debugger", "linux", "live", "ports", "schedule", "servers")
         and path.name != "one_at_a_time.py"  # refuses a second thread, and makes none
         for name in imports(path)
         if name.split(".")[0] in NOT_DETERMINISTIC

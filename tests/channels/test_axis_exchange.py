@@ -2,7 +2,7 @@
 """``#CALL AX``, ``#PUT AX``, ``#SET AX``, ``#AX``: rules, mistakes, waits and deadlocks.
 
 Sources: programming manual, pages 206987659 (#CALL AX), 206995083 (#PUT AX), 207001739 (#SET AX),
-207029131 and 559929099 (#AX DEF); what they leave open stands in ``docs/conformance/axis-exchange.md``.
+207029131 and 559929099 (#AX DEF); ``docs/conformance/axis-exchange.md`` has what they leave open.
 """
 
 from __future__ import annotations

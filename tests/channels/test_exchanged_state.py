@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """What a program says of its axes goes with them through ``#CALL AX``, ``#PUT AX``, ``#SET AX``.
 
-``docs/conformance/axis-exchange.md`` says what is decided about limits of axes that leave a channel.
+``docs/conformance/axis-exchange.md`` says what is decided about limits of axes that leave.
 """
 
 from __future__ import annotations

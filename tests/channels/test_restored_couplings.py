@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Couplings that the next program begins with (P-CHAN-00104, P-CHAN-00105).
 
-The machine is that of ``test_couplings.py``; ``docs/conformance/couplings.md`` says what is decided.
+The machine is that of ``test_couplings.py``; ``docs/conformance/couplings.md`` has the decisions.
 """
 
 from __future__ import annotations

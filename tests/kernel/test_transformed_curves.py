@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Curves over corners under a transformation (MO-3): within the deviation, limits and time.
 
-``docs/conformance/transformations.md`` says where a corner gets a curve. ``NCTAKT_SEEDS=1000`` makes as many
-programs.
+``docs/conformance/transformations.md`` says where a corner gets a curve.
+``NCTAKT_SEEDS=1000`` makes as many programs.
 """
 
 from __future__ import annotations

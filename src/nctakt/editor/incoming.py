@@ -30,7 +30,7 @@ class Incoming:
     def __init__(self, read: Callable[[int], bytes], first: bytes = b"") -> None:
         self._read = read
         self._data = bytearray(first)
-        self._wanted = 0
+        self._needed = 0
         self._changed = threading.Condition()
         self._is_ended = False
         threading.Thread(target=self._read_on, name="nctakt lsp reader", daemon=True).start()
@@ -49,7 +49,7 @@ class Incoming:
         self.end()
 
     def _has_room(self) -> bool:
-        return self._is_ended or len(self._data) < self._wanted + _MAX_WAITING
+        return self._is_ended or len(self._data) < self._needed + _MAX_WAITING
 
     def end(self) -> None:
         """End: nothing comes any more."""
@@ -76,10 +76,10 @@ class Incoming:
 
     def _awaited(self, size: int) -> bytes:
         with self._changed:
-            self._wanted = size
+            self._needed = size
             self._changed.notify_all()
             self._changed.wait_for(lambda: len(self._data) >= size or self._is_ended)
-            self._wanted = 0
+            self._needed = 0
             return self._taken(size)
 
     def _taken(self, size: int) -> bytes:

@@ -153,7 +153,7 @@ CYCLE_NEVER_STARTED = warning(
 )
 STARTED_CYCLE_NOT_DEFINED = warning(
     901987,
-    en="no checked program defines realtime cycle {id}; without one left from before START is 50858",
+    en="no checked program defines realtime cycle {id}; unless one is left over, START is 50858",
     de="kein geprüftes Programm vereinbart Echtzeit-Zyklus {id}; lebt keiner von früher: 50858",
     remedy_en="Define it first: #RT CYCLE DEF [ID={id} SCOPE=PROG].",
     remedy_de="Ihn vorher vereinbaren: #RT CYCLE DEF [ID={id} SCOPE=PROG].",

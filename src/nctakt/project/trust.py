@@ -66,10 +66,10 @@ def why_distrusted(files: Iterable[Path], folder: Path) -> Text | None:
     of_list = _first_reason([trusted])
     if of_list is not None:
         return of_list
-    here = os.path.realpath(folder)
+    folder_path = os.path.realpath(folder)
     names = (line.strip() for line in lines)
     folders = (os.path.realpath(name) for name in names if Path(name).is_absolute())
-    return None if any(Path(here).is_relative_to(one) for one in folders) else reason
+    return None if any(Path(folder_path).is_relative_to(one) for one in folders) else reason
 
 
 def _first_reason(files: Iterable[Path]) -> Text | None:

@@ -63,7 +63,7 @@ def shown_cycles(run: Simulation) -> range:
         elif run.repeats_after <= MAX_DRAWN:
             shown = range(first, last)
     overflow = first_overflow(run)
-    if overflow is None or overflow in shown:
+    if overflow is None or shown.start <= overflow < shown.stop:
         return shown
     return range(max(0, overflow - AROUND_OVERFLOW), overflow + AROUND_OVERFLOW)
 

@@ -59,10 +59,10 @@ def _roots(tape: Path, files: Mapping[str, Path]) -> list[str]:
     outside = [file for file in files.values() if not access.admits(file)]
     if not outside:
         return []
-    here = FileAccess(["."])
+    working_folder = FileAccess(["."])
     folders = (
         ["."]
-        if all(map(here.admits, (tape, *outside)))
+        if all(map(working_folder.admits, (tape, *outside)))
         else [*dict.fromkeys(str(file.parent) for file in (*outside, tape))]
     )
     return [word for folder in folders for word in ("--root", folder)]

@@ -167,8 +167,8 @@ class ContourLines:
 
     def _factor(self, axis: int) -> float:
         """Return how far an axis goes by a word with the value 1, in mm."""
-        way = self._targets.in_axis_unit(axis, 1.0)
-        return radius_of(self._values, axis, way, is_absolute=self._state.absolute)
+        travel = self._targets.in_axis_unit(axis, 1.0)
+        return radius_of(self._values, axis, travel, is_absolute=self._state.absolute)
 
     def _add(self, content: BlockContent, axis: int, position: float, span: Span) -> None:
         """Add a word that leads an axis to a programmed position in mm."""

@@ -38,7 +38,7 @@ CHANNEL = Schema(
     ParameterTable(
         "channel.tsv",
         {"synchronisation": FLAGS},
-        dict.fromkeys(_SYNCHRONISED, INVALID_SYNCHRONISATION_TYPE),
+        {entry: INVALID_SYNCHRONISATION_TYPE for entry in _SYNCHRONISED},
     ),
 )
 AXIS = _schema("axis", "Axis list", "Achsliste")

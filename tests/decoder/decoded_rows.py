@@ -14,15 +14,18 @@ from nctakt.run.queue_feeder import QueueFeeder
 Rows = tuple[list[bytes], list[Diagnostic]]
 
 
-def rows(content: str, high_water: int = 100_000) -> Rows:
-    """The queue of a program that is decoded up to its end or to where it waits."""
+def rows(content: str, high_water: int = 100_000, *, marks: bool = False) -> Rows:
+    """The queue of a program that is decoded up to its end or to where it waits.
+
+    ``marks``: with a mark for each block.
+    """
     controller = Controller()
     found = controller.diagnostics
     try:
         loaded = program_loader.load(NcText("p.nc", content), controller._machine, found)
     except Failure as failure:
         return [], failure.diagnostics
-    feed = QueueFeeder(controller._machine, loaded, found.append)
+    feed = QueueFeeder(controller._machine, loaded, found.append, marks_blocks=marks)
     feed._high_water = high_water
     channel = controller._machine.channels[0]
     feed.refill()

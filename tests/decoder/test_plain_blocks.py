@@ -191,9 +191,9 @@ def counted(monkeypatch: pytest.MonkeyPatch) -> list[int]:
     added: list[int] = []
     fill = handover.PlainBlocks.fill
 
-    def count(blocks: handover.PlainBlocks, ring: CommandQueue, timed: int) -> None:
+    def count(blocks: handover.PlainBlocks, ring: CommandQueue, timed: int, tick: int) -> None:
         before = ring.timed_count
-        fill(blocks, ring, timed)
+        fill(blocks, ring, timed, tick)
         added.append(ring.timed_count - before)
 
     monkeypatch.setattr(handover.PlainBlocks, "fill", count)
@@ -281,13 +281,33 @@ def test_the_queue_is_filled_as_far(seed: int, monkeypatch: pytest.MonkeyPatch) 
     assert rows(content, water) == short
 
 
+@each_seed(20, 5)
+def test_both_ways_mark_the_same_blocks(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Each block has its mark, and what is in force changes where it does."""
+    content = text(4000 + seed, OTHERS[:30] + 3 * SHAPES if seed % 2 else OTHERS)
+    water = 100_000 if seed % 3 else 1 + seed % 7
+    short = rows(content, water, marks=True)
+    by_tree(monkeypatch)
+    assert rows(content, water, marks=True) == short
+
+
+def test_marked_blocks_take_the_short_way(monkeypatch: pytest.MonkeyPatch) -> None:
+    """All but the first, and those that change between G00 and G01."""
+    lines = [f"N{i} X{i} Y{i % 2 * 5}" for i in range(1, 20)]
+    taken = counted(monkeypatch)
+    rows("\n".join(["G01 X0.5 F6000", *lines, "G00 X0.7", *lines, "M30"]), marks=True)
+    assert sum(taken) == 2 * len(lines)
+
+
 @each_seed(12, 3)
 def test_both_ways_run_the_same(seed: int, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     """Whole runs: trace, events with their places, diagnostics, messages."""
     content = text(2000 + seed)
     found = []
     for _ in range(2):
-        run = Controller().run(NcText("p.nc", content), ticks=3000, skip=(2,))
+        run = Controller().run(
+            NcText("p.nc", content), ticks=3000, skip=(2,), blocks=bool(seed % 2)
+        )
         assert run.trace is not None
         found.append((run.state, run.ticks, run.diagnostics, list(run.trace.events), run.messages))
         by_tree(monkeypatch)

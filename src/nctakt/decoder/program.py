@@ -123,6 +123,7 @@ class ProgramDecoder:
             self._values,
             self._uncertain_axes,
             self._block_decoder.technology,
+            self._block_decoder.in_force,
             self._stages,
             self._stages.compensation,
             MAX_BLOCKS_WITHOUT_TIME,
@@ -360,10 +361,9 @@ class ProgramDecoder:
         """Return the mark of a block, with the calls that are open."""
         calls = self._call_stack
         calls.top.current = statement.span
-        if calls.path_number is None:
-            calls.path_number = self._environment.path_id(calls.path)
         source = self._environment.source_id(statement.span)
-        return BlockMark(source, number, calls.path_number, len(calls.frames))
+        path_number = calls.path_number_of(self._environment.path_id)
+        return BlockMark(source, number, path_number, len(calls.frames))
 
     def _block(self, block: tree.Block, number: int, kinds: int = codes.ALL_OFFSETS) -> Decoding:
         """Run the words of a block, then its call, then its end of program.

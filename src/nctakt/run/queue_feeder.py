@@ -207,7 +207,8 @@ class QueueFeeder:
 
     def _take(self, command: Command) -> None:
         if isinstance(command, PlainRun):
-            command.blocks.fill(self._channel.queue, self._high_water)
+            tick = self._machine.kernel.tick
+            command.blocks.fill(self._channel.queue, self._high_water, tick)
             return
         if isinstance(command, commands.LoadCycle):
             self._load(command)

@@ -108,7 +108,11 @@ _TAKING_AXES = AXIS_WEIGHTS | AXIS_VALUES
 
 
 class BlockDecoder:
-    """Decodes the blocks of one program; ``has_motion``: the last one commanded a motion."""
+    """Decodes the blocks of one program.
+
+    ``has_motion``: the last one commanded a motion; ``in_force``: the marks of what is in force,
+    ``None`` without marks.
+    """
 
     def __init__(self, values: Values, uncertain_axes: UncertainAxes) -> None:
         self._uncertain_axes = uncertain_axes
@@ -116,7 +120,7 @@ class BlockDecoder:
         self._environment = values.environment
         self._state = values.state
         marks = values.environment.marks_blocks
-        self._in_force = InForceMarks(values.environment, values.state) if marks else None
+        self.in_force = InForceMarks(values.environment, values.state) if marks else None
         self.spindles = SpindleWords(values, CuttingSpeeds(values), GearChanges(values))
         feed_rate = FeedRate(values, self.spindles)
         self.path = PathMotion(values, feed_rate, ThreadMotion(values, self.spindles))
@@ -171,8 +175,8 @@ class BlockDecoder:
         corner = self.path.corners.take(path.once, path.centre, block.span, number)
         if self.path.splines.has_words:
             yield from self.path.splines.commands(content.axes, block.span, number)
-        if self._in_force is not None:
-            yield from self._in_force.of_block(block.span, number)
+        if self.in_force is not None:
+            yield from self.in_force.of_block(block.span, number)
         if self._state.monitored:
             check_free(self._values, [word for word, _ in content.axes], content.stops)
         content.path.offset_kinds = kinds
@@ -316,8 +320,8 @@ class BlockDecoder:
             self.path.go_tangentially(numbers[TANGENTIAL_APPROACH])
         for function, span in numbers.items():
             self._state.note(function)
-            if self._in_force is not None:
-                self._in_force.note(function)
+            if self.in_force is not None:
+                self.in_force.note(function)
             self._modal(function, span)
             content.zero_group = ZERO_GROUPS.get(function, content.zero_group)
         content.is_reference = REFERENCE_OFFSET in numbers

@@ -35,11 +35,18 @@ class InForceMarks:
         if group is not None and group is not Group.MOTION:
             self._functions[group] = function
 
+    @property
+    def are_up_to_date(self) -> bool:
+        """Whether the latest mark says what is in force."""
+        return self._present() == self._marked
+
+    def _present(self) -> InForce:
+        functions = (self._state.motion, *self._functions.values())
+        return InForce(tuple(sorted(functions)), self._state.tool.number)
+
     def of_block(self, span: Span, number: int) -> Iterator[Command]:
         """Yield a mark for a block if its words have changed anything."""
-        state = self._state
-        functions = (state.motion, *self._functions.values())
-        found = InForce(tuple(sorted(functions)), state.tool.number)
+        found = self._present()
         if found != self._marked:
             self._marked = found
             source = self._environment.source_id(span)

@@ -17,10 +17,12 @@ from typing import Protocol
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Span
 from nctakt.base.source_ids import NO_SOURCE, pack
+from nctakt.decoder.blocks.in_force_marks import InForceMarks
 from nctakt.decoder.blocks.technology_output import TechnologyOutputs
 from nctakt.decoder.contour.tool_path import ToolPath
 from nctakt.decoder.fast.compensated_lines import CompensatedLines
 from nctakt.decoder.fast.lines import PlainLines
+from nctakt.decoder.pending_motion import plain_span
 from nctakt.decoder.state.commands import Answer, Command
 from nctakt.decoder.state.uncertain_axes import UncertainAxes
 from nctakt.decoder.values.variables import Values
@@ -64,6 +66,7 @@ class PlainBlocks:
         values: Values,
         uncertain_axes: UncertainAxes,
         technology: TechnologyOutputs,
+        marks: InForceMarks | None,
         held: HeldMotions,
         contour: PendingContour,
         max_blocks: int,
@@ -72,6 +75,7 @@ class PlainBlocks:
         self._state = values.state
         self._uncertain_axes = uncertain_axes
         self._technology = technology
+        self._marks = marks
         self._held = held
         self._contour = contour
         self._max_blocks = max_blocks
@@ -141,11 +145,18 @@ class PlainBlocks:
             and not self._environment.offsets.systems.is_active
             and self._is_unshaped
             and not self._is_transformed_otherwise
-            and not self._environment.marks_blocks
+            and self._is_marked
             and self._uncertain_axes.is_empty
             and self._contour.can_export()
             and not self._technology.awaits_feed
         )
+
+    @property
+    def _is_marked(self) -> bool:
+        """Whether plain lines need no marks but those of blocks."""
+        if self._marks is None:
+            return True
+        return self._marks.are_up_to_date and not self._state.path.compensation.is_active
 
     @property
     def _is_unshaped(self) -> bool:
@@ -172,6 +183,11 @@ class PlainBlocks:
         plain.is_transformed = is_transformed
         is_linear = environment.offsets.transformation.is_linear
         self._file = file
+        plain.marks = self._marks is not None
+        if plain.marks:
+            stack = state.call_stack
+            plain.calls = stack.path_number_of(environment.path_id)
+            plain.depth = len(stack.frames)
         plain.leaves_last = state.shapes.waits_for_next
         plain.leaves_functions = state.path.contouring and not state.path.compensation.is_active
         for index, axis in enumerate(environment.axes):
@@ -207,12 +223,21 @@ class PlainBlocks:
         if self._compensated.is_on:
             self._contour.import_from(self._compensated, self._file)
 
-    def fill(self, queue: CommandQueue, timed: int) -> None:
+    def fill(self, queue: CommandQueue, timed: int, tick: int) -> None:
         """Fill the queue with up to ``timed`` commands that take time, or up to the next other
         block.
 
-        Called by the consumer of the ``PlainRun``.
+        Called by the consumer of the ``PlainRun`` in ``tick``.
         """
+        plain = self._plain_lines
+        plain.tick = tick
+        before = plain.source
+        self._fill(queue, timed)
+        if plain.marks and plain.source != before:
+            span = plain_span(plain.source, self._file, self._environment.line_text)
+            self._state.call_stack.top.current = span
+
+    def _fill(self, queue: CommandQueue, timed: int) -> None:
         lines = self._lines
         assert lines is not None
         queue.reserve(timed)

@@ -14,6 +14,11 @@ cdef class PlainLines:
     cdef public bint is_transformed
     cdef public bint leaves_last
     cdef public bint leaves_functions
+    cdef public bint marks
+    cdef public long long tick
+    cdef public long long calls
+    cdef public long long depth
+    cdef bint is_block
     cdef readonly Py_ssize_t count
     cdef double[::1] positions
     cdef double[::1] start

@@ -25,7 +25,9 @@ class PlainLines:
     the last one that takes time, ``max_blocks``: its maximum. ``block_number``: the last N.
     ``is_transformed``: the positions are transformed; ``axis_check`` checks the limits of the axes
     then. ``leaves_last``: a motion that no plain one follows at once is left to the tree;
-    ``leaves_functions``: one that M or H functions or an arc may follow.
+    ``leaves_functions``: one that M or H functions or an arc may follow. ``marks``: each block is
+    marked in the queue, with ``tick``, ``calls`` and ``depth``, unless it changes what is in force;
+    ``source``: where the latest block begins.
     """
 
     def __init__(
@@ -41,6 +43,10 @@ class PlainLines:
         self.is_transformed = False
         self.leaves_last = False
         self.leaves_functions = False
+        self.marks = False
+        self.tick = 0
+        self.calls = 0
+        self.depth = 0
         self.count = count
         size = 8 * max(1, count)
         #: Where the axes are; where the latest block begins and ends: mm or degrees.
@@ -65,6 +71,7 @@ class PlainLines:
         self.blocks = 0
         self.max_blocks = 0
         self.source = 0
+        self.is_block = False
         self.block_number = 0
 
     def set_axis(
@@ -98,6 +105,8 @@ class PlainLines:
                 return index
             index += 1
             number += 1
+            if self.marks and self.is_block:
+                queue.put_mark(self.source, self.scanner.number, self.tick, self.calls, self.depth)
             if what == 2:
                 is_rapid = self.motion == self.rapid
                 motion = rows.RAPID_MOTION if is_rapid else rows.FEED_MOTION
@@ -187,11 +196,14 @@ class PlainLines:
         """Decode a line: return 0 if not accepted, 1 if nothing moves, 2 if a line is due."""
         scanner = self.scanner
         what = scanner.read(line)
+        self.is_block = what == 2
         if what != 2:
             return what
         if self.blocks >= self.max_blocks:
             return 0
         motion = self.motion if scanner.motion < 0 else scanner.motion
+        if self.marks and motion != self.motion:
+            return 0
         feed_v = self.feed_v
         if scanner.has_feed:
             feed_v = scanner.feed * self.feed_factor / 60.0
@@ -215,12 +227,12 @@ class PlainLines:
         if scanner.number > 0:
             self.block_number = scanner.number
         self.blocks += 1
-        if moves == 0:
-            return 1
-        self.blocks = 0
         self.source = 0
         if self.source_base >= 0:
             self.source = self.source_base + min(number, 16777215) * 1048576 + scanner.column
+        if moves == 0:
+            return 1
+        self.blocks = 0
         return 2
 
     def try_join(self, motion: int) -> int:

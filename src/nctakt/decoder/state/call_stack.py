@@ -8,6 +8,8 @@ choice).
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Span
 from nctakt.decoder.state.program_variables import Scopes
@@ -95,6 +97,12 @@ class CallStack:
         inner = self.frames[-1]
         outer = (OpenCall(frame.name, frame.current) for frame in self.frames[:-1])
         return (*outer, OpenCall(inner.name, None))
+
+    def path_number_of(self, number_of: Callable[[tuple[OpenCall, ...]], int]) -> int:
+        """Return the number of ``path``, which ``number_of`` gives where it has none yet."""
+        if self.path_number is None:
+            self.path_number = number_of(self.path)
+        return self.path_number
 
     def set_modal(self, call: ModalCall | None) -> None:
         """Set or clear the modal call of the innermost program."""

@@ -52,6 +52,10 @@ cdef class CommandQueue:
     cdef void put_ends(self, Py_ssize_t row, double[::1] start, double[::1] target) noexcept nogil
     @cython.locals(exact_stop=bint)
     cdef void end_segment(self, Py_ssize_t row) noexcept nogil
+    @cython.locals(row=Py_ssize_t, i=Py_ssize_t)
+    cdef int put_mark(
+        self, double source, double number, double decoded_tick, double calls, double depth
+    ) except -1
     @cython.locals(row=Py_ssize_t)
     cdef void put_line(
         self, double source, double number, double[::1] start, double[::1] target, int motion,

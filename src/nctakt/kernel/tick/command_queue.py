@@ -140,6 +140,19 @@ class CommandQueue:
             self.loop_body.append(self.rows, row)
         self.end_segment(row)
 
+    def put_mark(self, source: int, number: int, decoded_tick: int, calls: int, depth: int) -> None:
+        """``put`` of a mark where a block begins, without objects."""
+        row = self.next_row()
+        for i in range(self.width):
+            self.rows[row + i] = 0.0
+        self.rows[row + rows.KIND] = rows.BLOCK_MARK
+        self.rows[row + rows.SOURCE] = source
+        self.rows[row + rows.BLOCK_NUMBER] = number
+        self.rows[row + rows.MARK_TICK] = decoded_tick
+        self.rows[row + rows.MARK_CALLS] = calls
+        self.rows[row + rows.MARK_DEPTH] = depth
+        self.tail += 1
+
     def put_line(
         self,
         source: int,

@@ -13,6 +13,7 @@ from debug_client import DebugClient, Refused
 
 from nctakt.debugger.debuggee import Debuggee
 from nctakt.session import timeline
+from nctakt.session.engine import Found
 from nctakt.session.session import Session
 from nctakt.session.workshop import RemoteEngine
 
@@ -385,8 +386,8 @@ def test_a_pause_ends_what_goes_back(tmp_path: Path, monkeypatch: pytest.MonkeyP
     with DebugClient() as client:
         client.ask("initialize")
         client.ask("launch", program=str(part), stopOnEntry=True, until="8 s")
-        lines = {"source": {"path": str(part)}, "breakpoints": [{"line": 1, "hitCondition": "9"}]}
-        client.ask("setBreakpoints", **lines)
+        point = {"line": 1, "condition": "V.E.COUNT > 5"}
+        client.ask("setBreakpoints", source={"path": str(part)}, breakpoints=[point])
         client.ask("configurationDone")
         client.stopped()
         client.go()
@@ -398,12 +399,12 @@ def test_a_pause_ends_what_goes_back(tmp_path: Path, monkeypatch: pytest.MonkeyP
             goes_on.set()
 
         monkeypatch.setattr(Session, "interrupt", noted)
-        search = RemoteEngine.search
+        search = RemoteEngine.last_hit
 
-        def held(engine: RemoteEngine, end: int, stops: Any) -> list[int]:
+        def held(engine: RemoteEngine, *words: Any) -> Found:
             begun.set()
             assert goes_on.wait(20.0)
-            return search(engine, end, stops)
+            return search(engine, *words)
 
         monkeypatch.setattr(timeline, "PART_TICKS", 100)
         for command, arguments in (
@@ -413,7 +414,7 @@ def test_a_pause_ends_what_goes_back(tmp_path: Path, monkeypatch: pytest.MonkeyP
             begun.clear()
             goes_on.clear()
             with monkeypatch.context() as patch:
-                patch.setattr(RemoteEngine, "search", held)
+                patch.setattr(RemoteEngine, "last_hit", held)
                 number = client.send(command, **arguments)
                 assert begun.wait(20.0)
                 paused = client.send("pause", threadId=1)

@@ -8,8 +8,9 @@ back to a ``Span``. The number is ``file << 44 | line << 20 | column``; line and
 
 from __future__ import annotations
 
+import contextlib
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from nctakt.base.diagnostics import Span
@@ -72,6 +73,16 @@ class SourceFiles:
         self._files.append((file, lines))
         self._by_name[file] = len(self._files) - 1
         return len(self._files) - 1
+
+    @contextlib.contextmanager
+    def untouched(self) -> Iterator[None]:
+        """Forget the texts that are added inside at the end."""
+        files, by_name = list(self._files), dict(self._by_name)
+        try:
+            yield
+        finally:
+            self._files[:] = files
+            self._by_name = by_name
 
     @property
     def names(self) -> list[str]:

@@ -39,8 +39,12 @@ from nctakt.session.decoders import DecoderState, decoder_state
 from nctakt.session.happened import MAX_EVENTS, Happened, SignalRows
 from nctakt.session.schedules import EngineSchedule
 from nctakt.session.setup import Description, Inventory, Setup
-from nctakt.session.stops import StopAt, StopBuilder
+from nctakt.session.stops import EventFilter, StopAt, StopBuilder
+from nctakt.session.trail import Mark, Trail, now_us
 from nctakt.trace.events import Event
+
+#: What ``Engine.last_hit`` has found: a tick or 0, where it has come to, its marks.
+Found = tuple[int, int, tuple[Mark, ...]]
 
 #: Ticks of a stretch that is looked at in detail.
 MAX_LOOKED_AT = 1_000_000
@@ -55,7 +59,8 @@ class Slice:
     current block, ``calls``: the programs that are open there, the main program first;
     ``decoding``: place of what its decoder has given last. ``inputs``: all that came from outside,
     in its order. ``decoded``: blocks that have been passed so far. ``differs``: the first tick in
-    which the PLC did otherwise than the tape says.
+    which the PLC did otherwise than the tape says. ``marks``, ``rows``: what the ticks have left
+    behind (``trail.py``), for the past of the session.
     """
 
     first_tick: int
@@ -73,6 +78,8 @@ class Slice:
     differs: int | None = None
     decoding: Mapping[int, Span] = field(default_factory=dict)
     calls: Mapping[int, tuple[OpenCall, ...]] = field(default_factory=dict)
+    marks: tuple[Mark, ...] = ()
+    rows: bytes = b""
 
 
 def joined(first: Slice, second: Slice) -> Slice:
@@ -143,6 +150,7 @@ class Engine:
         self._signals = machine.signals()
         self._loop = TickLoop(machine, self._diagnostics.append, None)
         self._happened = Happened()
+        self._trail = Trail(machine.memory)
         self._inputs: list[Input] = []
         self._expected: deque[Input] = deque()
         self._differs: int | None = None
@@ -164,7 +172,7 @@ class Engine:
             wait_for_start=setup.wait_for_start,
             skip=setup.skip,
             signals=(),
-            sinks=(self._happened,),
+            sinks=(self._happened, self._trail),
             memory_trace=False,
             on_cycle=self._add_cycle,
             blocks=True,
@@ -247,7 +255,8 @@ class Engine:
             self._machine.inputs.check(posted)
             if posted.kind == SELECT:
                 channel, name = posted.values
-                load(str(name), self._machine, [], int(channel))
+                with self._machine.files.untouched():  # it is read when its tick has come
+                    load(str(name), self._machine, [], int(channel))
         self._machine.inputs.add(inputs)
         self._expected.clear()
 
@@ -262,27 +271,63 @@ class Engine:
                 answers.append(tuple(failure.diagnostics))
         return answers
 
-    def run(self, end: int, stops: Sequence[StopAt] = (), events: bool = True) -> Slice:
+    def run(
+        self,
+        end: int,
+        stops: Sequence[StopAt] = (),
+        events: bool = True,
+        marks: Sequence[int] | None = (),
+    ) -> Slice:
         """Run up to tick ``end``, to the first tick in which a stop holds, or to the run's end.
 
         Without ``events`` the slice has none; the next one that has any brings them along.
+        ``marks``: where the slice has marks; ``None``: the ticks run for the first time, there are
+        as many as it takes, and the rows of events.
         """
         if stops != self._stops:
             self._watch(stops)
         first = self.tick
-        is_stopped = self._run.advance(end)
+        found: list[Mark] = []
+        self._trail.keeps = marks is None
+        is_stopped = self._explore(end, found) if marks is None else self._repeat(end, marks, found)
         hits = self._stop_builder.hits(self.tick - 1) if is_stopped else []
-        return self._slice(first, hits, events=events or is_stopped or self._run.state is not None)
+        done = self._slice(first, hits, events=events or is_stopped or self._run.state is not None)
+        return replace(done, marks=tuple(found), rows=self._trail.take())
 
-    def search(self, end: int, stops: Sequence[StopAt]) -> tuple[list[int], int]:
-        """Run up to tick ``end``; return the ticks behind which a stop has held, and its tick."""
+    def _explore(self, end: int, found: list[Mark]) -> bool:
+        """Run ticks for the first time, with marks where they are due; return as ``advance``."""
+        while True:
+            before, begin_us = self.tick, now_us()
+            is_stopped = self._run.advance(min(end, before + self._trail.part))
+            is_due = self._trail.note(self.tick - before, now_us() - begin_us)
+            is_there = is_stopped or self._run.state is not None or self.tick >= end
+            if is_due or is_there:
+                found.append(self._mark())
+            if is_there:
+                return is_stopped
+
+    def _repeat(self, end: int, marks: Sequence[int], found: list[Mark]) -> bool:
+        """Run ticks again, with these marks on the way; return as ``advance``."""
+        for tick in marks:
+            if self._run.state is None and self._run.advance(tick):
+                return True
+            found.append(self._mark())
+        return self._run.advance(end)
+
+    def _mark(self) -> Mark:
+        return self._trail.mark(self.tick, is_over=self._run.state is not None)
+
+    def last_hit(self, end: int, stops: Sequence[StopAt], marks: Sequence[int]) -> Found:
+        """Run up to tick ``end`` past all stops; return the last tick behind which one has held."""
         if stops != self._stops:
             self._watch(stops)
-        found = []
-        while self._run.state is None and self.tick < end:
-            if self._run.advance(end):
-                found.append(self.tick)
-        return found, self.tick
+        found: list[Mark] = []
+        self._repeat(end, marks, found)
+        return self._stop_builder.last_hit() + 1, self.tick, tuple(found)
+
+    def filters(self, stops: Sequence[StopAt]) -> list[tuple[EventFilter, ...] | None]:
+        """Return for each stop the events at which it holds, ``None`` where others tell."""
+        return [self._stop_builder.filters(stop) for stop in stops]
 
     def _watch(self, stops: Sequence[StopAt]) -> None:
         """Watch these stops and no other ones from now on."""

@@ -13,32 +13,57 @@ from typing import cast
 from nctakt.base.dataclass import dataclass
 from nctakt.results.run import Run
 from nctakt.run.inputs import Input
+from nctakt.session.record import (
+    PastMark,
+    check_programs,
+    first_difference,
+    past_differs,
+    ticks_of,
+)
 from nctakt.session.setup import Setup
-from nctakt.session.timeline import Poll, run_in_parts
-from nctakt.session.workshop import Workshop
+from nctakt.session.timeline import PART_TICKS, Poll
+from nctakt.session.workshop import RemoteEngine, Workshop
 
 
 @dataclass(frozen=True, slots=True)
 class Past:
-    """What it takes to run a session up to a tick again, in a process of its own."""
+    """What it takes to run a session up to a tick again, in a process of its own.
+
+    ``marks``: those that this must lead to.
+    """
 
     setup: Setup
     inputs: tuple[Input, ...]
     tick: int
+    marks: tuple[PastMark, ...]
 
     def explained(self, poll: Poll) -> Run:
         """Return the result with ``why``; raises ``Failure`` where the setup has mistakes.
 
-        ``poll`` is called meanwhile, and may end it by an exception.
+        Raises it as well where the past is not as it was (901901). ``poll`` is called meanwhile,
+        and may end it by an exception.
         """
         workshop = Workshop()
         try:
             engine, _ = workshop.open(replace(self.setup, why=True))
             try:
                 engine.plan(self.inputs)
-                run_in_parts(engine, self.tick, poll)
+                self._rerun(engine, poll)
                 return cast("Run", engine.ask("result"))
             finally:
                 engine.close()
         finally:
             workshop.close()
+
+    def _rerun(self, engine: RemoteEngine, poll: Poll) -> None:
+        while engine.tick < self.tick:
+            end = min(self.tick, engine.tick + PART_TICKS)
+            marks = [mark for mark in self.marks if engine.tick < mark.tick <= end]
+            done = engine.run(end, marks=ticks_of(marks))
+            check_programs(done.diagnostics)
+            differs = first_difference(done.marks, marks)
+            if differs is not None and self.setup.plc is None:
+                raise past_differs(differs)
+            if done.run_state is not None:
+                return
+            poll()

@@ -150,6 +150,11 @@ class Session:
         return self._story.tick
 
     @property
+    def progress(self) -> tuple[int, int] | None:
+        """How many of how many ticks of the past have been run again, while some are."""
+        return self._story.progress
+
+    @property
     def latest(self) -> Slice:
         """What the latest ticks have done."""
         return self._story.latest
@@ -260,13 +265,7 @@ class Session:
 
     def _travel(self, method: Callable[..., Slice], *words: Any) -> Slice:
         self._thread.clock = None
-        before = self._story.tick, self._story.branch
-        try:
-            return self._travelled(method(*words))
-        except Failure:
-            if before != (self._story.tick, self._story.branch):
-                self._travelled(self._story.latest)  # interrupted on the way
-            raise
+        return self._travelled(method(*words))
 
     # --- the clock ------------------------------------------------------------------------------
 

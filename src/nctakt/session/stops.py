@@ -10,7 +10,11 @@ import math
 import re
 from array import array
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
 from typing import Any, Literal, NoReturn
+
+import numpy as np
+from numpy.typing import NDArray
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.failure import Failure
@@ -134,6 +138,42 @@ def _divided(text: str, pattern: re.Pattern[str]) -> tuple[str, str]:
     return (text, "") if match is None else (match[1], match[2])
 
 
+@dataclass(frozen=True, slots=True)
+class EventFilter:
+    """Events of some ``kinds``, a set of bits, each of whose columns lies within its bounds.
+
+    ``max_depth``: the last block of a tick, and only that, with at most so many open programs.
+    """
+
+    kinds: int
+    lowest: tuple[float, ...]
+    highest: tuple[float, ...]
+    max_depth: int = 0
+
+    def stop(self, guard: Expression, count: int) -> Stop:
+        """Return the kernel's stop for such events."""
+        if self.max_depth:
+            channel = max(0.0, self.lowest[rows.EVENT_CHANNEL])
+            return BlockUpToDepth(int(channel), self.max_depth, guard, count)
+        return Happens(self.kinds, array("d", self.lowest), array("d", self.highest), guard, count)
+
+    def last_row(self, events: NDArray[np.float64]) -> int | None:
+        """Return the last of some rows of events that it takes."""
+        kinds = events[:, rows.EVENT_KIND].astype(np.int64)
+        taken = (self.kinds >> kinds & 1).astype(bool)
+        for column, (low, high) in enumerate(zip(self.lowest, self.highest, strict=True)):
+            if low > -math.inf or high < math.inf:
+                values = events[:, column]
+                taken &= ~((values < low) | (values > high))
+        found = np.flatnonzero(taken)
+        if self.max_depth:
+            ticks = events[found, rows.EVENT_TICK]
+            is_last = np.append(ticks[1:] != ticks[:-1], [True] if len(ticks) else [])
+            found = found[is_last.astype(bool)]
+            found = found[events[found, rows.EVENT_C] <= self.max_depth]
+        return int(found[-1]) if len(found) else None
+
+
 class _Bounds:
     """The lowest and the highest value of each column of an event; without limits at first."""
 
@@ -146,9 +186,9 @@ class _Bounds:
         self._lowest[column] = low
         self._highest[column] = high
 
-    def stop(self, kinds: int, guard: Expression, count: int) -> Happens:
-        """Return the kernel's stop for events of these kinds within the bounds of now."""
-        return Happens(kinds, self._lowest[:], self._highest[:], guard, count)
+    def filter(self, kinds: int) -> EventFilter:
+        """Return what takes events of these kinds within the bounds of now."""
+        return EventFilter(kinds, tuple(self._lowest), tuple(self._highest))
 
 
 class StopBuilder:
@@ -170,6 +210,10 @@ class StopBuilder:
         self._watched = self._built(stops)
         self._stops = stops
         self._machine.kernel.stops.watch([stop for stop, _ in self._watched])
+
+    def last_hit(self) -> int:
+        """Return the last tick in which one of the stops has held, -1 if none has."""
+        return max((stop.last_tick for stop, _ in self._watched), default=-1)
 
     def hits(self, tick: int) -> list[int]:
         """Return which of the stops have held in a tick, in their order."""
@@ -197,17 +241,22 @@ class StopBuilder:
                 return (Changes(self._condition(stop, stop.text), guard, stop.count),)
         if stop.kind in _OF_CYCLES:
             return self._in_cycles(stop, self._definitions)
-        return tuple(self._events(stop, guard))
+        return tuple(one.stop(guard, stop.count) for one in self._filters(stop))
 
-    def _events(self, stop: StopAt, guard: Expression) -> Iterable[Stop]:
+    def filters(self, stop: StopAt) -> tuple[EventFilter, ...] | None:
+        """Return the events at which a stop holds; ``None`` where a record does not tell."""
+        is_recorded = stop.kind in _EVENTS and stop.kind != "written" and not stop.only_if
+        return tuple(self._filters(stop)) if is_recorded else None
+
+    def _filters(self, stop: StopAt) -> Iterable[EventFilter]:
         kinds = sum(1 << kind for kind in _EVENTS[stop.kind])
         bounds = _Bounds()
         channel = stop.channel if stop.is_of_channel and len(self._machine.assembled) > 1 else 0
-        if stop.max_depth:
-            yield BlockUpToDepth(channel, stop.max_depth, guard, stop.count)
-            return
         if channel:
             bounds.limit(rows.EVENT_CHANNEL, channel, channel)
+        if stop.max_depth:
+            yield replace(bounds.filter(kinds), max_depth=stop.max_depth)
+            return
         if stop.kind == "function":
             match = _FUNCTION.fullmatch(stop.text)
             if match is None:
@@ -216,21 +265,21 @@ class StopBuilder:
             bounds.limit(rows.EVENT_A, code, code)
         if stop.kind == "written":
             bounds.limit(rows.EVENT_SUBJECT, 1, _ANY_SERIAL)
-            yield from self._writes(stop, bounds, guard)
+            yield from self._writes(stop, bounds)
             return
         for first, last in self._sources(stop):
             bounds.limit(rows.EVENT_SOURCE, first, last)
-            yield bounds.stop(kinds, guard, stop.count)
+            yield bounds.filter(kinds)
 
-    def _writes(self, stop: StopAt, bounds: _Bounds, guard: Expression) -> Iterable[Stop]:
-        """Yield the stops for what cycles write into a variable, of a text for each part."""
+    def _writes(self, stop: StopAt, bounds: _Bounds) -> Iterable[EventFilter]:
+        """Yield the filters for what cycles write into a variable, of a text for each part."""
         prefix = f"CH{stop.channel}." if stop.channel > 1 else ""
         cell, is_text = self._machine.access.cell_of(f"{prefix}{stop.text}")
         kind = rows.EVENT_WRITTEN_TEXT if is_text else rows.EVENT_WRITTEN
         for part in range(_TEXT_PARTS if is_text else 1):
             number = part * rows.TEXT_PART + cell
             bounds.limit(rows.EVENT_A, number, number)
-            yield bounds.stop(1 << kind, guard, stop.count)
+            yield bounds.filter(1 << kind)
 
     def _sources(self, stop: StopAt) -> Iterable[tuple[float, float]]:
         """Yield the source ids of the line of a stop, in each file that it may mean."""

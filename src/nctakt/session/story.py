@@ -17,12 +17,13 @@ from nctakt.hli.plc_entries import SpindleEntry, TechnologyEntry
 from nctakt.lists.format.times import TimeLike, read_time
 from nctakt.results.run import Run
 from nctakt.run.inputs import ACKNOWLEDGE, ACKNOWLEDGE_SPINDLE, SELECT, WRITE, Input
+from nctakt.session.branch import Branch
 from nctakt.session.decoders import DecoderState
 from nctakt.session.engine import CycleState, Glance, Slice, joined
 from nctakt.session.past import Past
 from nctakt.session.setup import Description, Inventory, Setup
 from nctakt.session.stops import StopAt, read_stop
-from nctakt.session.timeline import Branch, Poll, Timeline
+from nctakt.session.timeline import Poll, Timeline
 
 #: Rows that a look at a stretch of the session returns at most.
 MAX_ROWS = 20_000
@@ -77,6 +78,11 @@ class Story:
     def is_over(self) -> bool:
         """Whether the run has ended at this tick."""
         return self._latest.run_state is not None
+
+    @property
+    def progress(self) -> tuple[int, int] | None:
+        """How many of how many ticks of the past have been run again, while some are."""
+        return self._timeline.progress
 
     @property
     def latest(self) -> Slice:
@@ -148,15 +154,11 @@ class Story:
     # --- back -----------------------------------------------------------------------------------
 
     def go_to(self, tick: int, branch: int | None = None) -> Slice:
-        """Stand before a tick that the session has reached; raises ``Failure`` (901154).
+        """Stand before a tick that the session has reached; raises ``Failure`` (901154, 901901).
 
-        Where it is interrupted it stands on the way.
+        Where it is interrupted it stays where it was.
         """
-        try:
-            self._latest = self._timeline.go_to(tick, branch)
-        except BaseException:
-            self._latest = self._timeline.live.run(self.tick)
-            raise
+        self._latest = self._timeline.go_to(tick, branch)
         return self._latest
 
     def back(self, ticks: int = 1) -> Slice:
@@ -259,6 +261,7 @@ class Story:
         engine = self._timeline.trial(first)
         try:
             data = engine.ask("look", end, list(signals), every)
+            self._timeline.confirm(engine, end)
         finally:
             engine.close()
         return every, memoryview(data).cast("d")
@@ -277,7 +280,9 @@ class Story:
 
     def past(self) -> Past:
         """Return what it takes to run the session up to here again."""
-        return Past(self._timeline.setup, tuple(self.tape()), self.tick)
+        timeline = self._timeline
+        marks = tuple(timeline.branch.marks_between(-1, self.tick))
+        return Past(timeline.setup, tuple(timeline.tape()), self.tick, marks)
 
     # --- the end --------------------------------------------------------------------------------
 

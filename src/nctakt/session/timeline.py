@@ -10,87 +10,56 @@ from __future__ import annotations
 
 import bisect
 import contextlib
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import cast
 
-from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Language
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
 from nctakt.messages.real_schedule import REAL_SCHEDULE_HAS_NO_PAST
 from nctakt.messages.session import NO_SUCH_BRANCH, TICK_NOT_REACHED
 from nctakt.run.inputs import PLC, SCHEDULE, Input, in_order
+from nctakt.session.branch import Branch, index_of
 from nctakt.session.engine import Slice, joined
-from nctakt.session.parking import SPARSE_US, Cost, approach, surplus
+from nctakt.session.parked import Parked, ParkedControllers
+from nctakt.session.parking import DENSE_US, SPARSE_US, approach, first_gap
+from nctakt.session.record import (
+    BranchRecord,
+    PastMark,
+    check_programs,
+    first_difference,
+    past_differs,
+    ticks_of,
+)
 from nctakt.session.schedules import CLOSE, RESTART, TABLE
 from nctakt.session.setup import Setup
 from nctakt.session.stops import StopAt
 from nctakt.session.workshop import RemoteEngine, Workshop
 
-#: Ticks that are run again at a time while a stop is looked for backward.
-_SEARCHED_TICKS = 4096
+#: Ticks, and marks, between two calls of ``poll`` while the past is run again.
+PART_TICKS = 100_000
+PART_MARKS = 12
 
-#: Ticks between two calls of ``poll`` while the past is run again.
-PART_TICKS = 10_000
+#: Work that a step back may do for those to come, in microseconds.
+REFINED_US = 20_000.0
+
+#: How far behind a moment that somebody has travelled to controllers are parked at once, in us.
+FAR_US = 100_000.0
+
+#: How often a stop may hold that only notes when it did last.
+_NEVER = 1 << 60
 
 Poll = Callable[[], None]
-
-
-@dataclass(slots=True)
-class Branch:
-    """One story of the inputs.
-
-    It shares the inputs of its ``parent`` before ``first_tick``. ``inputs`` are its own, by tick
-    and order; ``latest``: the furthest tick that it has reached.
-    """
-
-    number: int
-    parent: Branch | None
-    first_tick: int
-    inputs: list[Input] = field(default_factory=list)
-    latest: int = 0
-
-    def all_inputs(self, before: int | None = None) -> list[Input]:
-        """Return its inputs from the start on, up to but without tick ``before``."""
-        inherited = [] if self.parent is None else self.parent.all_inputs(self.first_tick)
-        own = self.inputs
-        if before is not None:
-            own = own[: bisect.bisect_left(own, before, key=lambda one: one.tick)]
-            inherited = [one for one in inherited if one.tick < before]
-        return inherited + own
-
-    def inputs_from(self, tick: int) -> list[Input]:
-        """Return its inputs from a tick on."""
-        own = self.inputs[_index_of(self.inputs, tick) :]
-        if self.parent is None or tick >= self.first_tick:
-            return own
-        inherited = self.parent.inputs_from(tick)
-        return inherited[: _index_of(inherited, self.first_tick)] + own
-
-    def shares(self, other: Branch, tick: int) -> bool:
-        """Return whether a state of ``other`` before a tick is one of this branch's, too."""
-        branch: Branch | None = self
-        while branch is not None and branch is not other:
-            if tick > branch.first_tick:
-                return False
-            branch = branch.parent
-        return branch is other
-
-
-@dataclass(frozen=True, slots=True)
-class _Parked:
-    branch: Branch
-    tick: int
-    blocks: int
-    engine: RemoteEngine
 
 
 class Timeline:
     """The moments of a session, and the live controller that stands in one of them.
 
     Raises ``Failure`` with the mistakes of the setup. ``branch``: the one that it is in. ``poll``
-    is called while the past is run again, and may end that by an exception.
+    is called while the past is run again, and may end that by an exception. ``progress``: how many
+    of how many ticks of the past have been run again by now, ``None`` while none are.
     """
 
     def __init__(self, setup: Setup, poll: Poll) -> None:
@@ -98,35 +67,53 @@ class Timeline:
         self._poll = poll
         self._workshop = Workshop()
         try:
-            self.live, self.description = self._workshop.open(setup)
+            self._live, self.description = self._workshop.open(setup)
         except BaseException:
             self._workshop.close()
             raise
+        self._has_past = setup.rtconf is None
         # a controller with threads cannot be copied
-        self._can_copy = self._workshop.can_copy and setup.rtconf is None
-        self._cost = Cost()
+        self._can_copy = self._workshop.can_copy and self._has_past
         self.branch = Branch(1, None, 0, list(self.description.inputs))
         self.branches = [self.branch]
         self._plc: dict[int, list[Input]] = {1: []}
-        self._parked: list[_Parked] = []
-        self._blocks = 0
+        self._parked = ParkedControllers()
+        self._fault: Failure | None = None
+        self._confirmed: tuple[int, int, int] = (0, 0, 0)
+        self.progress: tuple[int, int] | None = None
         if self._can_copy:
             self._park()
 
     @property
     def tick(self) -> int:
         """The tick at which the live controller stands."""
-        return self.live.tick
+        return self._live.tick
+
+    @property
+    def live(self) -> RemoteEngine:
+        """The live controller; raises ``Failure`` (901901) where it is not as it was."""
+        if self._fault is not None:
+            raise self._fault
+        return self._live
 
     # --- forward --------------------------------------------------------------------------------
 
     def run(self, end: int, stops: Sequence[StopAt] = (), *, events: bool = True) -> Slice:
-        """Run the live controller as ``Engine.run``."""
-        done = self.live.run(end, stops, events=events)
-        self._blocks = done.decoded
-        branch = self.branch
+        """Run the live controller as ``Engine.run``.
+
+        What has been run before must be as it was; raises ``Failure`` (901901) where it is not.
+        """
+        live, branch, again = self.live, self.branch, None
+        if self._has_past and self.tick < branch.latest:
+            again = self._run_again(min(end, branch.latest), stops, events=events)
+            is_there = again.hits or again.run_state is not None or again.tick >= end
+            if is_there or again.tick < branch.latest:
+                return again
+        done = live.run(end, stops, events=events, marks=None if self._has_past else ())
+        branch.record.add(done.marks, done.rows)
+        done = replace(done, marks=(), rows=b"")
         if done.tick > branch.latest:
-            if self._setup.rtconf is not None:  # nothing is run again
+            if not self._has_past:
                 own = (PLC, SCHEDULE)
                 self._plc[branch.number] += [one for one in done.inputs if one.source in own]
             elif self._setup.plc is not None:
@@ -135,31 +122,93 @@ class Timeline:
             branch.latest = done.tick
         if self._can_copy and self._is_far_from_parked():
             self._park()
+        return done if again is None else joined(again, done)
+
+    def _run_again(self, end: int, stops: Sequence[StopAt], *, events: bool) -> Slice:
+        """Let the live controller run over what it has run before."""
+        marks = self.branch.marks_between(self.tick, end)
+        try:
+            done = self._compared(
+                self._live.run(end, stops, events=events, marks=ticks_of(marks)), marks
+            )
+            self._confirm(self._live, self.branch)
+        except Failure as failure:
+            self._fault = failure
+            raise
         return done
 
     def _is_far_from_parked(self) -> bool:
-        present = self._cost.of(self.tick, self._blocks)
-        last = max((self._cost.of(one.tick, one.blocks) for one in self._near()), default=0.0)
-        return present - last > SPARSE_US
+        nearest = self._parked.nearest(self.branch, self.tick)
+        before_us = 0.0 if nearest is None else nearest.work_us
+        return self.branch.work_at(self.tick) - before_us > SPARSE_US
 
-    def _near(self) -> list[_Parked]:
-        """Return the parked controllers of this branch at or before the present, by tick."""
-        return [
-            one
-            for one in self._parked
-            if one.tick <= self.tick and self.branch.shares(one.branch, one.tick)
-        ]
-
-    def _park(self) -> None:
-        """Park a copy of the live controller; give up those that stand too dense."""
-        if any(one.tick == self.tick for one in self._near()):
+    def _park(self, engine: RemoteEngine | None = None) -> None:
+        """Park a copy of the live controller, or one that has been brought to a tick."""
+        tick = self.tick if engine is None else engine.tick
+        nearest = self._parked.nearest(self.branch, tick)
+        if nearest is not None and nearest.tick == tick:
+            if engine is not None:
+                engine.close()
             return
-        self._parked.append(_Parked(self.branch, self.tick, self._blocks, self.live.copy()))
-        self._parked.sort(key=lambda one: (one.tick, one.branch.number))
-        present = self._cost.of(self.tick, self._blocks)
-        works = [min(self._cost.of(one.tick, one.blocks), present) for one in self._parked]
-        for index in reversed(surplus(works, present)):
-            self._parked.pop(index).engine.close()
+        parked = self._live.copy() if engine is None else engine
+        self._parked.add(Parked(self.branch, tick, self.branch.work_at(tick), parked))
+        self._parked.thin_out(self.branch.work_at(self.tick))
+
+    # --- what has been run again ----------------------------------------------------------------
+
+    def _compared(self, done: Slice, marks: Sequence[PastMark]) -> Slice:
+        """Return what ticks have done that were run again; raises ``Failure`` (901901).
+
+        Where a PLC has done otherwise than before, the slice says so. Where a program is another
+        one now, what it has decoded may not have been carried out yet: raises ``Failure`` (901900).
+        """
+        check_programs(done.diagnostics)
+        differs = first_difference(done.marks, marks)
+        done = replace(done, marks=(), rows=b"")
+        if differs is None or done.differs is not None:
+            return done
+        if self._setup.plc is not None:
+            return replace(done, differs=differs)
+        raise past_differs(differs)
+
+    def _confirm(self, engine: RemoteEngine, branch: Branch) -> None:
+        """Let a copy run on to the next mark, so that what is shown here is as it was."""
+        tick = engine.tick
+        following = branch.mark_after(tick)
+        number, first, last = self._confirmed
+        if following is None or not self._can_copy or self._setup.plc is not None:
+            return
+        if number == branch.number and first <= tick <= last:
+            return
+        if following.end > tick:
+            scout = engine.copy()
+            try:
+                done = scout.run(following.end, marks=(following.end,))
+            finally:
+                scout.close()
+            self._compared(done, [following])
+        self._confirmed = branch.number, tick, following.tick
+
+    def _rerun(
+        self, engine: RemoteEngine, branch: Branch, end: int, *, first: int | None = None
+    ) -> Slice:
+        """Run a controller over ticks of the past, up to ``end``; ``first``: where it began."""
+        begin = engine.tick if first is None else first
+        done = engine.run(engine.tick)
+        while engine.tick < end and done.run_state is None:
+            self._report(engine.tick - begin, end - begin)
+            marks = branch.marks_between(engine.tick, end)[:PART_MARKS]
+            part = min(
+                end, engine.tick + PART_TICKS, *(mark.tick for mark in marks[PART_MARKS - 1 :])
+            )
+            marks = [mark for mark in marks if mark.tick <= part]
+            again = engine.run(part, marks=ticks_of(marks))
+            done = joined(done, self._compared(again, marks))
+        return done
+
+    def _report(self, done: int, whole: int) -> None:
+        self.progress = done, whole
+        self._poll()
 
     # --- inputs ---------------------------------------------------------------------------------
 
@@ -194,7 +243,8 @@ class Timeline:
         if begins:
             later = [one for one in branch.all_inputs() if one.tick >= self.tick]
             planned = [one for one in later if one.source == "stimuli"]
-            self.branch = Branch(len(self.branches) + 1, branch, self.tick, [], self.tick)
+            record = BranchRecord(branch.work_at(self.tick))
+            self.branch = Branch(len(self.branches) + 1, branch, self.tick, [], self.tick, record)
             self.branches.append(self.branch)
             self._plc[self.branch.number] = []
             self.branch.inputs = planned
@@ -208,49 +258,56 @@ class Timeline:
     def go_to(self, tick: int, branch: int | None = None) -> Slice:
         """Make the live controller stand before a tick of a branch, by default of this one.
 
-        Returns what its last ticks have done. Raises ``Failure`` (901154, 901157).
+        Returns what its last ticks have done. Raises ``Failure`` (901154, 901157, 901901), and it
+        stands where it was.
         """
         target = self.branch if branch is None else self._branch(branch)
         if not 0 <= tick <= target.latest:
             raise Failure(diagnostic(TICK_NOT_REACHED, tick=tick, latest=target.latest))
-        if target is self.branch and tick == self.tick:
-            return self.live.run(tick)
-        is_forward = target is self.branch and tick > self.tick
-        if self._can_copy and self.tick == self.branch.latest:
+        if target is self.branch and tick == self.tick and self._fault is None:
+            return self._live.run(tick)
+        if self._can_copy and self.tick == self.branch.latest and self._fault is None:
             with contextlib.suppress(Failure):  # one that is gone is left behind
                 self._park()  # so that the way back to the front is short
-        nearest = self._nearest(target, tick)
-        if not is_forward or (nearest is not None and nearest.tick > self.tick):
-            self._wake(target, nearest)
-        self.branch = target
-        return self._approach(tick)
+        before_us = self.branch.work_at(self.tick)
+        engine = self._on_the_way(target, tick)
+        try:
+            done = self._approach(engine, target, tick)
+            self._confirm(engine, target)
+        except BaseException:
+            if engine is not self._live:
+                engine.close()
+            raise
+        finally:
+            self.progress = None
+        if engine is not self._live:
+            self._live.close()
+        self._live, self.branch, self._fault = engine, target, None
+        self._refine(is_step=abs(target.work_at(tick) - before_us) < SPARSE_US)
+        return done
 
     def _branch(self, number: int) -> Branch:
         if not 0 < number <= len(self.branches):
             raise Failure(diagnostic(NO_SUCH_BRANCH, branch=number, count=len(self.branches)))
         return self.branches[number - 1]
 
-    def _nearest(self, branch: Branch, tick: int) -> _Parked | None:
-        """Return the last parked controller of a branch at or before a tick."""
-        usable = [
-            one for one in self._parked if one.tick <= tick and branch.shares(one.branch, one.tick)
-        ]
-        return max(usable, key=lambda one: one.tick, default=None)
-
-    def _wake(self, branch: Branch, nearest: _Parked | None) -> None:
-        """Let a copy of a parked controller be the live one, with the inputs of a branch."""
+    def _on_the_way(self, target: Branch, tick: int) -> RemoteEngine:
+        """Return a controller before a tick of a branch, as near to it as there is one."""
         self._refuse_on_real_schedule()
-        if nearest is None:
-            fresh, _ = self._workshop.open(self._setup)
-            blocks = 0
-        else:
-            fresh, blocks = nearest.engine.copy(), nearest.blocks
-        self.live.close()
-        self.live, self._blocks = fresh, blocks
-        fresh.plan(self._planned(branch, fresh.tick))
+        nearest = self._parked.nearest(target, tick)
+        if target is self.branch and self._fault is None and self.tick <= tick:
+            if nearest is None or nearest.tick <= self.tick:
+                return self._live.copy() if self._can_copy else self._live
+        return self._woken(target, nearest)
+
+    def _woken(self, target: Branch, parked: Parked | None) -> RemoteEngine:
+        """Return a copy of a parked controller with the inputs of a branch, else a new one."""
+        engine = self._workshop.open(self._setup)[0] if parked is None else parked.engine.copy()
+        engine.plan(self._planned(target, engine.tick))
+        return engine
 
     def _refuse_on_real_schedule(self) -> None:
-        if self._setup.rtconf is not None:
+        if not self._has_past:
             raise Failure(diagnostic(REAL_SCHEDULE_HAS_NO_PAST))
 
     def _planned(self, branch: Branch, tick: int) -> list[Input]:
@@ -261,31 +318,82 @@ class Timeline:
         last = branch.latest
         while story is not None and last > tick:
             own = self._plc[story.number]
-            given = own[_index_of(own, tick + 1) : _index_of(own, last + 1)] + given
+            given = own[index_of(own, tick + 1) : index_of(own, last + 1)] + given
             last, story = story.first_tick, story.parent
         return planned + given
 
-    def _approach(self, tick: int) -> Slice:
-        """Run the live controller up to a tick; park on the way where that is dear."""
-        first = self.tick
-        if self._can_copy:
-            per_tick = self._cost.of(1, 0) + self._cost.of(0, self._blocks) / max(first, 1)
-            halves = approach(per_tick * first, per_tick * tick)
-            for work in halves:
-                between = int(work / per_tick)
-                if first < between < tick:
-                    self._blocks = run_in_parts(self.live, between, self._poll).decoded
-                    self._park()
-        done = run_in_parts(self.live, tick, self._poll)
-        self._blocks = done.decoded
+    def _approach(self, engine: RemoteEngine, branch: Branch, tick: int) -> Slice:
+        """Run a controller up to a tick; park on the way where that is dear."""
+        first = engine.tick
+        for work_us in approach(branch.work_at(first), branch.work_at(tick)):
+            place = branch.mark_before_work(work_us)
+            if self._can_copy and place is not None and engine.tick < place.tick < tick:
+                self._rerun(engine, branch, place.tick, first=first)
+                self._parked.add(Parked(branch, place.tick, place.work_us, engine.copy()))
+        done = self._rerun(engine, branch, tick, first=first)
+        self._parked.thin_out(branch.work_at(tick))
         return done
+
+    def _refine(self, *, is_step: bool) -> None:
+        """Park where it is far to the next parked controller, for those who go back from here.
+
+        Where somebody goes step by step this takes ``REFINED_US`` at most.
+        """
+        spent_us = 0.0
+        if not self._can_copy or self._setup.plc is not None:
+            return
+        while spent_us < REFINED_US or not is_step:
+            present_us = self.branch.work_at(self.tick)
+            parked = self._parked.before(self.branch, self.tick)
+            gap = first_gap([one.work_us for one in parked], present_us)
+            if gap is None:
+                return
+            older, place = parked[gap[0]], self.branch.mark_before_work(gap[1])
+            is_far = present_us - gap[1] > FAR_US
+            if place is None or place.tick <= older.tick or (is_far and not is_step):
+                return
+            limit_us = REFINED_US - spent_us if is_step else math.inf
+            try:
+                spent_us += self._fill(older, place, limit_us)
+            except Failure:
+                return  # whoever goes there learns why, and nobody has asked for it yet
+
+    def _fill(self, older: Parked, place: PastMark, limit_us: float) -> float:
+        """Bring a copy of a parked controller to a place, or some work nearer; return the work."""
+        branch = self.branch
+        filler = self._parked.filler
+        if (
+            filler is None
+            or filler.branch is not branch
+            or not older.tick <= filler.tick < place.tick
+        ):
+            self._parked.give_up_filler()
+            filler = Parked(branch, older.tick, older.work_us, self._woken(branch, older))
+        self._parked.filler = None
+        end = branch.mark_before_work(filler.work_us + limit_us)
+        last = place if end is None or end.tick > place.tick else end
+        engine = filler.engine
+        try:
+            self._rerun(engine, branch, last.tick)
+        except BaseException:
+            engine.close()
+            raise
+        finally:
+            self.progress = None
+        moved = Parked(branch, engine.tick, last.work_us, engine)
+        if engine.tick >= place.tick:
+            self._parked.add(moved)
+            self._parked.thin_out(branch.work_at(self.tick))
+        else:
+            self._parked.filler = moved
+        return max(last.work_us - filler.work_us, DENSE_US)
 
     # --- looking --------------------------------------------------------------------------------
 
     def trial(self, tick: int) -> RemoteEngine:
         """Return a controller before a tick of this branch that never joins the session.
 
-        Close it after use. Raises ``Failure`` (901154).
+        Close it after use; ``confirm`` what it shows. Raises ``Failure`` (901154, 901901).
         """
         target = self.branch
         if not 0 <= tick <= target.latest:
@@ -293,50 +401,98 @@ class Timeline:
         if self._can_copy and self.tick == tick:
             return self.live.copy()
         self._refuse_on_real_schedule()
-        nearest = self._nearest(target, tick)
-        if nearest is None:
-            engine, _ = self._workshop.open(self._setup)
-        else:
-            engine = nearest.engine.copy()
+        engine = self._woken(target, self._parked.nearest(target, tick))
         try:
-            engine.plan(self._planned(target, engine.tick))
-            if engine.tick < tick:
-                run_in_parts(engine, tick, self._poll)
+            self._rerun(engine, target, tick)
         except BaseException:
             engine.close()
             raise
+        finally:
+            self.progress = None
         return engine
 
     def happened(self, first: int, end: int) -> Slice:
         """Return what the ticks of this branch from ``first`` up to ``end`` have done."""
         engine = self.trial(first)
         try:
-            engine.run(first)  # what is left of the ticks before
-            return run_in_parts(engine, end, self._poll)
+            done = self._rerun(engine, self.branch, end)
+            self.confirm(engine, end)
         finally:
             engine.close()
+            self.progress = None
+        return done
+
+    def confirm(self, engine: RemoteEngine, tick: int) -> None:
+        """Let a trial, which has come to a tick, run on to the next mark.
+
+        Raises ``Failure`` (901901) if it is not as it was there.
+        """
+        following = self.branch.mark_after(tick)
+        if following is not None and self._has_past:
+            done = engine.run(following.end, marks=(following.end,))
+            self._compared(done, [following])
 
     def previous(self, stops: Sequence[StopAt]) -> int | None:
         """Return the last tick before the present at which one of the stops held, or ``None``.
 
-        It runs the past again in stretches, from the latest to the earliest.
+        The record tells where there were events; for other stops the past is run again, from the
+        latest parked controller to the earliest.
         """
-        once = [replace(stop, count=1) for stop in stops]
-        end, width = self.tick - 1, _SEARCHED_TICKS
-        while end > 0:
-            begin = max(0, end - width)
-            nearest = self._nearest(self.branch, begin)
-            if nearest is not None and end - nearest.tick < 4 * width:
-                begin = nearest.tick
-            engine = self.trial(begin)
-            try:
-                found = search_in_parts(engine, end, once, self._poll)
-            finally:
-                engine.close()
-            if found:
-                return found[-1]
-            end, width = begin, 2 * width
-        return None
+        end, found = self.tick - 1, 0
+        if end <= 0:
+            return None
+        self._refuse_on_real_schedule()
+        self._poll()
+        others: list[StopAt] = []
+        for stop, wanted in zip(stops, self.live.ask("filters", stops), strict=True):
+            if wanted is None:
+                others.append(replace(stop, count=_NEVER))
+            for one in wanted or ():
+                found = max(found, self.branch.last_event(one, end) + 1)
+        if others:
+            found = self._searched(others, found, end)
+        return found or None
+
+    def _searched(self, stops: Sequence[StopAt], found: int, end: int) -> int:
+        """Return the last tick up to ``end`` at which a stop held, ``found`` if that is later."""
+        whole = end - found
+        try:
+            while end > found:
+                parked = self._parked.nearest(self.branch, end - 1)
+                engine = self._woken(self.branch, parked)
+                try:
+                    begin = engine.tick
+                    hit = self._last_hit(engine, end, stops, whole - end + found, whole)
+                finally:
+                    engine.close()
+                if hit:
+                    return max(hit, found)
+                end = begin
+        finally:
+            self.progress = None
+        return found
+
+    def _last_hit(
+        self, engine: RemoteEngine, end: int, stops: Sequence[StopAt], before: int, whole: int
+    ) -> int:
+        """Run a controller up to a tick; return the last tick at which a stop held, or 0."""
+        first, hit, has_plc = engine.tick, 0, self._setup.plc is not None
+        while engine.tick < end:
+            self._report(before + engine.tick - first, whole)
+            marks = self.branch.marks_between(engine.tick, end)[:PART_MARKS]
+            part = min(
+                end, engine.tick + PART_TICKS, *(mark.tick for mark in marks[PART_MARKS - 1 :])
+            )
+            marks = [mark for mark in marks if mark.tick <= part]
+            tick = engine.tick
+            hit, _, found = engine.last_hit(part, stops, ticks_of(marks))
+            differs = first_difference(found, marks)
+            if differs is not None and not has_plc:
+                raise past_differs(differs)
+            if engine.tick == tick:
+                break  # the run is over
+        self.confirm(engine, end)
+        return hit
 
     @property
     def setup(self) -> Setup:
@@ -351,7 +507,7 @@ class Timeline:
         """Return branch, latest tick, and the inputs before it from tick ``first`` on."""
         end = self.branch.latest
         found = sorted(self._planned(self.branch, first - 1), key=lambda one: one.tick)
-        kept = found[_index_of(found, first) : _index_of(found, end)]
+        kept = found[index_of(found, first) : index_of(found, end)]
         return self.branch.number, end, kept
 
     def restart_schedule(self) -> None:
@@ -371,42 +527,14 @@ class Timeline:
 
     def close(self) -> None:
         """Let all controllers end."""
-        for parked in self._parked:
-            parked.engine.close()
-        self._parked.clear()
+        self._parked.close()
+        for branch in self.branches:
+            branch.record.close()
         if self._setup.rtconf is not None:
             with contextlib.suppress(Failure, RuntimeError):
-                self.live.ask("schedule", CLOSE)
-        self.live.close()
+                self._live.ask("schedule", CLOSE)
+        self._live.close()
         self._workshop.close()
-
-
-def run_in_parts(engine: RemoteEngine, end: int, poll: Poll) -> Slice:
-    """Run a controller to a tick; ``poll`` is called between two parts of the way."""
-    done = engine.run(min(end, engine.tick + PART_TICKS))
-    while done.tick < end and done.run_state is None:
-        poll()
-        done = joined(done, engine.run(min(end, done.tick + PART_TICKS)))
-    return done
-
-
-def search_in_parts(
-    engine: RemoteEngine, end: int, stops: Sequence[StopAt], poll: Poll
-) -> list[int]:
-    """Return the ticks up to ``end`` behind which a stop has held; ``poll`` as above."""
-    found: list[int] = []
-    while engine.tick < end:
-        poll()
-        before = engine.tick
-        found += engine.search(min(end, before + PART_TICKS), stops)
-        if engine.tick == before:
-            break  # the run is over
-    return found
-
-
-def _index_of(inputs: Sequence[Input], tick: int) -> int:
-    """Return the index of the first input of a tick or a later one, of inputs in their order."""
-    return bisect.bisect_left(inputs, tick, key=lambda one: one.tick)
 
 
 def _insert(inputs: list[Input], arriving: Sequence[Input]) -> None:

@@ -10,10 +10,12 @@ be woken any number of times.
 
 from __future__ import annotations
 
+import contextlib
 import gc
 import os
 import pickle
 import signal
+import socket
 import sys
 import traceback
 from collections.abc import Callable
@@ -70,7 +72,7 @@ class Worker:
                 return
             answer = self._answer(request, words)
             if answer is None:
-                continue  # in the copy, whose own connection follows
+                continue  # it has been given, or this is the copy
             try:
                 send(self._connection, answer)
             except OSError:
@@ -85,7 +87,8 @@ class Worker:
                 self._engine = Engine(setup)
                 return DONE, self._engine.description
             if request == "copy":
-                return self._copy(*words)
+                self._copy()
+                return None
             method: Callable[..., Any] = getattr(self._engine, request)
             return DONE, method(*words)
         except Failure as failure:
@@ -93,19 +96,26 @@ class Worker:
         except Exception:  # noqa: BLE001 - the session shows it as an internal error
             return BROKEN, traceback.format_exc()
 
-    def _copy(self, name: str) -> tuple[str, Any] | None:
-        """Copy this process; the copy connects as ``name``. Return ``None`` in the copy."""
+    def _copy(self) -> None:
+        """Copy this process; the session gets the copy's number and its end of a connection."""
+        for stream in (sys.stdout, sys.stderr):  # else what a PLC has printed is printed by each
+            with contextlib.suppress(OSError, ValueError):
+                stream.flush()
         gc.freeze()  # a search for garbage would touch, and so copy, all of the shared memory
+        connection = self._connection
+        assert connection is not None
+        own, others = socket.socketpair()
         child = os.fork()
         if child:
-            return DONE, child
-        if self._connection is not None:
-            self._connection.close()
-        try:
-            self.connect(name)
-        except (OSError, EOFError):
-            os._exit(0)  # the session has ended meanwhile
-        return None
+            own.close()
+            with others, contextlib.suppress(OSError):  # the session may have ended meanwhile
+                connection.send((DONE, child))
+                with socket.fromfd(connection.fileno(), own.family, own.type) as carrier:
+                    socket.send_fds(carrier, [b"0"], [others.fileno()])
+            return
+        others.close()
+        connection.close()
+        self._connection = Connection(own.detach())
 
 
 def main() -> None:

@@ -10,6 +10,7 @@ import contextlib
 import os
 import secrets
 import signal
+import socket
 import subprocess
 import threading
 import time
@@ -23,7 +24,7 @@ from nctakt.base.python_process import python_command, python_environment
 from nctakt.messages import diagnostic
 from nctakt.messages.session import CONTROLLER_LOST
 from nctakt.run.inputs import Input
-from nctakt.session.engine import CycleState, Slice
+from nctakt.session.engine import CycleState, Found, Slice
 from nctakt.session.setup import Description, Setup
 from nctakt.session.stops import StopAt
 from nctakt.session.worker import BROKEN, KEY_SIZE, REFUSED, can_fork, receive, send
@@ -72,13 +73,26 @@ class RemoteEngine:
 
     def copy(self) -> RemoteEngine:
         """Return a copy at the same tick, in a process of its own."""
-        name = self._workshop.next_name()
-        process = cast("int", self.ask("copy", name))
-        return RemoteEngine(self._workshop.accept(name), process, self._workshop, self.tick)
+        process = cast("int", self.ask("copy"))
+        try:
+            with socket.fromfd(
+                self._connection.fileno(), socket.AF_UNIX, socket.SOCK_STREAM
+            ) as own:
+                _, (descriptor,), *_ = socket.recv_fds(own, 1, 1, socket.MSG_CMSG_CLOEXEC)
+        except (OSError, ValueError) as error:
+            raise Failure(diagnostic(CONTROLLER_LOST, reason=str(error) or "EOF")) from error
+        return RemoteEngine(Connection(descriptor), process, self._workshop, self.tick)
 
-    def run(self, end: int, stops: Sequence[StopAt] = (), *, events: bool = True) -> Slice:
+    def run(
+        self,
+        end: int,
+        stops: Sequence[StopAt] = (),
+        *,
+        events: bool = True,
+        marks: Sequence[int] | None = (),
+    ) -> Slice:
         """Run as ``Engine.run``."""
-        done = cast("Slice", self.ask("run", end, stops, events))
+        done = cast("Slice", self.ask("run", end, stops, events, marks))
         self.tick = done.tick
         return done
 
@@ -89,9 +103,10 @@ class RemoteEngine:
         self._listed = names
         return cast("list[float | bool | str]", answer)
 
-    def search(self, end: int, stops: Sequence[StopAt]) -> list[int]:
-        """Search as ``Engine.search``."""
-        found, self.tick = cast("tuple[list[int], int]", self.ask("search", end, stops))
+    def last_hit(self, end: int, stops: Sequence[StopAt], marks: Sequence[int]) -> Found:
+        """Search as ``Engine.last_hit``."""
+        found = cast("Found", self.ask("last_hit", end, stops, marks))
+        self.tick = found[1]
         return found
 
     def plan(self, inputs: Sequence[Input]) -> None:

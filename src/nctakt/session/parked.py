@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: MIT
+"""The parked controllers of a session.
+
+In: controllers at ticks of branches. Out: the nearest one to any moment; those that nobody needs
+are closed.
+"""
+
+from __future__ import annotations
+
+from nctakt.base.dataclass import dataclass
+from nctakt.session.branch import Branch
+from nctakt.session.parking import surplus
+from nctakt.session.workshop import RemoteEngine
+
+
+@dataclass(frozen=True, slots=True)
+class Parked:
+    """A controller before a tick of a branch; ``work_us``: how long the run up to there took."""
+
+    branch: Branch
+    tick: int
+    work_us: float
+    engine: RemoteEngine
+
+
+class ParkedControllers:
+    """All parked controllers; ``filler``: one on its way to where another one is missing."""
+
+    def __init__(self) -> None:
+        self._parked: list[Parked] = []
+        self.filler: Parked | None = None
+
+    def __len__(self) -> int:
+        return len(self._parked)
+
+    def add(self, parked: Parked) -> None:
+        """Keep a controller."""
+        self._parked.append(parked)
+        self._parked.sort(key=lambda one: (one.work_us, one.tick, one.branch.number))
+
+    def thin_out(self, present_us: float) -> None:
+        """Close those that stand too dense, seen from a present."""
+        works = [one.work_us for one in self._parked]
+        for index in reversed(surplus(works, present_us)):
+            self._parked.pop(index).engine.close()
+
+    def before(self, branch: Branch, tick: int) -> list[Parked]:
+        """Return those at or before a tick of a branch, by tick."""
+        usable = [
+            one for one in self._parked if one.tick <= tick and branch.shares(one.branch, one.tick)
+        ]
+        return sorted(usable, key=lambda one: one.tick)
+
+    def nearest(self, branch: Branch, tick: int) -> Parked | None:
+        """Return the last one at or before a tick of a branch."""
+        return next(reversed(self.before(branch, tick)), None)
+
+    def give_up_filler(self) -> None:
+        """Close the one on its way."""
+        if self.filler is not None:
+            self.filler.engine.close()
+            self.filler = None
+
+    def close(self) -> None:
+        """Close all of them."""
+        self.give_up_filler()
+        for parked in self._parked:
+            parked.engine.close()
+        self._parked.clear()

@@ -1,0 +1,112 @@
+# SPDX-License-Identifier: MIT
+"""What the ticks of a controller leave behind, by which a run of the same ticks is recognized.
+
+In: the events of a run, the memory of its machine. Out: a mark after some ticks, with a digest of
+the memory and of all events so far; the rows of events that a session keeps.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import time
+from collections.abc import Sequence
+
+import numpy as np
+
+from nctakt.base.dataclass import dataclass
+from nctakt.kernel import rows
+from nctakt.trace.chunks import EventChunk
+from nctakt.trace.events import Event
+from nctakt.trace.sinks import TraceHeader
+
+#: Work between two marks, in microseconds.
+MARK_US = 4_000.0
+
+#: Ticks between two marks at most.
+MAX_MARK_TICKS = 100_000
+
+#: Length of a digest in bytes.
+DIGEST_SIZE = 8
+
+#: Kinds of events of which a run may have some in each tick: no session keeps them.
+_NOT_KEPT = (rows.EVENT_WRITTEN, rows.EVENT_WRITTEN_TEXT)
+
+
+@dataclass(frozen=True, slots=True)
+class Mark:
+    """A run behind the ticks before ``tick``.
+
+    ``digest``: of its memory and of all events so far. ``work_us``: the time of the processor since
+    the mark before, in microseconds. ``is_over``: the run has ended there.
+    """
+
+    tick: int
+    digest: bytes
+    work_us: float
+    is_over: bool = False
+
+
+class Trail:
+    """A sink that digests all events; ``keeps``: it keeps their rows as well, until ``take``."""
+
+    def __init__(self, memory: bytearray) -> None:
+        self._memory = memory
+        self._events = hashlib.blake2b(digest_size=DIGEST_SIZE)
+        self._rows: list[bytes] = []
+        self.keeps = False
+        self._since_us = 0.0
+        self.part = 64
+
+    def open(self, header: TraceHeader) -> None:
+        """Do nothing."""
+
+    def events(self, events: Sequence[Event]) -> None:
+        """Digest events."""
+        assert isinstance(events, EventChunk)
+        self._events.update(events.data)
+        if self.keeps:
+            self._rows.append(_kept(events.data))
+
+    def close(self) -> None:
+        """Do nothing."""
+
+    def take(self) -> bytes:
+        """Return the rows since the last call."""
+        taken, self._rows = b"".join(self._rows), []
+        return taken
+
+    def digest(self) -> bytes:
+        """Return the digest of the machine's memory and of all events so far."""
+        whole = self._events.copy()
+        whole.update(self._memory)
+        return whole.digest()
+
+    def note(self, ticks: int, work_us: float) -> bool:
+        """Note what some ticks have cost; return whether a mark is due.
+
+        ``part``: how many ticks should follow in one go, so that marks are about as far from each
+        other as they should be.
+        """
+        self._since_us += work_us
+        if work_us < 0.5 * MARK_US and ticks >= self.part:
+            self.part = min(2 * self.part, MAX_MARK_TICKS)
+        elif work_us > 2.0 * MARK_US:
+            self.part = max(self.part // 2, 1)
+        return self._since_us >= MARK_US
+
+    def mark(self, tick: int, *, is_over: bool) -> Mark:
+        """Return the mark after the latest tick."""
+        work_us, self._since_us = self._since_us, 0.0
+        return Mark(tick, self.digest(), work_us, is_over)
+
+
+def now_us() -> float:
+    """Return the time that this process has had of its processor, in microseconds."""
+    return time.process_time() * 1e6
+
+
+def _kept(data: bytes) -> bytes:
+    """Return the rows of those kinds that a session keeps."""
+    found = np.frombuffer(data, np.float64).reshape(-1, rows.EVENT_WIDTH)
+    is_left = np.isin(found[:, rows.EVENT_KIND], _NOT_KEPT)
+    return data if not is_left.any() else found[~is_left].tobytes()

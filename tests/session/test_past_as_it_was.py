@@ -1,0 +1,311 @@
+# SPDX-License-Identifier: MIT
+"""What is run again is compared with the first run, and found without running where it can be."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from nctakt import NcText
+from nctakt.base.failure import Failure
+from nctakt.kernel import rows
+from nctakt.session import record
+from nctakt.session.engine import Engine, Slice
+from nctakt.session.listening import Notice
+from nctakt.session.parking import DENSE_US, MAX_PARKED, WINDOW_COUNT, first_gap, surplus
+from nctakt.session.record import BranchRecord, PastMark
+from nctakt.session.session import Session
+from nctakt.session.setup import Setup
+from nctakt.session.stops import EventFilter, StopAt, read_stop
+from nctakt.session.story import Story
+from nctakt.session.trail import MARK_US, Mark
+from nctakt.session.worker import can_fork
+from nctakt.session.workshop import RemoteEngine
+
+pytestmark = pytest.mark.slow
+
+needs_copies = pytest.mark.skipif(not can_fork(), reason="a controller cannot be copied here")
+
+PROGRAM = """\
+#RT CYCLE [ID=1 SCOPE=PROG]
+  $IF V.RTA.ACS.ACT_POS.X > 20
+    V.E.COUNT += 1
+  $ENDIF
+#RT CYCLE END
+$FOR P1 = 1, 20, 1
+  G01 X[2*P1] Y[P1 MOD 3] F6000
+  M100
+$ENDFOR
+M30
+"""
+
+
+@pytest.fixture
+def story() -> Iterator[Story]:
+    """A story that stands at tick 600, after ticks run in parts."""
+    own = Story(Setup({1: [NcText("p.nc", PROGRAM)]}))
+    for _ in range(12):
+        own.step(50)
+    yield own
+    own.close()
+
+
+def let_differ(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let each controller that runs again come to something else."""
+    run = RemoteEngine.run
+
+    def other(engine: RemoteEngine, end: int, *words: Any, **keywords: Any) -> Slice:
+        done = run(engine, end, *words, **keywords)
+        if not keywords.get("marks"):
+            return done
+        wrong = tuple(Mark(mark.tick, b"otherwise", 0.0) for mark in done.marks)
+        return Slice(**{name: getattr(done, name) for name in done.__slots__} | {"marks": wrong})
+
+    monkeypatch.setattr(RemoteEngine, "run", other)
+
+
+# --- marks ----------------------------------------------------------------------------------------
+
+
+def test_the_same_ticks_leave_the_same_marks_however_they_are_cut() -> None:
+    """Marks depend on what was run, not on where a run was cut into parts."""
+    found = []
+    for size in (1000, 7, 130):
+        engine = Engine(Setup({1: [NcText("p.nc", PROGRAM)]}))
+        marks = [*range(100, 500, 50), 500]
+        while engine.tick < 500:
+            end = min(500, engine.tick + size)
+            found += engine.run(end, marks=[one for one in marks if engine.tick < one <= end]).marks
+    digests = [{mark.tick: mark.digest for mark in found[9 * k : 9 * k + 9]} for k in range(3)]
+    assert len(digests[0]) == 9
+    assert digests[0] == digests[1] == digests[2]
+
+
+@pytest.mark.parametrize("change", ["position", "event"])
+def test_a_mark_is_another_one_for_another_past(change: str) -> None:
+    texts = {"position": PROGRAM.replace("MOD 3", "MOD 4"), "event": PROGRAM.replace("100", "101")}
+    marks = [
+        Engine(Setup({1: [NcText("p.nc", text)]})).run(300, marks=[300]).marks[0]
+        for text in (PROGRAM, texts[change])
+    ]
+    assert marks[0].tick == marks[1].tick
+    assert marks[0].digest != marks[1].digest
+
+
+TRAVEL: dict[str, Callable[[Story], object]] = {
+    "go_to": lambda story: story.go_to(120),
+    "back": lambda story: story.back(3),
+    "back_to": lambda story: story.back_to([read_stop("V.E.COUNT > 5")]),
+    "look": lambda story: story.look(100, 400, ["X.ACS.ACT_POS"]),
+    "events": lambda story: story.events(100, 400),
+    "why": lambda story: story.past().explained(lambda: None),
+}
+
+
+@needs_copies
+def test_a_past_that_is_not_as_it_was_is_not_shown(story: Story) -> None:
+    """It is an internal error, which says so; the session stays where it is right."""
+    own = story.branch.record
+    true = list(own.marks)
+    own.marks[:] = [PastMark(mark.tick, b"another", mark.work_us, mark.is_over) for mark in true]
+    before = story.read(["V.RTA.ACS.ACT_POS.X"])
+    for name, travel in TRAVEL.items():
+        with pytest.raises(Failure) as failed:
+            travel(story)
+        assert failed.value.diagnostics[0].id == 901901, name
+        assert story.tick == 600
+        assert story.read(["V.RTA.ACS.ACT_POS.X"]) == before
+    own.marks[:] = true
+    for travel in TRAVEL.values():
+        travel(story)
+
+
+@needs_copies
+def test_a_live_controller_that_has_gone_wrong_shows_nothing_until_it_is_left(
+    story: Story, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    story.go_to(100)
+    with monkeypatch.context() as patch:
+        let_differ(patch)
+        with pytest.raises(Failure):
+            story.step(500)
+    for look in (lambda: story.read(["V.E.COUNT"]), story.step, story.cycles):
+        with pytest.raises(Failure) as failed:
+            look()
+        assert failed.value.diagnostics[0].id == 901901
+    story.go_to(400)
+    assert story.read(["V.RTA.ACS.ACT_POS.X"])[0] > 0.0
+    story.step(300)
+    assert story.tick == 700
+
+
+@needs_copies
+def test_sessions_say_it_to_those_who_listen(monkeypatch: pytest.MonkeyPatch) -> None:
+    with Session(NcText("p.nc", PROGRAM)) as session, session.listen() as listener:
+        session.step(500)
+        session.go_to(10)
+        let_differ(monkeypatch)
+        session.play(1000.0)
+        told: dict[str, Notice] = {}
+        while "refused" not in told:
+            told |= {notice.kind: notice for notice in listener.notices(20.0)}
+        assert "901901" in told["refused"].text
+        assert "interner Fehler" in told["refused"].text_de
+        assert not session.is_playing
+
+
+@needs_copies
+def test_a_program_that_was_changed_on_disk_has_no_past(tmp_path: Path) -> None:
+    """Of a long program the lines are read again; it is told that they are others now."""
+    path = tmp_path / "p.nc"
+    lines = [f"G01 X{number % 2 * 0.3} F6000 ; {number:030}" for number in range(30_000)]
+    path.write_text("\n".join([*lines, "M30"]), "utf-8")
+    own = Story(Setup({1: [path]}))
+    try:
+        for _ in range(10):
+            own.step(5000)
+        path.write_text("\n".join(["G01 X3 F100", *lines]), "utf-8")
+        refused = []
+        for tick in range(4000, 50_000, 5000):
+            try:
+                own.go_to(tick)
+            except Failure as failure:
+                refused.append(failure.diagnostics[0].id)
+        assert set(refused) == {901900}
+    finally:
+        own.close()
+
+
+def test_a_selected_program_leaves_the_same_marks_in_the_past(tmp_path: Path) -> None:
+    """Selected for later, refused, and selected again: the files are those of the first run."""
+    paths = [tmp_path / f"{name}.nc" for name in "abc"]
+    for path, text in zip(
+        paths, ("G01 X1 F600\nM30", "G01 Y2 F600\nM30", "G01 X\nM30"), strict=True
+    ):
+        path.write_text(text, "utf-8")
+    own = Story(Setup({1: []}, stays=True))
+    try:
+        own.step(20)
+        with pytest.raises(Failure):
+            own.select(str(paths[2]), 1, "page")
+        own.select(str(paths[1]), 1, "page")
+        own.step(400)
+        own.select(str(paths[0]), 1, "page")
+        own.step(400)
+        for tick in (500, 30, 700, 400):
+            own.go_to(tick)
+        own.step(820 - own.tick)
+        assert own.read(["V.RTA.ACS.ACT_POS.X", "V.RTA.ACS.ACT_POS.Y"]) == [1.0, 2.0]
+    finally:
+        own.close()
+
+
+# --- the record -----------------------------------------------------------------------------------
+
+
+def test_a_stop_at_an_event_is_found_without_running(
+    story: Story, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Blocks, functions and firings by the record; the same as by running again."""
+    for text in ("line 7", "line 8", "M100", "fires 2", "message", "M101"):
+        stop = read_stop(text)
+        by_running = story._timeline.previous([StopAt(**_fields(stop) | {"only_if": "1 > 0"})])
+        with monkeypatch.context() as patch:
+            patch.setattr(RemoteEngine, "last_hit", None)
+            patch.setattr(RemoteEngine, "run", None)
+            assert story._timeline.previous([stop]) == by_running, text
+
+
+def _fields(stop: StopAt) -> dict[str, Any]:
+    return {name: getattr(stop, name) for name in stop.__slots__}
+
+
+def test_the_latest_of_several_stops_is_found(story: Story) -> None:
+    single = [story._timeline.previous([read_stop(text)]) for text in ("M100", "changes V.E.COUNT")]
+    stops = [read_stop("M100"), read_stop("changes V.E.COUNT")]
+    assert story._timeline.previous(stops) == max(filter(None, single))
+
+
+def test_events_of_another_branch_are_not_found(story: Story) -> None:
+    """A branch has the events before its first tick, and its own."""
+    found = story._timeline.previous([read_stop("M100")])
+    assert found is not None
+    story.go_to(200)
+    earlier = story._timeline.previous([read_stop("M100")])
+    story.write({"HLI.FEED_HOLD": True}, "page")
+    story.step(200)
+    assert story.branch.number == 2
+    assert story._timeline.previous([read_stop("M100")]) == earlier
+    story.go_to(600, 1)
+    assert story._timeline.previous([read_stop("M100")]) == found
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_events_are_found_in_all_chunks(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    """In memory, in a file, in the chunk that grows: as by looking at all of them."""
+    monkeypatch.setattr(record, "CHUNK_BYTES", 64 * 5)
+    monkeypatch.setattr(record, "MAX_BYTES", 64 * 20)
+    chance = np.random.default_rng(seed)
+    count = int(chance.integers(1, 120))
+    events = np.zeros((count, rows.EVENT_WIDTH))
+    events[:, rows.EVENT_TICK] = np.sort(chance.integers(0, 60, count))
+    events[:, rows.EVENT_KIND] = chance.integers(0, 4, count)
+    events[:, rows.EVENT_A] = chance.integers(0, 5, count)
+    events[chance.random(count) < 0.1, rows.EVENT_A] = np.nan
+    own = BranchRecord()
+    for part in np.array_split(events, 15):
+        own.add([], part.tobytes())
+    low, high = [-np.inf] * rows.EVENT_WIDTH, [np.inf] * rows.EVENT_WIDTH
+    low[rows.EVENT_A], high[rows.EVENT_A] = 2, 3
+    wanted = EventFilter(0b0110, tuple(low), tuple(high))
+    for before in range(0, 62, 3):
+        expected = [
+            int(row[rows.EVENT_TICK])
+            for row in events
+            if row[rows.EVENT_TICK] < before and row[rows.EVENT_KIND] in (1, 2)
+            if not row[rows.EVENT_A] < 2 and not row[rows.EVENT_A] > 3
+        ]
+        assert own.last_event(wanted, before) == (expected[-1] if expected else None)
+    own.close()
+
+
+def test_marks_that_are_too_near_give_way() -> None:
+    """The last mark is always there; others are about as far from each other as is due."""
+    own = BranchRecord()
+    for tick in range(1000):
+        own.add([Mark(tick, b"", MARK_US / 10)], b"")
+        assert own.marks[-1].tick == tick
+    assert 80 < len(own.marks) < 220
+    assert own.work_us == pytest.approx(100 * MARK_US)
+
+
+# --- parked controllers ---------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_parked_controllers_stand_dense_near_the_present(seed: int) -> None:
+    """On both sides of the present; the first and the last one always stay."""
+    chance = random.Random(seed)
+    parked = sorted(chance.uniform(0, 1e8) for _ in range(300))
+    present = chance.choice([parked[-1], chance.uniform(0, 1e8)])
+    gone = set(surplus(parked, present))
+    kept = [work for index, work in enumerate(parked) if index not in gone]
+    assert kept[0] == parked[0]
+    assert kept[-1] == parked[-1]
+    assert len(kept) <= MAX_PARKED
+    near = [work for work in kept[1:-1] if abs(work - present) < DENSE_US * WINDOW_COUNT]
+    assert len(near) <= 2 * WINDOW_COUNT
+    assert not surplus(kept, present)
+
+
+def test_a_gap_is_one_that_is_larger_than_the_way_to_it() -> None:
+    assert first_gap([0.0], DENSE_US) is None
+    assert first_gap([0.0], 8 * DENSE_US) == (0, 4 * DENSE_US)
+    works = [DENSE_US * work for work in (0, 60, 90, 105, 112, 116, 118, 120)]
+    assert first_gap(works[:-1], works[-1]) is None
+    assert first_gap([works[0], *works[3:-1]], works[-1]) == (0, DENSE_US * 52.5)

@@ -360,7 +360,10 @@ def imports(path: Path) -> tuple[str, ...]:
 
 
 #: The files of a session that pace and show what others decide; none of them makes a result.
-PACING = ("session/session.py", "session/thread.py", "session/listening.py", "session/workshop.py")
+PACING = (
+    "session/session.py", "session/thread.py", "session/listening.py", "session/workshop.py",
+    "session/trail.py",  # where ticks are marked to be compared, which changes none of them
+)  # fmt: skip
 
 #: The files that hand out the runs of a study; what a run yields does not depend on who makes it.
 HANDING_OUT = (

@@ -11,6 +11,7 @@ from typing import Any
 import pytest
 from debug_client import DebugClient, Refused
 
+from nctakt.debugger import report
 from nctakt.debugger.debuggee import Debuggee
 from nctakt.session import timeline
 from nctakt.session.engine import Found
@@ -428,6 +429,28 @@ def test_a_pause_ends_what_goes_back(tmp_path: Path, monkeypatch: pytest.MonkeyP
         assert client.ask("evaluate", expression="tick", context="repl")["result"].startswith(
             "before tick 8000 "
         )
+
+
+def test_a_long_way_back_shows_its_progress(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Where everything is run again, it tells how many of how many ticks have been."""
+    part = tmp_path / "long.nc"
+    part.write_text("G04 X10\nM30\n", "utf-8")
+    monkeypatch.setattr(report, "PROGRESS_S", 0.0)
+    monkeypatch.setattr(timeline, "PART_TICKS", 1000)
+    with DebugClient() as client:
+        client.ask("initialize", supportsProgressReporting=True)
+        client.ask("launch", program=str(part), stopOnEntry=True, until="8 s")
+        point = {"line": 1, "condition": "V.E.COUNT > 5"}
+        client.ask("setBreakpoints", source={"path": str(part)}, breakpoints=[point])
+        client.ask("configurationDone")
+        client.stopped()
+        client.go()
+        client.send("reverseContinue", threadId=1)
+        begun = client.event("progressStart", lambda body: "/" in body["message"])
+        assert begun["message"] == "0 / 7,999 ticks"
+        assert client.event("progressEnd")
 
 
 def test_a_pause_between_two_searches_ends_what_goes_back(

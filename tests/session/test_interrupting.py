@@ -80,6 +80,20 @@ def test_travel_that_is_interrupted_leaves_the_session_where_it_was(
     assert session.why().select("1", None).render("en")
 
 
+def test_travel_tells_how_far_it_has_come(
+    session: Session, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(timeline, "PART_TICKS", 100)
+    told: list[tuple[int, int]] = []
+    session.on_travel = lambda done, whole: told.append((done, whole))
+    assert session.back_to("V.E.COUNT > 5") is None
+    session.on_travel = None
+    assert len(told) > 10
+    assert {whole for _, whole in told} == {session.tick - 1}
+    assert [done for done, _ in told] == sorted(done for done, _ in told)
+    assert session.progress is None
+
+
 def test_a_step_of_many_ticks_ends_between_two_slices(
     session: Session, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -4,6 +4,8 @@
 from __future__ import annotations
 
 import random
+import subprocess
+import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
@@ -102,7 +104,7 @@ TRAVEL: dict[str, Callable[[Story], object]] = {
     "back": lambda story: story.back(3),
     "back_to": lambda story: story.back_to([read_stop("V.E.COUNT > 5")]),
     "look": lambda story: story.look(100, 400, ["X.ACS.ACT_POS"]),
-    "events": lambda story: story.events(100, 400),
+    "happened": lambda story: story.happened(100, 400),
     "why": lambda story: story.past().explained(lambda: None),
 }
 
@@ -309,3 +311,38 @@ def test_a_gap_is_one_that_is_larger_than_the_way_to_it() -> None:
     works = [DENSE_US * work for work in (0, 60, 90, 105, 112, 116, 118, 120)]
     assert first_gap(works[:-1], works[-1]) is None
     assert first_gap([works[0], *works[3:-1]], works[-1]) == (0, DENSE_US * 52.5)
+
+
+PRINTING = """\
+from nctakt import Plc
+
+class Cell(Plc):
+    def __init__(self):
+        self.calls = 0
+
+    def cycle(self, hli):
+        self.calls += 1
+        if self.calls == 3:
+            print("third call")
+"""
+
+LIVED = """\
+import sys
+from nctakt import NcText
+from nctakt.session import Session
+
+with Session(NcText("p.nc", "G04 X1 M30"), plc=sys.argv[1]) as session:
+    session.step(100)
+    session.go_to(60)
+    session.go_to(90)
+"""
+
+
+@needs_copies
+def test_what_a_plc_has_printed_is_not_printed_again_by_each_copy(tmp_path: Path) -> None:
+    """Once in the first run, and once where these ticks were run again."""
+    plc = tmp_path / "cell.py"
+    plc.write_text(PRINTING, "utf-8")
+    words = [sys.executable, "-c", LIVED, str(plc)]
+    printed = subprocess.run(words, capture_output=True, check=True, text=True).stdout
+    assert 1 <= printed.count("third call") <= 2

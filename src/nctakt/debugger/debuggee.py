@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Sequence
+from functools import partial
 from typing import Any
 
 from nctakt.base.dataclass import dataclass, field
@@ -390,12 +391,16 @@ class Debuggee:
 
     def _travel(self, thread: int, work: Callable[[], None]) -> None:
         """Go back; where that is interrupted or fails, tell so and where it stands."""
+        self.session.on_travel = partial(self.report.travel, time.monotonic())
         try:
             with self.session.together():
                 work()
         except Failure as failure:
             self.report.diagnostics(failure.diagnostics)
             self.tell_travel("pause", thread)
+        finally:
+            self.session.on_travel = None
+            self.report.end_progress()
 
     def _reverse(self, thread: int) -> None:
         stopping = [one for one in self.breakpoints.all if not one.log and one.mistake is None]

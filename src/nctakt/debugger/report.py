@@ -122,13 +122,20 @@ class Report:
 
     def progress(self, begin_s: float) -> None:
         """Tell how far a long run is that has begun at a time of ``time.monotonic``."""
+        tick = self._session.tick
+        self._tell_progress(begin_s, f"{self.tick_word} {tick} = {self.time(tick)}")
+
+    def travel(self, begin_s: float, done: int, whole: int) -> None:
+        """Tell how far somebody is on a long way back, in ticks that are run again."""
+        word = "Takte" if self._language == "de" else "ticks"
+        self._tell_progress(begin_s, f"{done:,} / {whole:,} {word}")
+
+    def _tell_progress(self, begin_s: float, text: str) -> None:
         now_s = time.monotonic()
         if not self._has_progress or now_s - begin_s < PROGRESS_S:
             return
         if now_s - self._progress_s < PROGRESS_AGAIN_S:
             return
-        tick = self._session.tick
-        text = f"{self.tick_word} {tick} = {self.time(tick)}"
         body = {"progressId": f"run-{self._progress}", "message": text}
         if self._progress_s:
             self._tell("progressUpdate", body)

@@ -45,7 +45,8 @@ class Session:
     10 ms together, ``tick`` each at its own time. ``stays``: it goes on after its programs.
 
     Raises ``Failure`` for what cannot be read, and for wrong names and values; programs with errors
-    are a session that is over.
+    are a session that is over. ``on_travel`` is called from its thread while it goes back, with how
+    many of how many ticks have been run again.
 
     >>> with Session(NcText("move.nc", "G01 X100 F6000 M30")) as session:
     ...     session.run(until="V.RTA.ACS.ACT_POS.X >= 50").tick
@@ -121,7 +122,8 @@ class Session:
         return session
 
     def _begin(self, setup: Setup, pace: str) -> None:
-        self._story = Story(setup, lambda: self._thread.poll())  # noqa: PLW0108 - there is none yet
+        self.on_travel: Callable[[int, int], None] | None = None
+        self._story = Story(setup, self._poll)
         self._setup = setup
         self.description: Description = self._story.description
         has_schedule = setup.rtconf is not None
@@ -129,6 +131,13 @@ class Session:
         self._audience = Audience(self._story)
         self._thread = SessionThread(self._run_slice)
         self._ask, self.together = self._thread.ask, self._thread.together
+
+    def _poll(self) -> None:
+        """Let travel end where it is interrupted; tell how far it has come."""
+        self._thread.poll()
+        progress = self._story.progress
+        if self.on_travel is not None and progress is not None:
+            self.on_travel(*progress)
 
     def _run_slice(self, clock: AnyClock) -> None:
         begin_s = time.monotonic()

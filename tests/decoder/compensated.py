@@ -8,6 +8,7 @@ from math import atan2, cos, dist, hypot, pi, radians, sin
 
 import pytest
 
+from nctakt.base.diagnostics import Severity
 from nctakt.decoder.program import ProgramDecoder
 from nctakt.decoder.state.commands import Answer, Command, Segment
 from nctakt.nc.outline import ProgramText
@@ -21,6 +22,11 @@ Way = tuple[Point, Point, Point | None, float]
 
 def decoded(text: str, patch: pytest.MonkeyPatch) -> tuple[list[Segment], list[int]]:
     """The segments of a run on the demo machine, and the numbers of its errors."""
+    return told(text, patch)[:2]
+
+
+def told(text: str, patch: pytest.MonkeyPatch) -> tuple[list[Segment], list[int], list[int]]:
+    """The segments of a run on the demo machine, the numbers of its errors and warnings."""
     seen: list[Segment] = []
 
     class Watched(ProgramDecoder):
@@ -38,7 +44,8 @@ def decoded(text: str, patch: pytest.MonkeyPatch) -> tuple[list[Segment], list[i
 
     patch.setattr(queue_feeder, "ProgramDecoder", Watched)
     run = Controller().run(NcText("p.nc", text + "M30\n"), signals=[])
-    return seen, [one.id for one in run.errors]
+    warnings = [one.id for one in run.diagnostics if one.severity is Severity.WARNING]
+    return seen, [one.id for one in run.errors], warnings
 
 
 def way(segment: Segment, plane: tuple[int, int] = (0, 1)) -> Way:

@@ -13,7 +13,7 @@ from math import cos, dist, radians, sin
 from random import Random
 
 import pytest
-from compensated import Point, Way, decoded, distance, places, way
+from compensated import Point, Way, decoded, distance, places, told, way
 from random_seeds import each_seed
 
 #: How far from a contour the tool may be off: rounding, and corners that are none (0.01°).
@@ -102,3 +102,70 @@ def test_many_contours_fit(monkeypatch: pytest.MonkeyPatch) -> None:
         words = "V.G.WZ_AKT.R = 1\nG41 G26"
         fitting += not ways_of(contour(random), words, monkeypatch)[2]
     assert fitting > 10
+
+
+def open_contour(random: Random) -> list[Point]:
+    """Corners of lines that do not come near each other but at their ends, after an angle of 0."""
+    corners = []
+    count = random.randint(3, 9)
+    for number in range(count):
+        angle = radians(300 * (number + random.uniform(-0.2, 0.2)) / count)
+        far = random.uniform(40, 90)
+        corners.append((round(far * cos(angle), 3), round(far * sin(angle), 3)))
+    return corners
+
+
+def nearest_to(place: Point, lines: list[tuple[Point, Point]]) -> float:
+    """How far a place is from the nearest of some lines."""
+    return min(distance(place, (start, end, None, 0.0)) for start, end in lines)
+
+
+@each_seed(40, 10)
+def test_the_way_to_an_open_contour_and_from_it(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Told where it leads across the path beside another part (901964), and only where it cuts."""
+    random = Random(seed)
+    corners = open_contour(random)
+    radius = random.choice((1.0, 2.0, 4.0))
+    begin, end = (
+        (random.uniform(-120, 120), random.uniform(-120, 120)),
+        (random.uniform(-120, 120), random.uniform(-120, 120)),
+    )
+    lines = [f"V.G.WZ_AKT.R = {radius}", f"F600000 G01 X{begin[0]:.3f} Y{begin[1]:.3f}"]
+    lines += [random.choice(("G41", "G42")), *(f"N1 X{x} Y{y}" for x, y in corners)]
+    lines += ["G40", f"N2 X{end[0]:.3f} Y{end[1]:.3f}", ""]
+    segments, errors, warnings = told("\n".join(lines), monkeypatch)
+    if errors:
+        return
+    parts = list(pairwise(corners))
+    ways = [way(one) for one in segments]
+    to, away = ways[1], ways[-1]
+    distances = [nearest_to(place, parts[1:]) for place in places(to, 2000)]
+    distances += [nearest_to(place, parts[:-1]) for place in places(away, 2000)]
+    if 901964 in warnings:
+        assert min(distances) < radius - 1e-6
+    left = radius if lines[2] == "G41" else -radius
+    for lead, others in ((to, parts[1:]), (away, parts[:-1])):
+        if any(crosses(lead, part, left) for part in others):
+            assert {901964, 900950} & set(warnings)
+
+
+def crosses(lead: Way, part: tuple[Point, Point], left: float) -> bool:
+    """Whether a way leads across the path beside a line, far from the corners at its ends."""
+    (x, y), (x_2, y_2) = lead[:2]
+    (u, v), (u_2, v_2) = part
+    size = dist(*part)
+    along = ((u_2 - u) / size, (v_2 - v) / size)
+    beside = (u - along[1] * left, v + along[0] * left)
+
+    def place(one: Point) -> Point:
+        off = (one[0] - beside[0], one[1] - beside[1])
+        return (
+            off[0] * along[0] + off[1] * along[1],
+            off[1] * along[0] - off[0] * along[1],
+        )
+
+    (begin, low), (end, high) = place((x, y)), place((x_2, y_2))
+    if low * high >= 0.0:
+        return False
+    at = begin + (end - begin) * low / (low - high)
+    return 8.0 * abs(left) < at < size - 8.0 * abs(left)

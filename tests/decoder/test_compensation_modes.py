@@ -227,6 +227,43 @@ def test_a_neck_is_an_error_where_the_channel_wants_it() -> None:
     assert [run.trace[name][-1] for name in signals] == [51, -25]
 
 
+#: A hook: 0, 0 to 100, 0 to 100, 40 to 0, 41; the tool goes in from 50, 60 and away to 50, -30.
+HOOK = "G00 X50 Y60\nG41 G01 X0 Y0\nX100\nY40\nX0 Y41\nG40 X50 Y-30\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        # in across the last side; away across the first one
+        (HOOK, [(901964, 3), (901964, 7)]),
+        # at rapid traverse it may pass above; so it may where Z moves between
+        (HOOK.replace("G41 G01 X0 Y0", "G41 X0 Y0\nG01"), [(901964, 8)]),
+        (HOOK.replace("G40 X50", "Z10\nG40 X50"), [(901964, 3)]),
+        (HOOK.replace("Y0\nX100", "Y0\nZ-1\nX100"), [(901964, 8)]),
+        # from outside and to outside, past the ends
+        ("G00 X-20 Y-20\nG42 G01 X0 Y0\nX100\nY40\nX0 Y41\nG40 X-20 Y60\n", []),
+        # a closed square, begun and left at its corner, from outside and from inside
+        ("G00 X-20 Y-30\nG42 G01 X0 Y0\nX60\nY60\nX0\nY0\nG40 X-30 Y-20\n", []),
+        ("G00 X30 Y30\nG41 G01 X30 Y0\nX60\nY60\nX0\nY0\nX30\nG40 Y30\n", []),
+        # a full circle, begun and left where it closes
+        ("G00 X50 Y0\nG42 G01 X20 Y0\nG03 I-20 J0\nG40 G01 X50\n", []),
+    ],
+)
+def test_a_way_that_cuts_the_contour_is_told(text: str, expected: list[tuple[int, int]]) -> None:
+    """Across the path beside another motion: behind it the tool is nearer than its radius."""
+    run = Controller().run(NcText("p.nc", f"{START}{text}M30\n"), signals=[])
+    assert [(one.id, one.span.line) for one in run.diagnostics if one.span] == expected
+
+
+def test_a_way_that_cuts_the_contour_is_an_error_where_the_channel_wants_it() -> None:
+    """P-CHAN-00219: the way to the contour is not begun."""
+    signals = ["X.ACS.ACT_POS", "Y.ACS.ACT_POS"]
+    run = Controller(watching()).run(NcText("p.nc", f"{START}{HOOK}M30\n"), signals=signals)
+    assert [one.id for one in run.errors] == [901965]
+    assert run.trace is not None
+    assert [run.trace[name][-1] for name in signals] == [50, 60]
+
+
 def test_a_neck_is_left_out(monkeypatch: pytest.MonkeyPatch) -> None:
     """G141: the loop behind the neck is left out; M100 in it comes where the tool is."""
     text = f"{START}G141\n{KEYHOLE}"

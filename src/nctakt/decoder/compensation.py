@@ -45,6 +45,8 @@ from nctakt.messages.tools import (
     CLOSED_CONTOUR_TOO_LONG,
     COMPENSATION_NEEDS_LINE,
     CONTOUR_NOT_CLOSED,
+    LEAD_CUTS_CONTOUR,
+    LEAD_WOULD_CUT_CONTOUR,
     LINE_REVERSED_BY_RADIUS,
     RADIUS_CHANGE_IN_ARC,
     RADIUS_CHANGE_WITH_G238,
@@ -215,14 +217,16 @@ class Compensation:
         tool.masks = compensation.masks
         is_feed = segment.is_feed
         if segment.arc is None:
+            compared = contour_rows.OF_CONTOUR if is_feed else contour_rows.NO_CONTOUR
             if d == before:
-                tool.line(*ends, d, d, is_feed)
+                tool.line(*ends, d, d, compared)
             elif d * before > 0.0:
-                tool.line(*ends, before, d, is_feed)
+                tool.line(*ends, before, d, compared)
             elif compensation.approach == APPROACH_PERPENDICULAR:
-                tool.line(*ends, d, d, is_feed)
+                tool.line(*ends, d, d, compared)
             else:
-                tool.line(*ends, 0.0, 0.0, False)
+                leads = contour_rows.LEADS if is_feed else contour_rows.NO_CONTOUR
+                tool.line(*ends, 0.0, 0.0, leads)
             return
         if d * before > 0.0 and d != before:
             self._values.fail(RADIUS_CHANGE_IN_ARC, self._path.span)
@@ -343,18 +347,23 @@ class Compensation:
     def _tell_crossing(self) -> None:
         """Report contour damage: a warning, or an error as P-CHAN-00219 demands."""
         tool, spans = self.tool, dict(self._spans)
-        span = spans[tool.crossing]
-        begins_there = tool.closes_contour()
+        closes = tool.closes_contour()
         crossed, tool.crossed = tool.crossed, 0
-        line = spans[crossed].line
+        span, other = spans[tool.crossing], spans[crossed]
+        warning, error = TOOL_CUTS_CONTOUR, TOOL_WOULD_CUT_CONTOUR
+        if closes:
+            warning, error = TOOL_CUTS_INNER_CORNER, TOOL_WOULD_CUT_INNER_CORNER
+        elif tool.crosses_lead:
+            warning, error = LEAD_CUTS_CONTOUR, LEAD_WOULD_CUT_CONTOUR
+            if crossed == tool.first:
+                span, other = other, span
+        line = other.line
         if self._environment.parameters.looks_for_damage:
             while self._motions and self._motions[-1].number >= crossed:
                 self._motions.pop()
             tool.give_up()
-            error = TOOL_WOULD_CUT_INNER_CORNER if begins_there else TOOL_WOULD_CUT_CONTOUR
             self._values.fail(error, span, line=line)
         text = self._environment.line_text(span)
-        warning = TOOL_CUTS_INNER_CORNER if begins_there else TOOL_CUTS_CONTOUR
         self._environment.warn(diagnostic(warning, span, text, line=line))
 
     # --- plain blocks ----------------------------------------------------------------------------

@@ -351,3 +351,21 @@ NEGATIVE_TOOL_LIFE = error(
     remedy_de="Für DIST mm, für TIME Sekunden angeben, ab 0.",
     classes=(2, 3),
 )
+LEAD_CUTS_CONTOUR = warning(
+    901964,
+    en="the tool cuts into the contour beside line {line}, on its way there or from there",
+    de="das Werkzeug verletzt die Kontur neben Zeile {line}, auf dem Weg dorthin oder von dort",
+    remedy_en="Come to the contour, or leave it, where no other part of it is passed.",
+    remedy_de="Zur Kontur hin oder von ihr weg fahren, wo man an keinem anderen Teil vorbeikommt.",
+    line=("the line of the contour", "die Zeile der Kontur"),
+)
+LEAD_WOULD_CUT_CONTOUR = error(
+    901965,
+    classes=(2, 3),
+    en="the tool would cut into the contour beside line {line}, on its way there or from there",
+    de="das Werkzeug würde die Kontur neben Zeile {line} verletzen, auf dem Weg dorthin oder von "
+    "dort",
+    remedy_en="Come to the contour, or leave it, where no other part of it is passed.",
+    remedy_de="Zur Kontur hin oder von ihr weg fahren, wo man an keinem anderen Teil vorbeikommt.",
+    line=("the line of the contour", "die Zeile der Kontur"),
+)

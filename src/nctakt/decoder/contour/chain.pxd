@@ -19,6 +19,10 @@ cdef class Chain:
     cdef public bint masks
     cdef public long long crossed
     cdef readonly long long crossing
+    cdef readonly bint crosses_lead
+    cdef long long leading
+    cdef Py_ssize_t leading_count
+    cdef double radius
 
     cdef void count_motion(self) noexcept
     cdef void separate(self) noexcept
@@ -36,6 +40,16 @@ cdef class Chain:
     cdef int is_near(self, Py_ssize_t piece) noexcept
     @cython.locals(last=Py_ssize_t, crossed_piece=Py_ssize_t)
     cdef void compare(self) noexcept
+    @cython.locals(piece=Py_ssize_t)
+    cdef void lead(self) noexcept
+    @cython.locals(row=Py_ssize_t, k=Py_ssize_t, at=Py_ssize_t)
+    cdef void compare_with_leading(self, Py_ssize_t last) noexcept
+    @cython.locals(
+        row=Py_ssize_t, oldest=double, piece=Py_ssize_t, at=Py_ssize_t, is_neighbour=bint
+    )
+    cdef void compare_leaving(self, Py_ssize_t last) noexcept
+    @cython.locals(x=double, y=double, along=double, rest=double)
+    cdef int enters(self, Py_ssize_t first, Py_ssize_t second, Py_ssize_t contour) noexcept
     @cython.locals(room=int, last=Py_ssize_t, crossed_piece=Py_ssize_t)
     cdef void mask(self) noexcept
     @cython.locals(crossed_piece=Py_ssize_t)

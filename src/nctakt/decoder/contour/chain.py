@@ -17,11 +17,15 @@ class Chain:
 
     ``side``: where the tool is, 1 left, -1 right of the contour. ``number``: of the newest motion,
     counted from 1. ``crossed``: the motion whose path that of ``crossing`` crosses, 0 none.
+    ``crosses_lead``: one of both leads to the contour, or from it.
+    ``leading``: the motion to the contour, whose pieces stand behind those of loops, 0 none.
+    ``radius``: of the tool, mm.
     """
 
     def __init__(self) -> None:
         self.crossings = Crossing()
-        self.rows = memoryview(bytearray(8 * 2 * rows.ROOM * rows.PIECE_WIDTH)).cast("d")
+        count = 2 * rows.ROOM + rows.MAX_LEADING
+        self.rows = memoryview(bytearray(8 * count * rows.PIECE_WIDTH)).cast("d")
         self.hidden = memoryview(bytearray(8 * rows.MAX_HIDDEN * rows.HIDDEN_WIDTH)).cast("d")
         self.hidden_count = 0
         self.left_out_count = 0
@@ -33,6 +37,10 @@ class Chain:
         self.masks = False
         self.crossed = 0
         self.crossing = 0
+        self.crosses_lead = False
+        self.leading = 0
+        self.leading_count = 0
+        self.radius = 0.0
 
     def count_motion(self) -> None:
         """Count one more motion."""
@@ -43,6 +51,7 @@ class Chain:
         self.barrier = self.count
         self.left_out_count = 0
         self.hidden_count = 0
+        self.leading = 0
 
     def import_from(self, count: int, barrier: int) -> None:
         """Restore ``count`` pieces and their ``barrier``; none of them was crossed."""
@@ -109,7 +118,73 @@ class Chain:
         if crossed_piece >= 0:
             self.crossed = int(self.rows[crossed_piece * rows.PIECE_WIDTH + rows.MOTION])
             self.crossing = self.number
+            self.crosses_lead = False
             self.barrier = last
+        elif self.leading > 0:
+            self.compare_with_leading(last)
+
+    # --- to the contour and from it --------------------------------------------------------------
+
+    def lead(self) -> None:
+        """Keep the pieces of the newest motion, which leads to the contour."""
+        self.leading_count = 0
+        piece = self.count - 1
+        while piece >= 0 and self.rows[piece * rows.PIECE_WIDTH + rows.MOTION] == self.number:
+            if self.leading_count < rows.MAX_LEADING:
+                self.copy(piece, 2 * rows.ROOM + self.leading_count)
+                self.leading_count += 1
+            piece -= 1
+        self.leading = self.number
+
+    def compare_with_leading(self, last: int) -> None:
+        """Find where the newest piece of the contour crosses the way to the contour."""
+        if self.number > self.leading + rows.REACH:
+            self.leading = 0
+            return
+        if self.number == self.leading + 1:
+            return  # which it ends beside
+        row = last * rows.PIECE_WIDTH
+        for k in range(self.leading_count):
+            at = (2 * rows.ROOM + k) * rows.PIECE_WIDTH
+            if self.enters(at, row, row):
+                self.crossed = self.leading
+                self.crossing = self.number
+                self.crosses_lead = True
+                self.leading = 0
+                return
+
+    def compare_leaving(self, last: int) -> None:
+        """Find where the newest piece, which leads from the contour, crosses that."""
+        row = last * rows.PIECE_WIDTH
+        oldest = self.number - rows.REACH
+        piece = pieces.overlapping(self.rows, last - 1, self.barrier, oldest, row)
+        while piece >= 0:
+            at = piece * rows.PIECE_WIDTH
+            is_neighbour = self.rows[at + rows.MOTION] >= self.number - 1
+            if not is_neighbour and self.enters(at, row, at):
+                self.crossed = int(self.rows[at + rows.MOTION])
+                self.crossing = self.number
+                self.crosses_lead = True
+                return
+            piece = pieces.overlapping(self.rows, piece - 1, self.barrier, oldest, row)
+
+    def enters(self, first: int, second: int, contour: int) -> int:
+        """Return whether two pieces cross where one leads beside the contour.
+
+        Around corners, up to a radius from the ends, the path may be farther from it than that.
+        """
+        self.crossings.required_sense = 0.0
+        if not self.crossings.find(self.rows, first, second):
+            return 0
+        if -1e-3 < self.crossings.sense < 1e-3:
+            return 0
+        x = self.crossings.x
+        y = self.crossings.y
+        along = self.crossings.distance_along(self.rows, contour, x, y)
+        rest = pieces.length(self.rows, contour) - along
+        return 1 if along > self.radius and rest > self.radius else 0
+
+    # --- loops -----------------------------------------------------------------------------------
 
     def mask(self) -> None:
         """Leave out the loops that the newest piece closes.
@@ -270,6 +345,7 @@ class Chain:
         if noted > 0.0:
             self.crossed = int(noted)
             self.crossing = number
+            self.crosses_lead = False
             for piece in range(self.taken_count, self.count):
                 self.rows[piece * rows.PIECE_WIDTH + rows.CROSSED] = 0.0
         elif self.hidden_count > 0 and self.rows[row + rows.IS_CONTOUR] != 0.0:
@@ -306,6 +382,7 @@ class Chain:
                 if off < 0.999 * self.hidden[at + rows.HIDDEN_RADIUS]:
                     self.crossed = int(motion)
                     self.crossing = int(number)
+                    self.crosses_lead = False
                     self.hidden[at + rows.HIDDEN_RADIUS] = 0.0
 
     def has_next(self, number: int) -> bool:

@@ -48,3 +48,7 @@ cdef enum:
     ROOM = 1024
     MANY = 500
     FULL = 1000
+    NO_CONTOUR = 0
+    OF_CONTOUR = 1
+    LEADS = 2
+    MAX_LEADING = 4

@@ -87,3 +87,10 @@ ROOM = 1024
 #: the path may be led around a loop again.
 MANY = 500
 FULL = 1000
+
+#: What ``IS_OF_CONTOUR`` says of a motion: not compared, one of the contour, one that leads to it
+#: or from it.
+NO_CONTOUR, OF_CONTOUR, LEADS = range(3)
+
+#: Pieces of the motion to a contour that are kept.
+MAX_LEADING = 4

@@ -30,7 +30,7 @@ cdef class ToolPath(Chain):
     @cython.locals(at=Py_ssize_t)
     cpdef void line(
         self, double x, double y, double x_2, double y_2, double begin_d, double end_d,
-        bint is_contour
+        int compared
     ) noexcept
     @cython.locals(at=Py_ssize_t, motions=double[::1])
     cpdef bint arc(
@@ -46,17 +46,21 @@ cdef class ToolPath(Chain):
     cpdef long long enclose(self) noexcept
     @cython.locals(at=Py_ssize_t, meets=int, i=Py_ssize_t)
     cpdef bint add(self) noexcept
-    @cython.locals(at=Py_ssize_t, count=Py_ssize_t, barrier=Py_ssize_t, x=double, y=double)
+    @cython.locals(
+        at=Py_ssize_t, count=Py_ssize_t, barrier=Py_ssize_t, leading=cython.longlong, x=double,
+        y=double
+    )
     cdef bint try_add(self, double low_x, double high_x, double low_y, double high_y) noexcept
     @cython.locals(end_x=double, end_y=double)
     cpdef bint close(self, bint is_perpendicular) noexcept
     cpdef bint last_motion_fits(self) noexcept
     cdef void open(self, Py_ssize_t at) noexcept
     @cython.locals(
-        corners=Corners, at=Py_ssize_t, is_contour=int, row=Py_ssize_t, fits=int, k=int,
-        i=Py_ssize_t
+        corners=Corners, at=Py_ssize_t, compared=double, is_contour=int, row=Py_ssize_t, fits=int,
+        k=int, i=Py_ssize_t, is_lead=bint
     )
     cdef int put_motion(self, int meets, Py_ssize_t other) noexcept
+    cdef void compare_lead(self, bint leads) noexcept
     @cython.locals(row=Py_ssize_t)
     cdef void put_end(self, double end_x, double end_y) noexcept
     cdef void put_if_long(self, Py_ssize_t row, int is_contour) noexcept

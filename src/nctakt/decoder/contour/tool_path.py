@@ -64,12 +64,12 @@ class ToolPath(Chain):
         y_2: float,
         begin_d: float,
         end_d: float,
-        is_contour: bool,
+        compared: int,
     ) -> None:
-        """Let the next motion be a line; ``is_contour``: its path is compared with others."""
+        """Let the next motion be a line; ``compared``: with which others, ``rows.LEADS`` …"""
         at = rows.SECOND_MOTION - self.last_motion
         self.corners.enter(at, x, y, x_2, y_2, begin_d, end_d)
-        self.corners.motions[at + rows.IS_OF_CONTOUR] = is_contour
+        self.corners.motions[at + rows.IS_OF_CONTOUR] = compared
 
     def arc(
         self,
@@ -91,7 +91,7 @@ class ToolPath(Chain):
         motions[at + rows.END_Y] = y_2
         motions[at + rows.START_DISTANCE] = distance
         motions[at + rows.END_DISTANCE] = distance
-        motions[at + rows.IS_OF_CONTOUR] = 1.0
+        motions[at + rows.IS_OF_CONTOUR] = rows.OF_CONTOUR
         self.corners.bend(at, centre_x, centre_y, angle)
         return motions[at + rows.IS_TOO_SMALL] == 0.0
 
@@ -139,6 +139,7 @@ class ToolPath(Chain):
         self.make_room()
         count = self.count
         barrier = self.barrier
+        leading = self.leading
         x = self.at_x
         y = self.at_y
         if self.put_motion(1, at) and self.crossed == 0:
@@ -147,6 +148,7 @@ class ToolPath(Chain):
             self.open(at)
             return True
         self.import_from(count, barrier)
+        self.leading = leading
         self.at_x = x
         self.at_y = y
         self.is_open = True
@@ -242,7 +244,10 @@ class ToolPath(Chain):
         self.make_room()
         self.is_open = False
         at = self.last_motion
-        is_contour = 1 if corners.motions[at + rows.IS_OF_CONTOUR] != 0.0 else 0
+        compared = corners.motions[at + rows.IS_OF_CONTOUR]
+        is_contour = 1 if compared == rows.OF_CONTOUR else 0
+        if is_contour:
+            self.radius = abs(corners.motions[at + rows.END_DISTANCE])
         self.note_ends(at, is_contour)
         row = self.count * rows.PIECE_WIDTH
         fits = corners.put_own(at, self.rows, row)
@@ -262,10 +267,19 @@ class ToolPath(Chain):
             self.put_if_long(row, is_contour)
         self.at_x = self.begin_x if self.is_begun else corners.next_x
         self.at_y = self.begin_y if self.is_begun else corners.next_y
+        self.compare_lead(compared == rows.LEADS)
         if self.parts or not is_contour:
+            is_lead = compared == rows.LEADS and self.number == self.first and not self.parts
             self.separate()
             self.parts = False
+            if is_lead and not self.masks:
+                self.lead()
         return 1
+
+    def compare_lead(self, leads: int) -> None:
+        """Compare the newest motion with the contour if it leads away from that."""
+        if leads and self.number > self.first and not self.masks and self.count > 0:
+            self.compare_leaving(self.count - 1)
 
     def put_if_long(self, row: int, is_contour: int) -> None:
         """Append the piece in a row if it is more than rounding leaves.

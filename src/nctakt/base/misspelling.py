@@ -12,6 +12,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
+from functools import lru_cache
+from typing import NamedTuple
 
 #: Maximum number of errors of a name, and the lengths from which on it may have them.
 _MAX_ERRORS = 2
@@ -61,36 +63,48 @@ def _rank(name: str, known: str) -> int | None:
     """Return how far two folded names are apart, ``None`` if neither is meant for the other."""
     if name == known:
         return 0
-    if _has_same_parts(name, known):
+    path, other = _path_of(name), _path_of(known)
+    if len(path.inner) > 1 and path.inner == other.inner:
         return 1
-    first, second = _without_common_parts(name, known)
+    first, second = _without_common_parts(path.parts, other.parts)
     shorter, longer = sorted((first, second), key=len)
     is_beginning, is_end = longer.startswith(shorter), longer.endswith(shorter)
-    errors = typing_errors(first, second, allowed_errors(first) + 1)
-    if errors <= allowed_errors(first) and _may_be(first, second):
-        return 2 * errors + (not is_beginning)
+    allowed = allowed_errors(first)
+    if len(longer) - len(shorter) <= allowed:
+        errors = typing_errors(first, second, allowed + 1)
+        if errors <= allowed and _may_be(first, second):
+            return 2 * errors + (not is_beginning)
+    if not (is_beginning or is_end) or len(shorter) < _PART:
+        return None
     is_whole = longer.startswith(f"{shorter}_") or longer.endswith(f"_{shorter}")
-    is_long = len(shorter) >= _PART and (is_whole or len(shorter) * 2 >= len(longer))
     has_same_numbers = sum(map(str.isdigit, first)) == sum(map(str.isdigit, second))
-    if (is_beginning or is_end) and is_long and has_same_numbers:
+    if (is_whole or len(shorter) * 2 >= len(longer)) and has_same_numbers:
         return _FARTHEST - is_beginning
     return None
 
 
-def _without_common_parts(name: str, known: str) -> tuple[str, str]:
+class _Path(NamedTuple):
+    """The parts of a name; ``inner``: those without the family of a variable, sorted."""
+
+    parts: tuple[str, ...]
+    inner: tuple[str, ...]
+
+
+@lru_cache(maxsize=4096)
+def _path_of(folded: str) -> _Path:
+    return _Path(tuple(folded.split(".")), tuple(sorted(_VARIABLE.sub("", folded).split("."))))
+
+
+def _without_common_parts(parts: tuple[str, ...], others: tuple[str, ...]) -> tuple[str, str]:
     """Return what is left of two paths without the parts at both ends that they share."""
-    parts, others = name.split("."), known.split(".")
-    while len(parts) > 1 and len(others) > 1 and parts[0] == others[0]:
-        del parts[0], others[0]
-    while len(parts) > 1 and len(others) > 1 and parts[-1] == others[-1]:
-        del parts[-1], others[-1]
-    return ".".join(parts), ".".join(others)
-
-
-def _has_same_parts(name: str, known: str) -> bool:
-    """Return whether two paths have the same parts, but for the family of a variable."""
-    parts = sorted(_VARIABLE.sub("", name).split("."))
-    return len(parts) > 1 and parts == sorted(_VARIABLE.sub("", known).split("."))
+    limit = min(len(parts), len(others)) - 1
+    begin = 0
+    while begin < limit and parts[begin] == others[begin]:
+        begin += 1
+    end = 0
+    while end < limit - begin and parts[-1 - end] == others[-1 - end]:
+        end += 1
+    return ".".join(parts[begin : len(parts) - end]), ".".join(others[begin : len(others) - end])
 
 
 def allowed_errors(name: str) -> int:

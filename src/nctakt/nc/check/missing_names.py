@@ -47,6 +47,7 @@ class MissingNames:
         self._names = names
         self._axes = axes
         self._findings = findings
+        self._meant: dict[str, str] = {}
 
     def report(self, variable: Variable, missing: NotFound) -> None:
         """Report why a variable does not exist."""
@@ -104,18 +105,23 @@ class MissingNames:
     def nearest_system_variable(self, variable: Variable) -> str:
         """Return the controller's variable that an unknown one is meant for, else an empty text."""
         first, _, last = path_text(variable).rpartition(".")
-        meant = f"{first}.{_TOOL_WORDS.get(last, last)}"
-        return nearest(meant, known_paths(self._axes, self._names.spindle_names))
+        name = f"{first}.{_TOOL_WORDS.get(last, last)}"
+        if name not in self._meant:
+            known = known_paths(self._axes, self._names.spindle_names)
+            self._meant[name] = nearest(name, known)
+        return self._meant[name]
 
     def nearest_value(self, name: str) -> str:
         """Return the function, constant or variable that a name is meant for, else an empty
         text.
         """
-        names = [*FUNCTIONS, *CONSTANTS]
-        if "." in name:
-            names = [path for path, _ in self._names.realtime()]
-            names += [path for path, _, _ in self._names.values()]
-        return nearest(name, names)
+        if name not in self._meant:
+            names = [*FUNCTIONS, *CONSTANTS]
+            if "." in name:
+                names = [path for path, _ in self._names.realtime()]
+                names += [path for path, _, _ in self._names.values()]
+            self._meant[name] = nearest(name, names)
+        return self._meant[name]
 
     def _report_lacking(self, variable: Variable) -> None:
         self._findings.report(

@@ -274,3 +274,11 @@ def test_a_value_of_now_in_front_of_it_is_told() -> None:
     text = "G00 X10\n$FOR P2 = 1, 3, 1\nP1 = V.RTA.ACS.ACT_POS.X\n$ENDFOR\nP3 = V.E.COUNT\nX20\nM30"
     assert numbers(perform(text, from_line=6)) == [901961, 901731]
     assert numbers(perform(text, from_line=3)) == [901731]
+
+
+def test_timers_in_front_of_it_run() -> None:
+    """RC-401: one that was started before counts from the search on."""
+    text = "#TIMER START SYN [ID=1]\nG01 X1 F600\nG04 X0.05\n#TIMER READ SYN [ID=1]\n"
+    run = perform(f'{text}#MSG ["%g", V.G.TIMER[1]]\nM30', from_line=3)
+    assert run.state == "ended", run.diagnostics
+    assert float(run.messages[0].text) >= 50

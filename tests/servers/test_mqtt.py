@@ -246,3 +246,52 @@ def test_another_text_is_refused_without_its_secrets(url: str) -> None:
         read_broker(url)
     assert caught.value.diagnostics[0].id == 901450
     assert "secret" not in str(caught.value)
+
+
+def test_a_topic_that_nobody_can_read_is_dropped() -> None:
+    """A broker that sends bytes without UTF-8 as a topic: it is told, the next request acts."""
+    pytest.importorskip("aiomqtt", reason="the extra mqtt")
+    lines: list[str] = []
+
+    def packet(kind: int, body: bytes) -> bytes:
+        return bytes((kind, len(body))) + body
+
+    async def broker(reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
+        """Accept, grant three subscriptions, then send nonsense and a request; acknowledge all."""
+        granted = 0
+        while head := await reader.read(1):
+            kind, size = head[0], (await reader.readexactly(1))[0]
+            if size > 127:  # the properties of longer packets do not matter
+                size += 128 * (await reader.readexactly(1))[0] - 128
+            body = await reader.readexactly(size)
+            if kind >> 4 == 1:
+                writer.write(packet(0x20, b"\0\0"))
+            elif kind >> 4 == 3:
+                end = 2 + int.from_bytes(body[:2], "big")
+                writer.write(packet(0x40, body[end : end + 2]))
+            elif kind >> 4 == 8:
+                granted += 1
+                writer.write(packet(0x90, body[:2] + b"\1"))
+                if granted == 3:
+                    for topic, text in ((b"\xff\xfe", b"{}"), (b"cell/press", b'{"key": "hold"}')):
+                        writer.write(packet(0x30, len(topic).to_bytes(2, "big") + topic + text))
+        writer.close()
+
+    async def live(session: Session) -> None:
+        server = await asyncio.start_server(broker, "127.0.0.1", 0)
+        port = server.sockets[0].getsockname()[1]
+        host = await Host(session, load_machine(), ServerLog(lines.append)).open()
+        door = MqttDoor(host, Broker("127.0.0.1", port, False, "cell"))
+        await door.prepare()
+        host.clock.begin(0)
+        await door.open()
+        while not session.tape():
+            await asyncio.sleep(0.05)
+        await door.close()
+        await host.close()
+        server.close()
+
+    with Session(PROGRAM, stays=True) as session:
+        asyncio.run(asyncio.wait_for(live(session), 60.0))
+        assert [one.values for one in session.tape()] == [("HLI.FEED_HOLD", 1.0)]
+    assert "a message that cannot be read" in [json.loads(one).get("reason") for one in lines]

@@ -11,6 +11,7 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import json
+import logging
 import os
 from importlib.util import find_spec
 from typing import TYPE_CHECKING, Any
@@ -21,7 +22,7 @@ from nctakt.messages.servers import BROKER_NOT_REACHED, MQTT_NOT_INSTALLED
 from nctakt.servers.address import shown_address
 from nctakt.servers.hli_values import parts_of
 from nctakt.servers.host import Busy, Host
-from nctakt.servers.log import escaped
+from nctakt.servers.log import ServerLog, escaped
 from nctakt.servers.mqtt_requests import (
     PASSWORD,
     USER,
@@ -60,6 +61,9 @@ class MqttDoor:
         self._broker = broker
         self._topics = _topics_of(host)
         self._task: asyncio.Task[None] | None = None
+        # what the library tells of a broker stands in our own log, with a limit of its rate
+        self._logger = logging.Logger("nctakt mqtt", logging.ERROR)
+        self._logger.addHandler(_Unreadable(host.log, broker.host))
 
     async def prepare(self) -> None:
         """Ask for the values of all topics; raises ``Failure`` without the library (901452)."""
@@ -94,7 +98,7 @@ class MqttDoor:
         import aiomqtt  # noqa: PLC0415 - an extra
 
         broker = self._broker
-        return aiomqtt.Client(
+        client = aiomqtt.Client(
             broker.host,
             broker.port,
             username=os.environ.get(USER),
@@ -102,7 +106,11 @@ class MqttDoor:
             tls_params=aiomqtt.TLSParameters() if broker.has_tls else None,
             will=aiomqtt.Will(f"{broker.root}/status", _json(online=False), 1, retain=True),
             timeout=_FIRST_RETRY_S * 5,
+            logger=self._logger,
         )
+        # else a topic that is no UTF-8 ends its loop, whose socket stays open and busy for ever
+        client._client.suppress_exceptions = True
+        return client
 
     async def _connected(self) -> aiomqtt.Client:
         """Return a client that has subscribed to requests: from now on none of them is lost."""
@@ -250,6 +258,19 @@ class MqttDoor:
             self._host.log.refuse(_DOOR, client, f"{topic}: {error}")
             return {**answer, "ok": False, "text": str(error)}
         return {**answer, "ok": True, "tick": self._host.store.tick}
+
+
+class _Unreadable(logging.Handler):
+    """Tells in the log what the library could not read of a broker."""
+
+    def __init__(self, log: ServerLog, broker: str) -> None:
+        super().__init__(logging.ERROR)
+        self._log = log
+        self._broker = broker
+
+    def emit(self, record: logging.LogRecord) -> None:
+        """Take a record of the library."""
+        self._log.refuse(_DOOR, self._broker, "a message that cannot be read")
 
 
 async def _end_when(behind: asyncio.Event) -> None:

@@ -12,6 +12,7 @@ import contextlib
 import signal
 import sys
 from collections.abc import Callable, Mapping
+from typing import Any
 
 from nctakt.base import interrupts
 from nctakt.base.failure import Failure, error_text
@@ -59,6 +60,7 @@ async def serve(
     sys.setswitchinterval(_SWITCH_S)
     host = await Host(session, machine, log).open()
     end = EndSignal(host)
+    host.loop.set_exception_handler(lambda _, context: _tell_of_library(log, context))
     opened: list[tuple[str, Door]] = []
     growing: asyncio.Task[None] | None = None
     try:
@@ -96,6 +98,13 @@ async def serve(
         log.note("closed", tick=session.tick, missed_frames=missed, **lateness, refused=refused)
     if not answers:
         raise Failure(diagnostic(CONTROLLER_SILENT, seconds=f"{PAUSING_S:g}"))
+
+
+def _tell_of_library(log: ServerLog, context: Mapping[str, Any]) -> None:
+    """Tell what a library has raised where nobody waits for it; the loop goes on."""
+    error = context.get("exception")
+    text = error_text(error) if isinstance(error, Exception) else ""
+    log.error("loop", reason=text or str(context.get("message", "")))
 
 
 async def _grow(tape: GrowingTape, log: ServerLog) -> None:

@@ -2,8 +2,8 @@
 """Axes and spindles that follow others: ``#AX LINK``, and gantries of the lists.
 
 ``docs/conformance/couplings.md`` says what is decided. In the machine X Y Z U V A B are the axes
-of the channel; U has lower limits than the others, Y8 follows Y for ever, 5 mm beside it. S, S2 and S3 are
-spindles; group 0 of the list is U = X, S2 = S.
+of the channel; U has lower limits than the others, Y8 follows Y for ever, 5 mm beside it. S, S2 and
+S3 are spindles; group 0 of the list is U = X, S2 = S.
 """
 
 from __future__ import annotations

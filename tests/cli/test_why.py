@@ -47,7 +47,7 @@ def test_the_report_follows_how_the_run_ended(capsys: pytest.CaptureFixture[str]
     assert shown[0] == "part.nc: ended, 726 ticks = 0.726000 s"
     assert shown[2] == "realtime cycle 17  part.nc:1  PROG"
     assert "    true from tick 463 (0.463 s): 200.25 > 200" in shown
-    assert "    body never ran: never true, nearest at tick 0 (0 s): 0 == 1, 1 away" in shown
+    assert "    never ran: never true, nearest at tick 0 (0 s): 0 == 1, 1 away" in shown
     assert not any("on the way" in line for line in shown)
 
 
@@ -56,7 +56,7 @@ def test_a_value_at_a_time_changes_the_report(capsys: pytest.CaptureFixture[str]
     words = ["why", "part.nc", "--cycle", "17", "--line", "6", "--at", "0.1", "V.E.TRIGGER=1"]
     assert main(words) == 0
     shown = capsys.readouterr().out
-    assert "body ran once, in tick 100 (0.1 s)" in shown
+    assert "became true once, ran once, in tick 100 (0.1 s)" in shown
     assert "ONCE" not in shown
 
 
@@ -72,7 +72,7 @@ def test_how_everything_stood_at_a_time(capsys: pytest.CaptureFixture[str]) -> N
         "  line 2  $IF ONCE V.RTA.ACS.ACT_POS.X > 200\n"
         "    evaluated in this tick\n"
         "    true since tick 463 (0.463 s): 200.25 > 200\n"
-        "    body ran: M100\n"
+        "    ran: M100\n"
     )
 
 
@@ -102,7 +102,7 @@ def test_an_error_of_the_program_is_told_with_the_report(
     assert main(["why", "part.nc"]) == 1
     shown = capsys.readouterr()
     assert "error 50879" in shown.err
-    assert "body never ran: an error ended the cycle at tick 0 (0 s): error 50879" in shown.out
+    assert "    never ran: an error ended the cycle at tick 0 (0 s): error 50879" in shown.out
 
 
 def test_a_program_that_cannot_run_has_no_report(capsys: pytest.CaptureFixture[str]) -> None:

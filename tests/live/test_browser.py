@@ -72,9 +72,9 @@ def test_a_person_at_the_page(browser: Any, tmp_path: Path) -> None:
         expect(clock).to_contain_text("Tick 2 ")
         expect(count).to_have_value("1")
         expect(page.locator(".cm-line.nc-true")).to_have_count(1)
-        expect(page.locator(".nc-inline")).to_contain_text("true · 1×")
+        expect(page.locator(".nc-inline")).to_contain_text("true · ran 1×")
         page.locator(".nc-inline").click()
-        expect(page.get_by_test_id("why")).to_contain_text("body ran: V.E.COUNT += 1")
+        expect(page.get_by_test_id("why")).to_contain_text("ran: V.E.COUNT += 1")
 
         page.get_by_test_id("home").click()
         expect(clock).to_contain_text("Tick 0 ")

@@ -69,7 +69,7 @@ def test_marks_of_the_program() -> None:
         ("line", "nc-true"),
         ("widget", "nc-inline"),
     ]
-    assert found[2]["text"] == "true · 3×   VALUE = 0.75"
+    assert found[2]["text"] == "true · ran 3×   VALUE = 0.75"
     assert found[2]["position"] == len("\n".join(LINES[:2]))
 
 

@@ -10,7 +10,7 @@ from nctakt.results.run import (
     Run,
     TechnologyOutput,
 )
-from nctakt.results.run_statistics import RunStatistics
+from nctakt.results.run_statistics import RunStatistics, branch_key
 from nctakt.trace.events import Event
 from nctakt.trace.recorded import MemorySink
 from nctakt.trace.sinks import TraceHeader
@@ -52,12 +52,15 @@ def counted(*events: Event) -> RunStatistics:
 def test_reactions_are_counted_and_those_that_never_fire_are_told() -> None:
     """Each branch of a cycle has its count and the ticks of its first and last firing."""
     again = Event(7, 7000, "fired", "17 line 5", at(ONCE), "17")
-    assert counted(*EVENTS[:5], again).cycles({"17": 9}) == (
+    assert counted(*EVENTS[:5], again).cycles({"17": 9}, {branch_key("17", ONCE): 5}) == (
         CycleResult(
             "17",
             "PROG",
             DEFINED,
-            (ReactionResult(ONCE, "ONCE", 2, 4, 7), ReactionResult(EDGE, "EDGE", 0, None, None)),
+            (
+                ReactionResult(ONCE, "ONCE", 2, 5, 4, 7),
+                ReactionResult(EDGE, "EDGE", 0, 0, None, None),
+            ),
             instances=1,
             runs=9,
         ),
@@ -78,7 +81,7 @@ def test_a_definition_that_is_run_again_and_again_is_counted_once() -> None:
         )
     (cycle,) = statistics.cycles({"#1": 1, "#2": 1, "#3": 1})
     assert cycle.runs is None
-    assert (cycle.name, cycle.instances, cycle.reactions[0].count) == ("#1", 3, 3)
+    assert (cycle.name, cycle.instances, cycle.reactions[0].became_true) == ("#1", 3, 3)
 
 
 def test_run_throughs_are_told_where_they_belong_to_one_definition() -> None:
@@ -93,7 +96,7 @@ def test_a_cycle_from_an_earlier_run_is_known_when_it_fires() -> None:
     """RC-107: a GLOBAL cycle that the controller brought along is listed by what it does."""
     (cycle,) = counted(Event(4, 4000, "fired", "9 line 5", at(ONCE), "9")).cycles()
     assert (cycle.name, cycle.scope, cycle.span) == ("9", "GLOBAL", None)
-    assert cycle.reactions[0].count == 1
+    assert cycle.reactions[0].became_true == 1
 
 
 def test_functions_of_cycles_and_of_the_program_are_counted_apart() -> None:

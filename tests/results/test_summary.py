@@ -24,8 +24,8 @@ RUN = Run(
             "PROG",
             Span("part.nc", 3, 1, 2),
             (
-                ReactionResult(Span("part.nc", 5, 3, 4), "ONCE", 1, 463, 463),
-                ReactionResult(Span("part.nc", 9, 3, 4), "", 0, None, None),
+                ReactionResult(Span("part.nc", 5, 3, 4), "ONCE", 1, 1, 463, 463),
+                ReactionResult(Span("part.nc", 9, 3, 4), "", 0, 0, None, None),
             ),
             runs=725,
         ),
@@ -54,9 +54,10 @@ def test_the_plain_summary_tells_all_and_is_stable() -> None:
     assert summary(RUN) == [
         "part.nc, next.nc: ended, 726 ticks = 0.726000 s",
         "",
-        "Realtime cycle         Scope  Runs  Reaction        Fired  First",
-        "-" * 80,
-        "17 part.nc:3           PROG   725   part.nc:5 ONCE  1      tick 463 = 0.463000 s",
+        "Realtime cycle         Scope  Runs  Reaction        Became true  Ran  First",
+        "-" * 91,
+        "17 part.nc:3           PROG   725   part.nc:5 ONCE  1            1    "
+        "tick 463 = 0.463000 s",
         "                                    part.nc:9       never",
         "#1 next.nc:1, 3 times  BLOCK        no branch",
         "",

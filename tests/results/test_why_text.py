@@ -19,7 +19,7 @@ realtime cycle 17  part.nc:1  PROG
     evaluated in ticks 0 to 463
     false from tick 0 (0 s): 0 > 200
     true from tick 463 (0.463 s): 200.25 > 200
-    body ran once, in tick 463 (0.463 s): M100
+    became true once, ran once, in tick 463 (0.463 s): M100
     ONCE: done, no longer evaluated
 """
 
@@ -33,7 +33,7 @@ Echtzeit-Zyklus 17  part.nc:1  PROG
     ausgewertet: Takte 0 bis 463
     falsch ab Takt 0 (0 s): 0 > 200
     wahr ab Takt 463 (0.463 s): 200.25 > 200
-    Zweig einmal ausgeführt: Takt 463 (0.463 s): M100
+    wurde einmal wahr, lief einmal: Takt 463 (0.463 s): M100
     ONCE: erledigt, nicht mehr ausgewertet
 """
 
@@ -44,13 +44,13 @@ ALWAYS = """\
     true from tick 2 (0.002 s): 1 == 1
     false from tick 8 (0.008 s): 0 == 1
     true from tick 11 (0.011 s): 1 == 1
-    body ran 9 times, in ticks 2 to 7, 11 to 13
+    became true 2 times, ran 9 times, in ticks 2 to 7, 11 to 13
 
     line 3  $IF ALWAYS V.E.VALUE > 100
       evaluated in ticks 2 to 4
       false from tick 2 (0.002 s): 0 > 100
       true from tick 4 (0.004 s): 150 > 100
-      body ran 7 times, in ticks 4 to 7, 11 to 13: V.E.COUNT += 1
+      became true 2 times, ran 7 times, in ticks 4 to 7, 11 to 13: V.E.COUNT += 1
       ALWAYS: latched since tick 4 (0.004 s), no longer evaluated
 """
 
@@ -63,12 +63,12 @@ realtime cycle #1  part.nc:1  PROG
   line 2  $IF V.E.CONDITION == 1
     evaluated in this tick
     false since tick 8 (0.008 s): 0 == 1
-    body did not run
+    did not run
 
     line 3  $IF ALWAYS V.E.VALUE > 100
       not evaluated in this tick
       true since tick 4 (0.004 s): 150 > 100
-      body did not run: not reached: line 2 did not run: false since tick 8 (0.008 s): 0 == 1
+      did not run: not reached: line 2 did not run: false since tick 8 (0.008 s): 0 == 1
 """
 
 
@@ -97,7 +97,7 @@ def test_one_tick() -> None:
 def test_what_is_to_blame_is_followed_outwards() -> None:
     """The inner branch names the outer one, and why that did not run."""
     text = why(NESTED).render()
-    told = "body never ran: not reached: line 2 did not run: never true, nearest at tick 0 (0 s): "
+    told = "never ran: not reached: line 2 did not run: never true, nearest at tick 0 (0 s): "
     assert f"{told}0 == 1, 1 away" in text
 
 
@@ -151,7 +151,8 @@ def test_a_long_list_shows_its_ends() -> None:
     assert text.count("true from tick") + text.count("false from tick") == 2 * ENDS_SHOWN
     assert "    … 42 more …\n" in text
     assert (
-        "body ran 25 times, in ticks 0, 2, 4, 6, … 17 more …, 42, 44, 46, 48: V.E.COUNT = 1\n"
+        "became true 25 times, ran 25 times, in ticks 0, 2, 4, 6, … 17 more …, 42, 44, 46, 48: "
+        "V.E.COUNT = 1\n"
         in text
     )
 

@@ -23,7 +23,15 @@ if TYPE_CHECKING:
 
 #: The fields of a run in its document, in this order.
 _RUN_FIELDS = ("programs", "state", "first_tick", "ticks", "cycle_time_us")
-_RESULT_FIELDS = ("messages", "cycles", "outputs", "starved", "overflows")
+_RESULT_FIELDS = (
+    "messages",
+    "cycles",
+    "outputs",
+    "motions",
+    "spindle_jobs",
+    "starved",
+    "overflows",
+)
 
 
 def plain(value: object, language: Language) -> object:

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from nctakt.base.diagnostics import Severity
 from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_NC_ERROR
 from nctakt.cli.request import Options, read_request
@@ -23,7 +24,6 @@ from nctakt.cli.running import (
     exit_code,
     run_options,
     run_programs,
-    shown_from,
     start_controller,
     with_limit_error,
 )
@@ -86,7 +86,8 @@ def _why(
         return EXIT_NC_ERROR
     run = with_limit_error(options, run)
     if options.form == "text":
-        print_diagnostics(run.diagnostics, options.language, shown_from(options))
+        lowest = Severity.ERROR if options.quiet else Severity.NOTE
+        print_diagnostics(run.diagnostics, options.language, lowest)
     if run.ticks or options.form == "json":
         text = _report(options, run, cycle, line, tick)
         show_at_the_end(lambda file: print(text, end="", file=file))

@@ -42,7 +42,7 @@ from nctakt.nc.vocabulary.variable_table import NameTable
 
 _VALUE = re.compile(r"-?\d+(?:\.\d+)?")
 _STEPS = Text("≤ {count} instructions", "≤ {count} Befehle")
-_FIRED = Text("ran {count} times in the last run", "lief {count}-mal im letzten Lauf")
+_RAN = Text("ran {count} times in the last run", "lief {count}-mal im letzten Lauf")
 _RUN = Text("Run", "Ausführen")
 _DEBUG = Text("Debug", "Debuggen")
 _LIVE = Text("Open live page", "Live-Seite öffnen")
@@ -119,7 +119,7 @@ def code_lenses(document: Document, counts: Counts | None, language: Language) -
     for line, count in sorted((counts or {}).items()):
         if line <= len(document.lines):
             area = document.range(line - 1, 0, 0)
-            lenses.append(CodeLens(area, Command(_FIRED.get(language).format(count=count), "")))
+            lenses.append(CodeLens(area, Command(_RAN.get(language).format(count=count), "")))
     return lenses
 
 

@@ -422,8 +422,8 @@ LINE, ARC, ROUNDING, CUBIC = range(4)
     EVENT_USER_TEXT,  # keyword, number of the text
     EVENT_AXIS_BEGUN,  # axis, target; without a cycle the PLC moves it
     EVENT_AXIS_ENDLESS,  # axis, direction
-    EVENT_AXIS_ENDED,  # axis, ``MOTION_DONE`` …
-    EVENT_AXIS_CHANGED,  # axis, ``MOTION_HELD`` …
+    EVENT_AXIS_ENDED,  # axis, ``MOTION_DONE`` …, of an aborted one ``WITH_CYCLE_…``
+    EVENT_AXIS_CHANGED,  # axis, ``MOTION_HELD`` …, of a stopped one what is left to its target
     EVENT_SPINDLE,  # spindle, M function, revolutions per minute
     EVENT_SPINDLE_REACHED,  # spindle
     EVENT_SPINDLE_POSITION,  # spindle, degrees
@@ -464,6 +464,9 @@ LOOP_BEGUN, LOOP_SKIPPED, LOOP_LEFT = range(3)
 RETRACE_BACKWARD, RETRACE_FORWARD, RETRACE_START, RETRACE_FRONT = range(4)
 
 MOTION_DONE, MOTION_ABORTED, MOTION_FAILED = range(3)
+
+#: What END_ACTION = MOVE_ABORT gives up with its cycle: a motion, an endless one, one that waits.
+NOT_WITH_CYCLE, WITH_CYCLE, WITH_CYCLE_ENDLESS, WITH_CYCLE_WAITING = range(4)
 
 MOTION_HELD, MOTION_CONTINUED, MOTION_STOPPED = range(3)
 

@@ -131,6 +131,7 @@ _WORDS: dict[str, tuple[str, str]] = {
     ),
     # Conditions.
     "true": ("true", "wahr"),
+    "ran": ("ran", "lief"),
     "false": ("false", "falsch"),
     "unknown": ("not evaluated yet", "noch nicht ausgewertet"),
     # Headings of the help, and lists.

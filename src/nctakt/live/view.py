@@ -269,7 +269,8 @@ def branch_text(branch: BranchState, line: str, operands: Mapping[str, float], t
     """Return what stands beside a condition: truth, runs, operands by the ends of their names."""
     truth = {None: "unknown", True: "true", False: "false"}[branch.truth]
     has_condition = branch.truth is not None or not _ELSE.match(line)
-    parts = [f"{texts[truth]} · {branch.count}×" if has_condition else f"{branch.count}×"]
+    ran = f"{texts['ran']} {branch.count}×"
+    parts = [f"{texts[truth]} · {ran}" if has_condition else ran]
     names = [name for name in operands_in(line) if name in operands]
     short = [name.rpartition(".")[2] for name in names]
     parts += [

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from nctakt.base.diagnostics import Cases
 from nctakt.messages.cases import by_limit
-from nctakt.messages.catalogue import error
+from nctakt.messages.catalogue import error, note
 
 AXIS_NOT_AT_BLOCK_START = error(
     900420,
@@ -99,4 +99,19 @@ AXIS_IN_INDEPENDENT_MOTION = error(
     "Position aus weiter, die die Bahn verlassen hat.",
     motion=("its motion beside the path", "ihre Bewegung neben der Bahn"),
     classes=(6, 6),
+)
+MOTION_ENDED_WITH_CYCLE = note(
+    902001,
+    en="{axis} {what}: realtime cycle {cycle} {how} (MOVE_ABORT)",
+    de="{axis} {what}: Echtzeit-Zyklus {cycle} {how} (MOVE_ABORT)",
+    remedy_en="END_ACTION=MOVE_CONT in the definition lets the motion go on; "
+    "END_ACTION=MOVE_ABORT there says that this is meant.",
+    remedy_de="END_ACTION=MOVE_CONT in der Definition lässt die Bewegung weiterlaufen; "
+    "END_ACTION=MOVE_ABORT dort sagt, dass es so gemeint ist.",
+    cause_en="Without END_ACTION the motions of a cycle are given up when it ends: at the end of "
+    "its scope or of the program, or by #RT CYCLE DELETE.",
+    cause_de="Ohne END_ACTION werden die Bewegungen eines Zyklus abgebrochen, wenn er endet: am "
+    "Ende seiner Gültigkeit oder des Programms oder durch #RT CYCLE DELETE.",
+    what=("what became of the motion", "was aus der Bewegung wurde"),
+    how=("how the cycle came to its end", "wie der Zyklus endete"),
 )

@@ -96,17 +96,17 @@ def _cycle_order(track: Track) -> tuple[str, int, int]:
 
 
 def _idle(
-    track: Track, thread: tuple[int, int], begin_us: int, language: Language
+    track: Track, ids: tuple[int, int], begin_us: int, language: Language
 ) -> Iterator[TraceEvent]:
     """Yield a track on which nothing happens, with the reason at its begin."""
-    pid, tid = thread
+    pid, tid = ids
     yield from thread_name(pid, tid, _name(track, language), tid)
     details: dict[str, object] = {"text": track.text}
     if track.span is not None:
         details["place"] = f"{track.span.file}:{track.span.line}"
     yield moment(
         _NEVER[track.kind].get(language),
-        thread,
+        ids,
         begin_us,
         details | {"why not": track.why_not.get(language)},
     )

@@ -175,6 +175,7 @@ class BranchLog:
         self._reaction = branch.node
         self._condition = ConditionLog(node, living_from)
         self._parts: list[ConditionLog] = []
+        self.became_true = 0
         if isinstance(node, conditions.Combination):
             self._parts = [ConditionLog(leaf, living_from) for leaf in _leaves(node)]
         self.probe = node.probe
@@ -219,4 +220,5 @@ class BranchLog:
             self.bodies.finish(self._reaction.next_tick),
             tuple(item for item in frozen if item.span in spans),
             outline.commands,
+            self.became_true,
         )

@@ -33,7 +33,7 @@ _COLUMNS = (
     Text("evaluated", "ausgewertet"),
     Text("true", "wahr"),
     Text("false", "falsch"),
-    Text("body", "Zweig"),
+    Text("ran", "lief"),
 )
 _TOTAL = Text(
     "total: {count} of {all} branches ran, {percent} %; runs: {runs}",

@@ -168,7 +168,8 @@ class BranchHistory:
     ``text`` is its source line without surrounding blanks. ``outer`` and ``earlier`` are indices
     of the cycle's branches. ``parts`` are the operands of ``&&`` and ``||`` in the condition.
     ``evaluated`` are the ticks in which the condition was evaluated, ``bodies`` those in which the
-    body ran. ``frozen`` are the asynchronous values in the condition (RC-302). ``commands`` are the
+    body ran; ``became_true``: how often it ran and had not run in the run-through before.
+    ``frozen`` are the asynchronous values in the condition (RC-302). ``commands`` are the
     statements of the body outside of inner branches.
     """
 
@@ -185,6 +186,7 @@ class BranchHistory:
     bodies: Times = Times()
     frozen: tuple[FrozenValue, ...] = ()
     commands: tuple[str, ...] = ()
+    became_true: int = 0
 
 
 @dataclass(frozen=True, slots=True)

@@ -17,6 +17,7 @@ from typing import Protocol
 
 from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Span
+from nctakt.base.source_ids import begins_at
 from nctakt.decoder.cycles.builder import CycleDefinition
 from nctakt.kernel import codes, rows
 from nctakt.messages.realtime import BLOCK_CYCLE_NEVER_RAN
@@ -86,6 +87,12 @@ class _CycleLog:
     life: deque[LifeEvent] = field(default_factory=lambda: deque(maxlen=LIFE_KEPT))
     life_left_out: int = 0
     missed_its_block: bool = False
+
+    def fired(self, span: Span | None) -> None:
+        """Count that the branch at this place became true."""
+        for own, branch in self.branches.items():
+            if begins_at(own, span):
+                branch.became_true += 1
 
     def live(self, event: LifeEvent) -> None:
         self.life_left_out += len(self.life) == LIFE_KEPT
@@ -171,7 +178,9 @@ class ProbeLog:
         if cycle is None:
             return
         span = self._names.span(int(source))
-        if kind in _LIFE:
+        if kind == rows.EVENT_FIRED:
+            cycle.fired(span)
+        elif kind in _LIFE:
             cycle.live(LifeEvent(int(tick), _LIFE[kind], span))
         elif kind == rows.EVENT_ENDED:
             self._ended(cycle, int(tick), int(a), span)

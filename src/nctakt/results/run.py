@@ -89,15 +89,17 @@ class FrozenValue:
 
 @dataclass(frozen=True, slots=True)
 class ReactionResult:
-    """The firings of a branch: ``count`` series of run-throughs in which its body ran.
+    """What a branch did: how often it became true, and in how many run-throughs its body ran.
 
-    ``first_tick`` and ``last_tick`` are the ticks in which the first and the last series began,
-    ``None`` without any.
+    It becomes true where its body runs and did not in the run-through before (``fired``).
+    ``first_tick`` and ``last_tick`` are the ticks in which that was first and last so, ``None``
+    without any.
     """
 
     span: Span | None
     frequency: str
-    count: int
+    became_true: int
+    ran: int
     first_tick: int | None
     last_tick: int | None
 
@@ -106,8 +108,8 @@ class ReactionResult:
 class CycleResult:
     """A realtime cycle: ID (``#1`` without one), scope, span of its definition, reactions.
 
-    ``instances``: how often the definition was executed. ``runs``: its run-throughs since its
-    creation, ``None`` if another definition shares their count. ``frozen``: the asynchronous values
+    ``instances``: how often the definition was executed. ``runs``: its run-throughs in this run,
+    ``None`` if another definition shares their count. ``frozen``: the asynchronous values
     of its latest instance.
     """
 
@@ -137,6 +139,31 @@ class OutputCount:
     def name(self) -> str:
         """The function as in a program: ``M100``."""
         return f"{self.letter}{self.number}"
+
+
+@dataclass(frozen=True, slots=True)
+class MotionCount:
+    """The independent motions of an axis; ``is_realtime``: by a realtime cycle, else by the PLC.
+
+    ``count``: how many have begun. ``done``: how many have come to their target.
+    """
+
+    axis: str
+    is_realtime: bool
+    count: int
+    done: int
+    first_tick: int
+
+
+@dataclass(frozen=True, slots=True)
+class SpindleJobCount:
+    """The jobs of a spindle with one function (``M3`` …); ``is_realtime``: by a realtime cycle."""
+
+    spindle: str
+    function: str
+    is_realtime: bool
+    count: int
+    first_tick: int
 
 
 @dataclass(frozen=True, slots=True, repr=False)
@@ -218,6 +245,8 @@ class Run:
     messages: tuple[ProgramMessage, ...] = ()
     cycles: tuple[CycleResult, ...] = ()
     outputs: tuple[OutputCount, ...] = ()
+    motions: tuple[MotionCount, ...] = ()
+    spindle_jobs: tuple[SpindleJobCount, ...] = ()
     why: WhyReport | None = None
     schedule: RunSchedule | None = None
     starved: tuple[Starvation, ...] = ()

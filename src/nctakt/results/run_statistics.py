@@ -17,9 +17,11 @@ from nctakt.results.run import (
     TECHNOLOGY_KINDS,
     CycleResult,
     FrozenValue,
+    MotionCount,
     OutputCount,
     Reaction,
     ReactionResult,
+    SpindleJobCount,
     technology_output,
 )
 from nctakt.results.starving import ScheduleStatistics
@@ -35,6 +37,10 @@ _COUNTED = frozenset(
         rows.EVENT_ENDED,
         rows.EVENT_TECHNOLOGY_RT,
         rows.EVENT_TECHNOLOGY,
+        rows.EVENT_AXIS_BEGUN,
+        rows.EVENT_AXIS_ENDLESS,
+        rows.EVENT_AXIS_ENDED,
+        rows.EVENT_SPINDLE,
         rows.EVENT_STARVED,
         rows.EVENT_FED,
         rows.EVENT_OVERFLOW,
@@ -72,6 +78,13 @@ class _Output:
     count: int = 0
 
 
+@dataclass(slots=True)
+class _Motions:
+    first_tick: int
+    count: int = 0
+    done: int = 0
+
+
 class RunStatistics:
     """The counts of a run; a sink.
 
@@ -91,6 +104,8 @@ class RunStatistics:
         self._cycles: dict[tuple[str, str, Span | None], _Cycle] = {}
         self._living: dict[str, _Cycle] = {}
         self._outputs: dict[tuple[str, int, bool], _Output] = {}
+        self._motions: dict[tuple[str, bool], _Motions] = {}
+        self._jobs: dict[tuple[str, str, bool], _Output] = {}
         self.schedule = ScheduleStatistics()
 
     def open(self, header: TraceHeader) -> None:
@@ -108,6 +123,12 @@ class RunStatistics:
                 self._fired(event, count, last_tick)
             elif event.kind in TECHNOLOGY_KINDS:
                 self._output(event, count)
+            elif event.kind == "axis":
+                self._moved(event)
+            elif event.kind == "spindle":
+                spindle, function, _ = event.text.split()
+                key = (spindle, function, bool(event.cycle))
+                self._jobs.setdefault(key, _Output(event.tick)).count += 1
             elif event.kind in ("starved", "overflow"):
                 self.schedule.add(event)
             elif event.kind == "ended":
@@ -115,8 +136,7 @@ class RunStatistics:
 
     def _created(self, event: Event) -> None:
         scope = event.text.split()[-1]
-        name = event.cycle.partition("#")[0] + "#" if "#" in event.cycle else event.cycle
-        key = (name, scope, event.span)
+        key = (common_name(event.cycle), scope, event.span)
         if key not in self._cycles:
             cycle = _Cycle(event.cycle, scope, event.span)
             for reaction in self._reactions(event.cycle) if self._reactions else ():
@@ -142,6 +162,27 @@ class RunStatistics:
         key = (output.letter, output.number, event.kind != "output")
         self._outputs.setdefault(key, _Output(event.tick)).count += count
 
+    def _moved(self, event: Event) -> None:
+        """Count a motion that begins, or one that has come to its target."""
+        axis, what, *_ = event.text.split()
+        motions = self._motions.setdefault((axis, bool(event.cycle)), _Motions(event.tick))
+        motions.count += what == "begun"
+        motions.done += what == "done"
+
+    def motions(self) -> tuple[MotionCount, ...]:
+        """Return the independent motions of axes in the order of their first one."""
+        return tuple(
+            MotionCount(axis, is_realtime, own.count, own.done, own.first_tick)
+            for (axis, is_realtime), own in self._motions.items()
+        )
+
+    def spindle_jobs(self) -> tuple[SpindleJobCount, ...]:
+        """Return the jobs of spindles in the order of their first one."""
+        return tuple(
+            SpindleJobCount(spindle, function, is_realtime, job.count, job.first_tick)
+            for (spindle, function, is_realtime), job in self._jobs.items()
+        )
+
     def outputs(self) -> tuple[OutputCount, ...]:
         """Return the M and H functions in the order of their first output."""
         return tuple(
@@ -149,8 +190,14 @@ class RunStatistics:
             for (letter, number, is_realtime), output in self._outputs.items()
         )
 
-    def cycles(self, runs: Mapping[str, int] | None = None) -> tuple[CycleResult, ...]:
-        """Return the cycles in the order of their creation; ``runs``: run-throughs by name."""
+    def cycles(
+        self, runs: Mapping[str, int] | None = None, bodies: Mapping[BranchKey, int] | None = None
+    ) -> tuple[CycleResult, ...]:
+        """Return the cycles in the order of their creation.
+
+        ``runs``: run-throughs by name. ``bodies``: those of the bodies of branches.
+        """
+        ran = bodies or {}
         return tuple(
             CycleResult(
                 cycle.name,
@@ -161,6 +208,7 @@ class RunStatistics:
                         span,
                         firings.frequency,
                         firings.count,
+                        ran.get(branch_key(cycle.name, span), 0),
                         firings.first_tick,
                         firings.last_tick,
                     )
@@ -180,6 +228,21 @@ class RunStatistics:
         if sum(other.name == cycle.name for other in self._cycles.values()) > 1:
             return None
         return runs.get(cycle.name)
+
+
+#: A branch: the name of its cycle, file, line and column.
+BranchKey = tuple[str, str, int, int]
+
+
+def common_name(cycle: str) -> str:
+    """Return the name that a cycle shares with those of its definition: ``#`` without an ID."""
+    return cycle.partition("#")[0] + "#" if "#" in cycle else cycle
+
+
+def branch_key(cycle: str, span: Span | None) -> BranchKey:
+    """Return what tells a branch from others."""
+    name = common_name(cycle)
+    return (name, "", 0, 0) if span is None else (name, span.file, span.line, span.column)
 
 
 def _span_beginning_at(spans: Mapping[Span | None, _Firings], begin: Span | None) -> Span | None:

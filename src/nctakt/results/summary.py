@@ -2,8 +2,8 @@
 """The summary at the end of a run, for a reader.
 
 In: ``Run`` and its wall-clock time. Out: lines of text: the end of the run, its realtime cycles, M
-and H functions, messages, errors and warnings. On a terminal the tables are drawn with rich;
-elsewhere they are plain text, the same for the same run.
+and H functions, motions of axes, jobs of spindles, messages, errors and warnings. On a terminal the
+tables are drawn with rich; elsewhere they are plain text, the same for the same run.
 """
 
 from __future__ import annotations
@@ -34,7 +34,8 @@ _CYCLE_HEADS = (
     Text("Scope", "Gültigkeit"),
     Text("Runs", "Durchläufe"),
     Text("Reaction", "Reaktion"),
-    Text("Fired", "Ausgelöst"),
+    Text("Became true", "Wurde wahr"),
+    Text("Ran", "Lief"),
     Text("First", "Zuerst"),
 )
 _OUTPUT_HEADS = (
@@ -43,6 +44,20 @@ _OUTPUT_HEADS = (
     Text("Count", "Anzahl"),
     Text("First", "Zuerst"),
 )
+_MOTION_HEADS = (
+    Text("Motion", "Bewegung"),
+    Text("From", "Aus"),
+    Text("Count", "Anzahl"),
+    Text("At target", "Am Ziel"),
+    Text("First", "Zuerst"),
+)
+_JOB_HEADS = (
+    Text("Spindle job", "Spindelauftrag"),
+    Text("From", "Aus"),
+    Text("Count", "Anzahl"),
+    Text("First", "Zuerst"),
+)
+_FROM_PLC = Text("PLC", "SPS")
 _FROM_CYCLE = Text("realtime cycle", "Echtzeit-Zyklus")
 _FROM_PROGRAM = Text("program", "Programm")
 _FROZEN = Text("Frozen in cycle {name}: {values}", "Eingefroren in Zyklus {name}: {values}")
@@ -84,6 +99,8 @@ def print_summary(
     for table, notes in (
         (_cycles(run, language), frozen_lines(run, language)),
         (_outputs(run, language), []),
+        (_motions(run, language), []),
+        (_spindle_jobs(run, language), []),
     ):
         if not table.rows:
             continue
@@ -144,7 +161,7 @@ def _cycles(run: Run, language: Language) -> Table:
         runs = "" if cycle.runs is None else str(cycle.runs)
         head = (_cycle_name(cycle, language), cycle.scope, runs)
         if not cycle.reactions:
-            rows.append((*head, _NO_REACTION.get(language), "", ""))
+            rows.append((*head, _NO_REACTION.get(language), "", "", ""))
         for reaction in cycle.reactions:
             rows.append((*head, *_reaction(run, reaction, language)))
             head = ("", "", "")
@@ -178,8 +195,10 @@ def _cycle_name(cycle: CycleResult, language: Language) -> str:
 def _reaction(run: Run, reaction: ReactionResult, language: Language) -> tuple[str, ...]:
     position = f"{_position(reaction.span)} {reaction.frequency}".strip()
     if reaction.first_tick is None:
-        return position, _NEVER.get(language), ""
-    return position, str(reaction.count), _tick(run, reaction.first_tick, language)
+        ran = str(reaction.ran) if reaction.ran else ""
+        return position, _NEVER.get(language), ran, ""
+    first = _tick(run, reaction.first_tick, language)
+    return position, str(reaction.became_true), str(reaction.ran), first
 
 
 def _outputs(run: Run, language: Language) -> Table:
@@ -191,6 +210,33 @@ def _output(run: Run, output: OutputCount, language: Language) -> tuple[str, ...
     origin = _FROM_CYCLE if output.is_realtime else _FROM_PROGRAM
     first = _tick(run, output.first_tick, language)
     return output.name, origin.get(language), str(output.count), first
+
+
+def _motions(run: Run, language: Language) -> Table:
+    rows = tuple(
+        (
+            motion.axis,
+            (_FROM_CYCLE if motion.is_realtime else _FROM_PLC).get(language),
+            str(motion.count),
+            str(motion.done),
+            _tick(run, motion.first_tick, language),
+        )
+        for motion in run.motions
+    )
+    return Table(tuple(head.get(language) for head in _MOTION_HEADS), rows)
+
+
+def _spindle_jobs(run: Run, language: Language) -> Table:
+    rows = tuple(
+        (
+            f"{job.spindle} {job.function}",
+            (_FROM_CYCLE if job.is_realtime else _FROM_PROGRAM).get(language),
+            str(job.count),
+            _tick(run, job.first_tick, language),
+        )
+        for job in run.spindle_jobs
+    )
+    return Table(tuple(head.get(language) for head in _JOB_HEADS), rows)
 
 
 def _tick(run: Run, tick: int, language: Language) -> str:
@@ -218,7 +264,12 @@ def _print_rich(table: Table, file: TextIO) -> None:
     from rich.markup import escape  # noqa: PLC0415
     from rich.table import Table as RichTable  # noqa: PLC0415
 
-    drawn = RichTable(*table.heads, box=box.SIMPLE_HEAD, show_edge=False, pad_edge=False)
+    widths = [max(map(len, column), default=0) for column in zip(*table.rows, strict=True)]
+    heads = [
+        head if len(head) <= width else head.replace(" ", "\n")
+        for head, width in zip(table.heads, widths, strict=True)
+    ]
+    drawn = RichTable(*heads, box=box.SIMPLE_HEAD, show_edge=False, pad_edge=False)
     for row in table.rows:
         drawn.add_row(*map(escape, row))
     print(file=file)

@@ -57,9 +57,11 @@ _EVALUATED = Text("evaluated in {times}", "ausgewertet: {times}")
 _TRUE_FROM = Text("true from {seen}", "wahr ab {seen}")
 _FALSE_FROM = Text("false from {seen}", "falsch ab {seen}")
 _PART = Text("part {text}", "Teil {text}")
-_BODY_ONCE = Text("body ran once, in {times}", "Zweig einmal ausgeführt: {times}")
-_BODY = Text("body ran {count} times, in {times}", "Zweig {count}-mal ausgeführt: {times}")
-_BODY_NEVER = Text("body never ran: {reason}", "Zweig nie ausgeführt: {reason}")
+_BECAME_TRUE_ONCE = Text("became true once, ", "wurde einmal wahr, ")
+_BECAME_TRUE = Text("became true {count} times, ", "wurde {count}-mal wahr, ")
+_BODY_ONCE = Text("ran once, in {times}", "lief einmal: {times}")
+_BODY = Text("ran {count} times, in {times}", "lief {count}-mal: {times}")
+_BODY_NEVER = Text("never ran: {reason}", "lief nie: {reason}")
 _DONE = Text("ONCE: done, no longer evaluated", "ONCE: erledigt, nicht mehr ausgewertet")
 _LATCHED = Text(
     "ALWAYS: latched since {tick}, no longer evaluated",
@@ -75,9 +77,9 @@ _AT_EVALUATED = Text("evaluated in this tick", "in diesem Takt ausgewertet")
 _AT_NOT_EVALUATED = Text("not evaluated in this tick", "in diesem Takt nicht ausgewertet")
 _AT_TRUE = Text("true since {seen}", "wahr seit {seen}")
 _AT_FALSE = Text("false since {seen}", "falsch seit {seen}")
-_AT_BODY = Text("body ran", "Zweig ausgeführt")
-_AT_NO_BODY_FALSE = Text("body did not run", "Zweig nicht ausgeführt")
-_AT_NO_BODY = Text("body did not run: {reason}", "Zweig nicht ausgeführt: {reason}")
+_AT_BODY = Text("ran", "lief")
+_AT_NO_BODY_FALSE = Text("did not run", "lief nicht")
+_AT_NO_BODY = Text("did not run: {reason}", "lief nicht: {reason}")
 
 
 def render_report(
@@ -204,7 +206,7 @@ def _history(cycle: CycleHistory, branch: BranchHistory, last_tick: int, words: 
         count = branch.bodies.ticks
         times = words.times(branch.bodies)
         ran = words.get(_BODY_ONCE if count == 1 else _BODY, count=count, times=times)
-        lines.append(ran + _commands(branch))
+        lines.append(_became_true(branch, words) + ran + _commands(branch))
         return [*lines, *_frequency(branch, words)]
     chain = _never_chain(cycle, branch, last_tick)
     if chain[0].kind != "false":
@@ -227,6 +229,14 @@ def why_never(cycle: CycleHistory, branch: BranchHistory, last_tick: int, words:
 
 def _never_chain(cycle: CycleHistory, branch: BranchHistory, last_tick: int) -> list[Reason]:
     return _chain(cycle, branch, lambda other: why_branch_never(cycle, other, last_tick))
+
+
+def _became_true(branch: BranchHistory, words: Words) -> str:
+    """Return how often a branch became true; nothing where it was so from before the run on."""
+    if not branch.became_true:
+        return ""
+    once = branch.became_true == 1
+    return words.get(_BECAME_TRUE_ONCE if once else _BECAME_TRUE, count=branch.became_true)
 
 
 def _commands(branch: BranchHistory) -> str:

@@ -3,11 +3,13 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Sequence
 
 from nctakt.base.diagnostics import Span
 from nctakt.base.source_ids import SourceFiles, begins_at
 from nctakt.decoder.cycles.builder import CycleDefinition
+from nctakt.decoder.cycles.keywords import keyword_of
 from nctakt.decoder.state.call_stack import OpenCall
 from nctakt.decoder.state.commands import UserMessage
 from nctakt.decoder.state.in_force import InForce
@@ -15,6 +17,7 @@ from nctakt.decoder.state.uncertain_axes import LivingCycle
 from nctakt.kernel import codes
 from nctakt.kernel.cycles.cycles import CycleManager, RealtimeCycle
 from nctakt.results.run import FrozenValue, Reaction
+from nctakt.results.run_statistics import BranchKey, branch_key
 
 
 class EventRegistry:
@@ -50,6 +53,8 @@ class EventRegistry:
         self._latest: dict[str, CycleDefinition] = {}
         self._living: dict[int, CycleDefinition] = {}
         self._past_runs: dict[str, int] = {}
+        self._past_bodies: Counter[BranchKey] = Counter()
+        self._meant_aborts: set[int] = set()
         self.on_cycle: Callable[[str, CycleDefinition], None] | None = None
 
     # --- names of events ------------------------------------------------------------------------
@@ -123,6 +128,10 @@ class EventRegistry:
                 )
         return tuple(cycles)
 
+    def is_abort_meant(self, serial: int) -> bool:
+        """Return whether a cycle's definition says what becomes of its motions (END_ACTION)."""
+        return serial in self._meant_aborts
+
     # --- registration ---------------------------------------------------------------------------
 
     def next_cycle(self) -> tuple[int, int]:
@@ -143,14 +152,17 @@ class EventRegistry:
         self._probes += definition.cycle.probes
         self._latest[name] = definition
         self._living[definition.serial] = definition
+        if keyword_of(definition.statement.keywords, "END_ACTION") is not None:
+            self._meant_aborts.add(definition.serial)
         if self.on_cycle is not None:
             self.on_cycle(name, definition)
 
     def forget(self, cycles: Sequence[RealtimeCycle]) -> None:
         """Remove cycles that have ended; only their run-throughs are kept."""
         for cycle in cycles:
-            del self._living[cycle.serial]
+            definition = self._living.pop(cycle.serial)
             name = self._cycle_names[cycle.serial]
+            self._past_bodies.update(_bodies(name, definition))
             self._past_runs[name] = self._past_runs.get(name, 0) + cycle.runs
             if "#" in name:
                 del self._latest[name]
@@ -214,10 +226,22 @@ class EventRegistry:
                 return [FrozenValue(value.name, value.value, value.span) for value in values]
         return ()
 
-    def runs(self) -> dict[str, int]:
-        """Return the run-throughs of all cycles by name."""
-        runs = dict(self._past_runs)
+    def bodies(self) -> Counter[BranchKey]:
+        """Return how often the bodies of all branches have run since the start-up."""
+        bodies = self._past_bodies.copy()
+        for definition in self._living.values():
+            bodies.update(_bodies(self._cycle_names[definition.serial], definition))
+        return bodies
+
+    def runs(self) -> Counter[str]:
+        """Return the run-throughs of all cycles by name since the start-up."""
+        runs = Counter(self._past_runs)
         for definition in self._living.values():
             name = self._cycle_names[definition.serial]
-            runs[name] = runs.get(name, 0) + definition.cycle.runs
+            runs[name] += definition.cycle.runs
         return runs
+
+
+def _bodies(name: str, definition: CycleDefinition) -> Counter[BranchKey]:
+    """Return how often the bodies of a cycle's branches have run."""
+    return Counter({branch_key(name, one.span): one.node.count for one in definition.reactions})

@@ -22,7 +22,7 @@ from nctakt.messages import diagnostic
 from nctakt.messages.block_search import BOTH_STARTS_GIVEN
 from nctakt.messages.session import PROGRAM_NOT_SELECTED
 from nctakt.nc.outline import ProgramText
-from nctakt.results.run import ProgramMessage, Run, RunDrawer, RunState
+from nctakt.results.run import CycleResult, ProgramMessage, Run, RunDrawer, RunState
 from nctakt.results.run_statistics import RunStatistics
 from nctakt.run import program_loader
 from nctakt.run.assembly import AssembledMachine, do_nothing
@@ -160,6 +160,8 @@ class ProgramRun:
         self._memory = MemorySink() if options.memory_trace else None
         machine.registry.on_cycle = options.on_cycle
         self._statistics = RunStatistics(machine.registry.reactions_of, machine.registry.frozen_in)
+        self._runs_before = machine.registry.runs()
+        self._bodies_before = machine.registry.bodies()
         self._signals = loop.recording.checked(options.signals)
         replay = options.replay
         loop.connect(
@@ -350,6 +352,14 @@ class ProgramRun:
         self._machine.inputs.listen(None)
         self._machine.poll = do_nothing
 
+    def _cycles(self) -> tuple[CycleResult, ...]:
+        """Return the realtime cycles with what they and their branches have run in this run."""
+        registry = self._machine.registry
+        runs, bodies = registry.runs(), registry.bodies()
+        runs.subtract(self._runs_before)
+        bodies.subtract(self._bodies_before)
+        return self._statistics.cycles(runs, bodies)
+
     def result(self) -> Run:
         """Return the result of a run that is over and closed."""
         assert self.state is not None
@@ -377,8 +387,10 @@ class ProgramRun:
             trace=None if self._memory is None else self._memory.trace,
             diagnostics=tuple(self._diagnostics[self._first_diagnostic :]),
             messages=tuple(loop.recording.messages),
-            cycles=statistics.cycles(machine.registry.runs()),
+            cycles=self._cycles(),
             outputs=statistics.outputs(),
+            motions=statistics.motions(),
+            spindle_jobs=statistics.spindle_jobs(),
             schedule=None if scheduled is None else scheduled.schedule,
             starved=statistics.schedule.starved(loop.tick),
             overflows=statistics.schedule.overflows(),

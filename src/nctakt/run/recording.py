@@ -16,6 +16,7 @@ from nctakt.kernel import codes, rows
 from nctakt.nc.outline import ProgramText
 from nctakt.results.run import ProgramMessage
 from nctakt.results.user_errors import user_errors
+from nctakt.run import ended_motions
 from nctakt.run.assembly import AssembledMachine
 from nctakt.run.error_events import realtime_diagnostic
 from nctakt.trace.chunks import EventChunk
@@ -62,6 +63,7 @@ class Recording:
         self._row_sinks: Sequence[RowSink] = ()
         self._probes: ProbeLog | None = None
         self._noticed: set[tuple[str, Span | None]] = set()
+        self._motions = ended_motions.EndedMotions(machine)
         self.messages: list[ProgramMessage] = []
         self.on_message: Callable[[ProgramMessage], None] | None = None
 
@@ -102,6 +104,7 @@ class Recording:
         self._machine.record.records_series = why
         self.messages = []
         self._noticed = set()
+        self._motions = ended_motions.EndedMotions(self._machine)
 
     def close(self) -> None:
         """End the recording of a run."""
@@ -134,7 +137,7 @@ class Recording:
         events = EventChunk(self._events, event_rows)
         signals = memoryview(record.take_rows()).cast("d")
         if len(events):
-            self._watch(events.of_kinds(_WATCHED))
+            self._watch(events.of_kinds(_WATCHED | ended_motions.EVENTS))
             for sink in self._sinks:
                 sink.events(events)
         if rows_count:
@@ -196,6 +199,8 @@ class Recording:
                 self._report_notice(event)
             elif event.kind in ("error", "warning") and not self._is_reported(event):
                 self._report(realtime_diagnostic(event, machine))
+        for note in self._motions.add(events):
+            self._report(note)
 
     def _report_notice(self, event: Event) -> None:
         """Report a notice of the realtime cycles, once for each place of the program."""

@@ -183,7 +183,7 @@ def test_a_write_is_seen_once_a_tick_has_latched_it(served):
         assert await node.read_value() == 1.0
         await asyncio.to_thread(served.session.step, 2)
         assert await client.get_node(COUNT).read_value() == 1
-        fired = await until(lambda: read(client, f"{INTERFACE}.RealtimeCycles.1.Fired"))
+        fired = await until(lambda: read(client, f"{INTERFACE}.RealtimeCycles.1.Ran"))
         assert fired == 1
         assert await read(client, f"{INTERFACE}.RealtimeCycles.1.State") == "running"
         override = client.get_node("ns=3;s=CncSpindleList.S.CmdOverride")

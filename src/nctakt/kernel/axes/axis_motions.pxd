@@ -72,8 +72,9 @@ cdef class AxisMotions:
     cdef void drop(self, Py_ssize_t axis) noexcept nogil
     cdef void event(self, int kind, Py_ssize_t axis, double value) noexcept nogil
     @cython.locals(source=cython.longlong, serial=cython.longlong)
-    cdef void drop_next(self, Py_ssize_t axis) noexcept nogil
-    cdef void drop_present(self, Py_ssize_t axis) noexcept nogil
+    cdef void drop_next(self, Py_ssize_t axis, int why) noexcept nogil
+    @cython.locals(source=cython.longlong, serial=cython.longlong)
+    cdef void drop_present(self, Py_ssize_t axis, int why) noexcept nogil
     cdef void give_up(self, Py_ssize_t axis) noexcept nogil
     cdef void brake(self, Py_ssize_t axis) noexcept nogil
     cdef void come_to_standstill(self, Py_ssize_t axis) noexcept nogil

@@ -202,19 +202,20 @@ class AxisMotions:
     def drop(self, axis: int) -> None:
         """Give up the waiting and the present motion, and record both."""
         if self.next_kind[axis]:
-            self.drop_next(axis)
+            self.drop_next(axis, rows.NOT_WITH_CYCLE)
         if codes.IDLE < self.kind[axis] < codes.BRAKING:
-            self.drop_present(axis)
+            self.drop_present(axis, rows.NOT_WITH_CYCLE)
 
-    def drop_next(self, axis: int) -> None:
+    def drop_next(self, axis: int, why: int) -> None:
         """Give up the waiting motion."""
         source, serial = self.next_source[axis], self.next_serial[axis]
-        self.record.event(rows.EVENT_AXIS_ENDED, source, serial, axis, rows.MOTION_ABORTED)
+        self.record.event(rows.EVENT_AXIS_ENDED, source, serial, axis, rows.MOTION_ABORTED, why)
         self.next_kind[axis] = codes.IDLE
 
-    def drop_present(self, axis: int) -> None:
+    def drop_present(self, axis: int, why: int) -> None:
         """Record that the present motion is given up; its owner may command another one."""
-        self.event(rows.EVENT_AXIS_ENDED, axis, rows.MOTION_ABORTED)
+        source, serial = self.sources[axis], self.serials[axis]
+        self.record.event(rows.EVENT_AXIS_ENDED, source, serial, axis, rows.MOTION_ABORTED, why)
         self.owner[axis] = 0
 
     def give_up(self, axis: int) -> None:
@@ -250,7 +251,7 @@ class AxisMotions:
         """End the motion with the error ``message``, and drop the one that waits."""
         self.record.event(rows.EVENT_ERROR, self.sources[axis], self.serials[axis], message, axis)
         if self.next_kind[axis]:
-            self.drop_next(axis)
+            self.drop_next(axis, rows.NOT_WITH_CYCLE)
         self.event(rows.EVENT_AXIS_ENDED, axis, rows.MOTION_FAILED)
         self.brake(axis)
         self.fault[axis] = message
@@ -354,7 +355,14 @@ class AxisMotions:
             self.plans.evaluate(axis, self.plans.duration_t(axis))
             position = self.start_d[axis] + self.plans.distance_d
             self.axes.command[axis] = self.in_range(axis, position)
-            self.event(rows.EVENT_AXIS_CHANGED, axis, rows.MOTION_STOPPED)
+            self.record.event(
+                rows.EVENT_AXIS_CHANGED,
+                self.sources[axis],
+                self.serials[axis],
+                axis,
+                rows.MOTION_STOPPED,
+                self.goal[axis] - position,
+            )
             self.come_to_standstill(axis)
             return 1
         if top_v == 0.0 or (

@@ -42,8 +42,8 @@ cdef class SingleAxes(AxisMotions):
     cdef void hold(self, long long owner) noexcept nogil
     @cython.locals(axis=Py_ssize_t, is_endless=cython.bint)
     cdef void resume(self, long long owner) noexcept nogil
-    @cython.locals(axis=Py_ssize_t)
-    cdef void abort(self, long long owner) noexcept nogil
+    @cython.locals(axis=Py_ssize_t, why=int, is_endless=cython.bint)
+    cdef void abort(self, long long owner, int with_cycle) noexcept nogil
     @cython.locals(axis=Py_ssize_t)
     cdef void end_owner(self, long long owner, int continues) noexcept nogil
     @cython.locals(axis=Py_ssize_t, count=int)

@@ -171,21 +171,28 @@ class SingleAxes(AxisMotions):
                 )
                 self.event(rows.EVENT_AXIS_CHANGED, axis, rows.MOTION_CONTINUED)
 
-    def abort(self, owner: int) -> None:
-        """Brake the owner's motions and give them up, the held and the waiting ones included."""
+    def abort(self, owner: int, with_cycle: int) -> None:
+        """Brake the owner's motions and give them up, the held and the waiting ones included.
+
+        ``with_cycle``: because the cycle has ended.
+        """
         if self.active_count == 0:
             return
         for axis in range(self.count):
             if self.next_kind[axis] and self.next_owner[axis] == owner:
-                self.drop_next(axis)
+                self.drop_next(axis, rows.WITH_CYCLE_WAITING if with_cycle else rows.NOT_WITH_CYCLE)
             if self.owner[axis] == owner and codes.IDLE < self.kind[axis] < codes.BRAKING:
-                self.drop_present(axis)
+                why = rows.NOT_WITH_CYCLE
+                if with_cycle:
+                    is_endless = self.kind[axis] == codes.ENDLESS
+                    why = rows.WITH_CYCLE_ENDLESS if is_endless else rows.WITH_CYCLE
+                self.drop_present(axis, why)
                 self.brake(axis)
 
     def end_owner(self, owner: int, continues: int) -> None:
         """Abort the motions of an owner that has ended, or let them continue (RC-110)."""
         if not continues:
-            self.abort(owner)
+            self.abort(owner, 1)
             return
         for axis in range(self.count):
             if self.owner[axis] == owner:
@@ -381,7 +388,7 @@ class SingleAxes(AxisMotions):
         elif what == "resume":
             self.resume(owner)
         elif what == "abort":
-            self.abort(owner)
+            self.abort(owner, 0)
         else:
             self.end_owner(owner, 1 if what == "leave" else 0)
 

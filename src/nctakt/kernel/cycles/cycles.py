@@ -384,7 +384,7 @@ class CycleManager:
 
     def abort_actions(self, slot: int) -> None:
         """Brake the motions of a cycle at the axes' limits, and end them."""
-        self.single_axes.abort(self.first_owner + slot)
+        self.single_axes.abort(self.first_owner + slot, 0)
 
     def end_program(self) -> None:
         """Delete BLOCK and PROG cycles at M30 (RC-105, RC-106)."""

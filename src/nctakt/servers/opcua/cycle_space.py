@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Realtime cycles as nodes: their state, and how often their reactions fired.
+"""Realtime cycles as nodes: their state, and how often the bodies of their branches ran.
 
 In: what is known of cycles at a moment. Out: an object for each that has lived since the server's
 start. One that is gone keeps its object, whose state says so.
@@ -72,7 +72,7 @@ class CycleSpace:
             ("Scope", _STRING, lambda _: cycle.scope),
             ("Place", _STRING, lambda _: str(cycle.span)),
             ("Runs", _COUNT, _read(key, lambda found: found.runs)),
-            ("Fired", _COUNT, _read(key, lambda found: sum(one.count for one in found.branches))),
+            ("Ran", _COUNT, _read(key, lambda found: sum(one.count for one in found.branches))),
         ):
             self._add_value(path, part, kind, read)
         for index, branch in enumerate(cycle.branches):
@@ -85,7 +85,7 @@ class CycleSpace:
                 standard(BASE_OBJECT),
             )
             self._nodes.refer(node, refs.HAS_COMPONENT, branch_node)
-            self._add_value(own, "Fired", _COUNT, _of_branch(key, index, lambda one: one.count))
+            self._add_value(own, "Ran", _COUNT, _of_branch(key, index, lambda one: one.count))
             self._add_value(
                 own, "Condition", ua.VariantType.Boolean, _of_branch(key, index, _truth_of)
             )

@@ -78,7 +78,7 @@ def measure(path: Path, lines: int, ticks: int) -> None:
         )
         print(f"; {described('anywhere', travel_s)}", flush=True)
         session.go_to(latest)
-        search_s = seconds(lambda: session.back_to("V.RTA.ACS.ACT_POS.X > 1e9"))
+        search_s = seconds(lambda: session.back_to("V.RTA.ACS.ACT_POS.X > 1000000"))
         print(
             f"  a search that runs all again {search_s:.2f} s: {run_s / search_s:.2f} of run",
             end="",

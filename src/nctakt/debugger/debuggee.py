@@ -194,7 +194,9 @@ class Debuggee:
         until = running.until if self._owns else [*self._stops, *running.until]
         others = 0 if self._owns else len(self.session.stops)
         try:
-            done = self.session.run(Time(end, is_in_ticks=True), until=until)
+            done = self.session.run(
+                Time(end, is_in_ticks=True), until=until, rests=running.end is None
+            )
         except (Failure, RuntimeError) as error:
             text = error_text(error)
             self.report.output("stderr", f"{text}\n")
@@ -230,6 +232,9 @@ class Debuggee:
             self._stopped("pause", running.thread)
         elif done.run_state is not None:
             self._end()
+        elif done.is_resting:
+            found = done.diagnostics[-1].headline(self.language)
+            self._stopped("pause", running.thread, found)
         else:
             return False
         return True

@@ -128,7 +128,7 @@ class SharedSession:
         """Run to the next such moment, or to a stop; the page shows the way, and may pause it."""
         self.session.pause()
         self.session.set_stops(*self.stops, stop)
-        self.session.play()
+        self.session.play(rests=True)
         self._passing = stop  # once it plays: a session that stands has come there
         self._wake.set()
 

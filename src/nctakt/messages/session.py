@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from nctakt.messages.catalogue import error, warning
+from nctakt.messages.catalogue import error, note, warning
 
 NOT_A_STOP = error(
     901150,
@@ -112,4 +112,13 @@ TAPE_NEEDS_SCHEDULE = error(
     remedy_en="Repeat it with `nctakt replay`.",
     remedy_de="Ihn mit `nctakt replay` wiederholen.",
     list=("the scheduling list", "die Liste der Ablaufplanung"),
+)
+
+NOTHING_CAN_HAPPEN = note(
+    901925,
+    en="nothing can happen here any more by itself: the program waits for {awaited}",
+    de="von allein kann hier nichts mehr geschehen: das Programm wartet auf {awaited}",
+    remedy_en="Provide what it waits for, then go on: START is HLI.START = 1.",
+    remedy_de="Auslösen, worauf es wartet, dann fortfahren: START ist HLI.START = 1.",
+    awaited=("what is waited for", "worauf gewartet wird"),
 )

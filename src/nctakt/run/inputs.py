@@ -234,7 +234,12 @@ class Inputs:
             self._apply(planned.popleft())
         if self._listener is not None and self._image is not _no_image:
             self._note_image()
-        return planned[0].tick if planned else NEVER
+        return self.next_tick
+
+    @property
+    def next_tick(self) -> int:
+        """The tick of the next planned input, ``NEVER`` without one."""
+        return self._planned[0].tick if self._planned else NEVER
 
     def _apply(self, planned: Input) -> None:
         """Apply a planned input; raises ``Failure`` (901077) where this machine cannot take it."""

@@ -85,11 +85,15 @@ class ScheduleClock:
 
 
 class FastClock:
-    """As fast as possible, in slices short enough for those who watch."""
+    """As fast as possible, in slices short enough for those who watch.
+
+    ``rests``: the session stands where nothing can happen any more by itself.
+    """
 
     speed: float | None = None
 
     def __init__(self, first_tick: int) -> None:
+        self.rests = False
         self._tick = first_tick
         self._ticks = 10_000
 

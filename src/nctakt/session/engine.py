@@ -37,6 +37,7 @@ from nctakt.run.tick_loop import TickLoop
 from nctakt.session.channel_states import ChannelState, channel_states
 from nctakt.session.decoders import DecoderState, decoder_state
 from nctakt.session.happened import MAX_EVENTS, Happened, SignalRows
+from nctakt.session.rest import LOOK_TICKS, PAUSED, rest
 from nctakt.session.schedules import EngineSchedule
 from nctakt.session.setup import Description, Inventory, Setup
 from nctakt.session.stops import EventFilter, StopAt, StopBuilder
@@ -60,7 +61,8 @@ class Slice:
     ``decoding``: place of what its decoder has given last. ``inputs``: all that came from outside,
     in its order. ``decoded``: blocks that have been passed so far. ``differs``: the first tick in
     which the PLC did otherwise than the tape says. ``marks``, ``rows``: what the ticks have left
-    behind (``trail.py``), for the past of the session.
+    behind (``trail.py``), for the past of the session. ``is_resting``: it has ended because no
+    block comes by itself; ``diagnostics`` says what the programs wait for.
     """
 
     first_tick: int
@@ -80,6 +82,7 @@ class Slice:
     calls: Mapping[int, tuple[OpenCall, ...]] = field(default_factory=dict)
     marks: tuple[Mark, ...] = ()
     rows: bytes = b""
+    is_resting: bool = False
 
 
 def joined(first: Slice, second: Slice) -> Slice:
@@ -277,30 +280,59 @@ class Engine:
         stops: Sequence[StopAt] = (),
         events: bool = True,
         marks: Sequence[int] | None = (),
+        rests: bool = False,
     ) -> Slice:
         """Run up to tick ``end``, to the first tick in which a stop holds, or to the run's end.
 
         Without ``events`` the slice has none; the next one that has any brings them along.
         ``marks``: where the slice has marks; ``None``: the ticks run for the first time, there are
-        as many as it takes, and the rows of events.
+        as many as it takes, and the rows of events. ``rests``: also to where no stop can hold any
+        more by itself.
         """
-        if stops != self._stops:
-            self._watch(stops)
+        watched = [*stops, PAUSED] if rests else stops
+        if watched != self._stops:
+            self._watch(watched)
         first = self.tick
+        # Before the first tick no program has begun.
+        resting = rest(self._machine, self._loop, stops) if rests and first else ()
+        if resting:
+            return self._slice(first, [], events=True, resting=resting)
         found: list[Mark] = []
         self._trail.keeps = marks is None
-        is_stopped = self._explore(end, found) if marks is None else self._repeat(end, marks, found)
-        hits = self._stop_builder.hits(self.tick - 1) if is_stopped else []
-        done = self._slice(first, hits, events=events or is_stopped or self._run.state is not None)
+        while True:
+            bound = min(end, self._next_look) if rests else end
+            if marks is None:
+                is_stopped = self._explore(end, found, stops if rests else None)
+            else:
+                is_stopped = self._repeat(bound, marks, found)
+            hits = self._stop_builder.hits(self.tick - 1) if is_stopped else []
+            hits = [hit for hit in hits if hit < len(stops)]
+            is_there = bool(hits) or self._run.state is not None
+            resting = () if is_there or not rests else rest(self._machine, self._loop, stops)
+            if is_there or resting or self.tick >= end:
+                break
+        done = self._slice(first, hits, events=events or is_there or bool(resting), resting=resting)
         return replace(done, marks=tuple(found), rows=self._trail.take())
 
-    def _explore(self, end: int, found: list[Mark]) -> bool:
-        """Run ticks for the first time, with marks where they are due; return as ``advance``."""
+    @property
+    def _next_look(self) -> int:
+        """The tick of the next look whether anything can still happen."""
+        return (self.tick // LOOK_TICKS + 1) * LOOK_TICKS
+
+    def _explore(self, end: int, found: list[Mark], resting: Sequence[StopAt] | None) -> bool:
+        """Run ticks for the first time, with marks where they are due; return as ``advance``.
+
+        ``resting``: end as well where none of these stops can hold any more by itself.
+        """
         while True:
             before, begin_us = self.tick, now_us()
-            is_stopped = self._run.advance(min(end, before + self._trail.part))
+            bound = min(end, before + self._trail.part)
+            bound = bound if resting is None else min(bound, self._next_look)
+            is_stopped = self._run.advance(bound)
             is_due = self._trail.note(self.tick - before, now_us() - begin_us)
             is_there = is_stopped or self._run.state is not None or self.tick >= end
+            if resting is not None and not is_there and self.tick % LOOK_TICKS == 0:
+                is_there = bool(rest(self._machine, self._loop, resting))
             if is_due or is_there:
                 found.append(self._mark())
             if is_there:
@@ -338,7 +370,14 @@ class Engine:
         """Raise ``Failure`` with the mistakes of stops."""
         self._stop_builder.check(stops)
 
-    def _slice(self, first: int, hits: Sequence[int], *, events: bool) -> Slice:
+    def _slice(
+        self,
+        first: int,
+        hits: Sequence[int],
+        *,
+        events: bool,
+        resting: tuple[Diagnostic, ...] = (),
+    ) -> Slice:
         happened, left_out = self._happened.take() if events else ([], 0)
         inputs, self._inputs = self._inputs, []
         messages = self._loop.recording.messages[self._told_messages :]
@@ -354,7 +393,7 @@ class Engine:
             tuple(happened),
             left_out,
             tuple(messages),
-            tuple(diagnostics),
+            (*diagnostics, *resting),
             tuple(inputs),
             dict(self._happened.blocks),
             self._happened.block_count,
@@ -364,6 +403,7 @@ class Engine:
                 channel: self._machine.registry.path(number)
                 for channel, number in self._happened.calls.items()
             },
+            bool(resting),
         )
 
     def _decoding(self) -> dict[int, Span]:

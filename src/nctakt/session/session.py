@@ -143,9 +143,10 @@ class Session:
         begin_s = time.monotonic()
         end = clock.next_tick(begin_s)
         try:
-            done = self._story.run(end, events=self._audience.wants_events)
+            rests = isinstance(clock, FastClock) and clock.rests
+            done = self._story.run(end, events=self._audience.wants_events, rests=rests)
             clock.note(done.tick - done.first_tick, time.monotonic() - begin_s)
-            is_at_end = bool(done.hits) or done.run_state is not None
+            is_at_end = bool(done.hits) or done.run_state is not None or done.is_resting
             if is_at_end:
                 self._thread.clock = None
             self._publish(done, at_once=is_at_end)
@@ -191,20 +192,27 @@ class Session:
     # --- forward --------------------------------------------------------------------------------
 
     def run(
-        self, end: TimeLike | None = None, *, until: str | StopAt | Sequence[str | StopAt] = ()
+        self,
+        end: TimeLike | None = None,
+        *,
+        until: str | StopAt | Sequence[str | StopAt] = (),
+        rests: bool = False,
     ) -> Slice:
         """Run to a time, a stop of the session or of ``until``, or the end of the run.
 
-        A time that has passed already runs nothing.
+        A time that has passed already runs nothing. Without a time, or with ``rests``, it also ends
+        where nothing can happen any more by itself, such as in single block, which waits for START;
+        ``is_resting`` and the diagnostics of the slice say so.
         """
         named = [until] if isinstance(until, str | StopAt) else until
-        return self._ask(self._run, end, named)
+        return self._ask(self._run, end, named, rests)
 
-    def _run(self, end: TimeLike | None, until: Sequence[str | StopAt]) -> Slice:
+    def _run(self, end: TimeLike | None, until: Sequence[str | StopAt], rests: bool) -> Slice:
         tick = None if end is None else self._story.ticks_of(end)
-        return self._run_to(tick, [*self._story.stops, *self._story.read_stops(until)])
+        stops = [*self._story.stops, *self._story.read_stops(until)]
+        return self._run_to(tick, stops, rests=rests or end is None)
 
-    def _run_to(self, end: int | None, stops: Sequence[StopAt]) -> Slice:
+    def _run_to(self, end: int | None, stops: Sequence[StopAt], *, rests: bool = False) -> Slice:
         """Run in slices, so that ``pause`` and ``close`` can end it."""
         self._thread.clock = None
         clock = FastClock(self._story.tick)
@@ -215,10 +223,11 @@ class Session:
             is_last = end is not None and due >= end
             events = is_last or self._audience.wants_events
             due = due if end is None else min(due, end)
-            done = self._story.run(due, stops=stops, events=events)
+            done = self._story.run(due, stops=stops, events=events, rests=rests)
             clock.note(done.tick - done.first_tick, time.monotonic() - begin_s)
             whole = done if whole is None else joined(whole, done)
-            is_there = bool(done.hits or done.run_state or (end is not None and done.tick >= end))
+            is_there = bool(done.hits or done.run_state or done.is_resting)
+            is_there = is_there or (end is not None and done.tick >= end)
             self._publish(done, at_once=is_there)
             if is_there:
                 return whole
@@ -230,12 +239,12 @@ class Session:
         return self._ask(lambda: self._run_to(self._story.tick + ticks, []))
 
     def next_block(self) -> Slice:
-        """Run until a block becomes current."""
-        return self._ask(self._run_to, None, [NEXT_BLOCK])
+        """Run until a block becomes current, or none can any more by itself, as ``run`` tells."""
+        return self._ask(lambda: self._run_to(None, [NEXT_BLOCK], rests=True))
 
     def next_reaction(self) -> Slice:
-        """Run until a branch of a realtime cycle fires."""
-        return self._ask(self._run_to, None, [NEXT_REACTION])
+        """Run until a branch of a realtime cycle fires, or nothing can happen any more."""
+        return self._ask(lambda: self._run_to(None, [NEXT_REACTION], rests=True))
 
     # --- back -----------------------------------------------------------------------------------
 
@@ -278,16 +287,20 @@ class Session:
 
     # --- the clock ------------------------------------------------------------------------------
 
-    def play(self, speed: float | None = None) -> None:
+    def play(self, speed: float | None = None, *, rests: bool = False) -> None:
         """Go on by itself: at ``speed`` times the wall clock, 0.01 … 1000, else at full speed.
 
-        Raises ``ValueError`` for another speed.
+        ``rests``: at full speed, stand where nothing can happen any more by itself. Raises
+        ``ValueError`` for another speed.
         """
-        self._ask(self._play, speed)
+        self._ask(self._play, speed, rests)
 
-    def _play(self, speed: float | None) -> None:
+    def _play(self, speed: float | None, rests: bool) -> None:
         self._story.restart_schedule()
-        self._thread.clock = self._pacing.clock(speed, self._story.tick, time.monotonic())
+        clock = self._pacing.clock(speed, self._story.tick, time.monotonic())
+        if isinstance(clock, FastClock):
+            clock.rests = rests
+        self._thread.clock = clock
 
     def pause(self) -> Slice:
         """Stop between two ticks, also a ``run`` of another thread; return the latest slice."""

@@ -44,7 +44,7 @@ MAX_STOPS = 1000
 
 Kind = Literal[
     "block", "fires", "runs", "turns", "false", "cycle", "condition", "changes", "written",
-    "function", "message", "error", "notice", "handed",
+    "function", "message", "error", "notice", "handed", "paused",
 ]  # fmt: skip
 
 _EVENTS: dict[Kind, tuple[int, ...]] = {
@@ -56,6 +56,7 @@ _EVENTS: dict[Kind, tuple[int, ...]] = {
     "error": (rows.EVENT_ERROR, rows.EVENT_USER_ERROR),
     "handed": (rows.EVENT_TECHNOLOGY, rows.EVENT_TECHNOLOGY_RT, rows.EVENT_SPINDLE),
     "notice": (rows.EVENT_NOTICE,),
+    "paused": (rows.EVENT_PAUSED,),
 }
 
 #: The kinds that watch the nodes of realtime cycles.
@@ -86,11 +87,12 @@ class StopAt:
     realtime ``cycle`` that begins in a line runs; a ``condition`` becomes true; the value of an
     expression ``changes``; a cycle has ``written`` another value into a variable; a ``function``
     goes out; a ``message``; an ``error``; a ``notice`` about a cycle; anything is ``handed`` to the
-    PLC, a function or a spindle's job. ``text``: the expression, variable or function. ``file``:
-    empty for any file. ``only_if``: an expression that must be true as well. ``count``: how often
-    it must hold. ``channel``: the one whose variables the expressions name, from 1; with
-    ``is_of_channel`` a block or event holds in no other. ``max_depth``: at most so many programs
-    are open in the last block of the tick, 0: any number.
+    PLC, a function or a spindle's job; a channel has ``paused`` at single block or M00. ``text``:
+    the expression, variable or function. ``file``: empty for any file. ``only_if``: an expression
+    that must be true as well. ``count``: how often it must hold. ``channel``: the one whose
+    variables the expressions name, from 1; with ``is_of_channel`` a block or event holds in no
+    other. ``max_depth``: at most so many programs are open in the last block of the tick, 0: any
+    number.
     """
 
     kind: Kind

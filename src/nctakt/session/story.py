@@ -101,18 +101,20 @@ class Story:
         *,
         stops: Sequence[StopAt] | None = None,
         events: bool = True,
+        rests: bool = False,
     ) -> Slice:
         """Run up to tick ``end``, to a stop, or to the end of the run.
 
         ``stops`` are watched instead of those of the session. Without ``events`` those of the slice
-        come with the next one that ends at a stop or has any.
+        come with the next one that ends at a stop or has any. ``rests``: also to where nothing can
+        happen any more by itself.
         """
         watched = self.stops if stops is None else tuple(stops)
         last = _NEVER if end is None else end
         if self.delay is None:
-            self._latest = self._timeline.run(last, watched, events=events)
+            self._latest = self._timeline.run(last, watched, events=events, rests=rests)
         else:
-            self._latest = self._run_acknowledging(last, watched, self.delay)
+            self._latest = self._run_acknowledging(last, watched, self.delay, rests=rests)
         return self._latest
 
     def with_events(self) -> Slice:
@@ -120,13 +122,15 @@ class Story:
         self._latest = joined(self._latest, self._timeline.run(self.tick))
         return self._latest
 
-    def _run_acknowledging(self, end: int, stops: Sequence[StopAt], delay: int) -> Slice:
+    def _run_acknowledging(
+        self, end: int, stops: Sequence[StopAt], delay: int, *, rests: bool
+    ) -> Slice:
         """Run, and plan an acknowledgement for all that comes up; the tape holds it then."""
         whole: Slice | None = None
         watched = (*stops, HANDED)
         while True:
             self._plan_acknowledgements(delay)
-            done = self._timeline.run(end, watched)
+            done = self._timeline.run(end, watched, rests=rests)
             hits = [hit for hit in done.hits if hit < len(stops)]
             is_on_way = bool(done.hits) and not hits and done.run_state is None and done.tick < end
             done = replace(done, hits=tuple(hits))

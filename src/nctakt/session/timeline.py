@@ -98,7 +98,9 @@ class Timeline:
 
     # --- forward --------------------------------------------------------------------------------
 
-    def run(self, end: int, stops: Sequence[StopAt] = (), *, events: bool = True) -> Slice:
+    def run(
+        self, end: int, stops: Sequence[StopAt] = (), *, events: bool = True, rests: bool = False
+    ) -> Slice:
         """Run the live controller as ``Engine.run``.
 
         What has been run before must be as it was; raises ``Failure`` (901901) where it is not.
@@ -109,7 +111,9 @@ class Timeline:
             is_there = again.hits or again.run_state is not None or again.tick >= end
             if is_there or again.tick < branch.latest:
                 return again
-        done = live.run(end, stops, events=events, marks=None if self._has_past else ())
+        done = live.run(
+            end, stops, events=events, marks=None if self._has_past else (), rests=rests
+        )
         branch.record.add(done.marks, done.rows)
         done = replace(done, marks=(), rows=b"")
         if done.tick > branch.latest:

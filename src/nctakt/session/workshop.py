@@ -90,9 +90,10 @@ class RemoteEngine:
         *,
         events: bool = True,
         marks: Sequence[int] | None = (),
+        rests: bool = False,
     ) -> Slice:
         """Run as ``Engine.run``."""
-        done = cast("Slice", self.ask("run", end, stops, events, marks))
+        done = cast("Slice", self.ask("run", end, stops, events, marks, rests))
         self.tick = done.tick
         return done
 

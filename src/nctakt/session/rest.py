@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: MIT
+"""Where nothing can happen any more in a session unless somebody outside does something.
+
+In: a machine between two ticks, the stops that are watched. Out: what each program waits for, as
+notes; none while anything can still happen by itself.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from nctakt.base.diagnostics import Diagnostic, Text
+from nctakt.base.source_ids import statement_span
+from nctakt.kernel import codes
+from nctakt.messages import diagnostic
+from nctakt.messages.session import NOTHING_CAN_HAPPEN
+from nctakt.run.assembly import AssembledMachine
+from nctakt.run.inputs import NEVER
+from nctakt.run.tick_loop import TickLoop
+from nctakt.run.wait_reasons import awaited
+from nctakt.session.stops import Kind, StopAt
+
+#: Ticks between two looks, beside those at which a program has stopped: multiples of it, so that it
+#: is the same tick wherever a run is cut.
+LOOK_TICKS = 1000
+
+#: At single block and M00.
+PAUSED = StopAt("paused")
+
+#: What the operator alone can end, and what other programs can, which wait as well.
+_WAITING = (
+    "program start", "programmed stop", "single block", "reset", "feed hold", "override",
+    "signal", "exchange",
+)  # fmt: skip
+
+#: What the PLC ends.
+_OF_PLC = ("acknowledgement", "free place", "spindle acknowledged")
+
+#: Kinds of stops that hold by the time alone.
+_OF_VALUES: tuple[Kind, ...] = ("condition", "changes")
+
+_PROGRAM = Text("a program to be selected", "die Anwahl eines Programms")
+
+
+def rest(
+    machine: AssembledMachine, loop: TickLoop, stops: Sequence[StopAt]
+) -> tuple[Diagnostic, ...]:
+    """Return what all programs wait for if none of the stops can hold by itself; else nothing.
+
+    Without a stop of another kind than ``block`` realtime cycles and axes may go on: they make no
+    block current.
+    """
+    if loop.plc is not None or machine.inputs.next_tick < NEVER:
+        return ()
+    if any(stop.kind in _OF_VALUES for stop in stops):
+        return ()
+    is_for_blocks = bool(stops) and all(stop.kind == "block" for stop in stops)
+    if not is_for_blocks and (_has_cycles(machine) or not machine.stands()):
+        return ()
+    found = []
+    for index, channel in enumerate(loop.channels):
+        word, source, _ = machine.channels[index].waits.reason()
+        if word in _WAITING or (word in _OF_PLC and loop.has_plc):
+            span = machine.files.span(source)
+            line = "" if span is None else machine.files.line_at(span)
+            text = awaited(machine, index)
+            found.append(
+                diagnostic(NOTHING_CAN_HAPPEN, statement_span(span, line), line, awaited=text)
+            )
+        elif word or channel.is_running or channel.result is None:
+            return ()
+    return tuple(found) or (diagnostic(NOTHING_CAN_HAPPEN, awaited=_PROGRAM),)
+
+
+def _has_cycles(machine: AssembledMachine) -> bool:
+    """Return whether a realtime cycle runs in each tick."""
+    managers = [channel.manager for channel in machine.channels]
+    return any(
+        manager.state_of(cycle.slot) == codes.RUNNING
+        for manager in managers
+        for cycle in manager.loaded
+    )

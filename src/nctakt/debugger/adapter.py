@@ -355,9 +355,7 @@ class Adapter:
         """Go over to another session of the same page: its program was begun anew."""
         self._leave()
         self._take(self._debug(session, stops_at_end=True, owns=False))
-        if self._requests is not None and self._debuggee is not None:
-            for shown in self._requests.verify_all():
-                self.tell("breakpoint", {"reason": "changed", "breakpoint": shown})
+        if self._debuggee is not None:
             self._debuggee.stop_on_entry()
 
     def _open(self, configuration: Configuration) -> None:
@@ -385,6 +383,8 @@ class Adapter:
     def _take(self, debuggee: Debuggee) -> None:
         self._debuggee = debuggee
         self._requests = Requests(debuggee)
+        for shown in self._requests.verify_all():
+            self.tell("breakpoint", {"reason": "changed", "breakpoint": shown})
 
     def _debug(self, session: Session, *, stops_at_end: bool, owns: bool) -> Debuggee:
         return Debuggee(
@@ -412,16 +412,11 @@ class Adapter:
         configuration = self._configuration
         if changed.has("program"):
             configuration = read_configuration(changed, self._folders)
-        self._breakpoints.forget_from(0)
-        self._breakpoints.forget_mistakes()
         try:
             self._open(configuration)
         except Failure:
             self.tell("terminated", {})
             raise
-        if self._requests is not None:
-            for shown in self._requests.verify_all():
-                self.tell("breakpoint", {"reason": "changed", "breakpoint": shown})
         return {}
 
     def _configuration_done(self, _arguments: Arguments) -> dict[str, Any]:

@@ -59,12 +59,15 @@ _OPERATORS: dict[str, Callable[[int, int], bool]] = {
 class Breakpoint:
     """A breakpoint: its stops, and what is wrong with it; ``line`` 0: it has no line.
 
-    ``hit_condition`` counts ``hits``, the ticks in which it has held; ``log``: the text that it
-    tells instead of stopping.
+    ``asked``: what the client has sent, and for which ``source``; it is read again where a program
+    begins anew. ``hit_condition`` counts ``hits``, the ticks in which it has held; ``log``: the
+    text that it tells instead of stopping.
     """
 
     number: int
     kind: str
+    asked: Arguments
+    source: Arguments | None = None
     stops: tuple[StopAt, ...] = ()
     file: str = ""
     line: int = 0
@@ -117,7 +120,7 @@ class Breakpoints:
     def make(self, kind: str, arguments: Arguments, **where: Any) -> Breakpoint:
         """Return a breakpoint with the hit condition and log text that a client has sent."""
         self._count += 1
-        new = Breakpoint(self._count, kind, **where)
+        new = Breakpoint(self._count, kind, arguments, **where)
         new.hit_condition = arguments.text("hitCondition", "").strip()
         new.log = arguments.text("logMessage", "")
         if new.hit_condition:
@@ -138,7 +141,14 @@ class Breakpoints:
             new.mistake = failure
             return new
         new.stops = tuple(
-            StopAt(kind, location.target if kind == "changes" else "", file, line, condition)
+            StopAt(
+                kind,
+                location.target if kind == "changes" else "",
+                file,
+                line,
+                condition,
+                statement=location.statement if kind in ("runs", "cycle") else 0,
+            )
             for kind, line in kinds
         )
         return new
@@ -203,10 +213,13 @@ class Breakpoints:
         for breakpoint_ in self.all:
             del breakpoint_.hits[bisect_left(breakpoint_.hits, tick) :]
 
-    def forget_mistakes(self) -> None:
-        """Let all of them be verified again, with a program that has changed."""
-        for breakpoint_ in self.all:
-            breakpoint_.mistake = None
+    def renew(self, again: Callable[[Breakpoint], Breakpoint]) -> None:
+        """Replace each by what ``again`` returns for it, with its number and without hits."""
+        for group, own in self._sets.items():
+            renewed = [again(one) for one in own]
+            for old, new in zip(own, renewed, strict=True):
+                new.number = old.number
+            self._sets[group] = renewed
 
 
 def shown(

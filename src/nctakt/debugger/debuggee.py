@@ -8,7 +8,7 @@ terminated. A run goes on in parts (``go_on``), so that requests are answered be
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from functools import partial
 from typing import Any
 
@@ -105,7 +105,6 @@ class Debuggee:
         self._branch = session.branch
         self.raised: Raised | None = None
         self.is_over = False
-        self.watch()
 
     # --- what belongs to it ---------------------------------------------------------------------
 
@@ -414,26 +413,32 @@ class Debuggee:
         for _ in range(MAX_PASSED):
             if not stops or self.session.back_to(*stops) is None:
                 break
-            if self._is_due_here(stops, owners):
-                self.tell_travel("breakpoint", thread)
+            due = self._due_here(stops, owners)
+            if due:
+                self._note_branch()
+                self._stop_at(due, self.session.tick - 1, thread)
+                self._tell_invalidated()
                 return
         self.session.go_to(0)
         self.tell_travel("entry", thread)
 
-    def _is_due_here(self, stops: Sequence[StopAt], owners: Sequence[Breakpoint]) -> bool:
-        """Return whether one of the breakpoints that held in the last tick is due."""
-        if not any(one.hit_condition for one in owners):
-            return True
+    def _due_here(self, stops: Sequence[StopAt], owners: Sequence[Breakpoint]) -> list[Breakpoint]:
+        """Return the breakpoints that are due of those that held in the last tick, run again."""
         session = self.session
         tick, others = session.tick, len(session.stops)
         session.back(1)
         done = session.run(Time(tick, is_in_ticks=True), until=stops)
-        return any([owners[hit - others].is_due(tick - 1) for hit in done.hits if hit >= others])
+        held = dict.fromkeys(hit - others for hit in done.hits if hit >= others)
+        return [one for one in _distinct(owners[hit] for hit in held) if one.is_due(tick - 1)]
 
     def tell_travel(self, reason: str, thread: int) -> None:
         """Tell that it stands elsewhere."""
         self._note_branch()
         self._stopped(reason, thread, self.console.position())
+        self._tell_invalidated()
+
+    def _tell_invalidated(self) -> None:
+        """Tell the client to ask for everything again: it stands elsewhere."""
         if self._abilities.has_invalidated:
             self._tell("invalidated", {"areas": ["all"]})
 
@@ -447,3 +452,12 @@ class Debuggee:
 
     def _note_branch(self) -> None:
         self._branch = self.session.branch
+
+
+def _distinct(breakpoints: Iterable[Breakpoint]) -> list[Breakpoint]:
+    """Return each breakpoint once, in their order."""
+    found: list[Breakpoint] = []
+    for one in breakpoints:
+        if not any(one is other for other in found):
+            found.append(one)
+    return found

@@ -34,13 +34,15 @@ class Place:
     ``kind``: a ``block`` of a program; something in the body of a ``branch`` of a realtime cycle,
     or its condition; the same of an $ELSE, ``otherwise``; a statement of a ``cycle`` outside of any
     branch. ``owner``: the line of the branch, or of the cycle. ``target``: the variable to which
-    the statement assigns, as text.
+    the statement assigns, as text. ``statement``: the line of the statement of a cycle there, of a
+    branch that of the first one in its body; 0: none.
     """
 
     line: int
     kind: PlaceKind
     owner: int
     target: str = ""
+    statement: int = 0
 
 
 class Places:
@@ -114,17 +116,23 @@ def _of_body(body: Sequence[tree.Statement], kind: PlaceKind, owner: int) -> Ite
     for statement in body:
         line = statement.span.line
         if isinstance(statement, tree.If):
-            yield Place(line, "branch", line)
+            yield Place(line, "branch", line, statement=_first(statement.body))
             yield from _of_body(statement.body, "branch", line)
             for branch in statement.elseifs:
-                yield Place(branch.span.line, "branch", branch.span.line)
+                at = branch.span.line
+                yield Place(at, "branch", at, statement=_first(branch.body))
                 yield from _of_body(branch.body, "branch", branch.span.line)
             if statement.else_body is not None and statement.else_span is not None:
                 begin = statement.else_span.line
-                yield Place(begin, "otherwise", begin)
+                yield Place(begin, "otherwise", begin, statement=_first(statement.else_body))
                 yield from _of_body(statement.else_body, "otherwise", begin)
             continue
         target = ""
         if isinstance(statement, tree.Assignment):
             target = format_expression(statement.target)
-        yield Place(line, kind, owner, target)
+        yield Place(line, kind, owner, target, line)
+
+
+def _first(body: Sequence[tree.Statement]) -> int:
+    """Return the line of the first statement of a body; 0 where that is a branch, or none."""
+    return 0 if not body or isinstance(body[0], tree.If) else body[0].span.line

@@ -86,12 +86,19 @@ class Requests:
         if not entries:
             entries = [Arguments({"line": line}) for line in arguments.items("lines")]
         shown_name = asked.text("path", "") or asked.text("name", "")
-        new = [self._at_line(one, file, shown_name) for one in entries]
+        new = [self._at_line(one, asked) for one in entries]
         return self._put(f"source {file or shown_name}", new)
 
-    def _at_line(self, arguments: Arguments, file: str | None, shown_name: str) -> Breakpoint:
+    def _at_line(self, arguments: Arguments, source: Arguments) -> Breakpoint:
         """Return the breakpoint at a line, or at the next one where the run can stop."""
+        new = self._placed(arguments, source)
+        new.source = source
+        return new
+
+    def _placed(self, arguments: Arguments, source: Arguments) -> Breakpoint:
         debuggee = self._debuggee
+        file = debuggee.sources.name_of(source)
+        shown_name = source.text("path", "") or source.text("name", "")
         line = arguments.number("line")
         if file is None:
             new = debuggee.breakpoints.make("source", arguments, line=line)
@@ -127,12 +134,22 @@ class Requests:
         return shown(breakpoint_, source, self._debuggee.language)
 
     def verify_all(self) -> list[Body]:
-        """Verify all breakpoints with a program that has changed; return them as shown."""
+        """Find all breakpoints again in a program that begins anew; return them as shown."""
         debuggee = self._debuggee
+        debuggee.breakpoints.renew(self._again)
         debuggee.breakpoints.verify(debuggee.breakpoints.all, debuggee.check_stops)
         debuggee.breakpoints.bound()
         debuggee.watch()
         return [self._shown(one) for one in debuggee.breakpoints.all]
+
+    def _again(self, breakpoint_: Breakpoint) -> Breakpoint:
+        """Return a breakpoint as it is in this program."""
+        make = self._debuggee.breakpoints
+        if breakpoint_.source is not None:
+            return self._at_line(breakpoint_.asked, breakpoint_.source)
+        if breakpoint_.kind == "function":
+            return make.of_function(breakpoint_.asked)
+        return make.of_data(breakpoint_.asked)
 
     def _set_exception_breakpoints(self, arguments: Arguments) -> Body:
         self._debuggee.exceptions.set(arguments)
@@ -261,6 +278,12 @@ class Requests:
         debuggee = self._debuggee
         text = arguments.text("expression")
         channel = debuggee.scopes.channel_of_frame(arguments.number("frameId", 0))
+        structure = debuggee.scopes.structure(text, channel)
+        if structure is not None:
+            return {
+                "result": structure["value"],
+                **{name: own for name, own in structure.items() if name not in ("name", "value")},
+            }
         if arguments.text("context", "") != "repl":
             return {"result": debuggee.values.evaluate(text, channel), "variablesReference": 0}
         if debuggee.is_running and debuggee.console.travels(text):

@@ -9,12 +9,12 @@ from __future__ import annotations
 
 import contextlib
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from nctakt.base.diagnostics import Language, Span
 from nctakt.base.failure import Failure
-from nctakt.debugger.names import Node, tree_of
+from nctakt.debugger.names import Node, pieces_of, tree_of
 from nctakt.debugger.sources import Sources
 from nctakt.debugger.values import Value, Values, elements_of, shown_value
 from nctakt.hli.plc_entries import SpindleEntry
@@ -27,6 +27,9 @@ from nctakt.session.session import Session
 
 #: The number of the first thread that is a realtime cycle; below it they are channels.
 FIRST_CYCLE_THREAD = 1001
+
+#: Values that the line of a structure shows.
+_PREVIEWED = 3
 
 Key = tuple[Any, ...]
 
@@ -292,7 +295,7 @@ class Scopes:
         node = self._tree(channel)[root].find(path)
         children = list(node.children.values()) if node is not None else []
         children = children[first:][: count or None]
-        leaves = [child.full for child in children if child.full]
+        leaves = [leaf for child in children for leaf in _leaves(child)]
         values = dict(zip(leaves, self._values.read(leaves, channel), strict=True))
         types = self._values.inventory.variables.get(channel, {})
         found = []
@@ -302,14 +305,59 @@ class Scopes:
                 shown = _variable(child.piece, text, types.get(child.full, ""))
                 shown["evaluateName"] = child.full
             else:
-                text = f"[{len(child.children)}]" if child.is_array else ""
-                shown = _variable(child.piece, text, "")
-                key = ("tree", channel, root, (*path, child.piece))
-                shown["variablesReference"] = self._reference(key)
-                word = "indexedVariables" if child.is_array else "namedVariables"
-                shown[word] = len(child.children)
+                below = (*path, child.piece)
+                key = ("tree", channel, root, below)
+                shown = self._unfolding(child, _preview(child, values), key)
+                shown["evaluateName"] = _name_of(root, below)
             found.append(shown)
         return found
+
+    def structure(self, text: str, channel: int) -> dict[str, Any] | None:
+        """Return a name that stands for several values, as a variable; ``None`` for any other."""
+        pieces = pieces_of(text.strip())
+        for root, path in _roots(pieces):
+            node = self._tree(channel)[root].find(path)
+            if node is not None and node.children and not node.full:
+                leaves = _leaves(node)
+                values = dict(zip(leaves, self._values.read(leaves, channel), strict=True))
+                return self._unfolding(node, _preview(node, values), ("tree", channel, root, path))
+        return self._decoded(pieces, channel)
+
+    def _unfolding(self, node: Node, text: str, key: Key) -> dict[str, Any]:
+        """Return a variable with its children to be asked for."""
+        shown = _variable(node.piece, text, "")
+        shown["variablesReference"] = self._reference(key)
+        shown["indexedVariables" if node.is_array else "namedVariables"] = len(node.children)
+        return shown
+
+    def _decoded(self, pieces: Sequence[str], channel: int) -> dict[str, Any] | None:
+        """Return a family of the decoder's variables, or an array of them."""
+        family = pieces[1].upper() if len(pieces) > 1 and pieces[0].upper() == "V" else ""
+        decoder = self._decoder(channel)
+        if family not in ("P", "L", "S", "CYC") or decoder is None or not decoder.frames:
+            return None
+        if len(pieces) == 2:
+            found = self._of_decoder(channel, -1, family)
+            text = ", ".join(f"{one['name']} {one['value']}" for one in found[:_PREVIEWED])
+            shown = _variable(f"V.{family}", text + (", …" if len(found) > _PREVIEWED else ""), "")
+            shown["variablesReference"] = self._reference(("decoder", channel, -1, family))
+            return shown
+        asked = "".join(one if one.startswith("[") else f".{one}" for one in pieces)[1:].upper()
+        for level in range(len(decoder.frames) - 1, -1, -1):
+            for variable in _group(decoder, level, family):
+                if variable.dimensions and variable.name.upper() == asked:
+                    return self._array(variable, ("decoder", channel, level, variable.name))
+        return None
+
+    def _array(self, variable: DecoderVariable, key: Key) -> dict[str, Any]:
+        """Return an array of the decoder with its first values."""
+        shape = "".join(f"[{count}]" for count in variable.dimensions)
+        values = [shown_value(value) for value in variable.values[:_PREVIEWED]]
+        more = ", …" if variable.count > len(values) else ""
+        shown = _variable(variable.name, f"{shape} {', '.join(values)}{more}", variable.type)
+        shown["variablesReference"] = self._reference(key)
+        shown["indexedVariables"] = len(variable.values)
+        return shown
 
     def _cycles(self, channel: int) -> list[dict[str, Any]]:
         found = []
@@ -376,12 +424,7 @@ class Scopes:
             if not variable.dimensions:
                 found.append(_named(variable.name, variable.values[0], variable.type))
                 continue
-            shape = "".join(f"[{count}]" for count in variable.dimensions)
-            shown = _variable(variable.name, shape, variable.type)
-            key = ("decoder", channel, level, variable.name)
-            shown["variablesReference"] = self._reference(key)
-            shown["indexedVariables"] = len(variable.values)
-            found.append(shown)
+            found.append(self._array(variable, ("decoder", channel, level, variable.name)))
         return found
 
     def _elements(self, decoder: DecoderState, level: int, name: str) -> list[dict[str, Any]]:
@@ -399,6 +442,54 @@ def _group(decoder: DecoderState, level: int, family: str) -> Sequence[DecoderVa
     if family == "L":
         return decoder.frames[level].variables
     return {"P": decoder.program, "S": decoder.kept}.get(family, decoder.cycle)
+
+
+def _roots(pieces: Sequence[str]) -> Iterator[tuple[str, tuple[str, ...]]]:
+    """Yield the scopes in which a name may stand, with its path there."""
+    if len(pieces) > 1 and pieces[0] == "V" and pieces[1] in ("E", "CH", "RTA", "RTG"):
+        yield f"V.{pieces[1]}", tuple(pieces[2:])
+    elif pieces and pieces[0] == "HLI":
+        yield "HLI", tuple(pieces[1:])
+    elif pieces:
+        yield "axes", tuple(pieces)
+        yield "channel", tuple(pieces)
+
+
+def _name_of(root: str, path: Sequence[str]) -> str:
+    """Return the name by which a node of a scope can be asked for."""
+    first = () if root in ("axes", "channel") else (root,)
+    name = "".join(one if one.startswith("[") else f".{one}" for one in (*first, *path))
+    return name.removeprefix(".")
+
+
+def _leaves(node: Node) -> list[str]:
+    """Return the full names of the first values below a node, or its own."""
+    if node.full:
+        return [node.full]
+    found: list[str] = []
+    for child in node.children.values():
+        if len(found) > _PREVIEWED:
+            break
+        found += _leaves(child)
+    return found
+
+
+def _preview(node: Node, values: Mapping[str, Value]) -> str:
+    """Return the first values below a node, each with its name from there on."""
+    leaves = _leaves(node)
+    shown = [shown_value(values[leaf]) for leaf in leaves[:_PREVIEWED]]
+    more = ", …" if len(leaves) > _PREVIEWED else ""
+    if node.is_array:
+        return f"[{len(node.children)}] {', '.join(shown)}{more}"
+    names = [_below(node, leaf) for leaf in leaves]
+    return ", ".join(f"{name} {text}" for name, text in zip(names, shown, strict=False)) + more
+
+
+def _below(node: Node, leaf: str) -> str:
+    """Return the part of a leaf's name that comes after the piece of a node above it."""
+    pieces = pieces_of(leaf)
+    rest = pieces[pieces.index(node.piece) + 1 :] if node.piece in pieces else pieces
+    return "".join(one if one.startswith("[") else f".{one}" for one in rest).removeprefix(".")
 
 
 def _channel_of_cycle(name: str) -> int:

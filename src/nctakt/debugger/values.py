@@ -12,10 +12,11 @@ import math
 import re
 from collections.abc import Iterable, Mapping, Sequence
 
+from nctakt.base.diagnostics import Text
 from nctakt.base.failure import Failure
 from nctakt.debugger.names import pieces_of
 from nctakt.messages import diagnostic
-from nctakt.messages.debugger import DECODER_VARIABLE, UNREADABLE_VALUE_TEXT
+from nctakt.messages.debugger import DECODER_VARIABLE, NO_VALUE, UNREADABLE_VALUE_TEXT
 from nctakt.session.decoders import DecoderState, DecoderVariable
 from nctakt.session.session import Session
 from nctakt.session.setup import Inventory
@@ -25,6 +26,11 @@ from nctakt.trace.events import value_text
 DEBUGGER = "debugger"
 
 Value = float | bool | str
+
+_NOT_IN_THE_DECODER = Text(
+    "the decoder, which is ahead of the path, knows none of this name",
+    "der Dekoder, der der Bahn voraus ist, kennt keinen dieses Namens",
+)
 
 _DECODER = re.compile(r"(?:V\.(?:P|L|S|CYC)\.|@?P\d+$)", re.IGNORECASE)
 _PARAMETER = re.compile(r"(?P<argument>@?)P(?P<number>\d{1,9})", re.IGNORECASE)
@@ -93,15 +99,26 @@ class Values:
         return value
 
     def evaluate(self, text: str, channel: int) -> str:
-        """Return the value of a name or an expression of the controller's language."""
+        """Return the value of a name or an expression of the controller's language.
+
+        Raises ``Failure`` for mistakes in it, and where it has none now (901926).
+        """
         text = text.strip()
         if _DECODER.match(text):
-            return shown_value(self._of_decoder(text, channel))
+            value = self._of_decoder(text, channel)
+            if value is None:
+                raise Failure(diagnostic(NO_VALUE, text=text, reason=_NOT_IN_THE_DECODER))
+            return shown_value(value)
         known = self.inventory.variables.get(channel, {})
         if text in known or text in self._session.description.signals:
             (value,) = self.read([text], channel)
             return shown_value(value) + self.note_of(text, channel)
-        return shown_value(self._session.evaluate(text, channel))
+        number = self._session.evaluate(text, channel)
+        if math.isnan(number):
+            reason = self._session.undefined(text, channel)
+            if reason is not None:
+                raise Failure(diagnostic(NO_VALUE, text=text, reason=reason))
+        return shown_value(number)
 
     def _of_decoder(self, name: str, channel: int) -> Value | None:
         for decoder in self._session.decoders():

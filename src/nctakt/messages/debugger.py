@@ -155,3 +155,13 @@ UNREADABLE_VALUE_TEXT = error(
     remedy_en='Write a number, TRUE, FALSE or a text in quotes: "A1".',
     remedy_de='Eine Zahl, TRUE, FALSE oder einen Text in Anführungszeichen schreiben: "A1".',
 )
+
+NO_VALUE = error(
+    901926,
+    en="{text} has no value here: {reason}",
+    de="{text} hat hier keinen Wert: {reason}",
+    remedy_en="Ask again where it has one, or for another expression.",
+    remedy_de="Dort fragen, wo es einen hat, oder nach einem anderen Ausdruck.",
+    text=("what was asked for", "das Gefragte"),
+    reason=("why there is none", "warum es keinen gibt"),
+)

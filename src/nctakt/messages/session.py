@@ -114,10 +114,10 @@ TAPE_NEEDS_SCHEDULE = error(
     list=("the scheduling list", "die Liste der Ablaufplanung"),
 )
 
-NOTHING_CAN_HAPPEN = note(
+NO_BLOCK_COMES = note(
     901925,
-    en="nothing can happen here any more by itself: the program waits for {awaited}",
-    de="von allein kann hier nichts mehr geschehen: das Programm wartet auf {awaited}",
+    en="no further block comes by itself: the program waits for {awaited}",
+    de="von allein kommt kein weiterer Satz: das Programm wartet auf {awaited}",
     remedy_en="Provide what it waits for, then go on: START is HLI.START = 1.",
     remedy_de="Auslösen, worauf es wartet, dann fortfahren: START ist HLI.START = 1.",
     awaited=("what is waited for", "worauf gewartet wird"),

@@ -15,7 +15,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from nctakt.base.dataclass import dataclass, field
-from nctakt.base.diagnostics import Diagnostic, Span
+from nctakt.base.diagnostics import Diagnostic, Span, Text
 from nctakt.base.failure import Failure
 from nctakt.decoder.cycles.builder import CycleDefinition
 from nctakt.decoder.state.call_stack import OpenCall
@@ -23,7 +23,9 @@ from nctakt.files.access import FileAccess
 from nctakt.hli.plc_entries import SpindleEntry, TechnologyEntry
 from nctakt.kernel import codes
 from nctakt.kernel.cycles.context import context_of
+from nctakt.kernel.cycles.expressions import OPERATIONS
 from nctakt.lists.machine.machine import load_machine
+from nctakt.messages.realtime import CYCLE_OPERATION_WITHOUT_RESULT
 from nctakt.plc.loading import load_plc
 from nctakt.results.run import ProgramMessage, Run, RunState
 from nctakt.run.assembly import AssembledMachine
@@ -443,6 +445,17 @@ class Engine:
         context = context_of(self._machine.memory)
         value = self._stop_builder.read(text, channel).measure(context)
         return math.nan if context.fault else value
+
+    def undefined(self, text: str, channel: int = 1) -> Text | None:
+        """Return why an expression is not defined at the moment, ``None`` where it is."""
+        context = context_of(self._machine.memory)
+        self._stop_builder.read(text, channel).measure(context)
+        if not context.fault:
+            return None
+        if context.fault == CYCLE_OPERATION_WITHOUT_RESULT.id:
+            name = OPERATIONS.get(int(context.fault_a), "=")
+            return Text(f"'{name}' has no valid result", f"'{name}' hat kein gültiges Ergebnis")
+        return Text(f"error {context.fault}", f"Fehler {context.fault}")
 
     def cycles(self) -> list[CycleState]:
         """Return the living realtime cycles with the truth of their conditions."""

@@ -13,7 +13,7 @@ from nctakt.base.diagnostics import Diagnostic, Text
 from nctakt.base.source_ids import statement_span
 from nctakt.kernel import codes
 from nctakt.messages import diagnostic
-from nctakt.messages.session import NOTHING_CAN_HAPPEN
+from nctakt.messages.session import NO_BLOCK_COMES
 from nctakt.run.assembly import AssembledMachine
 from nctakt.run.inputs import NEVER
 from nctakt.run.tick_loop import TickLoop
@@ -39,6 +39,9 @@ _OF_PLC = ("acknowledgement", "free place", "spindle acknowledged")
 #: Kinds of stops that hold by the time alone.
 _OF_VALUES: tuple[Kind, ...] = ("condition", "changes")
 
+#: Blocks, and what is watched beside them.
+_OF_PROGRAMS: tuple[Kind, ...] = ("block", "error", "notice", "message")
+
 _PROGRAM = Text("a program to be selected", "die Anwahl eines Programms")
 
 
@@ -47,14 +50,14 @@ def rest(
 ) -> tuple[Diagnostic, ...]:
     """Return what all programs wait for if none of the stops can hold by itself; else nothing.
 
-    Without a stop of another kind than ``block`` realtime cycles and axes may go on: they make no
-    block current.
+    Where blocks are waited for, and beside them what may always come up, realtime cycles and axes
+    may go on: they make no block current.
     """
     if loop.plc is not None or machine.inputs.next_tick < NEVER:
         return ()
     if any(stop.kind in _OF_VALUES for stop in stops):
         return ()
-    is_for_blocks = bool(stops) and all(stop.kind == "block" for stop in stops)
+    is_for_blocks = bool(stops) and all(stop.kind in _OF_PROGRAMS for stop in stops)
     if not is_for_blocks and (_has_cycles(machine) or not machine.stands()):
         return ()
     found = []
@@ -63,13 +66,11 @@ def rest(
         if word in _WAITING or (word in _OF_PLC and loop.has_plc):
             span = machine.files.span(source)
             line = "" if span is None else machine.files.line_at(span)
-            text = awaited(machine, index)
-            found.append(
-                diagnostic(NOTHING_CAN_HAPPEN, statement_span(span, line), line, awaited=text)
-            )
+            text = awaited(machine, index, channel)
+            found.append(diagnostic(NO_BLOCK_COMES, statement_span(span, line), line, awaited=text))
         elif word or channel.is_running or channel.result is None:
             return ()
-    return tuple(found) or (diagnostic(NOTHING_CAN_HAPPEN, awaited=_PROGRAM),)
+    return tuple(found) or (diagnostic(NO_BLOCK_COMES, awaited=_PROGRAM),)
 
 
 def _has_cycles(machine: AssembledMachine) -> bool:

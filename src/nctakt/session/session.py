@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any, Self
 
-from nctakt.base.diagnostics import Language
+from nctakt.base.diagnostics import Language, Text
 from nctakt.base.failure import Failure, error_text
 from nctakt.hli.plc_entries import SpindleEntry, TechnologyEntry
 from nctakt.lists.format.times import TimeLike
@@ -388,8 +388,15 @@ class Session:
         return self._ask(self._story.read, names)
 
     def evaluate(self, expression: str, channel: int = 1) -> float:
-        """Return the value of an expression in the controller's language at this tick."""
+        """Return the value of an expression in the controller's language at this tick.
+
+        It is no number where the expression is not defined; ``undefined`` tells why.
+        """
         return self._ask(self._story.evaluate, expression, channel)
+
+    def undefined(self, expression: str, channel: int = 1) -> Text | None:
+        """Return why an expression is not defined at this tick, ``None`` where it is."""
+        return self._ask(self._story.undefined, expression, channel)
 
     def cycles(self) -> list[CycleState]:
         """Return the living realtime cycles at this tick, with the truth of their conditions."""

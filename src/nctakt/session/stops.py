@@ -23,13 +23,17 @@ from nctakt.decoder.cycles.builder import CycleDefinition
 from nctakt.decoder.cycles.watching import read_condition
 from nctakt.hli.function_codes import code_of
 from nctakt.kernel import codes, rows
+from nctakt.kernel.cycles.context import context_of
 from nctakt.kernel.cycles.expressions import Constant, Expression
+from nctakt.kernel.cycles.instructions import Watch
 from nctakt.kernel.tick.stops import (
     BecomesTrue,
+    BeforeStatement,
     BlockUpToDepth,
     Changes,
     Happens,
     Runs,
+    RunsStatement,
     RunsThrough,
     Stop,
     Turns,
@@ -92,7 +96,8 @@ class StopAt:
     that must be true as well. ``count``: how often it must hold. ``channel``: the one whose
     variables the expressions name, from 1; with ``is_of_channel`` a block or event holds in no
     other. ``max_depth``: at most so many programs are open in the last block of the tick, 0: any
-    number.
+    number. ``statement``: the line of a statement in the branch or cycle, before which ``only_if``
+    is judged; 0: after the tick.
     """
 
     kind: Kind
@@ -104,6 +109,7 @@ class StopAt:
     channel: int = 1
     is_of_channel: bool = False
     max_depth: int = 0
+    statement: int = 0
 
 
 def read_stop(text: str) -> StopAt:
@@ -209,7 +215,10 @@ class StopBuilder:
 
     def watch(self, stops: Sequence[StopAt]) -> None:
         """Let the kernel watch these stops from now on."""
-        self._watched = self._built(stops)
+        for definition in self._definitions:
+            for _, watched in definition.watched:
+                watched.put(Watch())
+        self._watched = self._built(stops, is_watched=True)
         self._stops = stops
         self._machine.kernel.stops.watch([stop for stop, _ in self._watched])
 
@@ -225,16 +234,22 @@ class StopBuilder:
         """Take a realtime cycle; stops that name its lines are watched in it, too."""
         self._definitions.append(definition)
         for number, stop in enumerate(self._stops):
-            for node in self._in_cycles(stop, [definition]):
+            for node in self._in_cycles(stop, [definition], is_watched=True):
                 self._watched.append((node, number))
                 self._machine.kernel.stops.add(node)
 
-    def _built(self, stops: Sequence[StopAt]) -> list[tuple[Stop, int]]:
+    def _built(
+        self, stops: Sequence[StopAt], *, is_watched: bool = False
+    ) -> list[tuple[Stop, int]]:
         if len(stops) > MAX_STOPS:
             raise Failure(diagnostic(TOO_MANY_STOPS, count=len(stops), limit=MAX_STOPS))
-        return [(node, number) for number, stop in enumerate(stops) for node in self._nodes(stop)]
+        return [
+            (node, number)
+            for number, stop in enumerate(stops)
+            for node in self._nodes(stop, is_watched=is_watched)
+        ]
 
-    def _nodes(self, stop: StopAt) -> Iterable[Stop]:
+    def _nodes(self, stop: StopAt, *, is_watched: bool) -> Iterable[Stop]:
         guard = self._guard(stop)
         match stop.kind:
             case "condition":
@@ -242,7 +257,7 @@ class StopBuilder:
             case "changes":
                 return (Changes(self._condition(stop, stop.text), guard, stop.count),)
         if stop.kind in _OF_CYCLES:
-            return self._in_cycles(stop, self._definitions)
+            return self._in_cycles(stop, self._definitions, is_watched=is_watched)
         return tuple(one.stop(guard, stop.count) for one in self._filters(stop))
 
     def filters(self, stop: StopAt) -> tuple[EventFilter, ...] | None:
@@ -294,11 +309,15 @@ class StopBuilder:
                 first = pack(index, line, 1)
                 yield first, first | LAST_COLUMN
 
-    def _in_cycles(self, stop: StopAt, definitions: Iterable[CycleDefinition]) -> list[Stop]:
-        """Return the stops in the nodes of realtime cycles."""
+    def _in_cycles(
+        self, stop: StopAt, definitions: Iterable[CycleDefinition], *, is_watched: bool
+    ) -> list[Stop]:
+        """Return the stops in the nodes of realtime cycles; ``is_watched``: they are watched."""
         if stop.kind not in _OF_CYCLES:
             return []
         guard = self._guard(stop)
+        if stop.statement and stop.only_if:
+            return self._at_statement(stop, guard, definitions) if is_watched else []
         found: list[Stop] = []
         for definition in definitions:
             begin = definition.span
@@ -314,6 +333,20 @@ class StopBuilder:
                 else:
                     truth = codes.TRUE if stop.kind == "turns" else codes.FALSE
                     found.append(Turns(branch.node.condition, truth, guard, stop.count))
+        return found
+
+    def _at_statement(
+        self, stop: StopAt, guard: Expression, definitions: Iterable[CycleDefinition]
+    ) -> list[Stop]:
+        """Return the stops at a statement whose guard is judged before it."""
+        found: list[Stop] = []
+        context = context_of(self._machine.memory)
+        for definition in definitions:
+            for span, watched in definition.watched:
+                if span.line == stop.statement and names_file(stop.file, span.file):
+                    before = BeforeStatement(guard, context, watched.watch)
+                    watched.put(before)
+                    found.append(RunsStatement(before, Constant(1.0), stop.count))
         return found
 
     def _guard(self, stop: StopAt) -> Expression:

@@ -11,7 +11,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import cast
 
-from nctakt.base.diagnostics import Diagnostic, Language
+from nctakt.base.diagnostics import Diagnostic, Language, Text
 from nctakt.base.failure import Failure
 from nctakt.hli.plc_entries import SpindleEntry, TechnologyEntry
 from nctakt.lists.format.times import TimeLike, read_time
@@ -240,6 +240,10 @@ class Story:
     def evaluate(self, text: str, channel: int = 1) -> float:
         """Return the value of an expression in the controller's language at this tick."""
         return cast("float", self._timeline.live.ask("evaluate", text, channel))
+
+    def undefined(self, text: str, channel: int) -> Text | None:
+        """Return why an expression is not defined at this tick, ``None`` where it is."""
+        return cast("Text | None", self._timeline.live.ask("undefined", text, channel))
 
     def cycles(self) -> list[CycleState]:
         """Return the living realtime cycles at this tick."""

@@ -26,7 +26,7 @@ from nctakt.kernel.cycles import branches, expressions, fused, instructions, use
 from nctakt.kernel.cycles.branches import Branch, Reaction
 from nctakt.kernel.cycles.conditions import Combination, Condition
 from nctakt.kernel.cycles.cycles import RealtimeCycle
-from nctakt.kernel.cycles.instructions import Statement
+from nctakt.kernel.cycles.instructions import Statement, Watched
 from nctakt.lists.declared.variables import SCALARS
 from nctakt.messages.checked_values import CYCLE_INDEX_OUT_OF_RANGE
 from nctakt.nc import tree
@@ -74,7 +74,7 @@ class CycleDefinition:
     """A built cycle, for results, listings and diagnosis data.
 
     ``axes``: those that its single-axis commands name. ``steps``: elementary instructions of each
-    access to a text or structure.
+    access to a text or structure. ``watched``: statements at which a session can stop.
     """
 
     serial: int
@@ -87,6 +87,7 @@ class CycleDefinition:
     frozen: tuple[FrozenValue, ...] = ()
     axes: tuple[str, ...] = ()
     steps: Mapping[Span, int] = field(default_factory=dict)
+    watched: Sequence[tuple[Span, Watched]] = ()
 
 
 def _kind_of(location: Location) -> type[instructions.Assignment]:
@@ -126,6 +127,7 @@ class CycleBuilder:
         self._first_probe = first_probe
         self._reactions: list[CycleBranch] = []
         self._frozen: list[FrozenValue] = []
+        self._watched: list[tuple[Span, Watched]] = []
 
     def build(
         self, statement: tree.RealtimeCycle, serial: int, identity: int, scope: str
@@ -150,6 +152,7 @@ class CycleBuilder:
             self._distinct_frozen(),
             tuple(self._actions.axes),
             self._texts.steps,
+            tuple(self._watched),
         )
 
     def _distinct_frozen(self) -> tuple[FrozenValue, ...]:
@@ -162,7 +165,12 @@ class CycleBuilder:
     def _sequence(self, statements: Sequence[tree.Statement]) -> Statement:
         built: list[Statement] = []
         for statement in statements:
-            built += self._statement(statement)
+            own = self._statement(statement)
+            if self._values.environment.marks_blocks and not isinstance(statement, tree.If):
+                watched = instructions.Watched(instructions.sequence(own))
+                self._watched.append((statement.span, watched))
+                own = [watched]
+            built += own
         return instructions.sequence(built)
 
     def _statement(self, statement: tree.Statement) -> list[Statement]:

@@ -31,6 +31,16 @@ cdef class Block(Statement):
     cdef int run(self, Context context) noexcept nogil
     cdef void restart(self) noexcept nogil
 
+cdef class Watch:
+    cdef void look(self, Context context) noexcept nogil
+
+cdef class Watched(Statement):
+    cdef Statement statement
+    cdef readonly Watch watch
+    cpdef void put(self, Watch watch)
+    cdef int run(self, Context context) noexcept nogil
+    cdef void restart(self) noexcept nogil
+
 cdef class Counted(Statement):
     cdef readonly long long source
     cdef readonly long long cost

@@ -110,6 +110,32 @@ def sequence(statements: list[Statement]) -> Statement:
     return Block(*[sequence(statements[begin:end]) for begin, end in pairwise(cuts)])
 
 
+class Watch:
+    """Base of what looks at a cycle before a statement runs, and null object: sees nothing."""
+
+    def look(self, context: Context) -> None:
+        """Look at the memory; the statement runs next."""
+
+
+class Watched(Statement):
+    """A statement at which a session can stop: ``put`` changes what looks before it runs."""
+
+    def __init__(self, statement: Statement) -> None:
+        self.statement = statement
+        self.watch = Watch()
+
+    def put(self, watch: Watch) -> None:
+        """Let another one look."""
+        self.watch = watch
+
+    def run(self, context: Context) -> int:
+        self.watch.look(context)
+        return self.statement.run(context)
+
+    def restart(self) -> None:
+        self.statement.restart()
+
+
 class Counted(Statement):
     """Base of a statement that costs elementary instructions and has a source."""
 

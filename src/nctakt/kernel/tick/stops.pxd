@@ -8,6 +8,7 @@ from nctakt.kernel.cycles.conditions cimport Condition
 from nctakt.kernel.cycles.context cimport Context
 from nctakt.kernel.cycles.cycles cimport RealtimeCycle
 from nctakt.kernel.cycles.expressions cimport Expression
+from nctakt.kernel.cycles.instructions cimport Watch
 
 cdef class Stop:
     cdef Expression guard
@@ -52,6 +53,17 @@ cdef class BlockUpToDepth(Stop):
 
 cdef class Runs(Stop):
     cdef Reaction reaction
+    cdef int holds(self, Context context, Record record) noexcept nogil
+
+cdef class BeforeStatement(Watch):
+    cdef Expression guard
+    cdef Context context
+    cdef Watch others
+    cdef readonly long long next_tick
+    cdef void look(self, Context context) noexcept nogil
+
+cdef class RunsStatement(Stop):
+    cdef BeforeStatement before
     cdef int holds(self, Context context, Record record) noexcept nogil
 
 cdef class RunsThrough(Stop):

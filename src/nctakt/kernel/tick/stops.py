@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Stops: what ends ``Kernel.run`` behind a tick, for those who watch a run.
 
-Each stop is looked at behind every tick, and sees what the tick has done: the memory, the events of
+Each stop is looked at after every tick, and sees what the tick has done: the memory, the events of
 the tick, the nodes of the realtime cycles. It changes nothing of the machine's and takes none of
 the instructions that the cycles may run.
 """
@@ -17,6 +17,7 @@ from nctakt.kernel.cycles.conditions import Condition
 from nctakt.kernel.cycles.context import Context, context_of
 from nctakt.kernel.cycles.cycles import RealtimeCycle
 from nctakt.kernel.cycles.expressions import Expression
+from nctakt.kernel.cycles.instructions import Watch
 
 
 class Stop:
@@ -165,6 +166,33 @@ class Runs(Stop):
 
     def holds(self, context: Context, record: Record) -> int:
         return 1 if self.reaction.next_tick == context.tick + 1 else 0
+
+
+class BeforeStatement(Watch):
+    """Notes in which tick a guard has been true before a statement ran; ``others`` look as well."""
+
+    def __init__(self, guard: Expression, context: Context, others: Watch) -> None:
+        self.guard = guard
+        self.context = context
+        self.others = others
+        self.next_tick = -1
+
+    def look(self, context: Context) -> None:
+        self.context.tick = context.tick
+        if is_true(self.guard, self.context):
+            self.next_tick = context.tick + 1
+        self.others.look(context)
+
+
+class RunsStatement(Stop):
+    """A statement runs while a guard is true before it."""
+
+    def __init__(self, before: BeforeStatement, guard: Expression, hits_needed: int) -> None:
+        super().__init__(guard, hits_needed)
+        self.before = before
+
+    def holds(self, context: Context, record: Record) -> int:
+        return 1 if self.before.next_tick == context.tick + 1 else 0
 
 
 class RunsThrough(Stop):

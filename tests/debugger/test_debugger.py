@@ -322,7 +322,9 @@ def test_scopes_show_axes_variables_cycles_and_what_waits(client: DebugClient, f
 def test_what_the_decoder_knows_is_read_only(client: DebugClient, file: str) -> None:
     set_at(client, file, X10)
     client.go()
-    assert [client.console(name) for name in ("V.P.A", "P5", "V.P.NONE")] == ["2", "7", "–"]
+    assert [client.console(name) for name in ("V.P.A", "P5")] == ["2", "7"]
+    with pytest.raises(Refused, match=r"V\.P\.NONE has no value here"):
+        client.console("V.P.NONE")
     with pytest.raises(Refused, match="decoder"):
         client.ask("setExpression", expression="V.P.A", value="3")
 
@@ -474,13 +476,13 @@ def test_a_pause_between_two_searches_ends_what_goes_back(
             interrupt(session)
             goes_on.set()
 
-        def not_due(*_words: Any) -> bool:
+        def not_due(*_words: Any) -> list[Any]:
             found.set()
             assert goes_on.wait(20.0)
-            return False
+            return []
 
         monkeypatch.setattr(Session, "interrupt", noted)
-        monkeypatch.setattr(Debuggee, "_is_due_here", not_due)
+        monkeypatch.setattr(Debuggee, "_due_here", not_due)
         client.send("reverseContinue", threadId=1)
         assert found.wait(20.0)
         client.send("pause", threadId=1)

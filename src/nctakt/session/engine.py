@@ -405,7 +405,7 @@ class Engine:
                 channel: self._machine.registry.path(number)
                 for channel, number in self._happened.calls.items()
             },
-            bool(resting),
+            is_resting=bool(resting),
         )
 
     def _decoding(self) -> dict[int, Span]:

@@ -63,6 +63,8 @@ def rest(
     found = []
     for index, channel in enumerate(loop.channels):
         word, source, _ = machine.channels[index].waits.reason()
+        if word == "reset" and loop.ends_deadlock:
+            return ()  # the error ends the run
         if word in _WAITING or (word in _OF_PLC and loop.has_plc):
             span = machine.files.span(source)
             line = "" if span is None else machine.files.line_at(span)

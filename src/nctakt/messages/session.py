@@ -58,12 +58,12 @@ PAST_DIFFERS = error(
     de="interner Fehler von nctakt: bis Takt {tick} ist die Vergangenheit nicht die des ersten "
     "Laufs",
     remedy_en="Do not trust this session's past; save its tape and report the error with it.",
-    remedy_de="Der Vergangenheit dieser Sitzung nicht trauen; das Band sichern und den Fehler damit "
-    "melden.",
+    remedy_de="Der Vergangenheit dieser Sitzung nicht trauen; das Band sichern und den Fehler "
+    "damit melden.",
     cause_en="Ticks of the past are run again. Their positions, variables and events are compared "
     "with those of the first run, and differ; so they are not shown.",
-    cause_de="Takte der Vergangenheit laufen noch einmal. Ihre Positionen, Variablen und Ereignisse "
-    "werden mit denen des ersten Laufs verglichen und weichen ab; daher werden sie nicht gezeigt.",
+    cause_de="Takte der Vergangenheit laufen noch einmal. Ihre Positionen, Variablen und "
+    "Ereignisse werden mit denen des ersten Laufs verglichen und weichen ab; daher werden sie nicht gezeigt.",
     tick=("the tick at which it shows", "der Takt, an dem es sich zeigt"),
 )
 SESSION_IS_CLOSED = error(

@@ -291,9 +291,9 @@ class Engine:
         as many as it takes, and the rows of events. ``rests``: also to where no stop can hold any
         more by itself.
         """
-        watched = [*stops, PAUSED] if rests else stops
-        if watched != self._stops:
-            self._watch(watched)
+        if stops != self._stops:
+            self._watch(stops)
+        self._stop_builder.watch_pauses(PAUSED if rests else None)
         first = self.tick
         # Before the first tick no program has begun.
         resting = rest(self._machine, self._loop, stops) if rests and first else ()
@@ -355,6 +355,7 @@ class Engine:
         """Run up to tick ``end`` past all stops; return the last tick behind which one has held."""
         if stops != self._stops:
             self._watch(stops)
+        self._stop_builder.watch_pauses(None)
         found: list[Mark] = []
         self._repeat(end, marks, found)
         return self._stop_builder.last_hit() + 1, self.tick, tuple(found)

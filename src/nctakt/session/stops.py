@@ -226,6 +226,17 @@ class StopBuilder:
         """Return the last tick in which one of the stops has held, -1 if none has."""
         return max((stop.last_tick for stop, _ in self._watched), default=-1)
 
+    def watch_pauses(self, stop: StopAt | None) -> None:
+        """Watch one more stop after the others, or none; the others keep their counts."""
+        number = len(self._stops)
+        own = [pair for pair in self._watched if pair[1] < number]
+        if (stop is None) == (len(own) == len(self._watched)):
+            return
+        if stop is not None:
+            own += [(node, number) for node in self._nodes(stop, is_watched=True)]
+        self._watched = own
+        self._machine.kernel.stops.watch([node for node, _ in own])
+
     def hits(self, tick: int) -> list[int]:
         """Return which of the stops have held in a tick, in their order."""
         return sorted({number for stop, number in self._watched if stop.last_tick == tick})

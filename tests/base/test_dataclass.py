@@ -185,4 +185,4 @@ def test_no_module_uses_those_of_the_standard_library() -> None:
 
 def names(node: ast.AST) -> list[str]:
     """Return what an import takes from its module."""
-    return [alias.name for alias in getattr(node, "names", ())]
+    return [one.name for one in getattr(node, "names", ()) if isinstance(one, ast.alias)]

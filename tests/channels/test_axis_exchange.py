@@ -419,9 +419,9 @@ def test_plain_lines_keep_their_short_way(monkeypatch: pytest.MonkeyPatch) -> No
     taken: list[int] = []
     fill = handover.PlainBlocks.fill
 
-    def count(blocks: handover.PlainBlocks, queue: CommandQueue, timed: int) -> None:
+    def count(blocks: handover.PlainBlocks, queue: CommandQueue, timed: int, tick: int) -> None:
         before = queue.timed_count
-        fill(blocks, queue, timed)
+        fill(blocks, queue, timed, tick)
         taken.append(queue.timed_count - before)
 
     monkeypatch.setattr(handover.PlainBlocks, "fill", count)

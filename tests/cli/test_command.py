@@ -67,7 +67,7 @@ def test_a_run_tells_what_the_cycle_did(capsys: pytest.CaptureFixture[str]) -> N
     shown = capsys.readouterr().out.splitlines()
     assert shown[1] == "part.nc: ended, 726 ticks = 0.726000 s"
     assert (
-        shown[5].split() == "17 part.nc:1 PROG 725 part.nc:2 ONCE 1 tick 463 = 0.463000 s".split()
+        shown[5].split() == "17 part.nc:1 PROG 725 part.nc:2 ONCE 1 1 tick 463 = 0.463000 s".split()
     )
     assert shown[6].split() == "part.nc:5 EDGE never".split()
     assert shown[10].split() == "M100 realtime cycle 1 tick 463 = 0.463000 s".split()
@@ -76,7 +76,7 @@ def test_a_run_tells_what_the_cycle_did(capsys: pytest.CaptureFixture[str]) -> N
 def test_stimuli_act_at_their_tick(capsys: pytest.CaptureFixture[str]) -> None:
     """RC-002: a value given at 99.5 ms is latched at tick 100, where the EDGE fires."""
     assert main(["run", "part.nc", "--at", "99.5ms", "V.E.TRIGGER=1"]) == 0
-    assert "part.nc:5 EDGE  1      tick 100 = 0.100000 s" in capsys.readouterr().out
+    assert "part.nc:5 EDGE  1            1    tick 100 = 0.100000 s" in capsys.readouterr().out
 
 
 @pytest.mark.parametrize("suffix", ["csv", "jsonl"])
@@ -184,7 +184,7 @@ def test_the_programs_plc_is_asked_after_each_tick(capsys: pytest.CaptureFixture
     text += "    hli.acknowledge_all()\n"
     Path("plc.py").write_text(text, encoding="utf-8")
     assert main(["run", "part.nc", "--plc", "plc.py"]) == 0
-    assert "part.nc:5 EDGE  1      tick 42 = 0.042000 s" in capsys.readouterr().out
+    assert "part.nc:5 EDGE  1            1    tick 42 = 0.042000 s" in capsys.readouterr().out
 
 
 @pytest.mark.parametrize("form", ["--plain", "--compiled"])

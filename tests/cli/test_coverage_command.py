@@ -101,7 +101,7 @@ def test_a_changed_program_drops_what_was_known(
         (["--data", "part.nc"], 900801),
         (["part.nc", "--data", "nowhere/all.json"], 900507),
         (["none.nc"], 900500),
-        (["part.nc", "--set", "V.E.NONE=1"], 900541),
+        (["part.nc", "--set", "V.E.NONE=1"], 900540),
     ],
 )
 def test_what_cannot_be_used_is_told(

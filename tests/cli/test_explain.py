@@ -28,7 +28,7 @@ def test_message(capsys: Captured) -> None:
         "                constant in the cycle from then on.\n"
         "    Remedy      V.E and V.CH: set synchronisation TRUE in the variables list, or use Vs."
         " for this\n                block.\n"
-        "    {name}      the variable\n"
+        "    {name}      the name\n"
         "    Effect      the program is aborted; prepared blocks are still finished; error state"
         " (class 2)\n"
         "    Cleared by  a reset of the channel (class 3)\n"

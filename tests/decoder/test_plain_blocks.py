@@ -364,10 +364,10 @@ def test_contours_are_full_of_plain_blocks(monkeypatch: pytest.MonkeyPatch) -> N
     taken = 0
     fill = handover.PlainBlocks.fill
 
-    def count(blocks: handover.PlainBlocks, ring: CommandQueue, timed: int) -> None:
+    def count(blocks: handover.PlainBlocks, ring: CommandQueue, timed: int, tick: int) -> None:
         nonlocal taken
         before = ring.timed_count
-        fill(blocks, ring, timed)
+        fill(blocks, ring, timed, tick)
         taken += ring.timed_count - before
 
     monkeypatch.setattr(handover.PlainBlocks, "fill", count)

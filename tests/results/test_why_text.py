@@ -152,8 +152,7 @@ def test_a_long_list_shows_its_ends() -> None:
     assert "    … 42 more …\n" in text
     assert (
         "became true 25 times, ran 25 times, in ticks 0, 2, 4, 6, … 17 more …, 42, 44, 46, 48: "
-        "V.E.COUNT = 1\n"
-        in text
+        "V.E.COUNT = 1\n" in text
     )
 
 

@@ -14,8 +14,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass, field
 from pathlib import Path
+from typing import NamedTuple
 
 #: Fields that refer to something else later than at first: arrays that grow or are exchanged, and
 #: what a cycle manager has loaded.
@@ -42,7 +42,7 @@ CHANGING_IN_TREES = (
     "IfOnce", "Reaction", "RealtimeCycle",
 )  # fmt: skip
 #: What no snapshot is taken of: a shared image, and what stops the ticks.
-LEFT_OUT = ("InterfaceImage", "SectionUnits", "SpindleUnits")
+LEFT_OUT = ("InterfaceImage", "SectionUnits", "SpindleUnits", "Watched")
 LEFT_OUT_MODULE = "nctakt.kernel.tick.stops"
 
 #: C types of fields that hold a number.
@@ -53,23 +53,21 @@ _FIELD = re.compile(
 )
 
 
-@dataclass
-class FieldType:
+class FieldType(NamedTuple):
     """The C type of a field, and whether Python may assign it."""
 
     kind: str
     is_public: bool
 
 
-@dataclass
-class TypedClass:
+class TypedClass(NamedTuple):
     """A class of the realtime part with the fields that its ``.pxd`` declares."""
 
     module: str
     name: str
     #: Module and name of the class that it derives from.
     base: tuple[str, str] | None
-    fields: dict[str, FieldType] = field(default_factory=dict)
+    fields: dict[str, FieldType]
 
     @property
     def is_kept(self) -> bool:
@@ -113,9 +111,8 @@ def typed_classes(kernel: Path) -> Iterator[TypedClass]:
                 if found is not None:
                     yield found
                 name, _, base = line.removeprefix("cdef class ").rstrip("):").partition("(")
-                found = TypedClass(
-                    module, name, (origins.get(base, module), base) if base else None
-                )
+                origin = (origins.get(base, module), base) if base else None
+                found = TypedClass(module, name, origin, {})
             elif found is not None and (match := _FIELD.fullmatch(line)) is not None:
                 for name in match["names"].split(", "):
                     found.fields[name] = FieldType(match["kind"], match["access"] == "public ")

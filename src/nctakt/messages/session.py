@@ -63,7 +63,8 @@ PAST_DIFFERS = error(
     cause_en="Ticks of the past are run again. Their positions, variables and events are compared "
     "with those of the first run, and differ; so they are not shown.",
     cause_de="Takte der Vergangenheit laufen noch einmal. Ihre Positionen, Variablen und "
-    "Ereignisse werden mit denen des ersten Laufs verglichen und weichen ab; daher werden sie nicht gezeigt.",
+    "Ereignisse werden mit denen des ersten Laufs verglichen und weichen ab; daher werden sie "
+    "nicht gezeigt.",
     tick=("the tick at which it shows", "der Takt, an dem es sich zeigt"),
 )
 SESSION_IS_CLOSED = error(

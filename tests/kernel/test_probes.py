@@ -93,5 +93,5 @@ def test_a_series_of_firings_is_one_event() -> None:
     fired = [event.tick for event in run.events if event.kind == "fired"]
     assert fired == [0, 5, 10, 15]
     (result,) = run.cycles
-    assert [(one.count, one.first_tick, one.last_tick) for one in result.reactions] == [(4, 0, 15)]
+    assert [(one.became_true, one.first_tick) for one in result.reactions] == [(4, 0)]
     assert result.runs == 20

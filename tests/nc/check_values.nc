@@ -87,7 +87,7 @@ V.E.LEVEL_1_A[0].REAL64 = V.E.LEVEL_1_A[0] ; error 900215 "V.E.LEVEL_1_A[]"
 V.E.LEVEL_1_A[0] = 5 ; error 900215 "V.E.LEVEL_1_A[]"
 V.CH.Level = V.E.LEVEL_1_A[0]
 V.E.LIST = [1, 2, 3] ; error 900200 "[1, 2]"
-P1 = [1, 2] ; error 900200 "[1, 2]"
+P1 = [1, 2]
 P1 = 2 + [1, 2] ; error 900200 "[1, 2]"
 ; --- rights
 V.E.INPUT = 1 ; error 20100 "V.E.INPUT is READ_ONLY"

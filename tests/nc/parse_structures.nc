@@ -49,6 +49,7 @@ $IF P1 ; error 20375 "$IF"
       $DO ; error 20375 "$DO"
         $REPEAT ; error 20375 "$REPEAT"
           $SWITCH P1 ; error 20375 "$SWITCH"
+          $CASE 1
           #VAR ; error 20375 "#VAR"
 ; --- ends without a begin
 $ENDIF ; error 20218 "$ENDIF without $IF"

@@ -14,6 +14,7 @@ from nctakt.run.program_loader import NcText
 #: Each line but those of M30 and the structures has a finding.
 REST = """\
 P2 = V.E.NIX
+G01 X1 F1000
 G999
 $IF V.E.NIX > 3
   V.E.NIX = 1

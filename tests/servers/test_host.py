@@ -222,6 +222,8 @@ def test_time_begins_when_the_doors_open_however_long_they_take_to_be_built() ->
     times: list[int] = []
 
     class SlowDoor:
+        max_connections = 0
+
         def __init__(self, host: Host) -> None:
             self._host = host
 

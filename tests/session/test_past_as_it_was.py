@@ -331,7 +331,7 @@ import sys
 from nctakt import NcText
 from nctakt.session import Session
 
-with Session(NcText("p.nc", "G04 X1 M30"), plc=sys.argv[1]) as session:
+with Session(NcText("p.nc", "N1 G04 X1\\nM30"), plc=sys.argv[1]) as session:
     session.step(100)
     session.go_to(60)
     session.go_to(90)

@@ -104,10 +104,10 @@ MOTION_ENDED_WITH_CYCLE = note(
     902001,
     en="{axis} {what}: realtime cycle {cycle} {how} (MOVE_ABORT)",
     de="{axis} {what}: Echtzeit-Zyklus {cycle} {how} (MOVE_ABORT)",
-    remedy_en="END_ACTION=MOVE_CONT in the definition lets the motion go on; "
-    "END_ACTION=MOVE_ABORT there says that this is meant.",
-    remedy_de="END_ACTION=MOVE_CONT in der Definition lässt die Bewegung weiterlaufen; "
-    "END_ACTION=MOVE_ABORT dort sagt, dass es so gemeint ist.",
+    remedy_en="With END_ACTION=MOVE_CONT the motion goes on; "
+    "MOVE_ABORT there says that this is meant.",
+    remedy_de="Mit END_ACTION=MOVE_CONT geht die Bewegung weiter; "
+    "MOVE_ABORT dort heißt: so gemeint.",
     cause_en="Without END_ACTION the motions of a cycle are given up when it ends: at the end of "
     "its scope or of the program, or by #RT CYCLE DELETE.",
     cause_de="Ohne END_ACTION werden die Bewegungen eines Zyklus abgebrochen, wenn er endet: am "

@@ -100,11 +100,11 @@ class Branch:
         share = (tick - first_tick) / (after.tick - first_tick)
         return first_us + share * max(0.0, after.work_us - first_us)
 
-    def last_event(self, wanted: EventFilter, before: float) -> int:
+    def last_event(self, requested: EventFilter, before: float) -> int:
         """Return the last tick before another one that has such an event, -1 without."""
-        found = self.record.last_event(wanted, before)
+        found = self.record.last_event(requested, before)
         if found is None and self.parent is not None:
-            return self.parent.last_event(wanted, min(before, self.first_tick))
+            return self.parent.last_event(requested, min(before, self.first_tick))
         return -1 if found is None else found
 
 

@@ -83,7 +83,7 @@ class _Chunk:
         self.first_tick = first_tick
         self._data: bytes | None = data
         self._size = len(data)
-        self._place = 0
+        self._end = 0
 
     @property
     def bytes_in_memory(self) -> int:
@@ -93,7 +93,7 @@ class _Chunk:
     def move_to(self, file: IO[bytes]) -> None:
         """Move its rows to the end of a file."""
         if self._data is not None:
-            self._place = file.seek(0, os.SEEK_END)
+            self._end = file.seek(0, os.SEEK_END)
             file.write(self._data)
             self._data = None
 
@@ -102,7 +102,7 @@ class _Chunk:
         data = self._data
         if data is None:
             assert file is not None
-            file.seek(self._place)
+            file.seek(self._end)
             data = file.read(self._size)
         return np.frombuffer(data, np.float64).reshape(-1, rows.EVENT_WIDTH)
 
@@ -176,11 +176,11 @@ class BranchRecord:
         for chunk in reversed(self._chunks):
             yield chunk.rows(self._file)
 
-    def last_event(self, wanted: EventFilter, before: float) -> int | None:
+    def last_event(self, requested: EventFilter, before: float) -> int | None:
         """Return the last tick before another one that has such an event, ``None`` without."""
         for events in self._backward():
             count = int(np.searchsorted(events[:, rows.EVENT_TICK], before))
-            found = wanted.last_row(events[:count])
+            found = requested.last_row(events[:count])
             if found is not None:
                 return int(events[found, rows.EVENT_TICK])
         return None

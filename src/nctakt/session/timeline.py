@@ -330,10 +330,10 @@ class Timeline:
         """Run a controller up to a tick; park on the way where that is dear."""
         first = engine.tick
         for work_us in approach(branch.work_at(first), branch.work_at(tick)):
-            place = branch.mark_before_work(work_us)
-            if self._can_copy and place is not None and engine.tick < place.tick < tick:
-                self._rerun(engine, branch, place.tick, first=first)
-                self._parked.add(Parked(branch, place.tick, place.work_us, engine.copy()))
+            mark = branch.mark_before_work(work_us)
+            if self._can_copy and mark is not None and engine.tick < mark.tick < tick:
+                self._rerun(engine, branch, mark.tick, first=first)
+                self._parked.add(Parked(branch, mark.tick, mark.work_us, engine.copy()))
         done = self._rerun(engine, branch, tick, first=first)
         self._parked.thin_out(branch.work_at(tick))
         return done
@@ -352,30 +352,30 @@ class Timeline:
             gap = first_gap([one.work_us for one in parked], present_us)
             if gap is None:
                 return
-            older, place = parked[gap[0]], self.branch.mark_before_work(gap[1])
+            older, mark = parked[gap[0]], self.branch.mark_before_work(gap[1])
             is_far = present_us - gap[1] > FAR_US
-            if place is None or place.tick <= older.tick or (is_far and not is_step):
+            if mark is None or mark.tick <= older.tick or (is_far and not is_step):
                 return
             limit_us = REFINED_US - spent_us if is_step else math.inf
             try:
-                spent_us += self._fill(older, place, limit_us)
+                spent_us += self._fill(older, mark, limit_us)
             except Failure:
                 return  # whoever goes there learns why, and nobody has asked for it yet
 
-    def _fill(self, older: Parked, place: PastMark, limit_us: float) -> float:
-        """Bring a copy of a parked controller to a place, or some work nearer; return the work."""
+    def _fill(self, older: Parked, mark: PastMark, limit_us: float) -> float:
+        """Bring a copy of a parked controller to a mark, or some work nearer; return the work."""
         branch = self.branch
         filler = self._parked.filler
         if (
             filler is None
             or filler.branch is not branch
-            or not older.tick <= filler.tick < place.tick
+            or not older.tick <= filler.tick < mark.tick
         ):
             self._parked.give_up_filler()
             filler = Parked(branch, older.tick, older.work_us, self._woken(branch, older))
         self._parked.filler = None
         end = branch.mark_before_work(filler.work_us + limit_us)
-        last = place if end is None or end.tick > place.tick else end
+        last = mark if end is None or end.tick > mark.tick else end
         engine = filler.engine
         try:
             self._rerun(engine, branch, last.tick)
@@ -385,7 +385,7 @@ class Timeline:
         finally:
             self.progress = None
         moved = Parked(branch, engine.tick, last.work_us, engine)
-        if engine.tick >= place.tick:
+        if engine.tick >= mark.tick:
             self._parked.add(moved)
             self._parked.thin_out(branch.work_at(self.tick))
         else:
@@ -448,10 +448,10 @@ class Timeline:
         self._refuse_on_real_schedule()
         self._poll()
         others: list[StopAt] = []
-        for stop, wanted in zip(stops, self.live.ask("filters", stops), strict=True):
-            if wanted is None:
+        for stop, requested in zip(stops, self.live.ask("filters", stops), strict=True):
+            if requested is None:
                 others.append(replace(stop, count=_NEVER))
-            for one in wanted or ():
+            for one in requested or ():
                 found = max(found, self.branch.last_event(one, end) + 1)
         if others:
             found = self._searched(others, found, end)

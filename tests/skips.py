@@ -28,7 +28,7 @@ PERMITTED = {
     r"there is no C compiler|^no C compiler": "the sanitized build cannot be reached from it",
     r"rights do not bind root": "CI may be root; a user's run asks it",
     r"SCHED_FIFO": "a right of the machine, not a program",
-    r"this process cannot be copied": "a test's process with threads; without other tests it is asked",
+    r"this process cannot be copied": "it has threads of other tests; asked without them",
     r"this machine has a CPU": "the test needs a number that no processor has",
     r"has mistakes": "the property holds for programs without mistakes",
     r"NCTAKT_CORPUS names no folder|no corpus beside|programs of others": "others' programs",

@@ -75,6 +75,10 @@ class Sessions:
         left_out = ("-p", "no:faulthandler", "-p", "no:unraisableexception")
         here = (*left_out, "--import-mode=importlib")
         code = pytest.main([*plugin_words(), *WORDS, *here, *words])
+        # Another session's file of the same name would be taken for this one.
+        for name, module in [*sys.modules.items()]:
+            if str(getattr(module, "__file__", "")).startswith(f"{self.folder}{os.sep}"):
+                del sys.modules[name]
         return code, "".join(self.capsys.readouterr())
 
 

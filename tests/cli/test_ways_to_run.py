@@ -198,7 +198,7 @@ def test_tests(program: str, capsys: Captured, here: list[str]) -> None:
     """``run_nc``, expectations in comments; the project's limit fails a test, its own does not."""
     named = expected(capsys, program)
     time = named[2] / 1000
-    Path("test_a.py").write_text(TESTS.format(time=time), "utf-8")
+    Path("test_ways.py").write_text(TESTS.format(time=time), "utf-8")
     comment = f"; expect: fired once at {time}s; V.E.COUNT = 5 at end\n"
     Path("limit.nc").write_text(comment + PROGRAM, "utf-8")
     Path("own.nc").write_text("; given: until 0.5s\n" + comment + PROGRAM, "utf-8")

@@ -14,7 +14,7 @@ $END IF ; error 900107 "$END IF"
 $IF V.E.COUNT > 5 THEN ; error 20797 "without THEN"
 M100
 $ENDIF
-$IF V.E.COUNT > 5 M100 $ENDIF ; error 20797 "M100 stands in the line of the condition"
+$IF V.E.COUNT > 5 M100 $ENDIF ; error 20797 "M100 is in the line of the condition"
 $IF V.E.COUNT <> 5 ; error 900101 "'<>' is not an operator"
 $ENDIF
 $IF V.E.COUNT => 5 ; error 20797 "'=>' is not an operator"

@@ -49,10 +49,10 @@ def test_a_motion_that_the_programs_end_cuts_off_is_told() -> None:
         f"Z stopped {left} mm before its target: realtime cycle 1 ended (MOVE_ABORT)"
     ]
     assert note.span is not None
-    assert (note.severity.name, note.span.line, note.remedy()[:20]) == (
+    assert (note.severity.name, note.span.line, note.remedy()[:25]) == (
         "NOTE",
         3,
-        "END_ACTION=MOVE_CONT",
+        "With END_ACTION=MOVE_CONT",
     )
 
 

@@ -74,11 +74,10 @@ class Sessions:
         # Collecting the garbage of this process after each session would take most of the time.
         left_out = ("-p", "no:faulthandler", "-p", "no:unraisableexception")
         here = (*left_out, "--import-mode=importlib")
+        # A module of the same name that another test has imported would be taken for this one.
+        for path in self.folder.glob("*.py"):
+            sys.modules.pop(path.stem, None)
         code = pytest.main([*plugin_words(), *WORDS, *here, *words])
-        # Another session's file of the same name would be taken for this one.
-        for name, module in [*sys.modules.items()]:
-            if str(getattr(module, "__file__", "")).startswith(f"{self.folder}{os.sep}"):
-                del sys.modules[name]
         return code, "".join(self.capsys.readouterr())
 
 

@@ -57,7 +57,7 @@ AXIS_OPTION_REFUSED = error(
     901805,
     en="{option} is not simulated: offsets of a fetched axis always begin at 0",
     de="{option} wird nicht simuliert: Verschiebungen einer geholten Achse beginnen immer bei 0",
-    remedy_en="Leave it out; program offsets behind the command, for example with G54.",
+    remedy_en="Leave it out; program offsets after the command, for example with G54.",
     remedy_de="Weglassen; Verschiebungen hinter dem Befehl programmieren, zum Beispiel mit G54.",
     classes=(2, 3),
 )
@@ -71,9 +71,9 @@ EXCHANGE_UNDER_TRANSFORMATION = error(
 )
 EXCHANGE_IN_SEARCH = error(
     901809,
-    en="{command} in front of the start block: a block search does not exchange axes",
+    en="{command} before the start block: a block search does not exchange axes",
     de="{command} vor dem Startsatz: ein Satzvorlauf tauscht keine Achsen",
-    remedy_en="Begin at a block in front of the command, or let the search pass it by.",
+    remedy_en="Begin at a block before the command, or let the search skip it.",
     remedy_de="An einem Satz vor dem Befehl beginnen oder ihn im Vorlauf überspringen.",
     classes=(2, 3),
 )
@@ -92,7 +92,7 @@ AXIS_NEVER_GIVEN = warning(
     901808,
     en="no program of this run gives axis number {number}, which channel {channel} has",
     de="kein Programm dieses Laufs gibt die Achse Nummer {number} ab, die Kanal {channel} hat",
-    remedy_en="Program #PUT AX in channel {channel}; without it the command waits for ever.",
+    remedy_en="Program #PUT AX in channel {channel}; without it the command never ends.",
     remedy_de="#PUT AX in Kanal {channel} programmieren; sonst wartet der Befehl endlos.",
     number=("the logical number", "die logische Nummer"),
     channel=("the channel that has it", "der Kanal, der sie hat"),

@@ -23,7 +23,7 @@ AXIS_NOT_AT_BLOCK_START = error(
 AXIS_MOVED_BY_PATH = error(
     50603,
     known_as=(900430, 60262),
-    en="axis {axis} is being moved by the path and takes no command of its own now",
+    en="axis {axis} is being moved by the path and takes no separate command now",
     de="Achse {axis} wird gerade von der Bahn bewegt und nimmt jetzt keinen eigenen Auftrag an",
     remedy_en="Command the axis while no block moves it.",
     remedy_de="Die Achse beauftragen, während kein Satz sie bewegt.",

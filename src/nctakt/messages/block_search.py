@@ -9,14 +9,14 @@ START_BLOCK_LOCKED = error(
     21399,
     en="block search cannot begin here: the part of the program is locked",
     de="der Satzvorlauf kann hier nicht enden: der Programmteil ist gesperrt",
-    remedy_en="Choose a block in front of #BLOCKSEARCH LOCKED, or behind #BLOCKSEARCH RELEASED.",
+    remedy_en="Choose a block before #BLOCKSEARCH LOCKED, or after #BLOCKSEARCH RELEASED.",
     remedy_de="Einen Satz vor #BLOCKSEARCH LOCKED oder hinter #BLOCKSEARCH RELEASED wählen.",
 )
 HOMING_DURING_SEARCH = error(
     50717,
-    en="G74 in front of the start block: block search cannot home axes",
+    en="G74 before the start block: block search cannot home axes",
     de="G74 vor dem Startsatz: der Satzvorlauf kann keine Achsen referenzieren",
-    remedy_en="Home the axes before, and skip the block (/G74), or begin in front of it.",
+    remedy_en="Home the axes first and skip the block (/G74), or begin before it.",
     remedy_de="Die Achsen vorher referenzieren und den Satz ausblenden (/G74), oder vor ihm "
     "beginnen.",
 )
@@ -57,7 +57,7 @@ READ_DURING_SEARCH = warning(
     901961,
     en="{variable} is read before the start block: it has the value of now, not of the program",
     de="{variable} wird vor dem Startsatz gelesen: der Wert ist der jetzige, nicht der im Programm",
-    remedy_en="Begin in front of this block where its value matters.",
+    remedy_en="Begin before this block if its value matters.",
     remedy_de="Vor diesem Satz beginnen, wo es auf den Wert ankommt.",
     variable=("the variable as written", "die Variable, wie geschrieben"),
 )

@@ -95,7 +95,7 @@ SUPPRESSION_WITHOUT_REASON = warning(
     901183,
     en="this comment suppresses {number} without a reason",
     de="dieser Kommentar unterdrückt {number} ohne Begründung",
-    remedy_en="Write the reason behind the number: ; nctakt: ignore {number} the PLC waits.",
+    remedy_en="Write the reason after the number: ; nctakt: ignore {number} the PLC waits.",
     remedy_de="Den Grund hinter die Nummer schreiben: ; nctakt: ignore {number} die SPS wartet.",
     number=("the number in the comment", "die Nummer im Kommentar"),
 )

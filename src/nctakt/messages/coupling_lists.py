@@ -41,7 +41,7 @@ LISTED_SLAVE_TWICE = warning(
 )
 LISTED_SLAVE_IS_MASTER = warning(
     20442,
-    en="paar[{index}] is left out: an axis is a slave and a master ({slave} behind {master})",
+    en="paar[{index}] is left out: an axis is both a slave and a master ({slave} follows {master})",
     de="paar[{index}] entfällt: eine Achse ist Slave und Master ({slave} hinter {master})",
     remedy_en="Let all slaves follow the first master; chains are not possible.",
     remedy_de="Alle Slaves dem ersten Master folgen lassen; Ketten sind nicht möglich.",
@@ -53,7 +53,7 @@ GANTRY_MASTER_MISSING = warning(
     70124,
     en="gantry_ax_nr {master}: axis {slave} follows no axis",
     de="gantry_ax_nr {master}: Achse {slave} folgt keiner Achse",
-    remedy_en="Name another axis of the machine that follows none itself.",
+    remedy_en="Name another axis of the machine that does not itself follow an axis.",
     remedy_de="Eine andere Achse der Maschine nennen, die selbst keiner folgt.",
     slave=_SLAVE,
     master=_MASTER,

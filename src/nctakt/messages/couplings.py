@@ -23,7 +23,7 @@ COUPLING_DURING_COMPENSATION = error(
     20457,
     en="{command} during tool radius compensation",
     de="{command} während der Werkzeugradiuskorrektur",
-    remedy_en="Couple the axes before G41 or G42, and release them behind G40.",
+    remedy_en="Couple the axes before G41 or G42, and release them after G40.",
     remedy_de="Die Achsen vor G41 oder G42 koppeln und hinter G40 lösen.",
     command=_COMMAND,
 )
@@ -169,7 +169,7 @@ MAIN_SPINDLE_AS_SLAVE = error(
 )
 COUPLED_AXIS_MOVES_ALONE = error(
     21481,
-    en="axis {axis} is coupled and takes no command of its own",
+    en="axis {axis} is coupled and takes no separate command",
     de="Achse {axis} ist gekoppelt und nimmt keinen eigenen Auftrag an",
     remedy_en="Move the master with the path, or release the coupling (#DISABLE AX LINK).",
     remedy_de="Den Master mit der Bahn bewegen oder die Kopplung lösen (#DISABLE AX LINK).",
@@ -178,7 +178,7 @@ GANTRY_ASKEW = error(
     901879,
     en="the drives that follow axis {axis} are too far away from it",
     de="die Antriebe, die der Achse {axis} folgen, sind zu weit von ihr entfernt",
-    remedy_en="Look for what holds one of them back; P-AXIS-00072 or the first value behind G is "
+    remedy_en="Look for what holds one of them back: P-AXIS-00072 or the first value after G is "
     "the limit.",
     remedy_de="Nachsehen, was einen von ihnen aufhält; P-AXIS-00072 oder der erste Wert hinter G "
     "ist die Grenze.",

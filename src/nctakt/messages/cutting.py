@@ -50,7 +50,7 @@ CUTTING_DECIDED = note(
     901533,
     en="G96: the radius is the distance of the face axis from the program's zero at the S word",
     de="G96: der Radius ist der Abstand der Planachse vom Programmnullpunkt beim S-Wort",
-    remedy_en="Program S again behind a new offset; rapid motions leave the speed as it is.",
+    remedy_en="Program S again after a new offset; rapid motions leave the speed as it is.",
     remedy_de="Nach einer neuen Verschiebung S noch einmal angeben; im Eilgang ändert sich nichts.",
     cause_en="The sources name the last position and the offset, not which tick counts.",
     cause_de="Die Quellen nennen letzte Position und Verschiebung, nicht den Takt, der gilt.",

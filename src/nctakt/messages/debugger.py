@@ -55,7 +55,7 @@ NOT_LAUNCHED = error(
 )
 RUN_IS_ON = error(
     901226,
-    en="{command} is only possible while the run stands",
+    en="{command} is only possible while the run is stopped",
     de="{command} ist nur möglich, solange der Lauf steht",
     remedy_en="Pause the run first.",
     remedy_de="Den Lauf zuerst anhalten.",

@@ -47,7 +47,7 @@ TICK_NOT_IN_RUN = error(
 )
 RUN_WITHOUT_CYCLES = error(
     900577,
-    en="there is no realtime cycle {cycle}: this run defined none",
+    en="there is no realtime cycle {cycle}: this run defined no cycles",
     de="es gibt keinen Echtzeit-Zyklus {cycle}: dieser Lauf hat keinen definiert",
     remedy_en="Ask without a cycle to see which definitions were not reached.",
     remedy_de="Ohne Zyklus fragen, um zu sehen, welche Definitionen nicht erreicht wurden.",
@@ -55,7 +55,7 @@ RUN_WITHOUT_CYCLES = error(
 )
 PROGRAMS_WITHOUT_CYCLES = error(
     900578,
-    en="line {line} does not belong to a realtime cycle: the programs have none",
+    en="line {line} does not belong to a realtime cycle: the programs have no cycles",
     de="Zeile {line} gehört zu keinem Echtzeit-Zyklus: die Programme haben keinen",
     remedy_en="Name a program that defines realtime cycles.",
     remedy_de="Ein Programm nennen, das Echtzeit-Zyklen definiert.",

@@ -76,7 +76,7 @@ FEED_GROUP_NOT_FOR_SPLINES = warning(
     120462,
     en="F refers to the linear axes of a spline, whatever #FGROUP says",
     de="F bezieht sich beim Spline auf die Linearachsen, unabhängig von #FGROUP",
-    remedy_en="Program #FGROUP in front of the spline, to name all linear axes.",
+    remedy_en="Program #FGROUP before the spline, naming all linear axes.",
     remedy_de="Vor dem Spline #FGROUP mit allen Linearachsen programmieren.",
 )
 AXIS_NOT_ROTARY = error(

@@ -117,7 +117,7 @@ LISTS_WRITTEN = note(
 )
 ENTRIES_AS_COMMENTS = warning(
     900979,
-    en="unknown entries stand as comments in the XML lists: {count} ({names})",
+    en="unknown entries are kept as comments in the XML lists: {count} ({names})",
     de="unbekannte Einträge stehen als Kommentare in den XML-Listen: {count} ({names})",
     remedy_en="XML names parameters by their IDs; keep the ASCII lists for these.",
     remedy_de="XML nennt Parameter mit ihrer ID; für diese die ASCII-Listen behalten.",

@@ -18,7 +18,7 @@ NOT_AN_HLI = error(
     901431,
     en="the shared memory {name} is not an HLI of nctakt",
     de="der gemeinsame Speicher {name} ist kein HLI von nctakt",
-    remedy_en="Give the name behind nctakt run --hli.",
+    remedy_en="Give the name after nctakt run --hli.",
     remedy_de="Den Namen hinter nctakt run --hli angeben.",
 )
 HLI_VERSION_DIFFERS = error(

@@ -42,7 +42,8 @@ FUNCTIONS_NOT_LEARNT = note(
 )
 INTERRUPTIONS_ESTIMATED = note(
     900645,
-    en="interruptions were worked out from the other trace bits: what has none counts as work",
+    en="interruptions were worked out from the other trace bits: whatever has no bit counts as "
+    "work",
     de="Unterbrechungen sind aus den anderen Trace-Bits erschlossen: was keines hat, zählt mit",
     remedy_en="Give each thread a trace bit before recording.",
     remedy_de="Vor dem Aufzeichnen jedem Thread ein Trace-Bit geben.",

@@ -51,7 +51,7 @@ SEMAPHORE_EXISTS = error(
     en="semaphore {name} already exists: another run or another program has created it",
     de="den Semaphor {name} gibt es schon: ein anderer Lauf oder ein anderes Programm hat ihn "
     "angelegt",
-    remedy_en="End that run; if nobody uses the semaphore any more, remove its file in /dev/shm.",
+    remedy_en="End that run; if the semaphore is no longer in use, remove its file in /dev/shm.",
     remedy_de="Diesen Lauf beenden; wird der Semaphor nicht mehr benutzt, seine Datei in /dev/shm "
     "löschen.",
     name=("the semaphore", "der Semaphor"),

@@ -186,7 +186,7 @@ SOFTWARE_LIMITS_SWAPPED = warning(
 AXIS_BEYOND_LIMIT = warning(
     110054,
     cases=by_sign("limit", negative=110054, other=110055),
-    en="axis {axis} stands at 0, beyond its software limit {limit} by more than {tolerance}",
+    en="axis {axis} is at 0, beyond its software limit {limit} by more than {tolerance}",
     de="Achse {axis} steht bei 0, um mehr als {tolerance} jenseits ihres Software-Endschalters "
     "{limit}",
     remedy_en="Move it between its limits first: a run begins with all axes at 0.",

@@ -63,9 +63,9 @@ TYPE_WITHOUT_G310 = error(
 )
 MEASURING_DURING_SEARCH = error(
     50718,
-    en="{word} in front of the start block: block search cannot measure",
+    en="{word} before the start block: block search cannot measure",
     de="{word} vor dem Startsatz: der Satzvorlauf kann nicht messen",
-    remedy_en="Skip the block (/{word}), or begin in front of it.",
+    remedy_en="Skip the block (/{word}), or begin before it.",
     remedy_de="Den Satz ausblenden (/{word}) oder vor ihm beginnen.",
     word=("G100 or G310", "G100 oder G310"),
     classes=(2, 7),
@@ -106,7 +106,7 @@ WRONG_MEASURING_AXES = error(
 CONTINUATION_WITHOUT_TYPE_3 = error(
     20772,
     known_as=(901704,),
-    en="G106 with measuring type {type}: only type 3 continues behind the signal",
+    en="G106 with measuring type {type}: only type 3 continues after the signal",
     de="G106 mit Messtyp {type}: nur Typ 3 fährt nach dem Signal weiter",
     remedy_en="Write #MEAS MODE [3] before the block.",
     remedy_de="Vor dem Satz #MEAS MODE [3] schreiben.",

@@ -106,7 +106,7 @@ SHARED_MEMORY_EXISTS = error(
     900349,
     en="shared memory {name} already exists",
     de="den gemeinsamen Speicher {name} gibt es schon",
-    remedy_en="Choose another name; if nobody uses the old one any more, remove it (/dev/shm).",
+    remedy_en="Choose another name; if the old one is no longer in use, remove it (/dev/shm).",
     remedy_de="Einen anderen Namen wählen; den alten, falls unbenutzt, entfernen (/dev/shm).",
 )
 SHARED_MEMORY_NOT_AVAILABLE = error(

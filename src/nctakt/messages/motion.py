@@ -43,7 +43,7 @@ ARC_IN_SPACE_DURING_COMPENSATION = error(
     22081,
     en="G303 while tool radius compensation is active",
     de="G303 bei aktiver Werkzeugradiuskorrektur",
-    remedy_en="Program the arc behind G40 and the motion that leaves the contour.",
+    remedy_en="Program the arc after G40 and the motion that leaves the contour.",
     remedy_de="Den Kreis hinter G40 und der Bewegung programmieren, die die Kontur verlässt.",
 )
 ARC_CENTRE_TOO_FAR_OFF = error(
@@ -137,9 +137,9 @@ CURVE_OUTSIDE_LIMITS = error(
 )
 CONTOUR_MODE_WHILE_ON = error(
     120698,
-    en="{mode} behind {before} while contouring is on",
+    en="{mode} after {before} while contouring is on",
     de="{mode} nach {before} bei eingeschaltetem Überschleifen",
-    remedy_en="Write G260 in front of the change, and G261 behind it.",
+    remedy_en="Write G260 before the change, and G261 after it.",
     remedy_de="Vor dem Wechsel G260 schreiben und dahinter G261.",
     mode=("the new mode", "der neue Modus"),
     before=("the mode before", "der Modus davor"),

@@ -25,7 +25,7 @@ VALUE_EXPECTED = error(
 )
 EQUALS_BEFORE_CONDITION = error(
     901041,
-    en="there is no '=' in front of what {word} tests",
+    en="there is no '=' before what {word} tests",
     de="vor dem, was {word} prüft, steht kein '='",
     remedy_en="Leave it out, as in $IF ONCE V.E.COUNT > 5.",
     remedy_de="Weglassen, wie in $IF ONCE V.E.COUNT > 5.",

@@ -44,7 +44,7 @@ PROJECT_NOT_TRUSTED = error(
     remedy_de="Bei Vertrauen: --trust, oder eine Zeile {folder} in {list}; oder die Datei selbst "
     "angeben.",
     cause_en="Code of a project counts only if it, the project file and their folders belong to "
-    "you or to root, and nobody else may write them.",
+    "you or to root, and no one else can write to them.",
     cause_de="Code eines Projekts zählt nur, wenn er, die Projektdatei und deren Ordner Ihnen oder "
     "root gehören und niemand sonst sie schreiben darf.",
     key=("the entry", "der Eintrag"),
@@ -57,7 +57,7 @@ PROJECT_NOT_TRUSTED = error(
 )
 PLC_NOT_RUN = note(
     902026,
-    en="the PLC of the project, {plc}, is not run: this command runs nobody's code",
+    en="the PLC of the project, {plc}, is not run: this command runs no code of others",
     de="die SPS des Projekts, {plc}, läuft nicht: Dieser Befehl führt keinen fremden Code aus",
     remedy_en="--plc {plc} runs it.",
     remedy_de="--plc {plc} lässt sie laufen.",

@@ -7,7 +7,8 @@ from nctakt.messages.catalogue import error, note, warning
 
 STEPS_BESIDE_TICKS = note(
     901460,
-    en="decoder and PLC work between two ticks: a tick begins behind the block or PLC call at work",
+    en="decoder and PLC work between two ticks: a tick begins after the block or PLC call that "
+    "is running",
     de="Dekoder und SPS arbeiten zwischen zwei Takten: ein Takt beginnt nach ihrem Schritt",
     remedy_en="The wake-up latency of the interpolation's thread shows what it costs.",
     remedy_de="Was es kostet, zeigt die Aufwachverzögerung des Interpolations-Threads.",

@@ -78,7 +78,7 @@ CYCLE_OPERATION_WITHOUT_RESULT = error(
     known_as=(21959,),
     en="'{operation}' in realtime cycle {cycle} has no valid result",
     de="'{operation}' im Echtzeit-Zyklus {cycle} hat kein gültiges Ergebnis",
-    remedy_en="Check the operands with $IF first; '=' stands for a result that is too large.",
+    remedy_en="Check the operands with $IF first; '=' means a result that is too large.",
     remedy_de="Die Operanden vorher mit $IF prüfen; '=' steht für ein zu großes Ergebnis.",
     cause_en="Division by zero, a root or logarithm out of range, or a result that is too large. "
     "The statement assigns nothing.",

@@ -50,7 +50,7 @@ THREAD_HARDLY_COMPLETES = warning(
 )
 THREAD_FALLS_BEHIND = warning(
     901471,
-    en="{thread} falls behind: {waiting} of {due} activations still wait at the end",
+    en="{thread} cannot keep up: {waiting} of {due} activations still wait at the end",
     de="{thread} kommt nicht nach: {waiting} von {due} Aktivierungen warten am Ende noch",
     remedy_en="Shorten its functions or those of threads with higher priority, or lengthen its "
     "cycle.",

@@ -47,7 +47,7 @@ INVALID_BROKER = error(
     901450,
     en="--mqtt needs a broker as mqtt://HOST[:PORT][/ROOT], not {text}",
     de="--mqtt braucht einen Broker der Form mqtt://HOST[:PORT][/WURZEL], nicht {text}",
-    remedy_en="mqtts:// uses TLS; user and password stand in {user} and {password}.",
+    remedy_en="mqtts:// uses TLS; user and password come from {user} and {password}.",
     remedy_de="mqtts:// verwendet TLS; Benutzer und Passwort stehen in {user} und {password}.",
     text=("the text, without what may be secret", "der Text, ohne was geheim sein kann"),
     user=("the environment variable of the user", "die Umgebungsvariable des Benutzers"),

@@ -36,7 +36,7 @@ CORNER_OFF = error(
 )
 CORNER_WITHOUT_MOTION = warning(
     20351,
-    en="no motion in front of the chamfer or rounding; nothing is inserted",
+    en="no motion before the chamfer or rounding; nothing is inserted",
     de="keine Bewegung vor der Fase oder Rundung; nichts wird eingefügt",
     remedy_en="Put G301 or G302 between two motions that no waiting separates.",
     remedy_de="G301 oder G302 zwischen zwei Bewegungen setzen, die kein Warten trennt.",
@@ -44,14 +44,14 @@ CORNER_WITHOUT_MOTION = warning(
 )
 CORNER_WITHOUT_NEXT_MOTION = warning(
     901610,
-    en="no motion behind the chamfer or rounding; nothing is inserted",
+    en="no motion after the chamfer or rounding; nothing is inserted",
     de="keine Bewegung hinter der Fase oder Rundung; nichts wird eingefügt",
-    remedy_en="Put a motion behind it that no waiting separates from the one in front.",
+    remedy_en="Program a motion directly after it, without anything that waits in between.",
     remedy_de="Dahinter eine Bewegung setzen, die kein Warten von der davor trennt.",
 )
 CORNER_BESIDE_MOTION = error(
     901611,
-    en="{word} stands in the block of {corner}, which lies between two motions",
+    en="{word} is in the block of {corner}, which belongs between two motions",
     de="{word} steht im Satz von {corner}, der zwischen zwei Bewegungen liegt",
     remedy_en="Put {corner} into a block of its own, or use #CHR or #RND in the block of a motion.",
     remedy_de="{corner} in einen eigenen Satz setzen oder #CHR oder #RND im Satz einer Bewegung "
@@ -61,7 +61,7 @@ CORNER_BESIDE_MOTION = error(
 )
 CORNER_FEED_WITHOUT_CORNER = error(
     901612,
-    en="#FRC stands in a block without chamfer or rounding",
+    en="#FRC is in a block without chamfer or rounding",
     de="#FRC steht in einem Satz ohne Fase oder Rundung",
     remedy_en="Write it beside G301, G302, #CHR, #CHF or #RND, or use F.",
     remedy_de="Neben G301, G302, #CHR, #CHF oder #RND schreiben oder F verwenden.",

@@ -7,7 +7,7 @@ from nctakt.messages.catalogue import error, note, warning
 
 SIGNAL_FORM = error(
     20998,
-    en="{command} needs SYN or brackets behind it; here is {found}",
+    en="{command} must be followed by SYN or brackets, not {found}",
     de="hinter {command} müssen SYN oder Klammern stehen; hier steht {found}",
     remedy_en="Possible forms: {forms}",
     remedy_de="Mögliche Formen: {forms}",
@@ -15,7 +15,7 @@ SIGNAL_FORM = error(
 )
 SIGNAL_NUMBER_TWICE = error(
     21056,
-    en="{keyword} stands twice in {command}",
+    en="{keyword} appears twice in {command}",
     de="{keyword} steht zweimal in {command}",
     remedy_en="Program a signal with one number; several signals need several commands.",
     remedy_de="Ein Signal mit einer Nummer programmieren; mehrere brauchen mehrere Befehle.",
@@ -89,7 +89,7 @@ SIGNAL_TARGET = error(
     de="P[…]= bei {command} braucht eine Variable, die den Wert aufnimmt",
     remedy_en="Name a variable or parameter: P[0]=V.P.NAME or P[0]=P1.",
     remedy_de="Eine Variable oder einen Parameter angeben: P[0]=V.P.NAME oder P[0]=P1.",
-    cause_en="The value of the signal goes from left to right, into what stands behind the =.",
+    cause_en="The value of the signal goes from left to right, into what follows the =.",
     cause_de="Der Wert des Signals geht von links nach rechts, in das, was hinter dem = steht.",
     classes=(2, 3),
 )
@@ -99,7 +99,7 @@ WAIT_SYN_WITH_VALUES = error(
     de="{command} SYN kann keine Signalparameter übernehmen",
     remedy_en="Leave SYN out: the decoder waits then, and has the values.",
     remedy_de="SYN weglassen: dann wartet der Dekoder und hat die Werte.",
-    cause_en="With SYN the interpolator waits; the blocks behind are decoded before.",
+    cause_en="With SYN the interpolator waits; the blocks after it are decoded before that.",
     cause_de="Mit SYN wartet der Interpolator; die Sätze dahinter sind schon dekodiert.",
 )
 SIGNAL_VALUE_NOT_SENT = error(
@@ -151,7 +151,7 @@ SIGNAL_NEVER_SENT = warning(
 )
 DEADLOCK = error(
     901506,
-    en="channel {channel} waits for ever since {since}: {awaited}",
+    en="channel {channel} has waited since {since} for something that cannot happen: {awaited}",
     de="Kanal {channel} wartet endlos seit {since}: {awaited}",
     remedy_en="{freed_by}",
     remedy_de="{freed_by}",

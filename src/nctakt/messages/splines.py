@@ -12,7 +12,7 @@ SPLINE_AT_LOOP = error(
     cases=by_beginning("command", {"#RT ENDWHILE": 22129}),
     en="{command} while a spline is active",
     de="{command}, während ein Spline aktiv ist",
-    remedy_en="Program #SPLINE OFF before it; #SPLINE ON may stand inside the loop.",
+    remedy_en="Program #SPLINE OFF before it; #SPLINE ON is allowed inside the loop.",
     remedy_de="Davor #SPLINE OFF programmieren; #SPLINE ON darf in der Schleife stehen.",
     command=("#RT WHILE or #RT ENDWHILE", "#RT WHILE oder #RT ENDWHILE"),
 )
@@ -38,7 +38,7 @@ NO_MOTION_BEFORE_SPLINE = error(
     120112,
     en="a spline that begins tangentially has no motion before",
     de="ein tangential beginnender Spline hat keine Bewegung davor",
-    remedy_en="Program a motion before it, behind #SPLINE TYPE, or #AKIMA TRANS [START=AUTO].",
+    remedy_en="Program a motion before it, after #SPLINE TYPE, or #AKIMA TRANS [START=AUTO].",
     remedy_de="Davor und nach #SPLINE TYPE eine Bewegung oder #AKIMA TRANS [START=AUTO] "
     "programmieren.",
     classes=(2, 6),
@@ -70,9 +70,10 @@ SPLINE_WITH_CONTOURING = error(
 )
 NO_MOTION_BEHIND_SPLINE = error(
     901620,
-    en="a spline that ends tangentially has no motion behind",
+    en="a spline that ends tangentially has no motion after it",
     de="ein tangential endender Spline hat keine Bewegung dahinter",
-    remedy_en="Program a motion behind it that no waiting separates, or #AKIMA TRANS [END=AUTO].",
+    remedy_en="Program a motion directly after it, without anything that waits in between, or "
+    "#AKIMA TRANS [END=AUTO].",
     remedy_de="Dahinter eine Bewegung ohne Warten dazwischen oder #AKIMA TRANS [END=AUTO] "
     "programmieren.",
 )

@@ -97,7 +97,7 @@ NOT_ROWS_OF_A_STUDY = error(
     de="{file} gibt es und enthält keine Zeilen einer Studie, deren Namen es trägt",
     remedy_en="Move the file, or write to another one with --out.",
     remedy_de="Die Datei verschieben oder mit --out in eine andere schreiben.",
-    cause_en="The rows of a study stand there until it is finished.",
+    cause_en="The rows of a study are kept there until it is finished.",
     cause_de="Dort stehen die Zeilen einer Studie, bis sie fertig ist.",
 )
 STUDY_INTERRUPTED = note(
@@ -122,7 +122,7 @@ UNKNOWN_PARAMETER_OF_STUDY = error(
     901312,
     en="{parameter} of {of}: {reason}",
     de="{parameter} von {of}: {reason}",
-    remedy_en="nctakt explain {parameter} says in which list it stands.",
+    remedy_en="nctakt explain {parameter} says which list has it.",
     remedy_de="In welcher Liste er steht, sagt nctakt explain {parameter}.",
     parameter=("the parameter's ID", "die ID des Parameters"),
     of=("the axis or channel", "die Achse oder der Kanal"),
@@ -169,7 +169,7 @@ UNKNOWN_THREAD = error(
     901391,
     en="the schedule has no thread or CPU {name}; nearest: {nearest}",
     de="der Ablaufplan hat keinen Thread und keine CPU {name}; am nächsten: {nearest}",
-    remedy_en="nctakt schedule show lists the threads; a name with a blank stands in quotes.",
+    remedy_en="nctakt schedule show lists the threads; put a name that contains a blank in quotes.",
     remedy_de="Die Threads zeigt nctakt schedule show; ein Name mit Leerzeichen steht in "
     "Anführungszeichen.",
     nearest=("the nearest one", "der nächste"),

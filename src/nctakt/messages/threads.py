@@ -11,7 +11,7 @@ THREAD_PITCH_MISSING = error(
     cases=by_beginning("word", {"I": 120175, "J": 120175}),
     en="{function} without a pitch: {word} has no value other than 0",
     de="{function} ohne Steigung: {word} hat keinen Wert außer 0",
-    remedy_en="Program the pitch of the axis with the longest way: I for X, J for Y, K for Z.",
+    remedy_en="Program the pitch of the axis with the longest travel: I for X, J for Y, K for Z.",
     remedy_de="Die Steigung der Achse mit dem längsten Weg angeben: I für X, J für Y, K für Z.",
     word=("the word of the pitch", "das Wort der Steigung"),
     classes=(2, 6),
@@ -33,7 +33,7 @@ THREAD_SPINDLE_STOPPED = error(
 )
 THREAD_WAY_TOO_SHORT = error(
     50206,
-    en="thread cutting (G33): spindle {spindle} is too slow for the way of a tick",
+    en="thread cutting (G33): spindle {spindle} is too slow for the travel in one tick",
     de="Gewindeschneiden (G33): Spindel {spindle} ist zu langsam für den Weg eines Takts",
     remedy_en="Program a higher speed or a larger pitch: at least 0.0000001 mm for each tick.",
     remedy_de="Eine höhere Drehzahl oder größere Steigung angeben: mindestens 0,0000001 mm je "
@@ -72,7 +72,7 @@ TAP_SPINDLE_TURNING = error(
     de="Gewindebohren mit Spindel {spindle}, die sich dreht",
     remedy_en="Stop the spindle before, with M05 or M19.",
     remedy_de="Die Spindel vorher anhalten, mit M05 oder M19.",
-    cause_en="The path turns the spindle: it has to stand when tapping begins.",
+    cause_en="The path turns the spindle: it must be at a standstill when tapping begins.",
     cause_de="Die Bahn dreht die Spindel: sie muss stehen, wenn das Gewindebohren beginnt.",
     classes=(6, 6),
 )
@@ -97,7 +97,7 @@ THREAD_REVERSED = error(
     901511,
     en="spindle {spindle} has reversed while a thread is cut",
     de="Spindel {spindle} hat beim Gewindeschneiden die Richtung gewechselt",
-    remedy_en="Reverse the spindle behind the thread.",
+    remedy_en="Reverse the spindle after the thread.",
     remedy_de="Die Drehrichtung hinter dem Gewinde wechseln.",
     classes=(6, 6),
 )

@@ -145,8 +145,8 @@ TOO_MANY_COMMANDS_IN_CONTOUR = error(
     remedy_en="Program a motion in the plane between them, or first leave the contour with G40.",
     remedy_de="Dazwischen eine Bewegung in der Ebene programmieren oder die Kontur vorher mit G40 "
     "verlassen.",
-    cause_en="The end of a motion of the contour is known only from the next motion, and what "
-    "stands between them waits for it.",
+    cause_en="The end of a motion of the contour is known only from the next motion, and "
+    "whatever is between them waits for it.",
     cause_de="Das Ende einer Bewegung der Kontur ergibt sich erst aus der nächsten, und was "
     "dazwischen steht, wartet darauf.",
     count=("the maximum number of commands", "die größte Anzahl von Befehlen"),

@@ -37,7 +37,7 @@ PARAMETER_DURING_TRANSFORMATION = error(
     21022,
     en="kinematic parameters of the tool cannot be changed while a transformation is active",
     de="Kinematikparameter des Werkzeugs sind bei aktiver Transformation nicht änderbar",
-    remedy_en="Program #TRAFO OFF before it, and #TRAFO ON behind it.",
+    remedy_en="Program #TRAFO OFF before it, and #TRAFO ON after it.",
     remedy_de="Davor #TRAFO OFF programmieren, dahinter wieder #TRAFO ON.",
 )
 NO_KINEMATIC_SELECTED = error(

@@ -74,7 +74,7 @@ UNREACHED = (
     ),
     _unreached(
         50874,
-        en="a realtime cycle has failed for a reason without a number of its own",
+        en="a realtime cycle has failed for a reason that has no number",
         de="ein Echtzeit-Zyklus ist aus einem Grund ohne eigene Nummer gescheitert",
         cause_en="In nctakt each fault of a realtime cycle has its number.",
         cause_de="In nctakt hat jeder Fehler eines Echtzeit-Zyklus seine Nummer.",
@@ -99,7 +99,7 @@ UNREACHED = (
     ),
     _unreached(
         50948,
-        en="an axis inside an active transformation cannot be moved on its own",
+        en="an axis inside an active transformation cannot be moved separately",
         de="eine Achse in einer aktiven Transformation kann nicht für sich bewegt werden",
         cause_en="nctakt refuses transformations when a program is checked, so that none is ever "
         "active.",

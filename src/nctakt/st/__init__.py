@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: MIT
+"""Structured Text: files of a PLC project -> a checked program."""

@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: MIT
+"""A checked PLC program: what the checker hands over to the runtime, the editor and documents."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from nctakt.base.dataclass import dataclass, field
+from nctakt.st.sources import Sources
+from nctakt.st.tree import GlobalList
+from nctakt.st.types import InterfaceType, Pou, Type, Variable
+
+
+@dataclass(slots=True, eq=False)
+class Task:
+    """A task with its programs in the order of their calls (ST-801 … 803)."""
+
+    name: str
+    cycle_us: int
+    priority: int
+    programs: list[Pou]
+
+
+@dataclass(slots=True, eq=False)
+class Program:
+    """A project: all that is declared, with layout; bodies with their names and types resolved.
+
+    The data area has ``data_size`` bytes: globals, VAR_STAT, and the instances of programs. What is
+    at offset 0 is never a variable, so that no address is null. ``has_errors``: it must not run.
+    ``initial_order``: the global variables in the order of their initialisation (ST-404), then
+    programs by ``pous``. ``blocks``: blocks and programs by number, from 1.
+    """
+
+    name: str
+    sources: Sources
+    pous: Mapping[str, Pou]  # by the name in lower case; those of libraries that are used, too
+    interfaces: Mapping[str, InterfaceType]
+    types: Mapping[str, Type]
+    lists: list[GlobalList]
+    tasks: list[Task]
+    data_size: int = 0
+    initial_order: list[Variable] = field(default_factory=list)
+    blocks: list[Pou] = field(default_factory=list)
+    has_errors: bool = False

@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: MIT
+"""Reports of mistakes in Structured Text: at positions of a project, within bounds.
+
+In: messages with positions of ``Sources``. Out: diagnostics with file, line, column and source
+line; each once for a position.
+"""
+
+from __future__ import annotations
+
+from nctakt.base.diagnostics import Message, Severity, Span
+from nctakt.messages import Collector
+from nctakt.st.sources import Sources
+
+
+class Reporter:
+    """Gathers the diagnostics of a project."""
+
+    def __init__(self, sources: Sources, collector: Collector) -> None:
+        self.sources = sources
+        self.collector = collector
+        self._known: set[tuple[int, int]] = set()
+        self.error_count = 0
+
+    def report(self, message: Message, start: int, end: int, **values: object) -> None:
+        """Report a message at a stretch of text, unless it was reported there."""
+        if (message.id, start) in self._known:
+            return
+        self._known.add((message.id, start))
+        if message.severity is Severity.ERROR:
+            self.error_count += 1
+        span = self.sources.span(start, end)
+        line = "" if span is None else self.sources.line(span.file, span.line)
+        self.collector.report(message, span, line, **values)
+
+    def report_file(self, message: Message, span: Span | None, **values: object) -> None:
+        """Report a message about a file."""
+        if message.severity is Severity.ERROR:
+            self.error_count += 1
+        line = "" if span is None else self.sources.line(span.file, span.line)
+        self.collector.report(message, span, line, **values)

@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: MIT
+"""Positions in the texts of a PLC project as single numbers, and back to file, line and column.
+
+In: the pieces of text (a plain file; declaration or implementation of an object in XML). Out: each
+character of the project has a number, from 1 on; 0 is no position. A position is shown by line and
+column in the file, and as the programming system shows it: object, part, and line in that part.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+
+from nctakt.base.dataclass import dataclass, field
+from nctakt.base.diagnostics import Span
+
+#: No position.
+NO_POSITION = 0
+
+
+@dataclass(slots=True, eq=False)
+class Piece:
+    """A piece of text: where its lines begin in the file.
+
+    ``offsets`` are those in ``text`` at which a line of the file, or a stretch of it, begins;
+    ``lines`` and ``columns``, both from 1, are where. ``title`` names object and part as the
+    programming system does, "" for plain text. ``base``: the position of its first character.
+    """
+
+    file: str
+    text: str
+    offsets: list[int]
+    lines: list[int]
+    columns: list[int]
+    title: str = ""
+    is_declaration: bool = False
+    base: int = 1
+
+    def locate(self, position: int) -> tuple[int, int]:
+        """Return line and column in the file."""
+        offset = position - self.base
+        index = bisect_right(self.offsets, offset) - 1
+        return self.lines[index], self.columns[index] + offset - self.offsets[index]
+
+
+@dataclass(slots=True, eq=False)
+class Sources:
+    """All pieces of a project, and the lines of their files."""
+
+    pieces: list[Piece] = field(default_factory=list)
+    lines: dict[str, list[str]] = field(default_factory=dict)
+    _bases: list[int] = field(default_factory=list)
+    _end: int = 1
+
+    def add(self, piece: Piece) -> Piece:
+        """Give a piece its numbers."""
+        piece.base = self._end
+        self._end += len(piece.text) + 1
+        self.pieces.append(piece)
+        self._bases.append(piece.base)
+        return piece
+
+    def piece_of(self, position: int) -> Piece | None:
+        """Return the piece of a position; ``None`` for ``NO_POSITION``."""
+        index = bisect_right(self._bases, position) - 1
+        return self.pieces[index] if index >= 0 else None
+
+    def span(self, start: int, end: int) -> Span | None:
+        """Return the span of a part of the text, which ends with its first line."""
+        piece = self.piece_of(start)
+        if piece is None:
+            return None
+        line, column = piece.locate(start)
+        last_line, last_column = piece.locate(max(start, end - 1))
+        if last_line != line:
+            return Span(piece.file, line, column, len(self.line(piece.file, line)) + 1)
+        return Span(piece.file, line, column, last_column + 1)
+
+    def line(self, file: str, number: int) -> str:
+        """Return a line of a file; empty if there is none."""
+        lines = self.lines.get(file, [])
+        return lines[number - 1] if 1 <= number <= len(lines) else ""

@@ -98,7 +98,7 @@ from nctakt.nc.vocabulary.functions import (
     WEIGHTS,
     group_of,
 )
-from nctakt.nc.vocabulary.spindle_commands import split
+from nctakt.nc.vocabulary.spindle_commands import SpindleCommand, split
 
 #: G functions for one block only.
 ONE_BLOCK = frozenset((EXACT_STOP_ONCE, CONTOURING_ONCE, NO_OVERRIDE, *INSERTIONS))
@@ -256,36 +256,58 @@ class BlockDecoder:
                     if word.name not in self._environment.axis_numbers:
                         self.orientation.check(word, numbers)
                     content.axes.append((word, value))
-                continue
-            if isinstance(word, tree.BracketCommand):
-                axis = self._environment.axis_numbers[word.name]
-                if is_fixed_stop(word):
-                    stop = yield from fixed_stop(self._values, word, axis, number)
-                    content.stops += ((word, stop),)
-                    continue
-                yield from self.path.feed_rate.override(word.items, number, axis)
-                continue
-            assert isinstance(word, tree.Word), word
-            if word.name == "G":
-                if word.additional is not None:
-                    additional = yield from self._values.evaluate(word.additional, number)
-                    self._additional(word, additional, content)
-                continue
-            if word.value is None:
-                self.path.splines.word(word.name)
-                continue
-            value = self._values.constant_value(word.value)
-            if value is None:
-                value = yield from self._values.evaluate(word.value, number)
-            extra = None
-            if word.additional is not None:
-                extra = yield from self._values.evaluate(word.additional, number)
-            if word.name == "R" and ROTATION_ON in numbers:
-                content.angle_deg = value
-            elif word.name in ("T", "D"):
-                yield from self.tools.word(word, value, number, content)
+            elif isinstance(word, tree.BracketCommand):
+                yield from self._axis_command(word, number, content)
             else:
-                self._word(word, value, extra, number, content)
+                assert isinstance(word, tree.Word), word
+                yield from self._evaluate(word, numbers, number, content)
+        yield from self._apply_functions(numbers, commands, number, content)
+        return content
+
+    def _axis_command(
+        self, word: tree.BracketCommand, number: int, content: BlockContent
+    ) -> Generator[Command, Answer]:
+        """Execute the fixed stop or the override of an axis, ``X[…]``."""
+        axis = self._environment.axis_numbers[word.name]
+        if is_fixed_stop(word):
+            stop = yield from fixed_stop(self._values, word, axis, number)
+            content.stops += ((word, stop),)
+        else:
+            yield from self.path.feed_rate.override(word.items, number, axis)
+
+    def _evaluate(
+        self, word: tree.Word, numbers: Mapping[int, Span], number: int, content: BlockContent
+    ) -> Generator[Command, Answer]:
+        """Evaluate the value of a word and its additional one, and process the word."""
+        if word.name == "G":
+            if word.additional is not None:
+                additional = yield from self._values.evaluate(word.additional, number)
+                self._additional(word, additional, content)
+            return
+        if word.value is None:
+            self.path.splines.word(word.name)
+            return
+        value = self._values.constant_value(word.value)
+        if value is None:
+            value = yield from self._values.evaluate(word.value, number)
+        extra = None
+        if word.additional is not None:
+            extra = yield from self._values.evaluate(word.additional, number)
+        if word.name == "R" and ROTATION_ON in numbers:
+            content.angle_deg = value
+        elif word.name in ("T", "D"):
+            yield from self.tools.word(word, value, number, content)
+        else:
+            self._word(word, value, extra, number, content)
+
+    def _apply_functions(
+        self,
+        numbers: Mapping[int, Span],
+        commands: Sequence[SpindleCommand],
+        number: int,
+        content: BlockContent,
+    ) -> Generator[Command, Answer]:
+        """Apply G functions and spindle commands that need the values of the other words."""
         if not MAP_FUNCTIONS.isdisjoint(numbers):
             self.frame.words(numbers, content)
         for function in COMPENSATIONS:
@@ -311,7 +333,6 @@ class BlockDecoder:
         content.interrupts = INTERRUPTIBLE in numbers
         content.measures = numbers.get(INTERRUPTIBLE, numbers.get(MEASURING))
         content.continues = MEASURING_CONTINUES in numbers
-        return content
 
     def _functions(self, numbers: Mapping[int, Span], content: BlockContent) -> None:
         """Execute the G functions of a block; modal ones take effect at once."""

@@ -229,7 +229,6 @@ class SpindleWords:
             self.values.fail(SLAVE_PROGRAMMED, command.span, axis=spindle.name, master=name)
         modal = self.modal.setdefault(index, _Modal())
         is_main = index == self.values.state.main_spindle
-        is_cutting = is_main and self.cutting.is_active
         if command.override is not None:
             modal.factor = yield from override_factor(self.values, command.override, number)
             if modal.function == SPINDLE_STOP:
@@ -237,28 +236,10 @@ class SpindleWords:
         if is_main:
             self.cutting.factor = modal.factor
         if command.speed is not None:
-            speed = yield from self._speed(command.speed, number)
-            if self._ignores_override and not command.name and not command.functions:
-                pass  # the value stands there for the form of the block only (208171531)
-            elif self._loads_gear:
-                span, is_turning = command.speed.span, modal.function in _DIRECTIONS
-                yield from self.gears.load(index, speed, span, number, turns=is_turning)
-                if not command.functions:
-                    return []
-            elif is_main and self.cutting.sets_limit:
-                span = command.speed.span
-                yield from self.cutting.set_limit(speed, index, span, number)
-                if not command.functions:
-                    return []
-            elif is_cutting:
-                self.cutting.surface = speed
-            else:
-                modal.speed = speed
-                stage = self.gears.chosen(index, speed, command.speed.span) if is_main else 0
-                if stage:
-                    yield from self.gears.change(index, stage, command.speed.span, number)
-                warn_of_speed(self.values, index, modal.speed, command.speed.span)
-        if is_cutting and self.cutting.surface > 0.0:
+            is_other_value = yield from self._take_speed(command, index, command.speed, number)
+            if is_other_value and not command.functions:
+                return []
+        if is_main and self.cutting.is_active and self.cutting.surface > 0.0:
             start, speed = self.cutting.start(index, command.span, number)
             modal.speed = speed / modal.factor
             yield start
@@ -266,26 +247,15 @@ class SpindleWords:
         if command.position is not None:
             position = yield from self.values.evaluate(command.position, number)
             modal.position = position
-        turns = [function for function in command.functions if function in _DIRECTIONS]
-        key = f"m{modal.function}"
-        if SPINDLE_POSITION in command.functions:
-            key, modal.function = "m19", SPINDLE_STOP
-            if modal.speed <= 0.0:
-                self.values.fail(M19_WITHOUT_SPEED, command.span)
-        elif command.functions:
-            modal.function = command.functions[0]
-            key = f"m{modal.function}"
-        elif modal.function == SPINDLE_STOP:
+        key = self._change_function(modal, command)
+        if not key:
             return []
-        else:
-            key = "s"
         function = SPINDLE_POSITION if key == "m19" else modal.function
-        direction = _DIRECTIONS[turns[0]] if turns else 0
         speed = 0.0 if function == SPINDLE_STOP else modal.speed * modal.factor
         if function in _DIRECTIONS:
             check_tool_range(self.values, index, speed, command.span)
         command.ignores_override = command.ignores_override or self._ignores_override
-        job = (function, speed, position, direction)
+        job = (function, speed, position, _direction(command))
         functions = self._job(command, number, (index, spindle, key), job)
         for slave in self.values.state.couplings.spindles(index):
             follower = self.values.environment.parameters.spindles[slave]
@@ -296,6 +266,44 @@ class SpindleWords:
             self.modal[slave] = replace(modal)
             functions += self._job(command, number, (slave, follower, key), job)
         return functions
+
+    def _take_speed(
+        self, command: SpindleCommand, index: int, expression: tree.Expression, number: int
+    ) -> Generator[Command, Answer, bool]:
+        """Take over the value of S; return whether it is a gear step or limit, and no speed."""
+        modal, span = self.modal[index], expression.span
+        is_main = index == self.values.state.main_spindle
+        speed = yield from self._speed(expression, number)
+        if self._ignores_override and not command.name and not command.functions:
+            return False  # the value is required by the form of the block only (208171531)
+        if self._loads_gear:
+            is_turning = modal.function in _DIRECTIONS
+            yield from self.gears.load(index, speed, span, number, turns=is_turning)
+            return True
+        if is_main and self.cutting.sets_limit:
+            yield from self.cutting.set_limit(speed, index, span, number)
+            return True
+        if is_main and self.cutting.is_active:
+            self.cutting.surface = speed
+            return False
+        modal.speed = speed
+        stage = self.gears.chosen(index, speed, span) if is_main else 0
+        if stage:
+            yield from self.gears.change(index, stage, span, number)
+        warn_of_speed(self.values, index, modal.speed, span)
+        return False
+
+    def _change_function(self, modal: _Modal, command: SpindleCommand) -> str:
+        """Make the function of a command modal; return the key of its job, "" if there is none."""
+        if SPINDLE_POSITION in command.functions:
+            modal.function = SPINDLE_STOP
+            if modal.speed <= 0.0:
+                self.values.fail(M19_WITHOUT_SPEED, command.span)
+            return "m19"
+        if command.functions:
+            modal.function = command.functions[0]
+            return f"m{modal.function}"
+        return "" if modal.function == SPINDLE_STOP else "s"
 
     def dwell_s(self, block: tree.Block, number: int) -> Generator[Command, Answer, float | None]:
         """Return the dwell time in s of ``G04 S10``, revolutions of the main spindle."""
@@ -430,9 +438,7 @@ def cycle_statement(
     function = next(
         (choice for choice in (SPINDLE_POSITION, SPINDLE_STOP) if choice in command.functions), 0
     )
-    turns = [turn for turn in command.functions if turn in _DIRECTIONS]
-    direction = _DIRECTIONS[turns[0]] if turns else 0
-    function = function or turns[0]
+    function = function or next(turn for turn in command.functions if turn in _DIRECTIONS)
     ticks = process_ticks(spindle.functions[f"m{function}"], values.environment.cycle_time_us)
     speed = _built(builder, command.speed)
     if command.speed is not None and speed.constant is not None:
@@ -440,8 +446,14 @@ def cycle_statement(
     position = _built(builder, command.position)
     source = values.environment.source_id(command.span)
     return CommandSpindle(
-        index, function, speed.node, position.node, direction, ticks, source, cost
+        index, function, speed.node, position.node, _direction(command), ticks, source, cost
     )
+
+
+def _direction(command: SpindleCommand) -> int:
+    """Return 1 for M3, -1 for M4; 0 if a command has neither."""
+    turns = (_DIRECTIONS[turn] for turn in command.functions if turn in _DIRECTIONS)
+    return next(turns, 0)
 
 
 def _built(builder: ExpressionBuilder, expression: tree.Expression | None) -> Operand:

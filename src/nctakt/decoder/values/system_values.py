@@ -46,6 +46,22 @@ Index = Callable[[Expression], float]
 
 #: Values of axes that are neither lengths nor angles.
 _WITHOUT_UNIT = ("MODE", "MERF", "RERF")
+#: Kinds of the offsets that are values of an axis.
+_OFFSETS = {
+    "SOFFS": codes.MANUAL_OFFSET,
+    "BZP": codes.ADD_ZERO_OFFSET,
+    "PZV": codes.CLAMP_OFFSET,
+    "MEIN": codes.MEASURE_OFFSET,
+    "NP_AKT.V": codes.ZERO_OFFSET,
+}
+#: Fields of ``Measured`` that are values of an axis.
+_MEASURED = {
+    "MESS": "value",
+    "MOFFS": "deviation",
+    "MEAS.ACS.VALUE": "acs_value",
+    "MEAS.PCS.VALUE": "pcs_value",
+    "MERF": "has_touched",
+}
 
 
 class SystemValues:
@@ -143,34 +159,18 @@ class SystemValues:
                 return axis.software_limit_low
             case "MODE":
                 return float(axis.mode)
-            case "SOFFS":
-                return offsets.value(index, codes.MANUAL_OFFSET)
             case "SELECTED_CS.TRANS":
                 return offsets.systems.shift[index]
-            case "BZP":
-                return offsets.value(index, codes.ADD_ZERO_OFFSET)
-            case "PZV":
-                return offsets.value(index, codes.CLAMP_OFFSET)
-            case "MESS":
-                return self._measured_by_probe(index).value
-            case "MOFFS":
-                return self._measured_by_probe(index).deviation
-            case "MEIN":
-                return offsets.value(index, codes.MEASURE_OFFSET)
-            case "MEAS.ACS.VALUE":
-                return self._measured_by_probe(index).acs_value
-            case "MEAS.PCS.VALUE":
-                return self._measured_by_probe(index).pcs_value
-            case "MERF":
-                return float(self._measured_by_probe(index).has_touched)
             case "MODULO_VALUE":
                 return axis.modulo_range
             case "WCS":
                 return self._state.wcs.get(index, 0.0)
             case "MCS":
                 return self._state.mcs.get(index, 0.0)
-            case "NP_AKT.V":
-                return offsets.value(index, codes.ZERO_OFFSET)
+        if subject in _OFFSETS:
+            return offsets.value(index, _OFFSETS[subject])
+        if subject in _MEASURED:
+            return float(getattr(self._measured_by_probe(index), _MEASURED[subject]))
         return None
 
     def _position(self, index: int) -> float:

@@ -159,6 +159,37 @@ def test_the_hli_rules_and_the_machines_variables(word: str, head: str, capsys: 
     assert capsys.readouterr().out.split("\n")[0] == head
 
 
+@pytest.mark.parametrize(
+    ("word", "head"),
+    [
+        (
+            "gpCh[1]^.bahn_state.program_end_r",
+            "gpCh[1]^.bahn_state.program_end_r: element of the interface to the PLC",
+        ),
+        (
+            "HLI_Global_Variables.gpAx[0]^.ipo_mc_control.override.command_w",
+            "gpAx[0]^.ipo_mc_control.override.command_w: element of the interface",
+        ),
+        ("backward_storage_off", "gpCh[]^.bahn_mc_control.backward_storage_off: element of"),
+        ("mc_control_bool_unit", "MC_CONTROL_BOOL_UNIT: structure of the interface"),
+        ("HLI_IMCM_MDI_MODE", "HLI_IMCM_MDI_MODE: constant of the PLC's library"),
+        ("MC_Halt", "MC_Halt: function block of the PLC's library"),
+    ],
+)
+def test_the_interface_as_the_controller_names_it(word: str, head: str, capsys: Captured) -> None:
+    """Paths with any index, elements by their last name, structures, constants, blocks."""
+    assert main(["explain", word]) == 0
+    assert capsys.readouterr().out.startswith(head)
+
+
+def test_an_unknown_path_suggests_the_nearest_and_a_part_finds_all(capsys: Captured) -> None:
+    """902100 names what is unknown; a part of a name lists the elements that have it."""
+    assert main(["explain", "gpCh[0]^.bahn_state.programm_end_r"]) == 2
+    assert "Did you mean gpCh[0]^.bahn_state.program_end_r?" in capsys.readouterr().err
+    assert main(["explain", "dyn_pos_lim"]) == 0
+    assert "gpAx[]^.ipo_mc_control.dyn_pos_limit_low " in capsys.readouterr().out
+
+
 def test_a_variable_of_another_machine(capsys: Captured, tmp_path: Path) -> None:
     """``--machine`` says whose; an unknown one is told with the nearest (900541, 901006)."""
     assert main(["new", str(tmp_path / "m"), "--quiet"]) == 0

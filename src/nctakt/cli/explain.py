@@ -22,9 +22,11 @@ from nctakt.cli.json_documents import as_json, plain
 from nctakt.cli.language import language_option
 from nctakt.cli.running import FORMAT_OPTION
 from nctakt.cli.terminal import print_diagnostics, show_at_the_end
+from nctakt.hli.table import find
 from nctakt.messages import diagnostic
 from nctakt.messages.explaining import MISSPELLED_TOPIC, UNKNOWN_TOPIC
 from nctakt.reference.article import Article
+from nctakt.reference.elements import is_path
 from nctakt.reference.layout import article_lines, list_lines, topic_lines
 from nctakt.reference.topics import TOPICS, explain, nearest_word, search, topic
 
@@ -47,6 +49,7 @@ Exit codes: 0 all words are known, 2 a word is unknown, 3 an internal error.
 \b
   nctakt explain 22009
   nctakt explain P-CHAN-00425 V.RTA.ACS.ACT_POS.X RC-105 hli_axis.command
+  nctakt explain "gpCh[0]^.bahn_state.program_end_r" backward_motion
   nctakt explain V.E.DOOR --machine mymachine
   nctakt explain "cannot be written"
   nctakt explain "#RT CYCLE" ONCE --lang de
@@ -166,6 +169,11 @@ def _lines(answer: _Answer, language: Language) -> Iterator[str]:
 
 
 def _unknown(word: str) -> Diagnostic:
+    if is_path(word):
+        try:
+            find(word)
+        except Failure as failure:
+            return failure.diagnostics[0]
     near = nearest_word(word)
     if near:
         return diagnostic(MISSPELLED_TOPIC, word=word, nearest=near)

@@ -10,6 +10,7 @@ from __future__ import annotations
 from nctakt.base.diagnostics import Language
 from nctakt.base.misspelling import nearest
 from nctakt.reference.article import Article, Topic
+from nctakt.reference.elements import ELEMENTS
 from nctakt.reference.interface import HLI
 from nctakt.reference.language import EXPRESSIONS, KEYWORDS_TOPIC, WORDS
 from nctakt.reference.messages import MESSAGES
@@ -29,6 +30,7 @@ TOPICS: tuple[Topic, ...] = (
     KEYWORDS_TOPIC,
     RULES_TOPIC,
     HLI,
+    ELEMENTS,
 )
 
 

@@ -11,6 +11,7 @@ import threading
 from collections import defaultdict
 from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import replace
 from functools import partial
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from importlib.util import find_spec
@@ -23,6 +24,7 @@ from runs_to_draw import PART, drawn
 
 from nctakt import Plc, after
 from nctakt.results.run import Run
+from nctakt.results.timeline_branches import branch_tracks
 
 pytestmark = pytest.mark.slow
 
@@ -65,8 +67,11 @@ def test_a_vcd_file_has_signals_blocks_cycles_and_functions(tmp_path: Path) -> N
     found = changes(tmp_path / "one.vcd")
     assert found["functions.M100"] == [(0, "0"), (50_000, "1"), (71_000, "0")]
     assert found["cycles.cycle_17.reaction_line_2"] == [(0, "0"), (50_000, "1"), (51_000, "0")]
+    once = found["cycles.cycle_17.condition_line_2"]
+    assert once == [(0, "0"), (50_000, "1"), (51_000, "x")]
     held = found["cycles.cycle_17.condition_line_5"]
-    assert held[1:] == found["cycles.cycle_17.reaction_line_5"][1:]
+    assert held[:-1] == found["cycles.cycle_17.reaction_line_5"][:-1]
+    assert held[-1] == (found["cycles.cycle_17.reaction_line_5"][-1][0], "x")
     assert found["program.block"][0][1] == r"N10\x20G00\x20X20\x20Y5"
     position = found["signals.X.ACS.ACT_POS"]
     assert position[1] == (1000, pytest.approx(0.002))
@@ -88,7 +93,7 @@ def test_gtkwave_reads_the_vcd_file(tmp_path: Path) -> None:
         subprocess.run([back, names[1]], check=True, stdout=file)
     before, after_it = changes(tmp_path / "part.vcd"), changes(tmp_path / "again.vcd")
     assert before.keys() == after_it.keys()
-    for name in ("functions.M100", "signals.X.ACS.ACT_POS"):
+    for name in ("functions.M100", "signals.X.ACS.ACT_POS", "cycles.cycle_17.condition_line_2"):
         assert before[name][1:] == after_it[name][-len(before[name]) + 1 :]
 
 
@@ -150,15 +155,37 @@ WHY_NOT = {
 
 
 def test_a_vcd_file_says_why_a_reaction_never_ran(tmp_path: Path) -> None:
-    """Conditions that were never true have a wire that stays low, and the reason as a text."""
+    """Conditions that were never true have a wire, and the reason as a text.
+
+    It is 0 where they were evaluated, x where they were not: line 5 lies in a body that did not
+    run, the cycle with line 13 was not started.
+    """
     drawn(IDLE).write_vcd(tmp_path / "part.vcd")
     found = changes(tmp_path / "part.vcd")
+    end_us = found["cycles.cycle_1.reaction_line_8"][-1][0]  # the $ELSE ran in each tick
+    shown = {3: [(0, "0"), (end_us, "x")], 5: [(0, "x")], 13: [(0, "x")]}
     for line, reason in WHY_NOT.items():
         scope = f"cycles.cycle_{2 if line == 13 else 1}"
-        for kind in ("condition", "reaction"):
-            assert found[f"{scope}.{kind}_line_{line}"] == [(0, "0")]
+        assert found[f"{scope}.reaction_line_{line}"] == [(0, "0")]
+        assert found[f"{scope}.condition_line_{line}"] == shown[line]
         assert found[f"{scope}.why_not_line_{line}"][-1] == (0, reason.replace(" ", r"\x20"))
     assert not any("line_8" in name and "reaction" not in name for name in found)
+
+
+def test_what_is_not_kept_any_more_is_shown_as_unknown() -> None:
+    """Of a history with older changes left out nothing is said before the oldest one kept."""
+    why = drawn(PART.replace("ONCE V.RTA", "V.RTA")).why
+    assert why is not None
+    (cycle,) = why.cycles
+    branch = cycle.branches[0]
+    change = branch.condition.changes[-1]
+    condition = replace(branch.condition, changes=(change,), changes_left_out=1)
+    bodies = replace(branch.bodies, left_out=1)
+    forgetful = replace(branch, condition=condition, bodies=bodies)
+    report = replace(why, cycles=(replace(cycle, branches=(forgetful,)),))
+    shown, ran = branch_tracks(report)
+    assert shown.known[0][0] == change.tick * why.cycle_time_us > 0
+    assert ran.known[0][0] == bodies.series[0].first_tick * why.cycle_time_us > 0
 
 
 @pytest.mark.parametrize("kind", ["condition", "reaction"])

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import heapq
 import importlib.util
+import itertools
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import Any, Literal
@@ -23,6 +24,7 @@ Value = int | float | str
 #: pyvcd's name for each kind of variable, its size in bits, its first value.
 _KINDS: dict[str, tuple[str, int | None, Value]] = {
     "wire": ("wire", 1, 0),
+    "truth": ("wire", 1, "x"),
     "text": ("string", None, ""),
     "integer": ("integer", 64, 0),
     "real": ("real", None, 0.0),
@@ -33,12 +35,12 @@ _KINDS: dict[str, tuple[str, int | None, Value]] = {
 class VcdVariable:
     """A variable: its scopes from the outermost to the innermost, its name, its changes.
 
-    ``changes``: time and value, in the order of time.
+    ``changes``: time and value, in the order of time. A wire is low at first, a truth unknown.
     """
 
     scope: tuple[str, ...]
     name: str
-    kind: Literal["wire", "text", "integer", "real"]
+    kind: Literal["wire", "truth", "text", "integer", "real"]
     changes: Iterable[tuple[int, Value]]
 
 
@@ -97,6 +99,23 @@ def levels(times: Sequence[tuple[int, int]]) -> Iterator[tuple[int, Value]]:
     for begin, end in times:
         yield begin, 1
         yield end, 0
+
+
+def truths(
+    known: Iterable[tuple[int, int]], times: Sequence[tuple[int, int]]
+) -> Iterator[tuple[int, Value]]:
+    """Yield the changes of a truth: high in ``times``, else low where it is ``known``, else x."""
+    steps: list[tuple[int, int, int]] = []
+    for weight, spans in ((1, merged([*known, *times])), (2, times)):
+        for begin, end in spans:
+            steps += ((begin, 1, weight), (end, 0, -weight))
+    shown, weights = "x", 0
+    for time, group in itertools.groupby(sorted(steps), key=lambda step: step[0]):
+        weights += sum(weight for _, _, weight in group)
+        value = "1" if weights > 1 else "0" if weights else "x"
+        if value != shown:
+            yield time, value
+        shown = value
 
 
 def apart(times: Iterable[tuple[int, int]], gap: int) -> list[tuple[int, int]]:

@@ -14,7 +14,7 @@ from pathlib import Path
 
 import numpy
 
-from nctakt.files.vcd import VcdVariable, apart, levels, merged, write_vcd_file
+from nctakt.files.vcd import VcdVariable, apart, levels, merged, truths, write_vcd_file
 from nctakt.results.timeline import Timeline, Track, TrackKind
 from nctakt.trace.recorded import Trace
 
@@ -39,7 +39,7 @@ def _tracks(timeline: Timeline) -> Iterator[VcdVariable]:
             yield VcdVariable(cycle, "state", "text", _texts(track))
         elif track.kind in ("condition", "reaction"):
             name = f"{track.kind}_line_{track.span.line if track.span else 0}"
-            yield VcdVariable(cycle, name, "wire", levels(apart(merged(times), GAP_US)))
+            yield _truth(track, (*cycle, name), apart(merged(times), GAP_US), timeline.begin_us)
             if track.why_not.en and track.kind == "reaction":
                 line = track.span.line if track.span else 0
                 reason = [(timeline.begin_us, track.why_not.en)]
@@ -53,6 +53,19 @@ def _tracks(timeline: Timeline) -> Iterator[VcdVariable]:
         else:
             scopes = ("program", *filter(None, (_plain(track.label),)))
             yield VcdVariable(scopes, track.kind, "text", _texts(track))
+
+
+def _truth(
+    track: Track, names: tuple[str, ...], times: list[tuple[int, int]], begin_us: int
+) -> VcdVariable:
+    """Return a condition, or a reaction: x where a condition was not evaluated.
+
+    Also before the older ticks of which nothing is kept any more.
+    """
+    *scope, name = names
+    if track.kind == "reaction" and all(first <= begin_us for first, _ in track.known):
+        return VcdVariable(tuple(scope), name, "wire", levels(times))
+    return VcdVariable(tuple(scope), name, "truth", truths(track.known, times))
 
 
 def _separated(times: list[tuple[int, int]]) -> list[tuple[int, int]]:

@@ -62,7 +62,8 @@ class Track:
 
     ``text``: the source line of a condition or reaction. ``left_out``: older slices that were not
     kept. ``why_not``: why a condition was never true or a reaction never ran, which then has no
-    slices. Only slices of channels, of functions and of moments may overlap.
+    slices. ``known``: when a condition was evaluated, and since when it is kept whether a body
+    ran, in microseconds. Only slices of channels, of functions and of moments may overlap.
     """
 
     kind: TrackKind
@@ -73,6 +74,7 @@ class Track:
     text: str = ""
     left_out: int = 0
     why_not: Text = Text("", "")
+    known: tuple[tuple[int, int], ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -32,6 +32,8 @@ class _Branch:
     condition: str
     truths: list[Slice] = field(default_factory=list)
     bodies: list[Slice] = field(default_factory=list)
+    evaluated: list[tuple[int, int]] = field(default_factory=list)
+    kept: list[tuple[int, int]] = field(default_factory=list)
     truths_left_out: int = 0
     bodies_left_out: int = 0
     why_not: Text = Text("", "")
@@ -58,6 +60,8 @@ def branch_tracks(why: WhyReport, *, idle: bool = False) -> Iterator[Track]:
             )
             own.truths += _truths(branch, why)
             own.bodies += _bodies(branch, why)
+            own.evaluated += _evaluated(branch, why)
+            own.kept.append(_kept(branch, why))
             own.truths_left_out += branch.condition.changes_left_out
             own.bodies_left_out += branch.bodies.left_out
             if idle:
@@ -65,17 +69,42 @@ def branch_tracks(why: WhyReport, *, idle: bool = False) -> Iterator[Track]:
                 own.why_not = Text(*reasons)
     for own in branches.values():
         if own.truths or (idle and own.condition and not own.bodies):
-            yield _track(own, "condition", own.truths, own.truths_left_out)
+            yield _track(own, "condition", own.truths, own.truths_left_out, own.evaluated)
     for own in branches.values():
         if own.bodies or idle:
-            yield _track(own, "reaction", own.bodies, own.bodies_left_out)
+            begin_us, end_us = max(own.kept)
+            yield _track(own, "reaction", own.bodies, own.bodies_left_out, [(begin_us, end_us)])
 
 
-def _track(own: _Branch, kind: TrackKind, slices: list[Slice], left_out: int) -> Track:
+def _track(
+    own: _Branch,
+    kind: TrackKind,
+    slices: list[Slice],
+    left_out: int,
+    known: list[tuple[int, int]],
+) -> Track:
     ordered = tuple(sorted(slices, key=lambda item: item.begin_us))
     label = f"{own.group}: {own.span.line}"
     why_not = Text("", "") if slices else own.why_not
-    return Track(kind, label, ordered, own.group, own.span, own.text, left_out, why_not)
+    places = own.group, own.span, own.text
+    return Track(kind, label, ordered, *places, left_out, why_not, tuple(sorted(known)))
+
+
+def _evaluated(branch: BranchHistory, why: WhyReport) -> Iterator[tuple[int, int]]:
+    """Yield when the condition was evaluated, as far as it is kept with which truth."""
+    condition = branch.condition
+    first_tick = condition.changes[0].tick if condition.changes_left_out else why.first_tick
+    for series in branch.evaluated.series:
+        if series.last_tick >= first_tick:
+            begin_tick = max(series.first_tick, first_tick)
+            yield begin_tick * why.cycle_time_us, (series.last_tick + 1) * why.cycle_time_us
+
+
+def _kept(branch: BranchHistory, why: WhyReport) -> tuple[int, int]:
+    """Return since when it is kept in which ticks the body ran, and the end of the run."""
+    bodies = branch.bodies
+    first_tick = bodies.series[0].first_tick if bodies.left_out else why.first_tick
+    return first_tick * why.cycle_time_us, (why.first_tick + why.ticks) * why.cycle_time_us
 
 
 def _bodies(branch: BranchHistory, why: WhyReport) -> Iterator[Slice]:

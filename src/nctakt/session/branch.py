@@ -107,6 +107,13 @@ class Branch:
             return self.parent.last_event(requested, min(before, self.first_tick))
         return -1 if found is None else found
 
+    def ticks_between(self, requested: EventFilter, after: int, before: int) -> list[int]:
+        """Return the ticks behind one, and before another one, that have such events."""
+        found: list[int] = []
+        if self.parent is not None and after + 1 < self.first_tick:
+            found = self.parent.ticks_between(requested, after, min(before, self.first_tick))
+        return found + self.record.ticks_between(requested, after, before)
+
 
 def index_of(inputs: Sequence[Input], tick: int) -> int:
     """Return the index of the first input of a tick or a later one, of inputs in their order."""

@@ -42,7 +42,7 @@ from nctakt.session.happened import MAX_EVENTS, Happened, SignalRows
 from nctakt.session.rest import LOOK_TICKS, PAUSED, rest
 from nctakt.session.schedules import EngineSchedule
 from nctakt.session.setup import Description, Inventory, Setup
-from nctakt.session.stops import EventFilter, StopAt, StopBuilder
+from nctakt.session.stops import EventFilter, StopAt, StopBuilder, read_stop
 from nctakt.session.trail import Mark, Trail, now_us
 from nctakt.trace.events import Event
 
@@ -102,6 +102,16 @@ def joined(first: Slice, second: Slice) -> Slice:
     )
 
 
+def since_tick(done: Slice, tick: int, cycle_us: int) -> Slice:
+    """Return a slice, whose events begin at a tick, with nothing of the ticks before it."""
+    return replace(
+        done,
+        first_tick=max(tick, done.first_tick),
+        messages=tuple(one for one in done.messages if one.time_us >= tick * cycle_us),
+        inputs=tuple(one for one in done.inputs if one.tick >= tick),
+    )
+
+
 @dataclass(frozen=True, slots=True)
 class BranchState:
     """A branch of a realtime cycle at this tick.
@@ -153,6 +163,7 @@ class Engine:
         self._machine = machine = AssembledMachine(configuration, access)
         machine.report = self._diagnostics.append
         self._signals = machine.signals()
+        self._cycle_us = configuration.cycle_time_us
         self._loop = TickLoop(machine, self._diagnostics.append, None)
         self._happened = Happened()
         self._trail = Trail(machine.memory)
@@ -283,10 +294,13 @@ class Engine:
         events: bool = True,
         marks: Sequence[int] | None = (),
         rests: bool = False,
+        since: int | None = None,
     ) -> Slice:
         """Run up to tick ``end``, to the first tick in which a stop holds, or to the run's end.
 
         Without ``events`` the slice has none; the next one that has any brings them along.
+        ``since``, not before the next tick: where the slice begins; what has happened before is
+        forgotten, but for diagnostics.
         ``marks``: where the slice has marks; ``None``: the ticks run for the first time, there are
         as many as it takes, and the rows of events. ``rests``: also to where no stop can hold any
         more by itself.
@@ -295,6 +309,8 @@ class Engine:
             self._watch(stops)
         self._stop_builder.watch_pauses(PAUSED if rests else None)
         first = self.tick
+        if since is not None:
+            self._happened.begin(since)
         # Before the first tick no program has begun.
         resting = rest(self._machine, self._loop, stops) if rests and first else ()
         if resting:
@@ -314,7 +330,8 @@ class Engine:
             if is_there or resting or self.tick >= end:
                 break
         done = self._slice(first, hits, events=events or is_there or bool(resting), resting=resting)
-        return replace(done, marks=tuple(found), rows=self._trail.take())
+        done = replace(done, marks=tuple(found), rows=self._trail.take())
+        return done if since is None else since_tick(done, since, self._cycle_us)
 
     @property
     def _next_look(self) -> int:
@@ -343,18 +360,24 @@ class Engine:
     def _repeat(self, end: int, marks: Sequence[int], found: list[Mark]) -> bool:
         """Run ticks again, with these marks on the way; return as ``advance``."""
         for tick in marks:
-            if self._run.state is None and self._run.advance(tick):
+            is_stopped = self._run.state is None and self._run.advance(tick)
+            if not is_stopped or self.tick == tick:
+                found.append(self._mark())
+            if is_stopped:
                 return True
-            found.append(self._mark())
         return self._run.advance(end)
 
     def _mark(self) -> Mark:
         return self._trail.mark(self.tick, is_over=self._run.state is not None)
 
     def last_hit(self, end: int, stops: Sequence[StopAt], marks: Sequence[int]) -> Found:
-        """Run up to tick ``end`` past all stops; return the last tick behind which one has held."""
+        """Run up to tick ``end`` past all stops; return the last tick behind which one has held.
+
+        The events of these ticks are only digested, so that the search is no slower than a run.
+        """
         if stops != self._stops:
             self._watch(stops)
+            self._loop.recording.remove(self._happened)
         self._stop_builder.watch_pauses(None)
         found: list[Mark] = []
         self._repeat(end, marks, found)
@@ -369,9 +392,20 @@ class Engine:
         self._stop_builder.watch(stops)
         self._stops = stops
 
-    def check_stops(self, stops: Sequence[StopAt]) -> None:
-        """Raise ``Failure`` with the mistakes of stops."""
-        self._stop_builder.check(stops)
+    def read_stops(self, stops: Sequence[StopAt | str]) -> tuple[StopAt, ...]:
+        """Return stops, some given as texts; raises ``Failure`` with all mistakes of them."""
+        read: list[StopAt] = []
+        mistakes: list[Diagnostic] = []
+        for stop in stops:
+            try:
+                read.append(stop if isinstance(stop, StopAt) else read_stop(stop))
+                self._stop_builder.check(read[-1:])
+            except Failure as failure:
+                mistakes += failure.diagnostics
+        if mistakes:
+            raise Failure(*mistakes)
+        self._stop_builder.check(read)
+        return tuple(read)
 
     def _slice(
         self,

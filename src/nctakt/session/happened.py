@@ -11,7 +11,7 @@ from collections.abc import Sequence
 
 from nctakt.base.diagnostics import Span
 from nctakt.kernel import rows
-from nctakt.trace.chunks import latest_of_channels, of_kinds
+from nctakt.trace.chunks import latest_of_channels, of_kinds, since_tick
 from nctakt.trace.events import Event
 from nctakt.trace.recorded import EventList
 from nctakt.trace.sinks import TraceHeader
@@ -28,6 +28,7 @@ class Happened:
     def __init__(self) -> None:
         self._chunks: deque[Sequence[Event]] = deque()
         self._count = 0
+        self._since = 0
         self.left_out = 0
         self.blocks: dict[int, Span] = {}
         self.calls: dict[int, int] = {}
@@ -44,6 +45,7 @@ class Happened:
             if event.span is not None:
                 self.blocks[max(event.channel, 1)] = event.span
                 self.calls[max(event.channel, 1)] = int(calls)
+        events = since_tick(events, self._since)
         self._chunks.append(events)
         self._count += len(events)
         while self._count - len(self._chunks[0]) >= MAX_EVENTS:
@@ -53,6 +55,12 @@ class Happened:
 
     def close(self) -> None:
         """Do nothing."""
+
+    def begin(self, since: int) -> None:
+        """Forget all events before a tick, which is the next one or comes later."""
+        self._chunks.clear()
+        self._count = self.left_out = 0
+        self._since = since
 
     def take(self) -> tuple[list[Event], int]:
         """Return the latest events, and how many there were before them."""

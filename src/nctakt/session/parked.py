@@ -24,11 +24,15 @@ class Parked:
 
 
 class ParkedControllers:
-    """All parked controllers; ``filler``: one on its way to where another one is missing."""
+    """All parked controllers; ``filler``: one on its way to where another one is missing.
+
+    ``candidate``: one of which it is not known yet whether it is right.
+    """
 
     def __init__(self) -> None:
         self._parked: list[Parked] = []
         self.filler: Parked | None = None
+        self.candidate: Parked | None = None
 
     def __len__(self) -> int:
         return len(self._parked)
@@ -55,6 +59,26 @@ class ParkedControllers:
         """Return the last one at or before a tick of a branch."""
         return next(reversed(self.before(branch, tick)), None)
 
+    def before_by(self, branch: Branch, tick: int, work_us: float) -> Parked | None:
+        """Return the last one that is before a tick of a branch by some work, else the first."""
+        latest_us = branch.work_at(tick) - work_us
+        before = self.before(branch, tick)
+        far = [one for one in before if one.work_us <= latest_us]
+        return next(iter(far[-1:] or before), None)
+
+    def keep_candidate(self, present_us: float) -> None:
+        """Park the candidate, which is right, seen from a present."""
+        if self.candidate is not None:
+            self.add(self.candidate)
+            self.candidate = None
+            self.thin_out(present_us)
+
+    def give_up_candidate(self) -> None:
+        """Close the candidate."""
+        if self.candidate is not None:
+            self.candidate.engine.close()
+            self.candidate = None
+
     def give_up_filler(self) -> None:
         """Close the one on its way."""
         if self.filler is not None:
@@ -64,6 +88,7 @@ class ParkedControllers:
     def close(self) -> None:
         """Close all of them."""
         self.give_up_filler()
+        self.give_up_candidate()
         for parked in self._parked:
             parked.engine.close()
         self._parked.clear()

@@ -180,10 +180,21 @@ class BranchRecord:
         """Return the last tick before another one that has such an event, ``None`` without."""
         for events in self._backward():
             count = int(np.searchsorted(events[:, rows.EVENT_TICK], before))
-            found = requested.last_row(events[:count])
-            if found is not None:
-                return int(events[found, rows.EVENT_TICK])
+            found = requested.rows(events[:count])
+            if len(found):
+                return int(events[found[-1], rows.EVENT_TICK])
         return None
+
+    def ticks_between(self, requested: EventFilter, after: int, before: int) -> list[int]:
+        """Return the ticks behind one, and before another one, that have such events."""
+        found: list[NDArray[np.float64]] = []
+        for events in self._backward():
+            ticks = events[:, rows.EVENT_TICK]
+            first, end = np.searchsorted(ticks, (after + 1, before))
+            found.append(ticks[first:end][requested.rows(events[first:end])])
+            if first > 0:
+                break
+        return sorted({int(tick) for ticks in found for tick in ticks})
 
     def close(self) -> None:
         """Give the file back."""

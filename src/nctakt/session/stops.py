@@ -165,8 +165,8 @@ class EventFilter:
             return BlockUpToDepth(int(channel), self.max_depth, guard, count)
         return Happens(self.kinds, array("d", self.lowest), array("d", self.highest), guard, count)
 
-    def last_row(self, events: NDArray[np.float64]) -> int | None:
-        """Return the last of some rows of events that it takes."""
+    def rows(self, events: NDArray[np.float64]) -> NDArray[np.int64]:
+        """Return the indexes of those rows of events that it takes."""
         kinds = events[:, rows.EVENT_KIND].astype(np.int64)
         taken = (self.kinds >> kinds & 1).astype(bool)
         for column, (low, high) in enumerate(zip(self.lowest, self.highest, strict=True)):
@@ -179,7 +179,13 @@ class EventFilter:
             is_last = np.append(ticks[1:] != ticks[:-1], [True] if len(ticks) else [])
             found = found[is_last.astype(bool)]
             found = found[events[found, rows.EVENT_C] <= self.max_depth]
-        return int(found[-1]) if len(found) else None
+        return found
+
+
+#: Any block that becomes current.
+BLOCKS = EventFilter(
+    1 << rows.EVENT_BLOCK, (-math.inf,) * rows.EVENT_WIDTH, (math.inf,) * rows.EVENT_WIDTH
+)
 
 
 class _Bounds:

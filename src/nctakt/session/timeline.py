@@ -22,6 +22,7 @@ from nctakt.messages.real_schedule import REAL_SCHEDULE_HAS_NO_PAST
 from nctakt.messages.session import NO_SUCH_BRANCH, TICK_NOT_REACHED
 from nctakt.run.inputs import PLC, SCHEDULE, Input, in_order
 from nctakt.session.branch import Branch, index_of
+from nctakt.session.confirmed import Confirmed
 from nctakt.session.engine import Slice, joined
 from nctakt.session.parked import Parked, ParkedControllers
 from nctakt.session.parking import DENSE_US, SPARSE_US, approach, first_gap
@@ -35,7 +36,7 @@ from nctakt.session.record import (
 )
 from nctakt.session.schedules import CLOSE, RESTART, TABLE
 from nctakt.session.setup import Setup
-from nctakt.session.stops import StopAt
+from nctakt.session.stops import BLOCKS, StopAt
 from nctakt.session.workshop import RemoteEngine, Workshop
 
 #: Ticks, and marks, between two calls of ``poll`` while the past is run again.
@@ -47,6 +48,16 @@ REFINED_US = 20_000.0
 
 #: How far behind a moment that somebody has travelled to controllers are parked at once, in us.
 FAR_US = 100_000.0
+
+#: Ticks before a moment whose events come with the arrival there.
+ARRIVAL_TICKS = 100
+
+#: Steps back, or on, by blocks and by ticks, that need no proof of their own after another one.
+NEAR_TICKS = 8
+
+#: Work of the latest stretch that a search runs again, in microseconds; each other one is at least
+#: twice as long as the one behind it.
+SEARCHED_US = 4.0 * DENSE_US
 
 #: How often a stop may hold that only notes when it did last.
 _NEVER = 1 << 60
@@ -79,7 +90,7 @@ class Timeline:
         self._plc: dict[int, list[Input]] = {1: []}
         self._parked = ParkedControllers()
         self._fault: Failure | None = None
-        self._confirmed: tuple[int, int, int] = (0, 0, 0)
+        self._confirmed = Confirmed()
         self.progress: tuple[int, int] | None = None
         if self._can_copy:
             self._park()
@@ -131,10 +142,11 @@ class Timeline:
     def _run_again(self, end: int, stops: Sequence[StopAt], *, events: bool) -> Slice:
         """Let the live controller run over what it has run before."""
         marks = self.branch.marks_between(self.tick, end)
+        self._confirmed.enter(self.branch.number)
+        asked = _asked(marks, self._confirmed.between(self.tick, end, NEAR_TICKS))
         try:
-            done = self._compared(
-                self._live.run(end, stops, events=events, marks=ticks_of(marks)), marks
-            )
+            done = self._live.run(end, stops, events=events, marks=asked)
+            done = self._compared(done, marks, asked)
             self._confirm(self._live, self.branch)
         except Failure as failure:
             self._fault = failure
@@ -160,14 +172,19 @@ class Timeline:
 
     # --- what has been run again ----------------------------------------------------------------
 
-    def _compared(self, done: Slice, marks: Sequence[PastMark]) -> Slice:
+    def _compared(self, done: Slice, marks: Sequence[PastMark], asked: Sequence[int] = ()) -> Slice:
         """Return what ticks have done that were run again; raises ``Failure`` (901901).
 
-        Where a PLC has done otherwise than before, the slice says so. Where a program is another
-        one now, what it has decoded may not have been carried out yet: raises ``Failure`` (901900).
+        ``asked``: where the slice has marks, by default at ``marks`` alone. Where a PLC has done
+        otherwise than before, the slice says so. Where a program is another one now, what it has
+        decoded may not have been carried out yet: raises ``Failure`` (901900).
         """
         check_programs(done.diagnostics)
-        differs = first_difference(done.marks, marks)
+        ends = ticks_of(marks)
+        found = list(zip(asked or ends, done.marks, strict=False))
+        differs = first_difference([mark for tick, mark in found if tick in ends], marks)
+        if differs is None and self._setup.plc is None:
+            differs = self._confirmed.compare(mark for tick, mark in found if tick == mark.tick)
         done = replace(done, marks=(), rows=b"")
         if differs is None or done.differs is not None:
             return done
@@ -179,35 +196,46 @@ class Timeline:
         """Let a copy run on to the next mark, so that what is shown here is as it was."""
         tick = engine.tick
         following = branch.mark_after(tick)
-        number, first, last = self._confirmed
         if following is None or not self._can_copy or self._setup.plc is not None:
             return
-        if number == branch.number and first <= tick <= last:
+        if self._confirmed.is_proved(tick):
             return
         if following.end > tick:
+            asked = _asked([following], _near_ahead(branch, tick, following.tick))
             scout = engine.copy()
             try:
-                done = scout.run(following.end, marks=(following.end,))
+                done = scout.run(following.end, events=False, marks=asked, since=tick)
             finally:
                 scout.close()
-            self._compared(done, [following])
-        self._confirmed = branch.number, tick, following.tick
+            self._compared(done, [following], asked)
+        self._confirmed.prove()
 
     def _rerun(
-        self, engine: RemoteEngine, branch: Branch, end: int, *, first: int | None = None
+        self,
+        engine: RemoteEngine,
+        branch: Branch,
+        end: int,
+        *,
+        first: int | None = None,
+        since: int | None = None,
+        near: Sequence[int] = (),
     ) -> Slice:
-        """Run a controller over ticks of the past, up to ``end``; ``first``: where it began."""
+        """Run a controller over ticks of the past, up to ``end``; ``first``: where it began.
+
+        Returns what the ticks from ``since`` on have done, by default none. ``near``: ticks to
+        which somebody may go next.
+        """
         begin = engine.tick if first is None else first
-        done = engine.run(engine.tick)
-        while engine.tick < end and done.run_state is None:
-            self._report(engine.tick - begin, end - begin)
-            marks = branch.marks_between(engine.tick, end)[:PART_MARKS]
-            part = min(
-                end, engine.tick + PART_TICKS, *(mark.tick for mark in marks[PART_MARKS - 1 :])
-            )
-            marks = [mark for mark in marks if mark.tick <= part]
-            again = engine.run(part, marks=ticks_of(marks))
-            done = joined(done, self._compared(again, marks))
+        forgotten: int | None = end if since is None else max(since, engine.tick)
+        done: Slice | None = None
+        while done is None or (engine.tick < end and done.run_state is None):
+            if engine.tick < end:
+                self._report(engine.tick - begin, end - begin)
+            part, marks = _next_part(branch, engine.tick, end)
+            asked = _asked(marks, [one for one in near if engine.tick < one <= part])
+            again = engine.run(part, events=part == end, marks=asked, since=forgotten)
+            again = self._compared(again, marks, asked)
+            done, forgotten = again if done is None else joined(done, again), None
         return done
 
     def _report(self, done: int, whole: int) -> None:
@@ -274,6 +302,7 @@ class Timeline:
             with contextlib.suppress(Failure):  # one that is gone is left behind
                 self._park()  # so that the way back to the front is short
         before_us = self.branch.work_at(self.tick)
+        self._confirmed.enter(target.number)
         engine = self._on_the_way(target, tick)
         try:
             done = self._approach(engine, target, tick)
@@ -281,11 +310,13 @@ class Timeline:
         except BaseException:
             if engine is not self._live:
                 engine.close()
+            self._parked.give_up_candidate()
             raise
         finally:
             self.progress = None
         if engine is not self._live:
             self._live.close()
+        self._parked.keep_candidate(target.work_at(tick))
         self._live, self.branch, self._fault = engine, target, None
         self._refine(is_step=abs(target.work_at(tick) - before_us) < SPARSE_US)
         return done
@@ -334,9 +365,27 @@ class Timeline:
             if self._can_copy and mark is not None and engine.tick < mark.tick < tick:
                 self._rerun(engine, branch, mark.tick, first=first)
                 self._parked.add(Parked(branch, mark.tick, mark.work_us, engine.copy()))
-        done = self._rerun(engine, branch, tick, first=first)
+        near = self._near(branch, engine.tick, tick)
+        if near and engine.tick < near[0] < tick:
+            self._rerun(engine, branch, near[0], first=first, near=near)
+            work_us = branch.work_at(near[0])
+            self._parked.candidate = Parked(branch, near[0], work_us, engine.copy())
+        since = tick - ARRIVAL_TICKS
+        done = self._rerun(engine, branch, tick, first=first, since=since, near=near)
         self._parked.thin_out(branch.work_at(tick))
         return done
+
+    def _near(self, branch: Branch, first: int, tick: int) -> list[int]:
+        """Return up to a tick those to which somebody goes back from there, behind ``first``."""
+        if not self._can_copy or self._setup.plc is not None:
+            return []
+        if tick in self._confirmed:
+            return [tick]
+        mark = branch.mark_before_work(branch.work_at(tick) - DENSE_US)
+        first = max(first, 0 if mark is None else mark.tick)
+        blocks = branch.ticks_between(BLOCKS, first, tick - 1)[-NEAR_TICKS:]
+        steps = range(max(first + 1, tick - NEAR_TICKS), tick + 1)
+        return sorted({*(one + 1 for one in blocks), *steps})
 
     def _refine(self, *, is_step: bool) -> None:
         """Park where it is far to the next parked controller, for those who go back from here.
@@ -419,7 +468,7 @@ class Timeline:
         """Return what the ticks of this branch from ``first`` up to ``end`` have done."""
         engine = self.trial(first)
         try:
-            done = self._rerun(engine, self.branch, end)
+            done = self._rerun(engine, self.branch, end, since=first)
             self.confirm(engine, end)
         finally:
             engine.close()
@@ -433,7 +482,8 @@ class Timeline:
         """
         following = self.branch.mark_after(tick)
         if following is not None and self._has_past:
-            done = engine.run(following.end, marks=(following.end,))
+            asked = ticks_of([following])
+            done = engine.run(following.end, events=False, marks=asked, since=engine.tick)
             self._compared(done, [following])
 
     def previous(self, stops: Sequence[StopAt]) -> int | None:
@@ -459,10 +509,11 @@ class Timeline:
 
     def _searched(self, stops: Sequence[StopAt], found: int, end: int) -> int:
         """Return the last tick up to ``end`` at which a stop held, ``found`` if that is later."""
-        whole = end - found
+        whole, stretch_us = end - found, SEARCHED_US / 2.0
         try:
             while end > found:
-                parked = self._parked.nearest(self.branch, end - 1)
+                parked = self._parked.before_by(self.branch, end - 1, 2.0 * stretch_us)
+                stretch_us = self.branch.work_at(end) - (parked.work_us if parked else 0.0)
                 engine = self._woken(self.branch, parked)
                 try:
                     begin = engine.tick
@@ -481,13 +532,10 @@ class Timeline:
     ) -> int:
         """Run a controller up to a tick; return the last tick at which a stop held, or 0."""
         first, hit, has_plc = engine.tick, 0, self._setup.plc is not None
+        marks: Sequence[PastMark] = ()
         while engine.tick < end:
             self._report(before + engine.tick - first, whole)
-            marks = self.branch.marks_between(engine.tick, end)[:PART_MARKS]
-            part = min(
-                end, engine.tick + PART_TICKS, *(mark.tick for mark in marks[PART_MARKS - 1 :])
-            )
-            marks = [mark for mark in marks if mark.tick <= part]
+            part, marks = _next_part(self.branch, engine.tick, end)
             tick = engine.tick
             hit, _, found = engine.last_hit(part, stops, ticks_of(marks))
             differs = first_difference(found, marks)
@@ -495,7 +543,8 @@ class Timeline:
                 raise past_differs(differs)
             if engine.tick == tick:
                 break  # the run is over
-        self.confirm(engine, end)
+        if not marks or marks[-1].tick != end:
+            self.confirm(engine, end)
         return hit
 
     @property
@@ -539,6 +588,24 @@ class Timeline:
                 self._live.ask("schedule", CLOSE)
         self._live.close()
         self._workshop.close()
+
+
+def _asked(marks: Sequence[PastMark], near: Sequence[int]) -> list[int]:
+    """Return up to where a run goes for some marks, and for other ticks on its way."""
+    return sorted({*ticks_of(marks), *near})
+
+
+def _near_ahead(branch: Branch, tick: int, end: int) -> list[int]:
+    """Return the ticks before ``end`` to which somebody goes on from a tick."""
+    blocks = branch.ticks_between(BLOCKS, tick - 1, end - 1)[:NEAR_TICKS]
+    return [*(one + 1 for one in blocks), *range(tick + 1, min(tick + 1 + NEAR_TICKS, end))]
+
+
+def _next_part(branch: Branch, tick: int, end: int) -> tuple[int, list[PastMark]]:
+    """Return up to where a controller runs again in one go, and the marks on the way."""
+    marks = branch.marks_between(tick, end)[:PART_MARKS]
+    part = min(end, tick + PART_TICKS, *(mark.tick for mark in marks[PART_MARKS - 1 :]))
+    return part, [mark for mark in marks if mark.tick <= part]
 
 
 def _insert(inputs: list[Input], arriving: Sequence[Input]) -> None:

@@ -14,7 +14,7 @@ import socket
 import subprocess
 import threading
 import time
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from multiprocessing import AuthenticationError
 from multiprocessing.connection import Client, Connection, Listener
 from typing import Any, cast
@@ -54,22 +54,46 @@ class RemoteEngine:
         self._workshop = workshop
         self.tick = tick
         self._listed: Sequence[str] = ()
+        self._unread = 0
 
     def ask(self, request: str, *words: Any) -> Any:
-        """Return the answer to a request."""
+        """Return the answer to a request; raises as well what an order before it has led to."""
+        self._send(request, words)
+        self._unread += 1
+        answers = self._received()
+        for verdict, answer in answers:
+            if verdict == REFUSED:
+                raise Failure(*answer)
+            if verdict == BROKEN:
+                raise RuntimeError(answer)
+        return answers[-1][1]
+
+    def order(self, request: str, *words: Any) -> None:
+        """Make a request without waiting for its answer: nobody has to wake for that alone."""
+        self._send(request, words)
+        self._unread += 1
+
+    def _send(self, request: str, words: tuple[Any, ...]) -> None:
+        with self._watched():
+            send(self._connection, (request, words))
+
+    def _received(self) -> list[tuple[str, Any]]:
+        """Return the answers to all requests so far."""
+        with self._watched():
+            answers = [receive(self._connection) for _ in range(self._unread)]
+        self._unread = 0
+        return answers
+
+    @contextlib.contextmanager
+    def _watched(self) -> Iterator[None]:
+        """Let the process be killed while it is spoken to; raises ``Failure`` where it is gone."""
         self._workshop.asked = self
         try:
-            send(self._connection, (request, words))
-            verdict, answer = receive(self._connection)
+            yield
         except (EOFError, OSError) as error:
             raise Failure(diagnostic(CONTROLLER_LOST, reason=str(error) or "EOF")) from error
         finally:
             self._workshop.asked = None
-        if verdict == REFUSED:
-            raise Failure(*answer)
-        if verdict == BROKEN:
-            raise RuntimeError(answer)
-        return answer
 
     def copy(self) -> RemoteEngine:
         """Return a copy at the same tick, in a process of its own."""
@@ -91,9 +115,10 @@ class RemoteEngine:
         events: bool = True,
         marks: Sequence[int] | None = (),
         rests: bool = False,
+        since: int | None = None,
     ) -> Slice:
         """Run as ``Engine.run``."""
-        done = cast("Slice", self.ask("run", end, stops, events, marks, rests))
+        done = cast("Slice", self.ask("run", end, stops, events, marks, rests, since))
         self.tick = done.tick
         return done
 
@@ -112,7 +137,7 @@ class RemoteEngine:
 
     def plan(self, inputs: Sequence[Input]) -> None:
         """Plan as ``Engine.plan``."""
-        self.ask("plan", inputs)
+        self.order("plan", inputs)
 
     def post(self, inputs: Sequence[Input]) -> None:
         """Post as ``Engine.post``."""

@@ -8,6 +8,7 @@ want to see one by one.
 
 from __future__ import annotations
 
+import bisect
 from collections import Counter
 from collections.abc import Collection, Iterator, Sequence
 from typing import cast, overload
@@ -81,6 +82,11 @@ class EventChunk(Sequence[Event]):
         chunk_kinds = self.column(rows.EVENT_KIND)
         return self.select([i for i, kind in enumerate(chunk_kinds) if kind in kinds])
 
+    def since(self, tick: int) -> EventChunk:
+        """Return the rows from a tick on, not decoded yet."""
+        first = bisect.bisect_left(self.column(rows.EVENT_TICK), tick)
+        return self if not first else EventChunk(self._decoder, self._data[_ROW_SIZE * first :])
+
     def repetitions(self) -> list[tuple[Event, int, int]]:
         """Return each event once, with its number of occurrences and the tick of the last one.
 
@@ -127,6 +133,11 @@ def latest_of_channels(events: Sequence[Event], column: int) -> list[tuple[Event
 def of_kinds(events: Sequence[Event], kinds: Collection[int]) -> Sequence[Event]:
     """Return the events of a chunk that are of these kinds of rows; others as they are."""
     return events.of_kinds(kinds) if isinstance(events, EventChunk) else events
+
+
+def since_tick(events: Sequence[Event], tick: int) -> Sequence[Event]:
+    """Return the rows of a chunk from a tick on; events that are no chunk as they are."""
+    return events.since(tick) if isinstance(events, EventChunk) else events
 
 
 def without_kinds(events: Sequence[Event], kinds: Collection[int]) -> Sequence[Event]:

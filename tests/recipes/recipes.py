@@ -1,0 +1,197 @@
+# SPDX-License-Identifier: MIT
+"""The recipes of ``CONTRIBUTING.md``, each as an example of the change that it describes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+
+@dataclass(frozen=True)
+class Edit:
+    """A change of one file: ``text`` comes before ``anchor``, the only one in the file.
+
+    Without an anchor the file is new. ``replaces``: the anchor goes.
+    """
+
+    path: str
+    text: str
+    anchor: str = ""
+    replaces: bool = False
+
+    def apply(self, root: Path) -> None:
+        """Change the file below ``root``; fails where the file is no longer as described."""
+        path = root / self.path
+        if not self.anchor:
+            assert not path.exists(), path
+            path.write_text(self.text, "utf-8")
+            return
+        before = path.read_text("utf-8")
+        assert before.count(self.anchor) == 1, f"{self.path}: {self.anchor!r}"
+        after = self.text if self.replaces else self.text + self.anchor
+        path.write_text(before.replace(self.anchor, after), "utf-8")
+
+
+@dataclass(frozen=True)
+class Recipe:
+    """An example of a change.
+
+    ``heading``: how ``CONTRIBUTING.md`` calls it, with the number of files. ``tests``: those that
+    the recipe names, of the files that have many only what the example concerns. ``scripts``: what
+    it runs afterwards.
+    """
+
+    heading: str
+    edits: tuple[Edit, ...]
+    tests: tuple[str, ...]
+    scripts: tuple[str, ...] = ()
+
+    @property
+    def files(self) -> int:
+        """The number of files that it touches."""
+        return len({edit.path for edit in self.edits})
+
+
+REFUSED_WORD = Recipe(
+    "A word or G function that is known and refused: 1 file",
+    (
+        Edit(
+            "src/nctakt/nc/vocabulary/functions.py",
+            '        refused(118, "an example", "ein Beispiel"),\n',
+            '        accepted(117, "look-ahead on", "Look-ahead ein"),\n',
+        ),
+    ),
+    ("tests/nc/test_three_answers.py::test_a_refused_g_function_is_refused_by_name[G118]",),
+)
+
+VARIABLE = Recipe(
+    "A V variable: 4 files",
+    (
+        Edit(
+            "src/nctakt/nc/vocabulary/realtime_variables.py",
+            "    RealtimeVariable(\n"
+            '        "PATH.WAITING",\n'
+            '        "UNS32",\n'
+            '        "",\n'
+            "        Access.READ,\n"
+            "        Access.READ,\n"
+            '        Text("Segments that wait", "Segmente, die warten"),\n'
+            "    ),\n",
+            '    RealtimeVariable(\n        "TIMER",\n',
+        ),
+        Edit("src/nctakt/kernel/cells.py", "    CHANNEL_PATH_WAITING,\n", "    CHANNEL_TIMER,\n"),
+        Edit("src/nctakt/kernel/cells.py", ") = range(13)", ") = range(12)", replaces=True),
+        Edit(
+            "src/nctakt/kernel/tick/channel.py",
+            "        self.cells[self.first_cell + cells.CHANNEL_PATH_WAITING] = 7.0\n",
+            "        self.cells[self.first_cell + cells.CHANNEL_PATH_DIST_TO_GO] = ",
+        ),
+        Edit(
+            "tests/kernel/test_published_cells.py",
+            '        "PATH.WAITING": 7.0,\n',
+            '        "PATH.RAPID": 0.0,\n',
+        ),
+    ),
+    ("tests/kernel/test_published_cells.py", "tests/kernel/test_cells.py"),
+    ("scripts/constants",),
+)
+
+MESSAGE = Recipe(
+    "A message: 3 files",
+    (
+        Edit(
+            "src/nctakt/messages/checked_blocks.py",
+            "LONG_DWELL = note(\n"
+            "    909999,\n"
+            '    en="a dwell of {time} s is very long",\n'
+            '    de="eine Verweilzeit von {time} s ist sehr lang",\n'
+            '    remedy_en="Shorten it.",\n'
+            '    remedy_de="Sie kürzen.",\n'
+            '    time=("the dwell", "die Verweilzeit"),\n'
+            ")\n\n",
+            "G04_WITH_TWO_TIMES = ",
+        ),
+        Edit("src/nctakt/nc/check/dwells.py", "    LONG_DWELL,\n", ")\nfrom nctakt.nc.check.exp"),
+        Edit(
+            "src/nctakt/nc/check/dwells.py",
+            "        if isinstance(time, Number) and time.value > 86400.0:\n"
+            '            findings.report(LONG_DWELL, dwell.span, time=f"{time.value:g}")\n',
+            "        values.value(time)\n",
+        ),
+        Edit(
+            "tests/nc/check_words.nc",
+            'G04 X90000 ; note 909999 "very long"\n',
+            "#MAIN SPINDLE [S2]\n",
+        ),
+    ),
+    ("tests/nc/test_check_chunks.py", "tests/messages/test_catalogue.py"),
+)
+
+CHANNEL_PARAMETER = Recipe(
+    "A channel parameter: 4 files",
+    (
+        Edit(
+            "src/nctakt/lists/declared/channel.tsv",
+            "P-CHAN-09999\texample_limit\tREAL64\t5\t0 …\t\tmm\t\tused\t\t\t"
+            "An example\tEin Beispiel\n",
+            "P-CHAN-00005\t",
+        ),
+        Edit(
+            "src/nctakt/lists/machine/channel_configuration.py",
+            "    single_block: int\n    example_limit_mm: float\n",
+            "    single_block: int\n",
+            replaces=True,
+        ),
+        Edit(
+            "src/nctakt/lists/machine/channel_configuration.py",
+            '        values.real("example_limit"),\n    )\n\n\ndef _realtime_cycles',
+            "    )\n\n\ndef _realtime_cycles",
+            replaces=True,
+        ),
+        Edit(
+            "src/nctakt/decoder/blocks/edge_banding.py",
+            "    residual += 0.0 * values.environment.parameters.example_limit_mm\n",
+            "    function, ticks, value = output.function",
+        ),
+        Edit(
+            "tests/decoder/test_example_limit.py",
+            "from test_tools import machine_with\n\n"
+            "from nctakt.lists.machine.machine import load_machine\n\n\n"
+            "def test_it(tmp_path):\n"
+            '    folder = machine_with(tmp_path / "lists", sda_mds1="example_limit 7")\n'
+            "    machine = load_machine(folder)\n"
+            "    assert machine.channels[0].parameters.example_limit_mm == 7.0\n",
+        ),
+    ),
+    ("tests/lists/test_effects.py", "tests/decoder/test_example_limit.py"),
+)
+
+SUBCOMMAND = Recipe(
+    "A subcommand: 4 files",
+    (
+        Edit(
+            "src/nctakt/cli/example.py",
+            '"""The subcommand ``nctakt example``."""\n\nimport click\n\n\n'
+            '@click.command("example", epilog="Exit codes: 0 always; 2 wrong usage")\n'
+            "def command() -> int:\n"
+            '    """Do nothing."""\n'
+            "    return 0\n",
+        ),
+        Edit(
+            "src/nctakt/cli/__init__.py",
+            '    "example": "nctakt.cli.example",\n',
+            '    "schedule": "nctakt.cli.schedule",\n',
+        ),
+        Edit(
+            "tests/cli/test_example_command.py",
+            'from nctakt.cli import main\n\n\ndef test_it():\n    assert main(["example"]) == 0\n',
+        ),
+        Edit("README.md", "| `nctakt example` | does nothing |\n", "| `nctakt schedule` |"),
+    ),
+    (
+        "tests/cli/test_example_command.py",
+        "tests/cli/test_every_command.py::test_each_command_has_a_short_help_option_and_tells_its_exit_codes[example]",
+    ),
+)
+
+RECIPES = (REFUSED_WORD, VARIABLE, MESSAGE, CHANNEL_PARAMETER, SUBCOMMAND)

@@ -33,6 +33,7 @@ class StandingSession:
         self.tick = 0
         self.written: dict[str, float | bool | str] = {}
         self.sources: list[str] = []
+        self.selected: list[tuple[str, int]] = []
         self._listener: Listener | None = None
         self._signals: Sequence[str] = ()
 
@@ -67,6 +68,10 @@ class StandingSession:
             self.written.update(values)
             self.sources.append(source)
         return [self.tick] * len(requests)
+
+    def select(self, program: str, channel: int, source: str) -> None:
+        """Take a program."""
+        self.selected.append((str(program), channel))
 
     def read(self, *names: str) -> list[float | bool | str]:
         """Return values."""

@@ -12,11 +12,13 @@ from struct import Struct, pack
 from typing import TypeVar
 
 from nctakt.base.failure import Failure, error_text
+from nctakt.hli.interface_memory import Written
 from nctakt.nc.vocabulary import strings
 from nctakt.servers.ads.clients import Client
 from nctakt.servers.ads.codes import AdsError, Error, Group, State, Transmission
 from nctakt.servers.ads.data import Fixed, Readable
 from nctakt.servers.ads.frames import Frame
+from nctakt.servers.ads.interface import InterfaceItem
 from nctakt.servers.ads.limits import MAX_ANSWER
 from nctakt.servers.ads.notifications import Notifier
 from nctakt.servers.ads.objects import ADDRESS, Objects
@@ -58,6 +60,7 @@ class Access:
         self.objects = Objects(host.catalogue)
         self._uploads = Uploads(self.symbols)
         self._once: Mapping[str, Scalar] | None = None
+        self._reported: set[tuple[str, str]] = set()
         self._infos: dict[int, Callable[[], bytes]] = {
             Group.UPLOAD: lambda: self._uploads.symbols,
             Group.UPLOAD_INFO: self._uploads.info,
@@ -153,7 +156,7 @@ class Access:
             raise AdsError(Error.OFFSET, f"nothing begins at {group:#x}, {offset:#x}")
         return Fixed(data[offset : offset + size])
 
-    async def present(self, read: Callable[[], bytes]) -> bytes:
+    async def present(self, read: Callable[[], _T]) -> _T:
         """Return what reads values, once they are here; raises ``AdsError``."""
         try:
             return read()
@@ -203,11 +206,37 @@ class Access:
             group, offset = symbol.group, symbol.offset
         if self.symbols.has_group(group):
             data = self.symbols.filled_up(group, offset, data)
-        return self.resolve(client, group, offset, len(data)).write(data)
+        item = self.resolve(client, group, offset, len(data))
+        if isinstance(item, InterfaceItem):
+            self.check_present(item.needed)
+            return self._taken(client, item.take(data, self._values))
+        return item.write(data)
+
+    def _taken(self, client: Client, written: Written) -> dict[str, Scalar]:
+        """Return the values of a write to the interface; tell what has no effect here, once."""
+        client.programs += written.programs
+        for path in written.known:
+            self._tell_once(client, path, "known, without effect here")
+        for path in written.waiting:
+            self._tell_once(client, path, "acts with plc_present_w of its area and enable_w only")
+        return dict(written.values)
+
+    def _tell_once(self, client: Client, path: str, reason: str) -> None:
+        if (path, reason) not in self._reported:
+            self._reported.add((path, reason))
+            self._host.log.note("interface", client=client.name, path=path, reason=reason)
 
     async def write_values(self, client: Client, values: dict[str, Scalar]) -> Error:
-        """Write values; return once a tick has latched them, or why they are refused."""
+        """Write values; return once a tick has latched them, or why they are refused.
+
+        Programs that the client selects with them come first.
+        """
+        programs, client.programs = client.programs, []
         try:
+            for channel, program in programs:
+                await self._host.select(program, channel, DOOR, client.name)
+            if not values:
+                return Error.NONE
             tick = await self._host.write(values, DOOR, client.name)
         except Busy:
             return Error.BUSY

@@ -14,7 +14,7 @@ from nctakt.servers.ads.codes import AdsError, Error
 from nctakt.servers.ads.data import Item
 from nctakt.servers.ads.frames import shown_net_id
 from nctakt.servers.ads.limits import MAX_HANDLES
-from nctakt.servers.ads.symbols import Symbol
+from nctakt.servers.ads.types import Symbol
 
 #: Sum commands of a client whose parts are remembered at most.
 _MAX_PLANS = 64
@@ -27,7 +27,8 @@ class Client:
     """One client; ``name``: NetId and port, as on the tape and in the log.
 
     ``send``: sends bytes to it. ``plans``: sum commands -> what they read. ``begins``: handles of
-    notifications whose first value is still to be sent.
+    notifications whose first value is still to be sent. ``programs``: that it selects with what
+    it writes next, by channel from 1.
     """
 
     _numbers = count(1)
@@ -41,6 +42,7 @@ class Client:
         self.notifications: set[int] = set()
         self.plans: dict[bytes, Item] = {}
         self.begins: list[int] = []
+        self.programs: list[tuple[int, str]] = []
 
     @classmethod
     def next_number(cls) -> int:

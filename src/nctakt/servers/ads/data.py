@@ -11,7 +11,7 @@ import math
 import struct
 from collections.abc import Callable, Mapping, Sequence
 from operator import itemgetter
-from typing import Any
+from typing import Any, Protocol
 
 from nctakt.base.dataclass import dataclass
 from nctakt.lists.declared.variables import SCALARS
@@ -149,7 +149,7 @@ class Scaled:
     """A value of the session in another unit: ``factor`` times the value, as ``type``."""
 
     def __init__(self, name: str, type_: str, factor: float, is_writable: bool) -> None:
-        self.names = (name,)
+        self.names: tuple[str, ...] = (name,)
         self._leaf = Leaf(name, type_, 0, struct.calcsize(f"<{NUMERIC[type_][0]}"), is_writable)
         self.size_bytes = self._leaf.size_bytes
         self._factor = factor
@@ -167,8 +167,17 @@ class Scaled:
         return {name: float(value) / self._factor for name, value in found.items()}
 
 
-#: What can be read, and perhaps written.
-Readable = Item | Fixed | Scaled
+class Readable(Protocol):
+    """What can be read, and perhaps written; ``names``: the values of the session in it."""
+
+    names: tuple[str, ...]
+    size_bytes: int
+
+    def read(self, values: Mapping[str, Scalar]) -> bytes:
+        """Return its bytes; raises ``KeyError`` where a value is missing."""
+
+    def write(self, data: bytes) -> dict[str, Scalar]:
+        """Return the values in bytes; raises ``AdsError`` for what cannot be written."""
 
 
 def _same(values: Any) -> Any:

@@ -129,14 +129,15 @@ async def write_parts(access: Access, client: Client, count: int, data: bytes) -
     writes: list[dict[str, Scalar]] = []
     for part in Part.writes(count, data):
         try:
-            writes.append(access.decode(client, part.group, part.offset, part.data))
+            decode = partial(access.decode, client, part.group, part.offset, part.data)
+            writes.append(await access.present(decode))
             errors.append(Error.NONE)
         except AdsError as error:
             access.log_refusal(client, error)
             writes.append({})
             errors.append(error.code)
     together = {name: value for values in writes for name, value in values.items()}
-    if together:
+    if together or client.programs:
         refused = await access.write_values(client, together)
         if refused == Error.PARAMETER:  # one of them: each by itself shows which
             for index, values in enumerate(writes):

@@ -13,18 +13,32 @@ import bisect
 from collections.abc import Iterator
 from dataclasses import replace
 
-from nctakt.base.dataclass import dataclass
+from nctakt.hli.table import LIST_NAME
+from nctakt.hli.variables_memory import sections
 from nctakt.lists.declared.variables import SCALARS
 from nctakt.lists.machine.machine import Machine
 from nctakt.lists.machine.variables import Node, Variable, VariableScope
 from nctakt.lists.machine.variables_layout import element_size, members, pack_of, size_of
 from nctakt.run.machine_names import prefix_of
 from nctakt.servers.ads.codes import AdsError, Error
-from nctakt.servers.ads.data import NUMERIC, STRING_TYPE, STRUCTURE_TYPE, Item, Leaf
+from nctakt.servers.ads.data import (
+    NUMERIC,
+    STRING_TYPE,
+    STRUCTURE_TYPE,
+    Fixed,
+    Item,
+    Leaf,
+    Readable,
+)
+from nctakt.servers.ads.interface import CONSTANTS, InterfaceSymbols
+from nctakt.servers.ads.types import DataType, Member, Symbol
 from nctakt.servers.catalogue import Catalogue, Value
 
-#: The groups of the areas: variables, values of the HLI, signals.
-VARIABLES, HLI, SIGNALS = 0x4040, 0x4042, 0x4043
+#: The groups of the areas: variables, values of the HLI, signals, V.E as gpVEGlob and gpVECh.
+VARIABLES, HLI, SIGNALS, PACKED = 0x4040, 0x4042, 0x4043, 0x4054
+
+#: Bytes from one section of the packed V.E variables to the next.
+_SECTION_STEP = 0x100000
 
 #: Variables begin at multiples of this offset.
 _ALIGNMENT = 8
@@ -32,39 +46,6 @@ _ALIGNMENT = 8
 #: Ranges of bytes that are kept at most, and values that they have together.
 _MAX_ITEMS = 20_000
 MAX_KEPT = 200_000
-
-
-@dataclass(frozen=True, slots=True)
-class DataType:
-    """A type: name, number in ADS, size; elements of an array of ``base``, or members."""
-
-    name: str
-    number: int
-    size_bytes: int
-    elements: int = 0
-    base: str = ""
-    members: tuple[Member, ...] = ()
-
-
-@dataclass(frozen=True, slots=True)
-class Member:
-    """A member of a structure."""
-
-    name: str
-    type: DataType
-    offset: int
-
-
-@dataclass(frozen=True, slots=True)
-class Symbol:
-    """A symbol: where it stands, and its type."""
-
-    name: str
-    group: int
-    offset: int
-    type: DataType
-    unit: str
-    is_writable: bool
 
 
 class SymbolTable:
@@ -76,7 +57,7 @@ class SymbolTable:
         self.types: dict[str, DataType] = {}
         self.symbols: dict[str, Symbol] = {}
         self._nodes: dict[str, Node] = {}
-        self._leaves: dict[int, list[Leaf]] = {VARIABLES: [], HLI: [], SIGNALS: []}
+        self._leaves: dict[int, list[Leaf]] = {VARIABLES: [], HLI: [], SIGNALS: [], PACKED: []}
         self._ends = dict.fromkeys(self._leaves, 0)
         self._items: dict[tuple[int, int, int], Item] = {}
         self._kept = 0
@@ -84,6 +65,9 @@ class SymbolTable:
         for value in catalogue.values.values():
             if not value.name.partition("V.E.")[1] and not value.name.partition("V.CH.")[1]:
                 self._add_value(value)
+        self._add_packed(machine)
+        self.interface = InterfaceSymbols(machine, self._named)
+        self.symbols.update((symbol.name, symbol) for symbol in self.interface.all())
         self._starts = {
             group: [leaf.offset for leaf in leaves] for group, leaves in self._leaves.items()
         }
@@ -120,6 +104,31 @@ class SymbolTable:
                 self._leaves[group].append(replace(leaf, name=owner))
         self._ends[group] = first + size_of(node, self._pack)
         self._add_symbols(node, name, group, first, is_element=False)
+
+    def _add_packed(self, machine: Machine) -> None:
+        """Add the V.E variables as the PLC finds them behind gpVEGlob and gpVECh."""
+        is_alone = len(machine.channels) == 1
+        for section in sections(machine):
+            first = _SECTION_STEP * section.channel
+            prefix = "" if is_alone or not section.channel else prefix_of(section.channel - 1)
+            for placed in section.placed:
+                name = f"{prefix}V.E.{placed.variable.node.name}"
+                for leaf in self._leaves_of(placed.variable.node, name, first + placed.offset):
+                    known = leaf.name in self._catalogue
+                    owner = leaf.name if known else self._owner(leaf.name)
+                    self._leaves[PACKED].append(replace(leaf, name=owner))
+            words = -(-section.size_bytes // 4)
+            self._ends[PACKED] = first + 4 * words
+            name = f"gpVECh[{section.channel - 1}]^" if section.channel else "gpVEGlob^"
+            if words:
+                base = self._scalar("UNS32", 4)
+                type_ = self._named(
+                    DataType(
+                        f"ARRAY [0..{words - 1}] OF UDINT", base.number, 4 * words, words, base.name
+                    )
+                )
+                full = f"{LIST_NAME}{name}"
+                self.symbols[full] = Symbol(full, PACKED, first, type_, "", True)
 
     def _owner(self, name: str) -> str:
         """Return the name of a GLOBAL variable in the first channel that has it."""
@@ -204,7 +213,9 @@ class SymbolTable:
 
     def find(self, name: str) -> Symbol:
         """Return the symbol of this name, in any case; raises ``AdsError`` (0x710)."""
-        symbol = self._by_upper.get(name.upper())
+        upper = name.upper()
+        symbol = self._by_upper.get(upper) or self._by_upper.get(f"{LIST_NAME.upper()}{upper}")
+        symbol = symbol or self.interface.find(name)
         if symbol is None:
             raise AdsError(Error.SYMBOL, f"no symbol {name[:64]}")
         return symbol
@@ -218,6 +229,8 @@ class SymbolTable:
 
     def filled_up(self, group: int, offset: int, data: bytes) -> bytes:
         """Return data for a text with zero bytes up to its end; any other data as they are."""
+        if group not in self._starts:
+            return data
         index = bisect.bisect_left(self._starts[group], offset)
         leaves = self._leaves[group]
         if index < len(leaves) and leaves[index].offset == offset:
@@ -228,14 +241,18 @@ class SymbolTable:
 
     def has_group(self, group: int) -> bool:
         """Return whether this is the group of an area."""
-        return group in self._leaves
+        return group in self._leaves or self.interface.has_group(group)
 
-    def item(self, group: int, offset: int, size_bytes: int) -> Item:
+    def item(self, group: int, offset: int, size_bytes: int) -> Readable:
         """Return the values of a range of bytes.
 
         Raises ``AdsError``: 0x703 for an offset where nothing begins, 0x705 for a length that cuts
         through a value.
         """
+        if group == CONSTANTS:
+            return Fixed(self.interface.constant(offset, size_bytes))
+        if self.interface.has_group(group):
+            return self.interface.item(group, offset, size_bytes)
         key = group, offset, size_bytes
         found = self._items.get(key)
         if found is None:
@@ -248,12 +265,12 @@ class SymbolTable:
             self._kept += cost
         return found
 
-    def used_items(self) -> list[Item]:
+    def used_items(self) -> list[Readable]:
         """Return the ranges that were read since the last call."""
         used = [item for item in self._items.values() if item.is_used]
         for item in used:
             item.is_used = False
-        return used
+        return [*used, *self.interface.used_items()]
 
     def _new_item(self, group: int, offset: int, size_bytes: int) -> Item:
         starts, leaves = self._starts[group], self._leaves[group]

@@ -11,7 +11,8 @@ from struct import pack
 
 from nctakt.nc.vocabulary import strings
 from nctakt.servers.ads.data import STRING_TYPE, STRUCTURE_TYPE
-from nctakt.servers.ads.symbols import DataType, Symbol, SymbolTable
+from nctakt.servers.ads.symbols import SymbolTable
+from nctakt.servers.ads.types import DataType, Symbol
 
 _READ_ONLY = 0x0020
 _TYPE, _TYPE_ITEM = 0x0001, 0x0002

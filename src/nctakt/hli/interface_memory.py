@@ -1,0 +1,525 @@
+# SPDX-License-Identifier: MIT
+"""The interface of a machine as bytes: what a PLC or HMI reads and writes at ``gpCh``, ``gpAx`` …
+
+In: the table of the interface, a machine, values of its session. Out: the bytes of any range, laid
+out as the table says, and what a write means: values of the session, a program that is selected.
+What has no effect here is kept, so that whoever has written it reads it again.
+
+Control units act for an area whose ``plc_present_w`` is set, while their ``enable_w`` is TRUE: then
+``command_w`` counts, else what the HMI asks for. The operation mode manager takes the transition of
+``command_w`` when its semaphore is set, and clears it.
+"""
+
+from __future__ import annotations
+
+import math
+import struct
+from bisect import bisect_left
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import field
+from functools import cache
+
+from nctakt.base.dataclass import dataclass
+from nctakt.base.version import __version__
+from nctakt.hli import table
+from nctakt.hli.table import ACTS, DataType, Element, Tie
+from nctakt.lists.machine.axis_configuration import AxisType
+from nctakt.lists.machine.machine import Machine
+from nctakt.nc.vocabulary import strings
+
+Scalar = float | bool | str
+
+#: Formats of ``struct`` of the elementary types.
+FORMATS: Mapping[str, str] = {
+    "BOOL": "B",
+    "BYTE": "B",
+    "USINT": "B",
+    "INT": "h",
+    "UINT": "H",
+    "WORD": "H",
+    "DINT": "i",
+    "UDINT": "I",
+    "LREAL": "d",
+}
+
+#: Kinds of axes (P-AXIS-00018).
+_TYPES = {AxisType.LINEAR: 1, AxisType.ROTARY: 2, AxisType.SPINDLE: 4}
+
+#: The kind of a simulated drive (HLI_DRIVE_SIMULATION).
+_SIMULATED = 4
+
+#: The mode of operation that is simulated, and its states (HLI_IMCM_…).
+STANDBY, AUTOMATIC = 1, 2
+DESELECTED, SELECTED, READY, ACTIVE, HOLD, ERROR, RESETTING = 1, 2, 3, 4, 5, 6, 15
+
+_MODE_NAMES = ("STATE", "PAUSED", "FEED_HOLD", "ARMED")
+_MODE = "channel_mc_control.mode_and_state"
+_ERROR_FLAG = "mc_error.semaphor_rw"
+
+#: What a control unit commands when nobody asks for anything, where that is not 0.
+_INITIAL = {"HLI.OVERRIDE": 100.0, "OVERRIDE": 100.0}
+
+
+class NotWritable(Exception):
+    """A write that is refused: ``reason``; ``is_size``: for its length."""
+
+    def __init__(self, reason: str, *, is_size: bool = False) -> None:
+        super().__init__(reason)
+        self.reason = reason
+        self.is_size = is_size
+
+
+@dataclass(frozen=True, slots=True)
+class Written:
+    """What a write means: values of the session, programs to select by channel from 1.
+
+    ``known``: the elements that have no effect here; ``waiting``: the control units that act only
+    when their area has ``plc_present_w``, and they have ``enable_w``.
+    """
+
+    values: dict[str, Scalar] = field(default_factory=dict)
+    programs: list[tuple[int, str]] = field(default_factory=list)
+    known: list[str] = field(default_factory=list)
+    waiting: list[str] = field(default_factory=list)
+
+
+@dataclass(frozen=True, slots=True)
+class Slot:
+    """A number, text or array of bytes in an area; ``path``: behind the pointer."""
+
+    path: str
+    offset: int
+    element: Element
+
+    @property
+    def type(self) -> DataType:
+        """Its type."""
+        return self.element.type
+
+    @property
+    def end(self) -> int:
+        """The offset of the byte after it."""
+        return self.offset + self.type.size_bytes
+
+    @property
+    def is_number(self) -> bool:
+        """Whether it is a number, and no text or array of bytes."""
+        return self.type.name in FORMATS
+
+    @property
+    def unit(self) -> str:
+        """The path of the structure that it is in: of its control unit."""
+        return self.path.rpartition(".")[0]
+
+    @property
+    def code(self) -> str:
+        """Its format of ``struct``."""
+        return FORMATS.get(self.type.name, f"{self.type.size_bytes}s")
+
+    @property
+    def is_commanded(self) -> bool:
+        """Whether the PLC writes it and it belongs to a control unit that acts."""
+        return self.path.endswith((".command_w", ".enable_w")) and self.element.effect == ACTS
+
+
+#: Gives the number that a slot shows, from values of the session.
+_Show = Callable[[Mapping[str, Scalar]], float]
+
+
+@cache
+def slots(root: str) -> Mapping[str, Slot]:
+    """Return all slots behind a pointer by their paths, in the order of their bytes."""
+    found = {}
+    for leaf in table.root(root).leaves():
+        path = leaf.path.partition("^.")[2]
+        found[path] = Slot(path, leaf.offset, leaf)
+    return found
+
+
+@cache
+def _in_order(root: str) -> tuple[tuple[Slot, ...], tuple[int, ...]]:
+    """Return the slots behind a pointer, and where each begins."""
+    found = tuple(slots(root).values())
+    return found, tuple(slot.offset for slot in found)
+
+
+class Area:
+    """The bytes behind one pointer, such as ``gpCh[0]``.
+
+    ``prefix``: that of the names of its channel in the session. ``axes``: the names of a channel's
+    axes, or that of the axis itself. ``spindle``: the spindle that the axis turns; empty: none.
+    """
+
+    def __init__(
+        self, root: str, index: int, prefix: str, axes: Sequence[str] = (), spindle: str = ""
+    ) -> None:
+        self.root = root
+        self.index = index
+        self._prefix = prefix
+        self._axes = axes
+        self._spindle = spindle
+        self.memory = bytearray(table.root(root).type.size_bytes)
+        self._shown: dict[int, tuple[Slot, tuple[str, ...], _Show]] = {}
+        self._read_error = 0.0
+        self._is_announced = False  # here; another door may have done it, too
+        present = "plc_present_w" if root == "gpPform" else "head.plc_present_w"
+        self._present = slots(root)[present]
+        self._mode_names = tuple(map(self._panel, _MODE_NAMES))
+        for slot in slots(root).values():
+            self._prepare(slot)
+
+    @property
+    def name(self) -> str:
+        """The pointer: ``gpCh[0]^``."""
+        return table.root(self.root, self.index).path
+
+    def _panel(self, name: str) -> str:
+        """Return the name in the session of an operator's value."""
+        return f"{self._prefix}HLI.{name}"
+
+    def session_name(self, element: Element) -> str:
+        """Return the value of the session that an element shows or sets; empty for none."""
+        tie = element.tie
+        if tie is None or tie.kind == "fact":
+            return ""
+        if tie.for_spindles:
+            if not self._spindle:
+                return ""
+            if tie.kind == ACTS:
+                return f"{self._prefix}HLI.{self._spindle}.{tie.name}".upper()
+            return f"{self._prefix}{self._spindle}.{tie.name}"
+        if self.root == "gpCh" and "coord_r" not in element.path:
+            return f"{self._prefix}{tie.name}"
+        number = element.indices[0] if self.root == "gpCh" else 0
+        return f"{self._prefix}{self._axes[number]}.{tie.name}" if number < len(self._axes) else ""
+
+    def tell(self, facts: Mapping[str, Scalar], inside: str = "") -> None:
+        """Keep facts about the machine by the names of their ties, in the slots below a path."""
+        for slot in slots(self.root).values():
+            tie = slot.element.tie
+            is_own = slot.path.startswith(inside) if inside else "coord_r" not in slot.path
+            if is_own and tie is not None and tie.kind == "fact" and tie.name in facts:
+                self._put(slot, facts[tie.name])
+
+    # --- what is shown --------------------------------------------------------------------------
+
+    def _prepare(self, slot: Slot) -> None:
+        """Note what a slot shows, or keep what a control unit begins with."""
+        tie, name = slot.element.tie, self.session_name(slot.element)
+        if slot.path.startswith(f"{_MODE}.state_r."):
+            number = self._mode_state if slot.path.endswith(".state") else _automatic
+            self._shown[slot.offset] = slot, self._mode_names, number
+        elif slot.path == _ERROR_FLAG:
+            self._shown[slot.offset] = slot, (self._panel("ERROR"),), self._is_error_new
+        elif tie is not None and name and not slot.is_commanded:
+            self._shown[slot.offset] = slot, (name,), self._number(slot, tie, name)
+        elif tie is not None and name and not slot.element.is_enable:
+            self._put(slot, _INITIAL.get(tie.name, 0.0) * tie.factor)
+
+    def _number(self, slot: Slot, tie: Tie, name: str) -> _Show:
+        """Return what gives the number of a slot that shows one value."""
+        shown = tie.shown
+        if not slot.path.endswith(".request_r"):
+            return lambda values: shown(float(values[name]))
+
+        def requested(values: Mapping[str, Scalar]) -> float:
+            is_kept = self._is_decided(slot.unit)
+            return self._get(slot) if is_kept else shown(float(values[name]))
+
+        return requested
+
+    def _is_decided(self, unit: str) -> bool:
+        """Return whether the PLC decides about a control unit."""
+        is_enabled = self._get(self._slot(f"{unit}.enable_w")) != 0.0
+        return is_enabled and (self._is_announced or self._get(self._present) != 0.0)
+
+    def _mode_state(self, values: Mapping[str, Scalar]) -> float:
+        """Return the state of the automatic mode."""
+        state, is_paused, is_held, is_armed = (values[name] for name in self._mode_names)
+        if state in (2, 3):
+            return ERROR if state == 2 else RESETTING
+        if state == 1:
+            return HOLD if is_held or is_paused else ACTIVE
+        return READY if is_armed else SELECTED
+
+    def _is_error_new(self, values: Mapping[str, Scalar]) -> float:
+        error = float(values[self._panel("ERROR")])
+        if error == 0.0:
+            self._read_error = 0.0
+        return float(error not in (0.0, self._read_error))
+
+    # --- bytes ----------------------------------------------------------------------------------
+
+    def _slot(self, path: str) -> Slot:
+        return slots(self.root)[path]
+
+    def _between(self, offset: int, end: int) -> Sequence[Slot]:
+        """Return the slots that begin within a range."""
+        found, starts = _in_order(self.root)
+        return found[bisect_left(starts, offset) : bisect_left(starts, end)]
+
+    def _put(self, slot: Slot, value: Scalar) -> None:
+        struct.pack_into(f"<{slot.code}", self.memory, slot.offset, _packed(slot, value))
+
+    def _get(self, slot: Slot) -> float:
+        (value,) = struct.unpack_from(f"<{slot.code}", self.memory, slot.offset)
+        return float(value)
+
+    def begins(self, offset: int) -> bool:
+        """Return whether a slot begins at an offset."""
+        return bool(self._between(offset, offset + 1))
+
+    def fits(self, offset: int, size: int) -> bool:
+        """Return whether a range can be read: it is not the mere beginning of a number."""
+        found = self._between(offset, offset + size)
+        if not found or offset + size > len(self.memory):
+            return False
+        return len(found) > 1 or not found[0].is_number or found[0].end <= offset + size
+
+    def names(self, offset: int, size: int) -> tuple[str, ...]:
+        """Return the values of the session that a range of bytes shows."""
+        names = (
+            name
+            for slot in self._between(offset, offset + size)
+            if slot.offset in self._shown
+            for name in self._shown[slot.offset][1]
+        )
+        return tuple(dict.fromkeys(names))
+
+    def read(self, offset: int, size: int, values: Mapping[str, Scalar]) -> bytes:
+        """Return a range of bytes; raises ``KeyError`` for a value that is not there."""
+        for slot in self._between(offset, offset + size):
+            shown = self._shown.get(slot.offset)
+            if shown is not None:
+                self._put(slot, shown[2](values))
+        return bytes(self.memory[offset : offset + size])
+
+    # --- writing --------------------------------------------------------------------------------
+
+    def needed(self, offset: int, size: int) -> tuple[str, ...]:
+        """Return the values of the session that a write of a range of bytes looks at."""
+        found = dict.fromkeys(self._shown[self._present.offset][1] if self._is_shown else ())
+        for slot in self._between(offset, offset + size):
+            if slot.path.startswith(_MODE) or slot is self._present:
+                found |= dict.fromkeys(self._mode_names if self.root == "gpCh" else ())
+                units = () if slot.path.startswith(_MODE) else self._enabled()
+                names = (self.session_name(switch.element) for switch in units)
+                found |= dict.fromkeys(filter(None, names))
+            elif slot.path == _ERROR_FLAG:
+                found[self._panel("ERROR")] = None
+            elif slot.is_commanded and self.session_name(slot.element):
+                found[self.session_name(slot.element)] = None
+        return tuple(found)
+
+    @property
+    def _is_shown(self) -> bool:
+        """Whether the presence of the PLC is a value of the session."""
+        return self._present.offset in self._shown
+
+    def write(self, offset: int, data: bytes, values: Mapping[str, Scalar]) -> Written:
+        """Take bytes; ``values``: of the session, those of ``needed``. Raises ``NotWritable``.
+
+        Bytes may be missing at the end of a text, and after the last number of a structure.
+        """
+        touched, data = self._checked(offset, data)
+        if self._is_shown:
+            self.read(self._present.offset, 1, values)
+        before = {slot.path: self._get(slot) for slot in touched if slot.is_number}
+        self.memory[offset : offset + len(data)] = data
+        if self._present in touched:
+            self._is_announced = self._get(self._present) != 0.0
+        written = Written()
+        for slot in touched:
+            self._take(slot, before.get(slot.path, 0.0), written, values)
+        if any(slot.path.startswith(_MODE) or slot is self._present for slot in touched):
+            self._take_transition(written, values)
+        return written
+
+    def _checked(self, offset: int, data: bytes) -> tuple[Sequence[Slot], bytes]:
+        """Return the slots that bytes are for, and the bytes of all of them."""
+        end = offset + len(data)
+        touched = self._between(offset, end)
+        if not touched or touched[0].offset != offset or end > len(self.memory):
+            raise NotWritable(f"{len(data)} bytes do not fit there", is_size=True)
+        last = touched[-1]
+        if last.end > end:
+            if not last.type.is_text and not last.element.name.startswith("fill_up"):
+                raise NotWritable(f"{last.path} is cut off", is_size=True)
+            data += bytes(last.end - end)
+        for slot in touched:
+            if slot.element.by == "CNC":
+                raise NotWritable(f"{self.name}.{slot.path} is written by the CNC")
+            part = data[slot.offset - offset : slot.end - offset]
+            if slot.code == "d" and not math.isfinite(*struct.unpack("<d", part)):
+                raise NotWritable(f"{self.name}.{slot.path} takes finite numbers only")
+        return touched, data
+
+    def _take(
+        self, slot: Slot, before: float, written: Written, values: Mapping[str, Scalar]
+    ) -> None:
+        """Let one written slot have its effect; ``before``: its number before."""
+        tie, name = slot.element.tie, self.session_name(slot.element)
+        if slot.path == _ERROR_FLAG:
+            if self._get(slot) == 0.0:
+                self._read_error = float(values[self._panel("ERROR")])
+        elif slot.path.startswith(_MODE):
+            pass
+        elif slot.is_commanded and name:
+            self._settle(slot, before, written, values)
+        elif tie is not None and name:
+            written.values[name] = tie.commanded(self._get(slot))
+        elif slot is not self._present and not slot.element.name.startswith("fill_up"):
+            written.known.append(f"{self.name}.{slot.path}")
+        if slot is self._present and bool(before) != bool(self._get(slot)):
+            for switch in self._enabled():
+                self._settle(switch, before, written, values)
+
+    def _enabled(self) -> Iterator[Slot]:
+        """Yield the switches of the control units that are enabled."""
+        for slot in slots(self.root).values():
+            if slot.is_commanded and slot.element.is_enable and self._get(slot):
+                yield slot
+
+    def _settle(
+        self, slot: Slot, before: float, written: Written, values: Mapping[str, Scalar]
+    ) -> None:
+        """Let a control unit act after a write to ``slot``, whose number was ``before``."""
+        unit = slot.unit
+        command, request = (self._slot(f"{unit}.{one}") for one in ("command_w", "request_r"))
+        tie, row, name = command.element.tie, command.element.row, self.session_name(slot.element)
+        if tie is None or row is None:
+            return
+        is_edge = row.handshake == "edge"
+        number = self._get(command)
+        if self._is_decided(unit):
+            if is_edge:
+                if slot is command and number and not before:
+                    written.values[name] = 1.0
+                return
+            if slot.element.is_enable and not before:
+                self._put(request, tie.shown(float(values.get(name, 0.0))))
+            written.values[name] = tie.commanded(number)
+        elif slot.element.is_enable and before and not is_edge:
+            written.values[name] = tie.commanded(self._get(request))
+        elif slot is command or self._get(slot):
+            written.waiting.append(f"{self.name}.{unit}")
+
+    def ask(self, unit: str, number: float) -> Written:
+        """Let the HMI ask a control unit for something.
+
+        While the PLC decides, ``request_r`` shows it, and nothing else comes of it.
+        """
+        command = self._slot(f"{unit}.command_w")
+        tie, name = command.element.tie, self.session_name(command.element)
+        self._put(self._slot(f"{unit}.request_r"), number)
+        if tie is None or not name:
+            return Written(known=[f"{self.name}.{unit}"])
+        return Written() if self._is_decided(unit) else Written({name: tie.commanded(number)})
+
+    # --- operation mode manager -----------------------------------------------------------------
+
+    def _take_transition(self, written: Written, values: Mapping[str, Scalar]) -> None:
+        """Take the transition that the PLC commands, where its semaphore is set."""
+        if self.root != "gpCh":
+            return
+        semaphore = self._slot(f"{_MODE}.command_semaphor_rw")
+        if not self._get(semaphore):
+            return
+        if not self._is_decided(_MODE):
+            written.waiting.append(f"{self.name}.{_MODE}")
+            return
+        self._put(semaphore, 0.0)
+        mode, state = (
+            int(self._get(self._slot(f"{_MODE}.command_w.{one}")))
+            for one in ("to_mode", "to_state")
+        )
+        text = self._slot(f"{_MODE}.command_w.parameter")
+        program = strings.decode(self.memory[text.offset : text.end])
+        written_now = self.go_to(mode, state, program, values)
+        written.values.update(written_now.values)
+        written.programs.extend(written_now.programs)
+
+    def go_to(self, mode: int, state: int, program: str, values: Mapping[str, Scalar]) -> Written:
+        """Go to a state of the automatic mode, through all states between.
+
+        ``program`` is selected on the way to READY. Raises ``NotWritable`` for another mode and for
+        what is no target (HLI_IMCM_…).
+        """
+        if mode not in (0, STANDBY, AUTOMATIC):
+            raise NotWritable(f"mode {mode} is not simulated; automatic mode is {AUTOMATIC}")
+        if state not in (DESELECTED, SELECTED, READY, ACTIVE, HOLD, RESETTING):
+            raise NotWritable(f"state {state} is no target")
+        now = self._mode_state(values)
+        written = Written()
+        if program and state in (READY, ACTIVE) and now not in (ACTIVE, HOLD):
+            written.programs.append((self.index + 1, program))
+        hold, start, reset = map(self._panel, ("FEED_HOLD", "START", "RESET"))
+        if state == ACTIVE:
+            written.values.update({hold: 0.0, start: 1.0})
+        elif state == HOLD:
+            written.values[hold] = 1.0
+        elif state != READY and (state == RESETTING or now != SELECTED):
+            written.values.update({hold: 0.0, reset: 1.0})
+        return written
+
+
+def _automatic(values: Mapping[str, Scalar]) -> float:
+    """Return the mode of operation that is simulated."""
+    return AUTOMATIC
+
+
+def _packed(slot: Slot, value: Scalar) -> float | bytes:
+    """Return a value as ``struct`` takes it for a slot, within the bounds of its type."""
+    size = slot.type.size_bytes
+    if not slot.is_number:
+        return strings.encode(str(value)[: size - 1], size)
+    number = float(value)
+    if slot.code == "d":
+        return number
+    if not math.isfinite(number):
+        return 0
+    bits = 8 * size
+    if slot.code.isupper():
+        return min(max(round(number), 0), (1 << bits) - 1)
+    return min(max(round(number), -(1 << (bits - 1))), (1 << (bits - 1)) - 1)
+
+
+def areas(machine: Machine, prefixes: Sequence[str]) -> dict[str, list[Area]]:
+    """Return all areas of a machine by their pointers; ``prefixes``: of each channel's names."""
+    platform = Area("gpPform", 0, "")
+    platform.tell({"version": __version__})
+    channels: list[Area] = []
+    turned: dict[int, tuple[str, str]] = {}
+    moved: dict[int, str] = {}
+    for prefix, channel in zip(prefixes, machine.channels, strict=True):
+        area = Area("gpCh", len(channels), prefix, [axis.name for axis in channel.axes])
+        area.tell({"version": __version__, "size": len(area.memory), "channel": len(channels) + 1})
+        for at, axis in enumerate(channel.axes):
+            moved[axis.index] = prefix
+            facts: dict[str, Scalar] = {"name": axis.name, "logical": axis.logical_number}
+            facts["type"] = _TYPES[machine.axes[axis.index].type]
+            area.tell(facts, f"bahn_state.coord_r[{at}].")
+        channels.append(area)
+        for spindle in channel.parameters.spindles:
+            turned.setdefault(spindle.logical_number, (prefix, spindle.name))
+    axes = [_axis(machine, index, moved, turned) for index in range(len(machine.axes))]
+    return {"gpPform": [platform], "gpCh": channels, "gpAx": axes}
+
+
+def _axis(
+    machine: Machine, index: int, moved: Mapping[int, str], turned: Mapping[int, tuple[str, str]]
+) -> Area:
+    """Return the area of an axis; ``moved``, ``turned``: the prefixes of channels that have it."""
+    listed = machine.axes[index]
+    prefix, spindle = turned.get(listed.logical_number, ("", ""))
+    names = [listed.name] if index in moved else []
+    area = Area("gpAx", index, moved.get(index, prefix), names, spindle)
+    area.tell(
+        {
+            "logical": listed.logical_number,
+            "type": _TYPES[listed.type],
+            "drive": _SIMULATED,
+            "spindle": bool(spindle),
+        }
+    )
+    return area

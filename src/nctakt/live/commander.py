@@ -8,7 +8,8 @@ waits in a thread, never in the server's loop.
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Callable
+from collections.abc import Awaitable, Callable
+from typing import Generic, TypeVar
 
 from nicegui import Client, ui
 
@@ -17,6 +18,32 @@ from nctakt.live.shared import PAGE, SharedSession
 from nctakt.live.texts import Texts
 from nctakt.live.view import plain_number
 from nctakt.session.session import Session
+
+Wish = TypeVar("Wish")
+
+#: Commands of one browser under way at a time; those of a person are over before the next one.
+_MAX_UNDER_WAY = 8
+
+
+class Newest(Generic[Wish]):
+    """Fulfils wishes one by one; of those that come meanwhile the newest, and no other."""
+
+    def __init__(self, fulfil: Callable[[Wish], Awaitable[None]]) -> None:
+        self._fulfil = fulfil
+        self._wishes: list[Wish] = []
+        self._is_busy = False
+
+    async def wish(self, wish: Wish) -> None:
+        """Wish something; return once it is fulfilled, or somebody else sees to it."""
+        self._wishes = [wish]
+        if self._is_busy:
+            return
+        self._is_busy = True
+        try:
+            while self._wishes:
+                await self._fulfil(self._wishes.pop())
+        finally:
+            self._is_busy = False
 
 
 class Commander:
@@ -27,6 +54,8 @@ class Commander:
         self.texts = texts
         self._client = client
         self._writing = asyncio.Lock()
+        self._under_way = 0
+        self._is_hurry_told = False
         client.on_connect(self._arrive)
         client.on_disconnect(self._leave)
 
@@ -38,12 +67,26 @@ class Commander:
 
     async def attempt(self, action: Callable[[], object]) -> bool:
         """Act in a thread; show why it is refused."""
+        return await self._be_bounded(lambda: asyncio.to_thread(action))
+
+    async def _be_bounded(self, act: Callable[[], Awaitable[object]]) -> bool:
+        """Act, unless much is under way already; show why not, and return whether it acted."""
+        if self._under_way >= _MAX_UNDER_WAY:
+            if not self._is_hurry_told:
+                self._is_hurry_told = True
+                with self._client:
+                    ui.notify(self.texts["too_fast"], type="warning")
+            return False
+        self._under_way += 1
         try:
-            await asyncio.to_thread(action)
+            await act()
         except (Failure, RuntimeError, ValueError) as error:
             with self._client:
                 self.refuse(error)
             return False
+        finally:
+            self._under_way -= 1
+            self._is_hurry_told &= self._under_way > 0
         return True
 
     def refuse(self, error: Exception) -> None:
@@ -60,8 +103,15 @@ class Commander:
 
     async def write(self, name: str, value: float | bool) -> bool:
         """Write a value, behind those that this browser has written before; return whether."""
-        async with self._writing:
-            is_done = await self.do(lambda session: session.write({name: value}, PAGE))
+
+        async def act() -> None:
+            async with self._writing:
+                await asyncio.to_thread(self.shared.do, write_it)
+
+        def write_it(session: Session) -> None:
+            session.write({name: value}, PAGE)
+
+        is_done = self.may() and await self._be_bounded(act)
         if is_done and not self.shared.snapshot.is_playing:
             note = f"{name} = {plain_number(value)}: {self.texts['next_tick']}"
             with self._client:

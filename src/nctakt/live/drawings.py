@@ -16,7 +16,7 @@ from nicegui.element import Element
 
 from nctakt.base.failure import Failure
 from nctakt.live import view
-from nctakt.live.commander import Commander
+from nctakt.live.commander import Commander, Newest
 from nctakt.live.track import Seen
 
 _HERE = Path(__file__).parent
@@ -43,6 +43,7 @@ class Drawings:
         self._texts = commander.texts
         self._seen: dict[str, Seen] = {}
         self._sent: dict[str, Any] = {}
+        self._stretches = Newest(self._send_stretch)
         self._build_scope()
         self._build_path()
 
@@ -79,7 +80,7 @@ class Drawings:
             self._scope = Scope().props("data-testid=scope")
             self._scope.props["words"] = {"line": texts["line"]}
             self._scope.on("travel", self._travel)
-            self._scope.on("stretch", self._stretch)
+            self._scope.on("stretch", self._wish_stretch)
 
     def _build_path(self) -> None:
         texts = self._texts
@@ -145,18 +146,22 @@ class Drawings:
             tick = max(0, min(int(event.args), self._shared.snapshot.latest))
             await self._commander.do(lambda session: session.go_to(tick))
 
-    async def _stretch(self, event: Any) -> None:
-        """Send a stretch of the past in detail; anybody may look."""
+    async def _wish_stretch(self, event: Any) -> None:
+        """Let a stretch of the past come in detail; anybody may look."""
         words = event.args
         if not isinstance(words, list) or len(words) != 2 or self._shared.snapshot.is_playing:
             return
-        first, end = (max(0, min(int(word), self._shared.snapshot.latest)) for word in words)
-        if first < end:
-            try:
-                detail = await asyncio.to_thread(self._shared.stretch, first, end)
-            except Failure:
-                return  # the session has gone on or was closed; the coarse curves stay
-            self._scope.run_method("take", {"detail": detail})
+        if all(isinstance(word, int | float) for word in words):
+            first, end = (max(0, min(int(word), self._shared.snapshot.latest)) for word in words)
+            if first < end:
+                await self._stretches.wish((first, end))
+
+    async def _send_stretch(self, bounds: tuple[int, int]) -> None:
+        try:
+            detail = await asyncio.to_thread(self._shared.stretch, *bounds)
+        except Failure:
+            return  # the session has gone on or was closed; the coarse curves stay
+        self._scope.run_method("take", {"detail": detail})
 
     async def _choose(self, event: Any) -> None:
         chosen = list(event.value)[: view.MAX_SIGNALS]

@@ -16,7 +16,7 @@ from nicegui.element import Element
 
 from nctakt.base.failure import Failure, error_text
 from nctakt.live import view
-from nctakt.live.commander import Commander
+from nctakt.live.commander import Commander, Newest
 from nctakt.live.program_card import ProgramCard
 from nctakt.live.view import LogRow
 
@@ -42,6 +42,7 @@ class Lists:
         self._texts = commander.texts
         self._reveal = reveal
         self._shown: dict[str, object] = {}
+        self._asked = Newest(self._answer)
         self._due_s = 0.0
         self._program: ProgramCard | None = None
         self._list_of: dict[str, Any] = {}
@@ -133,8 +134,12 @@ class Lists:
 
     async def ask_why(self, line: int) -> None:
         """Show why the condition in a line is as it is; anybody may ask."""
-        texts, shared = self._texts, self._shared
         self.choose("why")
+        await self._asked.wish(line)
+
+    async def _answer(self, line: int) -> None:
+        """Show the answer for a line."""
+        texts, shared = self._texts, self._shared
         if not shared.snapshot.tick:
             self._why.set_text(texts["not_run"])
             return

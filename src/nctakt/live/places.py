@@ -45,7 +45,7 @@ class Places:
     def let_wait(self, client: Client) -> None:
         """Let a page wait for its browser, which takes a place once it connects."""
         client.on_connect(partial(self._take, client))
-        client.on_delete(partial(self._taken.discard, client.id))
+        client.on_delete(partial(self._leave, client.id))
 
     async def _take(self, client: Client) -> None:
         if client.id in self._taken:
@@ -56,3 +56,7 @@ class Places:
         self._refused(client.ip, TOO_MANY)
         client.run_javascript("location.reload()")  # it gets the reason
         client.delete()
+
+    def _leave(self, name: str) -> None:
+        """Give a place back. A method of our own: the library asks each handler's signature."""
+        self._taken.discard(name)

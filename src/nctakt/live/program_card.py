@@ -14,7 +14,7 @@ from nicegui import run, ui
 
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.live import view
-from nctakt.live.commander import Commander
+from nctakt.live.commander import Commander, Newest
 from nctakt.live.document import Document
 from nctakt.live.view import Snapshot
 
@@ -45,6 +45,7 @@ class ProgramCard:
         self._ask_why = ask_why
         self._on_findings = on_findings
         self._typed = 0
+        self._checks = Newest(self._check)
         self._marks: list[dict[str, Any]] | None = None
         self.findings: list[Diagnostic] = []
         self._checked_lines: list[str] = []
@@ -183,7 +184,7 @@ class ProgramCard:
     def _check_later(self) -> None:
         """Check the text once nobody has typed for a moment."""
         self._typed += 1
-        ui.timer(_TYPING_S, lambda typed=self._typed: self._check(typed), once=True)
+        ui.timer(_TYPING_S, lambda typed=self._typed: self._checks.wish(typed), once=True)
 
     async def _check(self, typed: int) -> None:
         if typed != self._typed:

@@ -14,6 +14,7 @@ import secrets
 import socket
 import sys
 from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING
 
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
@@ -25,6 +26,9 @@ from nctakt.live.shared import SharedSession
 from nctakt.live.texts import Texts
 from nctakt.messages import diagnostic
 from nctakt.messages.live import ADDRESS_NOT_USABLE, LIVE_LIBRARY_MISSING
+
+if TYPE_CHECKING:
+    from starlette.responses import Response
 
 #: Bytes of a message of a browser: the longest is the text of the editor.
 _MAX_MESSAGE = 16 * 1024 * 1024
@@ -77,10 +81,11 @@ def serve(
     what browsers send and nobody understands, ``refused`` whose requests and connections were
     refused, and why.
     """
-    from nicegui import Client, app, background_tasks, context, ui  # noqa: PLC0415 - only the page needs it
+    from nicegui import Client, app, background_tasks, context, core, ui  # noqa: PLC0415 - only the page needs it
 
     from nctakt.live.connections import protocol  # noqa: PLC0415 - as above
     from nctakt.live.page import Page  # noqa: PLC0415
+    from nctakt.live.sockets import Sockets  # noqa: PLC0415
 
     host, port = address
     access = Access(secrets.token_urlsafe(24), host not in LOCAL, is_embedded)
@@ -95,6 +100,10 @@ def serve(
 
     def refusal() -> str:
         return "" if places.make_room() else texts["too_many"].format(count=MAX_BROWSERS)
+
+    def looks_on(page: str) -> bool | None:
+        client = Client.instances.get(page)
+        return None if client is None else client.has_socket_connection
 
     async def begin() -> None:
         gc.freeze()  # what is there stays: a search for garbage is short then
@@ -112,6 +121,10 @@ def serve(
 
     sys.setswitchinterval(_SWITCH_S)
     tell_errors(tell_error)
+    app.add_exception_handler(404, _not_found)
+    app.config.socket_io_js_transports = ["websocket"]
+    core.sio.eio.max_http_buffer_size = _MAX_MESSAGE
+    app.add_middleware(Sockets, looks_on=looks_on, refused=refused)
     app.add_middleware(Guard, access=access, refusal=refusal, refused=refused)
     shown = f"[{host}]" if ":" in host else host
     app.on_startup(begin)
@@ -127,6 +140,13 @@ def serve(
         http=protocol(refused),
         ws_max_size=_MAX_MESSAGE,
     )
+
+
+async def _not_found(_: object, __: object) -> Response:
+    """Answer in a line; the library would build a page, which costs as much as the right one."""
+    from starlette.responses import PlainTextResponse  # noqa: PLC0415 - only the page needs it
+
+    return PlainTextResponse("404: not found\n", 404)
 
 
 def end_page() -> None:

@@ -29,6 +29,10 @@ _WORDS: dict[str, tuple[str, str]] = {
     "late": ("late slices", "späte Abschnitte"),
     "take_pen": ("Take the pen", "Stift nehmen"),
     "no_pen": ("Another browser has the pen.", "Ein anderer Browser hat den Stift."),
+    "too_fast": (
+        "Too many commands at once: some were not carried out.",
+        "Zu viele Befehle auf einmal: einige wurden nicht ausgeführt.",
+    ),
     "dark": ("Light or dark", "Hell oder dunkel"),
     "help": ("Keys", "Tasten"),
     "close": ("Close", "Schließen"),

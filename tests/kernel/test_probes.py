@@ -31,7 +31,6 @@ def rows_of(condition: str, values: list[float]) -> tuple[Controller, list[tuple
     controller.start(NcText("p.nc", text))
     found = machine.names.resolve_text("V.E.VALUE")
     assert isinstance(found, tuple)
-    machine.access.post_writes()
     machine.kernel.run(0)
     controller._loop.channels[0].feeder.refill()
     found_rows: list[tuple[int, int]] = []

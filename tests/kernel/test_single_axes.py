@@ -472,7 +472,6 @@ def test_which_override_a_motion_follows(mode: int, ticks: int) -> None:
     rig = AxesRig()
     rig.machine.axes.set_override(Z, mode, 100.0)
     rig.machine.access.write("HLI.OVERRIDE", 50.0)
-    rig.machine.access.post_writes()
     rig.absolute(10.0, 100.0)
     assert rig.run_to_stand() == ticks
 
@@ -483,12 +482,10 @@ def test_at_zero_percent_the_motion_stands_and_goes_on() -> None:
     rig.absolute(10.0, 100.0)
     rig.run(50)
     rig.machine.access.write("HLI.OVERRIDE", 0.0)
-    rig.machine.access.post_writes()
     rig.run(50)
     assert rig.places[-1] == pytest.approx(5.0)
     assert rig.state() == DISCRETE
     rig.machine.access.write("HLI.OVERRIDE", 100.0)
-    rig.machine.access.post_writes()
     rig.run(1)
     rig.run_to_stand()
     assert rig.places[-1] == 10.0
@@ -508,6 +505,5 @@ def test_feed_hold_leaves_independent_motions_alone() -> None:
     """MO-6: feed hold is the path's."""
     rig = AxesRig()
     rig.machine.access.write("HLI.FEED_HOLD", 1.0)
-    rig.machine.access.post_writes()
     rig.absolute(10.0, 100.0)
     assert rig.run_to_stand() == 125

@@ -287,7 +287,9 @@ class C(Plc):
     (tmp_path / "inputs.csv").write_text("time,V.E.COUNT\n0,1\n2h,5\n", "utf-8")
     run = Controller().run(NcText("a.nc", "M100\nM30"), plc=load_plc(written(tmp_path, text)))
     told = [(one.id, one.text().split(":")[-1].strip()) for one in run.diagnostics]
+    each_tick = "the condition of failed is a Python function, so the PLC is called after each tick"
     assert told == [
+        (902140, each_tick),
         (901007, "the run ended before, after 0.001 s"),
         (901014, "the run ended before 3600 s"),
         (901014, "its condition did not become true"),

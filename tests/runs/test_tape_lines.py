@@ -10,7 +10,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from nctakt.run.inputs import ACKNOWLEDGE, API, AXIS, PLC, WRITE, Cells, Input
+from nctakt.run.bound_values import API, WRITE
+from nctakt.run.inputs import ACKNOWLEDGE, AXIS, PLC, Cells, Input
 from nctakt.run.tape_lines import InputLines, inputs_of
 
 

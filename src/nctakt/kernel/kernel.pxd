@@ -5,6 +5,7 @@ from nctakt.kernel cimport codes, rows
 from nctakt.kernel.axes.axes cimport Axes
 from nctakt.kernel.plc.axis_requests cimport AxisRequests
 from nctakt.kernel.tick.channel cimport Channel
+from nctakt.kernel.tick.plc_calls cimport PlcCalls
 from nctakt.kernel.tick.signals cimport SignalBoard
 from nctakt.kernel.tick.stops cimport Stops
 from nctakt.kernel.plc.interface_image cimport InterfaceImage
@@ -36,6 +37,7 @@ cdef class ChannelLane(Lane):
 @cython.final
 cdef class Kernel:
     cdef long long[::1] words
+    cdef double[::1] cells
     cdef Axes axes
     cdef Record record
     cdef SingleAxes single_axes
@@ -45,15 +47,34 @@ cdef class Kernel:
     cdef readonly Stops stops
     cdef readonly SignalBoard signals
     cdef public bint ends_deadlock
+    cdef readonly PlcCalls calls
     cdef readonly bint is_stopped
+    cdef readonly bint is_plc_due
     cdef readonly long long tick
     cdef Py_ssize_t input_count
     cdef Py_ssize_t input_capacity
     cdef long long[::1] input_cells
     cdef long long[::1] input_words
+    cdef double[::1] input_values
+    cdef long long[::1] input_slots
 
+    cpdef check_cell(self, cell)
+    cpdef post(self, cell, double value)
+    @cython.locals(slot=Py_ssize_t)
+    cdef put(self, Py_ssize_t cell, double value)
+    @cython.locals(slot=Py_ssize_t)
+    cdef Py_ssize_t slot_of(self, Py_ssize_t cell) noexcept nogil
+    @cython.locals(slot=Py_ssize_t)
+    cdef Py_ssize_t slot_for(self, Py_ssize_t cell) except -1
+    @cython.locals(slot=Py_ssize_t)
+    cdef double present(self, Py_ssize_t cell) noexcept nogil
+    @cython.locals(i=Py_ssize_t)
+    cpdef void latch_posted(self) noexcept nogil
     @cython.locals(reason=int)
     cpdef int run(self, long long ticks)
+    @cython.locals(end=cython.longlong, before=cython.longlong, reason=int)
+    cpdef run_calling(self, long long ticks, call, view)
+    cdef int calls_plc(self) noexcept nogil
     @cython.locals(end=cython.longlong, reason=int)
     cdef int loop(self, long long ticks) noexcept nogil
     cdef Py_ssize_t event_bound(self) noexcept nogil

@@ -8,7 +8,8 @@ next tick latches at its start.
 
 from __future__ import annotations
 
-import struct
+from collections.abc import Callable
+from typing import Any
 
 import cython
 
@@ -20,6 +21,7 @@ from nctakt.kernel.base.record import Record
 from nctakt.kernel.plc.axis_requests import AxisRequests
 from nctakt.kernel.plc.interface_image import InterfaceImage
 from nctakt.kernel.tick.channel import Channel
+from nctakt.kernel.tick.plc_calls import PlcCalls
 from nctakt.kernel.tick.signals import SignalBoard
 from nctakt.kernel.tick.stops import Stops
 
@@ -99,6 +101,8 @@ class Kernel:
     """The realtime part of one machine.
 
     ``ends_deadlock``: ``run`` returns when each running program waits for another one's signal.
+    ``calls``: what a PLC in Python waits for; ``is_plc_due``: ``run`` has returned after a tick
+    after which it is to be called.
     """
 
     def __init__(
@@ -110,6 +114,7 @@ class Kernel:
         single_axes: SingleAxes,
     ) -> None:
         self.words = memoryview(memory).cast("q")
+        self.cells = memoryview(memory).cast("d")
         self.axes = axes
         self.single_axes = single_axes
         self.requests = AxisRequests(single_axes)
@@ -125,39 +130,93 @@ class Kernel:
             lane = ChannelLane(channels[number - 1], record, named, lane)
         self.lane = lane
         self.stops = Stops(memory, record)
+        self.calls = PlcCalls(channels[0].hli, channels[0].context.spindles)
         self.is_stopped = False
+        self.is_plc_due = False
         self.tick = 0
         self.input_count = 0
         self.input_capacity = 0
         self.input_cells = memoryview(bytearray(8)).cast("q")
         self.input_words = memoryview(bytearray(8)).cast("q")
+        self.input_slots = memoryview(bytearray(len(memory))).cast("q")
+        self.make_room(16)
         axes.publish_all()
+
+    # --- the image of inputs --------------------------------------------------------------------
+
+    def check_cell(self, cell: int) -> None:
+        """Raise ``ValueError`` unless ``cell`` is one of the memory."""
+        check_range(cell, 0, len(self.words) - 1, "cell")
 
     def post(self, cell: int, value: float) -> None:
         """Put a value into the image that the next tick latches."""
-        self.post_bytes(cell, struct.pack("=d", value))
+        self.check_cell(cell)
+        self.put(cell, value)
+
+    def put(self, cell: int, value: float) -> None:
+        """Post a value for a cell that is one of the memory."""
+        slot = self.slot_for(cell)
+        self.input_values[slot] = value
 
     def post_bytes(self, cell: int, data: bytes) -> None:
         """Put a character string that fills whole cells from ``cell`` on into that image."""
         words = memoryview(data).cast("q")
         check_range(cell, 0, len(self.words) - len(words), "cell")
-        self.make_room(self.input_count + len(words))
         for i, word in enumerate(words):
-            self.input_cells[self.input_count] = cell + i
-            self.input_words[self.input_count] = word
-            self.input_count += 1
+            slot = self.slot_for(cell + i)
+            self.input_words[slot] = word
+
+    def slot_of(self, cell: int) -> int:
+        """Slot of a cell in the image of inputs; -1 if nothing is posted for it."""
+        slot = self.input_slots[cell]
+        return slot if slot < self.input_count and self.input_cells[slot] == cell else -1
+
+    def slot_for(self, cell: int) -> int:
+        """Slot of a cell in the image of inputs, a new one if it has none."""
+        slot = self.slot_of(cell)
+        if slot >= 0:
+            return slot
+        slot = self.input_count
+        if slot == self.input_capacity:
+            self.make_room(2 * slot)
+        self.input_cells[slot] = cell
+        self.input_slots[cell] = slot
+        self.input_count = slot + 1
+        return slot
+
+    def present(self, cell: int) -> float:
+        """Value of a cell of the memory; one that is posted counts before it is latched."""
+        slot = self.slot_of(cell)
+        return self.cells[cell] if slot < 0 else self.input_values[slot]
+
+    def present_bytes(self, cell: int, count: int) -> bytes:
+        """Bytes of ``count`` cells; those that are posted count before they are latched."""
+        check_range(cell, 0, len(self.words) - count, "cell")
+        words = memoryview(bytearray(8 * count)).cast("q")
+        for i in range(count):
+            slot = self.slot_of(cell + i)
+            words[i] = self.words[cell + i] if slot < 0 else self.input_words[slot]
+        return bytes(words)
 
     def make_room(self, count: int) -> None:
         """Make room for ``count`` cells in the image of inputs."""
-        if count <= self.input_capacity:
-            return
         posted = [(self.input_cells[i], self.input_words[i]) for i in range(self.input_count)]
-        self.input_capacity = 2 * count + 16
-        self.input_cells = memoryview(bytearray(8 * self.input_capacity)).cast("q")
-        self.input_words = memoryview(bytearray(8 * self.input_capacity)).cast("q")
+        self.input_capacity = count
+        memory = memoryview(bytearray(8 * count))
+        self.input_cells = memoryview(bytearray(8 * count)).cast("q")
+        self.input_words = memory.cast("q")
+        self.input_values = memory.cast("d")
         for i, (cell, word) in enumerate(posted):
             self.input_cells[i] = cell
             self.input_words[i] = word
+
+    def latch_posted(self) -> None:
+        """Put what is posted into the memory."""
+        for i in range(self.input_count):
+            self.words[self.input_cells[i]] = self.input_words[i]
+        self.input_count = 0
+
+    # --- ticks ----------------------------------------------------------------------------------
 
     def run(self, ticks: int) -> int:
         """Run up to ``ticks`` ticks; return why it ended, ``codes.DONE`` after all of them.
@@ -166,9 +225,33 @@ class Kernel:
         """
         ticks = min(ticks, MAX_TICKS)
         self.is_stopped = False
+        self.is_plc_due = False
+        if ticks < 2:  # releasing the interpreter takes longer
+            return self.loop(1)
         with cython.nogil:
             reason = self.loop(ticks)
         return reason
+
+    def run_calling(self, ticks: int, call: Callable[[Any], object], view: object) -> int:
+        """Run ticks as ``run``, with this call after each of them.
+
+        After a tick that Python has to do something for it returns without the call:
+        ``is_plc_due``. What the call raises comes through.
+        """
+        end = self.tick + min(ticks, MAX_TICKS)
+        self.is_stopped = False
+        while True:
+            before = self.tick
+            self.is_plc_due = False
+            reason = self.loop(1)
+            if self.tick == before:
+                return reason
+            if reason or self.is_stopped or self.record.has_awaited():
+                self.is_plc_due = True
+                return reason
+            call(view)
+            if self.tick >= end:
+                return codes.DONE
 
     def reserve(self) -> None:
         """Make the emptied record large enough for a tick of the present load."""
@@ -193,8 +276,19 @@ class Kernel:
             self.run_tick()
             if self.stops.is_watching and self.stops.check(self.tick - 1):
                 self.is_stopped = True
+            if self.calls.is_watching and self.calls_plc():
+                break
+            if self.is_stopped:
                 break
         return self.lane.needs_python()
+
+    def calls_plc(self) -> int:
+        """Return whether Python has something to do for the PLC after this tick."""
+        if self.calls.is_due(self.tick - 1):
+            self.is_plc_due = True
+            return 1
+        self.calls.answer(self.tick - 1)
+        return 1 if self.calls.is_noting and self.calls.answer_count > 0 else 0
 
     def run_tick(self) -> None:
         """Run one tick: a table of its phases (RC-002)."""
@@ -236,9 +330,7 @@ class Kernel:
         """Latch the PLC's image, then the posted values."""
         if self.image.is_attached:
             self.image.latch()
-        for i in range(self.input_count):
-            self.words[self.input_cells[i]] = self.input_words[i]
-        self.input_count = 0
+        self.latch_posted()
         self.requests.latch()
 
     def record_row(self) -> None:

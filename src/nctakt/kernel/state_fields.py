@@ -23,7 +23,7 @@ REFERENCES = {
     "ArcLimits": ("max_a", "max_v"),
     "CommandQueue": ("rows",),
     "CycleManager": ("loaded", "root"),
-    "Kernel": ("input_cells", "input_words"),
+    "Kernel": ("input_cells", "input_values", "input_words"),
     "KinematicMaps": ("values",),
     "LoopBody": ("rows",),
     "Record": ("events", "probes", "rows", "signals"),
@@ -34,7 +34,11 @@ REFERENCES = {
 }  # fmt: skip
 #: Arrays of which nothing is read before it is written again. Of the path's history only the rows
 #: of segments that have begun count: ``Path.history`` has them.
-UNREAD = {"Record": ("events", "probes", "rows"), "PathAxes": ("history_rows",)}
+UNREAD = {
+    "Kernel": ("input_slots",),
+    "PathAxes": ("history_rows",),
+    "Record": ("events", "probes", "rows"),
+}
 #: Where expressions and statements of cycles stand: they do not change, except these.
 TREES = "nctakt.kernel.cycles."
 CHANGING_IN_TREES = (

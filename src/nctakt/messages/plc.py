@@ -230,3 +230,11 @@ HANDLER_NOT_CALLED = note(
     name=("the method", "die Methode"),
     reason=("what did not come to pass", "was nicht eingetreten ist"),
 )
+WHEN_CALLED_EACH_TICK = note(
+    902140,
+    en="the condition of {name} is a Python function, so the PLC is called after each tick",
+    de="die Bedingung von {name} ist eine Python-Funktion, also läuft die SPS nach jedem Takt",
+    remedy_en='Write it as a text, which the realtime part evaluates: @when("V.E.VALUE > 5").',
+    remedy_de='Als Text schreiben, den der Echtzeitteil auswertet: @when("V.E.VALUE > 5").',
+    name=("the method", "die Methode"),
+)

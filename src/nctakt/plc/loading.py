@@ -13,7 +13,7 @@ import contextlib
 import importlib.util
 import sys
 import traceback
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from pathlib import Path
 from types import ModuleType
@@ -31,7 +31,7 @@ from nctakt.messages.plc import (
     UNKNOWN_PLC_NAME,
 )
 from nctakt.plc.error import PlcError
-from nctakt.run.plc_view import AnyPlc, WatchedPlc
+from nctakt.run.plc_view import AnyPlc, Declaration, WatchedPlc
 
 if TYPE_CHECKING:
     from nctakt.run.plc_view import PlcView
@@ -93,6 +93,26 @@ class _LoadedPlc(WatchedPlc):
             except Failure as failure:
                 raise PlcError(*map(self._as_named, failure.diagnostics)) from failure
 
+    def notes(self) -> list[Diagnostic]:
+        """Return the notes of its class, with the file's name as the user wrote it."""
+        if not isinstance(self._plc, WatchedPlc):
+            return []
+        return [self._as_named(message) for message in self._plc.notes()]
+
+    def declaration(self, hli: PlcView) -> Declaration | None:
+        """Return what its class waits for."""
+        return self._plc.declaration(hli) if isinstance(self._plc, WatchedPlc) else None
+
+    def each_call(self) -> Callable[[PlcView], object]:
+        """Return the user's method."""
+        return self._cycle
+
+    def failure(self, error: BaseException, hli: PlcView) -> PlcError:
+        """Return a ``PlcError`` (900523) for an exception of the user's code."""
+        reason, text = _reason_and_traceback(error, self._path)
+        message = diagnostic(PLC_FAILED, tick=hli.tick, reason=reason, traceback=text)
+        return PlcError(message, *_refused(error))
+
     def unused_handlers(self, hli: PlcView) -> list[Diagnostic]:
         """Return the diagnostics of its class, with the file's name as the user wrote it."""
         if not isinstance(self._plc, WatchedPlc):
@@ -110,9 +130,7 @@ class _LoadedPlc(WatchedPlc):
         try:
             self._cycle(hli)
         except (Exception, SystemExit) as error:  # the user's code may raise what it likes
-            reason, text = _reason_and_traceback(error, self._path)
-            message = diagnostic(PLC_FAILED, tick=hli.tick, reason=reason, traceback=text)
-            raise PlcError(message, *_refused(error)) from error
+            raise self.failure(error, hli) from error
 
 
 def _load_module(path: Path) -> ModuleType:

@@ -9,12 +9,18 @@
         def open_the_door(self, hli):
             hli.write("V.E.DOOR", 1)
 
+        @when("V.RTA.ACS.ACT_POS.X > 400")
+        def slow_down(self, hli):
+            hli.override_pct = 20
+
         @on("M100")
         def clamp(self, hli, function):
             ...
 
-Spindles that the PLC turns get their jobs in the same way: ``spindles`` is the policy for their
-acknowledgement, ``@on("S3")`` gets each job.
+What a class declares so is looked for by the realtime part, and Python is called in the ticks in
+which it has come; a class with ``each_tick``, or a condition that is a Python function, is called
+after each tick. Spindles that the PLC turns get their jobs in the same way: ``spindles`` is the
+policy for their acknowledgement, ``@on("S3")`` gets each job.
 
 Actions after tick n count from tick n + 1 on (RC-002). After each tick come, in this order: inputs
 from the file, ``at``, ``when``, ``on``, ``each_tick``, acknowledgements; methods of one kind are
@@ -23,22 +29,40 @@ called in the order of the class.
 
 from __future__ import annotations
 
+import functools
+import operator
 import sys
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar, Self, TypeVar
 
 from nctakt.base.dataclass import dataclass, field
-from nctakt.base.diagnostics import NOTHING, Diagnostic, Span, Text
+from nctakt.base.diagnostics import NOTHING, Diagnostic, Text
 from nctakt.base.failure import Failure
 from nctakt.base.misspelling import nearest
+from nctakt.kernel.tick.plc_calls import Delays, When
 from nctakt.lists.format.times import Time, TimeLike, read_time
 from nctakt.messages import diagnostic
-from nctakt.messages.plc import HANDLER_NOT_CALLED, UNKNOWN_FUNCTION_IN_PLC, WRONG_PLC_TYPE
+from nctakt.messages.plc import (
+    HANDLER_NOT_CALLED,
+    UNKNOWN_FUNCTION_IN_PLC,
+    WHEN_CALLED_EACH_TICK,
+    WRONG_PLC_TYPE,
+)
 from nctakt.plc.class_check import class_slips
+from nctakt.plc.class_source import condition_mistake, source_position
 from nctakt.plc.inputs import read_inputs
-from nctakt.plc.policies import ALL, Only, Policy, SpindlePolicy
-from nctakt.run.plc_view import WatchedPlc
+from nctakt.plc.policies import (
+    ALL,
+    NEVER,
+    Only,
+    Policy,
+    SpindlePolicy,
+    delays_of,
+    earliest,
+)
+from nctakt.run.conditions import read_expression
+from nctakt.run.plc_view import Declaration, WatchedPlc
 from nctakt.run.stimuli import Stimulus, not_reached
 
 if TYPE_CHECKING:
@@ -53,7 +77,10 @@ _CALLED = ("each_tick", "begin_run", "unused_handlers")
 #: Members of ``Plc`` that it calls or reads.
 _MEMBERS = ("cycle", "each_tick", "acknowledge", "spindles", "inputs")
 
-_CONDITION = Text("a function that takes the HLI", "eine Funktion, die das HLI nimmt")
+_CONDITION = Text(
+    "a condition as a text, or a function that takes the HLI",
+    "eine Bedingung als Text oder eine Funktion, die das HLI nimmt",
+)
 _NAMES = Text('names such as "M100"', 'Namen wie "M100"')
 
 
@@ -64,7 +91,7 @@ class _At:
 
 @dataclass(frozen=True, slots=True)
 class _When:
-    condition: Callable[[PlcView], object]
+    condition: Callable[[PlcView], object] | str
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,17 +116,20 @@ def at(time: TimeLike) -> Callable[[_Method], _Method]:
     return _marked(_At(read_time(time)))
 
 
-def when(condition: Callable[[PlcView], object]) -> Callable[[_Method], _Method]:
-    """Call the method each time that ``condition(hli)`` becomes true.
+def when(condition: str | Callable[[PlcView], object]) -> Callable[[_Method], _Method]:
+    """Call the method each time that a condition becomes true.
+
+    ``condition``: a text in the language of realtime cycles, in mm and degrees, which the realtime
+    part evaluates after each tick; or a function that takes the HLI and is called after each tick.
 
     >>> class Cell(Plc):
-    ...     @when(lambda hli: hli.read("V.RTA.ACS.ACT_POS.X") > 50)
+    ...     @when("V.RTA.ACS.ACT_POS.X > 50")
     ...     def report(self, hli):
     ...         print("X beyond 50 mm after tick", hli.tick)
     >>> run = Controller().run(NcText("move.nc", "G01 X100 F6000 M30"), plc=Cell())
     X beyond 50 mm after tick 512
     """
-    if not callable(condition):
+    if not callable(condition) and not isinstance(condition, str):
         raise _wrong_type("@when(…)", condition, _CONDITION)
     return _marked(_When(condition))
 
@@ -147,7 +177,11 @@ def _marked(mark: object) -> Callable[[_Method], _Method]:
 
 @dataclass(slots=True)
 class _Memory:
-    """The state of a PLC from tick to tick."""
+    """The state of a PLC from tick to tick.
+
+    ``whens``: the conditions that are texts, on ``machine``; ``declared``: what the PLC waits for,
+    with the policies that it has been made of.
+    """
 
     inputs: list[Stimulus]
     first_tick: int | None = None
@@ -155,6 +189,10 @@ class _Memory:
     was_true: dict[tuple[str, int], bool] = field(default_factory=dict)
     seen: dict[tuple[str, int], tuple[int, int]] = field(default_factory=dict)
     called: dict[tuple[str, int], None] = field(default_factory=dict)
+    whens: dict[tuple[str, int], When] = field(default_factory=dict)
+    machine: object = None
+    declared: Declaration | None = None
+    policies: tuple[Policy, SpindlePolicy] = (ALL, ALL)
 
 
 class Plc(WatchedPlc):
@@ -181,7 +219,10 @@ class Plc(WatchedPlc):
     inputs: ClassVar[str | Path | None] = None
     _folder: ClassVar[Path] = Path()
     _source: ClassVar[tuple[str, int]] = ("", 1)
-    _marks: ClassVar[tuple[tuple[str, int, object], ...]] = ()
+    _marks: ClassVar[tuple[tuple[str, int, Any], ...]] = ()
+    _ats: ClassVar[tuple[tuple[str, int, _At], ...]] = ()
+    _whens: ClassVar[tuple[tuple[str, int, _When], ...]] = ()
+    _ons: ClassVar[tuple[tuple[str, int, _On], ...]] = ()
     _memory: _Memory
 
     def __init_subclass__(cls) -> None:
@@ -196,6 +237,9 @@ class Plc(WatchedPlc):
             for name in names
             for index, mark in enumerate(getattr(getattr(cls, name), _MARK, ()))
         )
+        cls._ats = tuple(one for one in cls._marks if isinstance(one[2], _At))
+        cls._whens = tuple(one for one in cls._marks if isinstance(one[2], _When))
+        cls._ons = tuple(one for one in cls._marks if isinstance(one[2], _On))
 
     def __new__(cls, *words: object, **keywords: object) -> Self:
         """Set up the state here, so that a user's ``__init__`` need not call that of this class."""
@@ -206,11 +250,11 @@ class Plc(WatchedPlc):
 
     def begin_run(self, hli: PlcView) -> None:
         """Raise ``Failure`` for unknown functions in ``@on`` and ``only`` (901013), for slips in
-        the class (901008, 901009, 901011).
+        the class (901008, 901009, 901011) and for mistakes in conditions.
         """
         functions = hli.known_functions()
         upper = {name.upper() for name in functions}
-        requested = [(name, kind.names) for name, _, kind in self._of(_On)]
+        requested = [(name, mark.names) for name, _, mark in self._ons]
         for attribute in ("acknowledge", "spindles"):
             policy = getattr(self, attribute)
             if isinstance(policy, Only):
@@ -218,7 +262,7 @@ class Plc(WatchedPlc):
         unknown = [
             diagnostic(
                 UNKNOWN_FUNCTION_IN_PLC,
-                *_source_position(type(self), member, name),
+                *source_position(type(self), member, name),
                 name=name,
                 nearest=nearest(name, functions) or NOTHING,
             )
@@ -227,13 +271,26 @@ class Plc(WatchedPlc):
         ]
         kind = type(self)
         unknown += [
-            diagnostic(message, *_source_position(kind, member, word), **values)
+            diagnostic(message, *source_position(kind, member, word), **values)
             for message, member, word, values in class_slips(
                 kind, Plc, _MEMBERS, lambda name, one: handler_parameters(name, one, is_plc=True)
             )
         ]
+        try:
+            self._memory.machine = None
+            self._read_conditions(hli)
+        except Failure as failure:
+            unknown += failure.diagnostics
         if unknown:
             raise Failure(*unknown)
+
+    def notes(self) -> list[Diagnostic]:
+        """Return a note for each condition that is called after each tick (902140)."""
+        return [
+            diagnostic(WHEN_CALLED_EACH_TICK, *source_position(type(self), name, "when"), name=name)
+            for name, _, mark in self._whens
+            if callable(mark.condition)
+        ]
 
     def unused_handlers(self, hli: PlcView) -> list[Diagnostic]:
         """Return a diagnostic for each method (901014) and input (901007) left at the end."""
@@ -243,7 +300,7 @@ class Plc(WatchedPlc):
         unused = [
             diagnostic(
                 HANDLER_NOT_CALLED,
-                *_source_position(type(self), name),
+                *source_position(type(self), name),
                 name=name,
                 reason=_reason(mark),
             )
@@ -257,45 +314,127 @@ class Plc(WatchedPlc):
 
     def cycle(self, hli: PlcView) -> None:
         """Call the methods that are due after a tick, and acknowledge."""
+        functions, jobs = self._call_due(hli)
+        for function in functions:
+            if self.acknowledge.answers(function, hli):
+                hli.acknowledge(function)
+        self._acknowledge_jobs(jobs, hli)
+
+    def _acknowledge_jobs(self, jobs: Sequence[SpindleEntry], hli: PlcView) -> None:
+        for job in jobs:
+            if self.spindles.answers(job, hli):
+                hli.acknowledge_spindle(job)
+
+    # --- called only when something is due ------------------------------------------------------
+
+    def declaration(self, hli: PlcView) -> Declaration | None:
+        """Return what it waits for; ``None`` for a class that is called after each tick."""
+        memory = self._memory
+        policies = self.acknowledge, self.spindles
+        if memory.declared is not None and memory.machine is hli._machine:
+            if all(map(operator.is_, policies, memory.policies)):
+                return memory.declared
+        if self._needs_each_tick():
+            return None
+        self._read_conditions(hli)
+        delays = delays_of(self.acknowledge, hli.cycle_time_us)
+        memory.policies = policies
+        memory.declared = Declaration(
+            list(memory.whens.values()),
+            Delays(NEVER, [], []) if delays is None else delays,
+            self.cycle if delays is None else self._cycle_without_functions,
+            self._next_call,
+        )
+        return memory.declared
+
+    def _needs_each_tick(self) -> bool:
+        """Return whether something of the class has to be called after each tick."""
+        called = (getattr(self.cycle, "__func__", None), getattr(self.each_tick, "__func__", None))
+        return called != (Plc.cycle, Plc.each_tick) or any(
+            callable(mark.condition) for _, _, mark in self._whens
+        )
+
+    def _cycle_without_functions(self, hli: PlcView) -> None:
+        """Do as ``cycle``; the realtime part acknowledges the functions."""
+        _, jobs = self._call_due(hli)
+        self._acknowledge_jobs(jobs, hli)
+
+    def _next_call(self, hli: PlcView) -> int:
+        """Return the tick after which ``cycle`` has something to do, if nothing comes before."""
+        memory, tick_us = self._memory, hli.cycle_time_us
+        first = memory.first_tick or 0
+        times = [stimulus.time for stimulus in memory.inputs[:1]]
+        times += [mark.time for name, index, mark in self._ats if (name, index) not in memory.done]
+        ticks = [first + time.ticks(tick_us) - 1 for time in times]
+        ticks += [earliest(self.spindles, job, hli) for job in hli.spindle_jobs()]
+        if delays_of(self.acknowledge, tick_us) is None:
+            ticks += [hli.tick + 1 for _ in hli.functions()]
+        return min(ticks, default=NEVER)
+
+    # --- conditions -----------------------------------------------------------------------------
+
+    def _read_conditions(self, hli: PlcView) -> None:
+        """Read the conditions that are texts for this machine; raises ``Failure``."""
+        memory, machine = self._memory, hli._machine
+        if memory.machine is machine:
+            return
+        found: list[Diagnostic] = []
+        for name, index, mark in self._whens:
+            if isinstance(mark.condition, str):
+                before = memory.whens.get((name, index))
+                was_true = before is not None and before.was_true != 0
+                try:
+                    expression = read_expression(machine, mark.condition)
+                except Failure as failure:
+                    placed = functools.partial(condition_mistake, type(self), name, mark.condition)
+                    found += map(placed, failure.diagnostics)
+                else:
+                    memory.whens[name, index] = When(expression, machine.memory, was_true)
+        if found:
+            raise Failure(*found)
+        memory.machine, memory.declared = machine, None
+
+    def _rises(self, name: str, index: int, mark: _When, hli: PlcView) -> bool:
+        """Return whether a condition has become true after this tick."""
+        memory, key = self._memory, (name, index)
+        if isinstance(mark.condition, str):
+            return memory.whens[key].rises_in(hli.tick)
+        is_true = bool(mark.condition(hli))
+        rises = is_true and not memory.was_true.get(key, False)
+        memory.was_true[key] = is_true
+        return rises
+
+    def _call_due(self, hli: PlcView) -> tuple[Sequence[TechnologyEntry], Sequence[SpindleEntry]]:
+        """Call the methods that are due after a tick; return functions and jobs that wait."""
         memory = self._memory
         tick_us = hli.cycle_time_us
         if memory.first_tick is None:
             memory.first_tick = hli.tick
             memory.inputs.sort(key=lambda stimulus: stimulus.time.us(tick_us))
+        self._read_conditions(hli)
         next_tick = hli.tick + 1 - memory.first_tick
         while memory.inputs and memory.inputs[0].time.ticks(tick_us) <= next_tick:
             stimulus = memory.inputs.pop(0)
             hli.write(stimulus.name, stimulus.value)
-        for name, index, mark in self._of(_At):
+        for name, index, mark in self._ats:
             if mark.time.ticks(tick_us) <= next_tick and (name, index) not in memory.done:
                 memory.done.append((name, index))
                 self._call(name, index, hli)
-        for name, index, mark in self._of(_When):
-            is_true = bool(mark.condition(hli))
-            if is_true and not memory.was_true.get((name, index), False):
+        for name, index, waits in self._whens:
+            if self._rises(name, index, waits, hli):
                 self._call(name, index, hli)
-            memory.was_true[(name, index)] = is_true
         functions, jobs = hli.functions(), hli.spindle_jobs()
         for entry in self._new([*functions, *jobs]):
-            for name, index, mark in self._of(_On):
-                if entry.name.upper() in mark.names:
+            for name, index, named in self._ons:
+                if entry.name.upper() in named.names:
                     self._call(name, index, hli, entry)
         self.each_tick(hli)
-        for function in functions:
-            if self.acknowledge.answers(function, hli):
-                hli.acknowledge(function)
-        for job in jobs:
-            if self.spindles.answers(job, hli):
-                hli.acknowledge_spindle(job)
+        return functions, jobs
 
     def _call(self, name: str, index: int, *words: object) -> None:
         """Call a method for its mark ``index``."""
         self._memory.called[(name, index)] = None
         getattr(self, name)(*words)
-
-    def _of(self, kind: type[Any]) -> Iterator[tuple[str, int, Any]]:
-        """Yield the marks of one kind."""
-        return (mark for mark in self._marks if isinstance(mark[2], kind))
 
     def _new(
         self, entries: Sequence[TechnologyEntry | SpindleEntry]
@@ -324,22 +463,3 @@ def _reason(mark: object) -> Text:
         en, de = " or ".join(names), " oder ".join(names)
         return Text(f"{en} did not appear", f"{de} kam nicht vor")
     return Text("its condition did not become true", "seine Bedingung wurde nicht wahr")
-
-
-def _source_position(kind: type[Plc], member: str, word: str = "") -> tuple[Span, str] | tuple[()]:
-    """Return the span of a method, or of a word at it or in its class, and the source line.
-
-    The result is empty if the source is not available.
-    """
-    import linecache  # noqa: PLC0415 - only a diagnostic needs it
-    import re  # noqa: PLC0415
-
-    code = getattr(getattr(kind, member), "__code__", None)
-    file, first = kind._source if code is None else (code.co_filename, code.co_firstlineno)
-    lines = linecache.getlines(file)
-    pattern = re.escape(word) if word else rf"(?<=def ){re.escape(member)}"
-    for number, line in enumerate(lines[first - 1 :], first):
-        match = re.search(rf"{pattern}\b", line, re.IGNORECASE)
-        if match is not None:
-            return Span(file, number, match.start() + 1, match.end() + 1), line.rstrip("\n")
-    return ()

@@ -27,6 +27,7 @@ from nctakt.results.run import ProgramMessage, Run
 from nctakt.results.step import Step
 from nctakt.run import program_loader
 from nctakt.run.assembly import AssembledMachine
+from nctakt.run.bound_values import BoundValue
 from nctakt.run.inputs import IMAGE
 from nctakt.run.one_at_a_time import OneAtATime, alone
 from nctakt.run.plc_view import AnyPlc, PlcView, WatchedPlc
@@ -93,6 +94,7 @@ class Controller:
             scheduled_run = ScheduledRun(self._machine, schedule, roles)
         self._loop = TickLoop(self._machine, self.diagnostics.append, scheduled_run)
         self._image: SharedImage | None = None
+        self._hli = PlcView(self._machine)
 
     def __repr__(self) -> str:
         count, axes = len(self._loop.channels), len(self.machine.axes)
@@ -119,7 +121,7 @@ class Controller:
     @property
     def hli(self) -> PlcView:
         """The interface to the PLC (HLI): a PLC's view of the first channel, operator's panel."""
-        return PlcView(self._machine)
+        return self._hli
 
     @property
     def default_signals(self) -> tuple[str, ...]:
@@ -155,6 +157,14 @@ class Controller:
         Raises ``Failure`` for an unknown name and for a value that the variable cannot hold.
         """
         self._machine.write(name, value)
+
+    def bind(self, name: str) -> BoundValue:
+        """Return a variable or an operator's value, bound by its name for many accesses.
+
+        Its ``value`` is what ``read`` returns and, when it is set, what ``write`` writes; raises
+        ``Failure`` for an unknown name.
+        """
+        return self._machine.access.bind(name)
 
     def signal(self, name: str) -> float:
         """Return the present value of a signal; raises ``Failure`` for an unknown name."""
@@ -207,6 +217,7 @@ class Controller:
         if plc is not None:
             if isinstance(plc, WatchedPlc):
                 plc.begin_run(self.hli)
+                self.diagnostics += plc.notes()
             self._loop.connect(plc, has_plc=True)
         if stimuli:
             self._machine.inputs.plan(as_inputs(stimuli, self.tick, self.cycle_time_us))

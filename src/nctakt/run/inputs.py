@@ -19,6 +19,7 @@ from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
 from nctakt.messages.tape import INPUT_NOT_POSSIBLE
+from nctakt.run.bound_values import API, WRITE
 
 if TYPE_CHECKING:
     from nctakt.kernel.kernel import Kernel
@@ -27,15 +28,16 @@ if TYPE_CHECKING:
     from nctakt.run.shared_image import SharedImage
     from nctakt.run.variable_access import VariableAccess
 
-#: The kinds of inputs.
-WRITE, ACKNOWLEDGE, ACKNOWLEDGE_SPINDLE, AXIS = "write", "ack", "ack_spindle", "axis"
+#: The kinds of inputs, beside ``WRITE``.
+ACKNOWLEDGE, ACKNOWLEDGE_SPINDLE, AXIS = "ack", "ack_spindle", "axis"
 IMAGE, SELECT = "image", "select"
 #: What a schedule on a real clock has decided: a channel had so many further commands decoded, a
 #: thread was still busy when it was due, the tick was lost.
 DECODED, OVERFLOWED, LOST = "decoded", "overflowed", "lost"
 
-#: Where inputs come from; ``HLI``: a PLC in another process, ``SCHEDULE``: a real clock.
-API, STIMULI, PLC, HLI, SCHEDULE = "api", "stimuli", "plc", "hli", "schedule"
+#: Where inputs come from, beside ``API``; ``HLI``: a PLC in another process, ``SCHEDULE``: a real
+#: clock.
+STIMULI, PLC, HLI, SCHEDULE = "stimuli", "plc", "hli", "schedule"
 
 #: The order of the sources within a tick, by the first word of their names: tape and stimuli, PLCs,
 #: the servers, persons; others come last. Of two that write one value the later one wins.
@@ -129,7 +131,7 @@ class Inputs:
         self._report_stale = report_stale
         self._planned: deque[Input] = deque()
         self._listener: InputListener | None = None
-        self._noted: Cells = []
+        self._notes = access.notes
         self.on_select: Callable[[int, str], None] | None = None
         self.on_schedule: Callable[[str, tuple[int, ...]], None] | None = None
         self._image: Callable[[], SharedImage | None] = _no_image
@@ -156,18 +158,35 @@ class Inputs:
             if change not in known:
                 self._tell(HLI, IMAGE, *change)
 
+    @property
+    def has_image(self) -> bool:
+        """Whether another process may write into an image of the HLI."""
+        return self._image is not _no_image
+
     # --- the listener ---------------------------------------------------------------------------
 
     def listen(self, listener: InputListener | None) -> None:
         """Let this listener, or nobody, learn of the inputs from now on."""
         self.hand_over()
         self._listener = listener
+        self._notes.is_listening = listener is not None
 
     def hand_over(self) -> None:
         """Hand the inputs since the last time to the listener."""
-        if self._noted and self._listener is not None:
-            noted, self._noted = self._noted, []
+        notes = self._notes
+        if notes.cells and self._listener is not None:
+            noted, notes.cells = notes.cells, []
             self._listener(noted)
+
+    @property
+    def is_heard(self) -> bool:
+        """Whether somebody listens."""
+        return self._listener is not None
+
+    @property
+    def are_many_noted(self) -> bool:
+        """Whether so many inputs wait for the listener that it should have them."""
+        return len(self._notes.cells) >= _MAX_NOTED
 
     # --- planned inputs -------------------------------------------------------------------------
 
@@ -227,12 +246,12 @@ class Inputs:
 
     def apply_due(self) -> int:
         """Apply the planned inputs of the coming tick; return the tick of the next planned one."""
-        if len(self._noted) >= _MAX_NOTED:
+        if self.are_many_noted:
             self.hand_over()
         planned = self._planned
         while planned and planned[0].tick <= self._kernel.tick:
             self._apply(planned.popleft())
-        if self._listener is not None and self._image is not _no_image:
+        if self._listener is not None and self.has_image:
             self._note_image()
         return self.next_tick
 
@@ -281,10 +300,7 @@ class Inputs:
 
     def write(self, name: str, value: float | bool | str, source: str = API) -> None:
         """Write a variable or an operator's value; raises ``Failure`` for a wrong one."""
-        self._access.write(name, value)
-        if self._listener is not None:
-            number = value if isinstance(value, str) else float(value)
-            self._noted += (self._kernel.tick, source, WRITE, name, number)
+        self._access.write(name, value, source)
 
     def select(self, channel: int, name: str, source: str = API) -> None:
         """Select the program file of this name for a channel, counted from 0."""
@@ -313,6 +329,12 @@ class Inputs:
         section = hli.realtime if is_realtime else hli.program
         if not section.acknowledge(slot, serial):
             self._report_stale(name)
+        self.note_acknowledged(channel, is_realtime, slot, serial, name)
+
+    def note_acknowledged(
+        self, channel: int, is_realtime: bool, slot: int, serial: int, name: str
+    ) -> None:
+        """Note a function that the realtime part has acknowledged for a PLC."""
         self._tell(PLC, ACKNOWLEDGE, channel, is_realtime, slot, serial, name)
 
     def acknowledge_spindle(self, channel: int, index: int, serial: int, name: str) -> None:
@@ -334,5 +356,4 @@ class Inputs:
         return owner
 
     def _tell(self, source: str, kind: str, *values: float | str | bool) -> None:
-        if self._listener is not None:
-            self._noted += (self._kernel.tick, source, kind, values, None)
+        self._notes.add(source, kind, values, None)

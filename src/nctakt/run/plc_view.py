@@ -7,9 +7,10 @@ Everything that it writes counts from the next tick on (RC-002).
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING, NoReturn, Protocol
 
+from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import NOTHING, Diagnostic
 from nctakt.base.failure import Failure
 from nctakt.base.misspelling import nearest
@@ -17,9 +18,12 @@ from nctakt.hli.checked_values import split_channel
 from nctakt.hli.function_codes import function_of
 from nctakt.hli.layout import AXIS, CHANNEL
 from nctakt.hli.operator_panel import SETTABLE, OperatorPanel
-from nctakt.hli.plc_entries import NamedValues, SpindleEntry, TechnologyEntry
+from nctakt.hli.plc_entries import SpindleEntry, TechnologyEntry
 from nctakt.kernel import codes
+from nctakt.kernel.axes.spindles import Spindles
+from nctakt.kernel.kernel import Kernel
 from nctakt.kernel.plc.technology_slots import Hli
+from nctakt.kernel.tick.plc_calls import Delays, When
 from nctakt.messages import diagnostic
 from nctakt.messages.folders import UNKNOWN_CHANNEL
 from nctakt.messages.memory import NOT_VISIBLE_TO_PLC
@@ -29,6 +33,8 @@ from nctakt.messages.plc import (
     UNKNOWN_PLC_AXIS,
 )
 from nctakt.run.assembly import AssembledMachine
+from nctakt.run.bound_values import BoundValue
+from nctakt.run.hli_values import AxisValues, ChannelValues
 from nctakt.run.inputs import PLC
 
 
@@ -39,15 +45,45 @@ class AnyPlc(Protocol):
         """Read inputs and set outputs through the interface image; called after each tick."""
 
 
+@dataclass(frozen=True, slots=True)
+class Declaration:
+    """What a PLC waits for, so that no tick calls it in which nothing of it has come.
+
+    ``call`` is due when a function or a job appears, one of ``whens`` becomes true, or the tick
+    ``next_call`` has been run; then functions are acknowledged after their ``delays``.
+    """
+
+    whens: Sequence[When]
+    delays: Delays
+    call: Callable[[PlcView], object]
+    next_call: Callable[[PlcView], int]
+
+
 class WatchedPlc:
     """A PLC whose methods and their times are known before a run."""
 
     def begin_run(self, hli: PlcView) -> None:
         """Raise ``Failure`` if the PLC waits for names that the machine does not have."""
 
+    def notes(self) -> Sequence[Diagnostic]:
+        """Return what is worth knowing about it before a run."""
+        return ()
+
     def unused_handlers(self, hli: PlcView) -> Sequence[Diagnostic]:
         """Return a diagnostic for each method and input that a run did not use."""
         return ()
+
+    def declaration(self, hli: PlcView) -> Declaration | None:
+        """Return what it waits for; ``None`` if it is called after each tick."""
+        return None
+
+    def each_call(self) -> Callable[[PlcView], object] | None:
+        """Return what is called after each tick instead of ``cycle``, if there is such a thing."""
+        return None
+
+    def failure(self, error: BaseException, hli: PlcView) -> BaseException:
+        """Return what is raised instead of an exception of the PLC's."""
+        return error
 
 
 class PlcView(OperatorPanel):
@@ -57,15 +93,30 @@ class PlcView(OperatorPanel):
     unknown attribute and suggests the nearest one.
     """
 
-    __slots__ = ("_hli", "_index", "_machine")
+    __slots__ = (
+        "_axes", "_bound", "_channel", "_cycle_time_us", "_hli", "_index", "_kernel", "_machine",
+        "_spindles",
+    )  # fmt: skip
+    _axes: dict[str, AxisValues]
+    _bound: dict[str, BoundValue]
+    _channel: ChannelValues | None
+    _cycle_time_us: int
     _hli: Hli
     _index: int
+    _kernel: Kernel
     _machine: AssembledMachine
+    _spindles: Spindles
 
     def __init__(self, machine: AssembledMachine, index: int = 0) -> None:
         _set(self, "_machine", machine)
         _set(self, "_index", index)
         _set(self, "_hli", machine.channels[index].hli)
+        _set(self, "_spindles", machine.channels[index].context.spindles)
+        _set(self, "_kernel", machine.kernel)
+        _set(self, "_cycle_time_us", machine.configuration.cycle_time_us)
+        _set(self, "_axes", {})
+        _set(self, "_bound", {})
+        _set(self, "_channel", None)
 
     if not TYPE_CHECKING:  # type checkers would accept any name
 
@@ -73,9 +124,10 @@ class PlcView(OperatorPanel):
             raise AttributeError(_unknown(name, public_names(PlcView)), name=name, obj=self)
 
         def __setattr__(self, name: str, value: object) -> None:
-            if name not in SETTABLE:
+            setter = _SETTERS.get(name)
+            if setter is None:
                 raise AttributeError(_unknown(name, SETTABLE), name=name, obj=self)
-            _set(self, name, value)
+            setter(self, value)
 
     def __repr__(self) -> str:
         return f"<PlcView of channel {self._index + 1}: {self.state}, after tick {self.tick}>"
@@ -90,38 +142,57 @@ class PlcView(OperatorPanel):
     @property
     def tick(self) -> int:
         """The number of the latest tick."""
-        return self._machine.kernel.tick - 1
+        return self._kernel.tick - 1
 
     @property
     def time_us(self) -> int:
         """The time at which the latest tick began, in microseconds."""
-        return self.tick * self._machine.configuration.cycle_time_us
+        return (self._kernel.tick - 1) * self._cycle_time_us
 
     @property
     def cycle_time_us(self) -> int:
         """The length of a tick in microseconds."""
-        return self._machine.configuration.cycle_time_us
+        return self._cycle_time_us
 
-    def channel(self) -> NamedValues:
+    def channel(self) -> ChannelValues:
         """Return the channel by the names of ``hli_channel``: ``path_speed``, ``block`` …"""
-        machine = self._machine
-        panel = machine.assembled[self._index].panel
-        shown = {value.entry.name: value.cell for value in panel.values() if not value.is_command}
-        for entry in CHANNEL.entries:
-            if entry.source:
-                shown[entry.name] = machine.layout.channel_value(self._index, entry.source)
-        return NamedValues({name: machine.cells[cell] for name, cell in shown.items()})
+        if self._channel is None:
+            machine = self._machine
+            panel = machine.assembled[self._index].panel
+            found = {value.entry.name: value.cell for value in panel.values()}
+            for entry in CHANNEL.entries:
+                if entry.source:
+                    found[entry.name] = machine.layout.channel_value(self._index, entry.source)
+            _set(self, "_channel", ChannelValues(machine.kernel, found))
+        assert self._channel is not None
+        return self._channel
 
-    def axis(self, name: str) -> NamedValues:
+    def axis(self, name: str) -> AxisValues:
         """Return an axis by the names of ``hli_axis``: ``command``, ``target``, ``state`` …"""
+        axis = self._axes.get(name)
+        return self._bind_axis(name) if axis is None else axis
+
+    def _bind_axis(self, name: str) -> AxisValues:
         machine, index = self._machine, self._axis(name)
-        return NamedValues(
-            {
-                entry.name: machine.cells[machine.layout.axis_value(index, entry.source)]
-                for entry in AXIS.entries
-                if entry.source
-            }
-        )
+        found = {
+            entry.name: machine.layout.axis_value(index, entry.source)
+            for entry in AXIS.entries
+            if entry.source
+        }
+        self._axes[name] = AxisValues(machine.kernel, found)
+        return self._axes[name]
+
+    def variable(self, name: str) -> BoundValue:
+        """Return a V. variable or an operator's value, bound for any number of accesses.
+
+        Its ``value`` is the present one; raises ``Failure`` for an unknown name, V.CH (RC-309).
+        """
+        bound = self._bound.get(name)
+        if bound is None:
+            bound = self._machine.access.bind(self._own(name)).of_source(PLC)
+            if len(self._bound) < _MAX_BOUND:
+                self._bound[name] = bound
+        return bound
 
     # --- single axes, for the function blocks of ``plc/axes.py`` --------------------------------
 
@@ -192,6 +263,8 @@ class PlcView(OperatorPanel):
 
     def functions(self) -> list[TechnologyEntry]:
         """Return the waiting functions, those of the main program first, in their order."""
+        if not self._hli.waiting_count():
+            return []
         return [*self._waiting(is_realtime=False), *self._waiting(is_realtime=True)]
 
     def _waiting(self, *, is_realtime: bool) -> Iterator[TechnologyEntry]:
@@ -227,8 +300,9 @@ class PlcView(OperatorPanel):
 
     def spindle_jobs(self) -> list[SpindleEntry]:
         """Return the jobs of spindles that the PLC turns, in the order of the channel list."""
-        spindles = self._machine.channels[self._index].context.spindles
-        cycle_time_us = self._machine.configuration.cycle_time_us
+        spindles, cycle_time_us = self._spindles, self._cycle_time_us
+        if not spindles.has_jobs():
+            return []
         name, jobs = self._machine.registry.spindle, spindles.jobs()
         return [
             SpindleEntry(
@@ -261,11 +335,11 @@ class PlcView(OperatorPanel):
 
     def read(self, name: str) -> float | bool | str:
         """Return a V. variable after this tick; raises ``Failure`` for V.CH (RC-309)."""
-        return self._machine.read(self._own(name))
+        return (self._bound.get(name) or self.variable(name)).value
 
     def write(self, name: str, value: float | bool | str) -> None:
         """Write a V.E variable; raises ``Failure`` for a wrong name or value."""
-        self._machine.write(self._own(name), value, PLC)
+        (self._bound.get(name) or self.variable(name)).write(value, PLC)
 
     def _own(self, name: str) -> str:
         """Return the name with its channel; raises ``Failure`` for V.CH (RC-309)."""
@@ -276,6 +350,12 @@ class PlcView(OperatorPanel):
 
 #: Sets an attribute without a check of its name.
 _set = object.__setattr__
+
+#: Names that a view keeps bound; there are as many spellings of them as one likes.
+_MAX_BOUND = 10_000
+
+#: What sets the attributes that a PLC may set.
+_SETTERS = {name: vars(OperatorPanel)[name].fset for name in SETTABLE}
 
 
 def public_names(kind: type) -> list[str]:

@@ -157,6 +157,8 @@ class ProgramRun:
         if isinstance(options.plc, WatchedPlc):
             options.plc.begin_run(PlcView(machine))
         self._first_diagnostic = len(diagnostics) if first_tick else 0
+        if isinstance(options.plc, WatchedPlc):
+            diagnostics += options.plc.notes()
         self._memory = MemorySink() if options.memory_trace else None
         machine.registry.on_cycle = options.on_cycle
         self._statistics = RunStatistics(machine.registry.reactions_of, machine.registry.frozen_in)

@@ -66,6 +66,7 @@ class Recording:
         self._motions = ended_motions.EndedMotions(machine)
         self.messages: list[ProgramMessage] = []
         self.on_message: Callable[[ProgramMessage], None] | None = None
+        machine.record.awaited_kinds = sum(1 << kind for kind in _WATCHED | ended_motions.EVENTS)
 
     def checked(self, names: Sequence[str] | None) -> Sequence[str]:
         """Return the signals of these names, by default those of the machine.

@@ -23,7 +23,8 @@ from nctakt.messages.inputs import (
     STIMULUS_NOT_REACHED,
     UNREADABLE_VALUE,
 )
-from nctakt.run.inputs import STIMULI, WRITE, Input
+from nctakt.run.bound_values import WRITE
+from nctakt.run.inputs import STIMULI, Input
 
 _NUMBER = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?", re.ASCII)
 _TRUTH = {"TRUE": 1.0, "FALSE": 0.0}

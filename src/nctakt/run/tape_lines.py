@@ -16,6 +16,7 @@ from collections.abc import Callable, Mapping, Sequence
 from math import isfinite
 from typing import Any
 
+from nctakt.run.bound_values import WRITE
 from nctakt.run.inputs import (
     ACKNOWLEDGE,
     ACKNOWLEDGE_SPINDLE,
@@ -26,7 +27,6 @@ from nctakt.run.inputs import (
     LOST,
     OVERFLOWED,
     SELECT,
-    WRITE,
     Cells,
     Input,
     unpack,

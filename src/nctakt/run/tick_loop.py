@@ -17,7 +17,8 @@ from nctakt.kernel import codes
 from nctakt.run.assembly import AssembledMachine
 from nctakt.run.channel_run import ChannelRun, is_reported
 from nctakt.run.inputs import NEVER
-from nctakt.run.plc_view import AnyPlc, PlcView
+from nctakt.run.plc_player import PlcPlayer
+from nctakt.run.plc_view import AnyPlc
 from nctakt.run.recording import Recording
 
 if TYPE_CHECKING:
@@ -71,6 +72,7 @@ class TickLoop:
         if scheduled_run is not None:
             self.follow(scheduled_run)
         self.plc: AnyPlc | None = None
+        self._player: PlcPlayer | None = None
         self.has_plc = False
         self.ends_deadlock = False
         self.is_deadlocked = False
@@ -90,6 +92,9 @@ class TickLoop:
     def connect(self, plc: AnyPlc | None, *, has_plc: bool) -> None:
         """Let this PLC run after each tick; without any, functions acknowledge themselves."""
         self.plc = plc
+        self._player = None if plc is None else PlcPlayer(plc, self.machine)
+        if plc is None:
+            self._kernel.calls.stop()
         self.has_plc = has_plc
         for channel in self.channels:
             channel.channel.hli.acknowledges_itself = not has_plc
@@ -101,15 +106,12 @@ class TickLoop:
         """
         due_input = self.machine.inputs.apply_due()
         due = min(end, due_input, self.tick + TICKS_AT_ONCE)
-        if self.plc is not None:
-            due = min(due, self.tick + 1)
         plc_calls = 1
         is_lost = False
         if self.scheduled_run is not None:
             due = min(due, self.tick + 1)
             share = self.scheduled_run.prepare(self.channels, has_plc=self.has_plc)
             plc_calls, is_lost = share.plc_calls, share.is_lost
-        self.machine.access.post_writes()
         self.machine.reserve()
         self._kernel.ends_deadlock = (
             self.ends_deadlock
@@ -117,18 +119,30 @@ class TickLoop:
             and due_input >= NEVER
             and not self._kernel.image.is_attached
         )
-        reason = self._kernel.lose_tick() if is_lost else self._kernel.run(due - self.tick)
+        reason = self._kernel.lose_tick() if is_lost else self._run(due - self.tick)
         self.recording.drain()
         self.is_deadlocked = reason == codes.DEADLOCK
         if reason not in (codes.DONE, codes.FULL):
             for channel in self.channels:
                 channel.serve()
-        if self.plc is not None and self._kernel.tick == due and reason != codes.FULL:
-            for _ in range(plc_calls):
-                self.plc.cycle(PlcView(self.machine))
+        if self._player is not None and self.scheduled_run is None:
+            self._player.finish()
         if self.scheduled_run is not None:
+            if self._player is not None and self._kernel.tick == due and reason != codes.FULL:
+                for _ in range(plc_calls):
+                    self._player.cycle()
             self.scheduled_run.end_tick()
         return bool(self._kernel.is_stopped)
+
+    def _run(self, ticks: int) -> int:
+        """Run ticks up to the next pause of the kernel, with the calls of a PLC; return why."""
+        if self._player is None or self.scheduled_run is not None:
+            return self._kernel.run(ticks)
+        try:
+            return self._player.run(self._player.bound(ticks))
+        except BaseException:
+            self.recording.drain()
+            raise
 
     def reset(self, channels: Sequence[ChannelRun]) -> None:
         """Reset channels (RC-007); run until they stand, at least one tick."""

@@ -21,6 +21,7 @@ from nctakt.hli.checked_values import (
 )
 from nctakt.hli.layout import PREFIX, PanelValue
 from nctakt.kernel.kernel import Kernel
+from nctakt.lists.declared.variables import SCALARS
 from nctakt.lists.format import arguments
 from nctakt.messages import diagnostic
 from nctakt.messages.folders import UNKNOWN_CHANNEL
@@ -33,6 +34,10 @@ from nctakt.messages.inputs import (
 from nctakt.nc.vocabulary import strings
 from nctakt.nc.vocabulary.cells import CELL_BYTES
 from nctakt.nc.vocabulary.variable_table import Location, NameTable, NotFound
+from nctakt.run.bound_values import API, BoundValue, InputNotes
+
+#: Names that are kept bound; there are as many spellings of them as one likes.
+_MAX_BOUND = 10_000
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,11 +66,10 @@ class VariableAccess:
     ) -> None:
         self._names = names
         self._panels = panels
-        self._bytes = memoryview(memory)
-        self._cells = self._bytes.cast("d")
         self._kernel = kernel
         self._remarks = remarks
-        self._pending: dict[int, float | bytes] = {}
+        self._bound: dict[str, BoundValue] = {}
+        self.notes = InputNotes(kernel)
 
     def _find(self, name: str) -> tuple[Location, int]:
         prefix, number, path = split_channel(name)
@@ -98,21 +102,36 @@ class VariableAccess:
         location, cell = self._find(name)
         return cell, not location.is_numeric
 
+    def bind(self, name: str) -> BoundValue:
+        """Return the value of this name, for any number of reads and writes; raises ``Failure``."""
+        bound = self._bound.get(arguments.text("name", name))
+        if bound is None:
+            bound = self._bind(name)
+            if len(self._bound) < _MAX_BOUND:
+                self._bound[name] = bound
+        return bound
+
+    def _bind(self, name: str) -> BoundValue:
+        shown = self._find_panel(name)
+        if shown is not None:
+            cell, type_, is_settable = shown.cell, shown.entry.type, shown.is_command
+            lowest = max(0.0, SCALARS[type_].low)
+        else:
+            location, cell = self._find(name)
+            type_, lowest = location.type, SCALARS[location.type].low
+            is_settable = location.is_numeric and location.family not in ("RTG", "RTA")
+        bounds = (lowest, SCALARS[type_].high) if is_settable else ()
+        return BoundValue(self, self._kernel, self.notes, name, API, cell, type_, bounds)
+
     def read(self, name: str) -> float | bool | str:
         """Return the value of a variable; a written value is returned before it is latched."""
-        shown = self._find_panel(arguments.text("name", name))
-        if shown is not None:
-            value = self._pending.get(shown.cell, self._cells[shown.cell])
-            assert isinstance(value, float)
-            return value != 0.0 if shown.entry.type == "BOOLEAN" else value
+        return self.bind(name).value
+
+    def text_of(self, name: str) -> str:
+        """Return the text of a character string; a written one before it is latched."""
         location, cell = self._find(name)
-        pending = self._pending.get(cell)
-        if not location.is_numeric:
-            if isinstance(pending, bytes):
-                return strings.decode(pending)
-            return strings.read(self._bytes, cell, location.size_bytes)
-        value = pending if isinstance(pending, float) else self._cells[cell]
-        return value != 0.0 if location.type == "BOOLEAN" else value
+        cells = -(-location.size_bytes // CELL_BYTES)
+        return strings.decode(self._kernel.present_bytes(cell, cells)[: location.size_bytes])
 
     def check(self, name: str, value: float | bool | str) -> Write:
         """Return the converted value; raises ``Failure`` for an unknown name and a wrong value."""
@@ -129,28 +148,21 @@ class VariableAccess:
             return Write(cell, _characters(name, location, value))
         return Write(cell, number_of(name, location.type, float(value)))
 
-    def write(self, name: str, value: float | bool | str) -> None:
+    def write(self, name: str, value: float | bool | str, source: str = API) -> None:
         """Write a variable with effect from the next tick."""
-        write = self.check(name, value)
-        self._pending[write.cell] = write.value
+        self.bind(name).write(value, source)
 
-    def post_writes(self) -> None:
-        """Post the writes for the next tick to latch."""
-        for cell, value in self._pending.items():
-            if isinstance(value, bytes):
-                self._kernel.post_bytes(cell, value)
-            else:
-                self._kernel.post(cell, value)
-        self._pending.clear()
+    def write_checked(self, name: str, value: float | bool | str) -> None:
+        """Write what needs a look at its type; raises ``Failure`` as ``check``."""
+        write = self.check(name, value)
+        if isinstance(write.value, bytes):
+            self._kernel.post_bytes(write.cell, write.value)
+        else:
+            self._kernel.post(write.cell, write.value)
 
     def apply_writes(self) -> None:
         """Apply the writes at once, before the first tick, so that the decoder sees them."""
-        for cell, value in self._pending.items():
-            if isinstance(value, bytes):
-                strings.write(self._bytes, cell, value)
-            else:
-                self._cells[cell] = value
-        self._pending.clear()
+        self._kernel.latch_posted()
 
 
 def _characters(name: str, location: Location, text: str) -> bytes:

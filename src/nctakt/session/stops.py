@@ -11,7 +11,7 @@ import re
 from array import array
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
-from typing import Any, Literal, NoReturn
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,7 +20,6 @@ from nctakt.base.dataclass import dataclass
 from nctakt.base.failure import Failure
 from nctakt.base.source_ids import LAST_COLUMN, LAST_LINE, pack
 from nctakt.decoder.cycles.builder import CycleDefinition
-from nctakt.decoder.cycles.watching import read_condition
 from nctakt.hli.function_codes import code_of
 from nctakt.kernel import codes, rows
 from nctakt.kernel.cycles.context import context_of
@@ -39,9 +38,9 @@ from nctakt.kernel.tick.stops import (
     Turns,
 )
 from nctakt.messages import diagnostic
-from nctakt.messages.folders import UNKNOWN_CHANNEL
 from nctakt.messages.session import NOT_A_STOP, TOO_MANY_STOPS
 from nctakt.run.assembly import AssembledMachine
+from nctakt.run.conditions import read_expression
 
 #: Stops that a session watches at most.
 MAX_STOPS = 1000
@@ -378,22 +377,7 @@ class StopBuilder:
 
     def read(self, text: str, channel: int = 1) -> Expression:
         """Return the expression of a text in the controller's language; raises ``Failure``."""
-        channels = self._machine.assembled
-        if not 0 < channel <= len(channels):
-            raise Failure(diagnostic(UNKNOWN_CHANNEL, channel=channel, count=len(channels)))
-        environment = self._machine.environment(
-            _no_subprogram, _ignore, frozenset(), channel - 1, False
-        )
-        return read_condition(text, environment, channels[channel - 1].parameters)
-
-
-def _no_subprogram(name: str, *_: object) -> NoReturn:
-    """Refuse to call: a condition has no program of its own."""
-    raise Failure(diagnostic(NOT_A_STOP, text=name))
-
-
-def _ignore(_: object) -> None:
-    """Do nothing: a condition that is read gives no notices."""
+        return read_expression(self._machine, text, channel)
 
 
 def names_file(asked: str, name: str) -> bool:

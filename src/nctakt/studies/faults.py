@@ -47,11 +47,16 @@ class FaultyPlc(WatchedPlc):
         self._first_us: int | None = None
         self._delayed: dict[tuple[tuple[str, int], tuple[int, int]], int] = {}
         self._again: list[TechnologyEntry] = []
+        self._view: tuple[PlcView, _FaultyView] | None = None
 
     def begin_run(self, hli: PlcView) -> None:
         """Raise ``Failure`` as the PLC itself."""
         if isinstance(self._inner, WatchedPlc):
             self._inner.begin_run(hli)
+
+    def notes(self) -> Sequence[Diagnostic]:
+        """Return those of the PLC itself."""
+        return self._inner.notes() if isinstance(self._inner, WatchedPlc) else ()
 
     def unused_handlers(self, hli: PlcView) -> Sequence[Diagnostic]:
         """Return those of the PLC itself."""
@@ -66,7 +71,9 @@ class FaultyPlc(WatchedPlc):
         for entry in self._again:
             hli.acknowledge(entry)
         self._again.clear()
-        self._inner.cycle(_FaultyView(hli, self._acknowledge))
+        if self._view is None or self._view[0] is not hli:
+            self._view = hli, _FaultyView(hli, self._acknowledge)
+        self._inner.cycle(self._view[1])
         for entry in hli.functions():
             since = self._delayed.get((entry.key, entry.stamp))
             if since is not None and hli.time_us - since >= self._delay_us(entry):

@@ -99,5 +99,4 @@ class Trials:
         while inputs and inputs[0].tick <= tick:
             name, value = inputs.pop(0).values
             self._access.write(str(name), value)
-        self._access.post_writes()
         return min(inputs[0].tick, end) if inputs else end

@@ -59,6 +59,8 @@ cdef class Spindles:
     cdef int rests(self, Py_ssize_t spindle) noexcept nogil
     @cython.locals(goes_on=bint)
     cdef void follow_override(self, Py_ssize_t spindle, long long tick) noexcept nogil
+    @cython.locals(spindle=Py_ssize_t)
+    cpdef bint has_jobs(self) noexcept
     @cython.locals(number=Py_ssize_t, function=cython.longlong, speed=double, position=double)
     cdef void record_job(
         self, Py_ssize_t spindle, long long source, long long serial

@@ -466,6 +466,13 @@ class Spindles:
             if self.plc_state[spindle] == codes.WAITING
         ]
 
+    def has_jobs(self) -> bool:
+        """Return whether a job waits for the PLC."""
+        for spindle in range(self.count):
+            if self.plc_state[spindle] == codes.WAITING:
+                return True
+        return False
+
     def latest_job(self, spindle: int) -> tuple[int, float, bool]:
         """Return the M function of the latest job, 0 before the first, °/s, and if it is open."""
         check_index(spindle, self.count, "spindle")

@@ -19,13 +19,16 @@ cdef class Record:
     cdef readonly Py_ssize_t probe_count
     cdef public long long tick
     cdef public int channel
+    cdef long long kinds
+    cdef public long long awaited_kinds
     cdef public bint records_writes
     cdef public bint records_series
     cdef public bint records_answers
 
+    cdef int has_awaited(self) noexcept nogil
     @cython.locals(i=Py_ssize_t, row=Py_ssize_t)
     cdef void take_row(self) noexcept nogil
-    @cython.locals(row=Py_ssize_t)
+    @cython.locals(row=Py_ssize_t, bit=cython.longlong)
     cdef void event(
         self, int kind, long long source, long long subject=*, double a=*, double b=*, double c=*
     ) noexcept nogil

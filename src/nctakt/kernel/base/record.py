@@ -40,6 +40,8 @@ class Record:
         self.probe_count = 0
         self.tick = 0
         self.channel = 0
+        self.kinds = 0
+        self.awaited_kinds = 0
         self.records_writes = False
         self.records_series = False
         self.records_answers = False
@@ -54,6 +56,10 @@ class Record:
             self.signals[i] = cell
         self.rows = memoryview(bytearray(8 * max(1, self.row_capacity * len(signals)))).cast("d")
         self.row_count = 0
+
+    def has_awaited(self) -> int:
+        """Return whether an event of the kinds that somebody waits for has not been taken yet."""
+        return 1 if self.kinds & self.awaited_kinds else 0
 
     def take_row(self) -> None:
         """Copy the signals' cells as the row of this tick."""
@@ -73,6 +79,8 @@ class Record:
     ) -> None:
         """Append an event of this tick; ``has_room`` was asked before the tick."""
         row = self.event_count * rows.EVENT_WIDTH
+        bit = 1
+        self.kinds |= bit << kind
         self.events[row + rows.EVENT_TICK] = self.tick
         self.events[row + rows.EVENT_KIND] = kind
         self.events[row + rows.EVENT_CHANNEL] = self.channel
@@ -154,6 +162,7 @@ class Record:
         """The events recorded since the last call, ``rows.EVENT_WIDTH`` float64 each."""
         taken = bytes(memoryview(self.events)[: self.event_count * rows.EVENT_WIDTH])
         self.event_count = 0
+        self.kinds = 0
         return taken
 
     def take_probes(self) -> bytes:

@@ -14,6 +14,7 @@ cdef class Section:
     cdef long long[::1] tick
     cdef long long[::1] serial
     cdef long long[::1] value
+    cdef long long[::1] is_answered
     cdef Py_ssize_t last_slot
     cdef long long[::1] done
     cdef readonly long long issued_in_tick
@@ -47,6 +48,6 @@ cdef class Hli:
     cdef void latch(self) noexcept nogil
     cdef int has_default_plc(self) noexcept nogil
     cdef void run_default_plc(self, long long tick) noexcept nogil
-    cdef long long waiting_count(self) noexcept nogil
+    cpdef long long waiting_count(self) noexcept nogil
     cdef void record_answers(self, Record record, int state, int kind) noexcept nogil
     cdef void clear(self) noexcept nogil

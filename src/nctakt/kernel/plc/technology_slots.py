@@ -38,6 +38,7 @@ class Section:
         self.done = memoryview(bytearray(8 * slot_count)).cast("q")
         self.serial = memoryview(bytearray(8 * slot_count)).cast("q")
         self.value = memoryview(bytearray(8 * slot_count)).cast("q")
+        self.is_answered = memoryview(bytearray(8 * slot_count)).cast("q")
         self.last_slot = 0
         self.issued_in_tick = 0
         self.taken_count = 0
@@ -127,6 +128,15 @@ class Section:
             if self.state[i] == codes.WAITING
         ]
         return sorted(waiting, key=_order)
+
+    def answered(self) -> list[tuple[int, int, int, int, int]]:
+        """What a PLC's delays have acknowledged last, in the order and form of ``entries``."""
+        found = [
+            (i, self.function[i], self.sequence[i], self.tick[i], self.serial[i])
+            for i in range(self.slot_count)
+            if self.is_answered[i]
+        ]
+        return sorted(found, key=_order)
 
     def acknowledge(self, slot: int, serial: int) -> bool:
         """Acknowledge the function of this serial; return whether the slot holds it."""

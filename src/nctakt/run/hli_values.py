@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: MIT
+"""The values of an axis or a channel by the names of the HLI, bound once and always the present
+ones.
+
+In: the cells of a machine. Out: ``hli.axis("X").command``, also as ``hli.axis("X")["command"]``;
+``dict(hli.axis("X"))`` keeps the values of a moment.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING, ClassVar, NoReturn
+
+from nctakt.base.diagnostics import NOTHING
+from nctakt.base.failure import Failure
+from nctakt.base.misspelling import nearest
+from nctakt.hli.plc_entries import AXIS_NAMES, CHANNEL_NAMES
+from nctakt.kernel.kernel import Kernel
+from nctakt.messages import diagnostic
+from nctakt.messages.plc import UNKNOWN_HLI_VALUE
+from nctakt.run.bound_values import BoundAttribute, BoundValues, value_at
+
+
+class HliValues(BoundValues, Mapping[str, float]):
+    """Values by their names, as attributes and as items; raises ``Failure`` (901012)."""
+
+    __slots__ = ()
+    names: ClassVar[tuple[str, ...]] = ()
+    indices: ClassVar[Mapping[str, int]] = {}
+
+    def __init__(self, kernel: Kernel, cells: Mapping[str, int]) -> None:
+        super().__init__(kernel, [cells[name] for name in self.names])
+
+    def __init_subclass__(cls) -> None:
+        super().__init_subclass__()
+        cls.indices = {name: index for index, name in enumerate(cls.names)}
+        for name, index in cls.indices.items():
+            setattr(cls, name, BoundAttribute(index))
+
+    def __getitem__(self, name: str) -> float:
+        index = self.indices.get(name)
+        if index is None:
+            known = ", ".join(self.names)
+            near = nearest(str(name), self.names) or NOTHING
+            raise Failure(diagnostic(UNKNOWN_HLI_VALUE, name=name, nearest=near, known=known))
+        return value_at(self, index)
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.names)
+
+    def __len__(self) -> int:
+        return len(self.names)
+
+    def __repr__(self) -> str:
+        return repr(dict(self))
+
+    if TYPE_CHECKING:
+
+        def __getattr__(self, name: str) -> float:
+            """Return the value of this name."""
+
+    else:
+
+        def __getattr__(self, name: str) -> NoReturn:
+            near = nearest(name, self.names)
+            hint = f"; did you mean {near}?" if near else ""
+            raise AttributeError(f"there is no value {name} here{hint}", name=name, obj=self)
+
+
+class AxisValues(HliValues):
+    """The values of an axis: ``command``, ``actual``, ``target``, ``state`` …"""
+
+    __slots__ = ()
+    names = AXIS_NAMES
+
+
+class ChannelValues(HliValues):
+    """The values of a channel: ``path_speed``, ``block``, ``state`` …"""
+
+    __slots__ = ()
+    names = CHANNEL_NAMES

@@ -31,21 +31,25 @@ NUMBERS = (
     "kernel/codes",
     "kernel/kinematics/map_rows",
     "kernel/rows",
+    "kernel/st/characters",
+    "kernel/st/kinds",
 )
 #: What copies the realtime part's state between ticks: made from the types of all others.
 WITHOUT_TYPES = ("kernel/state", "kernel/state_fields")
+#: What compiled modules have as C functions in line, instead of the Python functions beside them.
+IN_LINE = ("kernel/st/words",)
 #: The modules of the realtime part, relative to its folder and without an ending: ``path/path``.
 MODULES = sorted(
     path.relative_to(KERNEL).with_suffix("").as_posix()
     for path in KERNEL.rglob("*.py")
     if path.stem != "__init__"
-    and path.relative_to(PACKAGE).with_suffix("").as_posix() not in (*NUMBERS, *WITHOUT_TYPES)
+    and path.relative_to(PACKAGE).with_suffix("").as_posix() not in (*NUMBERS, *WITHOUT_TYPES, *IN_LINE)
 )
 SOURCES = sorted(PACKAGE.rglob("*.py"))
 PXD = sorted(
     path
     for path in PACKAGE.rglob("*.pxd")
-    if path.relative_to(PACKAGE).with_suffix("").as_posix() not in NUMBERS
+    if path.relative_to(PACKAGE).with_suffix("").as_posix() not in (*NUMBERS, *IN_LINE)
 )
 
 #: The only remainders outside ``arithmetic``: places in rings, of numbers that are never negative.
@@ -111,7 +115,7 @@ def functions(module: str) -> Iterator[tuple[str, ast.FunctionDef]]:
                     yield node.name, member
 
 
-ALL_DECLARED = {module: declarations(module) for module in MODULES}
+ALL_DECLARED = {module: declarations(module) for module in (*MODULES, "st/words")}
 BY_CLASS = {name: found for part in ALL_DECLARED.values() for name, found in part.items() if name}
 
 
@@ -213,7 +217,7 @@ def test_the_tick_calls_only_declared_functions(module: str) -> None:
         name for part in ALL_DECLARED.values() for cls in part.values() for name in cls.methods
     }
     library = {"min", "max", "int", "sqrt", "fmod", "fabs", "log", "log10", "exp", "pow", "floor"}
-    library |= {"asin", "acos", "atan", "atan2", "range"}
+    library |= {"asin", "acos", "atan", "atan2", "range", "sin", "cos", "tan", "copysign"}
     unknown = []
     for owner, function in tick_functions(module):
         for call in ast.walk(function):

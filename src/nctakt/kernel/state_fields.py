@@ -40,10 +40,10 @@ UNREAD = {
     "Record": ("events", "probes", "rows"),
 }
 #: Where expressions and statements of cycles stand: they do not change, except these.
-TREES = "nctakt.kernel.cycles."
+TREES = ("nctakt.kernel.cycles.", "nctakt.kernel.st.")
 CHANGING_IN_TREES = (
     "Condition", "Context", "Counted", "CycleManager", "FeedMemory", "IfAlways", "IfEdge",
-    "IfOnce", "Reaction", "RealtimeCycle",
+    "IfOnce", "PlcContext", "Reaction", "RealtimeCycle",
 )  # fmt: skip
 #: What no snapshot is taken of: a shared image, and what stops the ticks.
 LEFT_OUT = ("InterfaceImage", "SectionUnits", "SpindleUnits", "Watched")

@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: MIT
+# C types of context.py.
+cimport cython
+from nctakt.kernel.st cimport kinds
+
+@cython.final
+cdef class PlcContext:
+    cdef unsigned char[::1] memory
+    cdef readonly long long stack
+    cdef readonly long long stack_end
+    cdef readonly long long end
+    cdef public long long frame
+    cdef public long long top
+    cdef public long long instance
+    cdef public long long passing
+    cdef public long long depth
+    cdef public long long now
+    cdef public long long steps
+    cdef public long long max_steps
+    cdef public int fault
+    cdef public long long fault_source
+    cdef public long long fault_a
+    cdef public long long fault_b
+    cdef public long long fault_frame
+    cdef public long long fault_instance
+    cdef readonly long long[::1] trail
+    cdef public long long trail_length
+    cdef public bint stops_at_invalid
+    cdef public bint wraps_conversions
+
+    cpdef void begin(self, long long now) noexcept nogil
+    cdef void fail(self, int message, long long a, long long b) noexcept nogil
+    cdef int stop_at(self, long long source) noexcept nogil
+    cdef int over_budget(self, long long source) noexcept nogil
+    cdef void note_call(self, long long source) noexcept nogil
+    cdef long long checked(self, long long address, long long size) noexcept nogil
+    cdef long long checked_target(self, long long address, long long size) noexcept nogil

@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: MIT
+"""What running PLC code sees: its memory, the frame and instance at work, its bounds, its fault.
+
+The memory is one block of bytes: ``NULL_BYTES`` that no pointer reaches, data, the stack of calls,
+literals, and ``SLACK`` bytes more, so that an access by a small fixed offset needs no check
+(ST-001). A pointer is an offset in it; 0 is null.
+"""
+
+from __future__ import annotations
+
+from nctakt.kernel.base.bounds import check_range
+from nctakt.kernel.st import kinds
+
+
+class PlcContext:
+    """One PLC project at work.
+
+    ``frame`` is the address of the running routine's variables, ``top`` the first byte of the stack
+    that is free, ``instance`` the block that is called, ``passing`` the address where a call's
+    arguments go and its results come from. ``steps`` counts the elementary instructions of the
+    cycle, up to ``max_steps`` (ST-830); ``now`` is the time of the cycle in ns (ST-804).
+    ``fault`` is the number of the message for what has stopped the PLC, 0 while all is well, with
+    its source, its values and the calls that led to it (ST-560).
+    """
+
+    def __init__(self, memory: bytearray, stack: int, stack_end: int) -> None:
+        check_range(stack_end, kinds.NULL_BYTES, len(memory) - kinds.SLACK, "end of the stack")
+        check_range(stack, kinds.NULL_BYTES, stack_end, "stack")
+        self.memory = memoryview(memory)
+        self.stack = stack
+        self.stack_end = stack_end
+        self.end = len(memory) - kinds.SLACK
+        self.frame = stack
+        self.top = stack
+        self.instance = stack
+        self.passing = stack
+        self.depth = 0
+        self.now = 0
+        self.steps = 0
+        self.max_steps = 1000000
+        self.fault = 0
+        self.fault_source = 0
+        self.fault_a = 0
+        self.fault_b = 0
+        self.fault_frame = 0
+        self.fault_instance = 0
+        self.trail = memoryview(bytearray(16 * (kinds.MAX_DEPTH + 2))).cast("q")
+        self.trail_length = 0
+        self.stops_at_invalid = True
+        self.wraps_conversions = False
+
+    def begin(self, now: int) -> None:
+        """Begin a cycle: no instruction is counted yet, no call is open."""
+        self.now = now
+        self.steps = 0
+        self.frame = self.stack
+        self.top = self.stack
+        self.depth = 0
+
+    def fail(self, message: int, a: int, b: int) -> None:
+        """Note the first fault; the statement adds its source."""
+        if self.fault == 0:
+            self.fault = message
+            self.fault_source = 0
+            self.fault_a = a
+            self.fault_b = b
+            self.fault_frame = self.frame
+            self.fault_instance = self.instance
+            self.trail_length = 0
+
+    def stop_at(self, source: int) -> int:
+        """Complete a fault by the statement's source, unless it has one; return that it stops."""
+        if self.fault_source == 0:
+            self.fault_source = source
+        return kinds.STOPS
+
+    def over_budget(self, source: int) -> int:
+        """Note that the cycle has used up its instructions (ST-830); return that it stops."""
+        self.fail(kinds.BUDGET, self.max_steps, 0)
+        return self.stop_at(source)
+
+    def note_call(self, source: int) -> None:
+        """Note a call on the way to the fault, from the innermost one on, with its instance."""
+        if self.trail_length <= 2 * kinds.MAX_DEPTH:
+            self.trail[self.trail_length] = source
+            self.trail_length += 1
+            self.trail[self.trail_length] = self.instance
+            self.trail_length += 1
+
+    def checked(self, address: int, size: int) -> int:
+        """Return the address of ``size`` bytes; else note that it is null or outside (ST-315)."""
+        if address < kinds.NULL_BYTES or size < 0 or address > self.end - size:
+            self.fail(kinds.PLACE, address, size)
+            return self.stack
+        return address
+
+    def checked_target(self, address: int, size: int) -> int:
+        """Return the address of ``size`` bytes that may be written; else note a fault."""
+        if address < kinds.NULL_BYTES or size < 0 or address > self.stack_end - size:
+            self.fail(kinds.PLACE, address, size)
+            return self.stack
+        return address
+
+    def dump(self) -> bytes:
+        """Return the memory that code can reach."""
+        return bytes(self.memory[: self.end])

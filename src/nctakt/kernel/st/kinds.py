@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: MIT
+"""How values lie in memory, how statements end, what relations and functions are called."""
+
+#: A value in memory: its width, and whether it is signed, a truth or a real number (ST-301).
+BOOL, I8, I16, I32, I64, U8, U16, U32, U64, F32, F64 = range(11)
+
+#: How a statement ends: the next one follows; a fault; EXIT, CONTINUE, RETURN (ST-513).
+GOES_ON, STOPS, EXITS, CONTINUES, RETURNS = range(5)
+
+#: What a branch answers that is not taken.
+NOT_TAKEN = -1
+
+#: Relations of two values.
+EQUAL, NOT_EQUAL, LESS, LESS_EQUAL, GREATER, GREATER_EQUAL = range(6)
+
+#: What moves bits (ST-714).
+SHIFT_LEFT, SHIFT_RIGHT, ROTATE_LEFT, ROTATE_RIGHT = range(4)
+
+#: How a real number becomes whole: nearest, half away from zero, or cut towards zero (ST-307).
+NEAREST, TOWARDS_ZERO = range(2)
+
+#: Functions of a real number (ST-712).
+ABS, SQRT, LN, LOG, EXP, SIN, COS, TAN, ASIN, ACOS, ATAN, FLOOR, CEIL, FRAC, LTRUNC = range(15)
+
+#: Functions of two real numbers.
+EXPT, ATAN2, LMOD, MODABS = range(4)
+
+#: What a text function takes or changes (ST-711).
+CONCAT, INSERT, DELETE, REPLACE, LEFT, RIGHT, MID = range(7)
+#: Bytes of the longest text that the text functions work on, and of a kept result.
+MAX_TEXT = 255
+TEXT_BYTES = 256
+
+#: How a whole number is written.
+SIGNED, UNSIGNED, TRUTH, HEXADECIMAL, LENGTH, FINE_LENGTH, CLOCK, DAY, MOMENT = range(9)
+#: What a text shows of a moment.
+TIME_OF_DAY, DATE, DATE_AND_TIME = range(3)
+
+#: Faults at run time (ST-560).
+DIVISION = 902060
+INDEX = 902061
+PLACE = 902062
+STACK = 902063
+BUDGET = 902064
+CONVERSION = 902065
+INVALID = 902067
+STEP = 902052
+RAISED = 902068
+
+#: Offsets of unchecked accesses are smaller; so many bytes lie behind the memory.
+SLACK = 65536
+#: No object lies below, so that a null pointer with a small offset is found.
+NULL_BYTES = 4096
+#: Calls within calls (ST-407).
+MAX_DEPTH = 200
+#: The largest memory of a PLC, in bytes.
+MAX_MEMORY = 1 << 30

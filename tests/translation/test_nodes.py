@@ -1,0 +1,200 @@
+# SPDX-License-Identifier: MIT
+"""Nodes of Structured Text against Python's exact whole numbers and its texts (ST-302, ST-711)."""
+
+from __future__ import annotations
+
+import random
+from fractions import Fraction
+
+from random_seeds import each_seed
+
+from nctakt.kernel.st import kinds
+from nctakt.kernel.st.blocks_of_bytes import FillBytes, MoveBytes
+from nctakt.kernel.st.context import PlcContext
+from nctakt.kernel.st.conversions import RealOfString, StringOfReal
+from nctakt.kernel.st.reals import RealConstant, WholeOfReal
+from nctakt.kernel.st.steps import CopyBytes, StoreAt
+from nctakt.kernel.st.texts import ChangeString, FindString, PartOfString, StringPart
+from nctakt.kernel.st.wholes import (
+    AddWhole,
+    CompareUnsigned,
+    DivideWhole,
+    ElementPlace,
+    LoadAt,
+    MoveBits,
+    MultiplyWhole,
+    PointedPlace,
+    SubtractWhole,
+    Whole,
+    WholeConstant,
+    WrapWhole,
+)
+
+DATA, STACK = 512, 4096
+FIRST = kinds.NULL_BYTES
+MASK = (1 << 64) - 1
+EDGES = (0, 1, -1, 2, 7, -7, 127, 128, 255, 65535, 1 << 31, -(1 << 31), 1 << 62, -(1 << 63))
+
+
+def a_context() -> tuple[PlcContext, bytearray]:
+    """A context and its memory: data, a stack, and the bytes behind it."""
+    memory = bytearray(FIRST + DATA + STACK + kinds.SLACK)
+    return PlcContext(memory, FIRST + DATA, FIRST + DATA + STACK), memory
+
+
+def signed(number: int) -> int:
+    """The low 64 bits as a signed number."""
+    return ((number + (1 << 63)) & MASK) - (1 << 63)
+
+
+def cut_quotient(left: int, right: int) -> int:
+    """A quotient cut towards zero, exactly."""
+    return int(Fraction(left, right))
+
+
+def operation(draw: random.Random, depth: int) -> tuple[Whole, int]:
+    """A random expression: its node, and its value by Python."""
+    if depth == 0:
+        number = draw.choice(EDGES) if draw.random() < 0.5 else draw.randint(-1000, 1000)
+        return WholeConstant(number), number
+    left, a = operation(draw, depth - 1)
+    right, b = operation(draw, depth - 1)
+    match draw.randrange(6):
+        case 0:
+            return AddWhole(left, right), signed(a + b)
+        case 1:
+            return SubtractWhole(left, right), signed(a - b)
+        case 2:
+            return MultiplyWhole(left, right), signed(a * b)
+        case 3 if b != 0:
+            return DivideWhole(left, right, False, False), signed(cut_quotient(a, b))
+        case 4 if b != 0:
+            rest = (a & MASK) - (b & MASK) * ((a & MASK) // (b & MASK))
+            return DivideWhole(left, right, True, True), signed(rest)
+    bits = draw.choice((8, 16, 32))
+    low = a & ((1 << bits) - 1)
+    if draw.random() < 0.5:
+        kind = {8: kinds.I8, 16: kinds.I16, 32: kinds.I32}[bits]
+        return WrapWhole(left, kind), low - ((low >> (bits - 1)) << bits)
+    turns = b - bits * (b // bits)
+    rotated = ((low << turns) | (low >> (bits - turns))) & ((1 << bits) - 1)
+    return MoveBits(left, WholeConstant(b), kinds.ROTATE_LEFT, bits), rotated
+
+
+@each_seed(compiled=6, plain=3)
+def test_whole_numbers_wrap_at_64_bits(seed: int) -> None:
+    """ST-302, ST-503, ST-714: each operation is that of exact numbers, cut to 64 bits."""
+    draw = random.Random(seed)
+    context, _ = a_context()
+    for _ in range(50):
+        node, expected = operation(draw, draw.randint(1, 4))
+        assert node.measure(context) == expected
+        assert context.fault == 0
+
+
+def test_signed_and_unsigned_compare_by_value() -> None:
+    """ST-303: -1 < 18446744073709551615, though both have the same bits."""
+    context, _ = a_context()
+    both = WholeConstant(-1), WholeConstant(-1)
+    assert CompareUnsigned(*both, kinds.LESS, False, True).measure(context) == 1
+    assert CompareUnsigned(*both, kinds.EQUAL, False, True).measure(context) == 0
+    assert CompareUnsigned(*both, kinds.EQUAL, True, True).measure(context) == 1
+
+
+def test_real_to_whole_rounds_half_away_from_zero() -> None:
+    """ST-307: 1.5 -> 2, 1.4 -> 1, -1.5 -> -2, -1.4 -> -1; outside: 902065."""
+    context, _ = a_context()
+    for number, expected in ((1.5, 2), (1.4, 1), (-1.5, -2), (-1.4, -1), (32767.4, 32767)):
+        node = WholeOfReal(RealConstant(number), kinds.I16, kinds.NEAREST)
+        assert node.measure(context) == expected
+    assert WholeOfReal(RealConstant(32767.5), kinds.I16, kinds.NEAREST).measure(context) == 0
+    assert context.fault == kinds.CONVERSION
+
+
+@each_seed(compiled=3, plain=2)
+def test_reals_are_written_as_short_as_they_read_back(seed: int) -> None:
+    """ST-308: the text of a number reads back as the same number."""
+    draw = random.Random(seed)
+    for _ in range(20):
+        number = draw.choice((-1, 1)) * draw.random() * 10.0 ** draw.randint(-300, 300)
+        context, memory = a_context()
+        node = StringOfReal(RealConstant(number), False, 0)
+        text = memory[node.measure(context) :][:256].split(b"\0")[0].decode()
+        assert float(text) == number
+        assert len(text) <= len(repr(number)) + 20
+        part = StringPart(WholeConstant(context.stack), kinds.MAX_TEXT)
+        assert RealOfString(part).measure(context) == number
+
+
+def python_change(text: bytes, inserted: bytes, function: int, length: int, position: int) -> bytes:
+    """What ST-711 says of CONCAT, INSERT, DELETE and REPLACE, in Python."""
+    length = max(length, 0)
+    if function == kinds.CONCAT:
+        return (text + inserted)[:255]
+    if function == kinds.INSERT:
+        position = max(position, 0)
+        return (text[:position] + inserted + text[position:])[:255]
+    begin = max(position, 1) - 1
+    if function == kinds.DELETE:
+        inserted = b""
+    return (text[:begin] + inserted + text[begin + length :])[:255]
+
+
+@each_seed(compiled=3, plain=2)
+def test_texts_are_put_together_as_in_python(seed: int) -> None:
+    """ST-711: positions from 1, what lies outside takes nothing, 255 bytes at most."""
+    draw = random.Random(seed)
+    for _ in range(30):
+        context, memory = a_context()
+        texts = [bytes(draw.choices(b"abc", k=draw.choice((0, 1, 3, 120)))) for _ in range(2)]
+        for number, text in enumerate(texts):
+            memory[FIRST + 200 * number : FIRST + 200 * number + len(text)] = text
+        one, other = (StringPart(WholeConstant(FIRST + 200 * i), 150) for i in range(2))
+        length, position = draw.randint(-2, 6), draw.randint(-2, 8)
+        nodes = WholeConstant(length), WholeConstant(position)
+        function = draw.choice((kinds.CONCAT, kinds.INSERT, kinds.DELETE, kinds.REPLACE))
+        removed = nodes[0] if function in (kinds.DELETE, kinds.REPLACE) else Whole()
+        inserted = StringPart(WholeConstant(FIRST + 500), 0) if function == kinds.DELETE else other
+        at = ChangeString(one, inserted, removed, nodes[1], function, 0).measure(context)
+        expected = python_change(texts[0], texts[1], function, length, position)
+        assert memory[at : at + 256].split(b"\0")[0] == expected
+        found = FindString(one, other).measure(context)
+        assert found == (texts[0].find(texts[1]) + 1 if texts[1] else 0)
+        at = PartOfString(one, *nodes, kinds.MID, 0).measure(context)
+        begin = max(position, 1) - 1
+        assert memory[at : at + 256].split(b"\0")[0] == texts[0][begin : begin + max(length, 0)]
+
+
+@each_seed(compiled=5, plain=3)
+def test_no_access_leaves_the_memory(seed: int) -> None:
+    """ST-001, ST-315: whatever a pointer holds, bytes outside stay, and 902061 or 902062 comes."""
+    draw = random.Random(seed)
+    for _ in range(40):
+        context, memory = a_context()
+        pattern = bytes([170]) * kinds.NULL_BYTES
+        memory[:FIRST] = pattern
+        memory[context.end :] = bytes([170]) * (len(memory) - context.end)
+        numbers = [
+            draw.choice((0, 1, FIRST - 1, FIRST, context.end, context.end - 4, -1, 1 << 62,
+                         -(1 << 63), draw.randint(FIRST, context.end)))
+            for _ in range(3)
+        ]  # fmt: skip
+        size = draw.choice((0, 1, 8, 64, DATA))
+        position = PointedPlace(WholeConstant(numbers[0]), size)
+        element = ElementPlace(position, WholeConstant(numbers[1]), -5, 10, max(size, 8))
+        count = WholeConstant(draw.choice((-1, 0, 1, 100, 1 << 40, -(1 << 63))))
+        pointers = WholeConstant(numbers[0]), WholeConstant(numbers[2])
+        match draw.randrange(5):
+            case 0:
+                LoadAt(element, 0, kinds.I64).measure(context)
+            case 1:
+                StoreAt(element, kinds.U8, WholeConstant(1), 1, 1).execute(context)
+            case 2:
+                CopyBytes(position, pointers[1], size, 1, 1).execute(context)
+            case 3:
+                MoveBytes(*pointers, count).measure(context)
+            case 4:
+                FillBytes(pointers[0], WholeConstant(1), count).measure(context)
+        assert memory[:FIRST] == pattern
+        assert not memory[context.end + 64 :].strip(b"\xaa")
+        assert context.fault in (0, kinds.INDEX, kinds.PLACE)

@@ -74,6 +74,7 @@ ADDED = {
     "expected": {"found", "symbol"},
     "Finding": {"value", "word"},
     "get": {"said", "values"},
+    "unknown": {"name", "nearest", "libraries"},
     "warn_at": {"key"},
 }
 

@@ -195,6 +195,7 @@ class Diagnostic:
     ``source_line`` is the whole text line of the span, without its end, for the excerpt.
     ``is_lenient``: an error that is only a warning here. ``entry``: the entry of a list that it
     concerns, which may be missing there. ``number``: that of the case; 0: its values tell it.
+    ``within``: the part of an object that its line belongs to, as the programming system shows it.
 
     >>> run = Controller().run(NcText("part.nc", "G01 X100 F6000 Q1 M30"))
     >>> diagnostic = run.diagnostics[0]
@@ -209,6 +210,7 @@ class Diagnostic:
     is_lenient: bool = False
     entry: str = ""
     number: int = 0
+    within: Text | None = None
 
     def __repr__(self) -> str:
         return f"<{self.headline()}>"
@@ -236,7 +238,8 @@ class Diagnostic:
 
     def text(self, language: Language = "en") -> str:
         """Return the message with its parameters filled in."""
-        return self.message.text.get(language).format_map(self._shown_values(language))
+        text = self.message.text.get(language).format_map(self._shown_values(language))
+        return text if self.within is None else f"{text} ({self.within.get(language)})"
 
     def remedy(self, language: Language = "en") -> str:
         """Return the remedy with the parameters filled in, without sentences about ``NOTHING``."""

@@ -59,7 +59,7 @@ OBJECT_MISSING = error(
     remedy_en="Name a .TcPOU, .TcDUT, .TcGVL, .TcIO or .TcTTO file.",
     remedy_de="Eine Datei .TcPOU, .TcDUT, .TcGVL, .TcIO oder .TcTTO angeben.",
 )
-COMMENT_NOT_CLOSED = error(
+ST_COMMENT_NOT_CLOSED = error(
     902167,
     en="this comment is not closed",
     de="dieser Kommentar ist nicht geschlossen",
@@ -118,7 +118,7 @@ CONDITION_NOT_CLOSED = error(
     remedy_en="Write {{END_IF}}.",
     remedy_de="{{END_IF}} schreiben.",
 )
-SYMBOL_EXPECTED = error(
+TOKEN_EXPECTED = error(
     902177,
     en="{expected} expected, found {found} (C0009)",
     de="{expected} erwartet, gefunden: {found} (C0009)",
@@ -209,4 +209,11 @@ TASK_TIME_UNKNOWN = error(
     de="{text} ist keine Zykluszeit einer Task",
     remedy_en="Write INTERVAL := T#10MS.",
     remedy_de="INTERVAL := T#10MS schreiben.",
+)
+GENERIC_REFUSED = error(
+    902258,
+    en="generic blocks (VAR_GENERIC) are not supported",
+    de="generische Bausteine (VAR_GENERIC) werden nicht unterstützt",
+    remedy_en="Declare the size as a constant.",
+    remedy_de="Die Größe als Konstante deklarieren.",
 )

@@ -7,6 +7,8 @@ line; each once for a position.
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from nctakt.base.diagnostics import Message, Severity, Span
 from nctakt.messages import Collector
 from nctakt.st.sources import Sources
@@ -30,7 +32,10 @@ class Reporter:
             self.error_count += 1
         span = self.sources.span(start, end)
         line = "" if span is None else self.sources.line(span.file, span.line)
-        self.collector.report(message, span, line, **values)
+        found = self.collector.report(message, span, line, **values)
+        within = self.sources.within(start)
+        if within is not None:
+            self.collector.diagnostics[-1] = replace(found, within=within)
 
     def report_file(self, message: Message, span: Span | None, **values: object) -> None:
         """Report a message about a file."""

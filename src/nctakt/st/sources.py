@@ -11,7 +11,7 @@ from __future__ import annotations
 from bisect import bisect_right
 
 from nctakt.base.dataclass import dataclass, field
-from nctakt.base.diagnostics import Span
+from nctakt.base.diagnostics import Span, Text
 
 #: No position.
 NO_POSITION = 0
@@ -74,6 +74,27 @@ class Sources:
         if last_line != line:
             return Span(piece.file, line, column, len(self.line(piece.file, line)) + 1)
         return Span(piece.file, line, column, last_column + 1)
+
+    def line_number(self, position: int) -> int:
+        """Return the line of a position in its file, 0 for none."""
+        piece = self.piece_of(position)
+        return 0 if piece is None else piece.locate(position)[0]
+
+    def within(self, position: int) -> Text | None:
+        """Return object, part and line as the programming system shows them; of XML only."""
+        piece = self.piece_of(position)
+        if piece is None or not piece.title or not piece.text:
+            return None
+        line = piece.text.count("\n", 0, position - piece.base) + 1
+        if piece.is_declaration:
+            return Text(
+                f"{piece.title}, declaration line {line}",
+                f"{piece.title}, Deklaration Zeile {line}",
+            )
+        return Text(
+            f"{piece.title}, implementation line {line}",
+            f"{piece.title}, Implementierung Zeile {line}",
+        )
 
     def line(self, file: str, number: int) -> str:
         """Return a line of a file; empty if there is none."""

@@ -243,6 +243,18 @@ class StructInitial(Expression):
     bound: list[tuple[Variable, Expression]] = field(default_factory=list)
 
 
+@dataclass(slots=True, eq=False)
+class TypeNode(Node):
+    """A type as written."""
+
+
+@dataclass(slots=True, eq=False)
+class TypeExpression(Expression):
+    """A type as an operand: ``SIZEOF(POINTER TO INT)``; its type is ``type``."""
+
+    node: TypeNode
+
+
 # --- statements ----------------------------------------------------------------------------------
 
 
@@ -263,6 +275,13 @@ class CallStatement(Statement):
     """A call as a statement."""
 
     call: Call
+
+
+@dataclass(slots=True, eq=False)
+class Evaluation(Statement):
+    """A path alone, which reads a property or the result of a call: its calls have effects."""
+
+    expression: Expression
 
 
 @dataclass(slots=True, eq=False)
@@ -354,11 +373,6 @@ class Return(Statement):
 
 
 @dataclass(slots=True, eq=False)
-class TypeNode(Node):
-    """A type as written."""
-
-
-@dataclass(slots=True, eq=False)
 class NamedType(TypeNode):
     """A type by its name; ``name`` with its library or list: ``Tc2_MC2.AXIS_REF``."""
 
@@ -426,13 +440,16 @@ class StructNode(TypeNode):
 class VariableNode(Node):
     """A declared variable; ``start`` … ``end`` are those of its name.
 
-    ``arguments``: ``None`` without brackets behind the type.
+    ``arguments``: ``None`` without brackets after the type; ``element_arguments``: those of each
+    element of an array of blocks.
     """
 
     name: str
     type: TypeNode
     initial: Expression | None = None
     arguments: list[Argument] | None = None
+    element_arguments: list[list[Argument]] = field(default_factory=list)
+    is_bound: bool = False  # REF= instead of :=
     address: str = ""
     attributes: dict[str, str] = field(default_factory=dict)
 
@@ -462,9 +479,10 @@ class Header(Node):
 
 @dataclass(slots=True, eq=False)
 class MethodNode(Header):
-    """A method, an action, or an accessor of a property."""
+    """A method, an action, or an accessor of a property; refused: its language is not ST."""
 
     is_action: bool = False
+    is_refused: bool = False
 
 
 @dataclass(slots=True, eq=False)

@@ -65,6 +65,11 @@ def read_objects(
     return [] if root is None else _ObjectReader(file, definitions, reporter).xml(root)
 
 
+def parse_text(name: str, text: str, reporter: Reporter) -> list[Declaration]:
+    """Return the declarations of a text that is no file of a user."""
+    return _ObjectReader(f"{name}.st", Definitions(), reporter).plain(text.encode())
+
+
 class _ObjectReader:
     """Reads the objects of one file."""
 

@@ -12,8 +12,9 @@ import re
 from nctakt.base.diagnostics import Text
 from nctakt.messages.st_text import (
     END_KEYWORD_MISSING,
-    SYMBOL_EXPECTED,
+    GENERIC_REFUSED,
     TASK_TIME_UNKNOWN,
+    TOKEN_EXPECTED,
     UNEXPECTED_TOKEN,
     VARIABLES_EXPECTED,
 )
@@ -287,7 +288,7 @@ class DeclarationParser(StatementParser):
             elif self.accept("PROGRAM"):
                 self._program(tasks)
             elif self.kinds[self.index] == END:
-                self.fail(SYMBOL_EXPECTED, expected="END_CONFIGURATION", found="–")
+                self.fail(TOKEN_EXPECTED, expected="END_CONFIGURATION", found="–")
             else:
                 self.index += 1  # names of configuration and resource, ON, END_RESOURCE
         return [*found, *tasks.values()]
@@ -328,7 +329,9 @@ class DeclarationParser(StatementParser):
     def blocks(self) -> list[VariableBlock]:
         """Read all VAR … END_VAR that follow each other."""
         found = []
-        while self.kinds[self.index] in _VAR_KEYWORDS:
+        while self.kinds[self.index] in _VAR_KEYWORDS or self.word() == "VAR_GENERIC":
+            if self.word() == "VAR_GENERIC":
+                self.report(GENERIC_REFUSED)
             found.append(self._block())
         return found
 
@@ -375,7 +378,7 @@ class DeclarationParser(StatementParser):
         address = ""
         if self.accept_word("AT"):
             if self.kinds[self.index] != ADDRESS:
-                self.fail(SYMBOL_EXPECTED, expected="%I*", found=self._found())
+                self.fail(TOKEN_EXPECTED, expected="%I*", found=self._found())
             address = self.texts[self.index].upper()
             self.index += 1
         self.expect(":")
@@ -393,9 +396,9 @@ class DeclarationParser(StatementParser):
         if self.kinds[self.index] == ";":
             self.index += 1
         elif self.kinds[self.index] in ("END_VAR", "END_STRUCT", "END_UNION"):
-            self.report(SYMBOL_EXPECTED, expected=";", found=self._found())
+            self.report(TOKEN_EXPECTED, expected=";", found=self._found())
         else:
-            self.fail(SYMBOL_EXPECTED, expected=";", found=self._found())
+            self.fail(TOKEN_EXPECTED, expected=";", found=self._found())
         return [
             VariableNode(
                 start,
@@ -473,7 +476,7 @@ class DeclarationParser(StatementParser):
         if kind == "(":
             return self._enumeration(start)
         if kind != NAME:
-            self.fail(SYMBOL_EXPECTED, expected=_TYPE, found=self._found())
+            self.fail(TOKEN_EXPECTED, expected=_TYPE, found=self._found())
         if word == "ARRAY" and self.kinds[self.index + 1] == "[":
             return self._array(start)
         if word in _POINTERS and self.kinds[self.index + 1] == "TO":
@@ -491,6 +494,8 @@ class DeclarationParser(StatementParser):
                 self.expect(")" if opening == "(" else "]")
             return StringNode(start, self.end, _STRINGS[word], length)
         named = self._named_type()
+        if self.kinds[self.index] == "<":
+            self._generic()
         if self.kinds[self.index] == "(" and self._is_subrange():
             self.index += 1
             low = self.expression()
@@ -511,6 +516,13 @@ class DeclarationParser(StatementParser):
             name += f".{self.texts[self.index + 1]}"
             self.index += 2
         return NamedType(start, self.end, name)
+
+    def _generic(self) -> None:
+        """Refuse ``FB<6>``, and read on after it."""
+        self.report(GENERIC_REFUSED)
+        while self.kinds[self.index] not in (">", ";", END):
+            self.index += 1
+        self.accept(">")
 
     def _is_subrange(self) -> bool:
         """Whether the bracket after a type holds a range, not arguments of FB_init."""

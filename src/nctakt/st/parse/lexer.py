@@ -16,7 +16,6 @@ from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Message
 from nctakt.messages.st_text import (
     CHARACTER_UNKNOWN,
-    COMMENT_NOT_CLOSED,
     CONDITION_NOT_CLOSED,
     CONDITION_NOT_KNOWN,
     CONDITION_WITHOUT_IF,
@@ -24,6 +23,7 @@ from nctakt.messages.st_text import (
     PRAGMA_NOT_CLOSED,
     PRAGMA_NOTE,
     PRAGMA_WARNING,
+    ST_COMMENT_NOT_CLOSED,
     STRING_NOT_CLOSED,
 )
 from nctakt.st.reporting import Reporter
@@ -169,8 +169,8 @@ class Lexer:
                 if depth == 0:
                     return match.end()
         messages = {
-            "(*": COMMENT_NOT_CLOSED,
-            "/*": COMMENT_NOT_CLOSED,
+            "(*": ST_COMMENT_NOT_CLOSED,
+            "/*": ST_COMMENT_NOT_CLOSED,
             "{": PRAGMA_NOT_CLOSED,
             "'": STRING_NOT_CLOSED,
             '"': STRING_NOT_CLOSED,

@@ -22,7 +22,7 @@ from nctakt.messages.st_text import (
     LONE_EXPRESSION,
     NESTED_TOO_DEEP,
     STATEMENT_EXPECTED,
-    SYMBOL_EXPECTED,
+    TOKEN_EXPECTED,
     TRY_REFUSED,
     UNEXPECTED_TOKEN,
 )
@@ -151,7 +151,7 @@ class TokenReader:
     def expect(self, kind: str) -> None:
         """Read a sign or keyword, which has to be there."""
         if self.kinds[self.index] != kind:
-            self.fail(SYMBOL_EXPECTED, expected=kind, found=self._found())
+            self.fail(TOKEN_EXPECTED, expected=kind, found=self._found())
         self.index += 1
 
     def accept(self, kind: str) -> bool:
@@ -171,7 +171,7 @@ class TokenReader:
     def name(self) -> str:
         """Read a name, which has to be there."""
         if self.kinds[self.index] != NAME:
-            self.fail(SYMBOL_EXPECTED, expected="name", found=self._found())
+            self.fail(TOKEN_EXPECTED, expected="name", found=self._found())
         self.index += 1
         return self.texts[self.index - 1]
 
@@ -286,7 +286,7 @@ class ExpressionParser(TokenReader):
                     self.index += 1
                     left = Member(left.start, self.end, left, text)
                 else:
-                    self.fail(SYMBOL_EXPECTED, expected="name", found=self._found())
+                    self.fail(TOKEN_EXPECTED, expected="name", found=self._found())
             elif kind == "^":
                 left = Dereference(left.start, self.end, left)
             elif kind == "[":
@@ -521,7 +521,7 @@ class StatementParser(ExpressionParser):
         else:
             end = self.end
             self.reporter.report(
-                SYMBOL_EXPECTED, end, end + 1, expected=";", found=self.texts[self.index] or "–"
+                TOKEN_EXPECTED, end, end + 1, expected=";", found=self.texts[self.index] or "–"
             )
             if self.kinds[self.index] not in (*_ENDS, NAME, *self._statements):
                 raise SyntaxFaultError

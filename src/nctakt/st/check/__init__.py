@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: MIT
+"""From the syntax tree to a checked program: names, types, layout."""

@@ -1,0 +1,155 @@
+# SPDX-License-Identifier: MIT
+"""The names of a project: what stands for what, and in which order they are looked up (ST-203).
+
+In: declared objects of the project and of libraries. Out: the target of a name. The project's own
+names come before those of libraries, libraries in the order of their reference.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+
+from nctakt.base.dataclass import dataclass, field
+from nctakt.st.tree import (
+    GlobalList,
+    InterfaceNode,
+    Library,
+    PouNode,
+    Target,
+    TypeDeclaration,
+    VariableNode,
+)
+from nctakt.st.types import EnumValue, Expression, Pou, Type, Variable
+from nctakt.st.vocabulary.libraries import words_of
+
+
+@dataclass(slots=True, eq=False)
+class Declared:
+    """A declared type, POU or interface; ``target`` is set when it is looked up first.
+
+    ``initial``: the initial value of a type, for variables that have none.
+    """
+
+    node: TypeDeclaration | PouNode | InterfaceNode
+    library: str
+    target: Type | Pou | None = None
+    is_open: bool = False  # being resolved
+    initial: Expression | None = None
+
+    @property
+    def name(self) -> str:
+        """Its name as declared."""
+        return self.node.name
+
+
+@dataclass(slots=True, eq=False)
+class Namespace:
+    """The names of the project ("") or of one library; keys are in lower case."""
+
+    library: str
+    declared: dict[str, Declared] = field(default_factory=dict)
+    lists: dict[str, GlobalList] = field(default_factory=dict)
+    variables: dict[str, list[tuple[GlobalList, Variable]]] = field(default_factory=dict)
+    values: dict[str, EnumValue] = field(default_factory=dict)
+    is_read: bool = False
+
+
+@dataclass(slots=True, eq=False)
+class Ambiguous:
+    """A name of variables in several lists."""
+
+    found: list[tuple[GlobalList, Variable]]
+
+
+@dataclass(slots=True, eq=False)
+class Scope:
+    """Where a body or declaration looks names up first; keys are in lower case.
+
+    ``members`` are those of the instance: variables, methods, properties of the block and its
+    bases. ``pou`` is the block, ``library`` the one that it is from.
+    """
+
+    library: str = ""
+    local_names: Mapping[str, Target] = field(default_factory=dict)
+    members: Mapping[str, Target] = field(default_factory=dict)
+    pou: Pou | None = None
+    title: str = ""
+
+
+@dataclass(slots=True, eq=False)
+class PendingVariable:
+    """A variable whose type is resolved when it is needed first."""
+
+    node: VariableNode
+    scope: Scope
+
+
+class Names:
+    """All namespaces of a project."""
+
+    def __init__(self, libraries: list[str]) -> None:
+        self.project = Namespace("")
+        self.libraries = {name.lower(): Namespace(name) for name in libraries}
+        self._known: dict[str, Declared | Target | Ambiguous | None] = {}
+        #: Enters what a library declares.
+        self.load: Callable[[Namespace], None] = lambda space: None
+
+    def spaces(self, library: str = "", name: str = "") -> Iterator[Namespace]:
+        """Yield the namespaces in the order in which names are looked up.
+
+        ``name``: only libraries in whose texts this name stands, which are read now.
+        """
+        if library:
+            yield self.libraries[library.lower()]
+        else:
+            yield self.project
+        for key, space in self.libraries.items():
+            if key == library.lower() or (name and name not in words_of(space.library)):
+                continue
+            self.read(space)
+            yield space
+
+    def read(self, space: Namespace) -> None:
+        """Read a library, once."""
+        if not space.is_read:
+            space.is_read = True
+            self.load(space)
+
+    def find(self, name: str, library: str = "") -> Declared | Target | Ambiguous | None:
+        """Return what a name in lower case stands for outside of POUs."""
+        key = f"{library}\0{name}" if library else name
+        try:
+            return self._known[key]
+        except KeyError:
+            found = self._known[key] = self._find(name, library)
+            return found
+
+    def _find(self, name: str, library: str) -> Declared | Target | Ambiguous | None:
+        for space in self.spaces(library, name):
+            if (variables := space.variables.get(name)) is not None:
+                return variables[0][1] if len(variables) == 1 else Ambiguous(variables)
+            if (value := space.values.get(name)) is not None and name not in space.declared:
+                return value
+            if (declared := space.declared.get(name)) is not None:
+                return declared
+            if (found := space.lists.get(name)) is not None:
+                return found
+        library = name.removeprefix("__")
+        if library in self.libraries:
+            return Library(self.libraries[library].library)
+        return None
+
+    def find_type(self, name: str, library: str = "") -> Declared | None:
+        """Return the declared type, POU or interface of a name in lower case."""
+        for space in self.spaces(library, name):
+            if (declared := space.declared.get(name)) is not None:
+                return declared
+        return None
+
+    def all_names(self) -> Iterator[str]:
+        """Yield all names that can stand without prefix."""
+        for space in self.spaces():
+            yield from (declared.name for declared in space.declared.values())
+            yield from (found[0][1].name for found in space.variables.values())
+            yield from (value.name for value in space.values.values())
+            yield from (one.name for one in space.lists.values() if one.name)

@@ -1,0 +1,410 @@
+# SPDX-License-Identifier: MIT
+"""All declared objects of a project -> a checked program (ST-401 … 407, ST-601 … 606, ST-803).
+
+In: declarations of the project and the libraries that it refers to. Out: ``Program``. All mistakes
+are reported; an object with mistakes leaves the others checked.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from nctakt.messages.st_check import (
+    CONSTANT_EXPECTED,
+    INTERFACE_MEMBER_MISSING,
+    OVERRIDE_DIFFERS,
+    OVERRIDE_OF_FINAL,
+    PROGRAM_OF_TASK_UNKNOWN,
+    RECURSION_REFUSED,
+)
+from nctakt.messages.st_text import NESTED_TOO_DEEP
+from nctakt.st.check.conversions import bases_of
+from nctakt.st.check.names import Names, Namespace, Scope
+from nctakt.st.check.resolver import Resolver
+from nctakt.st.check.statements import StatementChecker
+from nctakt.st.files.objects import parse_text
+from nctakt.st.parse.parser import MAX_DEPTH
+from nctakt.st.program import Program, Task
+from nctakt.st.reporting import Reporter
+from nctakt.st.tree import (
+    Argument,
+    Declaration,
+    GlobalListNode,
+    Header,
+    InterfaceNode,
+    PouNode,
+    StructNode,
+    TaskNode,
+    TypeDeclaration,
+    VariableNode,
+)
+from nctakt.st.types import (
+    Callable,
+    EnumType,
+    Expression,
+    InterfaceType,
+    Kind,
+    Method,
+    Pou,
+    Property,
+    StructType,
+    Type,
+    Variable,
+    same_type,
+)
+from nctakt.st.vocabulary.elementary import UNTYPED, UNTYPED_REAL
+from nctakt.st.vocabulary.libraries import SYSTEM, known, text_of
+
+#: The task of a project that declares none (ST-803).
+DEFAULT_TASK, DEFAULT_PROGRAM, DEFAULT_CYCLE_US = "PlcTask", "MAIN", 10_000
+
+
+class ProjectChecker(StatementChecker):
+    """Checks one project; it also evaluates constants for the resolver."""
+
+    # --- what the resolver asks -------------------------------------------------------------------
+
+    def constant(self, node: Expression, scope: Scope) -> int | None:
+        """Return the value of a whole constant; ``None`` with a report if it is none."""
+        outer, self.scope = self.scope, scope
+        kind = self.expression(node)
+        self.scope = outer
+        if isinstance(node.value, int) and not isinstance(node.value, bool):
+            return node.value
+        if kind is not None:
+            self.report(CONSTANT_EXPECTED, node)
+        return None
+
+    def constant_of(self, variable: Variable, scope: Scope) -> None:
+        """Set the value of a constant variable."""
+        assert variable.initial is not None
+        outer, self.scope = self.scope, scope
+        self.initial(variable.initial, variable.type)
+        self.scope = outer
+        variable.value = variable.initial.value
+
+    def enumeration_value(self, node: Expression, scope: Scope, kind: EnumType) -> int | None:
+        """Return the value of an item of an enumeration."""
+        outer, self.scope = self.scope, scope
+        found = self.operand(node)
+        if found in (UNTYPED, UNTYPED_REAL):
+            self._settle_into(node, kind.base)
+        self.scope = outer
+        value = node.value
+        if isinstance(value, int) and kind.base.low <= value <= kind.base.high:
+            return int(value)
+        if found is not None:
+            self.report(CONSTANT_EXPECTED, node)
+        return None
+
+    # --- the walk ---------------------------------------------------------------------------------
+
+    def check(self, declarations: list[Declaration]) -> None:
+        """Check all objects of the project."""
+        resolver = self.resolver
+        for declared in self.names.project.declared.values():
+            self._guarded(declared.node, lambda one=declared: resolver.target_of(one))
+        for node in declarations:
+            if not isinstance(node, TaskNode):
+                self._guarded(node, lambda one=node: self._object(one))
+        self._finish_layout()
+        self._report_recursion()
+
+    def _guarded(self, node: object, action: object) -> None:
+        """Run a check; nesting beyond what Python can walk is reported at its object."""
+        try:
+            action()  # type: ignore[operator]
+        except RecursionError:
+            start = getattr(node, "start", 1)
+            self.reporter.report(NESTED_TOO_DEEP, start, start + 1, limit=MAX_DEPTH)
+
+    def _object(self, node: Declaration) -> None:
+        declared = self.names.project.declared.get(getattr(node, "name", "").lower())
+        target = None if declared is None or declared.node is not node else declared.target
+        if isinstance(node, PouNode) and isinstance(target, Pou):
+            self._pou(node, target)
+        elif isinstance(node, GlobalListNode):
+            self._list(node)
+        elif isinstance(node, TypeDeclaration) and isinstance(target, StructType):
+            self._structure(node, target)
+        elif isinstance(node, InterfaceNode) and isinstance(target, InterfaceType):
+            self._interface(target)
+
+    def _list(self, node: GlobalListNode) -> None:
+        name = node.attributes.get("list", node.name)
+        found = self.names.project.lists.get(name.lower())
+        self.scope = Scope("", {} if found is None else found.variables, title=name)
+        for block in node.blocks:
+            for item in block.variables:
+                variable = None if found is None else found.variables.get(item.name.lower())
+                if variable is not None and variable.start == item.start:
+                    self._variable(item, variable)
+
+    def _structure(self, node: TypeDeclaration, kind: StructType) -> None:
+        self.scope = Scope(title=kind.name)
+        self.resolver.layout(kind, None)
+        if isinstance(node.type, StructNode):
+            for item in node.type.members:
+                variable = kind.members.get(item.name.lower())
+                if variable is not None and variable.start == item.start:
+                    self._variable(item, variable)
+
+    def _interface(self, kind: InterfaceType) -> None:
+        for method in kind.methods.values():
+            for variable in method.variables.values():
+                self.resolver.complete(variable)
+            self.resolver.lay_out_frame(method)
+        for found in kind.properties.values():
+            for accessor in (found.get, found.set):
+                if accessor is not None:
+                    self.resolver.lay_out_frame(accessor)
+
+    def _variable(self, node: VariableNode, variable: Variable) -> None:
+        """Check the declaration of a variable: its type, initial value and arguments."""
+        self.resolver.complete(variable)
+        if node.initial is not None and node.initial.type is None:
+            if node.is_bound:
+                self.expression(node.initial)
+            else:
+                self.initial(node.initial, variable.type)
+        arguments: list[Argument] = list(node.arguments or ())
+        if arguments:
+            self.init_arguments(arguments, variable.type, arguments[0])
+        for group in node.element_arguments:
+            self.init_arguments(group, variable.type, group[0] if group else arguments[0])
+
+    def _pou(self, node: PouNode, pou: Pou) -> None:
+        errors = self.reporter.error_count
+        self._check_unit(node, pou)
+        for method in pou.methods.values():
+            header, _ = self.resolver.nodes[method]
+            self._check_unit(header, method)
+        for found in pou.properties.values():
+            for accessor in (found.get, found.set):
+                if accessor is not None:
+                    header, _ = self.resolver.nodes[accessor]
+                    self._check_unit(header, accessor)
+        self._overrides(pou)
+        self._required(node, pou)
+        if self.reporter.error_count > errors:
+            pou.is_refused = True
+
+    def _check_unit(self, node: Header, unit: Callable) -> None:
+        """Check the variables and the body of a POU, method, action or accessor."""
+        assert isinstance(unit, Pou | Method)
+        self.scope = self.resolver.nodes[unit][1]
+        self.unit = unit
+        for block in node.variables:
+            for item in block.variables:
+                variable = unit.variables.get(item.name.lower())
+                if variable is not None and variable.start == item.start:
+                    self._variable(item, variable)
+        self.resolver.lay_out_frame(unit)
+        self.body(unit.body)
+        self.unit = None
+
+    # --- inheritance ------------------------------------------------------------------------------
+
+    def _overrides(self, pou: Pou) -> None:
+        """Compare methods and properties with those of the base that they override (ST-601)."""
+        if pou.base is None:
+            return
+        for key, method in pou.methods.items():
+            other = pou.base.find_method(key)
+            if other is None:
+                continue
+            if other.is_final:
+                self.reporter.report(
+                    OVERRIDE_OF_FINAL,
+                    method.start,
+                    method.start + len(method.name),
+                    name=other.path,
+                )
+            elif key not in ("fb_init", "fb_exit", "fb_reinit") and not _same_shape(method, other):
+                self._report_shape(method, other.path)
+
+    def _report_shape(self, method: Method, other: str) -> None:
+        end = method.start + len(method.name)
+        self.reporter.report(OVERRIDE_DIFFERS, method.start, end, name=method.path, base=other)
+
+    def _required(self, node: PouNode, pou: Pou) -> None:
+        """Report members of interfaces and abstract members that a block lacks (C0087, ST-605)."""
+        if pou.is_abstract or self.resolver.is_incomplete(pou):
+            return
+        for one in pou.bases():
+            for member in one.methods.values():
+                found = pou.find_method(member.name.lower())
+                if member.is_abstract and found is not None and found.is_abstract:
+                    self.reporter.report(
+                        INTERFACE_MEMBER_MISSING, node.start, node.end, name=member.path
+                    )
+        interfaces: list[InterfaceType] = []
+        for one in pou.bases():
+            for interface in one.interfaces:
+                interfaces += [kind for kind in bases_of(interface) if kind not in interfaces]
+        for interface in interfaces:
+            self._implemented(node, pou, interface)
+
+    def _implemented(self, node: PouNode, pou: Pou, interface: InterfaceType) -> None:
+        for key, method in interface.methods.items():
+            found = pou.find_method(key)
+            if found is None:
+                name = f"{interface.name}.{method.name}"
+                self.reporter.report(INTERFACE_MEMBER_MISSING, node.start, node.end, name=name)
+            elif found.owner is pou and not _same_shape(found, method):
+                self._report_shape(found, method.path)
+        for key, required in interface.properties.items():
+            property_ = pou.find_property(key)
+            name = f"{interface.name}.{required.name}"
+            if property_ is None or _lacks(property_, required):
+                self.reporter.report(INTERFACE_MEMBER_MISSING, node.start, node.end, name=name)
+
+    # --- the whole --------------------------------------------------------------------------------
+
+    def _finish_layout(self) -> None:
+        checked = 0
+        while checked < len(self.resolver.library_pous):  # they may need further ones
+            self._library_pou(self.resolver.library_pous[checked])
+            checked += 1
+        for space in (self.names.project, *self.names.libraries.values()):
+            for declared in space.declared.values():
+                if isinstance(declared.target, Type):
+                    self._guarded(
+                        declared.node, lambda kind=declared.target: self.resolver.layout(kind, None)
+                    )
+        self._guarded(None, self.resolver.lay_out_globals)
+
+    def _library_pou(self, pou: Pou) -> None:
+        """Check a POU of a library, whose bodies run as they are written."""
+        node, _ = self.resolver.nodes[pou]
+        self._check_unit(node, pou)
+        for method in pou.methods.values():
+            header, _ = self.resolver.nodes[method]
+            self._check_unit(header, method)
+
+    def _report_recursion(self) -> None:
+        """Report units that call themselves, by others too (ST-407)."""
+        state: dict[Callable, int] = {}
+        for root in list(self.callers):
+            if root in state:
+                continue
+            stack: list[tuple[Callable, Iterator[Callable]]] = [(root, iter(self.callers[root]))]
+            state[root] = 1
+            while stack:
+                unit, rest = stack[-1]
+                target = next(rest, None)
+                if target is None:
+                    state[unit] = 2
+                    stack.pop()
+                elif state.get(target) == 1:
+                    call = self.callers[unit][target]
+                    if call.is_virtual and isinstance(target, Method) and call.instance is not None:
+                        continue  # another instance may be meant: its depth is bounded at run time
+                    if isinstance(target, Pou) and target.kind is Kind.FUNCTION_BLOCK:
+                        continue
+                    self.report(RECURSION_REFUSED, call, name=target.path)
+                elif target not in state:
+                    state[target] = 1
+                    stack.append((target, iter(self.callers.get(target, {}))))
+
+    def tasks(self, nodes: list[TaskNode]) -> list[Task]:
+        """Return the tasks with their programs; the usual one if none is declared."""
+        tasks = []
+        for node in nodes:
+            programs = []
+            for name in node.programs:
+                pou = self.resolver.pous.get(name.rpartition(".")[2].lower())
+                if pou is None or pou.kind is not Kind.PROGRAM:
+                    self.reporter.report(
+                        PROGRAM_OF_TASK_UNKNOWN,
+                        node.start,
+                        node.start + 1,
+                        name=name,
+                        task=node.name,
+                    )
+                else:
+                    programs.append(pou)
+            cycle = node.cycle_us or DEFAULT_CYCLE_US
+            tasks.append(Task(node.name, cycle, node.priority, programs))
+        own = [one for one in self.resolver.blocks if one.kind is Kind.PROGRAM and not one.library]
+        main = [one for one in own if one.name.upper() == DEFAULT_PROGRAM]
+        if not tasks and (main or len(own) == 1):
+            tasks.append(Task(DEFAULT_TASK, DEFAULT_CYCLE_US, 0, main or own))
+        return tasks
+
+
+def check_project(
+    name: str,
+    declarations: list[Declaration],
+    libraries: list[str],
+    reporter: Reporter,
+) -> Program:
+    """Check the objects of a project that refers to ``libraries``; mistakes are reported."""
+    found = [known(library) for library in libraries]
+    loaded = list(dict.fromkeys([one for one in found if one] + [SYSTEM]))
+    names = Names(loaded)
+    resolver = Resolver(names, reporter)
+    checker = ProjectChecker(names, resolver, reporter)
+    resolver.evaluator = checker
+    checker.foreign_libraries = [
+        library.partition(",")[0] for library, one in zip(libraries, found, strict=True) if not one
+    ]
+
+    def load(space: Namespace) -> None:
+        """Enter what a library declares, when one of its names is used."""
+        text = text_of(space.library)
+        resolver.declare(space, parse_text(space.library, text, reporter))
+        resolver.declare_values(space)
+
+    names.load = load
+    resolver.declare(names.project, declarations)
+    resolver.declare_values(names.project)
+    checker.check(declarations)
+    tasks = checker.tasks([node for node in declarations if isinstance(node, TaskNode)])
+    return Program(
+        name,
+        reporter.sources,
+        resolver.pous,
+        {
+            key: one.target
+            for key, one in names.project.declared.items()
+            if isinstance(one.target, InterfaceType)
+        },
+        {
+            key: one.target
+            for key, one in names.project.declared.items()
+            if isinstance(one.target, Type) and not isinstance(one.target, InterfaceType)
+        },
+        [
+            one
+            for space in (names.project, *names.libraries.values())
+            for one in space.lists.values()
+        ],
+        tasks,
+        resolver.data_size,
+        resolver.globals,
+        resolver.blocks,
+        reporter.error_count > 0,
+    )
+
+
+def _same_shape(first: Method, second: Method) -> bool:
+    """Whether an override has the inputs, outputs and result of what it overrides."""
+    one = None if first.result is None else first.result.type
+    two = None if second.result is None else second.result.type
+    if first.is_action or second.is_action:
+        return first.is_action is second.is_action
+    if len(first.parameters) != len(second.parameters) or (one is None) is not (two is None):
+        return False
+    if one is not None and not same_type(one, two):
+        return False
+    for left, right in zip(first.parameters, second.parameters, strict=True):
+        if left.name.lower() != right.name.lower() or left.section is not right.section:
+            return False
+    return True
+
+
+def _lacks(found: Property, required: Property) -> bool:
+    return (required.get is not None and found.get is None) or (
+        required.set is not None and found.set is None
+    )

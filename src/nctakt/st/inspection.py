@@ -1,0 +1,85 @@
+# SPDX-License-Identifier: MIT
+"""The files of a PLC -> a checked program, with all mistakes."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+from nctakt.messages import Collector
+from nctakt.st.check.project import check_project
+from nctakt.st.files.objects import read_objects
+from nctakt.st.files.project import (
+    PROJECT_SUFFIX,
+    SYSTEM_SUFFIX,
+    PlcSources,
+    ReadFile,
+    loose_files,
+    read_project,
+)
+from nctakt.st.parse.lexer import Definitions
+from nctakt.st.program import Program
+from nctakt.st.reporting import Reporter
+from nctakt.st.sources import Sources
+from nctakt.st.tree import Declaration, TaskNode
+from nctakt.st.vocabulary.libraries import default_libraries
+
+#: What conditions of programs find defined here (ST-205).
+OUR_DEFINITION = "nctakt"
+
+
+def inspect_paths(
+    paths: Sequence[Path], read: ReadFile, collector: Collector, libraries: Sequence[str] = ()
+) -> list[Program]:
+    """Check projects, and single files as one project; ``libraries``: further references."""
+    programs: list[Program] = []
+    loose = [path for path in paths if path.suffix.lower() not in (PROJECT_SUFFIX, SYSTEM_SUFFIX)]
+    for path in paths:
+        if path not in loose:
+            reporter = Reporter(Sources(), collector)
+            for project in read_project(path, read, reporter):
+                programs.append(inspect_sources(project, read, reporter, libraries))
+    if loose:
+        reporter = Reporter(Sources(), collector)
+        programs.append(inspect_sources(loose_files(loose), read, reporter, libraries))
+    return programs
+
+
+def inspect_sources(
+    project: PlcSources, read: ReadFile, reporter: Reporter, libraries: Sequence[str] = ()
+) -> Program:
+    """Read and check all files of a project."""
+    texts = [(path.as_posix(), read(path)) for path in project.files]
+    return inspect_texts(
+        project.name,
+        {file: data for file, data in texts if data is not None},
+        reporter,
+        libraries=[*libraries, *(project.libraries or ())]
+        if project.libraries is not None
+        else None,
+        project=project,
+    )
+
+
+def inspect_texts(
+    name: str,
+    texts: Mapping[str, bytes],
+    reporter: Reporter,
+    *,
+    libraries: Sequence[str] | None = None,
+    project: PlcSources | None = None,
+) -> Program:
+    """Check texts by their names; ``libraries`` ``None``: all known ones."""
+    values = {OUR_DEFINITION: "", **(project.definitions if project is not None else {})}
+    stems = frozenset(Path(file).stem.lower() for file in texts)
+    definitions = Definitions(values, stems, stems)
+    declarations: list[Declaration] = []
+    for file, data in texts.items():
+        declarations += read_objects(file, data, definitions, reporter)
+    if project is not None:
+        for node in declarations:
+            if isinstance(node, TaskNode) and node.name.lower() in project.tasks:
+                task = project.tasks[node.name.lower()]
+                node.cycle_us, node.priority = task.cycle_us, task.priority
+    found = default_libraries() if libraries is None else list(libraries)
+    return check_project(name, declarations, found, reporter)

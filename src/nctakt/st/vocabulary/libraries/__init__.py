@@ -1,0 +1,126 @@
+# SPDX-License-Identifier: MIT
+"""The libraries that nctakt knows, as Structured Text.
+
+A POU with the attribute ``native`` has no body: the runtime computes it. All others run as they
+stand. What belongs to the interface between CNC and PLC is written from its table (``hli.table``).
+"""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+from pathlib import Path
+
+from nctakt.hli import table
+
+#: The library of the system itself, whose names need no reference.
+SYSTEM = "System"
+#: The CNC's interface, and its blocks for single axes.
+CNC_INTERFACE, CNC_AXES, NC_AXES = "Tc2_CncHli", "McpPLCopenP1", "Tc2_MC2"
+TEST_LIBRARY = "TcUnit"
+
+#: The libraries with a text beside this module, in the order in which names are looked up.
+_TEXTS = ("Tc2_Standard", "Tc2_System", "Tc2_Utilities", "Tc2_Math", NC_AXES, TEST_LIBRARY, SYSTEM)
+#: Further names under which projects refer to them; those without a text here have no names.
+ALIASES = {
+    "tc2_cnc": CNC_INTERFACE,
+    "tc2_cnchli": CNC_INTERFACE,
+    "mcpplcopenp1": CNC_AXES,
+    "tc2_mcpplcopenp1": CNC_AXES,
+    "standard": "Tc2_Standard",
+    "tc3_module": SYSTEM,
+    "tc3_interfaces": SYSTEM,
+}
+#: Members whose names are keywords here (ST-763).
+_MEMBERS = {"type": "fkt_ctrl_r"}
+_HIGHEST_CHANNEL, _HIGHEST_AXIS = 31, 127
+#: Types that pins have and no source describes.
+_OPAQUE = re.compile(r"\b(?:MC|MCV|HLI|AXES|TRIGGER)_[A-Z_]+\b")
+
+
+def known(name: str) -> str:
+    """Return the library that a reference names, as it is called here; "" if it is unknown."""
+    lower = name.partition(",")[0].strip().lower()
+    by_name = {text.lower(): text for text in (*_TEXTS, CNC_INTERFACE, CNC_AXES)}
+    return ALIASES.get(lower) or by_name.get(lower, "")
+
+
+def default_libraries() -> list[str]:
+    """Return the libraries of a text without a project: all but the other one for axes."""
+    texts = [name for name in _TEXTS if name != NC_AXES]
+    return [*texts, CNC_INTERFACE, CNC_AXES]
+
+
+@cache
+def text_of(name: str) -> str:
+    """Return the text of a known library."""
+    if name == CNC_INTERFACE:
+        return _interface()
+    if name == CNC_AXES:
+        return _blocks("MC_")
+    return (Path(__file__).parent / f"{name}.st").read_text("utf-8")
+
+
+@cache
+def words_of(name: str) -> frozenset[str]:
+    """Return all words of a library's text in lower case."""
+    return frozenset(re.findall(r"\w+", text_of(name).lower()))
+
+
+def _interface() -> str:
+    """Return the interface as Structured Text: its structures, pointers and constants."""
+    parts = []
+    for kind in table.structures():
+        members = " ".join(
+            f"{_MEMBERS.get(one.name, one.name)} : {one.type.name};" for one in kind.members
+        )
+        parts.append(f"TYPE {kind.name} : STRUCT {members} END_STRUCT END_TYPE")
+    pointers = []
+    for root, structure in table.ROOTS.items():
+        target = structure or table.root(root).type.name
+        high = _HIGHEST_AXIS if root == "gpAx" else _HIGHEST_CHANNEL
+        array = "" if root in table.SINGLE_ROOTS else f"ARRAY[0..{high}] OF "
+        pointers.append(f"{root} : {array}POINTER TO {target};")
+    list_name = table.LIST_NAME.rstrip(".")
+    parts.append(f"{{attribute 'list' := '{list_name}'}} VAR_GLOBAL {' '.join(pointers)} END_VAR")
+    constants = [
+        f"{one.name} : DINT := {one.value};"
+        for one in table.constants().values()
+        if one.value is not None
+    ]
+    parts.append(f"VAR_GLOBAL CONSTANT {' '.join(constants)} END_VAR")
+    parts.append(_blocks("MCV_"))
+    return "\n".join(parts)
+
+
+def _blocks(prefix: str) -> str:
+    """Return the function blocks whose names begin with ``prefix``."""
+    parts = []
+    declared = {kind.name for kind in table.structures()}
+    for block in table.blocks().values():
+        if not block.name.startswith(prefix):
+            continue
+        sections = []
+        for keyword, pins in (
+            ("VAR_IN_OUT", block.in_out),
+            ("VAR_INPUT", block.inputs),
+            ("VAR_OUTPUT", block.outputs),
+        ):
+            if pins:
+                content = " ".join(f"{name} : {kind};" for name, kind in pins)
+                sections.append(f"{keyword} {content} END_VAR")
+        parts.append(
+            f"{{attribute 'native'}} FUNCTION_BLOCK {block.name} {' '.join(sections)} "
+            "END_FUNCTION_BLOCK"
+        )
+    text = "\n".join(parts)
+    blocks = set(table.blocks())
+    opaque = dict.fromkeys(_OPAQUE.findall(text))
+    if prefix == "MC_":
+        opaque["AXIS_REF"] = None
+    types = [
+        f"TYPE {name} : STRUCT log_ax_nr : UINT; END_STRUCT END_TYPE"
+        for name in opaque
+        if name not in declared and name not in blocks
+    ]
+    return "\n".join((*types, text))

@@ -78,6 +78,11 @@ class StandingSession:
         texts = ("TEXT", "STRING")
         return [self.written.get(name, "" if name.endswith(texts) else 0.0) for name in names]
 
+    def glance(self, *names: str) -> Any:
+        """Return values, the tick, and a channel whose F is 600 mm/min."""
+        channel = SimpleNamespace(programmed_mm_s=10.0, in_force=None)
+        return SimpleNamespace(tick=self.tick, values=self.read(*names), channels=(channel,))
+
     def decoders(self) -> list[Any]:
         """Return no open program."""
         return []

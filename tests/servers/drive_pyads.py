@@ -6,6 +6,8 @@ In a process of its own: the library may crash when its process ends in the midd
 
 from __future__ import annotations
 
+import contextlib
+import struct
 import sys
 import time
 from collections.abc import Callable
@@ -133,16 +135,61 @@ def try_notifications(plc: pyads.Connection, connect: Connect) -> None:
 def try_objects_and_variables_of_the_decoder(plc: pyads.Connection, connect: Connect) -> None:
     """A client that knows nothing walks the objects; variables by handle (AD-4, AD-5)."""
     with connect(553) as cnc:
-        count = cnc.read(0x123301, 0, pyads.PLCTYPE_UDINT)
-        names = [cnc.read(0x123401, n, pyads.PLCTYPE_STRING) for n in range(count + 1)]
-        assert names[0] == "channel 1"
-        assert "HLI.OVERRIDE" in names
-        assert cnc.read(0x123501, names.index("HLI.OVERRIDE"), pyads.PLCTYPE_STRING) == "REAL64"
+        highest = cnc.read(0x123301, 0, pyads.PLCTYPE_UDINT)
+        names = {}
+        for number in range(highest + 1):
+            with contextlib.suppress(pyads.ADSError):  # there is none of this number
+                names[cnc.read(0x123401, number, pyads.PLCTYPE_STRING)] = number
+        assert names["channel 1"] == 0
+        assert cnc.read(0x123501, names["HLI.OVERRIDE"], pyads.PLCTYPE_STRING) == "REAL64"
         assert cnc.read(0x123401, 0x10000, pyads.PLCTYPE_STRING) == "X"
     with connect(552) as cnc:
         type_ = pyads.PLCTYPE_STRING
         handle = cnc.read_write(0x122301, 0x46, pyads.PLCTYPE_UDINT, "V.E.COUNT", type_)
         assert handle > 0
+
+
+def try_an_hmi_that_knows_only_the_names_of_the_controller(
+    plc: pyads.Connection, connect: Connect
+) -> None:
+    """Positions, override, feed hold, single block by control units and by objects (AD-3, AD-4)."""
+    channel = "HLI_Global_Variables.gpCh[0]^"
+    position = f"{channel}.bahn_state.coord_r[0].act_position_r"
+    found = plc.read_list_by_name([position, "X.PCS.ACT_POS", f"{channel}.head.channel_nr"])
+    assert found[position] == round(10_000 * found["X.PCS.ACT_POS"])
+    assert found[f"{channel}.head.channel_nr"] == 1
+    control = f"{channel}.bahn_mc_control"
+    plc.write_by_name(f"{channel}.head.plc_present_w", True, pyads.PLCTYPE_BOOL)
+    plc.write_by_name(f"{control}.feedhold.enable_w", True, pyads.PLCTYPE_BOOL)
+    plc.write_by_name(f"{control}.feedhold.command_w", True, pyads.PLCTYPE_BOOL)
+    until(lambda: plc.read_by_name("HLI.FEED_HOLD") is True)
+    with connect(553) as hmi:
+        hmi.write(0x120101, 0x9, 500, pyads.PLCTYPE_UINT)
+        until(lambda: plc.read_by_name("HLI.OVERRIDE") == 50.0)
+        assert hmi.read(0x120101, 0xA, pyads.PLCTYPE_UINT) == 500
+        hmi.write(0x120101, 0x9, 1000, pyads.PLCTYPE_UINT)
+        hmi.write(0x120101, 0x1, True, pyads.PLCTYPE_BOOL)
+        until(lambda: hmi.read(0x120101, 0x3, pyads.PLCTYPE_BOOL) is True)
+        hmi.write(0x120101, 0x1, False, pyads.PLCTYPE_BOOL)
+    plc.write_by_name(f"{control}.feedhold.command_w", False, pyads.PLCTYPE_BOOL)
+    plc.write_by_name(f"{control}.feedhold.enable_w", False, pyads.PLCTYPE_BOOL)
+    plc.write_by_name(f"{channel}.head.plc_present_w", False, pyads.PLCTYPE_BOOL)
+    until(lambda: plc.read_by_name("HLI.FEED_HOLD") is False)
+
+
+def try_the_list_of_objects(plc: pyads.Connection, connect: Connect) -> None:
+    """A client looks an object up by its name, and reads what it needs (AD-4)."""
+    with connect(553) as hmi:
+        count = hmi.read(0x130100, 0, pyads.PLCTYPE_UDINT)
+        data = bytes(hmi.read(0x130100, 1, pyads.PLCTYPE_BYTE * (84 * count)))
+        records = [data[at : at + 84] for at in range(0, len(data), 84)]
+        found = {
+            one[20:52].rstrip(b"\0").decode(): struct.unpack_from("<II", one, 12) for one in records
+        }
+        assert hmi.read(*found["cnc_number_of_channel_r"], pyads.PLCTYPE_UINT) == 1
+        assert hmi.read(*found["mc_command_feedrate_r"], pyads.PLCTYPE_LREAL) >= 0.0
+        tick = hmi.read(*found["cnc_tick_counter_r"], pyads.PLCTYPE_UDINT)
+        until(lambda: hmi.read(*found["cnc_tick_counter_r"], pyads.PLCTYPE_UDINT) >= tick)
 
 
 def try_selection_of_a_program(plc: pyads.Connection, connect: Connect) -> None:

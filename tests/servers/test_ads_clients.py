@@ -108,7 +108,7 @@ def test_the_library_of_the_vendor(server: Server) -> None:
         words, cwd=FOLDER, capture_output=True, text=True, timeout=120, check=False
     )
     assert done.returncode == 0, done.stdout + done.stderr
-    assert len(done.stdout.splitlines()) == 8
+    assert len(done.stdout.splitlines()) == 10
 
 
 def test_ads_client_of_npm(server: Server, tmp_path: Path) -> None:

@@ -43,7 +43,7 @@ FORMATS: Mapping[str, str] = {
 }
 
 #: Kinds of axes (P-AXIS-00018).
-_TYPES = {AxisType.LINEAR: 1, AxisType.ROTARY: 2, AxisType.SPINDLE: 4}
+AXIS_TYPES = {AxisType.LINEAR: 1, AxisType.ROTARY: 2, AxisType.SPINDLE: 4}
 
 #: The kind of a simulated drive (HLI_DRIVE_SIMULATION).
 _SIMULATED = 4
@@ -155,7 +155,7 @@ class Area:
     ) -> None:
         self.root = root
         self.index = index
-        self._prefix = prefix
+        self.prefix = prefix
         self._axes = axes
         self._spindle = spindle
         self.memory = bytearray(table.root(root).type.size_bytes)
@@ -175,7 +175,7 @@ class Area:
 
     def _panel(self, name: str) -> str:
         """Return the name in the session of an operator's value."""
-        return f"{self._prefix}HLI.{name}"
+        return f"{self.prefix}HLI.{name}"
 
     def session_name(self, element: Element) -> str:
         """Return the value of the session that an element shows or sets; empty for none."""
@@ -186,12 +186,12 @@ class Area:
             if not self._spindle:
                 return ""
             if tie.kind == ACTS:
-                return f"{self._prefix}HLI.{self._spindle}.{tie.name}".upper()
-            return f"{self._prefix}{self._spindle}.{tie.name}"
+                return f"{self.prefix}HLI.{self._spindle}.{tie.name}".upper()
+            return f"{self.prefix}{self._spindle}.{tie.name}"
         if self.root == "gpCh" and "coord_r" not in element.path:
-            return f"{self._prefix}{tie.name}"
+            return f"{self.prefix}{tie.name}"
         number = element.indices[0] if self.root == "gpCh" else 0
-        return f"{self._prefix}{self._axes[number]}.{tie.name}" if number < len(self._axes) else ""
+        return f"{self.prefix}{self._axes[number]}.{tie.name}" if number < len(self._axes) else ""
 
     def tell(self, facts: Mapping[str, Scalar], inside: str = "") -> None:
         """Keep facts about the machine by the names of their ties, in the slots below a path."""
@@ -404,11 +404,35 @@ class Area:
         elif slot is command or self._get(slot):
             written.waiting.append(f"{self.name}.{unit}")
 
-    def ask(self, unit: str, number: float) -> Written:
-        """Let the HMI ask a control unit for something.
+    def names_of(self, path: str) -> tuple[str, ...]:
+        """Return the values of the session that an element shows."""
+        slot = self._slot(path)
+        return self.names(slot.offset, slot.type.size_bytes)
+
+    def number(self, path: str, values: Mapping[str, Scalar]) -> float:
+        """Return the number of an element; raises ``KeyError`` for a value that is not there."""
+        slot = self._slot(path)
+        self.read(slot.offset, slot.type.size_bytes, values)
+        return self._get(slot)
+
+    def named(self, name: str) -> str:
+        """Return a value of the session by its name without channel and axis; empty: none."""
+        if self.root != "gpAx":
+            return f"{self.prefix}{name}"
+        return f"{self.prefix}{self._axes[0]}.{name}" if self._axes else ""
+
+    def needed_of(self, unit: str) -> tuple[str, ...]:
+        """Return the values of the session that ``ask`` looks at."""
+        slot = self._slot(f"{unit}.command_w")
+        return self.needed(slot.offset, slot.type.size_bytes)
+
+    def ask(self, unit: str, number: float, values: Mapping[str, Scalar]) -> Written:
+        """Let the HMI ask a control unit for something; ``values``: those of ``needed_of``.
 
         While the PLC decides, ``request_r`` shows it, and nothing else comes of it.
         """
+        if self._is_shown:
+            self.read(self._present.offset, 1, values)
         command = self._slot(f"{unit}.command_w")
         tie, name = command.element.tie, self.session_name(command.element)
         self._put(self._slot(f"{unit}.request_r"), number)
@@ -497,7 +521,7 @@ def areas(machine: Machine, prefixes: Sequence[str]) -> dict[str, list[Area]]:
         for at, axis in enumerate(channel.axes):
             moved[axis.index] = prefix
             facts: dict[str, Scalar] = {"name": axis.name, "logical": axis.logical_number}
-            facts["type"] = _TYPES[machine.axes[axis.index].type]
+            facts["type"] = AXIS_TYPES[machine.axes[axis.index].type]
             area.tell(facts, f"bahn_state.coord_r[{at}].")
         channels.append(area)
         for spindle in channel.parameters.spindles:
@@ -517,7 +541,7 @@ def _axis(
     area.tell(
         {
             "logical": listed.logical_number,
-            "type": _TYPES[listed.type],
+            "type": AXIS_TYPES[listed.type],
             "drive": _SIMULATED,
             "spindle": bool(spindle),
         }

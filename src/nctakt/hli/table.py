@@ -330,14 +330,13 @@ def _row(name: str, line: Mapping[str, str]) -> Row:
         line["range"],
         line.get("handshake", ""),
         line["sure"],
-        _tie(line["tie"]),
+        read_tie(line["tie"]) if line["tie"] else None,
         Text(line["en"], line["de"]),
     )
 
 
-def _tie(text: str) -> Tie | None:
-    if not text:
-        return None
+def read_tie(text: str) -> Tie:
+    """Return what a tie's text says; raises ``ValueError`` for another text."""
     match = _TIE.fullmatch(text)
     if match is None:
         raise ValueError(text)

@@ -7,7 +7,7 @@ in order is an ``AdsError``; values that are not here yet are ``Missing``.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from struct import Struct, pack
 from typing import TypeVar
 
@@ -21,6 +21,7 @@ from nctakt.servers.ads.frames import Frame
 from nctakt.servers.ads.interface import InterfaceItem
 from nctakt.servers.ads.limits import MAX_ANSWER
 from nctakt.servers.ads.notifications import Notifier
+from nctakt.servers.ads.object_values import GLANCE, TICK, Asked, Kept
 from nctakt.servers.ads.objects import ADDRESS, Objects
 from nctakt.servers.ads.symbols import SymbolTable
 from nctakt.servers.ads.uploads import Uploads, handle_description, symbol_entry, type_entry
@@ -42,6 +43,10 @@ _RESULT = Struct("<II")
 _CONSTANT: dict[int, bytes] = {Group.VERSION: b"\1", Group.DEVICE_DATA: pack("<HH", State.RUN, 0)}
 
 
+#: G53 has no zero offset; G54 … G59 are the groups 1 … 6.
+_NO_ZERO_OFFSET, _ZERO_OFFSETS = 53, range(53, 60)
+
+
 class Missing(Exception):
     """Values that are not here yet; ``names``: theirs."""
 
@@ -57,7 +62,7 @@ class Access:
         self._host = host
         self.notifier = notifier
         self.symbols = SymbolTable(host.machine, host.catalogue)
-        self.objects = Objects(host.catalogue)
+        self.objects = Objects(host.catalogue, self.symbols.interface.areas)
         self._uploads = Uploads(self.symbols)
         self._once: Mapping[str, Scalar] | None = None
         self._reported: set[tuple[str, str]] = set()
@@ -93,7 +98,10 @@ class Access:
         Where too many are borrowed they are here for this once. Raises ``AdsError``.
         """
         store = self._host.store
+        glanced = [name for name in names if name.startswith(GLANCE)]
         try:
+            if glanced:
+                return await self._glance([*names], read)
             if store.can_borrow(names):
                 await store.subscribe(names, is_borrowing=True)
                 return read()
@@ -102,6 +110,24 @@ class Access:
         except Failure as failure:
             raise AdsError(Error.NOT_READY, error_text(failure)) from failure
         self._once = {**store.values, **dict(zip(listed, values, strict=True))}
+        try:
+            return read()
+        finally:
+            self._once = None
+
+    async def _glance(self, names: Sequence[str], read: Callable[[], _T]) -> _T:
+        """Return what reads values that no signal has, and others, all of the same tick."""
+        signals = [name for name in names if not name.startswith(GLANCE)]
+        glance = await self._host.ask(self._host.session.glance, *signals)
+        found: dict[str, Scalar] = dict(zip(signals, glance.values, strict=True))
+        found[TICK] = float(glance.tick)
+        for number, channel in enumerate(glance.channels, 1):
+            in_force = channel.in_force
+            found[f"{GLANCE}{number}.feed"] = 1000.0 * channel.programmed_mm_s
+            function = 0 if in_force is None else in_force.zero_offset
+            group = function - _NO_ZERO_OFFSET if function in _ZERO_OFFSETS else 0
+            found[f"{GLANCE}{number}.zero_offset"] = float(group)
+        self._once = {**self._host.store.values, **found}
         try:
             return read()
         finally:
@@ -145,7 +171,7 @@ class Access:
         if self.symbols.has_group(group):
             return self.symbols.item(group, offset, size)
         if self.objects.has_group(group):
-            item = self.objects.item(group, offset)
+            item = self.objects.item(group, offset, size)
             if size < item.size_bytes:
                 raise AdsError(Error.SIZE, f"{size} bytes are too few for {item.size_bytes}")
             return item
@@ -207,7 +233,7 @@ class Access:
         if self.symbols.has_group(group):
             data = self.symbols.filled_up(group, offset, data)
         item = self.resolve(client, group, offset, len(data))
-        if isinstance(item, InterfaceItem):
+        if isinstance(item, InterfaceItem | Asked | Kept):
             self.check_present(item.needed)
             return self._taken(client, item.take(data, self._values))
         return item.write(data)
@@ -255,6 +281,8 @@ class Access:
         if mode not in frozenset(Transmission):
             raise AdsError(Error.PARAMETER, f"transmission {mode}")
         item = self.resolve(client, group, offset, size)
+        if any(name.startswith(GLANCE) for name in item.names):
+            raise AdsError(Error.SERVICE, "what no signal tells is read, and not notified")
         self.value(item)
         handle = self.notifier.add(
             client,

@@ -1,21 +1,40 @@
 # SPDX-License-Identifier: MIT
-"""CNC objects: values of the controller's tasks that describe themselves (AD-4).
+"""CNC objects: values of the controller's tasks by their numbers and names (AD-4).
 
-In: group and offset. Out: ``Item`` for value, name, type, length, unit and right of an element. A
-client that knows nothing can walk all instances: element 0 is the number of elements, and its name
-that of the instance. Element numbers are nctakt's own; no complete public list of them exists.
+In: group and offset. Out: what can be read and written there, and the list of all objects. Numbers,
+types and lengths that are public stand in ``objects.tsv`` and hold; further elements are nctakt's
+own, from a round number on. Element 0 of a class is the highest of its numbers, its name that of
+the instance; a number without an element is 0x703, one that is refused for a reason, too.
+
+==========  ========================================================================================
+``class``   where the group is: ``channel``, ``channel_axis``, ``platform``, ``axis`` at the COM
+            task; ``ipo``, ``ipo_axis``, ``hld``, ``position_axis`` in the classes of AD-4
+``number``  of the element, hexadecimal
+``type``    as the controller names it; a text with its bytes
+``tie``     ``shows``: as in the table of the interface; ``at PATH``: an element of the interface;
+            ``ask UNIT``: what the HMI asks a control unit for; ``kept KEY``: no effect, read back
+            under the same key; ``glance``: what is asked of the session; ``fact``, ``const``
+``refused`` why there is no value, for those without a tie
+==========  ========================================================================================
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import cache
+from pathlib import Path
 from struct import calcsize, pack
 
 from nctakt.base.dataclass import dataclass
+from nctakt.base.version import __version__
+from nctakt.hli.interface_memory import AXIS_TYPES, Area
+from nctakt.hli.table import read_tie
+from nctakt.lists.machine.machine import Machine
 from nctakt.nc.vocabulary import strings
 from nctakt.run.machine_names import prefix_of
 from nctakt.servers.ads.codes import AdsError, Error
 from nctakt.servers.ads.data import NUMERIC, Fixed, Readable, Scaled
+from nctakt.servers.ads.object_values import Asked, Glanced, Kept, Shown, Ticks, number_bytes
 from nctakt.servers.catalogue import Catalogue, Value
 
 #: The first group of objects, and what logical addressing adds.
@@ -27,11 +46,23 @@ POSITION_CONTROL, INTERPOLATION, DECODER, HLD, PREPARATION, SPINDLE = range(0, 0
 #: What the attributes add.
 VALUE, NAME, TYPE, LENGTH, UNIT, WRITABLE, ADDRESS = range(0, 0x700, 0x100)
 
-#: The groups of the COM task: channels, from 1 on; axes of the machine, from 1 on.
-COM_CHANNELS, COM_AXES = 0x120100, 0x120200
+#: The groups of the COM task, without what logical addressing adds: channels, axes, the list.
+COM_CHANNELS, COM_AXES, LISTS = 0x20100, 0x20200, 0x130100
 
-#: Axes in the offset of an element: of objects, of the COM task.
-_AXIS_STEP, _COM_AXIS_STEP = 0x10000, 0x1000
+#: Axes in the offset of an element.
+_AXIS_STEP = 0x10000
+
+#: Numbers of a channel's and of the machine's own elements count from here.
+_OWN = {INTERPOLATION: 0x200, DECODER: 0x100, HLD: 0x100, PREPARATION: 1, SPINDLE: 1}
+_OWN_AXIS = {POSITION_CONTROL: 0x300, INTERPOLATION: 0x100, HLD: 0x100}
+#: The highest number that element 0 counts.
+_HIGHEST = 0xFFF
+
+_RECORD_BYTES = 84
+_NAME_BYTES = 32
+
+#: The bounds that no machine passes: axes, spindles, channels.
+_BOUNDS = {"axes_max": 32, "spindles_max": 6, "channels_max": 12}
 
 #: Units of the session -> units of lists, and the factor between them.
 _LIST_UNITS = {
@@ -41,7 +72,19 @@ _LIST_UNITS = {
     "1/min": ("rpm", 1.0),
 }
 
-#: Signals of a channel and of an axis by class, in the order of their elements from 1 on.
+#: Names of types in the list of objects.
+_LISTED_TYPES = {
+    "BOOLEAN": "BOOL",
+    "UNS08": "BYTE",
+    "SGN08": "SINT",
+    "UNS16": "WORD",
+    "SGN16": "INT",
+    "UNS32": "DWORD",
+    "SGN32": "DINT",
+    "REAL64": "LREAL",
+}
+
+#: Signals of a channel and of an axis that have no public number, by class.
 _OF_CHANNEL: Mapping[int, Sequence[str]] = {
     INTERPOLATION: (
         "PATH.SPEED",
@@ -74,41 +117,60 @@ _OF_AXIS: Mapping[int, Sequence[str]] = {
     ),
 }
 
+_TITLES = {
+    POSITION_CONTROL: "position control",
+    INTERPOLATION: "interpolation",
+    DECODER: "decoder",
+    HLD: "channel",
+    PREPARATION: "path preparation",
+    SPINDLE: "spindle",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """A line of ``objects.tsv``."""
+
+    class_: str
+    number: int
+    name: str
+    type: str
+    access: str
+    unit: str
+    tie: str
+    refused: str
+
+
+@cache
+def object_rows() -> tuple[Row, ...]:
+    """Return the objects that have public numbers or names, in the order of the table."""
+    lines = (Path(__file__).parent / "objects.tsv").read_text("utf-8").splitlines()[2:]
+    found = []
+    for line in lines:
+        class_, number, *rest = line.split("\t")
+        found.append(Row(class_, int(number, 16), *rest))
+    return tuple(found)
+
 
 @dataclass(frozen=True, slots=True)
 class Element:
-    """An element: the value of the session that it shows, or its own number.
-
-    ``name``: without the axis or channel.
-    """
+    """An element: its name, type, unit, and what is there; ``refused``: why nothing is."""
 
     name: str
-    value: Value | None = None
-    number: int = 0
-
-    @property
-    def unit(self) -> tuple[str, float]:
-        """Its unit in lists, and the factor from that of the session."""
-        unit = "" if self.value is None else self.value.unit
-        return _LIST_UNITS.get(unit, (unit, 1.0))
-
-    @property
-    def type(self) -> str:
-        """Its type: lengths and angles are integers in the units of lists."""
-        if self.value is None:
-            return "UNS32"
-        return "SGN32" if self.value.unit in _LIST_UNITS else self.value.type
+    type: str
+    unit: str
+    is_writable: bool
+    value: Readable
+    refused: str = ""
 
     def item(self) -> Readable:
-        """Return its value in bytes."""
-        if self.value is None:
-            return Fixed(pack("<I", self.number))
-        return Scaled(self.value.name, self.type, self.unit[1], self.value.is_writable)
+        """Return what is there; raises ``AdsError`` (0x703) for what is refused."""
+        if self.refused:
+            raise AdsError(Error.OFFSET, f"{self.name}: {self.refused}")
+        return self.value
 
     def attribute(self, attribute: int) -> Readable:
-        """Return one of its attributes."""
-        size = pack("<I", _size_of(self.type))
-        is_writable = self.value is not None and self.value.is_writable
+        """Return one of its attributes; raises ``AdsError``."""
         match attribute:
             case 0x000:
                 return self.item()
@@ -117,99 +179,232 @@ class Element:
             case 0x200:
                 return Fixed(_text(self.type))
             case 0x300:
-                return Fixed(size)
+                return Fixed(pack("<I", self.value.size_bytes))
             case 0x400:
-                return Fixed(_text(self.unit[0]))
+                return Fixed(_text(self.unit))
             case 0x500:
-                return Fixed(pack("<I", is_writable))
+                return Fixed(pack("<I", self.is_writable))
         raise AdsError(Error.GROUP, f"an unknown attribute {attribute:#x}")
-
-
-def _size_of(type_: str) -> int:
-    return calcsize(f"<{NUMERIC[type_][0]}")
 
 
 def _text(text: str) -> bytes:
     return strings.encode(text, len(text) + 1)
 
 
-class Objects:
-    """The objects of a machine, by class and instance: elements of the channel, then of axes."""
+def size_of(type_: str) -> int:
+    """Return the bytes of a type of ``objects.tsv``."""
+    name, _, size = type_.partition(" ")
+    return int(size or 1) if name in ("STRING", "BYTES") else calcsize(f"<{_format(name)}")
 
-    def __init__(self, catalogue: Catalogue) -> None:
+
+def _format(type_: str) -> str:
+    return "q" if type_ == "SGN64" else NUMERIC[type_][0]
+
+
+#: The elements of an instance: of itself (0) and of its axes, by their numbers.
+_Instance = dict[int, dict[int, Element]]
+
+
+class Objects:
+    """The objects of a machine; ``areas``: its interface, ``glance``: tells what no signal tells.
+
+    ``kept``: what was written without an effect.
+    """
+
+    def __init__(self, catalogue: Catalogue, areas: Mapping[str, Sequence[Area]]) -> None:
         self._catalogue = catalogue
-        tables = catalogue.names.layout.tables
-        machine = catalogue.names.configuration
-        count = len(tables)
+        self._machine = catalogue.names.configuration
+        self._channels, self._machine_areas = areas["gpCh"], areas
+        count = len(self._machine.channels)
         self._prefixes = [prefix_of(index) if count > 1 else "" for index in range(count)]
-        self._axes = [[axis.name for axis in channel.axes] for channel in machine.channels]
-        every = [
-            f"{prefix}{axis}"
-            for prefix, own in zip(self._prefixes, self._axes, strict=True)
-            for axis in own
-        ]
-        self._instances: dict[tuple[int, int], list[list[Element]]] = {
-            (POSITION_CONTROL, 0): [
-                self._instance("position control", []),
-                *(self._axis(name, _OF_AXIS[POSITION_CONTROL]) for name in every),
-            ]
+        self._kept: dict[str, bytes] = {}
+        self._instances: dict[tuple[int, int], _Instance] = {}
+        self._com: dict[int, _Instance] = {}
+        self._axes: _Instance = {}
+        self._add_machine()
+        for index in range(count):
+            self._add_channel(index)
+        self._add_spindles()
+        self._lists: dict[int, list[bytes]] = {}
+
+    # --- what there is --------------------------------------------------------------------------
+
+    def _add_machine(self) -> None:
+        """Add the platform, the axes of the machine and position control."""
+        self._com[0] = {0: self._rows("platform", self._machine_areas["gpPform"][0], 0)}
+        position: _Instance = {0: {}}
+        for index, axis in enumerate(self._machine.axes):
+            area = self._machine_areas["gpAx"][index]
+            self._axes[index + 1] = self._rows("axis", area, index)
+            elements = self._rows("position_axis", area, index)
+            elements |= self._signals(f"{self._owner(axis.name)}{axis.name}.", POSITION_CONTROL)
+            position[index + 1] = {**elements, 0: _count(axis.name, elements)}
+        position[0][0] = _count("position control", position[0])
+        self._instances[POSITION_CONTROL, 0] = position
+
+    def _owner(self, axis: str) -> str:
+        """Return the prefix of the channel that has an axis; empty for one without."""
+        for prefix, channel in zip(self._prefixes, self._machine.channels, strict=True):
+            if any(one.name == axis for one in channel.axes):
+                return prefix
+        return ""
+
+    def _add_channel(self, index: int) -> None:
+        number, prefix, area = index + 1, self._prefixes[index], self._channels[index]
+        axes = self._machine.channels[index].axes
+        com: _Instance = {0: self._rows("channel", area, index)}
+        for at, axis in enumerate(axes, 1):
+            com[at] = self._rows("channel_axis", area, axis.index, axis.name)
+        self._com[number] = com
+        for class_ in (INTERPOLATION, DECODER, HLD, PREPARATION):
+            table = {INTERPOLATION: "ipo", HLD: "hld"}.get(class_, "")
+            elements = self._rows(table, area, index) if table else {}
+            names = _OF_CHANNEL.get(class_) or list(self._catalogue.names.panels[index])
+            for offset, name in enumerate(names):
+                elements[_OWN[class_] + offset] = self._value(prefix, name)
+            instance: _Instance = {
+                0: {**elements, 0: _count(f"{_TITLES[class_]} {number}", elements)}
+            }
+            for at, axis in enumerate(axes if class_ in _OF_AXIS else (), 1):
+                inner = (
+                    self._rows("ipo_axis", area, axis.index, axis.name) if table == "ipo" else {}
+                )
+                inner |= self._signals(f"{prefix}{axis.name}.", class_)
+                instance[at] = {**inner, 0: _count(f"{prefix}{axis.name}", inner)}
+            self._instances[class_, number] = instance
+
+    def _add_spindles(self) -> None:
+        number = 0
+        for prefix, table in zip(self._prefixes, self._catalogue.names.layout.tables, strict=True):
+            for name in table.spindles:
+                elements = {
+                    _OWN[SPINDLE] + at: self._value(f"{prefix}{name}.", path)
+                    for at, path in enumerate(("SPEED", "POSITION"))
+                }
+                head = _count(f"{prefix}{name}", elements)
+                self._instances[SPINDLE, number] = {0: {**elements, 0: head}}
+                number += 1
+
+    def _signals(self, prefix: str, class_: int) -> dict[int, Element]:
+        """Return the elements of an axis that have no public number."""
+        return {
+            _OWN_AXIS[class_] + at: self._value(prefix, path)
+            for at, path in enumerate(_OF_AXIS[class_])
+            if f"{prefix}{path}" in self._catalogue
         }
-        for index, prefix in enumerate(self._prefixes):
-            number = index + 1
-            own = [f"{prefix}{axis}" for axis in self._axes[index]]
-            for class_, title in (
-                (INTERPOLATION, "interpolation"),
-                (DECODER, "decoder"),
-                (PREPARATION, "path preparation"),
-            ):
-                elements = [self._value(prefix, name) for name in _OF_CHANNEL[class_]]
-                axes = [self._axis(name, _OF_AXIS[class_]) for name in own if class_ in _OF_AXIS]
-                self._instances[class_, number] = [
-                    self._instance(f"{title} {number}", elements),
-                    *axes,
-                ]
-            panel = [self._value(prefix, name) for name in catalogue.names.panels[index]]
-            shown = every if index == 0 else own
-            self._instances[HLD, number] = [
-                self._instance(f"channel {number}", panel),
-                *(self._axis(name, _OF_AXIS[HLD]) for name in shown),
-            ]
-        spindles = [
-            f"{prefix}{name}"
-            for prefix, table in zip(self._prefixes, tables, strict=True)
-            for name in table.spindles
-        ]
-        for number, name in enumerate(spindles):
-            values = [self._value(f"{name}.", path) for path in ("SPEED", "POSITION")]
-            self._instances[SPINDLE, number] = [self._instance(name, values)]
 
     def _value(self, prefix: str, name: str) -> Element:
-        return Element(name, self._catalogue.find(f"{prefix}{name}"))
+        """Return an element that shows a value of the session in the units of lists."""
+        value: Value = self._catalogue.find(f"{prefix}{name}")
+        unit, factor = _LIST_UNITS.get(value.unit, (value.unit, 1.0))
+        type_ = "SGN32" if value.unit in _LIST_UNITS else value.type
+        scaled = Scaled(value.name, type_, factor, value.is_writable)
+        return Element(name, type_, unit, value.is_writable, scaled)
 
-    def _axis(self, name: str, paths: Sequence[str]) -> list[Element]:
-        return self._instance(name, [self._value(f"{name}.", path) for path in paths])
+    def _rows(self, class_: str, area: Area, index: int, axis: str = "") -> dict[int, Element]:
+        """Return the elements of a class with public numbers; ``index``: of its channel or axis."""
+        found = {}
+        for row in object_rows():
+            if row.class_ == class_:
+                value = self._readable(row, area, index, axis)
+                refused = row.refused or ("" if value else "a spindle has no such signal")
+                found[row.number] = Element(
+                    row.name,
+                    row.type.partition(" ")[0],
+                    row.unit,
+                    "w" in row.access and not refused,
+                    value or Fixed(bytes(size_of(row.type))),
+                    refused,
+                )
+        return found
 
-    def _instance(self, name: str, elements: Sequence[Element]) -> list[Element]:
-        return [Element(name, None, len(elements)), *elements]
+    def _readable(self, row: Row, area: Area, index: int, axis: str) -> Readable | None:
+        """Return what is behind a row, ``None`` for a signal that the axis does not have."""
+        kind, _, word = row.tie.partition(" ")
+        size, type_ = size_of(row.type), row.type.partition(" ")[0]
+        match kind:
+            case "shows":
+                tie = read_tie(row.tie)
+                name = f"{area.prefix}{axis}.{tie.name}" if axis else area.named(tie.name)
+                return Shown(name, type_, tie.shown) if name else None
+            case "at":
+                return Asked(area, word, type_, is_unit=False)
+            case "ask":
+                return Asked(area, word, type_, is_unit=True)
+            case "kept":
+                key = (
+                    f"{area.name}{axis}{word}"
+                    if row.class_ != "position_axis"
+                    else area.name + word
+                )
+                return Kept(self._kept, key, size, row.access != "r", f"{area.name} {row.name}")
+            case "glance":
+                return Glanced(word, area.index + 1, type_)
+            case "fact":
+                return self._fact(word, row.type, index)
+            case "const":
+                return Fixed(number_bytes(type_, float(word)))
+        return Fixed(bytes(size))
+
+    def _fact(self, word: str, type_: str, index: int) -> Readable:
+        """Return a fact about the machine, a channel or an axis."""
+        machine = self._machine
+        name = type_.partition(" ")[0]
+        if word == "tick":
+            return Ticks()
+        if word in ("name", "version"):
+            text = __version__ if word == "version" else machine.axes[index].name
+            return Fixed(strings.encode(text[: size_of(type_) - 1], size_of(type_)))
+        facts: Mapping[str, Callable[[], float]] = {
+            "cycle_time": lambda: machine.cycle_time_us,
+            "axes": lambda: _axis_count(machine, index, is_channel=name == "UNS16"),
+            "channels": lambda: len(machine.channels),
+            "type": lambda: AXIS_TYPES[machine.axes[index].type],
+            "mode": lambda: machine.axes[index].mode,
+            "logical": lambda: machine.axes[index].logical_number,
+            "channel": lambda: self._channel_of(index),
+        }
+        number = _BOUNDS[word] if word in _BOUNDS else facts[word]()
+        return Fixed(number_bytes(name, number))
+
+    def _channel_of(self, axis: int) -> int:
+        """Return the channel that an axis begins with; 0: none."""
+        for number, channel in enumerate(self._machine.channels, 1):
+            if any(one.index == axis for one in channel.axes):
+                return number
+        return 0
 
     # --- finding --------------------------------------------------------------------------------
 
     def has_group(self, group: int) -> bool:
-        """Return whether this is the group of an object or of the COM task."""
+        """Return whether this is the group of an object, of the COM task or of a list."""
         plain = group & ~LOGICAL
-        is_object = BASE <= plain < BASE + 0x6000 and group in (plain, plain | LOGICAL)
-        return is_object or COM_CHANNELS <= group < COM_AXES + 0x100
+        if group not in (plain, plain | LOGICAL):
+            return False
+        is_class = BASE <= plain < BASE + 0x6000
+        is_list = LISTS <= group <= LISTS + len(self._channels)
+        return is_class or is_list or COM_CHANNELS <= plain < COM_AXES + 0x100
 
     def attribute_of(self, group: int) -> int:
         """Return the attribute that a group of objects asks for."""
-        return ((group & ~LOGICAL) - BASE) & 0xF00
+        plain = group & ~LOGICAL
+        return (plain - BASE) & 0xF00 if plain >= BASE and not self._is_list(group) else VALUE
 
-    def item(self, group: int, offset: int) -> Readable:
-        """Return an element or one of its attributes; raises ``AdsError`` (0x702, 0x703)."""
-        if COM_CHANNELS <= group < COM_AXES + 0x100:
-            return self._com_element(group, offset).item()
+    def _is_list(self, group: int) -> bool:
+        return LISTS <= group < LISTS + 0x100
+
+    def item(self, group: int, offset: int, size: int = 0) -> Readable:
+        """Return an element, one of its attributes, or a part of the list.
+
+        ``size``: how many bytes are wanted. Raises ``AdsError`` (0x702, 0x703).
+        """
+        if self._is_list(group):
+            return self._list(group - LISTS, offset, size)
+        plain = group & ~LOGICAL
+        if plain < BASE:
+            return self._com_element(plain, offset, is_logical=group != plain).item()
         class_, attribute, instance = self._split(group)
-        return self._element(class_, instance, offset).attribute(attribute)
+        return self._element(class_, instance, offset, group != plain).attribute(attribute)
 
     def address(self, group: int, offset: int, channel: int, axis: int) -> tuple[int, int]:
         """Return group and offset of an element for a channel and an axis; 0, 0 without it."""
@@ -219,42 +414,110 @@ class Objects:
         element = offset % _AXIS_STEP
         target = axis * _AXIS_STEP + element
         try:
-            self._element(class_, channel, target)
+            self._element(class_, channel, target, True)
         except AdsError:
             return 0, 0
         return BASE + LOGICAL + class_ + channel, target
 
     def _split(self, group: int) -> tuple[int, int, int]:
         """Return class, attribute and instance of a group; raises ``AdsError`` (0x702)."""
-        is_logical = bool(group & LOGICAL)
         rest = (group & ~LOGICAL) - BASE
         class_, attribute, instance = rest & 0xF000, rest & 0xF00, rest & 0xFF
-        if class_ not in (POSITION_CONTROL, SPINDLE) and not is_logical:
-            instance += 1  # an index counts from 0, a channel's number from 1
+        if attribute == ADDRESS and not instance and (class_, 1) in self._instances:
+            instance = 1  # whose address is asked for stands in the data
         if attribute > ADDRESS or (class_, instance) not in self._instances:
             raise AdsError(Error.GROUP, f"no object in group {group:#x}")
         return class_, attribute, instance
 
-    def _element(self, class_: int, instance: int, offset: int) -> Element:
+    def _element(self, class_: int, instance: int, offset: int, is_logical: bool) -> Element:
         axis, number = divmod(offset, _AXIS_STEP)
-        return self._of(self._instances.get((class_, instance), []), axis, number)
+        if class_ == POSITION_CONTROL:
+            axis = self._index_of(axis, is_logical)
+        return _of(self._instances.get((class_, instance), {}), axis, number)
 
-    def _com_element(self, group: int, offset: int) -> Element:
-        axis, number = divmod(offset, _COM_AXIS_STEP)
-        if group > COM_AXES:
-            return self._of(self._instances[HLD, 1], group - COM_AXES, offset)
-        channel = self._instances.get((HLD, group - COM_CHANNELS))
+    def _index_of(self, axis: int, is_logical: bool) -> int:
+        """Return the index, from 1, of an axis of the machine by its number in an offset."""
+        if not is_logical or not axis:
+            return axis
+        numbers = [one.logical_number for one in self._machine.axes]
+        return numbers.index(axis) + 1 if axis in numbers else len(numbers) + 1
+
+    def _com_element(self, plain: int, offset: int, *, is_logical: bool) -> Element:
+        axis, number = divmod(offset, _AXIS_STEP)
+        if plain >= COM_AXES:
+            axis = axis or plain - COM_AXES  # some clients add the axis to the group
+            return _of(self._axes, self._index_of(axis, is_logical), number)
+        channel = self._com.get(plain - COM_CHANNELS)
         if channel is None:
-            raise AdsError(Error.GROUP, f"no object in group {group:#x}")
-        own = len(self._axes[group - COM_CHANNELS - 1])
-        return self._of(channel[: own + 1], axis, number)
-
-    def _of(self, instance: list[list[Element]], axis: int, number: int) -> Element:
-        if axis >= len(instance) or number >= len(instance[axis]):
-            raise AdsError(Error.OFFSET, f"no element {number} of axis {axis}")
-        return instance[axis][number]
+            raise AdsError(Error.GROUP, f"no object in group {plain:#x}")
+        if not axis and number not in channel[0] and number in self._com[0][0]:
+            return self._com[0][0][number]  # data of the platform stand in each channel's group
+        return _of(channel, axis, number)
 
     def groups(self) -> Iterator[int]:
-        """Yield the groups of all instances, in logical addressing."""
+        """Yield the groups of all instances of the classes, in logical addressing."""
         for class_, instance in sorted(self._instances):
             yield BASE + LOGICAL + class_ + instance
+
+    # --- the list -------------------------------------------------------------------------------
+
+    def _list(self, channel: int, offset: int, size: int) -> Readable:
+        """Return the number of objects, or their records from one on; 0: all channels."""
+        records = self._lists.get(channel)
+        if records is None:
+            records = self._lists[channel] = [
+                _record(at, *found) for at, found in enumerate(self._listed(channel), 1)
+            ]
+        if offset == 0:
+            return Fixed(pack("<I", len(records)))
+        if offset > len(records):
+            raise AdsError(Error.OFFSET, f"the list has {len(records)} objects")
+        count = max(1, size // _RECORD_BYTES)
+        return Fixed(b"".join(records[offset - 1 : offset - 1 + count]))
+
+    def _listed(self, channel: int) -> Iterator[tuple[int, int, str, Element]]:
+        """Yield group, offset, name and element of each object; equal names get their channel."""
+        com = LOGICAL + COM_CHANNELS
+        numbers = [channel] if channel else range(1, len(self._channels) + 1)
+        if channel in (0, 1):
+            yield from _shown(com, 0, "", self._com[0][0])
+            for axis, elements in self._axes.items():
+                logical = self._machine.axes[axis - 1].logical_number
+                yield from _shown(LOGICAL + COM_AXES, logical, f"ac_{logical}_", elements)
+        for number in numbers:
+            first = "" if channel or number == 1 else f"ch{number}_"
+            for axis, elements in self._com[number].items():
+                yield from _shown(
+                    com + number, axis, f"{first}a{axis}_" if axis else first, elements
+                )
+
+
+def _shown(
+    group: int, axis: int, prefix: str, elements: Mapping[int, Element]
+) -> Iterator[tuple[int, int, str, Element]]:
+    for number, element in elements.items():
+        if not element.refused:
+            yield group, axis * _AXIS_STEP + number, f"{prefix}{element.name}", element
+
+
+def _record(at: int, group: int, offset: int, name: str, element: Element) -> bytes:
+    head = pack("<IIHHII", at, element.value.size_bytes, element.is_writable, 0, group, offset)
+    texts = (name, _LISTED_TYPES.get(element.type, element.type))
+    return head + b"".join(strings.encode(one[: _NAME_BYTES - 1], _NAME_BYTES) for one in texts)
+
+
+def _count(name: str, elements: Mapping[int, Element]) -> Element:
+    """Return element 0: the highest number of an instance, whose name is that of the instance."""
+    highest = max((number for number in elements if number <= _HIGHEST), default=0)
+    return Element(name, "UNS32", "", False, Fixed(pack("<I", highest)))
+
+
+def _of(instance: _Instance, axis: int, number: int) -> Element:
+    try:
+        return instance[axis][number]
+    except KeyError:
+        raise AdsError(Error.OFFSET, f"no element {number:#x} of axis {axis}") from None
+
+
+def _axis_count(machine: Machine, index: int, *, is_channel: bool) -> int:
+    return len(machine.channels[index].axes) if is_channel else len(machine.axes)

@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: MIT
+"""What stands behind the numbers of CNC objects: values shown, asked for, kept (AD-4)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from struct import calcsize, pack, unpack
+
+from nctakt.hli.interface_memory import Area, NotWritable, Written
+from nctakt.lists.declared.variables import SCALARS
+from nctakt.servers.ads.codes import AdsError, Error
+from nctakt.servers.ads.data import NUMERIC
+from nctakt.servers.store import Scalar
+
+#: What begins the names of values that no signal has: they are asked of the session at each read.
+GLANCE = "?"
+#: The name of the tick in the values that are asked.
+TICK = f"{GLANCE}tick"
+
+
+def number_bytes(type_: str, number: float) -> bytes:
+    """Return a number as a type has it, within its bounds."""
+    code = "q" if type_ == "SGN64" else NUMERIC[type_][0]
+    if code == "d":
+        return pack("<d", number)
+    if type_ == "BOOLEAN":
+        return pack("<B", number != 0.0)
+    if not math.isfinite(number):
+        return bytes(calcsize(f"<{code}"))
+    low, high = SCALARS[type_].low, SCALARS[type_].high
+    return pack(f"<{code}", int(min(max(round(number), low), high)))
+
+
+class _Value:
+    """A value that is only read, where nothing else is said."""
+
+    names: tuple[str, ...] = ()
+    size_bytes = 0
+
+    def write(self, data: bytes) -> dict[str, Scalar]:
+        """Raise ``AdsError``: it cannot be written."""
+        raise AdsError(Error.ACCESS, "it cannot be written")
+
+
+class Shown(_Value):
+    """A number that shows a value of the session."""
+
+    def __init__(self, name: str, type_: str, shown: Callable[[float], float]) -> None:
+        self.names = (name,)
+        self.size_bytes = calcsize(f"<{NUMERIC[type_][0]}")
+        self._type = type_
+        self._shown = shown
+
+    def read(self, values: Mapping[str, Scalar]) -> bytes:
+        """Return its bytes; raises ``KeyError`` where the value is missing."""
+        return number_bytes(self._type, self._shown(float(values[self.names[0]])))
+
+
+class Glanced(_Value):
+    """What no signal tells, but the session knows: the feed of a channel, its zero offset."""
+
+    def __init__(self, word: str, channel: int, type_: str) -> None:
+        self.names = (f"{GLANCE}{channel}.{word}",)
+        self.size_bytes = calcsize(f"<{NUMERIC[type_][0]}")
+        self._type = type_
+
+    def read(self, values: Mapping[str, Scalar]) -> bytes:
+        """Return its bytes; raises ``KeyError`` where the value is missing."""
+        return number_bytes(self._type, float(values[self.names[0]]))
+
+
+class Ticks(_Value):
+    """The number of ticks that have been run."""
+
+    names: tuple[str, ...] = (TICK,)
+    size_bytes = 4
+
+    def read(self, values: Mapping[str, Scalar]) -> bytes:
+        """Return its bytes; raises ``KeyError`` where the value is missing."""
+        return pack("<I", int(values[TICK]) & 0xFFFFFFFF)
+
+
+class Asked(_Value):
+    """An element of the interface; ``is_unit``: what the HMI asks a control unit for."""
+
+    def __init__(self, area: Area, path: str, type_: str, *, is_unit: bool) -> None:
+        self._area = area
+        self._unit = path if is_unit else ""
+        self._path = f"{path}.request_r" if is_unit else path
+        self._type = type_
+        self.size_bytes = calcsize(f"<{NUMERIC[type_][0]}")
+        self.names = area.names_of(self._path)
+        self.needed = area.needed_of(path) if is_unit else ()
+
+    def read(self, values: Mapping[str, Scalar]) -> bytes:
+        """Return its bytes; raises ``KeyError`` where a value is missing."""
+        return number_bytes(self._type, self._area.number(self._path, values))
+
+    def take(self, data: bytes, values: Mapping[str, Scalar]) -> Written:
+        """Ask the control unit for a number; raises ``AdsError``."""
+        if not self._unit:
+            raise AdsError(Error.ACCESS, "it cannot be written")
+        if len(data) != self.size_bytes:
+            raise AdsError(Error.SIZE, f"{len(data)} bytes for {self.size_bytes}")
+        (number,) = unpack(f"<{NUMERIC[self._type][0]}", data)
+        try:
+            return self._area.ask(self._unit, float(number), values)
+        except NotWritable as refused:
+            raise AdsError(Error.PARAMETER, refused.reason) from None
+
+
+class Kept(_Value):
+    """Bytes without an effect, which are read back; ``name``: what the log calls them."""
+
+    def __init__(
+        self, kept: dict[str, bytes], key: str, size: int, is_writable: bool, name: str
+    ) -> None:
+        self._kept = kept
+        self._key = key
+        self.size_bytes = size
+        self._is_writable = is_writable
+        self._name = name
+        self.needed: tuple[str, ...] = ()
+
+    def read(self, values: Mapping[str, Scalar]) -> bytes:
+        """Return its bytes."""
+        return self._kept.get(self._key, b"")[: self.size_bytes].ljust(self.size_bytes, b"\0")
+
+    def take(self, data: bytes, values: Mapping[str, Scalar]) -> Written:
+        """Keep bytes; raises ``AdsError``."""
+        if not self._is_writable:
+            raise AdsError(Error.ACCESS, "it cannot be written")
+        if len(data) > self.size_bytes or (len(data) < self.size_bytes and self.size_bytes < 16):
+            raise AdsError(Error.SIZE, f"{len(data)} bytes for {self.size_bytes}")
+        self._kept[self._key] = bytes(data)
+        return Written(known=[self._name])

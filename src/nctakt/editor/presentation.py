@@ -33,8 +33,14 @@ _NOTHING_RAN = Text(
 
 def register(server: Server) -> None:
     """Register the requests."""
+    _register_colours(server)
+    _register_hints(server)
+    _register_counts(server)
+
+
+def _register_colours(server: Server) -> None:
+    """Register the colours of words."""
     feature = server.feature
-    counts: dict[str, dict[int, int]] = {}
 
     @feature(types.TEXT_DOCUMENT_SEMANTIC_TOKENS_FULL, LEGEND)
     def on_tokens(params: types.SemanticTokensParams) -> types.SemanticTokens | None:
@@ -43,6 +49,11 @@ def register(server: Server) -> None:
     @feature(types.TEXT_DOCUMENT_SEMANTIC_TOKENS_RANGE, LEGEND)
     def on_range(params: types.SemanticTokensRangeParams) -> types.SemanticTokens | None:
         return _tokens(server, params.text_document.uri, params.range)
+
+
+def _register_hints(server: Server) -> None:
+    """Register hints in lines, links and signatures."""
+    feature = server.feature
 
     @feature(types.TEXT_DOCUMENT_INLAY_HINT)
     async def on_hints(params: types.InlayHintParams) -> list[types.InlayHint]:
@@ -55,15 +66,6 @@ def register(server: Server) -> None:
         names = server.work.machine_of(document).machine.names
         lines = range(params.range.start.line, params.range.end.line + 1)
         return inlay_hints(document, found, names, lines, server.language)
-
-    @feature(types.TEXT_DOCUMENT_CODE_LENS)
-    def on_lenses(params: types.CodeLensParams) -> list[types.CodeLens]:
-        from nctakt.editor.hints import code_lenses  # noqa: PLC0415 - when it is asked for
-
-        document = server.document(params.text_document.uri)
-        if document is None or document.is_list:
-            return []
-        return code_lenses(document, counts.get(document.uri), server.language)
 
     @feature(types.TEXT_DOCUMENT_DOCUMENT_LINK)
     def on_links(params: types.DocumentLinkParams) -> list[types.DocumentLink]:
@@ -86,6 +88,21 @@ def register(server: Server) -> None:
             return None
         line = document.line(params.position.line)
         return signature_help(line[: document.index(params.position)], server.language)
+
+
+def _register_counts(server: Server) -> None:
+    """Register the command that counts how often branches ran, and the lenses that show it."""
+    feature = server.feature
+    counts: dict[str, dict[int, int]] = {}
+
+    @feature(types.TEXT_DOCUMENT_CODE_LENS)
+    def on_lenses(params: types.CodeLensParams) -> list[types.CodeLens]:
+        from nctakt.editor.hints import code_lenses  # noqa: PLC0415 - when it is asked for
+
+        document = server.document(params.text_document.uri)
+        if document is None or document.is_list:
+            return []
+        return code_lenses(document, counts.get(document.uri), server.language)
 
     @server.command("nctakt.count")
     async def count(uri: str, *_: Any) -> int:

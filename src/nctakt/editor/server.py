@@ -192,6 +192,16 @@ class Server(LanguageServer):
 
 def register(server: Server) -> None:
     """Register the requests that the server answers."""
+    _register_lifecycle(server)
+    _register_help(server)
+    _register_navigation(server)
+    _register_renaming(server)
+    _register_structure(server)
+    _register_edits(server)
+
+
+def _register_lifecycle(server: Server) -> None:
+    """Register start and end of the server, and changes of saved files."""
     feature = server.feature
 
     @feature(types.INITIALIZE)
@@ -211,6 +221,11 @@ def register(server: Server) -> None:
     @feature(types.WORKSPACE_DID_CHANGE_WATCHED_FILES)
     def saved(_: Any) -> None:
         server.recheck()
+
+
+def _register_help(server: Server) -> None:
+    """Register what explains and completes words."""
+    feature = server.feature
 
     @feature(types.TEXT_DOCUMENT_HOVER)
     def on_hover(params: types.HoverParams) -> types.Hover | None:
@@ -236,6 +251,11 @@ def register(server: Server) -> None:
         machine = server.work.machine_of(document).machine
         items = complete(document, params.position, machine, server.language)
         return types.CompletionList(is_incomplete=False, items=items)
+
+
+def _register_navigation(server: Server) -> None:
+    """Register what finds the places of a name."""
+    feature = server.feature
 
     @feature(types.TEXT_DOCUMENT_DEFINITION)
     def on_definition(params: types.DefinitionParams) -> list[types.Location]:
@@ -271,6 +291,11 @@ def register(server: Server) -> None:
         found = highlights(document, params.position, server.work.machine_of(document))
         return [types.DocumentHighlight(area) for area in found]
 
+
+def _register_renaming(server: Server) -> None:
+    """Register the change of a name at all its places."""
+    feature = server.feature
+
     @feature(types.TEXT_DOCUMENT_PREPARE_RENAME)
     def on_prepare_rename(params: types.PrepareRenameParams) -> types.Range | None:
         from nctakt.editor.navigation import can_rename, found_at, renamed_part  # noqa: PLC0415 - when it is asked for
@@ -301,6 +326,11 @@ def register(server: Server) -> None:
         except Failure as failure:
             reasons = (item.text(server.language) for item in failure.diagnostics)
             raise Refused(" ".join(reasons)) from failure
+
+
+def _register_structure(server: Server) -> None:
+    """Register what shows how texts are structured."""
+    feature = server.feature
 
     @feature(types.TEXT_DOCUMENT_DOCUMENT_SYMBOL)
     def on_symbols(params: types.DocumentSymbolParams) -> list[types.DocumentSymbol]:
@@ -339,6 +369,11 @@ def register(server: Server) -> None:
         if document is None:
             return None
         return [selection_range(document, position) for position in params.positions]
+
+
+def _register_edits(server: Server) -> None:
+    """Register what changes a text: its format, remedies of findings."""
+    feature = server.feature
 
     @feature(types.TEXT_DOCUMENT_FORMATTING)
     def on_formatting(params: types.DocumentFormattingParams) -> list[types.TextEdit] | None:

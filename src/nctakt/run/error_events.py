@@ -4,13 +4,16 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from dataclasses import replace
 
-from nctakt.base.diagnostics import NOTHING, Diagnostic, Text
+from nctakt.base.dataclass import dataclass
+from nctakt.base.diagnostics import NOTHING, Diagnostic, Message, Text
 from nctakt.base.source_ids import statement_span
 from nctakt.hli.function_codes import function_name
 from nctakt.kernel import codes
 from nctakt.kernel.cycles.expressions import OPERATIONS
+from nctakt.kernel.tick.channel import Channel
 from nctakt.lists.declared.variables import SCALARS
 from nctakt.messages import diagnostic
 from nctakt.messages.axis_exchange import CYCLE_AXIS_NOT_IN_CHANNEL
@@ -81,70 +84,6 @@ from nctakt.nc.vocabulary.axis_commands import REFUSALS
 from nctakt.run.assembly import AssembledMachine
 from nctakt.trace.events import Event, number_text
 
-#: What the realtime part reports, by the numbers that lead.
-_MESSAGES = {
-    number: message
-    for message in (
-        AXIS_IN_ERROR_STATE,
-        AXIS_IN_INDEPENDENT_MOTION,
-        AXIS_MOVED_BY_PATH,
-        AXIS_NOT_AT_BLOCK_START,
-        BACKWARD_AT_HISTORY_START,
-        CYCLE_AXIS_NOT_IN_CHANNEL,
-        BACKWARD_WITHOUT_HISTORY,
-        BLOCK_CYCLE_NEVER_RAN,
-        BLOCK_PASSED_OVER,
-        BUFFERED_MOTION_WAITING,
-        CHANNEL_BEING_RESET,
-        CONTINUE_WITHOUT_EFFECT,
-        COUPLED_AXIS_MOVES_ALONE,
-        CYCLES_EXCEED_DURATION,
-        CYCLES_EXCEED_STEP_LIMIT,
-        CYCLE_ACTIONS_FULL,
-        CYCLE_ID_IN_USE,
-        CYCLE_INDEX_OUT_OF_RANGE,
-        CYCLE_MEMORY_FULL,
-        CYCLE_OPERATION_WITHOUT_RESULT,
-        CYCLE_TOO_LARGE,
-        CYCLE_VALUE_OUT_OF_RANGE,
-        EDGE_NOT_FOUND,
-        FIXED_STOP_NOT_FOUND,
-        GANTRY_ASKEW,
-        HOLD_WITHOUT_EFFECT,
-        INDEPENDENT_MOTION_NOT_PERMITTED,
-        INDEPENDENT_MOTION_REFUSED,
-        INDP_TARGET_OUTSIDE_LIMITS,
-        INVALID_SPINDLE_SPEED,
-        INVALID_USER_ERROR_ID,
-        INVALID_USER_ERROR_RC,
-        M19_SPEED_ZERO,
-        MOTION_ENDED_BY_LIMIT,
-        NO_CYCLE_TO_DELETE,
-        NO_PROBE_SIGNAL,
-        PLC_INTERFACE_FULL,
-        PLC_VALUE_NOT_FINITE,
-        PROBE_PRESSED,
-        SPINDLE_BUSY,
-        SIGNAL_OUT_OF_ORDER,
-        SPINDLE_JOB_HELD,
-        TAP_SPINDLE_TURNING,
-        THREAD_CHAIN_TOO_FAST,
-        THREAD_LOST,
-        THREAD_REVERSED,
-        THREAD_SPINDLE_STOPPED,
-        THREAD_TOO_FAST,
-        THREAD_TOO_SHORT,
-        THREAD_WAY_TOO_SHORT,
-        TOO_MANY_CYCLES,
-        TOO_MANY_FUNCTIONS_IN_TICK,
-        TOO_MANY_SIGNALS,
-        UNKNOWN_CYCLE_ID,
-        UNKNOWN_CYCLE_TIMER,
-        WAITING_FOR_MAIN_SPINDLE,
-    )
-    for number in message.leading
-}
-
 #: The motions of an axis that the path cannot have.
 _OWN_MOTIONS = {
     codes.MOVES_STILL: Text(
@@ -157,124 +96,115 @@ _OWN_MOTIONS = {
 }
 
 
-def realtime_diagnostic(event: Event, machine: AssembledMachine) -> Diagnostic:
-    """Return the diagnostic of an error or warning of a cycle, of the path or of the PLC's image.
-
-    The values come from the context of the cycle at fault, which keeps them until the next tick.
-    """
-    number = int(event.text)
-    index = max(event.channel - 1, 0)
-    channel = machine.channels[index]
-    context = channel.context
-    a, b = context.fault_a, context.fault_b
-    cycle = event.cycle
-    values: dict[str, object]
-    message = _MESSAGES[number]
-    match message.id:
-        case CYCLE_OPERATION_WITHOUT_RESULT.id:
-            values = {"cycle": cycle, "operation": OPERATIONS.get(int(a), "=")}
-        case CYCLE_VALUE_OUT_OF_RANGE.id:
-            name = machine.registry.variable(int(a))
-            location = machine.assembled[index].names.resolve_text(name)
-            assert isinstance(location, tuple)
-            scalar = SCALARS[location[0].type]
-            values = {
-                "variable": name,
-                "value": number_text(b),
-                "low": scalar.low,
-                "high": scalar.high,
-            }
-        case CYCLE_INDEX_OUT_OF_RANGE.id:
-            values = {"variable": _array(event, machine), "index": number_text(a), "count": int(b)}
-        case PLC_INTERFACE_FULL.id | TOO_MANY_FUNCTIONS_IN_TICK.id:
-            values = {"function": function_name(a), "slots": int(b)}
-        case CYCLES_EXCEED_STEP_LIMIT.id | CYCLES_EXCEED_DURATION.id:
-            values = {"cycle": cycle, "steps": int(a), "limit": int(b)}
-        case UNKNOWN_CYCLE_ID.id | CYCLE_ID_IN_USE.id:
-            values = {"id": int(channel.executor.error_detail)}
-        case CYCLE_MEMORY_FULL.id | CYCLE_TOO_LARGE.id:
-            manager = channel.manager
-            free = manager.memory_limit - manager.memory_used
-            values = {"needed": int(channel.executor.error_detail), "free": free}
-        case SIGNAL_OUT_OF_ORDER.id:
-            values = {"id": int(channel.executor.error_detail)}
-        case TOO_MANY_SIGNALS.id:
-            values = {"count": codes.SIGNAL_CAPACITY}
-        case TOO_MANY_CYCLES.id:
-            values = {"count": channel.manager.capacity}
-        case INDEPENDENT_MOTION_REFUSED.id:
-            values = {"axis": machine.registry.axis(int(a)), "reason": REFUSALS[int(b)]}
-        case FIXED_STOP_NOT_FOUND.id | AXIS_NOT_AT_BLOCK_START.id | AXIS_IN_INDEPENDENT_MOTION.id:
-            values = {"axis": machine.registry.axis(int(channel.executor.error_detail))}
-            if message is AXIS_IN_INDEPENDENT_MOTION:
-                values["motion"] = _OWN_MOTIONS[channel.executor.axis_state]
-        case (
-            SPINDLE_JOB_HELD.id
-            | TAP_SPINDLE_TURNING.id
-            | THREAD_CHAIN_TOO_FAST.id
-            | THREAD_LOST.id
-            | THREAD_REVERSED.id
-            | THREAD_SPINDLE_STOPPED.id
-            | THREAD_TOO_FAST.id
-            | THREAD_WAY_TOO_SHORT.id
-        ):
-            values = {"spindle": machine.registry.spindle(int(channel.executor.error_detail))}
-        case UNKNOWN_CYCLE_TIMER.id:
-            values = {"timer": int(a)}
-        case PLC_VALUE_NOT_FINITE.id:
-            variable = machine.registry.variable(machine.kernel.image.next_refused())
-            values = {"variable": variable, "value": _INFINITE if number == message.id else "NaN"}
-        case SPINDLE_BUSY.id:
-            values = {"spindle": machine.registry.spindle(int(a))}
-        case CYCLE_ACTIONS_FULL.id:
-            values = {"cycle": cycle, "used": _used_slots(int(a)), "open": int(a) or NOTHING}
-        case (
-            M19_SPEED_ZERO.id
-            | WAITING_FOR_MAIN_SPINDLE.id
-            | BACKWARD_WITHOUT_HISTORY.id
-            | BACKWARD_AT_HISTORY_START.id
-            | EDGE_NOT_FOUND.id
-            | PROBE_PRESSED.id
-            | NO_PROBE_SIGNAL.id
-            | NO_CYCLE_TO_DELETE.id
-            | HOLD_WITHOUT_EFFECT.id
-            | CONTINUE_WITHOUT_EFFECT.id
-            | BLOCK_CYCLE_NEVER_RAN.id
-            | BLOCK_PASSED_OVER.id
-            | THREAD_TOO_SHORT.id
-        ):
-            values = {}
-        case INVALID_USER_ERROR_ID.id | INVALID_USER_ERROR_RC.id | INVALID_SPINDLE_SPEED.id:
-            values = {"value": number_text(a)}
-        case (
-            INDEPENDENT_MOTION_NOT_PERMITTED.id
-            | AXIS_MOVED_BY_PATH.id
-            | AXIS_IN_ERROR_STATE.id
-            | BUFFERED_MOTION_WAITING.id
-            | CHANNEL_BEING_RESET.id
-            | COUPLED_AXIS_MOVES_ALONE.id
-            | CYCLE_AXIS_NOT_IN_CHANNEL.id
-            | GANTRY_ASKEW.id
-        ):
-            values = {"axis": machine.registry.axis(int(a))}
-        case INDP_TARGET_OUTSIDE_LIMITS.id:
-            low, high = machine.single_axes.limits_of(int(a))
-            values = {
-                "axis": machine.registry.axis(int(a)),
-                "target": number_text(b),
-                "low": number_text(low),
-                "high": number_text(high),
-            }
-        case MOTION_ENDED_BY_LIMIT.id:
-            values = {"axis": machine.registry.axis(machine.single_axes.next_failed())}
-        case _:
-            raise AssertionError(number)
-    line = "" if event.span is None else machine.files.line_at(event.span)
-    found = diagnostic(message, statement_span(event.span, line), line, **values)
-    return replace(found, number=number)
-
-
 _INFINITE = Text("an infinite number", "eine unendliche Zahl")
+
+
+@dataclass(frozen=True, slots=True)
+class _Report:
+    """An error or warning of the realtime part, with what its values are made of.
+
+    ``a``, ``b``: what the context of the cycle at fault keeps until the next tick. ``detail``:
+    what the execution of commands keeps.
+    """
+
+    event: Event
+    machine: AssembledMachine
+    number: int
+    message: Message
+    channel: Channel
+    a: float
+    b: float
+    detail: float
+
+
+_Values = dict[str, object]
+
+
+def _without_values(_: _Report) -> _Values:
+    return {}
+
+
+def _axis_of_cycle(report: _Report) -> _Values:
+    return {"axis": report.machine.registry.axis(int(report.a))}
+
+
+def _axis_of_path(report: _Report) -> _Values:
+    return {"axis": report.machine.registry.axis(int(report.detail))}
+
+
+def _moving_axis(report: _Report) -> _Values:
+    return _axis_of_path(report) | {"motion": _OWN_MOTIONS[report.channel.executor.axis_state]}
+
+
+def _refused_axis(report: _Report) -> _Values:
+    return _axis_of_cycle(report) | {"reason": REFUSALS[int(report.b)]}
+
+
+def _target_outside(report: _Report) -> _Values:
+    low, high = map(number_text, report.machine.single_axes.limits_of(int(report.a)))
+    return _axis_of_cycle(report) | {"target": number_text(report.b), "low": low, "high": high}
+
+
+def _axis_at_limit(report: _Report) -> _Values:
+    return {"axis": report.machine.registry.axis(report.machine.single_axes.next_failed())}
+
+
+def _spindle_of_cycle(report: _Report) -> _Values:
+    return {"spindle": report.machine.registry.spindle(int(report.a))}
+
+
+def _spindle_of_path(report: _Report) -> _Values:
+    return {"spindle": report.machine.registry.spindle(int(report.detail))}
+
+
+def _operation(report: _Report) -> _Values:
+    return {"cycle": report.event.cycle, "operation": OPERATIONS.get(int(report.a), "=")}
+
+
+def _assigned_value(report: _Report) -> _Values:
+    name = report.machine.registry.variable(int(report.a))
+    index = max(report.event.channel - 1, 0)
+    location = report.machine.assembled[index].names.resolve_text(name)
+    assert isinstance(location, tuple)
+    scalar = SCALARS[location[0].type]
+    value = number_text(report.b)
+    return {"variable": name, "value": value, "low": scalar.low, "high": scalar.high}
+
+
+def _array(event: Event, machine: AssembledMachine) -> str:
+    """Return the array whose index stands at the position of the event."""
+    assert event.span is not None
+    before = machine.files.line_at(event.span)[: event.span.column - 1]
+    match = re.search(r"[\w.\]\[]+(?=\[\s*$)", before)
+    return match[0] if match else before.strip()
+
+
+def _array_index(report: _Report) -> _Values:
+    variable = _array(report.event, report.machine)
+    return {"variable": variable, "index": number_text(report.a), "count": int(report.b)}
+
+
+def _function(report: _Report) -> _Values:
+    return {"function": function_name(report.a), "slots": int(report.b)}
+
+
+def _step_limit(report: _Report) -> _Values:
+    return {"cycle": report.event.cycle, "steps": int(report.a), "limit": int(report.b)}
+
+
+def _id(report: _Report) -> _Values:
+    return {"id": int(report.detail)}
+
+
+def _memory(report: _Report) -> _Values:
+    manager = report.channel.manager
+    return {"needed": int(report.detail), "free": manager.memory_limit - manager.memory_used}
+
+
+def _refused_variable(report: _Report) -> _Values:
+    machine, message = report.machine, report.message
+    variable = machine.registry.variable(machine.kernel.image.next_refused())
+    return {"variable": variable, "value": _INFINITE if report.number == message.id else "NaN"}
 
 
 def _used_slots(count: int) -> Text:
@@ -286,9 +216,100 @@ def _used_slots(count: int) -> Text:
     return Text(f"actions are open in all {count} slots", f"alle {count} Plätze sind belegt")
 
 
-def _array(event: Event, machine: AssembledMachine) -> str:
-    """Return the array whose index stands at the position of the event."""
-    assert event.span is not None
-    before = machine.files.line_at(event.span)[: event.span.column - 1]
-    match = re.search(r"[\w.\]\[]+(?=\[\s*$)", before)
-    return match[0] if match else before.strip()
+def _open_actions(report: _Report) -> _Values:
+    count = int(report.a)
+    return {"cycle": report.event.cycle, "used": _used_slots(count), "open": count or NOTHING}
+
+
+def _faulty_value(report: _Report) -> _Values:
+    return {"value": number_text(report.a)}
+
+
+#: What the realtime part reports, each with what gives the values of its parameters.
+_VALUES: dict[Message, Callable[[_Report], _Values]] = {
+    CYCLE_OPERATION_WITHOUT_RESULT: _operation,
+    CYCLE_VALUE_OUT_OF_RANGE: _assigned_value,
+    CYCLE_INDEX_OUT_OF_RANGE: _array_index,
+    INDEPENDENT_MOTION_REFUSED: _refused_axis,
+    AXIS_IN_INDEPENDENT_MOTION: _moving_axis,
+    INDP_TARGET_OUTSIDE_LIMITS: _target_outside,
+    MOTION_ENDED_BY_LIMIT: _axis_at_limit,
+    SPINDLE_BUSY: _spindle_of_cycle,
+    PLC_VALUE_NOT_FINITE: _refused_variable,
+    CYCLE_ACTIONS_FULL: _open_actions,
+    TOO_MANY_SIGNALS: lambda _: {"count": codes.SIGNAL_CAPACITY},
+    TOO_MANY_CYCLES: lambda report: {"count": report.channel.manager.capacity},
+    UNKNOWN_CYCLE_TIMER: lambda report: {"timer": int(report.a)},
+    **dict.fromkeys((PLC_INTERFACE_FULL, TOO_MANY_FUNCTIONS_IN_TICK), _function),
+    **dict.fromkeys((CYCLES_EXCEED_STEP_LIMIT, CYCLES_EXCEED_DURATION), _step_limit),
+    **dict.fromkeys((UNKNOWN_CYCLE_ID, CYCLE_ID_IN_USE, SIGNAL_OUT_OF_ORDER), _id),
+    **dict.fromkeys((CYCLE_MEMORY_FULL, CYCLE_TOO_LARGE), _memory),
+    **dict.fromkeys((FIXED_STOP_NOT_FOUND, AXIS_NOT_AT_BLOCK_START), _axis_of_path),
+    **dict.fromkeys(
+        (INVALID_USER_ERROR_ID, INVALID_USER_ERROR_RC, INVALID_SPINDLE_SPEED), _faulty_value
+    ),
+    **dict.fromkeys(
+        (
+            SPINDLE_JOB_HELD,
+            TAP_SPINDLE_TURNING,
+            THREAD_CHAIN_TOO_FAST,
+            THREAD_LOST,
+            THREAD_REVERSED,
+            THREAD_SPINDLE_STOPPED,
+            THREAD_TOO_FAST,
+            THREAD_WAY_TOO_SHORT,
+        ),
+        _spindle_of_path,
+    ),
+    **dict.fromkeys(
+        (
+            INDEPENDENT_MOTION_NOT_PERMITTED,
+            AXIS_MOVED_BY_PATH,
+            AXIS_IN_ERROR_STATE,
+            BUFFERED_MOTION_WAITING,
+            CHANNEL_BEING_RESET,
+            COUPLED_AXIS_MOVES_ALONE,
+            CYCLE_AXIS_NOT_IN_CHANNEL,
+            GANTRY_ASKEW,
+        ),
+        _axis_of_cycle,
+    ),
+    **dict.fromkeys(
+        (
+            M19_SPEED_ZERO,
+            WAITING_FOR_MAIN_SPINDLE,
+            BACKWARD_WITHOUT_HISTORY,
+            BACKWARD_AT_HISTORY_START,
+            EDGE_NOT_FOUND,
+            PROBE_PRESSED,
+            NO_PROBE_SIGNAL,
+            NO_CYCLE_TO_DELETE,
+            HOLD_WITHOUT_EFFECT,
+            CONTINUE_WITHOUT_EFFECT,
+            BLOCK_CYCLE_NEVER_RAN,
+            BLOCK_PASSED_OVER,
+            THREAD_TOO_SHORT,
+        ),
+        _without_values,
+    ),
+}
+#: The same messages by the numbers that lead.
+_MESSAGES = {number: message for message in _VALUES for number in message.leading}
+
+
+def realtime_diagnostic(event: Event, machine: AssembledMachine) -> Diagnostic:
+    """Return the diagnostic of an error or warning of a cycle, of the path or of the PLC's image.
+
+    The values come from the context of the cycle at fault, which keeps them until the next tick.
+    """
+    number = int(event.text)
+    message = _MESSAGES[number]
+    channel = machine.channels[max(event.channel - 1, 0)]
+    context, detail = channel.context, channel.executor.error_detail
+    report = _Report(
+        event, machine, number, message, channel, context.fault_a, context.fault_b, detail
+    )
+    values = _VALUES[message](report)
+    line = "" if event.span is None else machine.files.line_at(event.span)
+    found = diagnostic(message, statement_span(event.span, line), line, **values)
+    return replace(found, number=number)

@@ -654,9 +654,6 @@ STILL_LONG = (
     "live/server.py: serve",
     "nc/fast/shapes.py: line",
     "run/controller.py: run",
-    "servers/opcua/components.py: channel_components",
-    "servers/opcua/components.py: spindle_components",
-    "servers/opcua/types.py: _add_position",
 )
 
 

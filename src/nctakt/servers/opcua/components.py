@@ -21,7 +21,7 @@ from nctakt.kernel import codes
 from nctakt.lists.machine.axis_configuration import AxisConfiguration
 from nctakt.lists.machine.machine import ChannelConfiguration
 from nctakt.servers.opcua.values import Moment, NotSupported, Value
-from nctakt.session.channel_states import ChannelState, SpindleState
+from nctakt.session.channel_states import ChannelState
 from nctakt.session.engine import Slice
 
 #: Reads a value of a moment.
@@ -139,6 +139,47 @@ _STOPPED, _IN_TARGET_AREA, _ACCELERATING, _DECELERATING = range(4)
 #: Values of CncSpindleTurnDirection.
 _NO_DIRECTION, _CLOCKWISE, _COUNTER_CLOCKWISE = range(3)
 
+#: Components that are known of a spindle only if the CNC turns it.
+_KNOWN_TO_CNC = ("CmdOverride", "ActSpeed", "ActStatus", "ActTurnDirection")
+
+
+def _cnc_spindle(
+    name: str, prefix: str, max_speed: float, max_pct: float, index: int, number: int
+) -> Mapping[str, Shown]:
+    """Return the components of a spindle that the CNC turns."""
+    speed = f"{prefix}{name}.SPEED"
+
+    def status(moment: Moment) -> int:
+        actual, latest = moment.number(speed), state_of(moment, number).spindles[index]
+        if actual == 0.0 and (latest.speed == 0.0 or not latest.is_open):
+            return _STOPPED
+        if not latest.is_open:
+            return _IN_TARGET_AREA
+        is_faster = abs(actual) < abs(latest.speed) and actual * latest.speed >= 0.0
+        return _ACCELERATING if is_faster else _DECELERATING
+
+    def direction(moment: Moment) -> int:
+        actual = moment.number(speed)
+        if actual == 0.0:
+            return _NO_DIRECTION
+        return _CLOCKWISE if actual > 0.0 else _COUNTER_CLOCKWISE
+
+    override = signal(f"{prefix}{spindle_value_name(name)}", "%", 0.0, max_pct)
+    return {
+        "CmdOverride": _written(override),
+        "ActSpeed": Shown(
+            lambda moment: abs(moment.number(speed)),
+            (speed,),
+            False,
+            "1/min",
+            0.0,
+            max_speed,
+            signal=speed,
+        ),
+        "ActStatus": Shown(status, (speed,), True),
+        "ActTurnDirection": Shown(direction, (speed,)),
+    }
+
 
 def spindle_components(
     name: str,
@@ -156,37 +197,14 @@ def spindle_components(
     ``max_speed`` in 1/min, ``max_pct``: P-AXIS-00109. ``plc``: the PLC turns it, and the CNC
     knows none of its actual values.
     """
-    speed, angle = f"{prefix}{name}.SPEED", f"{prefix}{name}.POSITION"
-    override = _written(signal(f"{prefix}{spindle_value_name(name)}", "%", 0.0, max_pct))
+    known: Mapping[str, Shown] = dict.fromkeys(_KNOWN_TO_CNC, NOT_MODELLED)
+    if not plc:
+        known = _cnc_spindle(name, prefix, max_speed, max_pct, index, number)
 
-    def job(moment: Moment) -> SpindleState:
-        return state_of(moment, number).spindles[index]
+    def speed(moment: Moment) -> float:
+        return abs(state_of(moment, number).spindles[index].speed)
 
-    def status(moment: Moment) -> int:
-        actual, latest = moment.number(speed), job(moment)
-        if actual == 0.0 and (latest.speed == 0.0 or not latest.is_open):
-            return _STOPPED
-        if not latest.is_open:
-            return _IN_TARGET_AREA
-        is_faster = abs(actual) < abs(latest.speed) and actual * latest.speed >= 0.0
-        return _ACCELERATING if is_faster else _DECELERATING
-
-    def direction(moment: Moment) -> int:
-        actual = moment.number(speed)
-        if actual == 0.0:
-            return _NO_DIRECTION
-        return _CLOCKWISE if actual > 0.0 else _COUNTER_CLOCKWISE
-
-    commanded = Shown(lambda moment: abs(job(moment).speed), (), True, "1/min", 0.0, max_speed)
-    actual = Shown(
-        lambda moment: abs(moment.number(speed)),
-        (speed,),
-        False,
-        "1/min",
-        0.0,
-        max_speed,
-        signal=speed,
-    )
+    angle = "" if plc else f"{prefix}{name}.POSITION"
     return {
         "ActChannel": fixed(channel),
         "ActLoad": NOT_MODELLED,
@@ -198,12 +216,9 @@ def spindle_components(
         "ActGear": NOT_MODELLED,
         "CmdGear": NOT_MODELLED,
         "ActOverride": NOT_MODELLED,
-        "CmdOverride": NOT_MODELLED if plc else override,
-        "ActSpeed": NOT_MODELLED if plc else actual,
-        "CmdSpeed": commanded,
-        "ActStatus": NOT_MODELLED if plc else Shown(status, (speed,), True),
-        "ActTurnDirection": NOT_MODELLED if plc else Shown(direction, (speed,)),
-        "AnglePos": ShownPosition("" if plc else angle, "", "", "°", 0.0, 360.0),
+        "CmdSpeed": Shown(speed, (), True, "1/min", 0.0, max_speed),
+        "AnglePos": ShownPosition(angle, "", "", "°", 0.0, 360.0),
+        **known,
     }
 
 
@@ -252,12 +267,41 @@ def channel_components(
     """Return the components of a channel; ``axes``: by their names there."""
     number = configuration.number
     speed = f"{prefix}PATH.SPEED"
+    max_mm_min = 60.0 * max((axis.max_speed for axis in axes.values()), default=0.0)
+
+    def feed(moment: Moment) -> float:
+        return state_of(moment, number).programmed_mm_s * 60.0
+
+    return {
+        "Id": fixed(number),
+        "ActFeedrate": Shown(
+            lambda moment: moment.number(speed) * 60.0,
+            (speed,),
+            False,
+            "mm/min",
+            0.0,
+            max_mm_min,
+            signal=speed,
+            factor=60.0,
+        ),
+        "CmdFeedrate": Shown(feed, (), True, "mm/min", 0.0, max_mm_min),
+        "DryRunFeed": NOT_MODELLED,
+        "ActJogIncrement": NOT_MODELLED,
+        "ActOperationMode": fixed(_AUTOMATIC),
+        "CmdOperationMode": fixed(_AUTOMATIC),
+        **_operation(prefix, configuration.parameters.max_override_pct),
+        **_functions_in_force(number),
+        **_program_places(number, texts, latest),
+        **_tool_positions(axes, prefix),
+    }
+
+
+def _operation(prefix: str, max_pct: float) -> Mapping[str, Shown]:
+    """Return what the operator commands of a channel, and whether it runs."""
     hli = {
         word: f"{prefix}HLI.{word}"
         for word in ("STATE", "PAUSED", "ARMED", "OVERRIDE", "FEED_HOLD", "SINGLE_BLOCK")
     }
-    max_mm_min = 60.0 * max((axis.max_speed for axis in axes.values()), default=0.0)
-    max_pct = configuration.parameters.max_override_pct
 
     def status(moment: Moment) -> int:
         state = moment.values[hli["STATE"]]
@@ -275,6 +319,48 @@ def channel_components(
             return _CANCELED
         return _WAITING if moment.values[hli["ARMED"]] else _PROGRAM_STOPPED
 
+    states = tuple(hli[word] for word in ("STATE", "PAUSED", "ARMED", "FEED_HOLD"))
+    return {
+        "ActOverride": signal(f"{prefix}OVERRIDE.VEL.TOTAL", "%", 0.0, max_pct),
+        "CmdOverride": _written(signal(hli["OVERRIDE"], "%", 0.0, max_pct)),
+        "FeedHold": _written(signal(hli["FEED_HOLD"])),
+        "BlockMode": _written(signal(hli["SINGLE_BLOCK"])),
+        "ActStatus": Shown(status, states),
+        "ActProgramStatus": Shown(program_status, states),
+    }
+
+
+def _functions_in_force(number: int) -> Mapping[str, Shown]:
+    """Return the functions, offset and tool that a channel has in force."""
+
+    def technology(moment: Moment) -> list[int]:
+        if moment.glance is None:
+            raise NotSupported(int(ua.StatusCodes.BadWaitingForInitialData))
+        return [
+            entry.number
+            for channel, entry in moment.glance.waiting
+            if channel == number and isinstance(entry, TechnologyEntry) and entry.letter == "M"
+        ]
+
+    def in_force(moment: Moment) -> InForce:
+        found = state_of(moment, number).in_force
+        if found is None:
+            raise NotSupported(int(ua.StatusCodes.BadNoData))
+        return found
+
+    return {
+        "ActGFunctions": Shown(lambda moment: list(in_force(moment).functions), (), True),
+        "ActMFunctions": Shown(technology, (), True),
+        "ActModalOffsetFunction": Shown(lambda moment: in_force(moment).zero_offset, (), True),
+        "ToolId": Shown(lambda moment: in_force(moment).tool, (), True),
+    }
+
+
+def _program_places(
+    number: int, texts: ProgramTexts, latest: Callable[[], Slice]
+) -> Mapping[str, Shown]:
+    """Return where a channel is in its main program and in the one that it has called."""
+
     def span(moment: Moment) -> Span:
         found = moment.blocks.get(number)
         if found is None:
@@ -286,51 +372,7 @@ def channel_components(
         called = calls[1].span if calls and len(calls) > 1 else None
         return span(moment) if called is None else called
 
-    def functions(moment: Moment) -> list[int]:
-        if moment.glance is None:
-            raise NotSupported(int(ua.StatusCodes.BadWaitingForInitialData))
-        return [
-            entry.number
-            for channel, entry in moment.glance.waiting
-            if channel == number and isinstance(entry, TechnologyEntry) and entry.letter == "M"
-        ]
-
-    def feed(moment: Moment) -> float:
-        return state_of(moment, number).programmed_mm_s * 60.0
-
-    def in_force(moment: Moment) -> InForce:
-        found = state_of(moment, number).in_force
-        if found is None:
-            raise NotSupported(int(ua.StatusCodes.BadNoData))
-        return found
-
-    states = tuple(hli[word] for word in ("STATE", "PAUSED", "ARMED", "FEED_HOLD"))
-    found: dict[str, Shown | ShownPosition] = {
-        "Id": fixed(number),
-        "ActFeedrate": Shown(
-            lambda moment: moment.number(speed) * 60.0,
-            (speed,),
-            False,
-            "mm/min",
-            0.0,
-            max_mm_min,
-            signal=speed,
-            factor=60.0,
-        ),
-        "CmdFeedrate": Shown(feed, (), True, "mm/min", 0.0, max_mm_min),
-        "ActOverride": signal(f"{prefix}OVERRIDE.VEL.TOTAL", "%", 0.0, max_pct),
-        "CmdOverride": _written(signal(hli["OVERRIDE"], "%", 0.0, max_pct)),
-        "DryRunFeed": NOT_MODELLED,
-        "FeedHold": _written(signal(hli["FEED_HOLD"])),
-        "BlockMode": _written(signal(hli["SINGLE_BLOCK"])),
-        "ActGFunctions": Shown(lambda moment: list(in_force(moment).functions), (), True),
-        "ActMFunctions": Shown(functions, (), True),
-        "ActModalOffsetFunction": Shown(lambda moment: in_force(moment).zero_offset, (), True),
-        "ActJogIncrement": NOT_MODELLED,
-        "ActOperationMode": fixed(_AUTOMATIC),
-        "CmdOperationMode": fixed(_AUTOMATIC),
-        "ActStatus": Shown(status, states),
-        "ActProgramStatus": Shown(program_status, states),
+    return {
         "ActMainProgramName": Shown(lambda moment: PurePath(main_span(moment).file).name),
         "ActMainProgramFile": Shown(lambda moment: main_span(moment).file),
         "ActMainProgramLine": Shown(lambda moment: str(main_span(moment).line)),
@@ -338,19 +380,25 @@ def channel_components(
         "ActProgramFile": Shown(lambda moment: span(moment).file),
         "ActProgramLine": Shown(lambda moment: str(span(moment).line)),
         "ActProgramBlock": Shown(lambda moment: texts.around(span(moment))),
-        "ToolId": Shown(lambda moment: in_force(moment).tool, (), True),
     }
+
+
+def _tool_positions(
+    axes: Mapping[str, AxisConfiguration], prefix: str
+) -> Mapping[str, ShownPosition]:
+    """Return the positions of the tool centre point, in the machine's and the program's system."""
+    found = {}
     for letter in TCP_AXES:
         axis = axes.get(letter)
-        for system, own in (("Bcs", "MCS"), ("Wcs", "PCS")):
+        for name, system in (("Bcs", "MCS"), ("Wcs", "PCS")):
             if axis is None:
-                found[f"PosTcp{system}{letter}"] = ShownPosition("", "", "", "mm", 0.0, 0.0)
+                found[f"PosTcp{name}{letter}"] = ShownPosition("", "", "", "mm", 0.0, 0.0)
                 continue
             low, high = axis.reachable
-            found[f"PosTcp{system}{letter}"] = ShownPosition(
-                f"{prefix}{letter}.{own}.CUR_POS",
-                f"{prefix}{letter}.{own}.ACT_POS",
-                f"{prefix}{letter}.{own}.DIST_TO_GO",
+            found[f"PosTcp{name}{letter}"] = ShownPosition(
+                f"{prefix}{letter}.{system}.CUR_POS",
+                f"{prefix}{letter}.{system}.ACT_POS",
+                f"{prefix}{letter}.{system}.DIST_TO_GO",
                 "mm" if axis.is_linear else "°",
                 low,
                 high,

@@ -7,10 +7,11 @@ types, the components of types with their rules.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 from asyncua import ua
 
+from nctakt.base.dataclass import dataclass
 from nctakt.servers.opcua import nodes as refs
 from nctakt.servers.opcua.companion import (
     ANALOG_ITEM,
@@ -55,12 +56,48 @@ _XML_DICTIONARIES, _BINARY_DICTIONARIES = 92, 93
 
 #: Types of namespace 0: encodings, descriptions and dictionaries of data types; values of enums,
 #: and texts in a language.
-_ENCODING, _DESCRIPTION, _DICTIONARY, _ENUM_VALUE, _TEXT = 76, 69, 72, 7594, 21
+_ENCODING_TYPE, _DESCRIPTION, _DICTIONARY, _ENUM_VALUE, _TEXT = 76, 69, 72, 7594, 21
 
 #: The properties of an analog item: name, data type.
 ANALOG_PROPERTIES = (("EURange", "Range"), ("EngineeringUnits", "EUInformation"))
 
 _TYPES = {known.name: known for known in OBJECT_TYPES}
+
+
+@dataclass(frozen=True, slots=True)
+class _Encoding:
+    """How positions are encoded.
+
+    ``numbers``: of the encoding, its schema, what describes that, and the schema's namespace.
+    ``location``: of the type in the schema. ``folder``: where the schema is listed.
+    """
+
+    name: str
+    numbers: tuple[int, int, int, int]
+    uri: str
+    schema: Callable[[], bytes]
+    folder: int
+    location: str
+
+
+_ENCODINGS = (
+    _Encoding(
+        "Default Binary",
+        (POSITION_BINARY, BINARY_SCHEMA, BINARY_DESCRIPTION, BINARY_NAMESPACE),
+        CNC_URI,
+        binary_schema,
+        _BINARY_DICTIONARIES,
+        "CncPositionDataType",
+    ),
+    _Encoding(
+        "Default XML",
+        (POSITION_XML, XML_SCHEMA, XML_DESCRIPTION, XML_NAMESPACE),
+        TYPES_XSD,
+        xml_schema,
+        _XML_DICTIONARIES,
+        "//xs:element[@name='CncPositionDataType']",
+    ),
+)
 
 
 def all_components(name: str) -> list[Component]:
@@ -174,44 +211,8 @@ class CompanionTypes:
             standard(22),
             DataTypeDefinition=(definition, ua.VariantType.ExtensionObject),
         )
-        for number, encoding, schema, description, namespace, uri, content, folder, location in (
-            (
-                POSITION_BINARY,
-                "Default Binary",
-                BINARY_SCHEMA,
-                BINARY_DESCRIPTION,
-                BINARY_NAMESPACE,
-                CNC_URI,
-                binary_schema(),
-                _BINARY_DICTIONARIES,
-                "CncPositionDataType",
-            ),
-            (
-                POSITION_XML,
-                "Default XML",
-                XML_SCHEMA,
-                XML_DESCRIPTION,
-                XML_NAMESPACE,
-                TYPES_XSD,
-                xml_schema(),
-                _XML_DICTIONARIES,
-                "//xs:element[@name='CncPositionDataType']",
-            ),
-        ):
-            self._nodes.add_object(
-                self.id(number), self.name(encoding, is_standard=True), standard(_ENCODING)
-            )
-            self._nodes.refer(self.id(POSITION), refs.HAS_ENCODING, self.id(number))
-            self._text_variable(schema, self.name("CncSystems"), _DICTIONARY, content, 15)
-            self._nodes.refer(standard(folder), refs.HAS_COMPONENT, self.id(schema))
-            self._text_variable(
-                description, self.name("CncPositionDataType"), _DESCRIPTION, location
-            )
-            self._hang(schema, description, refs.HAS_COMPONENT)
-            self._nodes.refer(self.id(number), refs.HAS_DESCRIPTION, self.id(description))
-            own = self.name("NamespaceUri", is_standard=True)
-            self._text_variable(namespace, own, PROPERTY, uri)
-            self._hang(schema, namespace, refs.HAS_PROPERTY)
+        for encoding in _ENCODINGS:
+            self._add_encoding(encoding)
         self._nodes.add_type(
             self.id(POSITION_VARIABLE),
             ua.NodeClass.VariableType,
@@ -223,6 +224,23 @@ class CompanionTypes:
         self._add_position_parts(
             POSITION_VARIABLE, iter(number for _, number, _, _ in POSITION_COMPONENTS)
         )
+
+    def _add_encoding(self, encoding: _Encoding) -> None:
+        """Add an encoding of positions, with its schema and what describes that."""
+        number, schema, description, namespace = encoding.numbers
+        name = self.name(encoding.name, is_standard=True)
+        self._nodes.add_object(self.id(number), name, standard(_ENCODING_TYPE))
+        self._nodes.refer(self.id(POSITION), refs.HAS_ENCODING, self.id(number))
+        content = encoding.schema()
+        self._text_variable(schema, self.name("CncSystems"), _DICTIONARY, content, 15)
+        self._nodes.refer(standard(encoding.folder), refs.HAS_COMPONENT, self.id(schema))
+        position = self.name("CncPositionDataType")
+        self._text_variable(description, position, _DESCRIPTION, encoding.location)
+        self._hang(schema, description, refs.HAS_COMPONENT)
+        self._nodes.refer(self.id(number), refs.HAS_DESCRIPTION, self.id(description))
+        uri = self.name("NamespaceUri", is_standard=True)
+        self._text_variable(namespace, uri, PROPERTY, encoding.uri)
+        self._hang(schema, namespace, refs.HAS_PROPERTY)
 
     def _text_variable(
         self,

@@ -652,7 +652,6 @@ STILL_LONG = (
     "kernel/plc/interface_image.py: attach",
     "kernel/tick/command_execution.py: take",
     "live/server.py: serve",
-    "nc/fast/shapes.py: line",
     "run/controller.py: run",
 )
 

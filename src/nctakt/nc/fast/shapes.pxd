@@ -26,6 +26,9 @@ cdef class ShapeScanner(LineScanner):
     cdef int opens
     cdef bint controls
     cdef bint is_name
+    cdef int depth
+    cdef int element_depth
+    cdef bint behind_element
 
     @cython.locals(end=Py_ssize_t, shape=Shape)
     cpdef Py_ssize_t skip_known(self, list lines, Py_ssize_t index, set keys) except -1
@@ -37,11 +40,19 @@ cdef class ShapeScanner(LineScanner):
     )
     cdef int inside(self, list lines, list own, list runs, int depth) except -1
     @cython.locals(
-        end=Py_ssize_t, start=Py_ssize_t, marks=Py_ssize_t, i=Py_ssize_t, stop=Py_ssize_t,
-        is_empty=bint, is_head=bint, before=Py_UCS4, last=Py_UCS4, c=Py_UCS4, depth=int,
-        element_depth=int, behind_element=bint
+        end=Py_ssize_t, start=Py_ssize_t, marks=Py_ssize_t, i=Py_ssize_t, is_empty=bint,
+        is_head=bint, before=Py_UCS4, last=Py_UCS4, c=Py_UCS4
     )
     cdef int line(self, str line)
+    cdef void begin_line(self)
+    cdef void open_index(self, str line, Py_ssize_t i, Py_ssize_t end)
+    cdef Py_ssize_t figure(
+        self, str line, Py_ssize_t i, Py_ssize_t end, Py_UCS4 before, Py_UCS4 last,
+        bint is_head
+    )
+    @cython.locals(c=Py_UCS4)
+    cdef int sign(self, str line, Py_ssize_t i, Py_ssize_t end, Py_UCS4 before)
+    cdef int has_nul(self, str line, Py_ssize_t i, Py_ssize_t end)
     cdef void append(self, Py_UCS4 c)
     cdef int is_sign(self, Py_UCS4 c)
     cdef void add_mark(self, unsigned char mark, double value, Py_ssize_t end)

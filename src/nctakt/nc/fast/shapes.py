@@ -56,7 +56,11 @@ class Shape:
 
 
 class ShapeScanner(LineScanner):
-    """Finds shapes; ``shape``: the last one or ``None``; ``index``: the line behind it."""
+    """Finds shapes; ``shape``: the last one or ``None``; ``index``: the line after it.
+
+    Of a line: ``depth``: of its brackets, ``element_depth``: of those of an index, 0 outside.
+    ``behind_element``: the last bracket ends an index.
+    """
 
     def __init__(self) -> None:
         super().__init__()
@@ -72,6 +76,9 @@ class ShapeScanner(LineScanner):
         self.opens = 0
         self.controls = False
         self.is_name = False
+        self.depth = 0
+        self.element_depth = 0
+        self.behind_element = False
 
     def skip_known(self, lines: list[str], index: int, keys: set[bytes]) -> int:
         """Return the index of the first line that is neither empty nor of a known shape.
@@ -184,12 +191,7 @@ class ShapeScanner(LineScanner):
         is_head = True  # only a skip level so far
         before = " "  # previous character; previous character other than a blank
         last = " "
-        depth = 0  # of brackets; depth of the brackets of an index, 0 outside
-        element_depth = 0
-        behind_element = False
-        self.is_name = False
-        self.opens = 0
-        self.controls = False
+        self.begin_line()
         while i < end:
             c = line[i]
             if c == ";":
@@ -208,59 +210,88 @@ class ShapeScanner(LineScanner):
                 continue
             is_empty = False
             if "0" <= c <= "9" or c == ".":
-                if c == "." and before == "]":
-                    i = self.name(line, i, end)
-                    before = last = "A"
-                    if i < end and line[i] == "[" and element_depth == 0:
-                        element_depth = depth + 1
-                    continue
-                if c == "." and not (i + 1 < end and "0" <= line[i + 1] <= "9"):
-                    return 0
-                if element_depth > 0 or (last == "/" and is_head):
-                    i = self.digits(line, i, end)
-                else:
-                    i = self.number(line, i, end, last in "Nn")
+                i = self.figure(line, i, end, before, last, is_head)
                 if i < 0:
                     return 0
                 before = last = "0"
                 is_head = False
-                continue
-            if "A" <= c <= "Z" or "a" <= c <= "z" or c == "_":
-                stop = self.word(line, i, end)
-                if stop < 0:
+            elif "A" <= c <= "Z" or "a" <= c <= "z" or c == "_":
+                i = self.word(line, i, end)
+                if i < 0:
                     return 0
-                before = last = line[stop - 1]
-                i = stop
+                self.open_index(line, i, end)
+                before = last = line[i - 1]
                 is_head = False
-                if i < end and line[i] == "[" and self.is_name and element_depth == 0:
-                    element_depth = depth + 1
-                continue
-            if c == "[":
-                depth += 1
-                if before == "]" and behind_element and element_depth == 0:
-                    element_depth = depth
-            elif c == "]":
-                behind_element = depth == element_depth
-                if behind_element:
-                    element_depth = 0
-                depth -= 1
-            elif c == "$":
-                self.control(line, i + 1, end)
-            elif not self.is_sign(c):
-                return 0
-            if not (c == "/" and is_head and last == " "):
-                is_head = False
-            self.append(c)
-            i += 1
-            before = last = c
-        while i < end:
-            if line[i] == "\0":
-                return 0
-            i += 1
+            else:
+                if not self.sign(line, i, end, before):
+                    return 0
+                is_head = c == "/" and is_head and last == " "
+                self.append(c)
+                i += 1
+                before = last = c
         if is_empty:
             self.length = start
             self.count = marks
-        return self.count - marks <= 24
+        return self.count - marks <= 24 and not self.has_nul(line, i, end)
+
+    def begin_line(self) -> None:
+        """Reset what is known of the line before."""
+        self.depth = 0
+        self.element_depth = 0
+        self.behind_element = False
+        self.is_name = False
+        self.opens = 0
+        self.controls = False
+
+    def open_index(self, line: str, i: int, end: int) -> None:
+        """Note where the index of an element begins after a name."""
+        if i < end and line[i] == "[" and self.is_name and self.element_depth == 0:
+            self.element_depth = self.depth + 1
+
+    def figure(self, line: str, i: int, end: int, before: str, last: str, is_head: bool) -> int:
+        """Read an index, a skip level, a value or the member of an element.
+
+        Return its end, -1 without a shape. ``before``, ``last``: the character before it, and that
+        other than a blank; ``is_head``: nothing but a skip level stands before it.
+        """
+        if line[i] == "." and before == "]":
+            i = self.name(line, i, end)
+            self.open_index(line, i, end)
+            return i
+        if line[i] == "." and not (i + 1 < end and "0" <= line[i + 1] <= "9"):
+            return -1
+        if self.element_depth > 0 or (last == "/" and is_head):
+            return self.digits(line, i, end)
+        return self.number(line, i, end, last in "Nn")
+
+    def sign(self, line: str, i: int, end: int, before: str) -> int:
+        """Follow brackets and ``$``; return 0 for a character that no shape has.
+
+        ``before``: the character before it.
+        """
+        c = line[i]
+        if c == "[":
+            self.depth += 1
+            if before == "]" and self.behind_element and self.element_depth == 0:
+                self.element_depth = self.depth
+        elif c == "]":
+            self.behind_element = self.depth == self.element_depth
+            if self.behind_element:
+                self.element_depth = 0
+            self.depth -= 1
+        elif c == "$":
+            self.control(line, i + 1, end)
+        else:
+            return self.is_sign(c)
+        return 1
+
+    def has_nul(self, line: str, i: int, end: int) -> int:
+        """Return whether the comment that ends the line contains a NUL."""
+        while i < end:
+            if line[i] == "\0":
+                return 1
+            i += 1
+        return 0
 
     def append(self, c: str) -> None:
         """Append a character to the shape."""

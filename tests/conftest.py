@@ -9,8 +9,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-import skips
 from hypothesis import settings
+from support import skips
 
 settings.register_profile("repeatable", derandomize=True, deadline=None, database=None)
 settings.load_profile("repeatable")

@@ -14,9 +14,9 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-import trace_digests
-from program_generator import program
-from trace_digests import DEMO, MAX_TICKS, SEEDS, random_trace
+from support import trace_digests
+from support.program_generator import program
+from support.trace_digests import DEMO, MAX_TICKS, SEEDS, random_trace
 
 from nctakt.kernel.base.record import Record
 from nctakt.run import realtime_part
@@ -37,7 +37,7 @@ def digests(hash_seed: str, plain: bool) -> dict[str, Any]:
     if plain:
         environment["NCTAKT_PLAIN"] = "1"
     done = subprocess.run(
-        [sys.executable, HERE / "trace_digests.py"],
+        [sys.executable, HERE / "support" / "trace_digests.py"],
         env=environment,
         check=True,
         capture_output=True,
@@ -61,7 +61,7 @@ def test_traces_depend_neither_on_the_hash_seed_nor_on_the_compiler() -> None:
     assert differences(first["digests"], plain["digests"]) == []
     found = first["digests"]
     assert len({found[f"seed {seed}"] for seed in SEEDS}) == len(SEEDS)
-    assert set(trace_digests.test_runs.FOLDERS) < set(found)
+    assert set(trace_digests.run_folders.FOLDERS) < set(found)
 
 
 def test_a_run_can_be_repeated(tmp_path: Path) -> None:

@@ -351,7 +351,7 @@ def test_what_chance_tries_can_be_tried_as_often_as_wanted() -> None:
     """Each test that ``docs/reliability.md`` names takes its number from ``NCTAKT_SEEDS``."""
     files = re.findall(r"^\| `(tests/\S+)` \|", text_of("docs/reliability.md"), re.M)
     assert len(files) > 10
-    assert [file for file in files if "from random_seeds import" not in text_of(file)] == []
+    assert [file for file in files if "from support.random_seeds import" not in text_of(file)] == []
 
 
 # --- scheduling --------------------------------------------------------------------------------

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import pytest
-from rules_and_tests import RULES, proofs, rules_in
+from support.rules_and_tests import RULES, proofs, rules_in
 
 TESTS_OF = proofs()
 

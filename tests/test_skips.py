@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import pytest
-import skips
+from support import skips
 
 
 def report(reason: str) -> pytest.CollectReport:

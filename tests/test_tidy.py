@@ -43,7 +43,8 @@ MODULES = sorted(
     path.relative_to(KERNEL).with_suffix("").as_posix()
     for path in KERNEL.rglob("*.py")
     if path.stem != "__init__"
-    and path.relative_to(PACKAGE).with_suffix("").as_posix() not in (*NUMBERS, *WITHOUT_TYPES, *IN_LINE)
+    and path.relative_to(PACKAGE).with_suffix("").as_posix()
+    not in (*NUMBERS, *WITHOUT_TYPES, *IN_LINE)
 )
 SOURCES = sorted(PACKAGE.rglob("*.py"))
 PXD = sorted(

@@ -13,7 +13,7 @@ from collections.abc import Mapping
 from pathlib import Path
 
 import pytest
-from random_seeds import all_seeds
+from support.random_seeds import all_seeds
 
 from nctakt.base.failure import Failure
 from nctakt.decoder.fast import handover

@@ -10,9 +10,9 @@ from collections.abc import Sequence
 from pathlib import Path
 
 import pytest
-from test_couplings import FOLDER, numbers, run
-from test_decided_gears import machine as machine_with_gears
-from test_runs import changed_machine
+from support.coupled_axes import FOLDER, numbers, run
+from support.geared_machine import machine as machine_with_gears
+from support.run_folders import changed_machine
 
 import nctakt
 from nctakt.lists.machine.machine import Machine, load_machine

@@ -9,49 +9,20 @@ S3 are spindles; group 0 of the list is U = X, S2 = S.
 from __future__ import annotations
 
 import random
-from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
 import pytest
-from random_seeds import each_seed
+from support.coupled_axes import FOLDER, MACHINE, numbers, path_of, run
+from support.random_seeds import each_seed
 
 from nctakt.lists.machine.machine import Machine, load_machine
 from nctakt.messages import Collector
 from nctakt.nc.parse.parser import parse
 from nctakt.nc.parse.printer import print_statement
 from nctakt.nc.source import Source
-from nctakt.results.run import Run
 from nctakt.run.controller import Controller, NcText
 from nctakt.run.stimuli import Stimulus
-
-FOLDER = Path(__file__).parent / "coupled_machine"
-MACHINE = load_machine(FOLDER)
-POSITIONS = [f"{axis}.ACS.ACT_POS" for axis in ("X", "Y", "Z", "U", "V", "A", "B")]
-
-
-def run(
-    *lines: str,
-    controller: Controller | None = None,
-    signals: Sequence[str] = POSITIONS,
-    at: Sequence[Stimulus] = (),
-) -> Run:
-    """A run of these lines."""
-    text = "\n".join(["%part", *lines, "M30", ""])
-    controller = controller or Controller(MACHINE)
-    return controller.run(NcText("part.nc", text), signals=signals, ticks=20_000, at=at)
-
-
-def numbers(found: Run) -> list[int]:
-    """The numbers of errors and warnings."""
-    return [one.id for one in found.diagnostics if one.severity.name != "NOTE"]
-
-
-def path_of(found: Run, axis: str) -> np.ndarray:
-    """The command positions of an axis, tick by tick."""
-    assert found.trace is not None
-    return np.asarray(found.trace[f"{axis}.ACS.ACT_POS"].tolist())
-
 
 # --- what follows, and how ------------------------------------------------------------------------
 

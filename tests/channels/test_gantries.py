@@ -9,8 +9,8 @@ from __future__ import annotations
 from pathlib import Path
 
 import numpy as np
-from test_couplings import FOLDER, numbers
-from test_runs import changed_machine
+from support.coupled_axes import FOLDER, numbers
+from support.run_folders import changed_machine
 
 from nctakt.lists.machine.machine import load_machine
 from nctakt.run.controller import Controller, NcText

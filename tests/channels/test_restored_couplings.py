@@ -9,8 +9,8 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from test_couplings import FOLDER, numbers, path_of, run
-from test_runs import changed_machine
+from support.coupled_axes import FOLDER, numbers, path_of, run
+from support.run_folders import changed_machine
 
 import nctakt
 from nctakt.lists.machine.machine import Machine, load_machine

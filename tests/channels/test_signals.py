@@ -13,7 +13,7 @@ from collections import deque
 from pathlib import Path
 
 import pytest
-from random_seeds import all_seeds
+from support.random_seeds import all_seeds
 
 from nctakt.kernel import codes
 from nctakt.lists.machine.machine import load_machine

@@ -7,7 +7,7 @@ import random
 from collections.abc import Callable
 
 import pytest
-from random_seeds import each_seed
+from support.random_seeds import each_seed
 
 from nctakt.checking import check_memory
 from nctakt.checking.check import CheckResult, check_files

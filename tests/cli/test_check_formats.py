@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from sarif_schema import faults
+from support.sarif_schema import faults
 
 from nctakt.cli import main
 from nctakt.messages.checked_cycles import ASYNCHRONOUS_WRITE_IN_CYCLE

@@ -8,7 +8,7 @@ from pathlib import Path
 from threading import Thread
 
 import pytest
-from debug_client import DebugClient, Refused
+from support.debug_client import DebugClient, Refused
 
 from nctakt.debugger.server import PortServer
 from nctakt.session.session import Session

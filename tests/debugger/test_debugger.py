@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from debug_client import DebugClient, Refused
+from support.debug_client import DebugClient, Refused
 
 from nctakt.debugger import report
 from nctakt.debugger.debuggee import Debuggee

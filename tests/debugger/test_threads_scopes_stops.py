@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from debug_client import DebugClient
+from support.debug_client import DebugClient
 
 pytestmark = pytest.mark.slow
 

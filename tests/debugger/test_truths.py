@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from debug_client import DebugClient, Refused
+from support.debug_client import DebugClient, Refused
 
 pytestmark = pytest.mark.slow
 

@@ -16,8 +16,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from debug_client import DebugClient, Refused
-from random_seeds import all_seeds
+from support.debug_client import DebugClient, Refused
+from support.random_seeds import all_seeds
 
 from nctakt import Failure
 from nctakt.debugger.adapter import MAX_REQUESTS

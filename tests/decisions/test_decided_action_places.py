@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import pytest
-from decided import machine, numbers, perform, told
+from support.decided import machine, numbers, perform, told
 
 from nctakt.results.run import Run
 from nctakt.run.controller import Controller

@@ -7,8 +7,8 @@ import math
 from pathlib import Path
 
 import pytest
-from decided import left, numbers, perform
-from kernel_rig import controller_with
+from support.decided import left, numbers, perform
+from support.kernel_rig import controller_with
 
 from nctakt.results.run import Run
 

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from decided import numbers
+from support.decided import numbers
 
 import nctakt
 from nctakt.base.failure import Failure

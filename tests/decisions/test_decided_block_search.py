@@ -6,11 +6,11 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from decided import numbers, perform, told
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from polylines import Points, apart, way
-from random_seeds import MANY
+from support.decided import numbers, perform, told
+from support.polylines import Points, apart, way
+from support.random_seeds import MANY
 
 from nctakt.base.failure import Failure
 from nctakt.cli import main

@@ -6,7 +6,7 @@ from __future__ import annotations
 import math
 
 import pytest
-from decided import numbers, perform, told
+from support.decided import numbers, perform, told
 
 from nctakt.run.controller import Controller, NcText
 

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from decided import numbers, perform, told
+from support.decided import numbers, perform, told
 
 
 def test_the_other_cycles_have_a_tick_behind_an_error_where_the_path_stands() -> None:

@@ -6,7 +6,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from decided import numbers
+from support.decided import numbers
 
 from nctakt.lists.machine.machine import load_machine
 from nctakt.results.run import Run

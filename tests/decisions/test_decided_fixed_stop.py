@@ -6,7 +6,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import pytest
-from decided import numbers, perform, told
+from support.decided import numbers, perform, told
 
 from nctakt.lists.machine.machine import load_machine
 from nctakt.run.controller import Controller

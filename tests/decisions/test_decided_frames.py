@@ -12,9 +12,9 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from decided import left, numbers, perform
 from hypothesis import given
 from hypothesis import strategies as st
+from support.decided import left, numbers, perform
 
 from nctakt.decoder.state.contour_frame import ContourFrame
 from nctakt.results.run import Run

@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import Any
 
 import pytest
-from decided import numbers, perform, told
+from support.decided import numbers, perform, told
 
 from nctakt.lists.machine.homing import AxisHoming
 from nctakt.lists.machine.machine import load_machine

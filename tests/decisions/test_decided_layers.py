@@ -15,10 +15,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from decided import numbers, perform
 from numpy.typing import NDArray
-from random_seeds import each_seed
-from test_runs import changed_machine
+from support.decided import numbers, perform
+from support.random_seeds import each_seed
+from support.run_folders import changed_machine
 
 from nctakt.run.controller import Controller
 

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import pytest
-from decided import left, machine, numbers, perform, told
+from support.decided import left, machine, numbers, perform, told
 
 from nctakt.run.controller import Controller, NcText
 

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from decided import numbers, perform, told
+from support.decided import numbers, perform, told
 
 from nctakt.lists.machine.machine import load_machine
 from nctakt.run.controller import Controller

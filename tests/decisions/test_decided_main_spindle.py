@@ -7,7 +7,7 @@ The demo machine: S1 (5) is the main spindle S, S2 (6) another one, S3 (10) turn
 from __future__ import annotations
 
 import pytest
-from decided import numbers, perform, told
+from support.decided import numbers, perform, told
 
 from nctakt.run.controller import Controller
 

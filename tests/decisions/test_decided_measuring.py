@@ -8,9 +8,9 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from decided import numbers, perform, told
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from support.decided import numbers, perform, told
 
 from nctakt.lists.machine.machine import load_machine
 from nctakt.lists.machine.measuring import AxisMeasuring

@@ -10,7 +10,7 @@ ticks.
 from __future__ import annotations
 
 import pytest
-from decided import numbers, perform, told
+from support.decided import numbers, perform, told
 
 from nctakt.results.run import Run
 from nctakt.run.controller import Controller, NcText

@@ -12,8 +12,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from decided import numbers, perform, told
-from test_runs import changed_machine
+from support.decided import numbers, perform, told
+from support.run_folders import changed_machine
 
 from nctakt.lists.machine.machine import load_machine
 from nctakt.messages.checked_blocks import INVALID_COMMAND_FORM

@@ -7,7 +7,7 @@ import shutil
 from pathlib import Path
 
 import pytest
-from decided import left, numbers, perform
+from support.decided import left, numbers, perform
 
 import nctakt
 from nctakt.run.controller import Controller, NcText

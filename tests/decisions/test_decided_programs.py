@@ -10,7 +10,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from decided import machine, numbers, perform, told
+from support.decided import machine, numbers, perform, told
 
 from nctakt.run.controller import Controller, NcText
 from nctakt.run.plc_view import PlcView

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import pytest
-from decided import numbers, perform
+from support.decided import numbers, perform
 
 ARC = "G17 F6000\nG02 {words}\nG02 X40 Y0\nM30"
 

@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import Any
 
 import pytest
-from decided import perform, told
+from support.decided import perform, told
 
 from nctakt.lists.machine.channel_configuration import ALL_LINES, EFFECTIVE_BLOCKS, ONLY_MOTIONS
 from nctakt.lists.machine.machine import Machine, load_machine

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import pytest
-from decided import numbers, perform, told
+from support.decided import numbers, perform, told
 
 SIGNALS = ["S.SPEED", "S2.SPEED", "PATH.SPEED"]
 

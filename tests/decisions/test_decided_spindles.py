@@ -7,7 +7,7 @@ S takes 10 ticks to 60 revolutions a minute, and as many to a stand.
 from __future__ import annotations
 
 import pytest
-from decided import perform, told
+from support.decided import perform, told
 
 from nctakt.results.run import Run
 

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from decided import perform, told
+from support.decided import perform, told
 
 from nctakt.run.controller import Controller
 from nctakt.run.stimuli import Stimulus

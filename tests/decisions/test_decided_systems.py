@@ -6,8 +6,8 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from decided import left, numbers, perform
-from test_runs import changed_machine
+from support.decided import left, numbers, perform
+from support.run_folders import changed_machine
 
 from nctakt.run.controller import Controller
 

@@ -10,8 +10,8 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from decided import numbers, perform, told
-from test_runs import changed_machine
+from support.decided import numbers, perform, told
+from support.run_folders import changed_machine
 
 from nctakt.lists.machine.machine import load_machine
 from nctakt.messages.checked_blocks import INVALID_COMMAND_FORM

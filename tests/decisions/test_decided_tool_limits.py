@@ -12,8 +12,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from decided import numbers, perform
-from test_runs import changed_machine
+from support.decided import numbers, perform
+from support.run_folders import changed_machine
 
 from nctakt.results.run import Run
 from nctakt.run.controller import Controller

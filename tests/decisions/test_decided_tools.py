@@ -6,8 +6,8 @@ from __future__ import annotations
 from dataclasses import replace
 
 import pytest
-from check_machine import demo_channel
-from decided import numbers, perform
+from support.check_machine import demo_channel
+from support.decided import numbers, perform
 
 from nctakt.checking.program import check_program
 from nctakt.files.access import FileAccess

@@ -6,7 +6,7 @@ from __future__ import annotations
 import math
 
 import pytest
-from decided import left, numbers, perform, told
+from support.decided import left, numbers, perform, told
 
 from nctakt.base.failure import Failure
 from nctakt.run.controller import Controller

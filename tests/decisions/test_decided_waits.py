@@ -7,7 +7,7 @@ import shutil
 from pathlib import Path
 
 import pytest
-from decided import numbers, perform, told
+from support.decided import numbers, perform, told
 
 import nctakt
 from nctakt.cli import main

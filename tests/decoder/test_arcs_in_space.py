@@ -8,8 +8,8 @@ import random
 
 import numpy as np
 import pytest
-from decided import numbers, perform
-from random_seeds import seeds_in_parts
+from support.decided import numbers, perform
+from support.random_seeds import seeds_in_parts
 
 from nctakt.results.run import Run
 

@@ -13,8 +13,8 @@ from math import cos, dist, radians, sin
 from random import Random
 
 import pytest
-from compensated import Point, Way, decoded, distance, places, told, way
-from random_seeds import each_seed
+from support.compensated import Point, Way, decoded, distance, places, told, way
+from support.random_seeds import each_seed
 
 #: How far from a contour the tool may be off: rounding, and corners that are none (0.01°).
 TOLERANCE_MM = 2e-6

@@ -12,7 +12,7 @@ from math import asin, degrees, pi
 from pathlib import Path
 
 import pytest
-from compensated import decoded, distance, way
+from support.compensated import decoded, distance, way
 
 from nctakt.cli import main
 from nctakt.run.controller import Controller, NcText

@@ -9,7 +9,7 @@ from __future__ import annotations
 from math import asin, degrees, sqrt
 
 import pytest
-from compensated import decoded, way
+from support.compensated import decoded, way
 
 from nctakt.run.controller import Controller, NcText
 

@@ -11,7 +11,7 @@ from itertools import pairwise
 from math import asin, degrees, dist
 
 import pytest
-from compensated import decoded, way
+from support.compensated import decoded, way
 
 from nctakt.lists.machine.machine import Machine, load_machine
 from nctakt.run.controller import Controller, NcText

@@ -10,7 +10,7 @@ import math
 
 import numpy as np
 import pytest
-from decided import numbers, perform
+from support.decided import numbers, perform
 
 from nctakt.results.run import Run
 

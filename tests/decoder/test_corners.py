@@ -11,9 +11,9 @@ import math
 from dataclasses import replace
 
 import pytest
-from compensated import decoded, way
 from hypothesis import given
 from hypothesis import strategies as st
+from support.compensated import decoded, way
 
 from nctakt.decoder.shapes import corners
 from nctakt.decoder.state.commands import Segment

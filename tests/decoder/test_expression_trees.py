@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import pytest
 from hypothesis import example, given, settings
-from slow_expressions import (
+from support.slow_expressions import (
     FaultError,
     Tree,
     all_leaves,

@@ -8,7 +8,7 @@ import random
 
 import numpy as np
 import pytest
-from kinematic_chains import Map
+from support.kinematic_chains import Map
 
 from nctakt.decoder.kinematics.fixed_types import FIXED_TYPES, fixed_chain
 from nctakt.decoder.kinematics.universal import universal_chain

@@ -6,7 +6,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from stepped_machine import machine_with_steps, numbers, run
+from support.stepped_machine import machine_with_steps, numbers, run
 
 from nctakt.messages.checked_blocks import INVALID_COMMAND_FORM
 from nctakt.messages.coordinate_systems import (

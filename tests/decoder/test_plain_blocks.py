@@ -15,8 +15,8 @@ from math import cos, radians, sin
 from pathlib import Path
 
 import pytest
-from decoded_rows import rows
-from random_seeds import each_seed
+from support.decoded_rows import rows
+from support.random_seeds import each_seed
 
 from nctakt.base.mode import is_compiled
 from nctakt.decoder import program

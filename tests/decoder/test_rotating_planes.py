@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from random_seeds import seeds_in_parts
+from support.random_seeds import seeds_in_parts
 
 from nctakt import machines
 from nctakt.decoder.kinematics.rotating_planes import RotatingPlane, map_values

@@ -6,7 +6,7 @@ from __future__ import annotations
 from math import atan2, dist, hypot, pi
 
 import pytest
-from compensated import Way, decoded, way
+from support.compensated import Way, decoded, way
 
 from nctakt.run.controller import Controller, NcText
 

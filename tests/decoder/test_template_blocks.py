@@ -11,8 +11,8 @@ from __future__ import annotations
 import random
 
 import pytest
-from decoded_rows import rows
-from random_seeds import each_seed
+from support.decoded_rows import rows
+from support.random_seeds import each_seed
 
 from nctakt.base.mode import is_compiled
 from nctakt.decoder.values.evaluation import Evaluator

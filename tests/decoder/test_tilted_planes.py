@@ -13,8 +13,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from decided import numbers, perform
-from random_seeds import seeds_in_parts
+from support.decided import numbers, perform
+from support.random_seeds import seeds_in_parts
 
 from nctakt import machines
 from nctakt.lists.machine.machine import load_machine

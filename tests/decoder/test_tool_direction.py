@@ -8,7 +8,7 @@ import re
 from pathlib import Path
 
 import pytest
-from stepped_machine import machine_with_steps, numbers, run
+from support.stepped_machine import machine_with_steps, numbers, run
 
 from nctakt.messages.checked_blocks import INVALID_COMMAND_FORM, UNKNOWN_WORD
 from nctakt.messages.kinematics import ORIENTATION_MODE_WITHOUT_EFFECT

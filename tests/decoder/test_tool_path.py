@@ -16,7 +16,7 @@ from math import cos, dist, hypot, radians, sin
 from random import Random
 
 import pytest
-from compensated import Point, Way, distance, places
+from support.compensated import Point, Way, distance, places
 
 from nctakt.decoder.contour.rows import ARC, GAP, NOTHING, REACH
 from nctakt.decoder.contour.tool_path import ToolPath

@@ -7,7 +7,7 @@ import math
 from pathlib import Path
 
 import pytest
-from stepped_machine import machine_with_steps, numbers, run
+from support.stepped_machine import machine_with_steps, numbers, run
 
 from nctakt.messages.checked_blocks import INVALID_COMMAND_FORM
 from nctakt.messages.transformations import (

@@ -14,7 +14,7 @@ import pytest
 @pytest.fixture
 def in_editor(tmp_path: Path) -> Callable[..., None]:
     """Run a script of an editor with a server of its own."""
-    client = pytest.importorskip("editor.client")
+    client = pytest.importorskip("support.editor_client")
 
     def run(script: Any, options: Any = None, encodings: Any = None) -> None:
         kinds = encodings or [client.types.PositionEncodingKind.Utf16]

@@ -7,9 +7,9 @@ from collections.abc import Callable
 from typing import Any
 
 import pytest
-from editor.client import Editor
 from lsprotocol import types
 from pygls.exceptions import JsonRpcException
+from support.editor_client import Editor
 
 pytestmark = pytest.mark.slow
 

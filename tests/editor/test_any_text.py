@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from random_seeds import each_seed
+from support.random_seeds import each_seed
 
 pytest.importorskip("pygls", reason="the language server needs pygls (extra editor)")
 

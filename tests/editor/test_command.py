@@ -11,10 +11,10 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from editor.client import COMMAND, ENVIRONMENT
 from lsprotocol import types
 from pygls.exceptions import JsonRpcException
 from pygls.lsp.client import LanguageClient
+from support.editor_client import COMMAND, ENVIRONMENT
 
 from nctakt.cli import EXIT_USAGE, main
 

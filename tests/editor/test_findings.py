@@ -8,9 +8,9 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from editor.client import Editor
 from lsprotocol import types
-from random_seeds import FIRST, MANY
+from support.editor_client import Editor
+from support.random_seeds import FIRST, MANY
 
 from nctakt.checking.check import check_files
 from nctakt.cli import main

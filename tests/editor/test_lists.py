@@ -8,8 +8,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from editor.client import Editor
 from lsprotocol import types
+from support.editor_client import Editor
 
 from nctakt.cli import main
 

@@ -9,7 +9,7 @@ import sys
 from pathlib import Path
 
 import pytest
-from editor.client import ENVIRONMENT
+from support.editor_client import ENVIRONMENT
 
 pytestmark = pytest.mark.slow
 

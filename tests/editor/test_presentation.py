@@ -6,8 +6,8 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import pytest
-from editor.client import Editor
 from lsprotocol import types
+from support.editor_client import Editor
 
 from nctakt.editor.legend import MODIFIERS, TYPES
 

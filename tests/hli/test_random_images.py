@@ -12,7 +12,7 @@ from __future__ import annotations
 import math
 from random import Random
 
-from random_seeds import seeds_in_parts
+from support.random_seeds import seeds_in_parts
 
 from nctakt.hli.operator_panel import STATES
 from nctakt.hli.places import ImageLayout

@@ -13,8 +13,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from best_times import Way, best_time
-from kernel_rig import ACCELERATION, DEMO, RAPID
+from support.best_times import Way, best_time
+from support.kernel_rig import ACCELERATION, DEMO, RAPID
 
 from nctakt.lists.machine.machine import Machine, load_machine
 from nctakt.run.controller import Controller, NcText

@@ -6,8 +6,8 @@ from __future__ import annotations
 import math
 
 import pytest
-from kernel_rig import DEMO
-from random_paths import violations
+from support.kernel_rig import DEMO
+from support.random_paths import violations
 
 from nctakt.run.controller import Controller, NcText
 

@@ -14,7 +14,7 @@ from fractions import Fraction
 import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
-from random_seeds import examples
+from support.random_seeds import examples
 
 from nctakt.kernel.base import arithmetic
 

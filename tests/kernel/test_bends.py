@@ -8,10 +8,10 @@ import random
 
 import numpy as np
 import pytest
-from kernel_rig import DEMO
-from random_operator import Operator
-from random_paths import AXES, cornered, farthest, violations
-from random_seeds import seeds_in_parts
+from support.kernel_rig import DEMO
+from support.random_operator import Operator
+from support.random_paths import AXES, cornered, farthest, violations
+from support.random_seeds import seeds_in_parts
 
 from nctakt.results.run import Run
 from nctakt.run.controller import Controller, NcText

@@ -10,7 +10,7 @@ import sys
 from pathlib import Path
 from typing import Any
 
-import arithmetic_table
+from support import arithmetic_table
 
 SCRIPT = Path(arithmetic_table.__file__)
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 
 import random
 
-from motion_checks import assert_smooth, run_of
-from random_seeds import seeds_in_parts
+from support.motion_checks import assert_smooth, run_of
+from support.random_seeds import seeds_in_parts
 
 from nctakt.run.stimuli import Stimulus
 

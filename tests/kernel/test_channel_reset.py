@@ -6,7 +6,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from kernel_rig import ACCELERATION, DEMO
+from support.kernel_rig import ACCELERATION, DEMO
 
 from nctakt.run.controller import Controller, NcText
 from nctakt.run.plc_view import PlcView

@@ -8,10 +8,10 @@ import random
 
 import numpy as np
 import pytest
-from kernel_rig import DEMO
-from random_operator import Operator
-from random_paths import AXES, violations
-from random_seeds import each_seed
+from support.kernel_rig import DEMO
+from support.random_operator import Operator
+from support.random_paths import AXES, violations
+from support.random_seeds import each_seed
 
 from nctakt.decoder.shapes import contour_curve
 from nctakt.decoder.shapes.contour_curve import End

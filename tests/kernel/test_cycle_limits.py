@@ -6,7 +6,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from kernel_rig import controller_with
+from support.kernel_rig import controller_with
 
 from nctakt.base.mode import is_compiled
 from nctakt.run.controller import Controller, NcText

@@ -7,7 +7,7 @@ import struct
 from pathlib import Path
 
 import pytest
-from kernel_rig import DEMO, Rig, controller_with
+from support.kernel_rig import DEMO, Rig, controller_with
 
 from nctakt.kernel import codes, rows
 from nctakt.kernel.cycles.cycles import RealtimeCycle

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from kernel_rig import controller_with
+from support.kernel_rig import controller_with
 
 from nctakt.lists.machine.machine import Machine
 from nctakt.run.controller import Controller, NcText

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from kernel_rig import DEMO
+from support.kernel_rig import DEMO
 
 from nctakt.results.run import Run
 from nctakt.run.controller import Controller, NcText

@@ -7,7 +7,7 @@ import math
 from collections.abc import Callable
 
 import pytest
-from kernel_rig import DEMO, Rig
+from support.kernel_rig import DEMO, Rig
 
 from nctakt.base.failure import Failure
 from nctakt.kernel import codes, rows

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from kernel_rig import DEMO, controller_with
+from support.kernel_rig import DEMO, controller_with
 
 from nctakt.run.controller import Controller, NcText
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 
 import random
 
-from motion_checks import SIGNALS, violations
-from motion_machines import machine
-from motion_programs import MotionProgram, WeightedProgram
-from random_seeds import seeds_in_parts
+from support.motion_checks import SIGNALS, violations
+from support.motion_machines import machine
+from support.motion_programs import MotionProgram, WeightedProgram
+from support.random_seeds import seeds_in_parts
 
 from nctakt.run.controller import Controller, NcText
 from nctakt.run.stimuli import Stimulus

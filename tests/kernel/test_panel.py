@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import pytest
-from kernel_rig import DEMO, RAPID, Rig, assert_within_limits
+from support.kernel_rig import DEMO, RAPID, Rig, assert_within_limits
 
 from nctakt.base.failure import Failure
 from nctakt.kernel import cells

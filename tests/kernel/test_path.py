@@ -10,8 +10,8 @@ import random
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from kernel_rig import ACCELERATION, DEMO, RAPID, TICK_T, Rig, assert_within_limits
-from random_seeds import examples
+from support.kernel_rig import ACCELERATION, DEMO, RAPID, TICK_T, Rig, assert_within_limits
+from support.random_seeds import examples
 
 from nctakt.kernel import cells, codes, rows
 from nctakt.run.controller import Controller, NcText

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from kernel_rig import ACCELERATION, DEMO, RAPID
+from support.kernel_rig import ACCELERATION, DEMO, RAPID
 
 from nctakt.run.controller import Controller, NcText
 

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import pytest
-from motion_checks import assert_smooth, blocks, positions, run_of
+from support.motion_checks import assert_smooth, blocks, positions, run_of
 
 from nctakt.run.stimuli import Stimulus
 

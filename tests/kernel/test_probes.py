@@ -6,7 +6,7 @@ from __future__ import annotations
 import struct
 
 import pytest
-from kernel_rig import DEMO
+from support.kernel_rig import DEMO
 
 from nctakt.kernel import rows
 from nctakt.run.controller import Controller, NcText

@@ -8,7 +8,7 @@ import math
 import pytest
 from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
-from random_seeds import examples
+from support.random_seeds import examples
 
 from nctakt.kernel.path.trapezoid_profile import TrapezoidProfile
 

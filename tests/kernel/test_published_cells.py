@@ -6,7 +6,7 @@ The tick knows cells by number, the table by name; only a run shows that both me
 
 from __future__ import annotations
 
-from kernel_rig import DEMO
+from support.kernel_rig import DEMO
 
 from nctakt.kernel import cells
 from nctakt.nc.vocabulary.realtime_variables import AXIS_VARIABLES, CHANNEL_VARIABLES

@@ -9,14 +9,14 @@ also what stands in lists and in arrays, and what is read in rare cases only.
 from __future__ import annotations
 
 import math
-import sys
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
-from program_generator import program
-from random_seeds import MANY, all_seeds
+from support import run_folders
+from support.program_generator import program
+from support.random_seeds import MANY, all_seeds
 
 from nctakt.base.mode import is_compiled
 from nctakt.lists.machine.machine import Machine, load_machine
@@ -24,9 +24,6 @@ from nctakt.run.controller import Controller, NcText
 from nctakt.run.machine_names import names_of_machine
 from nctakt.run.realtime_part import RealtimePart
 from nctakt.run.snapshot import Snapshot
-
-sys.path.insert(0, str(Path(__file__).parent.parent / "runs"))
-import test_runs
 
 #: Of so many run folders one is taken, unless ``NCTAKT_SEEDS`` asks for all.
 EACH = 1 if MANY else 24
@@ -92,14 +89,14 @@ def differences(one: object, other: object) -> Iterator[str]:
             yield f"{name}: {a!r}, {b!r}"
 
 
-@pytest.mark.parametrize("name", test_runs.FOLDERS[::EACH])
+@pytest.mark.parametrize("name", run_folders.FOLDERS[::EACH])
 def test_a_part_put_back_behind_a_run_is_a_new_one(
     name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Behind the runs of the folders, with channels, lists, PLC and schedules of their own."""
     lent = Lent()
-    monkeypatch.setattr(test_runs, "Controller", lent.controller)
-    test_runs.perform(test_runs.HERE / name, set(), tmp_path)
+    monkeypatch.setattr(run_folders, "Controller", lent.controller)
+    run_folders.perform(run_folders.HERE / name, set(), tmp_path)
     assert lent.differences() == []
 
 

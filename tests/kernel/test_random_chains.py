@@ -9,7 +9,7 @@ from __future__ import annotations
 import random
 
 import numpy as np
-from kinematic_chains import (
+from support.kinematic_chains import (
     Chain,
     Map,
     classic_direction,
@@ -19,7 +19,7 @@ from kinematic_chains import (
     with_angles,
     with_vector,
 )
-from random_seeds import all_seeds
+from support.random_seeds import all_seeds
 
 from nctakt.kernel.kinematics import map_rows
 from nctakt.lists.machine.kinematics import CLASSIC_MODES

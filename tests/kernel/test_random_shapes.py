@@ -13,7 +13,7 @@ from pathlib import Path
 from random import Random
 
 import numpy as np
-from random_seeds import seeds_in_parts
+from support.random_seeds import seeds_in_parts
 
 from nctakt import machines
 from nctakt.lists.machine.machine import Machine, load_machine

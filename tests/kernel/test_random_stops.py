@@ -6,10 +6,10 @@ from __future__ import annotations
 import random
 
 import pytest
-from motion_checks import SIGNALS, stop_violations, violations
-from motion_machines import machine
-from motion_programs import MotionProgram
-from random_seeds import seeds_in_parts
+from support.motion_checks import SIGNALS, stop_violations, violations
+from support.motion_machines import machine
+from support.motion_programs import MotionProgram
+from support.random_seeds import seeds_in_parts
 
 from nctakt.run.controller import Controller, NcText
 from nctakt.run.stimuli import Stimulus

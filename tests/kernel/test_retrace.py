@@ -9,9 +9,9 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
-from kernel_rig import DEMO
-from random_paths import AXES, cornered, farthest, program, violations
-from random_seeds import seeds_in_parts
+from support.kernel_rig import DEMO
+from support.random_paths import AXES, cornered, farthest, program, violations
+from support.random_seeds import seeds_in_parts
 
 from nctakt.results.run import Run
 from nctakt.run.controller import Controller, NcText

@@ -12,7 +12,7 @@ import shutil
 from pathlib import Path
 
 import pytest
-from kernel_rig import DEMO, Rig
+from support.kernel_rig import DEMO, Rig
 
 from nctakt.lists.machine.machine import load_machine
 from nctakt.run.assembly import AssembledMachine

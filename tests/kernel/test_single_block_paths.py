@@ -6,10 +6,10 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import pytest
-from kernel_rig import DEMO
-from random_operator import Operator
-from random_paths import AXES, flowing, program, violations
-from random_seeds import seeds_in_parts
+from support.kernel_rig import DEMO
+from support.random_operator import Operator
+from support.random_paths import AXES, flowing, program, violations
+from support.random_seeds import seeds_in_parts
 
 from nctakt.run.controller import Controller, NcText
 

@@ -11,7 +11,7 @@ from types import SimpleNamespace
 from typing import Any
 
 import pytest
-from kernel_rig import Rig
+from support.kernel_rig import Rig
 
 from nctakt.base import mode
 from nctakt.kernel import rows

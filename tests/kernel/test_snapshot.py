@@ -4,14 +4,14 @@
 from __future__ import annotations
 
 import random
-import sys
 from collections.abc import Hashable
 from pathlib import Path
 from typing import Any
 
 import pytest
-from program_generator import program
-from random_seeds import all_seeds
+from support import run_folders
+from support.program_generator import program
+from support.random_seeds import all_seeds
 
 from nctakt.base.mode import is_compiled
 from nctakt.decoder.state.kept_trees import KeptTrees
@@ -26,8 +26,6 @@ from nctakt.run.snapshot import Snapshot
 from nctakt.studies.bench import Digest
 
 RUNS = Path(__file__).parent.parent / "runs"
-sys.path.insert(0, str(RUNS))
-import test_runs  # noqa: E402 - it stands in a folder of its own
 
 DEMO = load_machine(None)
 MAX_TICKS = 3000
@@ -65,7 +63,7 @@ def plc_of(source: NcText | Path | LoadedProgram) -> Any:
     """The PLC of a folder of ``runs``."""
     if not isinstance(source, Path):
         return None
-    plc = test_runs.settings(source.parent).get("plc")
+    plc = run_folders.settings(source.parent).get("plc")
     return None if plc is None else load_plc(source.parent / plc)
 
 
@@ -74,10 +72,10 @@ def sources() -> list[NcText | Path]:
     found: list[NcText | Path] = [
         NcText(f"p{seed}.nc", program(seed)) for seed in all_seeds(compiled=10, plain=2)
     ]
-    folders = test_runs.FOLDERS[:: 2 if is_compiled() else 12]
+    folders = run_folders.FOLDERS[:: 2 if is_compiled() else 12]
     for name in folders:
         files = sorted((RUNS / name).glob("*.nc"))
-        if "machine" not in test_runs.settings(RUNS / name):
+        if "machine" not in run_folders.settings(RUNS / name):
             found.append(files[0])
     return found
 

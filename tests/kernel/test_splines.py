@@ -8,12 +8,12 @@ import math
 
 import numpy as np
 import pytest
-from kernel_rig import DEMO
-from random_operator import Operator
-from random_paths import AXES, violations
-from random_seeds import seeds_in_parts
 from scipy.interpolate import Akima1DInterpolator, BSpline
-from spline_programs import splined
+from support.kernel_rig import DEMO
+from support.random_operator import Operator
+from support.random_paths import AXES, violations
+from support.random_seeds import seeds_in_parts
+from support.spline_programs import splined
 
 from nctakt.results.run import Run
 from nctakt.run.controller import Controller, NcText

@@ -9,9 +9,9 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from kernel_rig import ACCELERATION, DEMO, TICK_T
-from random_operator import Operator
-from random_seeds import all_seeds
+from support.kernel_rig import ACCELERATION, DEMO, TICK_T
+from support.random_operator import Operator
+from support.random_seeds import all_seeds
 
 from nctakt.results.run import Run
 from nctakt.run.controller import Controller, NcText

@@ -9,11 +9,11 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from five_axis_programs import NAMES
-from random_operator import Operator
-from random_seeds import seeds_in_parts
-from test_five_axes import broken_limits, positions
-from transformed_programs import machine, tip, transformed_program
+from support.five_axis_limits import broken_limits, positions
+from support.five_axis_programs import NAMES
+from support.random_operator import Operator
+from support.random_seeds import seeds_in_parts
+from support.transformed_programs import machine, tip, transformed_program
 
 from nctakt.results.run import Run
 from nctakt.run.controller import Controller, NcText

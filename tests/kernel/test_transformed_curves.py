@@ -13,9 +13,9 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from five_axis_programs import NAMES, FiveAxisProgram, five_axis_program, tips
-from random_seeds import seeds_in_parts
-from test_five_axes import broken_limits, positions, run_of
+from support.five_axis_limits import broken_limits, positions, run_of
+from support.five_axis_programs import NAMES, FiveAxisProgram, five_axis_program, tips
+from support.random_seeds import seeds_in_parts
 
 from nctakt.results.run import Run
 

@@ -11,7 +11,7 @@ import math
 
 import numpy as np
 import pytest
-from kernel_rig import DEMO
+from support.kernel_rig import DEMO
 
 from nctakt.results.run import Run
 from nctakt.run.controller import Controller, NcText

@@ -14,8 +14,8 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from schedule_examples import EXAMPLE_1, TIGHT, change, load_text, make
-from schedule_models import models
+from support.schedule_examples import EXAMPLE_1, TIGHT, change, load_text, make
+from support.schedule_models import models
 
 from nctakt.base.failure import Failure
 from nctakt.linux import area as layout

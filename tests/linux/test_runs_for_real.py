@@ -19,7 +19,7 @@ from itertools import pairwise
 from pathlib import Path
 
 import pytest
-from linux_runs import (
+from support.linux_runs import (
     CYCLE_US,
     ROOT,
     Semaphore,

@@ -15,8 +15,8 @@ from pathlib import Path
 from random import Random
 
 import pytest
-from machine_mutations import mutated, write
-from random_seeds import seeds_in_parts
+from support.machine_mutations import mutated, write
+from support.random_seeds import seeds_in_parts
 
 from nctakt.base.diagnostics import Severity
 from nctakt.base.failure import Failure

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from random_seeds import examples
+from support.random_seeds import examples
 
 from nctakt.lists.all_parameters import SCHEMAS
 from nctakt.lists.declared.schemas import AXIS, CHANNEL, STARTUP, VARIABLES

@@ -8,9 +8,9 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from support.page_driving import BROWSER, chromium, opened, served
 
 from nctakt.cli import main
-from tests.live.driving import BROWSER, chromium, opened, served
 
 if find_spec("nicegui") is None:  # its import takes long, and only the page's process needs it
     pytest.skip("the live page needs NiceGUI", allow_module_level=True)

@@ -5,7 +5,7 @@ import random
 from collections.abc import Iterator
 
 import pytest
-from random_seeds import seeds_in_parts
+from support.random_seeds import seeds_in_parts
 
 from nctakt import NcText, Session
 from nctakt.live.run_log import MAX_LOG, RunLog

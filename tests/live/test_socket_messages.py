@@ -18,10 +18,9 @@ from importlib.util import find_spec
 from typing import Any
 
 import pytest
-from random_seeds import each_seed
-
-from tests.live.browsing import SOCKET, SocketBrowser
-from tests.live.driving import served
+from support.page_browsing import SOCKET, SocketBrowser
+from support.page_driving import served
+from support.random_seeds import each_seed
 
 if find_spec("nicegui") is None:  # its import takes long, and only the page's process needs it
     pytest.skip("the live page needs NiceGUI", allow_module_level=True)

@@ -14,13 +14,13 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from support.page_browsing import SOCKET, SocketBrowser
+from support.page_driving import BROWSER, chromium, opened, served
 
 from nctakt import NcText, Session
 from nctakt.live import track
 from nctakt.live.run_log import MAX_LOG
 from nctakt.live.shared import SharedSession
-from tests.live.browsing import SOCKET, SocketBrowser
-from tests.live.driving import BROWSER, chromium, opened, served
 
 if find_spec("nicegui") is None:  # its import takes long, and only the page's process needs it
     pytest.skip("the live page needs NiceGUI", allow_module_level=True)

@@ -10,8 +10,8 @@ from itertools import chain
 from pathlib import Path
 
 import pytest
-from check_machine import demo_channel, findings
-from nc_chunks import FOLDER, expected_messages, read_chunks
+from support.check_machine import demo_channel, findings
+from support.nc_chunks import FOLDER, expected_messages, read_chunks
 
 from nctakt.base.diagnostics import Message
 from nctakt.base.text import decode_text, split_lines

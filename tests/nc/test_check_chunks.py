@@ -7,8 +7,8 @@ Each chunk is checked against the demo machine; M200 and H200 are added to it as
 from __future__ import annotations
 
 import pytest
-from check_machine import findings
-from nc_chunks import Chunk, compare, read_chunks
+from support.check_machine import findings
+from support.nc_chunks import Chunk, compare, read_chunks
 
 
 @pytest.mark.parametrize("chunk", read_chunks("check_*.nc"), ids=str)

@@ -7,8 +7,8 @@ from functools import cache
 from random import Random
 
 import pytest
-from check_machine import passes
-from nc_chunks import read_chunks
+from support.check_machine import passes
+from support.nc_chunks import read_chunks
 
 from nctakt.nc.vocabulary.operators import FUNCTIONS, INFIX
 from nctakt.run.controller import Controller, NcText

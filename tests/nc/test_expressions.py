@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import pytest
-from nc_trees import expression, grouped, numbers, shape
+from support.nc_trees import expression, grouped, numbers, shape
 
 from nctakt.nc.parse.expressions import EXPRESSION_DEPTH
 from nctakt.nc.tree import (

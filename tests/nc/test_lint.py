@@ -10,8 +10,8 @@ from itertools import chain
 from pathlib import Path
 
 import pytest
-from check_machine import demo_channel, findings
-from nc_chunks import Chunk, compare, read_chunks
+from support.check_machine import demo_channel, findings
+from support.nc_chunks import Chunk, compare, read_chunks
 
 from nctakt import machines
 from nctakt.base.diagnostics import Diagnostic, Message, Severity

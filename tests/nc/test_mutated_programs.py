@@ -12,7 +12,7 @@ from functools import cache
 from pathlib import Path
 from random import Random
 
-from random_seeds import seeds_in_parts
+from support.random_seeds import seeds_in_parts
 
 from nctakt.base.text import decode_text
 from nctakt.checking.check import check_files

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from typing import overload
 
 import pytest
-from nc_trees import numbers, read, shape, statement, statements
+from support.nc_trees import numbers, read, shape, statement, statements
 
 from nctakt.base.text import decode_text, split_lines
 from nctakt.messages import Collector

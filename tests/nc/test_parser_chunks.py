@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import pytest
-from nc_chunks import Chunk, compare, read_chunks
+from support.nc_chunks import Chunk, compare, read_chunks
 
 from nctakt.messages import Collector
 from nctakt.nc.parse.parser import parse_program

@@ -7,7 +7,7 @@ import os
 from pathlib import Path
 
 import pytest
-from nc_trees import shape
+from support.nc_trees import shape
 
 from nctakt.base.text import decode_text, split_lines
 from nctakt.messages import Collector

@@ -8,7 +8,7 @@ import dataclasses
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from nc_trees import read, shape
+from support.nc_trees import read, shape
 
 from nctakt.base.diagnostics import Span
 from nctakt.nc import tree

@@ -7,7 +7,7 @@ from __future__ import annotations
 from collections import Counter
 
 import pytest
-from check_machine import demo_channel, findings
+from support.check_machine import demo_channel, findings
 
 from nctakt.base.diagnostics import Severity
 from nctakt.lists.declared.technology_functions import (

@@ -15,8 +15,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from check_machine import demo_channel
-from random_seeds import each_seed
+from support.check_machine import demo_channel
+from support.random_seeds import each_seed
 
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.messages import Collector

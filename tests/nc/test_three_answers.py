@@ -8,7 +8,7 @@ nc-programs, "What a command that we know but do not simulate does": the table o
 from __future__ import annotations
 
 import pytest
-from check_machine import findings
+from support.check_machine import findings
 
 from nctakt.nc.vocabulary import support_level
 from nctakt.nc.vocabulary.entries import Entry, Kind, Support

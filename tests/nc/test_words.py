@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import pytest
-from nc_trees import shape, statement, statements
+from support.nc_trees import shape, statement, statements
 
 from nctakt.nc.parse.printer import format_expression, format_word
 from nctakt.nc.tree import (

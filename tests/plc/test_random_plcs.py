@@ -27,7 +27,7 @@ from hypothesis.stateful import (
     rule,
     run_state_machine_as_test,
 )
-from random_seeds import FIRST, all_seeds
+from support.random_seeds import FIRST, all_seeds
 
 from nctakt.base.failure import Failure
 from nctakt.hli.operator_panel import STATES

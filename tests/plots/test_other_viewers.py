@@ -19,8 +19,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from browsers import browser_page
-from runs_to_draw import PART, drawn
+from support.browsers import browser_page
+from support.runs_to_draw import PART, drawn
 
 from nctakt import Plc, after
 from nctakt.results.run import Run

@@ -7,8 +7,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from browsers import browser_page
-from runs_to_draw import drawn
+from support.browsers import browser_page
+from support.runs_to_draw import drawn
 
 pytestmark = pytest.mark.slow
 

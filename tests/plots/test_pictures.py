@@ -8,7 +8,7 @@ import re
 from pathlib import Path
 
 import pytest
-from runs_to_draw import PART, drawn, timeline
+from support.runs_to_draw import PART, drawn, timeline
 
 from nctakt.base.failure import Failure
 from nctakt.cli import main

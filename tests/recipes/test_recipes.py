@@ -15,7 +15,7 @@ import sys
 from pathlib import Path
 
 import pytest
-from recipes import RECIPES, Recipe
+from support.recipes import RECIPES, Recipe
 
 pytestmark = pytest.mark.slow
 

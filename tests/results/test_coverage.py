@@ -10,6 +10,7 @@ from __future__ import annotations
 import json
 
 import pytest
+from support.why_runs import EDGE, NESTED, NESTED_AT, TOGGLE
 
 from nctakt.base.failure import Failure
 from nctakt.results import probe_log
@@ -17,7 +18,6 @@ from nctakt.results.coverage import BranchCounts, Coverage
 from nctakt.results.coverage_files import as_json, as_lcov, from_json
 from nctakt.results.coverage_text import CoverageText
 from nctakt.run.controller import Controller, NcText
-from tests.results.why_runs import EDGE, NESTED, NESTED_AT, TOGGLE
 
 #: An error breaks the second condition off in tick 3: division by zero (RC-207).
 FAULT = """\

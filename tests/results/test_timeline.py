@@ -8,7 +8,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from runs_to_draw import drawn, timeline
+from support.runs_to_draw import drawn, timeline
 
 from nctakt import Plc, after
 from nctakt.results.timeline import KINDS, Slice, Track, rows_of

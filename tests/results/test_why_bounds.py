@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import pytest
-from why_runs import TOGGLE, why
+from support.why_runs import TOGGLE, why
 
 from nctakt.results.branch_log import CHANGES_KEPT, SERIES_KEPT
 from nctakt.results.histories import Reason

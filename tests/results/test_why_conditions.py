@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import pytest
-from why_runs import EDGE, NESTED, NESTED_AT, ONCE, changes, series, why
+from support.why_runs import EDGE, NESTED, NESTED_AT, ONCE, changes, series, why
 
 from nctakt.run.controller import Controller, NcText
 

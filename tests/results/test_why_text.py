@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import pytest
-from why_runs import NESTED, NESTED_AT, ONCE, TOGGLE, why
+from support.why_runs import NESTED, NESTED_AT, ONCE, TOGGLE, why
 
 from nctakt.base.failure import Failure
 from nctakt.results.why_words import ENDS_SHOWN

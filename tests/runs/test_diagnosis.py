@@ -10,7 +10,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from test_runs import HERE, changed_machine, settings
+from support.run_folders import HERE, changed_machine, settings
 
 from nctakt.cli import main
 

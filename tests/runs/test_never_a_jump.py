@@ -12,7 +12,7 @@ from __future__ import annotations
 from random import Random
 
 import numpy as np
-from random_seeds import seeds_in_parts
+from support.random_seeds import seeds_in_parts
 
 from nctakt.plc import MC_Halt, MC_MoveAbsolute, MC_MoveRelative, MC_MoveVelocity, MC_Reset, Plc
 from nctakt.plc.axes import AxisBlock

@@ -12,7 +12,7 @@ import random
 from dataclasses import dataclass
 
 import pytest
-from random_seeds import each_seed
+from support.random_seeds import each_seed
 
 from nctakt.run.controller import Controller, NcText
 

@@ -11,8 +11,8 @@ from __future__ import annotations
 import random
 
 import pytest
-from random_seeds import seeds_in_parts
-from reference import (
+from support.random_seeds import seeds_in_parts
+from support.reference_runs import (
     Assign,
     AssignText,
     Branch,
@@ -25,7 +25,7 @@ from reference import (
     Statement,
     TextCondition,
 )
-from slow_expressions import FUNCTIONS, NUMBERS, PRECEDENCE, Tree, element, text_of
+from support.slow_expressions import FUNCTIONS, NUMBERS, PRECEDENCE, Tree, element, text_of
 
 from nctakt.lists.machine.machine import load_machine
 from nctakt.run.controller import Controller, NcText

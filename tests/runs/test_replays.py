@@ -8,7 +8,7 @@ import shutil
 from pathlib import Path
 
 import pytest
-from test_runs import FOLDERS, HERE, perform, settings
+from support.run_folders import FOLDERS, HERE, perform, settings
 
 from nctakt.files.access import FileAccess
 from nctakt.run.tape import TapeComparison, TapeWriter, read_tape

@@ -14,9 +14,9 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from polylines import apart, way
-from random_seeds import MANY
-from test_runs import DEMO, FOLDERS, HERE, changed_machine, settings
+from support.polylines import apart, way
+from support.random_seeds import MANY
+from support.run_folders import DEMO, FOLDERS, HERE, changed_machine, settings
 
 from nctakt.lists.machine.machine import Machine, load_machine
 from nctakt.results.run import Run

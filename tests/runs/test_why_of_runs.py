@@ -7,7 +7,7 @@ import functools
 from pathlib import Path
 
 import pytest
-from test_runs import FOLDERS, HERE, perform
+from support.run_folders import FOLDERS, HERE, perform
 
 from nctakt.results.histories import BranchHistory, CycleHistory
 from nctakt.results.reasons import (

@@ -11,7 +11,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from test_runs import HERE, expectations, perform, settled
+from support.run_folders import HERE, expectations, perform, settled
 
 from nctakt.run.controller import Controller, NcText
 

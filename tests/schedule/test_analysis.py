@@ -7,9 +7,17 @@ from dataclasses import replace
 
 import pytest
 from hypothesis import assume, given, settings
-from schedule_examples import EXAMPLE_1, EXAMPLE_2, TIGHT, change, load_text, make, with_line
-from schedule_models import models
-from test_scenarios import NOMINAL
+from support.nominal_times import NOMINAL
+from support.schedule_examples import (
+    EXAMPLE_1,
+    EXAMPLE_2,
+    TIGHT,
+    change,
+    load_text,
+    make,
+    with_line,
+)
+from support.schedule_models import models
 
 from nctakt.schedule.analyse import Analysis, analyse
 from nctakt.schedule.findings import analysis_findings, simulation_findings

@@ -5,8 +5,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from random_models import phases, random_model
-from random_seeds import seeds_in_parts
+from support.random_models import phases, random_model
+from support.random_seeds import seeds_in_parts
 
 from nctakt.schedule.analyse import analyse
 from nctakt.schedule.model import Model

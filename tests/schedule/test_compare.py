@@ -7,7 +7,7 @@ import json
 from pathlib import Path
 
 import pytest
-from schedule_examples import EXAMPLE_1, EXAMPLE_2, TIGHT, change, load_text, with_line
+from support.schedule_examples import EXAMPLE_1, EXAMPLE_2, TIGHT, change, load_text, with_line
 
 from nctakt.cli import main
 

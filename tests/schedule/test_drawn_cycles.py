@@ -8,8 +8,8 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from random_models import random_model
-from schedule_examples import EXAMPLE_1, TIGHT, load_text, make
+from support.random_models import random_model
+from support.schedule_examples import EXAMPLE_1, TIGHT, load_text, make
 
 from nctakt.cli import main
 from nctakt.schedule.drawn_cycles import (

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from schedule_examples import EXAMPLE_1, TIGHT, load_text, make, with_line
+from support.schedule_examples import EXAMPLE_1, TIGHT, load_text, make, with_line
 
 from nctakt.base.failure import Failure
 from nctakt.cli import main

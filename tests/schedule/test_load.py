@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import pytest
-from schedule_examples import EXAMPLE_1, TIGHT, load_text, make, with_line
+from support.schedule_examples import EXAMPLE_1, TIGHT, load_text, make, with_line
 
 from nctakt.messages import Collector
 from nctakt.schedule.load import Load, read_load

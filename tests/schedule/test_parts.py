@@ -7,7 +7,7 @@ import json
 from pathlib import Path
 
 import pytest
-from schedule_examples import EXAMPLE_1, TIGHT, load_text, make, with_line
+from support.schedule_examples import EXAMPLE_1, TIGHT, load_text, make, with_line
 
 from nctakt.cli import main
 from nctakt.schedule.interpolation_steps import dead_times, parts_of

@@ -9,7 +9,7 @@ from itertools import pairwise
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from schedule_examples import EXAMPLE_1, TIGHT, load_text, make
+from support.schedule_examples import EXAMPLE_1, TIGHT, load_text, make
 
 from nctakt.schedule.counters import Counters
 from nctakt.schedule.responses import PERCENTILES_PER_MILLE, ResponseCounts

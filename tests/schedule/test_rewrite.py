@@ -6,8 +6,8 @@ from __future__ import annotations
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from schedule_examples import EXAMPLE_1, EXAMPLE_2, with_line
-from test_schedule_robustness import KEYS, VALUES
+from support.schedule_examples import EXAMPLE_1, EXAMPLE_2, with_line
+from support.scheduling_entries import KEYS, VALUES
 
 from nctakt.lists.declared.rtconf import RtconfConfiguration
 from nctakt.lists.machine.scheduling import read_rtconf

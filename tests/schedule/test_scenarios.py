@@ -4,7 +4,16 @@
 from __future__ import annotations
 
 import pytest
-from schedule_examples import EXAMPLE_1, EXAMPLE_2, TIGHT, change, load_text, make, with_line
+from support.nominal_times import NOMINAL
+from support.schedule_examples import (
+    EXAMPLE_1,
+    EXAMPLE_2,
+    TIGHT,
+    change,
+    load_text,
+    make,
+    with_line,
+)
 
 from nctakt.schedule.model import Model, Rules
 from nctakt.schedule.results import EventKind, Simulation
@@ -14,13 +23,6 @@ from nctakt.schedule.tracebits import trace_bits
 US = 1000
 GEO, BG, MMI, COM = "GEO", "BACKGROUND_", "MMI_DRIVER", "COM"
 EXT = "external_sps"
-NOMINAL = {
-    "task_int": 300,
-    "task_rnd": 600,
-    "task_mmi_driver": 200,
-    "task_com": 200,
-    "external_sps": 150,
-}
 
 Timeline = list[tuple[str, int, int]]
 

@@ -8,7 +8,7 @@ from pathlib import Path
 from xml.etree import ElementTree
 
 import pytest
-from schedule_examples import EXAMPLE_1, EXAMPLE_2, TIGHT, german, load_text, with_line
+from support.schedule_examples import EXAMPLE_1, EXAMPLE_2, TIGHT, german, load_text, with_line
 
 from nctakt.cli import main
 from nctakt.lists.machine.scheduling import load_rtconf

@@ -6,7 +6,8 @@ from __future__ import annotations
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from schedule_examples import EXAMPLE_1, EXAMPLE_2, TIGHT, load_text, with_line
+from support.schedule_examples import EXAMPLE_1, EXAMPLE_2, TIGHT, load_text, with_line
+from support.scheduling_entries import KEYS, VALUES
 
 from nctakt.base.diagnostics import Severity
 from nctakt.base.mode import is_compiled
@@ -26,26 +27,6 @@ from nctakt.schedule.report import analysis_report, simulation_report
 from nctakt.schedule.simulate import simulate
 from nctakt.schedule.worst_phase import simulate_worst_phases
 
-KEYS = (
-    "interrupt_source",
-    "cycle_time",
-    "time_slice",
-    "windows_time",
-    "schedule",
-    "thread[0].cycle",
-    "thread[1].cycle",
-    "thread[2].cycle",
-    "thread[1].priority",
-    "thread[2].cpu",
-    "thread[0].cpu",
-    "thread[5].name",
-    "thread[0].function[0].name",
-    "thread[1].function[0].calls_per_cycle",
-    "thread[1].function[0].trace_bit",
-    "external_thread[1].semaphore_name",
-    "external_thread[0].cycle",
-)
-VALUES = ("0", "1", "2", "3", "7", "99", "500", "501", "2000", "65534", "4294967294", "x", "-1", "")
 LOADS = (
     None,
     load_text(TIGHT),

@@ -15,7 +15,7 @@ import warnings
 from typing import Any
 
 import pytest
-from random_seeds import each_seed
+from support.random_seeds import each_seed
 
 from nctakt.lists.declared.rtconf import InterruptSource
 from nctakt.schedule.model import Call, Execution, Model, Rules, Task, TaskClass, Train

@@ -9,9 +9,9 @@ from dataclasses import replace
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from schedule_examples import EXAMPLE_1, TIGHT, load_text, make, with_line
-from schedule_models import call, models
-from stepwise import step
+from support.schedule_examples import EXAMPLE_1, TIGHT, load_text, make, with_line
+from support.schedule_models import call, models
+from support.stepwise import step
 
 from nctakt.lists.declared.rtconf import InterruptSource
 from nctakt.schedule.model import (

@@ -9,7 +9,15 @@ from pathlib import Path
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from schedule_examples import EXAMPLE_1, TABLE, TIGHT, change, configure, load_text, with_line
+from support.schedule_examples import (
+    EXAMPLE_1,
+    TABLE,
+    TIGHT,
+    change,
+    configure,
+    load_text,
+    with_line,
+)
 
 from nctakt.cli import main
 from nctakt.lists.declared.rtconf import RtconfConfiguration

@@ -12,8 +12,8 @@ from pathlib import Path
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from random_models import random_model
-from schedule_examples import EXAMPLE_1, TIGHT, change, load_text, make, with_line
+from support.random_models import random_model
+from support.schedule_examples import EXAMPLE_1, TIGHT, change, load_text, make, with_line
 
 from nctakt.schedule.figure import Box, Label, Stroke, label_left, text_width
 from nctakt.schedule.gantt import PictureTitle, gantt

@@ -17,7 +17,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
-from servers.ads_wire import write
+from support.ads_wire import write
 
 pytest.importorskip("pyads", reason="pyads needs a compiler, which is missing here")
 

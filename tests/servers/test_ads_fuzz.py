@@ -11,8 +11,7 @@ import random
 from collections.abc import Iterator
 from struct import pack
 
-from random_seeds import all_seeds
-from servers.ads_wire import (
+from support.ads_wire import (
     bench,
     by_name,
     data_of,
@@ -24,6 +23,7 @@ from servers.ads_wire import (
     result,
     write,
 )
+from support.random_seeds import all_seeds
 
 from nctakt.servers.ads.codes import Command, Group, State
 from nctakt.servers.ads.frames import HEADER

@@ -10,7 +10,7 @@ from ipaddress import ip_network
 from struct import pack, unpack, unpack_from
 
 import pytest
-from servers.ads_wire import (
+from support.ads_wire import (
     CLIENT,
     Bench,
     bench,

@@ -10,7 +10,7 @@ from struct import pack
 from typing import Any
 
 import pytest
-from servers.ads_wire import bench, notification, read
+from support.ads_wire import bench, notification, read
 
 from nctakt.base.failure import Failure
 from nctakt.lists.machine.machine import load_machine

@@ -19,10 +19,10 @@ pytest.importorskip("asyncua", reason="needs the extra [opcua]")
 pytest.importorskip("pyads", reason="pyads needs a compiler, which is missing here")
 
 from asyncua import Client
+from support.page_driving import BROWSER, chromium, opened
 
 from nctakt.files.access import FileAccess
 from nctakt.run.tape import read_tape
-from tests.live.driving import BROWSER, chromium, opened
 
 pytestmark = BROWSER
 

@@ -26,7 +26,7 @@ from hypothesis.stateful import (
     rule,
     run_state_machine_as_test,
 )
-from random_seeds import FIRST, all_seeds
+from support.random_seeds import FIRST, all_seeds
 
 from nctakt.base.long_text import SHORT_FILE_BYTES
 from nctakt.run.controller import Controller

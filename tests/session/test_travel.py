@@ -7,7 +7,7 @@ import random
 from pathlib import Path
 
 import pytest
-from random_seeds import each_seed
+from support.random_seeds import each_seed
 
 from nctakt import Controller, NcText
 from nctakt.plc.loading import load_plc

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import pytest
-from plc_text import body_errors, check, check_files, errors, messages, pou_file
+from support.plc_text import body_errors, check, check_files, errors, messages, pou_file
 
 from nctakt.base.diagnostics import Severity
 from nctakt.st.tree import Assignment, Binary, Name, Operator, Unary

@@ -10,10 +10,10 @@ from typing import Any
 import hypothesis
 import pytest
 from hypothesis import strategies
+from support.random_seeds import examples
 
 from nctakt.base.failure import Failure
 from nctakt.studies.study import Study
-from tests.random_seeds import examples
 from tests.studies.test_schedule_studies import RTCONF
 
 BASE: dict[str, Any] = {

@@ -7,8 +7,8 @@ import random
 from pathlib import Path
 
 import pytest
-from program_generator import program
-from random_seeds import all_seeds
+from support.program_generator import program
+from support.random_seeds import all_seeds
 
 from nctakt.lists.format.times import Time
 from nctakt.run.controller import NcText

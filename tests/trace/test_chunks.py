@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import pytest
-from event_rows import Names, row
+from support.event_rows import Names, row
 
 from nctakt.kernel import rows
 from nctakt.results.report import DIAGNOSIS_CAPACITY, DiagnosisReport, DiagnosisSink

@@ -2,7 +2,7 @@
 """Event rows become events with the kinds and texts of the run tests."""
 
 import pytest
-from event_rows import Names, row
+from support.event_rows import Names, row
 
 from nctakt.base.diagnostics import Span
 from nctakt.kernel import codes, rows

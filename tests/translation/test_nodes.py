@@ -6,7 +6,7 @@ from __future__ import annotations
 import random
 from fractions import Fraction
 
-from random_seeds import each_seed
+from support.random_seeds import each_seed
 
 from nctakt.kernel.st import kinds
 from nctakt.kernel.st.blocks_of_bytes import FillBytes, MoveBytes

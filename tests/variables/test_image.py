@@ -16,7 +16,7 @@ from multiprocessing.shared_memory import SharedMemory
 from pathlib import Path
 
 import pytest
-from machines import DEMO, NESTED, folder_with, machine_with
+from support.variable_machines import DEMO, NESTED, folder_with, machine_with
 
 from nctakt.base.failure import Failure
 from nctakt.hli.variables_memory import describe, sections

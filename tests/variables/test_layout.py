@@ -9,7 +9,7 @@ import subprocess
 from pathlib import Path
 
 import pytest
-from machines import NESTED, folder_with, machine_with
+from support.variable_machines import NESTED, folder_with, machine_with
 
 from nctakt.hli.variables_c_header import describe_c
 from nctakt.hli.variables_memory import describe, image_bytes, sections

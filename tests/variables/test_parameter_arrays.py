@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import pytest
-from nc_trees import read, shape
+from support.nc_trees import read, shape
 
 from nctakt import NcText
 from nctakt.cli import main

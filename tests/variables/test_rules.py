@@ -10,8 +10,8 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from machines import folder_with
-from programs import Machine, demo, errors, machine, messages
+from support.variable_machines import folder_with
+from support.variable_programs import Machine, demo, errors, machine, messages
 
 from nctakt.base.failure import Failure
 from nctakt.lists.machine.machine import load_machine

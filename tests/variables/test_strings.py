@@ -7,7 +7,7 @@ from pathlib import Path
 from random import Random
 
 import pytest
-from programs import Machine, demo, errors, machine, messages
+from support.variable_programs import Machine, demo, errors, machine, messages
 
 from nctakt.base.failure import Failure
 from nctakt.run.controller import Controller, NcText

@@ -7,8 +7,8 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import pytest
-from machines import machine_with
-from programs import Machine, errors
+from support.variable_machines import machine_with
+from support.variable_programs import Machine, errors
 
 from nctakt.checking.program import check_program
 from nctakt.files.access import FileAccess

@@ -6,7 +6,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from programs import Machine, demo, errors, machine
+from support.variable_programs import Machine, demo, errors, machine
 
 from nctakt.run.controller import NcText
 

@@ -12,7 +12,7 @@ pytest.importorskip("asyncua", reason="needs the extra [opcua]")
 
 from asyncua import ua
 from asyncua.server.internal_server import InternalServer
-from published_model import PublishedNode, node_set
+from support.published_model import PublishedNode, node_set
 
 from nctakt.servers.opcua.nodes import Nodes
 from nctakt.servers.opcua.types import DATA_TYPES, CompanionTypes

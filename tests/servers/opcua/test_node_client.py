@@ -18,8 +18,8 @@ import pytest
 pytest.importorskip("asyncua", reason="needs the extra [opcua]")
 
 from asyncua import Client, ua
-from published_model import installed
-from served import Served
+from support.published_model import installed
+from support.served import Served
 
 from nctakt.servers.opcua.security import PASSWORD
 

@@ -11,7 +11,7 @@ import pytest
 pytest.importorskip("asyncua", reason="needs the extra [opcua]")
 
 from asyncua import Client, ua
-from served import Served, until
+from support.served import Served, until
 
 from nctakt.servers.opcua.types import all_components
 

@@ -18,7 +18,7 @@ import pytest
 pytest.importorskip("asyncua", reason="needs the extra [opcua]")
 
 from asyncua import Client, ua
-from served import Served, until
+from support.served import Served, until
 
 from nctakt.base.failure import Failure
 from nctakt.servers.notices import ServerNotice

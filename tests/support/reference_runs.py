@@ -14,8 +14,8 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 
-import slow_expressions
-from slow_expressions import Tree
+from support import slow_expressions
+from support.slow_expressions import Tree
 
 #: The way of a move of 0.1 mm after each of its ten ticks: 0.002·t², then 0.1 − 0.002·(10 − t)².
 WAY_MM = tuple(0.002 * t * t if t <= 5 else 0.1 - 0.002 * (10 - t) * (10 - t) for t in range(1, 11))

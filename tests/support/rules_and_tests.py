@@ -14,7 +14,7 @@ from pathlib import Path
 
 from nctakt.reference.rules import RULES
 
-TESTS = Path(__file__).parent
+TESTS = Path(__file__).parent.parent
 
 #: Tests that are named of each rule; those of a whole run come first.
 MAX_NAMED = 4
@@ -65,7 +65,7 @@ def table() -> Iterator[str]:
     """The document, line by line."""
     yield "# The rules of realtime cycles, and their tests"
     yield ""
-    yield "Written by `scripts/docs` from `tests/rules_and_tests.py` and from what tests cite."
+    yield "Written by `scripts/docs` from `tests/support/rules_and_tests.py` and what tests cite."
     yield f"Up to {MAX_NAMED} tests of each rule are named; `grep -r RC-203 tests` finds all."
     yield "What a rule leaves open, and what was decided, says [conformance](conformance/index.md)."
     yield ""

@@ -4,12 +4,12 @@
 from __future__ import annotations
 
 import numpy as np
-from motion_machines import AXES, DrawnMachine, machine
-from motion_programs import MotionProgram
 
 from nctakt.results.run import Run
 from nctakt.run.controller import Controller, NcText
 from nctakt.run.stimuli import Stimulus
+from support.motion_machines import AXES, DrawnMachine, machine
+from support.motion_programs import MotionProgram
 
 SIGNALS = [*(f"{name}.ACS.ACT_POS" for name in AXES), "BLOCK"]
 #: The deviation of a rounded corner is one in the linear axes.

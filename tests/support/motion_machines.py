@@ -14,9 +14,9 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from kernel_rig import DEMO
 
 from nctakt.lists.machine.machine import Machine, load_machine
+from support.kernel_rig import DEMO
 
 #: Path axes of all machines; A is a modulo axis.
 AXES = ("X", "Y", "Z", "A")

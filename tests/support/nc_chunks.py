@@ -16,7 +16,7 @@ from pathlib import Path
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.text import decode_text, split_lines
 
-FOLDER = Path(__file__).parent
+FOLDER = Path(__file__).parent.parent / "nc"
 
 _SEPARATOR = "; ---"
 _EXPECTATION = re.compile(r';\s*(error|warning|note) (\d+) "([^"]*)"')

@@ -7,11 +7,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from machines import machine_with
-
 from nctakt.lists.machine import machine as machines
 from nctakt.results.run import Run
 from nctakt.run.controller import Controller, NcText
+from support.variable_machines import machine_with
 
 
 @dataclass

@@ -12,10 +12,10 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from five_axis_programs import HEAD, TABLE
 
 from nctakt import machines
 from nctakt.lists.machine.machine import Machine, load_machine
+from support.five_axis_programs import HEAD, TABLE
 
 #: ID -> whether it is a head (else a table), RTCP, programming mode (P-CHAN-00288).
 KINEMATICS = {

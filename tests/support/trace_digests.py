@@ -14,17 +14,16 @@ import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 
-HERE = Path(__file__).parent
-sys.path[:0] = [str(HERE), str(HERE / "runs")]
-
-import test_runs  # noqa: E402 - it stands in a folder of its own
-from program_generator import program  # noqa: E402
+HERE = Path(__file__).parent.parent
+sys.path.insert(0, str(HERE))
 
 from nctakt.base import mode  # noqa: E402
 from nctakt.lists.machine.machine import load_machine  # noqa: E402
 from nctakt.plc import load_plc  # noqa: E402
 from nctakt.run.controller import Controller, NcText  # noqa: E402
 from nctakt.trace.sinks import CsvSink  # noqa: E402
+from support import run_folders  # noqa: E402
+from support.program_generator import program  # noqa: E402
 
 SEEDS = range(20)
 DEMO = load_machine(None)
@@ -43,9 +42,9 @@ def random_trace(seed: int, file: Path) -> bytes:
 def folder_trace(name: str, work: Path) -> bytes:
     """The CSV trace of a folder of ``runs``."""
     folder = HERE / "runs" / name
-    given = test_runs.settings(folder)
+    given = run_folders.settings(folder)
     machine, plc = given.get("machine"), given.get("plc")
-    lists = None if machine is None else test_runs.changed_machine(machine, work / name)
+    lists = None if machine is None else run_folders.changed_machine(machine, work / name)
     file = work / f"{name}.csv"
     Controller(lists or DEMO).run(
         *sorted(folder.glob("*.nc")),
@@ -64,7 +63,7 @@ def digests(work: Path) -> Iterator[tuple[str, str]]:
     """Name and digest of every trace."""
     for seed in SEEDS:
         yield f"seed {seed}", hashlib.sha256(random_trace(seed, work / "t.csv")).hexdigest()
-    for name in test_runs.FOLDERS:
+    for name in run_folders.FOLDERS:
         yield name, hashlib.sha256(folder_trace(name, work)).hexdigest()
 
 

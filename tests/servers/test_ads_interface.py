@@ -7,7 +7,7 @@ import asyncio
 from collections.abc import Awaitable, Callable
 from struct import calcsize, pack, unpack
 
-from servers.ads_wire import Bench, bench, by_name, data_of, number_of, read, result, write
+from support.ads_wire import Bench, bench, by_name, data_of, number_of, read, result, write
 
 from nctakt.hli.variables_memory import describe
 from nctakt.servers.ads.codes import Error, Group

@@ -10,7 +10,7 @@ import asyncio
 from pathlib import Path
 from struct import unpack_from
 
-from servers.ads_wire import Bench, bench, by_name, data_of, number_of, read, result, write
+from support.ads_wire import Bench, bench, by_name, data_of, number_of, read, result, write
 
 from nctakt.servers.ads.codes import Group
 from nctakt.servers.ads.objects import object_rows

@@ -116,6 +116,17 @@ class Slot:
         """Its format of ``struct``."""
         return FORMATS.get(self.type.name, f"{self.type.size_bytes}s")
 
+    def value_of(self, data: bytes) -> float | str:
+        """Return the number or text in its bytes."""
+        if not self.is_number:
+            return strings.decode(data)
+        (value,) = struct.unpack(f"<{self.code}", data)
+        return float(value) if self.code == "d" else int(value)
+
+    def bytes_of(self, value: Scalar) -> bytes:
+        """Return a number or text as its bytes, within the bounds of its type."""
+        return struct.pack(f"<{self.code}", _packed(self, value))
+
     @property
     def is_commanded(self) -> bool:
         """Whether the PLC writes it and it belongs to a control unit that acts."""
@@ -176,6 +187,10 @@ class Area:
     def _panel(self, name: str) -> str:
         """Return the name in the session of an operator's value."""
         return f"{self.prefix}HLI.{name}"
+
+    def announce(self) -> None:
+        """Let a PLC be there for this area, which need not say so by itself."""
+        self._is_announced = True
 
     def session_name(self, element: Element) -> str:
         """Return the value of the session that an element shows or sets; empty for none."""

@@ -16,9 +16,17 @@ from nctakt.messages.plc import UNKNOWN_HLI_VALUE
 
 #: The values of ``PlcView.axis`` and ``PlcView.channel``.
 AXIS_NAMES = tuple(entry.name for entry in AXIS.entries if entry.source)
-CHANNEL_NAMES = tuple(
-    entry.name for entry in (*LAMPS, *CHANNEL.entries) if entry in LAMPS or entry.source
-)
+CHANNEL_NAMES = tuple(entry.name for entry in CHANNEL.entries if entry in LAMPS or entry.source)
+
+#: Longer names of these values, which say more where they are attributes.
+AXIS_ALIASES = {
+    "command_position": "command",
+    "actual_position": "actual",
+    "target_position": "target",
+    "machine_position": "machine",
+    "program_position": "program",
+}
+CHANNEL_ALIASES = {"path_feed": "path_speed", "override": "override_total"}
 
 
 @dataclass(frozen=True, slots=True)
@@ -105,10 +113,21 @@ class SpindleEntry:
 
 
 class NamedValues(dict[str, float]):
-    """Values by the names of the interface; raises ``Failure`` (901012) for another name."""
+    """Values by the names of the interface, as items and as attributes.
+
+    Raises ``Failure`` (901012) for another name.
+    """
 
     __slots__ = ()
 
     def __missing__(self, name: object) -> float:
+        short = AXIS_ALIASES.get(str(name)) or CHANNEL_ALIASES.get(str(name), "")
+        if short in self:
+            return self[short]
         near = nearest(str(name), self) or NOTHING
         raise Failure(diagnostic(UNKNOWN_HLI_VALUE, name=name, nearest=near, known=", ".join(self)))
+
+    def __getattr__(self, name: str) -> float:
+        if name.startswith("_"):
+            raise AttributeError(name)
+        return self[name]

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from nctakt.messages.catalogue import error
+from nctakt.messages.catalogue import error, note
 
 _PATH = ("the path as it was given", "der Pfad, wie er angegeben wurde")
 
@@ -36,4 +36,50 @@ NO_INDEX_TAKEN = error(
     remedy_de="Den Index weglassen.",
     path=_PATH,
     name=("the name before the index", "der Name vor dem Index"),
+)
+PATH_OF_NO_CHANNEL = error(
+    902103,
+    en="{path}: the machine has {count} of them, counted from 0",
+    de="{path}: die Maschine hat davon {count}, ab 0 gezählt",
+    remedy_en="Give a smaller index after gpCh or gpAx.",
+    remedy_de="Hinter gpCh oder gpAx einen kleineren Index angeben.",
+    path=_PATH,
+    count=("channels, or axes", "Kanäle, oder Achsen"),
+)
+PATH_IS_STRUCTURE = error(
+    902104,
+    en="{path} is a structure and has no value of its own",
+    de="{path} ist eine Struktur und hat keinen eigenen Wert",
+    remedy_en="Name one of its members: {members}",
+    remedy_de="Eines ihrer Elemente nennen: {members}",
+    path=_PATH,
+    members=("its members", "ihre Elemente"),
+)
+PATH_READ_ONLY = error(
+    902105,
+    en="{path} cannot be written: the CNC writes it",
+    de="{path} lässt sich nicht schreiben: das tut die CNC",
+    remedy_en="Write command_w and enable_w of its control unit, if it has one.",
+    remedy_de="command_w und enable_w der Control Unit schreiben, wenn es eine hat.",
+    path=_PATH,
+)
+PATH_HAS_NO_EFFECT = note(
+    902106,
+    en="{path} is known and has no effect here",
+    de="{path} ist bekannt und hat hier keine Wirkung",
+    path=_PATH,
+)
+UNIT_NOT_ENABLED = note(
+    902107,
+    en="the control unit {path} has no effect: its enable_w is FALSE",
+    de="die Control Unit {path} hat keine Wirkung: ihr enable_w ist FALSE",
+    path=("the path of the control unit", "der Pfad der Control Unit"),
+)
+NO_SUCH_TRANSITION = error(
+    902108,
+    en="{path}: a number is not finite, or the transition leads to what is not simulated",
+    de="{path}: eine Zahl ist nicht endlich, oder der Übergang führt zu nicht Simuliertem",
+    remedy_en="Go to mode 2 (automatic), state 1 … 5 or 15.",
+    remedy_de="In Betriebsart 2 (Automatik) gehen, Zustand 1 … 5 oder 15.",
+    path=_PATH,
 )

@@ -18,7 +18,14 @@ from nctakt.base.diagnostics import NOTHING, Diagnostic, Message, Span, Text
 from nctakt.base.misspelling import KnownNames, nearest
 from nctakt.base.text import decode_text, split_lines
 from nctakt.hli.operator_panel import SETTABLE
-from nctakt.hli.plc_entries import AXIS_NAMES, CHANNEL_NAMES, SpindleEntry, TechnologyEntry
+from nctakt.hli.plc_entries import (
+    AXIS_ALIASES,
+    AXIS_NAMES,
+    CHANNEL_ALIASES,
+    CHANNEL_NAMES,
+    SpindleEntry,
+    TechnologyEntry,
+)
 from nctakt.messages import Collector
 from nctakt.messages.plc import (
     PLC_NAME_NOT_SETTABLE,
@@ -35,7 +42,10 @@ _MEMBERS = ("cycle", "each_tick", "acknowledge", "spindles", "inputs")
 _VIEW = tuple(public_names(PlcView))
 _ENTRY = tuple(dict.fromkeys([*public_names(TechnologyEntry), *public_names(SpindleEntry)]))
 _LISTS = ("functions", "spindle_jobs")
-_VALUES = {"axis": AXIS_NAMES, "channel": CHANNEL_NAMES}
+_VALUES = {
+    "axis": (*AXIS_NAMES, *AXIS_ALIASES),
+    "channel": (*CHANNEL_NAMES, *CHANNEL_ALIASES),
+}
 
 _POLICY = Text(
     "ALL, NONE, after(…), only(…) or run_up(…)", "ALL, NONE, after(…), only(…), run_up(…)"

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Span
@@ -40,6 +41,9 @@ from nctakt.run.machine_names import SignalCell, channel_names, names_of_machine
 from nctakt.run.realtime_part import RealtimePart
 from nctakt.run.spindle_setup import all_names, at_start_up, follow_executed
 from nctakt.run.variable_access import VariableAccess
+
+if TYPE_CHECKING:
+    from nctakt.run.interface_access import InterfaceAccess
 
 
 @dataclass(frozen=True, slots=True)
@@ -178,6 +182,7 @@ class AssembledMachine:
             self.kernel,
             (diagnostic(NAMES_OF_DEMO_MACHINE),) if configuration.is_demo else (),
         )
+        self._interface: InterfaceAccess | None = None
         self.inputs = Inputs(self.kernel, self.channels, self.access, self.report_stale)
         self._stale_names: dict[str, None] = {}
         self.report: Callable[[Diagnostic], None] = _ignore
@@ -305,6 +310,15 @@ class AssembledMachine:
         return tuple(axis.name for axis in axes if self.single_axes.moves(axis.index))
 
     # --- variables by name ----------------------------------------------------------------------
+
+    @property
+    def interface(self) -> InterfaceAccess:
+        """The interface by the controller's paths, made when it is first used."""
+        if self._interface is None:
+            from nctakt.run.interface_access import InterfaceAccess  # noqa: PLC0415 - few need it
+
+            self._interface = InterfaceAccess(self, len(self.channels))
+        return self._interface
 
     def read(self, name: str) -> float | bool | str:
         """Return the value of a variable; a written value is returned before it is latched."""

@@ -341,6 +341,18 @@ class PlcView(OperatorPanel):
         """Write a V.E variable; raises ``Failure`` for a wrong name or value."""
         (self._bound.get(name) or self.variable(name)).write(value, PLC)
 
+    def __getitem__(self, path: str) -> float | bool | str:
+        """Return an element of the interface by the controller's path; raises ``Failure``.
+
+        Any channel and axis: ``hli["gpCh[0]^.bahn_state.coord_r[0].act_position_r"]``, in the units
+        of the controller (0.1 µm, µm/s, 0.1 %).
+        """
+        return self._machine.interface.get(path)
+
+    def __setitem__(self, path: str, value: float | bool | str) -> None:
+        """Write an element of the interface by the controller's path; raises ``Failure``."""
+        self._machine.interface.put(path, value, PLC)
+
     def _own(self, name: str) -> str:
         """Return the name with its channel; raises ``Failure`` for V.CH (RC-309)."""
         prefix, _, path = split_channel(name)

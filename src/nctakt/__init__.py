@@ -36,6 +36,9 @@ The PLC on the other side of the interface
     ``on``                 call a method with each of these functions: ``@on("M100")``
     ``when``               call a method each time that a condition becomes true
     ``after``              acknowledge functions late: ``acknowledge = after("20 ms")``
+    ``HliView``            the interface that its methods get: ``def each_tick(self, hli: HliView)``
+    ``Function``           an M, H or T function that waits for its acknowledgement
+    ``SpindleJob``         a job of a spindle that the PLC turns
 
 Scheduling lists (rtconf.lis)
     ``open_schedule``      a list and its load -> what gives a controller its time
@@ -59,6 +62,7 @@ if TYPE_CHECKING:
     from nctakt.base.failure import Failure
     from nctakt.lists.machine.machine import Machine, load_machine
     from nctakt.plc.policies import after
+    from nctakt.plc.public_types import Function, HliView, SpindleJob
     from nctakt.plc.script import Plc, at, on, when
     from nctakt.results.run import Run
     from nctakt.run.controller import Controller
@@ -72,11 +76,14 @@ __all__ = [
     "Controller",
     "Diagnostic",
     "Failure",
+    "Function",
+    "HliView",
     "Machine",
     "NcText",
     "Plc",
     "Run",
     "Session",
+    "SpindleJob",
     "Stimulus",
     "Study",
     "after",
@@ -93,11 +100,14 @@ _MODULES = {
     "Controller": "nctakt.run.controller",
     "Diagnostic": "nctakt.base.diagnostics",
     "Failure": "nctakt.base.failure",
+    "Function": "nctakt.plc.public_types",
+    "HliView": "nctakt.plc.public_types",
     "Machine": "nctakt.lists.machine.machine",
     "NcText": "nctakt.run.program_loader",
     "Plc": "nctakt.plc.script",
     "Run": "nctakt.results.run",
     "Session": "nctakt.session.session",
+    "SpindleJob": "nctakt.plc.public_types",
     "Stimulus": "nctakt.run.stimuli",
     "Study": "nctakt.studies.study",
     "after": "nctakt.plc.policies",

@@ -40,7 +40,16 @@ class TechnologyEntry:
     ``process_time_us`` is its time in the channel list (P-CHAN-00040, P-CHAN-00026), ``axis`` its
     axis or spindle (P-CHAN-00039, P-CHAN-00025), empty for the channel. ``value`` is its value in
     the program, as in ``M110=130``, 0 without one. ``serial`` distinguishes it from earlier entries
-    in its slot.
+    in its slot. A PLC annotates it as ``nctakt.Function``.
+
+    >>> names = []
+    >>> class Listener(Plc):
+    ...     @on("M100")
+    ...     def listen(self, hli: HliView, function: Function) -> None:
+    ...         names.append(function.name)
+    >>> run = Controller().run(NcText("listen.nc", "M100 M30"), plc=Listener())
+    >>> names
+    ['M100']
     """
 
     letter: str
@@ -83,7 +92,12 @@ class SpindleEntry:
     ``function``: M 3, 4, 5 or 19. ``speed``: in revolutions per minute. ``position``: of M19, in
     degrees. ``direction``: of M19, 1 forward, -1 backward, 0 the shorter way. ``speed_before``: the
     speed after the last acknowledged job, in revolutions per minute, negative under M4. ``index``:
-    that of the spindle in the channel. ``serial`` distinguishes it from earlier jobs.
+    that of the spindle in the channel. ``serial`` distinguishes it from earlier jobs. A PLC
+    annotates it as ``nctakt.SpindleJob``.
+
+    >>> job = SpindleJob("S3", 3, 1000.0, 0.0, 0, 20_000, 0.0, 2)
+    >>> job.name, job.speed
+    ('S3', 1000.0)
     """
 
     spindle: str

@@ -89,8 +89,13 @@ class WatchedPlc:
 class PlcView(OperatorPanel):
     """The PLC's side of one channel; ``of_channel(2)`` is that of the second one.
 
-    The operator's values (``OperatorPanel``) are attributes, too. Raises ``Failure`` for an
-    unknown attribute and suggests the nearest one.
+    The operator's values (``OperatorPanel``) are attributes, too; elements of the interface have
+    the controller's paths as their keys. Raises ``Failure`` for an unknown attribute and suggests
+    the nearest one. A PLC annotates it as ``nctakt.HliView``.
+
+    >>> hli: HliView = Controller().hli
+    >>> hli.override_pct, hli["gpCh[0]^.bahn_mc_control.override.state_r"]
+    (100.0, 1000)
     """
 
     __slots__ = (

@@ -73,6 +73,14 @@ def test_what_cannot_be_written_is_refused(path: str, value: object, number: str
     assert str(caught.value).startswith(f"error {number}")
 
 
+def test_what_nctakt_does_not_compute_is_refused_and_not_0() -> None:
+    hli = Controller().hli
+    for path in ("gpCh[0]^.bahn_state.covered_distance_r", "gpAx[0]^.lr_state.active_rev_r"):
+        with pytest.raises(Failure, match="902109"):
+            _ = hli[path]
+    assert hli["gpAx[4]^.lr_state.active_rev_r"] == 0
+
+
 def test_what_has_no_effect_is_a_note_once() -> None:
     controller = Controller()
 

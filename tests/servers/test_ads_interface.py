@@ -43,6 +43,11 @@ class Hmi:
         data = pack(f"<{form}", *values)
         return result(await self.bench.ask(*self._lane, write(VALUE, handle, data)))
 
+    async def refused(self, path: str, size: int) -> int:
+        """The error of a read."""
+        handle = await self.handle(path)
+        return result(await self.bench.ask(*self._lane, read(VALUE, handle, size)))
+
     async def tick(self) -> None:
         """Run a tick, whose values come to the loop of the servers."""
         self.bench.session.advance()
@@ -138,6 +143,7 @@ def test_lengths_that_do_not_fit_and_paths_that_are_not_there_are_refused() -> N
         assert await hmi.error("gpCh[0]^.bahn_state.programm_end_r") == Error.SYMBOL
         assert await hmi.error("gpCh[1]^.head.plc_present_w") == Error.SYMBOL
         assert await hmi.error("gpAx[0]^.lr_state.axis_state_r[2]") == Error.SYMBOL
+        assert await hmi.refused("gpCh[0]^.bahn_state.covered_distance_r", 4) == Error.SERVICE
         assert await hmi.error("HLI_Global_Constants.HLI_NO_MAXIDX") == Error.SYMBOL
 
     log = with_hmi(act)

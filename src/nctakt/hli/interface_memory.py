@@ -22,7 +22,7 @@ from functools import cache
 from nctakt.base.dataclass import dataclass
 from nctakt.base.version import __version__
 from nctakt.hli import table
-from nctakt.hli.table import ACTS, DataType, Element, Tie
+from nctakt.hli.table import ACTS, UNSERVED, DataType, Element, Tie
 from nctakt.lists.machine.axis_configuration import AxisType
 from nctakt.lists.machine.machine import Machine
 from nctakt.nc.vocabulary import strings
@@ -195,7 +195,7 @@ class Area:
     def session_name(self, element: Element) -> str:
         """Return the value of the session that an element shows or sets; empty for none."""
         tie = element.tie
-        if tie is None or tie.kind == "fact":
+        if tie is None or tie.kind in ("fact", UNSERVED):
             return ""
         if tie.for_spindles:
             if not self._spindle:
@@ -290,6 +290,17 @@ class Area:
         if not found or offset + size > len(self.memory):
             return False
         return len(found) > 1 or not found[0].is_number or found[0].end <= offset + size
+
+    def hides(self, offset: int, size: int) -> str:
+        """Return the path of what alone is asked for and has no value here; else nothing."""
+        found = self._between(offset, offset + size)
+        if len(found) != 1:
+            return ""
+        tie = found[0].element.tie
+        is_missing = tie is not None and (tie.kind == UNSERVED or tie.for_spindles)
+        if is_missing and found[0].element.by == "CNC" and found[0].offset not in self._shown:
+            return f"{self.name}.{found[0].path}"
+        return ""
 
     def names(self, offset: int, size: int) -> tuple[str, ...]:
         """Return the values of the session that a range of bytes shows."""

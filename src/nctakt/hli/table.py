@@ -80,11 +80,13 @@ _SEGMENT = re.compile(r"(\w+)((?:\[[^\]]*\])*)(\^?)")
 _DOT = re.compile(r"\.(?![^\[]*\])")
 _INDEXED_NAME = re.compile(r"(\w+)\[(\d+)\.\.(\d+)\]")
 _TIE = re.compile(
-    r"(?P<spindle>spindle )?(?:(?P<kind>acts|shows|fact) )?(?P<name>[A-Za-z_.]+)"
+    r"(?P<spindle>spindle )?(?:(?P<kind>acts|shows|fact|unserved) )?(?P<name>[A-Za-z_.]+)"
     r"(?: (?P<sign>==|!=|\*) (?P<number>-?\d+)| (?P<mapping>\{.*\}))?"
 )
 
 ACTS, SHOWS, KNOWN = "acts", "shows", "known"
+#: The kind of the tie of what the CNC shows on the machine, and nctakt does not have.
+UNSERVED = "unserved"
 
 
 @dataclass(frozen=True, slots=True)
@@ -92,7 +94,8 @@ class Tie:
     """What an element has to do with a run.
 
     ``kind``: ``acts``: what is written becomes the session's value ``name`` (``HLI.OVERRIDE``);
-    ``shows``: it shows that value; ``fact``: it is a fact about the machine, such as ``logical``.
+    ``shows``: it shows that value; ``fact``: it is a fact about the machine, such as ``logical``;
+    ``unserved``: nctakt does not have the value, and 0 would be a false one.
     ``factor``: how many of its units one of the session's value is; ``equal``, ``unequal``: it is
     TRUE where the value is that number, or is not; ``numbers``: its number for each of the value.
     ``for_spindles``: it holds for the axes of spindles, and nothing for others.
@@ -241,7 +244,7 @@ class Element:
     def effect(self) -> str:
         """``ACTS``, ``SHOWS`` or ``KNOWN``; of a structure what the most of its parts do."""
         if self.type.is_elementary or self.type.is_bytes:
-            if self.tie is None:
+            if self.tie is None or self.tie.kind == UNSERVED:
                 return KNOWN
             return ACTS if self.tie.kind == ACTS and self.by != "CNC" else SHOWS
         effects = {leaf.effect for leaf in self.leaves()}

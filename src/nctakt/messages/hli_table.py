@@ -83,3 +83,11 @@ NO_SUCH_TRANSITION = error(
     remedy_de="In Betriebsart 2 (Automatik) gehen, Zustand 1 … 5 oder 15.",
     path=_PATH,
 )
+PATH_NOT_SERVED = error(
+    902109,
+    en="{path} has no value here: nctakt does not compute it",
+    de="{path} hat hier keinen Wert: nctakt berechnet ihn nicht",
+    remedy_en="nctakt explain elements lists what acts and what is shown.",
+    remedy_de="nctakt explain elements listet auf, was wirkt und was angezeigt wird.",
+    path=_PATH,
+)

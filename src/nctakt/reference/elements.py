@@ -49,6 +49,7 @@ _SURE: Mapping[str, Text] = {
     ),
 }
 _KNOWN = Text("known, without effect here", "bekannt, hier ohne Wirkung")
+_UNSERVED = Text("known, has no value here", "bekannt, hat hier keinen Wert")
 _FACT = Text("shows a fact about the machine", "zeigt eine Angabe zur Maschine")
 
 
@@ -93,6 +94,8 @@ def _facts(element: table.Element) -> Iterator[Fact]:
 
 def _effect(element: table.Element) -> Text:
     tie = element.tie
+    if tie is not None and tie.kind == table.UNSERVED:
+        return _UNSERVED
     if element.effect == table.KNOWN:
         return _KNOWN
     if tie is None:

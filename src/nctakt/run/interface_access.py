@@ -22,6 +22,7 @@ from nctakt.messages.hli_table import (
     NO_SUCH_TRANSITION,
     PATH_HAS_NO_EFFECT,
     PATH_IS_STRUCTURE,
+    PATH_NOT_SERVED,
     PATH_OF_NO_CHANNEL,
     PATH_READ_ONLY,
     UNIT_NOT_ENABLED,
@@ -124,6 +125,8 @@ class InterfaceAccess:
     def get(self, path: str) -> Scalar:
         """Return the present value of an element; raises ``Failure`` for what is none."""
         area, slot = self._find(path)
+        if area.hides(slot.offset, slot.type.size_bytes):
+            raise Failure(diagnostic(PATH_NOT_SERVED, path=path))
         data = area.read(slot.offset, slot.type.size_bytes, self._values)
         value = slot.value_of(data)
         return value != 0 if slot.type.name == "BOOL" else value

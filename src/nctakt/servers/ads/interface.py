@@ -186,6 +186,9 @@ class InterfaceSymbols:
         area = found[index]
         if not area.fits(start, size):
             raise AdsError(Error.SIZE, f"{size} bytes at {group:#x}, {offset:#x}")
+        hidden = area.hides(start, size)
+        if hidden:
+            raise AdsError(Error.SERVICE, f"{hidden}: there is no value here")
         return InterfaceItem(area, start, size)
 
     def constant(self, offset: int, size: int) -> bytes:

@@ -20,7 +20,7 @@ from nctakt.base.text import BYTE_ORDER_MARKS, decode_text, split_lines
 from nctakt.checking.channel_uses import ProgramUses, report_missing_partners
 from nctakt.checking.check_memory import CheckMemory, Poll
 from nctakt.checking.cycle_links import LinkedProgram, report_unlinked_cycles
-from nctakt.checking.inputs import LIST_SUFFIX, Finding, gather
+from nctakt.checking.inputs import LIST_SUFFIX, Finding, PlcInput, gather
 from nctakt.checking.program import check_program
 from nctakt.checking.suppression import Suppressions, apply, read_suppressions
 from nctakt.checking.targets import Target, Targets
@@ -47,9 +47,12 @@ from nctakt.project.machine_choice import MachineChoice, choose_machine
 from nctakt.project.project_file import find_project
 from nctakt.run.assembly import AssembledMachine
 from nctakt.run.program_loader import NcText
+from nctakt.st.inspection import inspect_paths
 
 #: The kind of a program; lists have the kinds of their schemas (``channel``, ``axis``, …).
 PROGRAM = "program"
+#: The kind of all files of a PLC.
+PLC = "plc"
 
 _UTF16_MARKS = (b"\xff\xfe", b"\xfe\xff")
 _ENCRYPTED_SUFFIX = ".ecy"
@@ -182,6 +185,8 @@ class _Checker:
             for target in self._targets.of(None):
                 self._program(text.name, split_lines(text.text), target, "either")
         self._programs()
+        for project in gathered.plc:
+            self._plc(project)
         self._report_subprogram_ends(
             [path for path in paths if path.is_file()], [text.name for text in texts]
         )
@@ -363,6 +368,27 @@ class _Checker:
         collector.report(LIST_CHECKED_ALONE, position, kind=schema.title)
         check_list_alone(schema, path, data, collector, detail=self._detail, rtconf=self._rtconf)
         self._keep(path.as_posix(), collector.diagnostics)
+
+    # --- PLC -------------------------------------------------------------------------------------
+
+    def _plc(self, project: PlcInput) -> None:
+        """Check a project of a PLC, or loose files of one."""
+        collector = Collector()
+        programs = inspect_paths(project.paths, self._read, collector)
+        only = {path.resolve() for path in project.only}
+        names = {path.resolve(): path.as_posix() for path in project.only}
+        for path in project.paths:
+            if not only:
+                self._files[path.as_posix()] = PLC
+        for program in programs:
+            for file in program.files:
+                name = names.get(Path(file).resolve(), file)
+                if not only or name in names.values():
+                    self._files[name] = PLC
+        for found in collector.diagnostics:
+            file = "" if found.span is None else found.span.file
+            if not only or Path(file).resolve() in only:
+                self._keep(file, [found])
 
     # --- programs --------------------------------------------------------------------------------
 

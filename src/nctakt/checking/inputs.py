@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: MIT
 """Files and folders as a user names them -> the inputs of a check.
 
-In: paths. Out: start-up lists of machines, lists, programs, each file once; a missing file is
-reported. A file is a list if its name ends with ``.lis`` or ``.xml``, else a program; a start-up
-list stands for its machine. A folder is searched with all its folders except hidden ones; each
-folder with a start-up list is a machine.
+In: paths. Out: start-up lists of machines, lists, programs, projects and objects of PLCs, each file
+once; a missing file is reported. A file is a list if its name ends with ``.lis`` or ``.xml``, part
+of a PLC by the suffixes of ``st/files``, else a program. A start-up list stands for its machine, a
+project for its files. A folder is searched with all its folders except hidden ones; each folder
+with a start-up list is a machine.
 """
 
 from __future__ import annotations
@@ -23,6 +24,13 @@ from nctakt.lists.machine.list_kinds import kind_of
 from nctakt.messages import diagnostic
 from nctakt.messages.checking import NOTHING_TO_CHECK
 from nctakt.messages.files import FILE_MISSING, FILE_NOT_READABLE
+from nctakt.st.files.objects import OBJECT_SUFFIXES, TEXT_SUFFIXES
+from nctakt.st.files.project import (
+    FOLDER_SUFFIXES,
+    PLC_SUFFIXES,
+    PROJECT_SUFFIXES,
+    project_around,
+)
 
 #: Suffixes of programs in folders.
 PROGRAM_SUFFIXES = (".nc", ".ncp", ".cnc", ".sub", ".cyc", ".ecy")
@@ -43,6 +51,17 @@ class Finding:
 
 
 @dataclass(frozen=True, slots=True)
+class PlcInput:
+    """A project of a PLC, or files of one without a project.
+
+    ``only``: the files that the user has named of it; empty: all.
+    """
+
+    paths: tuple[Path, ...]
+    only: tuple[Path, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
 class Inputs:
     """The inputs of a check.
 
@@ -53,6 +72,7 @@ class Inputs:
     machines: tuple[tuple[Path, Path | None], ...]
     lists: tuple[Path, ...]
     programs: tuple[Path, ...]
+    plc: tuple[PlcInput, ...] = ()
 
 
 def gather(paths: Sequence[Path], access: FileAccess, diagnostics: list[Finding]) -> Inputs:
@@ -60,17 +80,46 @@ def gather(paths: Sequence[Path], access: FileAccess, diagnostics: list[Finding]
     machines: dict[Path, tuple[Path, Path | None]] = {}
     lists: dict[Path, Path] = {}
     programs: dict[Path, Path] = {}
+    plc: list[Path] = []
     for path in paths:
         if not path.exists():
             diagnostics.append(Finding(path.as_posix(), diagnostic(FILE_MISSING, file=str(path))))
         elif path.is_file() and is_startup_name(path.name):
             machines.setdefault(path.resolve(), (path, None))
+        elif path.is_file() and path.suffix.casefold() in PLC_SUFFIXES:
+            plc.append(path)
         elif not path.is_dir():
             group = lists if path.suffix.casefold() in LIST_SUFFIXES else programs
             group.setdefault(path.resolve(), path)
         else:
-            _search(path, machines, lists, programs, access, diagnostics)
-    return Inputs(tuple(machines.values()), tuple(lists.values()), tuple(programs.values()))
+            plc += _search(path, machines, lists, programs, access, diagnostics)
+    return Inputs(
+        tuple(machines.values()),
+        tuple(lists.values()),
+        tuple(programs.values()),
+        tuple(_plc_inputs(plc)),
+    )
+
+
+def _plc_inputs(paths: Sequence[Path]) -> Iterator[PlcInput]:
+    """Yield projects, then the files that belong to a project around them, then all others."""
+    projects = {
+        path.resolve(): path for path in paths if path.suffix.casefold() in PROJECT_SUFFIXES
+    }
+    parts: dict[Path, list[Path]] = {}
+    loose: list[Path] = []
+    for path in paths:
+        if path.resolve() in projects:
+            continue
+        around = None if path.suffix.casefold() in TEXT_SUFFIXES else project_around(path)
+        if around is None:
+            loose.append(path)
+        elif around.resolve() not in projects:
+            parts.setdefault(around, []).append(path)
+    yield from (PlcInput((path,)) for path in projects.values())
+    yield from (PlcInput((path,), tuple(only)) for path, only in parts.items())
+    if loose:
+        yield PlcInput(tuple(dict.fromkeys(loose)))
 
 
 def _search(
@@ -80,10 +129,16 @@ def _search(
     programs: dict[Path, Path],
     access: FileAccess,
     diagnostics: list[Finding],
-) -> None:
+) -> list[Path]:
+    """Sort the files of a folder; return those of PLCs."""
     empty = True
+    plc: list[Path] = []
     for path in _files(folder, diagnostics):
         suffix = path.suffix.casefold()
+        if suffix in FOLDER_SUFFIXES and path.is_file():
+            empty = False
+            plc.append(path)
+            continue
         if suffix not in (*LIST_SUFFIXES, *PROGRAM_SUFFIXES):
             continue
         if suffix == XML_SUFFIX and not _is_list(path, access):
@@ -100,6 +155,10 @@ def _search(
         suffixes = ", ".join(PROGRAM_SUFFIXES)
         message = diagnostic(NOTHING_TO_CHECK, folder=str(folder), suffixes=suffixes)
         diagnostics.append(Finding(folder.as_posix(), message))
+    if any(path.suffix.casefold() in PROJECT_SUFFIXES for path in plc):
+        # What no project lists has been left out of it.
+        plc = [path for path in plc if path.suffix.casefold() not in OBJECT_SUFFIXES]
+    return plc
 
 
 def _is_list(path: Path, access: FileAccess) -> bool:

@@ -18,24 +18,24 @@ NAME_UNKNOWN = error(
     902190,
     en="{name} is not declared (C0046)",
     de="{name} ist nicht deklariert (C0046)",
-    remedy_en="Did you mean {nearest}? Or give the sources of its library: {libraries}.",
-    remedy_de="Ist {nearest} gemeint? Oder die Quellen der Bibliothek angeben: {libraries}.",
+    remedy_en="Did you mean {nearest}? It may be from a library without sources: {libraries}.",
+    remedy_de="Ist {nearest} gemeint? Vielleicht aus einer Bibliothek ohne Quellen: {libraries}.",
     libraries=_LIBRARIES,
 )
 TYPE_UNKNOWN = error(
     902191,
     en="the type {name} is not known (C0077)",
     de="der Typ {name} ist nicht bekannt (C0077)",
-    remedy_en="Did you mean {nearest}? Or give the sources of its library: {libraries}.",
-    remedy_de="Ist {nearest} gemeint? Oder die Quellen der Bibliothek angeben: {libraries}.",
+    remedy_en="Did you mean {nearest}? It may be from a library without sources: {libraries}.",
+    remedy_de="Ist {nearest} gemeint? Vielleicht aus einer Bibliothek ohne Quellen: {libraries}.",
     libraries=_LIBRARIES,
 )
 INTERFACE_UNKNOWN = error(
     902192,
     en="the interface {name} is not known (C0086)",
     de="die Schnittstelle {name} ist nicht bekannt (C0086)",
-    remedy_en="Did you mean {nearest}? Or give the sources of its library: {libraries}.",
-    remedy_de="Ist {nearest} gemeint? Oder die Quellen der Bibliothek angeben: {libraries}.",
+    remedy_en="Did you mean {nearest}? It may be from a library without sources: {libraries}.",
+    remedy_de="Ist {nearest} gemeint? Vielleicht aus einer Bibliothek ohne Quellen: {libraries}.",
     libraries=_LIBRARIES,
 )
 NAME_NEEDS_QUALIFIER = error(

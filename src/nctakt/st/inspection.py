@@ -82,4 +82,6 @@ def inspect_texts(
                 task = project.tasks[node.name.lower()]
                 node.cycle_us, node.priority = task.cycle_us, task.priority
     found = default_libraries() if libraries is None else list(libraries)
-    return check_project(name, declarations, found, reporter)
+    program = check_project(name, declarations, found, reporter)
+    program.files = list(texts)
+    return program

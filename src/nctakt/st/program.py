@@ -27,6 +27,7 @@ class Program:
 
     The data area has ``data_size`` bytes: globals, VAR_STAT, and the instances of programs. What is
     at offset 0 is never a variable, so that no address is null. ``has_errors``: it must not run.
+    ``files``: those of the project that were read.
     ``initial_order``: the global variables in the order of their initialisation (ST-404), then
     programs by ``pous``. ``blocks``: blocks and programs by number, from 1.
     """
@@ -42,3 +43,4 @@ class Program:
     initial_order: list[Variable] = field(default_factory=list)
     blocks: list[Pou] = field(default_factory=list)
     has_errors: bool = False
+    files: list[str] = field(default_factory=list)

@@ -20,14 +20,15 @@ class Reporter:
     def __init__(self, sources: Sources, collector: Collector) -> None:
         self.sources = sources
         self.collector = collector
-        self._known: set[tuple[int, int]] = set()
+        self._known: set[tuple[int, int, str]] = set()
         self.error_count = 0
 
     def report(self, message: Message, start: int, end: int, **values: object) -> None:
         """Report a message at a stretch of text, unless it was reported there."""
-        if (message.id, start) in self._known:
+        key = (message.id, start, str(values.get("name", "")))
+        if key in self._known:
             return
-        self._known.add((message.id, start))
+        self._known.add(key)
         if message.severity is Severity.ERROR:
             self.error_count += 1
         span = self.sources.span(start, end)

@@ -171,12 +171,11 @@ class CallChecker(ExpressionChecker):
         scope = self.scope
         target: Target | None = None
         if not callee.is_global:
-            target = scope.members.get(key) or scope.local_names.get(key)
-            local = scope.local_names.get(key)
-            if local is not None and not (
-                isinstance(local, Variable) and local.section is Section.RESULT
-            ):
-                target = local
+            # Within a function its name is its result, and the function itself if it is called.
+            target = scope.local_names.get(key)
+            if isinstance(target, Variable) and target.section is Section.RESULT:
+                target = None
+            target = target or scope.members.get(key)
         if target is None:
             found = self.names.find(key, scope.library)
             if isinstance(found, Declared):
@@ -375,8 +374,9 @@ class CallChecker(ExpressionChecker):
             if conversion(found, kind, value) is Verdict.IMPOSSIBLE:
                 self.report(TYPE_MISMATCH, value, source=_shown(found), target=_shown(kind))
             return
+        errors = self.reporter.error_count
         self.check_target(value, is_handed_over=True)
-        if not _fits_in_out(found, kind):
+        if self.reporter.error_count == errors and not _fits_in_out(found, kind):
             self.report(TYPE_MISMATCH, value, source=_shown(found), target=_shown(kind))
 
     def _reference(self, kind: ReferenceType, value: Expression) -> None:
@@ -568,6 +568,8 @@ class CallChecker(ExpressionChecker):
         if kind in (UNTYPED, UNTYPED_REAL):
             for operand in node.operands:
                 self.settle(operand, LREAL)
+        if kind is None:
+            return None
         return REAL if kind is REAL else LREAL
 
     def _power(self, node: Call, _: BuiltIn) -> Type | None:

@@ -125,6 +125,7 @@ from nctakt.st.vocabulary.elementary import (
     WORD,
     signed,
     smallest,
+    smallest_bits,
     string,
     wider,
 )
@@ -366,6 +367,9 @@ class ExpressionChecker:
     def _value_of(self, node: Name | Member, target: Target) -> Type | None:
         """Return the type of what a name stands for, as a value."""
         if isinstance(target, Variable):
+            if target in self.resolver.open_variables:
+                self.report(CONSTANT_EXPECTED, node)
+                return None
             self.resolver.complete(target)
             if target.value is not None:
                 node.value = target.value
@@ -765,7 +769,9 @@ class ExpressionChecker:
                 if isinstance(value, int) and base is not UNTYPED:
                     node.value = ~value if base.is_signed else value ^ base.high
                 elif isinstance(value, int):
-                    node.value = ~value
+                    base = smallest_bits(value)
+                    self.settle(node.operand, base)
+                    node.value = value ^ base.high
                 return base
         elif family in NUMBERS or (family is Family.DURATION and node.operator is Operator.PLUS):
             assert isinstance(base, Elementary)

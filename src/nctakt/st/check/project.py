@@ -127,6 +127,10 @@ class ProjectChecker(StatementChecker):
             self._list(node)
         elif isinstance(node, TypeDeclaration) and isinstance(target, StructType):
             self._structure(node, target)
+        elif isinstance(node, TypeDeclaration) and isinstance(target, Type):
+            if node.initial is not None and not isinstance(target, EnumType):
+                self.scope = Scope(title=node.name)
+                self.initial(node.initial, target)
         elif isinstance(node, InterfaceNode) and isinstance(target, InterfaceType):
             self._interface(target)
 

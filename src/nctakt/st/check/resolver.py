@@ -132,6 +132,8 @@ class Resolver:
         self.nodes: dict[Pou | Method, tuple[Header, Scope]] = {}
         self.data_size = POINTER_SIZE
         self.globals: list[Variable] = []
+        #: Variables whose declarations are being read: none of these has a value yet.
+        self.open_variables: set[Variable] = set()
         self._pending: dict[Variable, PendingVariable] = {}
         self._layouts: dict[Type, Callable[[], None]] = {}
         self._open_layouts: set[Type] = set()
@@ -143,7 +145,9 @@ class Resolver:
         """Resolve the type of a variable whose declaration has not been read yet."""
         pending = self._pending.pop(variable, None)
         if pending is not None:
+            self.open_variables.add(variable)
             self._complete(variable, pending)
+            self.open_variables.discard(variable)
 
     def target_of(self, declared: Declared) -> Type | Pou | None:
         """Return the type or POU of a declaration, whose own declaration may be read by it."""
@@ -386,7 +390,7 @@ class Resolver:
                 bit += 1
                 continue
             bit = 0
-            self.layout(member.type, None)
+            self.layout(member.type, None, member.start)
             step = min(member.type.align, limit)
             align = max(align, step)
             member.offset = 0 if kind.is_union else _aligned(size, step)
@@ -396,11 +400,13 @@ class Resolver:
         if kind.size > MAX_DATA:
             kind.size = align
 
-    def layout(self, kind: Type, node: TypeNode | VariableNode | None) -> None:
-        """Compute size and offsets of a type, once; a circle is reported."""
+    def layout(self, kind: Type, node: TypeNode | VariableNode | None, start: int = 0) -> None:
+        """Compute size and offsets of a type, once; report a circle at ``node`` or ``start``."""
         if kind in self._open_layouts:
-            if node is not None:
-                self._report(DATA_CONTAIN_THEMSELVES, node, name=kind.name)
+            begin = start if node is None else node.start
+            if begin:
+                end = begin + 1 if node is None else node.end
+                self.reporter.report(DATA_CONTAIN_THEMSELVES, begin, end, name=kind.name)
             return
         lay_out = self._layouts.pop(kind, None)
         if lay_out is not None:
@@ -825,7 +831,7 @@ class Resolver:
         if variable.section is Section.IN_OUT:
             is_open = isinstance(kind, ArrayType) and kind.is_open
             return (kind.size if is_open else POINTER_SIZE), POINTER_SIZE
-        self.layout(kind, None)
+        self.layout(kind, None, variable.start)
         return kind.size, max(1, kind.align)
 
     def lay_out_frame(self, unit: CallableUnit) -> None:

@@ -124,6 +124,7 @@ class StatementChecker(CallChecker):
         )
         if kind is not None and not is_reference:
             self.report(REFERENCE_EXPECTED, node.target)
+            kind = None
         source = self.expression(node.value)
         if kind is None or source is None or node.value.value == 0:
             return

@@ -15,14 +15,18 @@ from urllib.parse import unquote
 from nctakt.base.dataclass import dataclass, field
 from nctakt.messages.st_text import PROJECT_FILE_MISSING
 from nctakt.st.files.objects import OBJECT_SUFFIXES, TEXT_SUFFIXES
-from nctakt.st.files.xml_text import Element, read_xml
+from nctakt.st.files.xml_text import MAX_BYTES, Element, read_xml
 from nctakt.st.reporting import Reporter
 
 PROJECT_SUFFIX, SYSTEM_SUFFIX = ".plcproj", ".tsproj"
+PROJECT_SUFFIXES = (PROJECT_SUFFIX, SYSTEM_SUFFIX)
 #: All suffixes that belong to a PLC.
 PLC_SUFFIXES = (*OBJECT_SUFFIXES, *TEXT_SUFFIXES, PROJECT_SUFFIX, SYSTEM_SUFFIX)
 #: Suffixes by which a folder's files are known to belong to a PLC: others may use ``.exp``.
 FOLDER_SUFFIXES = (*OBJECT_SUFFIXES, ".st", ".iecst", PROJECT_SUFFIX)
+
+#: Folders above an object in which its project is looked for.
+MAX_LEVELS = 8
 
 #: Returns the bytes of a file; ``None`` after a report.
 ReadFile = Callable[[Path], bytes | None]
@@ -92,6 +96,20 @@ def _project(path: Path, root: Element, reporter: Reporter) -> PlcSources:
             if name.strip():
                 found.definitions[name.strip().lower()] = value.strip().strip("'")
     return found
+
+
+def project_around(path: Path) -> Path | None:
+    """Return the project that lies above an object and lists it; ``None`` without one."""
+    needle = path.name.lower().encode()
+    for folder in list(path.resolve().parents)[:MAX_LEVELS]:
+        for file in sorted(folder.glob(f"*{PROJECT_SUFFIX}")):
+            try:
+                listed = file.stat().st_size <= MAX_BYTES and needle in file.read_bytes().lower()
+            except OSError:
+                continue
+            if listed:
+                return file
+    return None
 
 
 def _is_inside(name: str) -> bool:

@@ -78,6 +78,13 @@ _CONDITION_PART = re.compile(
 )
 _TEXT = re.compile(r"['\"](.*?)['\"]", re.S)
 
+_PRAGMAS = {
+    "INFO": PRAGMA_NOTE,
+    "TEXT": PRAGMA_NOTE,
+    "WARNING": PRAGMA_WARNING,
+    "ERROR": PRAGMA_ERROR,
+}
+
 #: Nested ``{IF}`` and brackets in its condition.
 MAX_CONDITIONS = 32
 
@@ -210,9 +217,8 @@ class Lexer:
             self._values[named[1].lower()] = named[2] if quoted is None else quoted[1]
         elif word == "UNDEFINE":
             self._values.pop(rest.lower(), None)
-        elif word in ("INFO", "TEXT", "WARNING", "ERROR") and rest[:1] in ("'", '"'):
-            message = {"WARNING": PRAGMA_WARNING, "ERROR": PRAGMA_ERROR}.get(word, PRAGMA_NOTE)
-            self._report(message, start, start + len(text), text=rest.strip("'\""))
+        elif word in _PRAGMAS and rest[:1] in ("'", '"'):
+            self._report(_PRAGMAS[word], start, start + len(text), text=rest.strip("'\""))
 
     def _is_skipping(self) -> bool:
         return bool(self._conditions) and not self._conditions[-1][0]

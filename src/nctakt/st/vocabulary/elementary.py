@@ -104,6 +104,11 @@ def signed(kind: Elementary) -> Elementary:
     return _OF_FAMILY[Family.SIGNED][kind.size]
 
 
+def smallest_bits(value: int) -> Elementary:
+    """Return the smallest bit string that holds a literal: what NOT turns over."""
+    return next((one for one in _BIT_STRINGS if value <= one.high), _BIT_STRINGS[-1])
+
+
 def smallest(value: int) -> Elementary:
     """Return the smallest of INT, DINT, LINT and ULINT that holds a literal."""
     return next((one for one in (INT, DINT, LINT) if one.low <= value <= one.high), ULINT)

@@ -2,7 +2,7 @@
 """Functions that fit many types, and have no declaration therefore (ST-307, ST-712 … 715).
 
 In: a name. Out: how many operands it takes, and which rule its type follows; for conversions the
-types. Functions with fixed types are declared in the libraries beside this module.
+types. Functions with fixed types are declared in the libraries in their folder.
 """
 
 from __future__ import annotations

@@ -13,13 +13,15 @@ from pathlib import Path
 
 from nctakt.hli import table
 
+_FOLDER = Path(__file__).parent.parent / "libraries"
+
 #: The library of the system itself, whose names need no reference.
 SYSTEM = "System"
 #: The CNC's interface, and its blocks for single axes.
 CNC_INTERFACE, CNC_AXES, NC_AXES = "Tc2_CncHli", "McpPLCopenP1", "Tc2_MC2"
 TEST_LIBRARY = "TcUnit"
 
-#: The libraries with a text beside this module, in the order in which names are looked up.
+#: The libraries with a text of their own, in the order in which names are looked up.
 _TEXTS = ("Tc2_Standard", "Tc2_System", "Tc2_Utilities", "Tc2_Math", NC_AXES, TEST_LIBRARY, SYSTEM)
 #: Further names under which projects refer to them; those without a text here have no names.
 ALIASES = {
@@ -58,7 +60,7 @@ def text_of(name: str) -> str:
         return _interface()
     if name == CNC_AXES:
         return _blocks("MC_")
-    return (Path(__file__).parent / f"{name}.st").read_text("utf-8")
+    return (_FOLDER / f"{name}.st").read_text("utf-8")
 
 
 @cache

@@ -9,6 +9,7 @@ from struct import calcsize, pack, unpack
 
 from support.ads_wire import Bench, bench, by_name, data_of, number_of, read, result, write
 
+from nctakt.hli.plc_entries import TechnologyEntry
 from nctakt.hli.variables_memory import describe
 from nctakt.servers.ads.codes import Error, Group
 
@@ -202,5 +203,32 @@ def test_external_variables_stand_behind_their_pointers() -> None:
             await hmi.tick()
             size = field.offset + 4
             assert unpack("<i", (await hmi.bytes_of(path, size))[field.offset :]) == (4711,)
+
+    with_hmi(act)
+
+
+def test_functions_are_read_and_acknowledged_in_their_units() -> None:
+    """please_rw is set with new data, the PLC clears it, done_w acknowledges; 1 M, 2 H, 4 T."""
+
+    async def act(hmi: Hmi, found: Bench) -> None:
+        first = TechnologyEntry("M", 100, 1, 0, False, 20_000.0, "", 0, 130, 7, "MVS_SVS")
+        second = TechnologyEntry("H", 12, 2, 0, False, 0.0, "", 1, 0, 8, "MOS")
+        of_axis = TechnologyEntry("M", 70, 3, 0, False, 0.0, "X", 2, 0, 9, "MOS")
+        found.session.waiting += [(1, first), (1, second), (1, of_axis)]
+        assert await hmi.get("gpCh[0]^.used_units_std_sync_r", "H") == 2
+        unit = "gpCh[0]^.techno_unit_std_sync[0]"
+        data = await hmi.bytes_of(unit, 48)
+        assert unpack("<BBHiIiIIiHHI", data[:36]) == (
+            *(1, 0, 1, 0),
+            *(100, 20_000, 0, 0, 130, 0, 0, 2),
+        )
+        assert await hmi.put(f"{unit}.please_rw", "B", 0) == 0
+        assert await hmi.get(f"{unit}.please_rw", "B") == 0
+        assert await hmi.put("gpCh[0]^.techno_unit_std_sync[1].done_w", "B", 1) == 0
+        assert found.session.waiting == [(1, first), (1, of_axis)]
+        assert await hmi.get("gpCh[0]^.techno_unit_std_sync[1].type", "H") == 0
+        assert await hmi.get("gpAx[0]^.used_units_std_sync_r", "H") == 1
+        assert await hmi.put(f"{unit}.done_w", "B", 1) == 0
+        assert await hmi.get("gpCh[0]^.used_units_std_sync_r", "H") == 0
 
     with_hmi(act)

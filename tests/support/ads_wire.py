@@ -34,6 +34,7 @@ class StandingSession:
         self.written: dict[str, float | bool | str] = {}
         self.sources: list[str] = []
         self.selected: list[tuple[str, int]] = []
+        self.waiting: list[tuple[int, Any]] = []
         self._listener: Listener | None = None
         self._signals: Sequence[str] = ()
 
@@ -81,7 +82,13 @@ class StandingSession:
     def glance(self, *names: str) -> Any:
         """Return values, the tick, and a channel whose F is 600 mm/min."""
         channel = SimpleNamespace(programmed_mm_s=10.0, in_force=None)
-        return SimpleNamespace(tick=self.tick, values=self.read(*names), channels=(channel,))
+        values, waiting = self.read(*names), tuple(self.waiting)
+        return SimpleNamespace(tick=self.tick, values=values, channels=(channel,), waiting=waiting)
+
+    def acknowledge(self, channel: int, entry: Any, source: str) -> None:
+        """Take an acknowledgement."""
+        self.waiting.remove((channel, entry))
+        self.sources.append(source)
 
     def decoders(self) -> list[Any]:
         """Return no open program."""

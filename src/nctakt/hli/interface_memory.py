@@ -18,16 +18,22 @@ from bisect import bisect_left
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import field
 from functools import cache
+from typing import cast
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.version import __version__
 from nctakt.hli import table
-from nctakt.hli.table import ACTS, UNSERVED, DataType, Element, Tie
+from nctakt.hli.function_units import FunctionUnits, Waiting, is_unit
+from nctakt.hli.plc_entries import SpindleEntry
+from nctakt.hli.table import ACTS, MANAGED, UNSERVED, DataType, Element, Tie
 from nctakt.lists.machine.axis_configuration import AxisType
 from nctakt.lists.machine.machine import Machine
 from nctakt.nc.vocabulary import strings
 
 Scalar = float | bool | str
+
+#: What begins the names of values that no signal has, such as the functions of a channel that wait.
+ASKED = "?"
 
 #: Formats of ``struct`` of the elementary types.
 FORMATS: Mapping[str, str] = {
@@ -74,13 +80,14 @@ class Written:
     """What a write means: values of the session, programs to select by channel from 1.
 
     ``known``: the elements that have no effect here; ``waiting``: the control units that act only
-    when their area has ``plc_present_w``, and they have ``enable_w``.
+    when their area has ``plc_present_w``, and they have ``enable_w``. ``acknowledged``: functions.
     """
 
     values: dict[str, Scalar] = field(default_factory=dict)
     programs: list[tuple[int, str]] = field(default_factory=list)
     known: list[str] = field(default_factory=list)
     waiting: list[str] = field(default_factory=list)
+    acknowledged: list[tuple[int, Waiting]] = field(default_factory=list)
 
 
 @dataclass(frozen=True, slots=True)
@@ -159,10 +166,17 @@ class Area:
 
     ``prefix``: that of the names of its channel in the session. ``axes``: the names of a channel's
     axes, or that of the axis itself. ``spindle``: the spindle that the axis turns; empty: none.
+    ``channel``: number of the channel whose functions it shows; 0: none.
     """
 
     def __init__(
-        self, root: str, index: int, prefix: str, axes: Sequence[str] = (), spindle: str = ""
+        self,
+        root: str,
+        index: int,
+        prefix: str,
+        axes: Sequence[str] = (),
+        spindle: str = "",
+        channel: int = 0,
     ) -> None:
         self.root = root
         self.index = index
@@ -176,8 +190,22 @@ class Area:
         present = "plc_present_w" if root == "gpPform" else "head.plc_present_w"
         self._present = slots(root)[present]
         self._mode_names = tuple(map(self._panel, _MODE_NAMES))
+        self._channel = channel
+        self._functions = f"{ASKED}{channel}.functions" if channel else ""
+        self._units: FunctionUnits | None = None
+        if channel:
+            self._units = FunctionUnits(root, self.memory, self._put_number, self._takes)
         for slot in slots(root).values():
             self._prepare(slot)
+
+    def _takes(self, entry: Waiting) -> bool:
+        """Return whether a function is shown here: those of axes at the axis."""
+        if isinstance(entry, SpindleEntry):
+            return self.root == "gpCh"
+        return (entry.axis in self._axes) == (self.root == "gpAx")
+
+    def _put_number(self, path: str, number: float) -> None:
+        self._put(self._slot(path), number)
 
     @property
     def name(self) -> str:
@@ -195,7 +223,7 @@ class Area:
     def session_name(self, element: Element) -> str:
         """Return the value of the session that an element shows or sets; empty for none."""
         tie = element.tie
-        if tie is None or tie.kind in ("fact", UNSERVED):
+        if tie is None or tie.kind in ("fact", UNSERVED) or tie.name in MANAGED:
             return ""
         if tie.for_spindles:
             if not self._spindle:
@@ -304,17 +332,20 @@ class Area:
 
     def names(self, offset: int, size: int) -> tuple[str, ...]:
         """Return the values of the session that a range of bytes shows."""
-        names = (
-            name
-            for slot in self._between(offset, offset + size)
-            if slot.offset in self._shown
-            for name in self._shown[slot.offset][1]
-        )
-        return tuple(dict.fromkeys(names))
+        found: dict[str, None] = {}
+        for slot in self._between(offset, offset + size):
+            if slot.offset in self._shown:
+                found |= dict.fromkeys(self._shown[slot.offset][1])
+            elif self._units is not None and is_unit(slot.path):
+                found[self._functions] = None
+        return tuple(found)
 
     def read(self, offset: int, size: int, values: Mapping[str, Scalar]) -> bytes:
         """Return a range of bytes; raises ``KeyError`` for a value that is not there."""
-        for slot in self._between(offset, offset + size):
+        found = self._between(offset, offset + size)
+        if self._units is not None and any(is_unit(slot.path) for slot in found):
+            self._units.show(cast("Sequence[Waiting]", values[self._functions]))
+        for slot in found:
             shown = self._shown.get(slot.offset)
             if shown is not None:
                 self._put(slot, shown[2](values))
@@ -333,6 +364,8 @@ class Area:
                 found |= dict.fromkeys(filter(None, names))
             elif slot.path == _ERROR_FLAG:
                 found[self._panel("ERROR")] = None
+            elif self._units is not None and is_unit(slot.path):
+                found[self._functions] = None
             elif slot.is_commanded and self.session_name(slot.element):
                 found[self.session_name(slot.element)] = None
         return tuple(found)
@@ -390,6 +423,8 @@ class Area:
                 self._read_error = float(values[self._panel("ERROR")])
         elif slot.path.startswith(_MODE):
             pass
+        elif is_unit(slot.path):
+            self._acknowledge(slot, written)
         elif slot.is_commanded and name:
             self._settle(slot, before, written, values)
         elif tie is not None and name:
@@ -400,10 +435,19 @@ class Area:
             for switch in self._enabled():
                 self._settle(switch, before, written, values)
 
+    def _acknowledge(self, slot: Slot, written: Written) -> None:
+        """Acknowledge the function of a unit whose ``done_w`` was written."""
+        if self._units is None or not self._get(slot):
+            return
+        entry = self._units.acknowledged(slot.path)
+        if entry is not None:
+            written.acknowledged.append((self._channel, entry))
+
     def _enabled(self) -> Iterator[Slot]:
         """Yield the switches of the control units that are enabled."""
         for slot in slots(self.root).values():
-            if slot.is_commanded and slot.element.is_enable and self._get(slot):
+            is_switch = slot.is_commanded and slot.element.is_enable
+            if is_switch and self.session_name(slot.element) and self._get(slot):
                 yield slot
 
     def _settle(
@@ -540,12 +584,14 @@ def areas(machine: Machine, prefixes: Sequence[str]) -> dict[str, list[Area]]:
     platform.tell({"version": __version__})
     channels: list[Area] = []
     turned: dict[int, tuple[str, str]] = {}
-    moved: dict[int, str] = {}
+    moved: dict[int, tuple[str, int]] = {}
     for prefix, channel in zip(prefixes, machine.channels, strict=True):
-        area = Area("gpCh", len(channels), prefix, [axis.name for axis in channel.axes])
-        area.tell({"version": __version__, "size": len(area.memory), "channel": len(channels) + 1})
+        number = len(channels) + 1
+        names = [axis.name for axis in channel.axes]
+        area = Area("gpCh", number - 1, prefix, names, channel=number)
+        area.tell({"version": __version__, "size": len(area.memory), "channel": number})
         for at, axis in enumerate(channel.axes):
-            moved[axis.index] = prefix
+            moved[axis.index] = prefix, number
             facts: dict[str, Scalar] = {"name": axis.name, "logical": axis.logical_number}
             facts["type"] = AXIS_TYPES[machine.axes[axis.index].type]
             area.tell(facts, f"bahn_state.coord_r[{at}].")
@@ -557,13 +603,17 @@ def areas(machine: Machine, prefixes: Sequence[str]) -> dict[str, list[Area]]:
 
 
 def _axis(
-    machine: Machine, index: int, moved: Mapping[int, str], turned: Mapping[int, tuple[str, str]]
+    machine: Machine,
+    index: int,
+    moved: Mapping[int, tuple[str, int]],
+    turned: Mapping[int, tuple[str, str]],
 ) -> Area:
-    """Return the area of an axis; ``moved``, ``turned``: the prefixes of channels that have it."""
+    """Return the area of an axis; ``moved``: prefix and number of the channel that has it."""
     listed = machine.axes[index]
     prefix, spindle = turned.get(listed.logical_number, ("", ""))
+    owner, channel = moved.get(index, (prefix, 0))
     names = [listed.name] if index in moved else []
-    area = Area("gpAx", index, moved.get(index, prefix), names, spindle)
+    area = Area("gpAx", index, owner, names, spindle, channel)
     area.tell(
         {
             "logical": listed.logical_number,

@@ -49,6 +49,8 @@ _SURE: Mapping[str, Text] = {
     ),
 }
 _KNOWN = Text("known, without effect here", "bekannt, hier ohne Wirkung")
+_ACTS = Text("acts", "wirkt")
+_SHOWN = Text("shows what waits or is in effect", "zeigt, was wartet oder wirkt")
 _UNSERVED = Text("known, has no value here", "bekannt, hat hier keinen Wert")
 _FACT = Text("shows a fact about the machine", "zeigt eine Angabe zur Maschine")
 
@@ -102,6 +104,8 @@ def _effect(element: table.Element) -> Text:
         return Text("see its parts", "siehe seine Teile")
     if tie.kind == "fact":
         return _FACT
+    if tie.name in table.MANAGED:
+        return _ACTS if element.effect == table.ACTS else _SHOWN
     name = f"…{tie.name}" if element.root == "gpAx" or "coord_r" in element.path else tie.name
     if tie.factor != 1:
         name += f" × {tie.factor}"

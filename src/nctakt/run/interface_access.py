@@ -15,7 +15,16 @@ from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
 from nctakt.hli import table
 from nctakt.hli.checked_values import number_of
-from nctakt.hli.interface_memory import Area, NotWritable, Scalar, Slot, Written, areas, slots
+from nctakt.hli.interface_memory import (
+    ASKED,
+    Area,
+    NotWritable,
+    Scalar,
+    Slot,
+    Written,
+    areas,
+    slots,
+)
 from nctakt.lists.machine.machine import Machine
 from nctakt.messages import diagnostic
 from nctakt.messages.hli_table import (
@@ -125,7 +134,8 @@ class InterfaceAccess:
     def get(self, path: str) -> Scalar:
         """Return the present value of an element; raises ``Failure`` for what is none."""
         area, slot = self._find(path)
-        if area.hides(slot.offset, slot.type.size_bytes):
+        is_asked = any(name.startswith(ASKED) for name in area.names(slot.offset, 1))
+        if is_asked or area.hides(slot.offset, slot.type.size_bytes):
             raise Failure(diagnostic(PATH_NOT_SERVED, path=path))
         data = area.read(slot.offset, slot.type.size_bytes, self._values)
         value = slot.value_of(data)
@@ -140,6 +150,8 @@ class InterfaceAccess:
         area, slot = self._find(path)
         if slot.element.by == "CNC":
             raise Failure(diagnostic(PATH_READ_ONLY, path=path))
+        if any(name.startswith(ASKED) for name in area.needed(slot.offset, 1)):
+            raise Failure(diagnostic(PATH_NOT_SERVED, path=path))
         type_ = slot.type.name
         if isinstance(value, str) != slot.type.is_text:
             raise Failure(diagnostic(VALUE_NOT_OF_TYPE, name=path, type=type_, value=value))

@@ -8,8 +8,9 @@ in order is an ``AdsError``; values that are not here yet are ``Missing``.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import partial
 from struct import Struct, pack
-from typing import TypeVar
+from typing import Any, TypeVar
 
 from nctakt.base.failure import Failure, error_text
 from nctakt.hli.interface_memory import Written
@@ -127,7 +128,11 @@ class Access:
             function = 0 if in_force is None else in_force.zero_offset
             group = function - _NO_ZERO_OFFSET if function in _ZERO_OFFSETS else 0
             found[f"{GLANCE}{number}.zero_offset"] = float(group)
-        self._once = {**self._host.store.values, **found}
+        waiting: dict[str, Any] = {
+            f"{GLANCE}{number}.functions": [one for at, one in glance.waiting if at == number]
+            for number in range(1, len(glance.channels) + 1)
+        }
+        self._once = {**self._host.store.values, **found, **waiting}
         try:
             return read()
         finally:
@@ -241,6 +246,7 @@ class Access:
     def _taken(self, client: Client, written: Written) -> dict[str, Scalar]:
         """Return the values of a write to the interface; tell what has no effect here, once."""
         client.programs += written.programs
+        client.acknowledged += written.acknowledged
         for path in written.known:
             self._tell_once(client, path, "known, without effect here")
         for path in written.waiting:
@@ -258,9 +264,13 @@ class Access:
         Programs that the client selects with them come first.
         """
         programs, client.programs = client.programs, []
+        entries, client.acknowledged = client.acknowledged, []
         try:
             for channel, program in programs:
                 await self._host.select(program, channel, DOOR, client.name)
+            for number, entry in entries:
+                acknowledge = partial(self._host.session.acknowledge, number, entry)
+                await self._host.ask(acknowledge, f"{DOOR} {client.name}")
             if not values:
                 return Error.NONE
             tick = await self._host.write(values, DOOR, client.name)

@@ -99,12 +99,16 @@ class InterfaceSymbols:
     # --- symbols --------------------------------------------------------------------------------
 
     def all(self) -> Iterator[Symbol]:
-        """Yield the symbols that are uploaded: the elements of all areas, and the constants."""
+        """Yield the symbols that are uploaded: the elements of all areas, and the constants.
+
+        What has no value here is not among them.
+        """
         for root, found in self.areas.items():
-            elements = [one for one in table.patterns().values() if _is_listed(one, root)]
+            elements = [_whole(one) for one in table.patterns().values() if _is_listed(one, root)]
             for area in found:
                 for element in elements:
-                    yield self._symbol(element, area)
+                    if not area.hides(element.offset, element.type.size_bytes):
+                        yield self._symbol(element, area)
         for one in self._constants:
             yield self._constant(one.name)
 
@@ -208,6 +212,11 @@ class InterfaceSymbols:
         for item in used:
             item.is_used = False
         return used
+
+
+def _whole(element: Element) -> Element:
+    """Return the array of which an element is the first one; any other element as it is."""
+    return table.find(element.path[:-3]) if element.path.endswith("[0]") else element
 
 
 def _is_listed(element: Element, root: str) -> bool:

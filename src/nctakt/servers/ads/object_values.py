@@ -7,14 +7,14 @@ import math
 from collections.abc import Callable, Mapping
 from struct import calcsize, pack, unpack
 
-from nctakt.hli.interface_memory import Area, NotWritable, Written
+from nctakt.hli.interface_memory import ASKED, Area, NotWritable, Written
 from nctakt.lists.declared.variables import SCALARS
 from nctakt.servers.ads.codes import AdsError, Error
 from nctakt.servers.ads.data import NUMERIC
 from nctakt.servers.store import Scalar
 
 #: What begins the names of values that no signal has: they are asked of the session at each read.
-GLANCE = "?"
+GLANCE = ASKED
 #: The name of the tick in the values that are asked.
 TICK = f"{GLANCE}tick"
 

@@ -33,6 +33,13 @@ async function main([host, port, netId]) {
   await client.writeValue("V.E.LIST", list);
   assert.deepStrictEqual((await client.readValue("V.E.LIST")).value, list);
 
+  const channel = "HLI_Global_Variables.gpCh[0]^";
+  const state = (await client.readValue(`${channel}.channel_mc_control.mode_and_state.state_r`)).value;
+  assert.strictEqual(state.mode, 2);
+  await client.writeValue(`${channel}.hb_mc_control.rapid_key.command_w.log_key_nr`, 3);
+  const key = (await client.readValue(`${channel}.hb_mc_control.rapid_key.command_w`)).value;
+  assert.strictEqual(key.log_key_nr, 3);
+
   const symbols = await client.getSymbols();
   assert.strictEqual(symbols["v.e.list"].type, "ARRAY [0..9] OF LREAL");
   const types = await client.getDataTypes();

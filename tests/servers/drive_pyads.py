@@ -7,12 +7,14 @@ In a process of its own: the library may crash when its process ends in the midd
 from __future__ import annotations
 
 import contextlib
+import io
 import struct
 import sys
 import time
 from collections.abc import Callable
 from datetime import datetime
 from itertools import pairwise
+from pathlib import Path
 
 import pyads
 
@@ -205,6 +207,17 @@ def try_selection_of_a_program(plc: pyads.Connection, connect: Connect) -> None:
             assert error.err_code == 0x70B
         else:
             raise AssertionError("it is not there")
+
+
+def try_the_hmi_of_the_examples(plc: pyads.Connection, connect: Connect) -> None:
+    """It loads, starts, holds, acknowledges and resets by the operation mode manager alone."""
+    until(lambda: plc.read_by_name("HLI.STATE") == 0)
+    sys.path.insert(0, str(Path(__file__).parents[2] / "examples"))
+    from ads_hmi import drive  # noqa: PLC0415 - its folder is known here only
+
+    with contextlib.redirect_stdout(io.StringIO()) as out:
+        drive(plc, "there.nc")
+    assert out.getvalue().endswith("ended at X 60.0000 mm, 1 functions\n")
 
 
 def main(address: str, net_id: str) -> None:

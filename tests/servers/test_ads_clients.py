@@ -79,6 +79,7 @@ def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
     """A server whose run is on a tape."""
     folder = tmp_path_factory.mktemp("served")
     (folder / "back.nc").write_text("G01 X0 F6000\nM30\n", "utf-8")
+    (folder / "there.nc").write_text("G01 X30 F6000\nM100\nG01 X60\nM30\n", "utf-8")
     found = Server(folder, "--pace=tick", f"--record={folder / 'run.tape'}", "--log=log.jsonl")
     yield found
     code, out, error = found.end()
@@ -108,7 +109,7 @@ def test_the_library_of_the_vendor(server: Server) -> None:
         words, cwd=FOLDER, capture_output=True, text=True, timeout=120, check=False
     )
     assert done.returncode == 0, done.stdout + done.stderr
-    assert len(done.stdout.splitlines()) == 10
+    assert len(done.stdout.splitlines()) == 11
 
 
 def test_ads_client_of_npm(server: Server, tmp_path: Path) -> None:

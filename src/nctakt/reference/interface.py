@@ -3,9 +3,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
+from functools import cache
 
 from nctakt.base.diagnostics import Text
+from nctakt.hli import table
 from nctakt.hli.layout import (
     AXIS,
     CHANNEL,
@@ -61,11 +63,33 @@ def _facts(structure: Structure, entry: Entry) -> Iterator[Fact]:
     yield fact("Written by", "Geschrieben von", _BY_PLC if structure.is_command else _BY_CNC)
     if entry in (*PANEL, *LAMPS):
         yield fact("From outside", "Von außen", f"{PREFIX}{entry.name.upper()}")
+    paths = _paths_of(structure, entry)
+    if paths:
+        yield fact("On the controller", "Auf der Steuerung", ", ".join(paths))
     view = _VIEWS.get(structure.name, "")
     if view == "axis" and entry.source:
         yield fact("In Python", "In Python", f'hli.axis("X")["{entry.name}"]')
     elif view == "channel" and (entry.source or entry in LAMPS):
         yield fact("In Python", "In Python", f'hli.channel()["{entry.name}"]')
+
+
+@cache
+def _paths() -> Mapping[tuple[str, bool], list[str]]:
+    """Return the controller's paths of each value of the session, and whether it is an axis'."""
+    found: dict[tuple[str, bool], list[str]] = {}
+    for path, element in table.patterns().items():
+        tie = element.tie
+        if tie is not None and element.row is not None and element.inner is None:
+            is_axis = element.root == "gpAx" or "coord_r" in path
+            found.setdefault((tie.name, is_axis), []).append(path)
+    return found
+
+
+def _paths_of(structure: Structure, entry: Entry) -> Sequence[str]:
+    """Return the paths of the controller that show a value or set it."""
+    is_panel = entry in (*PANEL, *LAMPS)
+    name = f"{PREFIX}{entry.name.upper()}" if is_panel else entry.source
+    return _paths().get((name, structure is AXIS), []) if name else []
 
 
 def _all() -> Iterator[Article]:

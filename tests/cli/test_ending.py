@@ -244,3 +244,23 @@ def test_outside_of_commands_signals_are_as_they_were() -> None:
     assert seen == [signal.SIGTERM, signal.SIGINT]
     assert interrupts.terminations() == count + 1
     assert [signal.getsignal(number) for number in (signal.SIGINT, signal.SIGTERM)] == before
+
+
+def test_ctrl_c_before_the_command_has_begun(tmp_path: Path) -> None:
+    """It ends the process without a traceback: the shell shows 130."""
+    (tmp_path / "click.py").write_text("import time\nprint('begun', flush=True)\ntime.sleep(60)\n")
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    try:
+        process = subprocess.Popen(
+            [sys.executable, "-P", "-m", "nctakt", "--version"],
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            env={**ENVIRONMENT, "PYTHONPATH": f"{tmp_path}{os.pathsep}{SOURCES}"},
+        )
+    finally:
+        signal.signal(signal.SIGINT, before)
+    assert process.stdout is not None
+    assert process.stdout.readline() == b"begun\n"
+    process.send_signal(signal.SIGINT)
+    assert process.communicate(timeout=60)[0] == b""
+    assert process.returncode == -signal.SIGINT

@@ -3,11 +3,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 import pytest
 
 from nctakt.cli import main, study_progress
+from nctakt.studies.bench import Row
 from nctakt.studies.row_block import RowBlock
 
 Captured = pytest.CaptureFixture[str]
@@ -117,6 +119,16 @@ def test_ctrl_c_keeps_what_is_finished(
         assert main(words) == 1
     assert "901310" in capsys.readouterr().err
     assert not out.exists()
+    with monkeypatch.context() as patch:
+
+        def interrupt_writing(rows: Iterable[Row]) -> Iterator[list[Row]]:
+            yield list(rows)[:2]
+            raise KeyboardInterrupt
+
+        patch.setattr("nctakt.studies.results._groups", interrupt_writing)
+        assert main([*words, "--resume"]) == 1
+    assert "rows.partial.jsonl" in capsys.readouterr().err  # as of each file that is cut off
+    out.with_name("rows.partial.jsonl").unlink()
     assert main([*words, "--resume"]) == 1
     assert out.read_bytes() == whole
     assert not out.with_name("rows.jsonl.rows").exists()

@@ -20,7 +20,7 @@ import click
 
 from nctakt.base.interrupts import handling
 from nctakt.base.version import __version__
-from nctakt.cli.terminal import complain, print_diagnostics, silence
+from nctakt.cli.terminal import complain, complain_notes, print_diagnostics, silence
 
 EXIT_RAN = 0
 EXIT_NC_ERROR = 1
@@ -85,7 +85,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         sys.stdout.flush()
     except BrokenPipeError as error:  # the reader has closed the pipe
         silence(sys.stdout)
-        _complain_notes(error)
+        complain_notes(error)
     except OSError as error:  # standard output refuses the text
         return _refused(error)
     return code
@@ -105,20 +105,13 @@ def _run(arguments: Sequence[str] | None) -> int:
         return EXIT_USAGE
     except (click.Abort, KeyboardInterrupt) as error:
         complain("interrupted")
-        _complain_notes(error)
+        complain_notes(error)
         return EXIT_NC_ERROR
     except OSError:
         raise
     except Exception as error:  # noqa: BLE001 - the last resort, reported as an internal error
         return _internal_error(error)
     return code if isinstance(code, int) else EXIT_RAN
-
-
-def _complain_notes(error: BaseException) -> None:
-    """Show what was noted with an exception, or its cause: files that were cut off."""
-    for one in (error, error.__cause__):
-        for note in getattr(one, "__notes__", ()):
-            complain(note)
 
 
 def _open_streams() -> None:
@@ -141,7 +134,7 @@ def _refused(error: OSError) -> int:
 
     _trace_if_debugging(error)
     silence(sys.stdout)
-    _complain_notes(error)
+    complain_notes(error)
     name = "standard output" if error.filename is None else str(error.filename)
     reason = error.strerror or str(error)
     print_diagnostics([diagnostic(FILE_NOT_WRITABLE, file=name, reason=reason)], "en")
@@ -165,7 +158,7 @@ def _trace_if_debugging(error: Exception) -> None:
 
 def _internal_error(error: Exception) -> int:
     _trace_if_debugging(error)
-    _complain_notes(error)
+    complain_notes(error)
     complain(f"internal error: {type(error).__name__}: {error}")
     complain(
         "  This is a fault of nctakt, not of your program. Set NCTAKT_DEBUG=1 and run the same "

@@ -22,7 +22,7 @@ from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN, EXIT_USAGE
 from nctakt.cli.language import language_option
 from nctakt.cli.start_options import TRUST_OPTION
-from nctakt.cli.terminal import print_diagnostics
+from nctakt.cli.terminal import complain_notes, print_diagnostics
 
 if TYPE_CHECKING:
     from nctakt.studies.row_store import RowStore
@@ -312,6 +312,7 @@ def _interrupted(
     if isinstance(error, Failure):
         print_diagnostics([*error.diagnostics, found], words["language"])
         return EXIT_USAGE
+    complain_notes(error)
     print_diagnostics([found], words["language"])
     return EXIT_NC_ERROR
 

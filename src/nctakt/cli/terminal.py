@@ -55,6 +55,13 @@ def complain(line: str) -> None:
         silence(sys.stderr)
 
 
+def complain_notes(error: BaseException) -> None:
+    """Show what was noted with an exception, or its cause: files that were cut off."""
+    for one in (error, error.__cause__):
+        for note in getattr(one, "__notes__", ()):
+            complain(note)
+
+
 def silence(stream: TextIO) -> None:
     """Discard the buffered and all further output of a stream that refuses it."""
     with contextlib.suppress(OSError, ValueError):

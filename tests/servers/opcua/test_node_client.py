@@ -21,7 +21,7 @@ from asyncua import Client, ua
 from support.published_model import installed
 from support.served import Served
 
-from nctakt.servers.opcua.security import PASSWORD
+from nctakt.servers.opcua.security import PASSWORD, application_uri
 
 pytestmark = pytest.mark.slow
 
@@ -85,6 +85,7 @@ def test_others_are_refused(tmp_path):
 
     async def refused(user, password, *, encrypts=True):
         client = Client(url)
+        client.application_uri = application_uri()
         if encrypts:
             certificate, key = folder / "certificate.der", folder / "key.pem"
             await client.set_security_string(f"Basic256Sha256,SignAndEncrypt,{certificate},{key}")

@@ -17,6 +17,7 @@ from asyncua import ua
 from nctakt.servers.address import shown_address
 from nctakt.servers.connections import Deadline, watch
 from nctakt.servers.log import ServerLog
+from nctakt.servers.opcua.certificates import ANOTHER_CERTIFICATE, refusal_of
 from nctakt.servers.opcua.library import (
     Buffer,
     LibraryConnection,
@@ -32,9 +33,17 @@ from nctakt.servers.opcua.limits import Limits
 _PUBLISH = ua.NodeId(ua.ObjectIds.PublishRequest_Encoding_DefaultBinary)
 _TRANSFER = ua.NodeId(ua.ObjectIds.TransferSubscriptionsRequest_Encoding_DefaultBinary)
 _ACTIVATE = ua.NodeId(ua.ObjectIds.ActivateSessionRequest_Encoding_DefaultBinary)
+_CREATE = ua.NodeId(ua.ObjectIds.CreateSessionRequest_Encoding_DefaultBinary)
 _REGISTER = (
     ua.NodeId(ua.ObjectIds.RegisterServerRequest_Encoding_DefaultBinary),
     ua.NodeId(ua.ObjectIds.RegisterServer2Request_Encoding_DefaultBinary),
+)
+
+#: What a client may ask without security: how it gets some.
+_DISCOVERY = (
+    ua.NodeId(ua.ObjectIds.GetEndpointsRequest_Encoding_DefaultBinary),
+    ua.NodeId(ua.ObjectIds.FindServersRequest_Encoding_DefaultBinary),
+    ua.NodeId(ua.ObjectIds.CloseSecureChannelRequest_Encoding_DefaultBinary),
 )
 
 #: The length of the header of a chunk, in bytes: three letters, one, and the length of it all.
@@ -44,15 +53,25 @@ _HEADER = 8
 class Processor(LibraryProcessor):
     """Answers the requests of one connection."""
 
-    def __init__(self, server: Any, transport: Any, limits: Any, own: Limits, client: str) -> None:
+    def __init__(
+        self,
+        server: Any,
+        transport: Any,
+        limits: Any,
+        own: Limits,
+        client: str,
+        log: ServerLog,
+    ) -> None:
         super().__init__(server, transport, limits)
         self._own = own
+        self._log = log
         self.client = client
 
     async def handle(self, typeid: ua.NodeId, header: Any, sequence: Any, body: Any) -> Any:
         """Answer a request; return whether the connection goes on."""
         if typeid in _REGISTER:
             raise ServiceError(ua.StatusCodes.BadServiceUnsupported)
+        self._check_security(typeid, body)
         if typeid not in (_PUBLISH, _TRANSFER) or self.session is None:
             done = await super().handle(typeid, header, sequence, body)
             if self.session is not None:
@@ -74,6 +93,27 @@ class Processor(LibraryProcessor):
         results = self.session.acknowledge(params.SubscriptionAcknowledgements)
         self._take_request(PublishRequestData(header, sequence, results))
         return True
+
+    def _check_security(self, typeid: ua.NodeId, body: Any) -> None:
+        """Raise ``ServiceError`` for a request that this client may not send in this manner."""
+        security = self.iserver.security
+        if security is None or typeid in _DISCOVERY:
+            return
+        if not self.is_encrypted:
+            self._refuse("its messages are not encrypted")
+            raise ServiceError(ua.StatusCodes.BadSecurityModeInsufficient)
+        if typeid == _CREATE:
+            params = struct_from_binary(ua.CreateSessionParameters, body.copy())
+            uri = params.ClientDescription.ApplicationUri
+            refusal = refusal_of(self.peer_certificate, uri, security.trusted())
+            if params.ClientCertificate != self.peer_certificate:
+                refusal = ANOTHER_CERTIFICATE
+            if refusal is not None:
+                self._refuse(refusal.reason)
+                raise ServiceError(refusal.status)
+
+    def _refuse(self, reason: str) -> None:
+        self._log.refuse("opcua", self.client.rpartition(":")[0], reason)
 
     def _take_request(self, request: PublishRequestData) -> None:
         """Answer a publish request at once if something waits for it; else keep it."""
@@ -128,7 +168,7 @@ class Connection(LibraryConnection):
         self._begun_s = loop.time()
         self._deadline = Deadline(loop, _HEADER, self._break)
         self.processor = Processor(
-            self.iserver, self.transport, self.limits, self._own, self.client
+            self.iserver, self.transport, self.limits, self._own, self.client, self._log
         )
         self.processor.set_policies(self.policies)
 

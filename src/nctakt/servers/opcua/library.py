@@ -22,7 +22,7 @@ from asyncua.server.binary_server_asyncio import BinaryServer, OPCUAProtocol
 from asyncua.server.internal_server import InternalServer
 from asyncua.server.internal_session import InternalSession
 from asyncua.server.uaprocessor import PublishRequestData, UaProcessor
-from asyncua.ua import MessageType
+from asyncua.ua import MessageSecurityMode, MessageType
 from asyncua.ua.ua_binary import (
     header_from_binary,
     struct_from_binary,
@@ -62,6 +62,19 @@ class LibraryProcessor(UaProcessor):
     async def handle(self, typeid: Any, header: Any, sequence: Any, body: Any) -> Any:
         """Answer a request as the library does; return whether the connection goes on."""
         return await super()._process_message(typeid, header, sequence, body)
+
+    @property
+    def is_encrypted(self) -> bool:
+        """Whether the client's messages come signed and encrypted.
+
+        The library takes those without security at any server, before a channel is open, too.
+        """
+        return bool(self._connection.security_policy.Mode == MessageSecurityMode.SignAndEncrypt)
+
+    @property
+    def peer_certificate(self) -> bytes:
+        """The certificate that the client's channel is encrypted with."""
+        return bytes(self._connection.security_policy.peer_certificate or b"")
 
     @property
     def publish_requests(self) -> deque[PublishRequestData]:

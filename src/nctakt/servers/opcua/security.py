@@ -25,19 +25,25 @@ from cryptography.hazmat.primitives.serialization import Encoding, load_pem_priv
 from cryptography.x509.oid import ExtendedKeyUsageOID
 
 from nctakt.base.failure import Failure
+from nctakt.files.access import FileAccess
 from nctakt.files.output import write_file
 from nctakt.messages import diagnostic
 from nctakt.messages.opcua import SECURITY_FOLDER_NOT_USABLE
+from nctakt.servers.opcua.certificates import TrustList, read_trust_list
 from nctakt.servers.opcua.library import User, UserRole, cert_gen
 
-#: The file names in the folder.
+#: The file names in the folder, and that of the folder in it with certificates that are trusted.
 CERTIFICATE, KEY, USERS, PASSWORD = "certificate.der", "key.pem", "users", "first-password.txt"
+TRUSTED = "trusted"
 
 #: The user that the first start makes.
 FIRST_USER = "operator"
 
 #: How long a certificate is valid, in days.
 _VALID_DAYS = 3650
+
+#: Files of the trust list that are read.
+_MAX_TRUSTED = 1000
 
 #: Cost of a hash: about 10 ms.
 _SCRYPT = {"n": 4096, "r": 8, "p": 1}
@@ -71,6 +77,7 @@ class Security:
             self.key = self._private_key()
             self.certificate = self._own_certificate()
             self._users = self._read_users()
+            self._read_trusted()
         except (OSError, ValueError, TypeError) as error:
             found = diagnostic(SECURITY_FOLDER_NOT_USABLE, folder=str(folder), reason=str(error))
             raise Failure(found) from error
@@ -134,6 +141,27 @@ class Security:
                 del self._failures[next(iter(self._failures))]
             self._failures[source] = failures
         return is_right
+
+    # --- trust ----------------------------------------------------------------------------------
+
+    def trusted(self) -> TrustList | None:
+        """Return whose certificates are trusted, ``None`` if all are: without a folder of them.
+
+        Nobody's are while it cannot be read. It is read anew for each session: what is put there or
+        taken away counts at once.
+        """
+        try:
+            return self._read_trusted()
+        except (Failure, OSError, ValueError):
+            return TrustList((), ())
+
+    def _read_trusted(self) -> TrustList | None:
+        folder = self.folder / TRUSTED
+        if not folder.is_dir():
+            return None
+        access = FileAccess([folder])
+        files = sorted(folder.iterdir())[:_MAX_TRUSTED]
+        return read_trust_list({str(file): access.read_bytes(file) for file in files})
 
     # --- the library's side ---------------------------------------------------------------------
 

@@ -31,12 +31,14 @@ logging.getLogger("asyncua").setLevel(logging.CRITICAL + 1)
 class CncInternalServer(LibraryInternalServer):
     """Makes our sessions; ``services``: set before the first client comes.
 
-    ``asking``: the address of the client whose password is looked at.
+    ``security``: ``None`` on this computer, where anybody may come in. ``asking``: the address of
+    the client whose password is looked at.
     """
 
-    def __init__(self, limits: Limits, users: Any) -> None:
-        super().__init__(users)
+    def __init__(self, limits: Limits, security: Security | None) -> None:
+        super().__init__(Anybody() if security is None else security)
         self.limits = limits
+        self.security = security
         self.services: MachineServices | None = None
         self.asking = ""
         self._ending: set[asyncio.Task[None]] = set()
@@ -56,13 +58,26 @@ class CncInternalServer(LibraryInternalServer):
         return session
 
     def make_room(self) -> bool:
-        """End the session that lost its connection first; return whether there was any."""
+        """End a session that nobody uses; return whether there was any.
+
+        First the one that lost its connection first, then the oldest that no user has entered.
+        """
         assert self.services is not None
+        now_s = asyncio.get_running_loop().time()
         left = [one for one in self.client_sessions if one.left_s is not None]
-        if not left:
+        unused = [
+            one
+            for one in self.client_sessions
+            if not one.is_activated() and now_s - one.begun_s > self.limits.entering_s
+        ]
+        if left:
+            oldest = min(left, key=lambda one: one.left_s)
+            reason = "its connection is gone, and its place was needed"
+        elif unused:
+            oldest = min(unused, key=lambda one: one.begun_s)
+            reason = "no user has entered its session, and its place was needed"
+        else:
             return False
-        oldest = min(left, key=lambda one: one.left_s)
-        reason = "its connection is gone, and its place was needed"
         self.services.host.log.refuse(DOOR, oldest.client, reason)
         self.unregister_external_session(oldest)
         self.subscription_service.expire_all(oldest.session_id)
@@ -76,7 +91,7 @@ class CncServer(LibraryServer):
     """A server on one address; ``security``: ``None`` for this computer's own one."""
 
     def __init__(self, limits: Limits, log: ServerLog, security: Security | None) -> None:
-        internal = CncInternalServer(limits, Anybody() if security is None else security)
+        internal = CncInternalServer(limits, security)
         super().__init__(iserver=internal)
         self._own = limits
         self._log = log

@@ -37,6 +37,7 @@ class ClientSession(InternalSession):
         self.services = services
         self.client = ""
         self.left_s: float | None = None
+        self.begun_s = asyncio.get_running_loop().time() if keywords.get("external") else 0.0
         self._link: object = None
         self.language: Language = "en"
         super().__init__(*words, **keywords)

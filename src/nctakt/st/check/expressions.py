@@ -343,7 +343,7 @@ class ExpressionChecker:
         if self.resolver.is_incomplete(self.scope.pou):
             return
         key = node.name.lower()
-        for space in self.names.spaces(self.scope.library):
+        for space in self.names.spaces(self.scope.library, key):
             for found in space.lists.values():
                 if found.is_qualified_only and key in found.variables:
                     qualified = f"{found.name}.{node.name}"

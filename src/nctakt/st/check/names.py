@@ -20,7 +20,7 @@ from nctakt.st.tree import (
     VariableNode,
 )
 from nctakt.st.types import EnumValue, Expression, Pou, Type, Variable
-from nctakt.st.vocabulary.libraries import words_of
+from nctakt.st.vocabulary.libraries import declared_names, words_of
 
 
 @dataclass(slots=True, eq=False)
@@ -147,8 +147,10 @@ class Names:
         return None
 
     def all_names(self) -> Iterator[str]:
-        """Yield all names that can stand without prefix."""
-        for space in self.spaces():
+        """Yield all names that can stand without prefix; of libraries those of their objects."""
+        for space in (self.project, *self.libraries.values()):
+            if not space.is_read and space.library:
+                yield from declared_names(space.library)
             yield from (declared.name for declared in space.declared.values())
             yield from (found[0][1].name for found in space.variables.values())
             yield from (value.name for value in space.values.values())

@@ -121,7 +121,7 @@ class ProjectChecker(StatementChecker):
     def _object(self, node: Declaration) -> None:
         declared = self.names.project.declared.get(getattr(node, "name", "").lower())
         target = None if declared is None or declared.node is not node else declared.target
-        if isinstance(node, PouNode) and isinstance(target, Pou):
+        if isinstance(node, PouNode) and isinstance(target, Pou) and target in self.resolver.nodes:
             self._pou(node, target)
         elif isinstance(node, GlobalListNode):
             self._list(node)

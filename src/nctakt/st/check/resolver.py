@@ -152,7 +152,7 @@ class Resolver:
     def target_of(self, declared: Declared) -> Type | Pou | None:
         """Return the type or POU of a declaration, whose own declaration may be read by it."""
         if declared.target is None and not declared.is_open:
-            declared.is_open = True
+            declared.is_open = True  # stays so if it is nested too deep
             self._resolve(declared)
             declared.is_open = False
         return declared.target
@@ -621,7 +621,7 @@ class Resolver:
         if pou.base is not None:
             pou.members.update(pou.base.members)
             pou.parameters += pou.base.parameters
-            members.update(self._scopes[pou.base].members)
+            members.update(self.scope_of(pou.base).members)
         local_names: dict[str, Target] = {}
         inner = Scope(scope.library, local_names, members, pou, node.name)
         self._scopes[pou] = inner
@@ -917,7 +917,7 @@ class Resolver:
 
     def scope_of(self, pou: Pou) -> Scope:
         """Return the names that bodies and members of a block see."""
-        return self._scopes[pou]
+        return self._scopes.get(pou) or Scope()
 
 
 #: The type of what was declared with a mistake: nothing is reported about it again.

@@ -93,7 +93,8 @@ class DeclarationParser(StatementParser):
                     self.fail(UNEXPECTED_TOKEN, found=self.texts[self.index])
             except SyntaxFaultError:
                 self._depth = 0
-                self.index += 1
+                if self.kinds[self.index] != END:
+                    self.index += 1
                 while self.kinds[self.index] not in _OBJECTS:
                     self.index += 1
         return found

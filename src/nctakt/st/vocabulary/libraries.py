@@ -35,6 +35,7 @@ ALIASES = {
 }
 #: Members whose names are keywords here (ST-763).
 _MEMBERS = {"type": "fkt_ctrl_r"}
+_DECLARED = re.compile(r"(?:FUNCTION_BLOCK|FUNCTION|TYPE|INTERFACE)\s+(\w+)")
 _HIGHEST_CHANNEL, _HIGHEST_AXIS = 31, 127
 #: Types that pins have and no source describes.
 _OPAQUE = re.compile(r"\b(?:MC|MCV|HLI|AXES|TRIGGER)_[A-Z_]+\b")
@@ -67,6 +68,12 @@ def text_of(name: str) -> str:
 def words_of(name: str) -> frozenset[str]:
     """Return all words of a library's text in lower case."""
     return frozenset(re.findall(r"\w+", text_of(name).lower()))
+
+
+@cache
+def declared_names(name: str) -> tuple[str, ...]:
+    """Return the names of the POUs and types of a library."""
+    return tuple(_DECLARED.findall(text_of(name)))
 
 
 def _interface() -> str:

@@ -79,7 +79,7 @@ def turned(angles: Sequence[float]) -> NDArray[np.float64]:
     return np.array(about_z) @ np.array(about_y) @ np.array(about_x)
 
 
-@each_seed(60, 6)
+@each_seed(30, 4)
 def test_random_layers_against_matrices(seed: int) -> None:
     """Systems of all kinds go on and off in any order, with G92 in some of them."""
     chance = random.Random(seed)

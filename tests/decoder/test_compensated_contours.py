@@ -64,7 +64,7 @@ def ways_of(
     return [way(one) for one in kept], [one.number for one in kept], errors
 
 
-@each_seed(40, 10)
+@each_seed(20, 5)
 def test_the_tool_stays_at_its_radius(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
     """Nowhere nearer than the radius, and just so far beside each line and arc."""
     random = Random(seed)
@@ -120,7 +120,7 @@ def nearest_to(place: Point, lines: list[tuple[Point, Point]]) -> float:
     return min(distance(place, (start, end, None, 0.0)) for start, end in lines)
 
 
-@each_seed(40, 10)
+@each_seed(20, 5)
 def test_the_way_to_an_open_contour_and_from_it(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
     """Told where it leads across the path beside another part (901964), and only where it cuts."""
     random = Random(seed)

@@ -29,7 +29,7 @@ pytestmark = pytest.mark.slow
 
 DEMO = load_machine(None)
 often = settings(
-    max_examples=400 if is_compiled() else 60, deadline=None, derandomize=True, database=None
+    max_examples=150 if is_compiled() else 40, deadline=None, derandomize=True, database=None
 )
 
 #: Numbers of the decoder's faults that neither all functions (21241) nor all operators have.

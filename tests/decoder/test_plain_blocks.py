@@ -210,7 +210,7 @@ MODAL = [
 ]
 
 
-@each_seed(20, 5)
+@each_seed(8, 3)
 def test_both_ways_give_the_same_commands(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
     """Random programs: the rows of the queue are equal to the bit, and so are the diagnostics."""
     content = text(seed)
@@ -219,7 +219,7 @@ def test_both_ways_give_the_same_commands(seed: int, monkeypatch: pytest.MonkeyP
     assert rows(content) == short
 
 
-@each_seed(20, 5)
+@each_seed(8, 3)
 def test_both_ways_give_the_same_shapes(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
     """MO-4, MO-18: plain lines wait for chamfers, roundings and splines where one follows."""
     content = text(3000 + seed, OTHERS[:30] + 3 * SHAPES)
@@ -271,7 +271,7 @@ def test_plain_blocks_follow_the_table_of_functions(
     assert rows(content) == short
 
 
-@each_seed(20, 5)
+@each_seed(8, 3)
 def test_the_queue_is_filled_as_far(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
     """Decoding stops at the same block when the queue is full (what is read later, is later)."""
     content = text(1000 + seed)
@@ -281,7 +281,7 @@ def test_the_queue_is_filled_as_far(seed: int, monkeypatch: pytest.MonkeyPatch) 
     assert rows(content, water) == short
 
 
-@each_seed(20, 5)
+@each_seed(8, 3)
 def test_both_ways_mark_the_same_blocks(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
     """Each block has its mark, and what is in force changes where it does."""
     content = text(4000 + seed, OTHERS[:30] + 3 * SHAPES if seed % 2 else OTHERS)
@@ -299,7 +299,7 @@ def test_marked_blocks_take_the_short_way(monkeypatch: pytest.MonkeyPatch) -> No
     assert sum(taken) == 2 * len(lines)
 
 
-@each_seed(12, 3)
+@each_seed(6, 2)
 def test_both_ways_run_the_same(seed: int, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     """Whole runs: trace, events with their places, diagnostics, messages."""
     content = text(2000 + seed)
@@ -347,7 +347,7 @@ def contour(seed: int) -> str:
     return "\n".join(["#VAR", "V.P.A = 1", "#ENDVAR", *lines])
 
 
-@each_seed(20, 5)
+@each_seed(8, 3)
 def test_both_ways_give_the_same_contours(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
     """MO-9: random contours beside which the tool goes, with what interrupts them."""
     content = contour(seed)

@@ -146,7 +146,7 @@ def by_parser(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(Templates, "skip_known", lambda _self, _lines, index: index)
 
 
-@each_seed(20, 5)
+@each_seed(10, 3)
 def test_both_ways_give_the_same_commands(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
     """Random programs: the rows of the queue are equal to the bit, and so are the diagnostics."""
     text = content(seed)
@@ -175,7 +175,7 @@ def test_many_random_programs_run_and_are_full_of_forms(monkeypatch: pytest.Monk
     assert 5 < known[1] < 0.3 * known[0]
 
 
-@each_seed(25, 5)
+@each_seed(12, 3)
 def test_both_ways_run_the_same(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
     """Whole runs: trace, events with their places, diagnostics, messages."""
     text = content(2000 + seed)

@@ -23,7 +23,7 @@ pytestmark = pytest.mark.slow
 Run = Callable[..., None]
 
 #: Random edits; ``NCTAKT_SEEDS=100000`` makes as many.
-EDITS = 10_000
+EDITS = 4_000
 
 PROGRAM = """\
 %MAIN

@@ -75,7 +75,7 @@ def positions(controller: Controller) -> list[float]:
     return [controller.hli.axis(axis.name)["command"] for axis in controller.channel_axes]
 
 
-@seeds_in_parts(200, 30, 50)
+@seeds_in_parts(100, 20, 25)
 def test_any_bytes_of_the_plc_leave_the_controller_sound(seeds: range) -> None:
     """Finite positions, a known state, diagnostics for what cannot be."""
     for seed in seeds:
@@ -91,7 +91,7 @@ def test_any_bytes_of_the_plc_leave_the_controller_sound(seeds: range) -> None:
                 assert all(one.render() for one in controller.diagnostics), seed
 
 
-@seeds_in_parts(60, 10, 20)
+@seeds_in_parts(30, 6, 10)
 def test_bytes_in_the_areas_of_the_cnc_change_no_run(seeds: range) -> None:
     """Header, channels, axes and spindles are what the CNC says, whatever stands there."""
     for seed in seeds:

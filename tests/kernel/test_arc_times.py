@@ -97,7 +97,7 @@ def shapes(radius: float) -> dict[str, Way]:
     }
 
 
-@pytest.mark.parametrize("share", [1.0, 0.5, 0.2])
+@pytest.mark.parametrize("share", [1.0, 0.2])
 @pytest.mark.parametrize(("radius", "feed"), RADII)
 def test_arcs_take_hardly_longer_than_the_optimum(
     machines: dict[float, Machine], share: float, radius: float, feed: float
@@ -114,7 +114,7 @@ def test_arcs_take_hardly_longer_than_the_optimum(
 def test_where_an_arc_begins_does_not_matter(machines: dict[float, Machine]) -> None:
     """Arcs of 10° to 350°, from any direction, left and right, each within 3 %."""
     limits = ((RAPID,) * 3, (ACCELERATION,) * 3)
-    for begin, angle in product(range(0, 360, 75), (10.0, -40.0, 130.0, -350.0)):
+    for begin, angle in product(range(0, 360, 150), (10.0, -40.0, 130.0, -350.0)):
         x, y = 3 * math.cos(math.radians(begin)), 3 * math.sin(math.radians(begin))
         way = Way().arc(-x, -y, angle)
         found = seconds(machines[1.0], 1.0, way.program(200.0))

@@ -94,7 +94,7 @@ def test_single_block_stands_behind_the_bend() -> None:
 
 
 @pytest.mark.parametrize("ways", ["override", "override hold", "single", "back", "back override"])
-@seeds_in_parts(10, 3, 5)
+@seeds_in_parts(6, 2, 3)
 def test_bends_keep_the_limits_and_the_path(seeds: range, ways: str) -> None:
     """Whatever is commanded: the limits of each tick, the same curve, the same end to the bit."""
     for seed in seeds:

@@ -64,7 +64,7 @@ def hands(chance: random.Random) -> list[Stimulus]:
     return found + [Stimulus(second, "HLI.START", 1.0) for second in (2, 4, 8, 16)]
 
 
-@seeds_in_parts(120, 6, 20)
+@seeds_in_parts(60, 4, 20)
 def test_short_bends_keep_the_limits_whatever_is_commanded(seeds: range) -> None:
     """Each axis keeps speed, acceleration and jerk in every tick, on four machines."""
     for seed in seeds:

@@ -77,14 +77,14 @@ def wrong_with(seed: int, kind: type[MotionProgram] = MotionProgram) -> list[str
     return violations(program, run, chosen)
 
 
-@seeds_in_parts(400, 10, 20)
+@seeds_in_parts(200, 8, 20)
 def test_programs_of_all_motions_keep_limits_way_and_ends(seeds: range) -> None:
     """MO-1: in each tick, with all that an operator may do in any tick."""
     for seed in seeds:
         assert wrong_with(seed) == [], seed
 
 
-@seeds_in_parts(100, 5, 8)
+@seeds_in_parts(50, 4, 8)
 def test_programs_with_weights_keep_limits_way_and_ends(seeds: range) -> None:
     """MO-1: also where weights, limits of the path and modes of contouring change."""
     for seed in seeds:

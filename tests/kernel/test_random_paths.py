@@ -55,14 +55,14 @@ def performed(
     return run
 
 
-@seeds_in_parts(250, 6, 20)
+@seeds_in_parts(120, 6, 20)
 def test_random_programs_keep_the_limits(seeds: range) -> None:
     """Speed and acceleration of each axis in each tick, and the program comes to its end."""
     for seed in seeds:
         performed(seed)
 
 
-@seeds_in_parts(30, 4, 10)
+@seeds_in_parts(16, 3, 8)
 def test_random_programs_keep_the_limit_of_the_jerk(seeds: range) -> None:
     """MO-2: with the jerk-limited slope the jerk of each axis as well."""
     for seed in seeds:
@@ -71,7 +71,7 @@ def test_random_programs_keep_the_limit_of_the_jerk(seeds: range) -> None:
 
 @pytest.mark.parametrize("is_held", [False, True])
 @pytest.mark.parametrize("slope", ["", JERK_LIMITED])
-@seeds_in_parts(30, 4, 10)
+@seeds_in_parts(16, 3, 8)
 def test_paths_that_flow_keep_the_limits(seeds: range, slope: str, is_held: bool) -> None:
     """MO-3: tangential transitions, which the path passes; also with override and feed hold."""
     for seed in seeds:
@@ -79,7 +79,7 @@ def test_paths_that_flow_keep_the_limits(seeds: range, slope: str, is_held: bool
 
 
 @pytest.mark.parametrize("slope", ["", JERK_LIMITED])
-@seeds_in_parts(30, 4, 10)
+@seeds_in_parts(16, 3, 8)
 def test_override_and_hold_keep_the_limits_and_the_path(seeds: range, slope: str) -> None:
     """In any tick: the limits hold, and the axes are where they would have been without."""
     for seed in seeds:

@@ -121,7 +121,7 @@ def line(dice: Random, is_five_axes: bool) -> str:
     return dice.choice((*LINES, *FIVE_AXES) if is_five_axes else LINES)
 
 
-@seeds_in_parts(compiled=100, plain=2, part=25)
+@seeds_in_parts(compiled=50, plain=2, part=25)
 def test_no_axis_jumps(seeds: range) -> None:
     """Whatever the program does, and wherever it makes a mistake."""
     for seed in seeds:

@@ -71,7 +71,7 @@ def wrong_with(seed: int, kind: str) -> list[str]:
 
 
 @pytest.mark.parametrize("kind", KINDS)
-@seeds_in_parts(80, 6, 10)
+@seeds_in_parts(40, 4, 10)
 def test_a_stop_in_any_tick_stays_on_the_path(seeds: range, kind: str) -> None:
     """MO-6: with each kind of slope, forward and backward, whatever stops the path."""
     for seed in seeds:

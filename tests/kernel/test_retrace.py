@@ -67,7 +67,7 @@ def places(run: Run) -> np.ndarray:
 @pytest.mark.parametrize(
     ("make", "slope"), [(program, ""), (program, JERK_LIMITED), (cornered, JERK_LIMITED)]
 )
-@seeds_in_parts(20, 3, 10)
+@seeds_in_parts(10, 2, 5)
 def test_forward_and_backward_come_to_the_same_end(
     seeds: range, make: Callable[[int, str], str], slope: str, is_wild: bool
 ) -> None:

@@ -34,7 +34,7 @@ def found(text: str, plc: Operator) -> list[str]:
 @pytest.mark.parametrize("ways", ["single", "single override hold"])
 @pytest.mark.parametrize("slope", ["", JERK_LIMITED])
 @pytest.mark.parametrize("make", [program, flowing])
-@seeds_in_parts(10, 3, 5)
+@seeds_in_parts(6, 2, 3)
 def test_single_block_keeps_the_limits(
     seeds: range, make: Callable[[int, str], str], slope: str, ways: str
 ) -> None:

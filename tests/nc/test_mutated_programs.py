@@ -155,7 +155,7 @@ def damaged(seed: int) -> str:
     return text
 
 
-@seeds_in_parts(500, 100, 50)
+@seeds_in_parts(250, 60, 50)
 def test_no_text_breaks_the_controller(seeds: range) -> None:
     """Each text gives diagnostics that can be shown, in both languages, or runs."""
     for seed in seeds:

@@ -408,7 +408,7 @@ def test_each_kind_of_node_and_each_field_is_among_the_trees() -> None:
     many = st.lists(programs, min_size=2, max_size=3)
 
     @given(many, st.lists(parts, min_size=15), st.lists(branching, min_size=8))
-    @settings(max_examples=30, deadline=None, derandomize=True, database=None)
+    @settings(max_examples=12, deadline=None, derandomize=True, database=None)
     def gather(texts: list[Program], parts: list[object], branching: list[object]) -> None:
         _fields_of((*texts, *parts, *branching), met)
 

@@ -169,7 +169,7 @@ def by_templates(source: Source) -> tuple[list[Statement], int]:
         found.append(statement)
 
 
-@each_seed(80, 20)
+@each_seed(40, 12)
 def test_templates_make_what_the_parser_gives(seed: int) -> None:
     """All nodes with all their places, to the sign of a zero."""
     source = Source("p.nc", program(seed))
@@ -194,7 +194,7 @@ def checked(lines: list[str]) -> list[Diagnostic]:
     return collector.diagnostics
 
 
-@each_seed(80, 20)
+@each_seed(40, 12)
 def test_shapes_in_order_hide_no_mistake(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
     """Each diagnostic of a program is found, whether its shapes were in order before or not."""
     monkeypatch.setattr(outline, "KEPT_STATEMENTS", 0)

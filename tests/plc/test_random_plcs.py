@@ -220,7 +220,7 @@ def test_any_plc_leaves_the_controller_sound() -> None:
     run_state_machine_as_test(
         machine,
         settings=settings(
-            max_examples=len(all_seeds(120, 20)),
+            max_examples=len(all_seeds(60, 12)),
             stateful_step_count=STEPS,
             deadline=None,
             database=None,

@@ -38,13 +38,22 @@ def test_articles_are_complete(topic: Topic) -> None:
             assert text.de, article.name
 
 
+#: How many articles of a topic are looked for.
+EACH_TOPIC = 150
+
+
 @pytest.mark.parametrize("topic", TOPICS, ids=lambda topic: topic.word)
 def test_each_article_is_found_by_its_name(topic: Topic) -> None:
-    """What a topic lists can be asked for, and so can each name that is suggested."""
-    for article in topic.articles():
+    """What a topic lists can be asked for, and so can each name that is suggested.
+
+    Of long topics some articles are enough: all of one topic are found by the same table.
+    """
+    articles = [*topic.articles()]
+    for article in articles[:: max(1, len(articles) // EACH_TOPIC)]:
         word = article.name.split()[0] if topic.word == "parameters" else article.name
         assert article in explain(word), article.name
-    for name in topic.names():
+    names = sorted(topic.names())
+    for name in names[:: max(1, len(names) // EACH_TOPIC)]:
         assert explain(name), name
 
 

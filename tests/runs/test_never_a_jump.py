@@ -160,7 +160,7 @@ def run_of(seed: int) -> Run:
     return Controller().run(program, ticks=TICKS)
 
 
-@seeds_in_parts(100, 6, 50)
+@seeds_in_parts(50, 4, 25)
 def test_no_axis_moves_or_changes_faster_than_it_can(seeds: range) -> None:
     """RC-409, MO-1: no command position ever changes by more than the axis' speed × tick.
 
@@ -176,7 +176,7 @@ def test_no_axis_moves_or_changes_faster_than_it_can(seeds: range) -> None:
     assert ended > len(seeds) // 4
 
 
-@seeds_in_parts(40, 6, 20)
+@seeds_in_parts(20, 4, 10)
 def test_nor_does_it_with_a_plc_that_commands_them(seeds: range) -> None:
     """MO-1, MO-13, RC-007: every second run waits for START, so that RESET does not end it."""
     for seed in seeds:

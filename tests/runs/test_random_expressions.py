@@ -174,7 +174,7 @@ def guarded(result: float) -> float:
     return result
 
 
-@each_seed(80, 20)
+@each_seed(40, 12)
 def test_cycle_decoder_and_evaluator_agree(seed: int) -> None:
     """RC-206, RC-207: the value, or that there is none."""
     chance = random.Random(seed)

@@ -253,7 +253,7 @@ class Writer:
         self.lines.append(line)
 
 
-@seeds_in_parts(1000, 50, 50)
+@seeds_in_parts(500, 40, 50)
 def test_both_interpreters_agree(seeds: range) -> None:
     """RC-001 … 005, 102 … 113, 201 … 207, 308, 403, 505 in programs that chance has written."""
     for seed in seeds:

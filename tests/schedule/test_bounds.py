@@ -19,7 +19,7 @@ def simulated(model: Model) -> int:
     return 2 * hyperperiod(model) + 4
 
 
-@seeds_in_parts(5_000, 500, 500)
+@seeds_in_parts(2_500, 300, 500)
 def test_no_simulation_exceeds_its_bound(seeds: range) -> None:
     """Random lists of all kinds: no response, no overflow that the analysis excludes.
 
@@ -39,7 +39,7 @@ def test_no_simulation_exceeds_its_bound(seeds: range) -> None:
     assert exact > len(seeds) // 8
 
 
-@seeds_in_parts(500, 100, 100)
+@seeds_in_parts(300, 60, 100)
 def test_worst_phase_is_a_bound_for_all_phases(seeds: range) -> None:
     """A load that names no phase: the bound holds for each of them."""
     for seed in seeds:

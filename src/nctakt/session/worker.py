@@ -125,8 +125,9 @@ def main() -> None:
     if can_fork():
         signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # nobody waits for the copies
     worker = Worker(sys.argv[1], key)
-    worker.connect(sys.argv[2])
-    worker.serve()
+    with contextlib.suppress(OSError, EOFError):  # the session has ended meanwhile
+        worker.connect(sys.argv[2])
+        worker.serve()
 
 
 if __name__ == "__main__":

@@ -154,7 +154,7 @@ def runs_per_second(plc: Path | None, folder: Path, count: int = 200) -> tuple[f
     path.write_text(SHORT, "utf-8")
     study = Study(
         program=str(path),
-        plc=None if plc is None else str(plc),
+        **({} if plc is None else {"plc": str(plc)}),
         vary=[{"variable": "V.E.COUNT", "from": 0, "to": count, "step": 1}],
         measure={"crossed": "time of M100"},
     )

@@ -14,14 +14,10 @@ class Cell(Plc):
     def slow_down(self, hli):
         hli.override_pct = 50
 
-    @when(lambda hli: hli.axis("X")["command"] > 400)
+    @when("V.RTA.ACS.ACT_POS.X > 400")
     def near_the_end(self, hli):
         hli.override_pct = 20
 
     @on("M100")
     def clamp(self, hli, function):
         hli.write("V.E.CONDITION", 1)
-
-    def each_tick(self, hli):
-        if hli.error:
-            hli.reset()

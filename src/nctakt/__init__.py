@@ -36,6 +36,8 @@ The PLC on the other side of the interface
     ``on``                 call a method with each of these functions: ``@on("M100")``
     ``when``               call a method each time that a condition becomes true
     ``after``              acknowledge functions late: ``acknowledge = after("20 ms")``
+    ``only``               acknowledge these functions and no others
+    ``run_up``             acknowledge a spindle's job when its speed is reached
     ``HliView``            the interface that its methods get: ``def each_tick(self, hli: HliView)``
     ``Function``           an M, H or T function that waits for its acknowledgement
     ``SpindleJob``         a job of a spindle that the PLC turns
@@ -61,7 +63,7 @@ if TYPE_CHECKING:
     from nctakt.base.diagnostics import Diagnostic
     from nctakt.base.failure import Failure
     from nctakt.lists.machine.machine import Machine, load_machine
-    from nctakt.plc.policies import after
+    from nctakt.plc.policies import after, only, run_up
     from nctakt.plc.public_types import Function, HliView, SpindleJob
     from nctakt.plc.script import Plc, at, on, when
     from nctakt.results.run import Run
@@ -90,7 +92,9 @@ __all__ = [
     "at",
     "load_machine",
     "on",
+    "only",
     "open_schedule",
+    "run_up",
     "simulate_schedule",
     "when",
 ]
@@ -114,7 +118,9 @@ _MODULES = {
     "at": "nctakt.plc.script",
     "load_machine": "nctakt.lists.machine.machine",
     "on": "nctakt.plc.script",
+    "only": "nctakt.plc.policies",
     "open_schedule": "nctakt.schedule.open_schedule",
+    "run_up": "nctakt.plc.policies",
     "simulate_schedule": "nctakt.schedule.open_schedule",
     "when": "nctakt.plc.script",
 }

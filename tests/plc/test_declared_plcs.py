@@ -249,6 +249,33 @@ def test_a_condition_that_is_made_of_parts() -> None:
     assert failure.value.diagnostics[0].source_line == "V.E.VALUEX > 4"
 
 
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [("V.E.VALUE < 5", [0, 5]), ("1 / [V.E.VALUE - V.E.VALUE] > 0", [])],
+    ids=["true_from_the_beginning", "without_a_value"],
+)
+def test_when_a_condition_calls(text: str, expected: list[int]) -> None:
+    """After the first tick if it is true then, and each time that it becomes true again."""
+    calls: list[int] = []
+
+    class Cell(Plc):
+        @when(text)
+        def low(self, hli: PlcView) -> None:
+            calls.append(hli.tick)
+
+        @at("3 ticks")
+        def high(self, hli: PlcView) -> None:
+            hli.write("V.E.VALUE", 9)
+
+        @at("5 ticks")
+        def again(self, hli: PlcView) -> None:
+            hli.write("V.E.VALUE", 1)
+
+    run = Controller().run(NcText("p.nc", "G04 X0.010\nM30"), plc=Cell())
+    assert run.state == "ended"
+    assert calls == expected
+
+
 def test_a_function_as_a_condition_is_called_after_each_tick() -> None:
     """902140 says so; a text has no such note."""
     ticks: list[int] = []

@@ -7,6 +7,8 @@ In: a way to read and write values of the HLI. Out: properties, the same for a s
 
 from __future__ import annotations
 
+import math
+
 #: The states of a channel in the order of their numbers.
 STATES = ("ready", "running", "error", "reset")
 
@@ -34,7 +36,7 @@ class OperatorPanel:
 
     @override_pct.setter
     def override_pct(self, value: float) -> None:
-        if not 0.0 <= value < float("inf"):
+        if not 0.0 <= value < math.inf:
             raise ValueError(f"an override of {value} % is not possible")
         self.write("HLI.OVERRIDE", value)
 

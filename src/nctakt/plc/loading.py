@@ -15,8 +15,10 @@ import sys
 import traceback
 from collections.abc import Callable, Iterator
 from dataclasses import replace
+from importlib.abc import SourceLoader
+from importlib.machinery import ModuleSpec
 from pathlib import Path
-from types import ModuleType
+from types import CodeType, ModuleType
 from typing import TYPE_CHECKING
 
 from nctakt.base.diagnostics import Diagnostic
@@ -47,34 +49,50 @@ def load_plc(path: str | Path) -> AnyPlc:
     ``PlcError``: no such file (900500), a folder (900501), not readable (900503), no class
     (900520), several classes (900521), an exception in the file (900522).
     """
-    return _loaded(Path(path))
+    return PlcFile(path).plc()
 
 
-def _loaded(path: Path) -> _LoadedPlc:
-    module = _load_module(path)
-    candidates = _candidates(module)
-    if not candidates:
-        raise PlcError(diagnostic(PLC_CLASS_MISSING, file=str(path)), *_misspelt(module))
-    if len(candidates) > 1:
-        names = ", ".join(candidate.__name__ for candidate in candidates)
-        raise PlcError(diagnostic(PLC_CLASS_AMBIGUOUS, file=str(path), names=names))
-    from nctakt.plc.inspection import inspect_plc  # noqa: PLC0415 - a run without PLC needs none
+class PlcFile:
+    """A PLC's file, read and inspected once, for any number of PLCs; raises as ``load_plc``."""
 
-    slips = inspect_plc(path, candidates[0])
-    if slips:
-        raise PlcError(*slips)
-    try:
-        plc = candidates[0]()
-    except (Exception, SystemExit) as error:  # the user's code may raise what it likes
-        raise _load_error(error, path) from error
-    return _LoadedPlc(plc, path)
+    def __init__(self, path: str | Path) -> None:
+        self._path = Path(path)
+        self._loaded: tuple[ModuleSpec, CodeType] | None = None
+        self._kind: type[AnyPlc] | None = None
+
+    def plc(self) -> _LoadedPlc:
+        """Return a new PLC, of a module of its own: nothing stays of those before."""
+        path = self._path
+        module, self._loaded = _load_module(path, self._loaded)
+        candidates = _candidates(module)
+        if not candidates:
+            raise PlcError(diagnostic(PLC_CLASS_MISSING, file=str(path)), *_misspelt(module))
+        if len(candidates) > 1:
+            names = ", ".join(candidate.__name__ for candidate in candidates)
+            raise PlcError(diagnostic(PLC_CLASS_AMBIGUOUS, file=str(path), names=names))
+        (kind,) = candidates
+        if self._kind is None:
+            # A run without PLC needs none.
+            from nctakt.plc.inspection import inspect_plc  # noqa: PLC0415
+
+            slips = inspect_plc(path, kind)
+            if slips:
+                raise PlcError(*slips)
+        elif vars(self._kind).get("_is_checked", False):
+            kind._is_checked = True  # type: ignore[attr-defined] # it is made of the same code
+        self._kind = kind
+        try:
+            plc = kind()
+        except (Exception, SystemExit) as error:  # the user's code may raise what it likes
+            raise _load_error(error, path) from error
+        return _LoadedPlc(plc, path)
 
 
 def input_file_of(path: str | Path) -> Path | None:
     """Return the file of the inputs of a PLC's file, ``None`` without; raises as ``load_plc``."""
     from nctakt.plc.script import input_file  # noqa: PLC0415 - a PLC need not derive from ours
 
-    return input_file(_loaded(Path(path))._plc)
+    return input_file(PlcFile(path).plc()._plc)
 
 
 class _LoadedPlc(WatchedPlc):
@@ -133,27 +151,39 @@ class _LoadedPlc(WatchedPlc):
             raise self.failure(error, hli) from error
 
 
-def _load_module(path: Path) -> ModuleType:
-    """Return the user's file as a module; while it is loaded it can import files beside it."""
-    try:
-        FileAccess().read_bytes(path)  # the import would read an endless file without end
-    except Failure as failure:
-        raise PlcError(*failure.diagnostics) from failure
+def _load_module(
+    path: Path, loaded: tuple[ModuleSpec, CodeType] | None
+) -> tuple[ModuleType, tuple[ModuleSpec, CodeType]]:
+    """Return the user's file as a new module, and what it was made of: ``loaded`` the next time.
+
+    While the module is loaded it can import files beside it.
+    """
     name = f"nctakt_plc_{path.stem}"
-    spec = importlib.util.spec_from_file_location(name, path)
-    if spec is None or spec.loader is None:  # not named .py
+    code = None
+    if loaded is None:
+        try:
+            FileAccess().read_bytes(path)  # the import would read an endless file without end
+        except Failure as failure:
+            raise PlcError(*failure.diagnostics) from failure
+        spec = importlib.util.spec_from_file_location(name, path)
+    else:
+        spec, code = loaded
+    if spec is None or not isinstance(spec.loader, SourceLoader):  # not named .py
         raise PlcError(diagnostic(PLC_CLASS_MISSING, file=str(path)))
     module = importlib.util.module_from_spec(spec)
     before = sys.modules.get(name)
     sys.modules[name] = module  # data classes look their own module up
     try:
         with imports_beside(path):
-            spec.loader.exec_module(module)
+            code = code or spec.loader.get_code(name)
+            if code is None:
+                raise ImportError(name)
+            exec(code, module.__dict__)
     except (Exception, SystemExit) as error:  # the user's code may raise what it likes
         raise _load_error(error, path) from error
     finally:
         _restore(name, before)
-    return module
+    return module, (spec, code)
 
 
 @contextlib.contextmanager

@@ -167,12 +167,24 @@ def after(time: TimeLike) -> After:
 
 
 def run_up(rpm_per_s: float) -> RunUp:
-    """Acknowledge a spindle's job when its speed is reached at this change in rpm per second."""
+    r"""Acknowledge a spindle's job when its speed is reached at this change in rpm per second.
+
+    >>> class Cell(Plc):
+    ...     spindles = run_up(2500)
+    >>> Controller().run(NcText("turn.nc", "S3[M3 REV=500]\nG01 X10 F6000\nM30"), plc=Cell()).state
+    'ended'
+    """
     if not 0.0 < rpm_per_s < float("inf"):
         raise ValueError(f"a spindle cannot change its speed by {rpm_per_s} per second")
     return RunUp(rpm_per_s)
 
 
 def only(*names: str, then: Policy = ALL) -> Only:
-    """Acknowledge only ``M100``, ``H7``, ``S3`` …, by the policy ``then``."""
+    r"""Acknowledge only ``M100``, ``H7``, ``S3`` …, by the policy ``then``.
+
+    >>> class Cell(Plc):
+    ...     acknowledge = only("M100", then=after("20 ms"))
+    >>> Controller().run(NcText("clamp.nc", "M100\nG01 X10 F6000\nM30"), plc=Cell()).ticks
+    126
+    """
     return Only(frozenset(name.upper() for name in names), then)

@@ -223,6 +223,7 @@ class Plc(WatchedPlc):
     _ats: ClassVar[tuple[tuple[str, int, _At], ...]] = ()
     _whens: ClassVar[tuple[tuple[str, int, _When], ...]] = ()
     _ons: ClassVar[tuple[tuple[str, int, _On], ...]] = ()
+    _is_checked: ClassVar[bool] = False
     _memory: _Memory
 
     def __init_subclass__(cls) -> None:
@@ -269,13 +270,7 @@ class Plc(WatchedPlc):
             for member, names in requested
             for name in sorted(names - upper)
         ]
-        kind = type(self)
-        unknown += [
-            diagnostic(message, *source_position(kind, member, word), **values)
-            for message, member, word, values in class_slips(
-                kind, Plc, _MEMBERS, lambda name, one: handler_parameters(name, one, is_plc=True)
-            )
-        ]
+        unknown += self._slips()
         try:
             self._memory.machine = None
             self._read_conditions(hli)
@@ -283,6 +278,20 @@ class Plc(WatchedPlc):
             unknown += failure.diagnostics
         if unknown:
             raise Failure(*unknown)
+
+    def _slips(self) -> list[Diagnostic]:
+        """Return the slips in the class, which is looked at until it has none."""
+        kind = type(self)
+        if vars(kind).get("_is_checked", False):
+            return []
+        slips = [
+            diagnostic(message, *source_position(kind, member, word), **values)
+            for message, member, word, values in class_slips(
+                kind, Plc, _MEMBERS, lambda name, one: handler_parameters(name, one, is_plc=True)
+            )
+        ]
+        kind._is_checked = not slips
+        return slips
 
     def notes(self) -> list[Diagnostic]:
         """Return a note for each condition that is called after each tick (902140)."""
@@ -383,12 +392,16 @@ class Plc(WatchedPlc):
             if isinstance(mark.condition, str):
                 before = memory.whens.get((name, index))
                 was_true = before is not None and before.was_true != 0
+                known = machine.realtime.conditions
                 try:
-                    expression = read_expression(machine, mark.condition)
+                    expression = known.get(mark.condition) or read_expression(
+                        machine, mark.condition
+                    )
                 except Failure as failure:
                     placed = functools.partial(condition_mistake, type(self), name, mark.condition)
                     found += map(placed, failure.diagnostics)
                 else:
+                    known[mark.condition] = expression
                     memory.whens[name, index] = When(expression, machine.memory, was_true)
         if found:
             raise Failure(*found)

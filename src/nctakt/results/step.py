@@ -3,7 +3,8 @@
 
 from __future__ import annotations
 
-from nctakt.base.dataclass import dataclass
+from typing import NamedTuple
+
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.results.run import (
     TECHNOLOGY_KINDS,
@@ -14,8 +15,7 @@ from nctakt.results.run import (
 from nctakt.trace.events import Event
 
 
-@dataclass(frozen=True, slots=True, repr=False)
-class Step:
+class Step(NamedTuple):
     """The ticks from ``first_tick`` on.
 
     ``state`` is that of the controller behind them. ``events``, ``messages`` and ``diagnostics``

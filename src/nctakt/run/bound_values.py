@@ -83,7 +83,7 @@ class BoundValue:
     def value(self) -> float | bool | str:
         """The present value; one that was set is returned before a tick has latched it."""
         if self.is_text:
-            return self.access.text_of(self.name)
+            return str(self.access.text_of(self.name))
         number = self.kernel.present(self.cell)
         if self.is_truth:
             return number != 0.0

@@ -236,21 +236,28 @@ class Controller:
 
         Raises ``Failure`` for what is no number of ticks.
         """
-        ticks = arguments.whole_number("ticks", ticks)
-        first_tick, first_diagnostic = self.tick, len(self.diagnostics)
-        recording = self._loop.recording
-        first_message = len(recording.messages)
+        if type(ticks) is not int or ticks < 0:
+            ticks = arguments.whole_number("ticks", ticks)
+        loop, recording, kernel = self._loop, self._loop.recording, self._machine.kernel
+        first_tick = kernel.tick
+        end = first_tick + ticks
+        reason = loop.run_alone(ticks)
+        if not reason and kernel.tick == end and recording.is_empty:
+            return Step(first_tick, ticks, loop.state, (), (), ())
+        first_message, first_diagnostic = len(recording.messages), len(self.diagnostics)
         happened = EventList()
-        recording.add(happened)
+        recording.begin_step(happened)
         try:
-            while self.tick < first_tick + ticks:
-                self._loop.advance(first_tick + ticks)
+            if reason is not None:
+                loop.settle(reason)
+            while loop.tick < end:
+                loop.advance(end)
         finally:
-            recording.remove(happened)
+            recording.end_step(happened)
         return Step(
             first_tick,
-            self.tick - first_tick,
-            self.state,
+            ticks,
+            loop.state,
             tuple(happened.take()),
             tuple(recording.messages[first_message:]),
             tuple(self.diagnostics[first_diagnostic:]),

@@ -179,14 +179,14 @@ class Inputs:
             self._listener(noted)
 
     @property
+    def are_silent(self) -> bool:
+        """Whether nothing is planned and nobody listens."""
+        return self._listener is None and not self._planned
+
+    @property
     def is_heard(self) -> bool:
         """Whether somebody listens."""
         return self._listener is not None
-
-    @property
-    def are_many_noted(self) -> bool:
-        """Whether so many inputs wait for the listener that it should have them."""
-        return len(self._notes.cells) >= _MAX_NOTED
 
     # --- planned inputs -------------------------------------------------------------------------
 
@@ -246,14 +246,14 @@ class Inputs:
 
     def apply_due(self) -> int:
         """Apply the planned inputs of the coming tick; return the tick of the next planned one."""
-        if self.are_many_noted:
+        if len(self._notes.cells) >= _MAX_NOTED:
             self.hand_over()
         planned = self._planned
         while planned and planned[0].tick <= self._kernel.tick:
             self._apply(planned.popleft())
         if self._listener is not None and self.has_image:
             self._note_image()
-        return self.next_tick
+        return planned[0].tick if planned else NEVER
 
     @property
     def next_tick(self) -> int:

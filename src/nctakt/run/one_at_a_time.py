@@ -11,7 +11,7 @@ from __future__ import annotations
 import functools
 import threading
 from collections.abc import Callable
-from typing import Concatenate, ParamSpec, Protocol, Self, TypeVar
+from typing import Concatenate, ParamSpec, Protocol, TypeVar
 
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
@@ -22,18 +22,12 @@ _T = TypeVar("_T")
 
 
 class OneAtATime:
-    """A context of one thread at a time; raises ``Failure`` (901005) for a second one."""
+    """A lock that one thread at a time has; ``begin`` and ``end`` stand around its methods."""
 
     def __init__(self) -> None:
-        self._lock = threading.RLock()
-
-    def __enter__(self) -> Self:
-        if not self._lock.acquire(blocking=False):
-            raise Failure(diagnostic(CONTROLLER_IS_BUSY))
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        self._lock.release()
+        lock = threading.RLock()
+        self.begin = functools.partial(lock.acquire, blocking=False)
+        self.end = lock.release
 
 
 class _HasTurn(Protocol):
@@ -50,7 +44,12 @@ def alone(
 
     @functools.wraps(method)
     def guarded(owner: _Owner, /, *words: _P.args, **keywords: _P.kwargs) -> _T:
-        with owner.turn:
+        turn = owner.turn
+        if not turn.begin():
+            raise Failure(diagnostic(CONTROLLER_IS_BUSY))
+        try:
             return method(owner, *words, **keywords)
+        finally:
+            turn.end()
 
     return guarded

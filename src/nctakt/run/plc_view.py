@@ -333,10 +333,12 @@ class PlcView(OperatorPanel):
 
     def acknowledge_all(self) -> None:
         """Acknowledge all waiting functions and spindle jobs."""
-        for job in self.spindle_jobs():
-            self.acknowledge_spindle(job)
-        for entry in self.functions():
-            self.acknowledge(entry)
+        if self._spindles.has_jobs():
+            for job in self.spindle_jobs():
+                self.acknowledge_spindle(job)
+        if self._hli.waiting_count():
+            for entry in self.functions():
+                self.acknowledge(entry)
 
     def read(self, name: str) -> float | bool | str:
         """Return a V. variable after this tick; raises ``Failure`` for V.CH (RC-309)."""

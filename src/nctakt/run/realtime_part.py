@@ -30,6 +30,7 @@ from nctakt.run.spindle_setup import channel_spindles, gear_steps
 
 if TYPE_CHECKING:
     from nctakt.decoder.state.kept_trees import KeptTrees
+    from nctakt.kernel.cycles.expressions import Expression
 
 #: The assumed execution time of an elementary instruction, in ns (RC-503).
 INSTRUCTION_COST_NS = 10
@@ -41,7 +42,8 @@ DEFAULT_DIAGNOSIS_LEVEL = 3.0
 class RealtimePart:
     """Memory, axes, channels and kernel of one machine, as they are at start-up.
 
-    ``kept_cycles``: cycles of earlier runs on it, where one run follows another. ``listed_limits``:
+    ``kept_cycles``: cycles of earlier runs on it, where one run follows another; ``conditions``:
+    those that PLCs of earlier runs wait for, by their texts. ``listed_limits``:
     the limits of each channel's axes with which its programs start. ``path_axes`` and ``spindles``:
     those of the machine by logical number. ``gear_steps``: of each channel's spindles.
     ``has_history``: whether the paths get the memory of backward motion (P-STUP-00033).
@@ -51,6 +53,7 @@ class RealtimePart:
         self._configuration = configuration
         self._has_history = has_history
         self.kept_cycles: KeptTrees | None = None
+        self.conditions: dict[str, Expression] = {}
         self.memory = bytearray(8 * layout.size)
         self.cells = memoryview(self.memory).cast("d")
         self.record = Record(self.memory)

@@ -21,6 +21,7 @@ from nctakt.run.assembly import AssembledMachine
 from nctakt.run.error_events import realtime_diagnostic
 from nctakt.trace.chunks import EventChunk
 from nctakt.trace.events import Event, EventDecoder
+from nctakt.trace.recorded import EventList
 from nctakt.trace.sinks import RowSink, Signal, Sink, TraceHeader
 
 if TYPE_CHECKING:
@@ -61,6 +62,7 @@ class Recording:
         self._events = EventDecoder(machine.configuration.cycle_time_us, machine.registry)
         self._sinks: Sequence[Sink] = ()
         self._row_sinks: Sequence[RowSink] = ()
+        self._steps: list[EventList] = []
         self._probes: ProbeLog | None = None
         self._noticed: set[tuple[str, Span | None]] = set()
         self._motions = ended_motions.EndedMotions(machine)
@@ -122,13 +124,29 @@ class Recording:
         """Take a listener away that ``add`` has brought."""
         self._listen([one for one in self._sinks if one is not sink])
 
+    def begin_step(self, events: EventList) -> None:
+        """Let a step have the events from now on, until ``end_step``."""
+        self._steps.append(events)
+
+    def end_step(self, events: EventList) -> None:
+        """End a step."""
+        self._steps.remove(events)
+
     def _listen(self, sinks: Sequence[Sink]) -> None:
         self._sinks = sinks
         # Asking the protocol takes longer than a short run's decoding.
         self._row_sinks = [cast(RowSink, sink) for sink in sinks if hasattr(sink, "rows")]
 
+    @property
+    def is_empty(self) -> bool:
+        """Whether nothing waits for the listeners."""
+        record = self._machine.record
+        return not (record.event_count or record.row_count or record.probe_count)
+
     def drain(self) -> None:
         """Empty the kernel's record into the listeners."""
+        if self.is_empty:
+            return
         record = self._machine.record
         rows_count = record.row_count
         first_tick = self._machine.kernel.tick - rows_count
@@ -139,7 +157,7 @@ class Recording:
         signals = memoryview(record.take_rows()).cast("d")
         if len(events):
             self._watch(events.of_kinds(_WATCHED | ended_motions.EVENTS))
-            for sink in self._sinks:
+            for sink in (*self._sinks, *self._steps):
                 sink.events(events)
         if rows_count:
             for row_sink in self._row_sinks:

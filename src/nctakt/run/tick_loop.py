@@ -104,45 +104,71 @@ class TickLoop:
 
         Returns whether one of the kernel's stops has ended it.
         """
+        kernel = self._kernel
         due_input = self.machine.inputs.apply_due()
-        due = min(end, due_input, self.tick + TICKS_AT_ONCE)
-        plc_calls = 1
-        is_lost = False
+        due = min(end, due_input, kernel.tick + TICKS_AT_ONCE)
+        share = None
         if self.scheduled_run is not None:
-            due = min(due, self.tick + 1)
+            due = min(due, kernel.tick + 1)
             share = self.scheduled_run.prepare(self.channels, has_plc=self.has_plc)
-            plc_calls, is_lost = share.plc_calls, share.is_lost
-        self.machine.reserve()
-        self._kernel.ends_deadlock = (
+        kernel.reserve()
+        kernel.ends_deadlock = (
             self.ends_deadlock
             and not self.has_plc
             and due_input >= NEVER
-            and not self._kernel.image.is_attached
+            and not kernel.image.is_attached
         )
-        reason = self._kernel.lose_tick() if is_lost else self._run(due - self.tick)
+        ticks = due - kernel.tick
+        if share is not None:
+            reason = kernel.lose_tick() if share.is_lost else kernel.run(ticks)
+        else:
+            reason = kernel.run(ticks) if self._player is None else self._play(ticks)
+        self.settle(reason)
+        if share is not None:
+            self._end_scheduled(share, is_done=kernel.tick == due and reason != codes.FULL)
+        elif self._player is not None:
+            self._player.finish()
+        return bool(kernel.is_stopped)
+
+    def run_alone(self, ticks: int) -> int | None:
+        """Run ticks that wait for nothing but the decoder; return why the kernel has ended them.
+
+        ``None``, and no tick, where an input, a PLC or a schedule may be due in them. ``settle``
+        has to follow, unless all of them are done and nothing was recorded (``is_settled``).
+        """
+        if self._player is not None or self.scheduled_run is not None or self.ends_deadlock:
+            return None
+        if not self.machine.inputs.are_silent:
+            return None
+        kernel = self._kernel
+        kernel.reserve()
+        kernel.ends_deadlock = False
+        return kernel.run(ticks if ticks < TICKS_AT_ONCE else TICKS_AT_ONCE)
+
+    def settle(self, reason: int) -> None:
+        """Hand on what the kernel has recorded, and do what it has returned for."""
         self.recording.drain()
         self.is_deadlocked = reason == codes.DEADLOCK
-        if reason not in (codes.DONE, codes.FULL):
+        if reason and reason != codes.FULL:
             for channel in self.channels:
                 channel.serve()
-        if self._player is not None and self.scheduled_run is None:
-            self._player.finish()
-        if self.scheduled_run is not None:
-            if self._player is not None and self._kernel.tick == due and reason != codes.FULL:
-                for _ in range(plc_calls):
-                    self._player.cycle()
-            self.scheduled_run.end_tick()
-        return bool(self._kernel.is_stopped)
 
-    def _run(self, ticks: int) -> int:
-        """Run ticks up to the next pause of the kernel, with the calls of a PLC; return why."""
-        if self._player is None or self.scheduled_run is not None:
-            return self._kernel.run(ticks)
+    def _play(self, ticks: int) -> int:
+        """Run ticks with the calls of a PLC; return why the kernel has ended them."""
+        assert self._player is not None
         try:
             return self._player.run(self._player.bound(ticks))
         except BaseException:
             self.recording.drain()
             raise
+
+    def _end_scheduled(self, share: Share, *, is_done: bool) -> None:
+        """Let the PLC have its calls after a tick of a schedule, if the tick is done."""
+        assert self.scheduled_run is not None
+        if self._player is not None and is_done:
+            for _ in range(share.plc_calls):
+                self._player.cycle()
+        self.scheduled_run.end_tick()
 
     def reset(self, channels: Sequence[ChannelRun]) -> None:
         """Reset channels (RC-007); run until they stand, at least one tick."""
@@ -160,6 +186,10 @@ class TickLoop:
     @property
     def state(self) -> str:
         """``error`` if a channel has one, else ``running`` during a program, else ``ready``."""
-        if any(channel.is_stopped for channel in self.channels):
-            return "error"
-        return "running" if any(channel.is_running for channel in self.channels) else "ready"
+        state = "ready"
+        for channel in self.channels:
+            if channel.channel.executor.is_stopped:
+                return "error"
+            if channel.feeder is not None:
+                state = "running"
+        return state

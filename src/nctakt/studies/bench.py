@@ -22,7 +22,7 @@ from nctakt.lists.machine.machine import Machine, load_machine
 from nctakt.messages import diagnostic
 from nctakt.messages.studies import UNKNOWN_PROGRAM_VARIABLE
 from nctakt.nc.parse.lexer import without_comments
-from nctakt.plc import load_plc
+from nctakt.plc.loading import PlcFile
 from nctakt.run.controller import Controller, NcText
 from nctakt.run.plc_view import AnyPlc
 from nctakt.run.program_loader import AnyProgram, LoadedProgram
@@ -79,6 +79,7 @@ class Bench:
         self._schedules: OrderedDict[object, RunSchedule] = OrderedDict()
         text = plan.text
         self._text = "\n".join(access.read_lines(plan.program)) if text is None else text
+        self._plc_file = None if plan.plc is None else PlcFile(plan.plc)
         self._machines: OrderedDict[Parameters, Machine] = OrderedDict()
         #: The program as it was checked for a machine.
         self._loaded: dict[Parameters, LoadedProgram] = {}
@@ -319,7 +320,7 @@ class Bench:
         return "\n".join(lines)
 
     def _plc(self, inputs: RunInputs) -> AnyPlc | None:
-        plc = None if self.plan.plc is None else load_plc(self.plan.plc)
+        plc = None if self._plc_file is None else self._plc_file.plc()
         return FaultyPlc(plc, inputs.faults) if inputs.faults else plc
 
 

@@ -29,6 +29,8 @@ _FUNCTION = Text("a function", "eine Funktion")
 
 def whole_number(name: str, value: Any, minimum: int = 0) -> int:
     """Return a whole number; raises ``Failure`` for any other value and for one too small."""
+    if type(value) is int and value >= minimum:
+        return value
     is_whole = isinstance(value, SupportsIndex) and not isinstance(value, bool)
     number = operator.index(value) if is_whole else minimum - 1
     if number < minimum:

@@ -44,8 +44,8 @@ SIZES = (2_000, 300_000, SHORT_FILE_BYTES + 200_000)
 
 SIGNALS = ("X.ACS.ACT_POS", "Y.ACS.ACT_POS", "V.E.COUNT", "V.E.VALUE")
 NAMES = ("V.RTA.ACS.ACT_POS.X", "V.RTA.ACS.ACT_POS.Y", "V.E.COUNT", "V.E.VALUE")
-BY_EVENTS = ("line 40", "line 700", "M100", "fires 3", "notice")
-BY_RUNNING = ("changes V.E.COUNT", "V.RTA.ACS.ACT_POS.X > 0.3", "runs 2", "written V.E.COUNT")
+BY_EVENTS = ("line 40", "line 700", "M100", "fires 3", "notice", "written V.E.COUNT")
+BY_RUNNING = ("changes V.E.COUNT", "V.RTA.ACS.ACT_POS.X > 0.3", "V.E.VALUE < 1", "runs 2")
 
 CYCLE = """\
 #RT CYCLE [ID=1 SCOPE=PROG]
@@ -133,9 +133,14 @@ class AnySession(RuleBasedStateMachine):
 
     @rule(text=st.sampled_from(BY_RUNNING))
     def back_to_a_condition(self, text: str) -> None:
-        """Go back to a condition, and forward again to it from the tick before."""
+        """Go back to a condition, and forward again to it from the tick before.
+
+        What is recorded of signals leads to where running all again does.
+        """
         story = self.there
         stop = read_stop(text)
+        by_running = story._timeline.previous([replace(stop, kind="condition", text="0 > 1"), stop])
+        assert story._timeline.previous([stop]) == by_running
         if story.back_to([stop]) is not None and story.tick > 1:
             tick = story.tick
             story.back()

@@ -140,6 +140,31 @@ def test_a_dimension_without_effect_is_told(program: str, capsys: Captured) -> N
     assert "M9 has no effect" in Path("page.html").read_text("utf-8")
 
 
+@pytest.mark.parametrize("method", ["random", "latin"])
+def test_by_chance_runs_are_made_again_for_each_dimension(
+    program: str, method: str, capsys: Captured
+) -> None:
+    """No two runs differ in one dimension alone: M9, which nothing gives out, and a variable that
+    nothing reads are told; the trigger is not, nor anything where a repeated run differs."""
+    dead = {"acknowledge": "M9", "from": "5 ms", "to": "50 ms"}
+    chance = {"method": method, "count": 12, "seed": 3, "measure": MARGIN}
+    idle = {"variable": "V.E.VALUE", "from": 0.0, "to": 1.0}
+    own = study(program, vary=[TRIGGER, dead, idle], **chance)
+    result = own.run()
+    assert result.without_effect == []
+    assert own.without_shown_effect(result) == [("M9", 8), ("V.E.VALUE", 8)]
+    both = study(program, vary=[{**dead, "name": "a"}, {**dead, "acknowledge": "M8"}], **chance)
+    assert both.run().without_effect == ["a", "M8"]
+    assert both.without_shown_effect(both.run()) == []
+    text = f'program = "a.nc"\nmethod = "{method}"\ncount = 4\n'
+    text += '[[vary]]\nacknowledge = "M9"\nfrom = "5 ms"\nto = "50 ms"\n'
+    text += '[[vary]]\nvariable = "V.E.VALUE"\nfrom = 0.0\nto = 1.0\n'
+    text += '[[vary]]\ntime_of = "V.E.TRIGGER = 1"\nfrom = "150 ms"\nto = "195 ms"\n'
+    Path("plan.toml").write_text(text, "utf-8")
+    assert main(["study", "plan.toml"]) == 0
+    assert "warning 902061: M9 has shown no effect: 4 runs" in capsys.readouterr().err
+
+
 def rows_of(*runs: tuple[int, int, str]) -> list[dict[str, Any]]:
     """Rows of runs: two inputs and the digest."""
     return [{"a": a, "b": b, "digest": digest} for a, b, digest in runs]

@@ -172,6 +172,7 @@ def _show(study: Study, result: StudyResult, file: str, words: dict[str, Any]) -
     for line in summary(study, result, file, commands, words["language"]):
         click.echo(line)
     _tell_without_effect(result.without_effect, words)
+    _tell_no_effect_shown(study, result, words)
     if words["shrink"] and result.first_broken(1):
         for line in shrunk_lines(study, result, words["language"]):
             click.echo(line)
@@ -193,6 +194,16 @@ def _tell_without_effect(names: Sequence[str], words: dict[str, Any]) -> None:
     from nctakt.messages.studies import DIMENSION_WITHOUT_EFFECT  # noqa: PLC0415
 
     found = [diagnostic(DIMENSION_WITHOUT_EFFECT, name=name) for name in names]
+    print_diagnostics(found, words["language"])
+
+
+def _tell_no_effect_shown(study: Study, result: StudyResult, words: dict[str, Any]) -> None:
+    """Warn of dimensions of points by chance that changed nothing where it was tried (902061)."""
+    from nctakt.messages import diagnostic  # noqa: PLC0415 - as above
+    from nctakt.messages.studies import NO_EFFECT_SHOWN  # noqa: PLC0415
+
+    shown = study.without_shown_effect(result)
+    found = [diagnostic(NO_EFFECT_SHOWN, name=name, count=count) for name, count in shown]
     print_diagnostics(found, words["language"])
 
 

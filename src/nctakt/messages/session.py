@@ -52,6 +52,16 @@ TICK_NOT_REACHED = error(
     remedy_de="Die Sitzung bis dorthin weiterlaufen lassen.",
     latest=("the last tick so far", "der bisher letzte Takt"),
 )
+PLC_HOLDS_OPEN = error(
+    902060,
+    en="the session cannot go back: the PLC holds {names} open, which copies of it would share",
+    de="die Sitzung kann nicht zurück: die SPS hält {names} offen, was sich ihre Kopien teilen "
+    "würden",
+    remedy_en="Let the PLC open what it writes or connects to only as long as it needs it.",
+    remedy_de="Die SPS soll, was sie schreibt oder womit sie sich verbindet, nur so lange offen "
+    "halten, wie sie es braucht.",
+    names=("the files and connections", "die Dateien und Verbindungen"),
+)
 PAST_DIFFERS = error(
     901901,
     en="internal error of nctakt: up to tick {tick}, the past is not what it was in the first run",

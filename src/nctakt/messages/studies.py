@@ -194,6 +194,17 @@ DIMENSION_WITHOUT_EFFECT = warning(
     remedy_de="Prüfen, ob das Programm es benutzt und ob Werte und Messgrößen es zeigen können.",
     name=("the dimension", "die Dimension"),
 )
+NO_EFFECT_SHOWN = warning(
+    902061,
+    en="{name} has shown no effect: {count} runs, repeated with another value of it alone, had the "
+    "same events and measured values",
+    de="{name} hat keine Wirkung gezeigt: {count} Läufe, wiederholt mit einem anderen Wert nur "
+    "davon, hatten gleiche Ereignisse und Messwerte",
+    remedy_en="Check whether the program uses it, and whether values and measures can show it.",
+    remedy_de="Prüfen, ob das Programm es benutzt und ob Werte und Messgrößen es zeigen können.",
+    name=("the dimension", "die Dimension"),
+    count=("the number of the repeated runs", "die Zahl der wiederholten Läufe"),
+)
 UNCHANGED_RUN_BROKEN = warning(
     901942,
     en="the run without any injection is broken already: {broken}",

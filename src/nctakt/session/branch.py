@@ -12,6 +12,7 @@ from collections.abc import Sequence
 
 from nctakt.base.dataclass import dataclass, field
 from nctakt.run.inputs import Input
+from nctakt.session.columns import Necessary
 from nctakt.session.record import BranchRecord, PastMark
 from nctakt.session.stops import EventFilter
 
@@ -106,6 +107,19 @@ class Branch:
         if found is None and self.parent is not None:
             return self.parent.last_event(requested, min(before, self.first_tick))
         return -1 if found is None else found
+
+    def possible_end(self, needed: Necessary, before: int) -> int:
+        """Return the end of the last ticks before ``before`` in which a stop may hold, else 0."""
+        found = self.record.columns.possible_end(needed, self.first_tick, before)
+        if found is None and self.parent is not None:
+            return self.parent.possible_end(needed, min(before, self.first_tick))
+        return found or 0
+
+    @property
+    def writes_from(self) -> int:
+        """The first tick from which on all writes are recorded."""
+        inherited = 0 if self.parent is None else self.parent.writes_from
+        return max(self.record.columns.writes_from, min(inherited, self.first_tick))
 
     def ticks_between(self, requested: EventFilter, after: int, before: int) -> list[int]:
         """Return the ticks behind one, and before another one, that have such events."""

@@ -9,6 +9,7 @@ wherever it runs.
 from __future__ import annotations
 
 import math
+import re
 from collections import deque
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
@@ -37,7 +38,9 @@ from nctakt.run.shared_image import SharedImage
 from nctakt.run.stimuli import Stimulus, as_inputs, read_stimulus
 from nctakt.run.tick_loop import TickLoop
 from nctakt.session.channel_states import ChannelState, channel_states
+from nctakt.session.columns import MAX_SIGNALS, Extent, Necessary
 from nctakt.session.decoders import DecoderState, decoder_state
+from nctakt.session.evidence import necessary
 from nctakt.session.happened import MAX_EVENTS, Happened, SignalRows
 from nctakt.session.rest import LOOK_TICKS, PAUSED, rest
 from nctakt.session.schedules import EngineSchedule
@@ -48,6 +51,9 @@ from nctakt.trace.events import Event
 
 #: What ``Engine.last_hit`` has found: a tick or 0, where it has come to, its marks.
 Found = tuple[int, int, tuple[Mark, ...]]
+
+#: The events at which a stop holds, ``None`` where others tell; what must be so where it holds.
+Evidence = tuple[tuple[EventFilter, ...] | None, Necessary | None]
 
 #: Ticks of a stretch that is looked at in detail.
 MAX_LOOKED_AT = 1_000_000
@@ -62,9 +68,9 @@ class Slice:
     current block, ``calls``: the programs that are open there, the main program first;
     ``decoding``: place of what its decoder has given last. ``inputs``: all that came from outside,
     in its order. ``decoded``: blocks that have been passed so far. ``differs``: the first tick in
-    which the PLC did otherwise than the tape says. ``marks``, ``rows``: what the ticks have left
-    behind (``trail.py``), for the past of the session. ``is_resting``: it has ended because no
-    block comes by itself; ``diagnostics`` says what the programs wait for.
+    which the PLC did otherwise than the tape says. ``marks``, ``rows``, ``columns``: what the ticks
+    have left behind (``trail.py``), for the past of the session. ``is_resting``: it has ended
+    because no block comes by itself; ``diagnostics`` says what the programs wait for.
     """
 
     first_tick: int
@@ -84,6 +90,7 @@ class Slice:
     calls: Mapping[int, tuple[OpenCall, ...]] = field(default_factory=dict)
     marks: tuple[Mark, ...] = ()
     rows: bytes = b""
+    columns: tuple[tuple[Extent, ...], bytes] = ((), b"")
     is_resting: bool = False
 
 
@@ -163,6 +170,7 @@ class Engine:
         self._machine = machine = AssembledMachine(configuration, access)
         machine.report = self._diagnostics.append
         self._signals = machine.signals()
+        recorded = _recorded(machine) if setup.signals is None else list(setup.signals)
         self._cycle_us = configuration.cycle_time_us
         self._loop = TickLoop(machine, self._diagnostics.append, None)
         self._happened = Happened()
@@ -187,7 +195,7 @@ class Engine:
             plc=plc,
             wait_for_start=setup.wait_for_start,
             skip=setup.skip,
-            signals=(),
+            signals=recorded,
             sinks=(self._happened, self._trail),
             memory_trace=False,
             on_cycle=self._add_cycle,
@@ -201,6 +209,8 @@ class Engine:
         options.check()
         self._run = ProgramRun(self._loop, self._diagnostics, options)
         self._loop.connect(plc, has_plc=plc is not None or not setup.acknowledges)
+        self._recorded_cells = [self._signals[name][0] for name in recorded]
+        self._columns = {cell: number for number, cell in enumerate(self._recorded_cells)}
         self._run.load()
         self.description = Description(
             configuration.cycle_time_us,
@@ -253,6 +263,11 @@ class Engine:
     def tick(self) -> int:
         """The number of ticks since start-up."""
         return self._loop.tick
+
+    @property
+    def has_plc(self) -> bool:
+        """Whether a PLC in Python runs with it."""
+        return self._loop.plc is not None
 
     def plan(self, inputs: Sequence[Input]) -> None:
         """Replace the inputs that are to come, from this tick on.
@@ -316,7 +331,9 @@ class Engine:
         if resting:
             return self._slice(first, [], events=True, resting=resting)
         found: list[Mark] = []
-        self._trail.keeps = marks is None
+        self._trail.keeps = False
+        if marks is None:
+            self._trail.explore([self._machine.cells[cell] for cell in self._recorded_cells])
         while True:
             bound = min(end, self._next_look) if rests else end
             if marks is None:
@@ -330,7 +347,8 @@ class Engine:
             if is_there or resting or self.tick >= end:
                 break
         done = self._slice(first, hits, events=events or is_there or bool(resting), resting=resting)
-        done = replace(done, marks=tuple(found), rows=self._trail.take())
+        rows, columns = self._trail.take(), self._trail.take_columns()
+        done = replace(done, marks=tuple(found), rows=rows, columns=columns)
         return done if since is None else since_tick(done, since, self._cycle_us)
 
     @property
@@ -383,9 +401,12 @@ class Engine:
         self._repeat(end, marks, found)
         return self._stop_builder.last_hit() + 1, self.tick, tuple(found)
 
-    def filters(self, stops: Sequence[StopAt]) -> list[tuple[EventFilter, ...] | None]:
-        """Return for each stop the events at which it holds, ``None`` where others tell."""
-        return [self._stop_builder.filters(stop) for stop in stops]
+    def evidence(self, stops: Sequence[StopAt]) -> list[Evidence]:
+        """Return for each stop what the record of a session tells of it."""
+        return [
+            (self._stop_builder.filters(stop), necessary(stop, self._machine, self._columns))
+            for stop in stops
+        ]
 
     def _watch(self, stops: Sequence[StopAt]) -> None:
         """Watch these stops and no other ones from now on."""
@@ -600,6 +621,15 @@ class Engine:
         self._run.close()
         return self._run.result()
 
+
+def _recorded(machine: AssembledMachine) -> list[str]:
+    """Return the signals of a run, and the single variables of the machine."""
+    variables = [name for name in machine.signals() if _VARIABLE.fullmatch(name)]
+    return [*machine.default_signals(), *variables][:MAX_SIGNALS]
+
+
+#: A variable of the machine that is no element of an array and no part of a structure.
+_VARIABLE = re.compile(r"(CH\d+\.)?V\.(E|CH)\.\w+")
 
 _STATES = {
     codes.LOADED: "loaded",

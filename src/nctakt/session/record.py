@@ -24,6 +24,7 @@ from nctakt.kernel import rows
 from nctakt.messages import diagnostic
 from nctakt.messages.files import TEXT_CHANGED
 from nctakt.messages.session import PAST_DIFFERS
+from nctakt.session.columns import WRITE_KINDS, ColumnRecord, Extent
 from nctakt.session.stops import EventFilter
 from nctakt.session.trail import MARK_US, Mark
 
@@ -113,12 +114,18 @@ class BranchRecord:
     def __init__(self, work_us: float = 0.0) -> None:
         self.work_us = work_us
         self.marks: list[PastMark] = []
+        self.columns = ColumnRecord()
         self._chunks: list[_Chunk] = []
         self._open: list[bytes] = []
         self._open_bytes = 0
         self._file: IO[bytes] | None = None
 
-    def add(self, marks: Sequence[Mark], events: bytes) -> None:
+    def add(
+        self,
+        marks: Sequence[Mark],
+        events: bytes,
+        columns: tuple[Sequence[Extent], bytes] = ((), b""),
+    ) -> None:
         """Add what ticks have left that were run for the first time.
 
         The last mark gives way to the next one if that is near.
@@ -131,6 +138,7 @@ class BranchRecord:
             if self.marks and self.work_us - before < MARK_US:
                 self.marks.pop()
             self.marks.append(PastMark(mark.tick, mark.digest, self.work_us, mark.is_over))
+        self.columns.add(*columns)
         if events:
             self._open.append(events)
             self._open_bytes += len(events)
@@ -178,6 +186,8 @@ class BranchRecord:
 
     def last_event(self, requested: EventFilter, before: float) -> int | None:
         """Return the last tick before another one that has such an event, ``None`` without."""
+        if requested.kinds & WRITE_KINDS:
+            return self.columns.last_write(requested, before)
         for events in self._backward():
             count = int(np.searchsorted(events[:, rows.EVENT_TICK], before))
             found = requested.rows(events[:count])

@@ -24,8 +24,9 @@ class Setup:
     themselves where there is no PLC; else whoever watches the session does it. ``folders``: the
     only ones whose files may be read, where there are any. ``inputs``: those of a tape. ``rtconf``:
     a scheduling list by which the controller's threads run on a real clock, with its ``load`` and
-    the name of its operating system. ``why`` and the rest, among them the start block of a block
-    search, as in ``Controller.run``.
+    the name of its operating system. ``signals``: those that the session records, by default those
+    of a run and the variables of the machine. ``why`` and the rest, among them the start block of
+    a block search, as in ``Controller.run``.
     """
 
     programs: Mapping[int, Sequence[str | Path | NcText]]
@@ -41,6 +42,7 @@ class Setup:
     folders: Sequence[str | Path] = ()
     why: bool = False
     stays: bool = False
+    signals: Sequence[str] | None = None
     inputs: Sequence[Input] = ()
     rtconf: str | None = None
     load: str | None = None

@@ -164,6 +164,13 @@ class EventFilter:
             return BlockUpToDepth(int(channel), self.max_depth, guard, count)
         return Happens(self.kinds, array("d", self.lowest), array("d", self.highest), guard, count)
 
+    def takes_write(self, kind: float, channel: float, cell: float) -> bool:
+        """Return whether it takes the writes of realtime cycles into a cell."""
+        return bool(self.kinds >> int(kind) & 1) and all(
+            self.lowest[column] <= value <= self.highest[column]
+            for column, value in ((rows.EVENT_CHANNEL, channel), (rows.EVENT_A, cell))
+        )
+
     def rows(self, events: NDArray[np.float64]) -> NDArray[np.int64]:
         """Return the indexes of those rows of events that it takes."""
         kinds = events[:, rows.EVENT_KIND].astype(np.int64)
@@ -278,7 +285,7 @@ class StopBuilder:
 
     def filters(self, stop: StopAt) -> tuple[EventFilter, ...] | None:
         """Return the events at which a stop holds; ``None`` where a record does not tell."""
-        is_recorded = stop.kind in _EVENTS and stop.kind != "written" and not stop.only_if
+        is_recorded = stop.kind in _EVENTS and not stop.only_if
         return tuple(self._filters(stop)) if is_recorded else None
 
     def _filters(self, stop: StopAt) -> Iterable[EventFilter]:

@@ -19,11 +19,12 @@ from nctakt.base.diagnostics import Language
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
 from nctakt.messages.real_schedule import REAL_SCHEDULE_HAS_NO_PAST
-from nctakt.messages.session import NO_SUCH_BRANCH, TICK_NOT_REACHED
+from nctakt.messages.session import NO_SUCH_BRANCH, PLC_HOLDS_OPEN, TICK_NOT_REACHED
 from nctakt.run.inputs import PLC, SCHEDULE, Input, in_order
 from nctakt.session.branch import Branch, index_of
+from nctakt.session.columns import WRITE_KINDS, Necessary
 from nctakt.session.confirmed import Confirmed
-from nctakt.session.engine import Slice, joined
+from nctakt.session.engine import Evidence, Slice, joined
 from nctakt.session.parked import Parked, ParkedControllers
 from nctakt.session.parking import DENSE_US, SPARSE_US, approach, first_gap
 from nctakt.session.record import (
@@ -57,7 +58,7 @@ NEAR_TICKS = 8
 
 #: Work of the latest stretch that a search runs again, in microseconds; each other one is at least
 #: twice as long as the one behind it.
-SEARCHED_US = 4.0 * DENSE_US
+SEARCHED_US = 8.0 * DENSE_US
 
 #: How often a stop may hold that only notes when it did last.
 _NEVER = 1 << 60
@@ -90,6 +91,7 @@ class Timeline:
         self._plc: dict[int, list[Input]] = {1: []}
         self._parked = ParkedControllers()
         self._fault: Failure | None = None
+        self._held: Failure | None = None
         self._confirmed = Confirmed()
         self.progress: tuple[int, int] | None = None
         if self._can_copy:
@@ -125,8 +127,8 @@ class Timeline:
         done = live.run(
             end, stops, events=events, marks=None if self._has_past else (), rests=rests
         )
-        branch.record.add(done.marks, done.rows)
-        done = replace(done, marks=(), rows=b"")
+        branch.record.add(done.marks, done.rows, done.columns)
+        done = replace(done, marks=(), rows=b"", columns=((), b""))
         if done.tick > branch.latest:
             if not self._has_past:
                 own = (PLC, SCHEDULE)
@@ -166,7 +168,13 @@ class Timeline:
             if engine is not None:
                 engine.close()
             return
-        parked = self._live.copy() if engine is None else engine
+        try:
+            parked = self._live.copy() if engine is None else engine
+        except Failure as failure:
+            if failure.diagnostics[0].id == PLC_HOLDS_OPEN.id:
+                self._held, self._can_copy = failure, False
+                return
+            raise
         self._parked.add(Parked(self.branch, tick, self.branch.work_at(tick), parked))
         self._parked.thin_out(self.branch.work_at(self.tick))
 
@@ -328,7 +336,7 @@ class Timeline:
 
     def _on_the_way(self, target: Branch, tick: int) -> RemoteEngine:
         """Return a controller before a tick of a branch, as near to it as there is one."""
-        self._refuse_on_real_schedule()
+        self._refuse_without_past()
         nearest = self._parked.nearest(target, tick)
         if target is self.branch and self._fault is None and self.tick <= tick:
             if nearest is None or nearest.tick <= self.tick:
@@ -341,7 +349,9 @@ class Timeline:
         engine.plan(self._planned(target, engine.tick))
         return engine
 
-    def _refuse_on_real_schedule(self) -> None:
+    def _refuse_without_past(self) -> None:
+        if self._held is not None:
+            raise self._held
         if not self._has_past:
             raise Failure(diagnostic(REAL_SCHEDULE_HAS_NO_PAST))
 
@@ -453,7 +463,7 @@ class Timeline:
             raise Failure(diagnostic(TICK_NOT_REACHED, tick=tick, latest=target.latest))
         if self._can_copy and self.tick == tick:
             return self.live.copy()
-        self._refuse_on_real_schedule()
+        self._refuse_without_past()
         engine = self._woken(target, self._parked.nearest(target, tick))
         try:
             self._rerun(engine, target, tick)
@@ -489,26 +499,46 @@ class Timeline:
     def previous(self, stops: Sequence[StopAt]) -> int | None:
         """Return the last tick before the present at which one of the stops held, or ``None``.
 
-        The record tells where there were events; for other stops the past is run again, from the
-        latest parked controller to the earliest.
+        The record tells where there were events and writes. For other stops the past is run again,
+        from the latest parked controller to the earliest: where they depend on a recorded signal,
+        only up to the ticks in which it can have been.
         """
         end, found = self.tick - 1, 0
         if end <= 0:
             return None
-        self._refuse_on_real_schedule()
+        self._refuse_without_past()
         self._poll()
-        others: list[StopAt] = []
-        for stop, requested in zip(stops, self.live.ask("filters", stops), strict=True):
+        others: list[tuple[StopAt, int, Necessary | None]] = []
+        evidence: list[Evidence] = self.live.ask("evidence", stops)
+        for stop, (requested, needed) in zip(stops, evidence, strict=True):
             if requested is None:
-                others.append(replace(stop, count=_NEVER))
+                others.append((replace(stop, count=_NEVER), end, needed))
             for one in requested or ():
                 found = max(found, self.branch.last_event(one, end) + 1)
+                if one.kinds & WRITE_KINDS and self.branch.writes_from:
+                    known = replace(stop, count=_NEVER), min(end, self.branch.writes_from), None
+                    others.append(known)
         if others:
             found = self._searched(others, found, end)
         return found or None
 
-    def _searched(self, stops: Sequence[StopAt], found: int, end: int) -> int:
-        """Return the last tick up to ``end`` at which a stop held, ``found`` if that is later."""
+    def _possible_end(self, stops: Sequence[tuple[StopAt, int, Necessary | None]], end: int) -> int:
+        """Return up to which tick before ``end`` one of some stops can have held at last."""
+        ends = [(min(end, last), needed) for _, last, needed in stops]
+        return max(
+            last if needed is None else self.branch.possible_end(needed, last)
+            for last, needed in ends
+        )
+
+    def _searched(
+        self, others: Sequence[tuple[StopAt, int, Necessary | None]], found: int, end: int
+    ) -> int:
+        """Return the last tick up to ``end`` at which a stop held, ``found`` if that is later.
+
+        ``others``: stops, each with the tick up to which it is looked for and what it needs.
+        """
+        stops = [stop for stop, _, _ in others]
+        end = self._possible_end(others, end)
         whole, stretch_us = end - found, SEARCHED_US / 2.0
         try:
             while end > found:
@@ -522,7 +552,7 @@ class Timeline:
                     engine.close()
                 if hit:
                     return max(hit, found)
-                end = begin
+                end = self._possible_end(others, begin)
         finally:
             self.progress = None
         return found

@@ -15,6 +15,7 @@ import numpy as np
 
 from nctakt.base.dataclass import dataclass
 from nctakt.kernel import rows
+from nctakt.session.columns import WRITES, ColumnTrail, Extent
 from nctakt.trace.chunks import EventChunk
 from nctakt.trace.events import Event
 from nctakt.trace.sinks import TraceHeader
@@ -27,9 +28,6 @@ MAX_MARK_TICKS = 100_000
 
 #: Length of a digest in bytes.
 DIGEST_SIZE = 8
-
-#: Kinds of events of which a run may have some in each tick: no session keeps them.
-_NOT_KEPT = (rows.EVENT_WRITTEN, rows.EVENT_WRITTEN_TEXT)
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,12 +45,17 @@ class Mark:
 
 
 class Trail:
-    """A sink that digests all events; ``keeps``: it keeps their rows as well, until ``take``."""
+    """A sink that digests all events.
+
+    ``keeps``: it keeps their rows as well, and what is recorded of signals and writes, until
+    ``take`` and ``take_columns``.
+    """
 
     def __init__(self, memory: bytearray) -> None:
         self._memory = memory
         self._events = hashlib.blake2b(digest_size=DIGEST_SIZE)
         self._rows: list[bytes] = []
+        self._columns = ColumnTrail()
         self.keeps = False
         self._since_us = 0.0
         self.part = 64
@@ -60,12 +63,28 @@ class Trail:
     def open(self, header: TraceHeader) -> None:
         """Do nothing."""
 
+    def explore(self, signals: Sequence[float]) -> None:
+        """Keep all that ticks leave from now on; ``signals``: their values before the next one."""
+        self.keeps = True
+        self._columns.begin(signals)
+
+    def rows(self, first_tick: int, rows: memoryview[float], width: int) -> None:
+        """Keep the values of the signals."""
+        if self.keeps:
+            self._columns.rows(first_tick, rows, width)
+
     def events(self, events: Sequence[Event]) -> None:
         """Digest events."""
         assert isinstance(events, EventChunk)
         self._events.update(events.data)
         if self.keeps:
-            self._rows.append(_kept(events.data))
+            found = np.frombuffer(events.data, np.float64).reshape(-1, rows.EVENT_WIDTH)
+            is_write = np.isin(found[:, rows.EVENT_KIND], WRITES)
+            if is_write.any():
+                self._columns.writes(found[is_write])
+                self._rows.append(found[~is_write].tobytes())
+            else:
+                self._rows.append(events.data)
 
     def close(self) -> None:
         """Do nothing."""
@@ -74,6 +93,10 @@ class Trail:
         """Return the rows since the last call."""
         taken, self._rows = b"".join(self._rows), []
         return taken
+
+    def take_columns(self) -> tuple[tuple[Extent, ...], bytes]:
+        """Return what the ticks since the last call have left of signals and writes."""
+        return self._columns.take()
 
     def digest(self) -> bytes:
         """Return the digest of the machine's memory and of all events so far."""
@@ -103,10 +126,3 @@ class Trail:
 def now_us() -> float:
     """Return the time that this process has had of its processor, in microseconds."""
     return time.process_time() * 1e6
-
-
-def _kept(data: bytes) -> bytes:
-    """Return the rows of those kinds that a session keeps."""
-    found = np.frombuffer(data, np.float64).reshape(-1, rows.EVENT_WIDTH)
-    is_left = np.isin(found[:, rows.EVENT_KIND], _NOT_KEPT)
-    return data if not is_left.any() else found[~is_left].tobytes()

@@ -25,6 +25,7 @@ from typing import Any
 from nctakt.base import interrupts
 from nctakt.base.failure import Failure
 from nctakt.session.engine import Engine
+from nctakt.session.open_files import check_open_files, open_again
 from nctakt.session.setup import Setup
 
 #: What a request is answered with: the result, or the reason why there is none.
@@ -101,6 +102,7 @@ class Worker:
         for stream in (sys.stdout, sys.stderr):  # else what a PLC has printed is printed by each
             with contextlib.suppress(OSError, ValueError):
                 stream.flush()
+        shared = self._shared()
         gc.freeze()  # a search for garbage would touch, and so copy, all of the shared memory
         connection = self._connection
         assert connection is not None
@@ -115,7 +117,15 @@ class Worker:
             return
         others.close()
         connection.close()
+        open_again(shared)
         self._connection = Connection(own.detach())
+
+    def _shared(self) -> list[int]:
+        """Return which files a copy opens again; raises ``Failure`` (902060) for what it cannot."""
+        if self._engine is None or not self._engine.has_plc:
+            return []
+        assert self._connection is not None
+        return check_open_files({self._connection.fileno()})
 
 
 def main() -> None:

@@ -2,18 +2,25 @@
 """Which dimensions of a study change nothing.
 
 In: a plan and the rows of its runs. Out: the dimensions for which all runs that differ in them
-alone are the same run: same events, same values of all that is measured, by the digests.
+alone are the same run: same events, same values of all that is measured, by the digests. Points by
+chance differ in all dimensions at once: there some runs are made again with another value of one.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable, Sequence
 
-from nctakt.studies.bench import Row
-from nctakt.studies.plan import Plan
+from nctakt.studies.bench import Bench, Row
+from nctakt.studies.plan import Method, Plan
 
 #: Runs that are remembered for one dimension; of more nothing is said.
 MAX_REMEMBERED = 100_000
+
+#: The methods whose points differ in all dimensions at once.
+BY_CHANCE: tuple[Method, ...] = ("random", "latin", "sobol")
+
+#: Runs that are made again for one dimension at most; most of those with an effect need one.
+REPEATED = 8
 
 
 def without_effect(plan: Plan, rows: Iterable[Row]) -> list[str]:
@@ -29,6 +36,39 @@ def without_effect(plan: Plan, rows: Iterable[Row]) -> list[str]:
             if search.is_over:
                 break
     return [one.name for number, one in enumerate(plan.dimensions) if search.is_dead(number)]
+
+
+def without_shown_effect(
+    bench: Bench, rows: Sequence[Row], known: Collection[str]
+) -> list[tuple[str, int]]:
+    """Return the dimensions that changed nothing where runs were made again for it, and how many.
+
+    Only of points by chance, and of dimensions of which it is not ``known``. A run that is made
+    again has the value that the next one of them has.
+    """
+    plan = bench.plan
+    made = [row for row in rows if row.get("digest")]
+    if plan.method not in BY_CHANCE or len(made) < 2:
+        return []
+    step = max(1, len(made) // REPEATED)
+    picked = made[::step][:REPEATED]
+    points = [plan.point(int(row["run"] or 0)) for row in picked]
+    found: list[tuple[str, int]] = []
+    for number, dimension in enumerate(plan.dimensions):
+        if dimension.name in known:
+            continue
+        count = 0
+        for index, row in enumerate(picked):
+            value = points[(index + 1) % len(points)][number]
+            if value == points[index][number]:
+                continue
+            other = (*points[index][:number], value, *points[index][number + 1 :])
+            if bench.row_of(int(row["run"] or 0), other)["digest"] != row["digest"]:
+                break
+            count += 1
+        else:
+            found += [(dimension.name, count)] if count else []
+    return found
 
 
 class _Search:

@@ -14,7 +14,7 @@ from nctakt.base.failure import Failure
 from nctakt.studies.bench import BROKEN, CRASHED, FAILED, HELD, Bench, Row, columns_of
 from nctakt.studies.dimension import Value
 from nctakt.studies.each_tick import Nominal, nominal_run, with_span
-from nctakt.studies.effects import without_effect
+from nctakt.studies.effects import without_effect, without_shown_effect
 from nctakt.studies.inputs import command_of, inputs_of
 from nctakt.studies.measures import MeasuredValue, function_measure
 from nctakt.studies.outcome import NotMeasuredError
@@ -222,6 +222,14 @@ class Study:
         rows = [row for block in blocks for row in block.rows]
         rows.sort(key=lambda row: int(row["run"] or 0))
         return StudyResult(self.plan, rows, self.nominal)
+
+    def without_shown_effect(self, result: StudyResult) -> list[tuple[str, int]]:
+        """Make some runs again with another value of one dimension alone, for points by chance.
+
+        Returns the dimensions, beyond those of ``result.without_effect``, for which that changed
+        nothing, each with the number of these runs. Raises ``Failure`` as ``run``.
+        """
+        return without_shown_effect(self.bench, result.rows, result.without_effect)
 
     def find(self) -> list[Answer]:
         """Return the answer to each goal of the plan (``find``); raises ``Failure`` as ``run``."""

@@ -401,6 +401,7 @@ def imports(path: Path) -> tuple[str, ...]:
 PACING = (
     "session/session.py", "session/thread.py", "session/listening.py", "session/workshop.py",
     "session/trail.py",  # where ticks are marked to be compared, which changes none of them
+    "session/worker.py",  # how long a request took, by which slices get their length
 )  # fmt: skip
 
 #: The files that hand out the runs of a study; what a run yields does not depend on who makes it.

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from random_seeds import each_seed
+from support.random_seeds import each_seed
 
 from nctakt import NcText
 from nctakt.kernel import rows

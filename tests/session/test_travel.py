@@ -7,7 +7,7 @@ import random
 from pathlib import Path
 
 import pytest
-from support.random_seeds import each_seed
+from support.random_seeds import MANY, each_seed
 
 from nctakt import Controller, NcText
 from nctakt.plc.loading import load_plc
@@ -131,22 +131,29 @@ def long_program(path: Path, size: int, chance: random.Random) -> None:
     path.write_text("\n".join([*lines, "M30", ""]), "utf-8")
 
 
+#: Bytes of the programs, ticks of them, jumps: a beginning, or all of it with ``NCTAKT_SEEDS``.
+SIZES = (500_000, 2_000_000, 10_000_000) if MANY else (500_000, 2_000_000)
+TICKS, JUMPS = (10_000_000, 200) if MANY else (5_000, 6)
+
+
 @pytest.mark.skipif(not can_fork(), reason="elsewhere the past is run again from the start")
 @each_seed(1, 1)
-@pytest.mark.parametrize("size", [500_000, 1_500_000])
+@pytest.mark.parametrize("size", SIZES)
 def test_each_jump_leads_to_where_the_run_was(seed: int, size: int, tmp_path: Path) -> None:
     """Programs that are kept in memory, and such that are read when their lines are due."""
     chance = random.Random(seed)
     path = tmp_path / "p.nc"
     long_program(path, size, chance)
-    ticks = 12_000
-    run = Controller().run(path, ticks=ticks, signals=["X.ACS.ACT_POS", "Y.ACS.ACT_POS"])
+    run = Controller().run(
+        path, ticks=TICKS, until="24 h", signals=["X.ACS.ACT_POS", "Y.ACS.ACT_POS"]
+    )
+    ticks = run.ticks
     names = ["V.RTA.ACS.ACT_POS.X", "V.RTA.ACS.ACT_POS.Y"]
-    story = Story(Setup({1: [path]}))
+    story = Story(Setup({1: [path]}, until="24 h"))
     try:
         while story.tick < ticks:
-            story.step(2000)
-        for _ in range(12):
+            story.run(min(ticks, story.tick + 50_000))
+        for _ in range(JUMPS):
             tick = chance.randint(1, ticks)
             story.go_to(tick)
             expected = [run.trace[name][tick - 1] for name in run.trace.keys()]

@@ -96,6 +96,10 @@ class Served:
         self.session.close()
 
 
+#: How long a client waits for an answer: four seconds, as by itself, pass on a busy machine.
+PATIENCE_S = 30.0
+
+
 async def until(condition: Callable[[], Any], deadline_s: float = 20.0) -> Any:
     """Return what a condition gives once it is true; fail after a time."""
     end = time.monotonic() + deadline_s

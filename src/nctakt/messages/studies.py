@@ -196,12 +196,14 @@ DIMENSION_WITHOUT_EFFECT = warning(
 )
 NO_EFFECT_SHOWN = warning(
     902061,
-    en="{name} has shown no effect: {count} runs, repeated with another value of it alone, had the "
-    "same events and measured values",
-    de="{name} hat keine Wirkung gezeigt: {count} Läufe, wiederholt mit einem anderen Wert nur "
-    "davon, hatten gleiche Ereignisse und Messwerte",
+    en="{name} has shown no effect: {count} runs repeated with another value of it were the same",
+    de="{name} hat keine Wirkung gezeigt: {count} Läufe waren mit einem anderen Wert davon gleich",
     remedy_en="Check whether the program uses it, and whether values and measures can show it.",
     remedy_de="Prüfen, ob das Programm es benutzt und ob Werte und Messgrößen es zeigen können.",
+    cause_en="Each of these runs was repeated with another value of this dimension alone, and had "
+    "the same events and measured values.",
+    cause_de="Jeder dieser Läufe wurde mit einem anderen Wert nur dieser Dimension wiederholt und "
+    "hatte gleiche Ereignisse und Messwerte.",
     name=("the dimension", "die Dimension"),
     count=("the number of the repeated runs", "die Zahl der wiederholten Läufe"),
 )

@@ -44,6 +44,8 @@ class Session:
     Without a PLC, functions acknowledge themselves unless ``acknowledges`` is false. ``folders``:
     the only ones whose files may be read. ``pace``: on the wall clock ``slice`` runs the ticks of
     10 ms together, ``tick`` each at its own time. ``stays``: it goes on after its programs.
+    ``signals``: those that are recorded for searches backward, by default those of a run and the
+    single variables of the machine.
 
     Raises ``Failure`` for what cannot be read, and for wrong names and values; programs with errors
     are a session that is over. ``on_travel`` is called from its thread while it goes back, with how
@@ -74,6 +76,7 @@ class Session:
         folders: Sequence[str | Path] = (),
         pace: str = "slice",
         stays: bool = False,
+        signals: Sequence[str] | None = None,
         from_line: int | None = None,
         from_block: int | None = None,
     ) -> None:
@@ -91,6 +94,7 @@ class Session:
                 acknowledges,
                 folders,
                 stays=stays,
+                signals=signals,
                 from_line=from_line,
                 from_block=from_block,
             ),
@@ -141,12 +145,11 @@ class Session:
             self.on_travel(*progress)
 
     def _run_slice(self, clock: AnyClock) -> None:
-        begin_s = time.monotonic()
-        end = clock.next_tick(begin_s)
+        end = clock.next_tick(time.monotonic())
         try:
             rests = isinstance(clock, FastClock) and clock.rests
             done = self._story.run(end, events=self._audience.wants_events, rests=rests)
-            clock.note(done.tick - done.first_tick, time.monotonic() - begin_s)
+            clock.note(done.tick - done.first_tick, self._story.took_s)
             is_at_end = bool(done.hits) or done.run_state is not None or done.is_resting
             if is_at_end:
                 self._thread.clock = None
@@ -219,13 +222,12 @@ class Session:
         clock = FastClock(self._story.tick)
         whole: Slice | None = None
         while True:
-            begin_s = time.monotonic()
-            due = clock.next_tick(begin_s)
+            due = clock.next_tick(time.monotonic())
             is_last = end is not None and due >= end
             events = is_last or self._audience.wants_events
             due = due if end is None else min(due, end)
             done = self._story.run(due, stops=stops, events=events, rests=rests)
-            clock.note(done.tick - done.first_tick, time.monotonic() - begin_s)
+            clock.note(done.tick - done.first_tick, self._story.took_s)
             whole = done if whole is None else joined(whole, done)
             is_there = bool(done.hits or done.run_state or done.is_resting)
             is_there = is_there or (end is not None and done.tick >= end)

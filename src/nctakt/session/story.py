@@ -66,6 +66,11 @@ class Story:
         return self._timeline.tick
 
     @property
+    def took_s(self) -> float:
+        """How long the controller took for its latest ticks, in seconds, however long it waited."""
+        return self._timeline.took_s
+
+    @property
     def branch(self) -> Branch:
         """The branch of the tape that it is in."""
         return self._timeline.branch

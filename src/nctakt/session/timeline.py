@@ -103,6 +103,11 @@ class Timeline:
         return self._live.tick
 
     @property
+    def took_s(self) -> float:
+        """How long the live controller took for its latest request, in seconds."""
+        return self._live.took_s
+
+    @property
     def live(self) -> RemoteEngine:
         """The live controller; raises ``Failure`` (901901) where it is not as it was."""
         if self._fault is not None:

@@ -17,6 +17,7 @@ import pickle
 import signal
 import socket
 import sys
+import time
 import traceback
 from collections.abc import Callable
 from multiprocessing.connection import Client, Connection
@@ -28,7 +29,8 @@ from nctakt.session.engine import Engine
 from nctakt.session.open_files import check_open_files, open_again
 from nctakt.session.setup import Setup
 
-#: What a request is answered with: the result, or the reason why there is none.
+#: What a request is answered with: the result, or the reason why there is none; and how long it
+#: took, in seconds.
 DONE, REFUSED, BROKEN = "done", "refused", "broken"
 
 #: The length of the secret that a worker and its session share, in bytes.
@@ -71,11 +73,12 @@ class Worker:
                 request, words = receive(self._connection)
             except (EOFError, OSError):
                 return
+            begin_s = time.monotonic()
             answer = self._answer(request, words)
             if answer is None:
                 continue  # it has been given, or this is the copy
             try:
-                send(self._connection, answer)
+                send(self._connection, (*answer, time.monotonic() - begin_s))
             except OSError:
                 return
 
@@ -111,7 +114,7 @@ class Worker:
         if child:
             own.close()
             with others, contextlib.suppress(OSError):  # the session may have ended meanwhile
-                connection.send((DONE, child))
+                connection.send((DONE, child, 0.0))
                 with socket.fromfd(connection.fileno(), own.family, own.type) as carrier:
                     socket.send_fds(carrier, [b"0"], [others.fileno()])
             return

@@ -43,7 +43,7 @@ class RemoteEngine:
     """A controller in another process, with the methods of ``Engine``.
 
     Raises ``Failure`` as that does, and 901153 when its process is gone. ``tick``: where it stands;
-    ``process``: the number of its process.
+    ``process``: the number of its process; ``took_s``: how long the latest request has taken there.
     """
 
     def __init__(
@@ -55,13 +55,15 @@ class RemoteEngine:
         self.tick = tick
         self._listed: Sequence[str] = ()
         self._unread = 0
+        self.took_s = 0.0
 
     def ask(self, request: str, *words: Any) -> Any:
         """Return the answer to a request; raises as well what an order before it has led to."""
         self._send(request, words)
         self._unread += 1
         answers = self._received()
-        for verdict, answer in answers:
+        for verdict, answer, took_s in answers:
+            self.took_s = took_s
             if verdict == REFUSED:
                 raise Failure(*answer)
             if verdict == BROKEN:
@@ -77,7 +79,7 @@ class RemoteEngine:
         with self._watched():
             send(self._connection, (request, words))
 
-    def _received(self) -> list[tuple[str, Any]]:
+    def _received(self) -> list[tuple[str, Any, float]]:
         """Return the answers to all requests so far."""
         with self._watched():
             answers = [receive(self._connection) for _ in range(self._unread)]

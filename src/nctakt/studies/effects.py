@@ -47,11 +47,11 @@ def without_shown_effect(
     again has the value that the next one of them has.
     """
     plan = bench.plan
-    made = [row for row in rows if row.get("digest")]
-    if plan.method not in BY_CHANCE or len(made) < 2:
+    finished = [row for row in rows if row.get("digest")]
+    if plan.method not in BY_CHANCE or len(finished) < 2:
         return []
-    step = max(1, len(made) // REPEATED)
-    picked = made[::step][:REPEATED]
+    step = max(1, len(finished) // REPEATED)
+    picked = finished[::step][:REPEATED]
     points = [plan.point(int(row["run"] or 0)) for row in picked]
     found: list[tuple[str, int]] = []
     for number, dimension in enumerate(plan.dimensions):

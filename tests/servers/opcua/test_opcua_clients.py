@@ -11,7 +11,7 @@ import pytest
 pytest.importorskip("asyncua", reason="needs the extra [opcua]")
 
 from asyncua import Client, ua
-from support.served import Served, until
+from support.served import PATIENCE_S, Served, until
 
 from nctakt.servers.opcua.types import all_components
 
@@ -34,7 +34,7 @@ def run(served, work, language="en"):
     """Run a coroutine function with a connected client."""
 
     async def connected():
-        client = Client(served.url)
+        client = Client(served.url, timeout=PATIENCE_S)
         client.set_locale([language])
         async with client:
             await client.load_data_type_definitions()

@@ -18,7 +18,7 @@ import pytest
 pytest.importorskip("asyncua", reason="needs the extra [opcua]")
 
 from asyncua import Client, ua
-from support.served import Served, until
+from support.served import PATIENCE_S, Served, until
 
 from nctakt.base.failure import Failure
 from nctakt.servers.notices import ServerNotice
@@ -65,7 +65,7 @@ async def connected(served):
 
     async def connect():
         with contextlib.suppress(ua.UaError, OSError, asyncio.TimeoutError):
-            client = Client(served.url)
+            client = Client(served.url, timeout=PATIENCE_S)
             await client.connect()
             return client
         return None
@@ -190,7 +190,7 @@ def test_limits_of_sessions_subscriptions_and_items_are_told(served):
             clients = []
             with pytest.raises((ua.uaerrors.BadTooManySessions, ConnectionError)):
                 for _ in range(9):
-                    clients.append(Client(served.url))
+                    clients.append(Client(served.url, timeout=PATIENCE_S))
                     await clients[-1].connect()
             for one in clients:
                 with contextlib.suppress(Exception):
@@ -205,7 +205,7 @@ def test_who_has_vanished_makes_room(served):
     """Sessions that wait for their clients go where others need their places, the oldest first."""
 
     async def vanish(number):
-        client = Client(served.url)
+        client = Client(served.url, timeout=PATIENCE_S)
         await client.connect()
         await client.create_subscription(50, None)
         session = served.door._server.iserver.client_sessions[-1]
@@ -223,7 +223,7 @@ def test_who_has_vanished_makes_room(served):
             assert len(server.client_sessions) == 8
             others = []
             for _ in range(3):
-                others.append(Client(served.url))
+                others.append(Client(served.url, timeout=PATIENCE_S))
                 await others[-1].connect()  # at once
             assert [one for one in gone if one in server.client_sessions] == gone[3:]
             assert len(served.door._subscriptions.subscriptions) == 4

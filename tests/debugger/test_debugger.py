@@ -412,7 +412,7 @@ def test_a_pause_ends_what_goes_back(tmp_path: Path, monkeypatch: pytest.MonkeyP
         monkeypatch.setattr(timeline, "PART_TICKS", 100)
         for command, arguments in (
             ("reverseContinue", {"threadId": 1}),
-            ("evaluate", {"expression": "last V.E.COUNT", "context": "repl"}),
+            ("evaluate", {"expression": "last V.E.COUNT + V.E.VALUE", "context": "repl"}),
         ):
             begun.clear()
             goes_on.clear()

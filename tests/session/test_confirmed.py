@@ -24,12 +24,12 @@ PROGRAM = "\n".join([*(f"G01 X{k % 7} Y{k} F60000" for k in range(60)), "M30"])
 def test_what_no_mark_has_proved_is_not_known() -> None:
     known = Confirmed()
     known.enter(1)
-    assert known.compare([Mark(5, b"a", 0.0)]) is None
+    assert known.compare(1, [Mark(5, b"a", 0.0)]) is None
     assert 5 not in known
     known.enter(1)
     known.prove()
     assert 5 not in known
-    known.compare([Mark(5, b"a", 0.0), Mark(7, b"b", 0.0)])
+    known.compare(1, [Mark(5, b"a", 0.0), Mark(7, b"b", 0.0)])
     known.prove()
     assert known.between(4, 7, 9) == [5, 7]
 
@@ -37,13 +37,14 @@ def test_what_no_mark_has_proved_is_not_known() -> None:
 def test_a_known_tick_that_comes_otherwise_is_found() -> None:
     known = Confirmed()
     known.enter(1)
-    known.compare([Mark(5, b"a", 0.0)])
+    known.compare(1, [Mark(5, b"a", 0.0)])
     known.prove()
     known.enter(1)
-    assert known.compare([Mark(3, b"x", 0.0), Mark(5, b"other", 0.0)]) == 5
+    assert known.compare(1, [Mark(3, b"x", 0.0), Mark(5, b"other", 0.0)]) == 5
     assert not known.is_proved(5)
-    assert known.compare([Mark(5, b"a", 0.0)]) is None
+    assert known.compare(1, [Mark(5, b"a", 0.0)]) is None
     assert known.is_proved(5)
+    assert known.compare(2, [Mark(5, b"of another branch", 0.0)]) is None
     known.enter(2)
     assert 5 not in known
 
@@ -94,3 +95,16 @@ def test_arrival_has_the_events_of_its_last_ticks_only(story: Story) -> None:
     assert all(one.time_us // 1000 >= done.first_tick for one in done.events)
     assert all(one.time_us // 1000 >= done.first_tick for one in done.messages)
     assert story.back_to([read_stop("V.RTA.ACS.ACT_POS.X > 1000")]) is None
+
+
+@needs_copies
+def test_what_is_known_of_a_branch_says_nothing_of_another_one(story: Story) -> None:
+    """An input in the past begins a branch, whose ticks are looked at before it is travelled."""
+    story.go_to(30)
+    story.back()
+    story.write({"HLI.OVERRIDE": 10}, "page")
+    story.step(20)
+    assert story.branch.number == 2
+    assert story.happened(0, story.tick).tick == story.tick
+    story.back(2)
+    assert story.happened(10, 40).tick == 40

@@ -27,6 +27,9 @@ G04 X60
 M30
 """
 
+#: A condition of which the record tells nothing, so that the past is run again.
+AGAIN = "V.E.COUNT + V.E.VALUE > 5"
+
 
 @pytest.fixture(scope="module")
 def session() -> Iterator[Session]:
@@ -54,10 +57,10 @@ def test_a_search_backward_leaves_the_session_where_it_was(
     with monkeypatch.context() as patch:
         interrupting(session, RemoteEngine.last_hit, patch, RemoteEngine)
         with pytest.raises(Failure) as failed:
-            session.back_to("V.E.COUNT > 5")
+            session.back_to(AGAIN)
     assert failed.value.diagnostics[0].id == 901474
     assert session.tick == tick
-    assert session.back_to("V.E.COUNT > 5") is None
+    assert session.back_to(AGAIN) is None
 
 
 def test_travel_that_is_interrupted_leaves_the_session_where_it_was(
@@ -86,7 +89,7 @@ def test_travel_tells_how_far_it_has_come(
     monkeypatch.setattr(timeline, "PART_TICKS", 100)
     told: list[tuple[int, int]] = []
     session.on_travel = lambda done, whole: told.append((done, whole))
-    assert session.back_to("V.E.COUNT > 5") is None
+    assert session.back_to(AGAIN) is None
     session.on_travel = None
     assert len(told) > 10
     assert {whole for _, whole in told} == {session.tick - 1}

@@ -39,8 +39,13 @@ class Confirmed:
         """Return the first ``count`` known ticks behind a tick, up to another one."""
         return sorted(tick for tick in self._digests if after < tick <= last)[:count]
 
-    def compare(self, found: Iterable[Mark]) -> int | None:
-        """Take the marks of a run; return the first tick that is known to be otherwise."""
+    def compare(self, branch: int, found: Iterable[Mark]) -> int | None:
+        """Take the marks of a run of a branch; return the first tick known to be otherwise.
+
+        Nothing is known of any other branch than the entered one.
+        """
+        if branch != self._branch:
+            return None
         for mark in found:
             known = self._digests.get(mark.tick)
             if known is None:

@@ -71,7 +71,8 @@ class Timeline:
 
     Raises ``Failure`` with the mistakes of the setup. ``branch``: the one that it is in. ``poll``
     is called while the past is run again, and may end that by an exception. ``progress``: how many
-    of how many ticks of the past have been run again by now, ``None`` while none are.
+    of how many ticks of the past have been run again by now, ``None`` while none are. ``took_s``:
+    how long the controller took for the latest ``run``, in seconds.
     """
 
     def __init__(self, setup: Setup, poll: Poll) -> None:
@@ -94,6 +95,7 @@ class Timeline:
         self._held: Failure | None = None
         self._confirmed = Confirmed()
         self.progress: tuple[int, int] | None = None
+        self.took_s = 0.0
         if self._can_copy:
             self._park()
 
@@ -101,11 +103,6 @@ class Timeline:
     def tick(self) -> int:
         """The tick at which the live controller stands."""
         return self._live.tick
-
-    @property
-    def took_s(self) -> float:
-        """How long the live controller took for its latest request, in seconds."""
-        return self._live.took_s
 
     @property
     def live(self) -> RemoteEngine:
@@ -124,6 +121,7 @@ class Timeline:
         What has been run before must be as it was; raises ``Failure`` (901901) where it is not.
         """
         live, branch, again = self.live, self.branch, None
+        self.took_s = 0.0
         if self._has_past and self.tick < branch.latest:
             again = self._run_again(min(end, branch.latest), stops, events=events)
             is_there = again.hits or again.run_state is not None or again.tick >= end
@@ -132,6 +130,7 @@ class Timeline:
         done = live.run(
             end, stops, events=events, marks=None if self._has_past else (), rests=rests
         )
+        self.took_s += live.took_s
         branch.record.add(done.marks, done.rows, done.columns)
         done = replace(done, marks=(), rows=b"", columns=((), b""))
         if done.tick > branch.latest:
@@ -153,7 +152,8 @@ class Timeline:
         asked = _asked(marks, self._confirmed.between(self.tick, end, NEAR_TICKS))
         try:
             done = self._live.run(end, stops, events=events, marks=asked)
-            done = self._compared(done, marks, asked)
+            self.took_s = self._live.took_s
+            done = self._compared(self.branch, done, marks, asked)
             self._confirm(self._live, self.branch)
         except Failure as failure:
             self._fault = failure
@@ -185,7 +185,9 @@ class Timeline:
 
     # --- what has been run again ----------------------------------------------------------------
 
-    def _compared(self, done: Slice, marks: Sequence[PastMark], asked: Sequence[int] = ()) -> Slice:
+    def _compared(
+        self, branch: Branch, done: Slice, marks: Sequence[PastMark], asked: Sequence[int] = ()
+    ) -> Slice:
         """Return what ticks have done that were run again; raises ``Failure`` (901901).
 
         ``asked``: where the slice has marks, by default at ``marks`` alone. Where a PLC has done
@@ -197,7 +199,8 @@ class Timeline:
         found = list(zip(asked or ends, done.marks, strict=False))
         differs = first_difference([mark for tick, mark in found if tick in ends], marks)
         if differs is None and self._setup.plc is None:
-            differs = self._confirmed.compare(mark for tick, mark in found if tick == mark.tick)
+            near = (mark for tick, mark in found if tick == mark.tick)
+            differs = self._confirmed.compare(branch.number, near)
         done = replace(done, marks=(), rows=b"")
         if differs is None or done.differs is not None:
             return done
@@ -220,7 +223,7 @@ class Timeline:
                 done = scout.run(following.end, events=False, marks=asked, since=tick)
             finally:
                 scout.close()
-            self._compared(done, [following], asked)
+            self._compared(branch, done, [following], asked)
         self._confirmed.prove()
 
     def _rerun(
@@ -247,7 +250,7 @@ class Timeline:
             part, marks = _next_part(branch, engine.tick, end)
             asked = _asked(marks, [one for one in near if engine.tick < one <= part])
             again = engine.run(part, events=part == end, marks=asked, since=forgotten)
-            again = self._compared(again, marks, asked)
+            again = self._compared(branch, again, marks, asked)
             done, forgotten = again if done is None else joined(done, again), None
         return done
 
@@ -499,7 +502,7 @@ class Timeline:
         if following is not None and self._has_past:
             asked = ticks_of([following])
             done = engine.run(following.end, events=False, marks=asked, since=engine.tick)
-            self._compared(done, [following])
+            self._compared(self.branch, done, [following], asked)
 
     def previous(self, stops: Sequence[StopAt]) -> int | None:
         """Return the last tick before the present at which one of the stops held, or ``None``.

@@ -37,7 +37,7 @@ d : DATE; tod : TOD; dt : DT;"""
     ],
 )
 def test_what_the_language_allows_is_accepted(body: str) -> None:
-    """ST-302 … 317, ST-502 … 514: without an error."""
+    """ST-302 … 304, 306, 307, 310 … 317, ST-502, 503, 510 … 514: without an error."""
     if "di := li := 5" in body:
         body = body.replace("di := li := 5", "di := i := 5")
     assert body_errors(VARIABLES, body) == []
@@ -408,3 +408,37 @@ def test_expressions_keep_no_literal_without_a_type() -> None:
             assert node.type.name not in ("integer", "real")
             if isinstance(node, Binary):
                 stack += [node.left, node.right]
+
+
+def test_what_published_projects_compile_is_accepted() -> None:
+    """ST-514, ST-520: properties read alone, actions with inputs of their block."""
+    text = """FUNCTION_BLOCK FB_A
+VAR_INPUT i : INT; END_VAR
+PROPERTY Ready : BOOL GET Ready := i > 0; END_GET END_PROPERTY
+METHOD Next : REFERENCE TO FB_A END_METHOD
+ACTION Act: i := i + 1; END_ACTION
+END_FUNCTION_BLOCK
+PROGRAM MAIN
+VAR f : FB_A; END_VAR
+f.Ready;
+f.Next().Ready;
+f.Act(i := 5);
+f.i;
+END_PROGRAM
+"""
+    assert errors(text) == ["12: an expression alone is no statement (C0020)"]
+
+
+def test_a_block_with_an_unknown_base_is_not_blamed() -> None:
+    """ST-107: what it lacks may be its base's; the base is reported, once."""
+    text = """FUNCTION_BLOCK FB_A EXTENDS FB_Elsewhere
+Walk(n := 1);
+THIS^.Value := SUPER^.Value;
+END_FUNCTION_BLOCK
+PROGRAM MAIN
+VAR f : FB_A; END_VAR
+f(bStart := TRUE);
+f.Go().Done := 1;
+END_PROGRAM
+"""
+    assert errors(text) == ["1: the type FB_Elsewhere is not known (C0077)"]

@@ -256,7 +256,7 @@ def test_name_holds_its_text() -> None:
 
 
 def test_the_folder_of_libraries_is_read() -> None:
-    """ST-701 … 711: what is built in has no mistakes of its own."""
+    """What is built in has no mistakes of its own."""
     program, found = check(
         "PROGRAM MAIN\nVAR t : TON; s : STRING; END_VAR\nt(IN := TRUE);\n"
         "s := CONCAT(s, 'x');\nEND_PROGRAM"

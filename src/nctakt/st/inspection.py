@@ -3,7 +3,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import contextlib
+import gc
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
 from nctakt.messages import Collector
@@ -70,6 +72,29 @@ def inspect_texts(
     project: PlcSources | None = None,
 ) -> Program:
     """Check texts by their names; ``libraries`` ``None``: all known ones."""
+    with _collector_waiting():
+        return _inspect(name, texts, reporter, libraries, project)
+
+
+@contextlib.contextmanager
+def _collector_waiting() -> Iterator[None]:
+    """Let the garbage collector wait: it would look through the growing trees again and again."""
+    was_enabled = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if was_enabled:
+            gc.enable()
+
+
+def _inspect(
+    name: str,
+    texts: Mapping[str, bytes],
+    reporter: Reporter,
+    libraries: Sequence[str] | None,
+    project: PlcSources | None,
+) -> Program:
     values = {OUR_DEFINITION: "", **(project.definitions if project is not None else {})}
     stems = frozenset(Path(file).stem.lower() for file in texts)
     definitions = Definitions(values, stems, stems)

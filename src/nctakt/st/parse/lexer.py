@@ -53,7 +53,7 @@ _TOKEN = re.compile(
           -?\d[\d_]*\#\w+
         | \d+-\d+-\d+(?:-\d+:\d+(?::\d+(?:\.\d+)?)?)?
         | \d+:\d+(?::\d+(?:\.\d+)?)?
-        | -?(?:\d[\d_]*(?:\.\d+)?(?:d|h|ms|us|ns|m|s)_?)+(?!\w)
+        | -?(?:\d[\d_]*(?:\.\d+)?(?:[dDhH]|[mMuUnN][sS]|[mMsS])_?)+(?!\w)
         | [-+]?\d[\d_]*(?:\.\d[\d_]*)?(?:[eE][-+]?\d+)?\b
         | '(?:[^'$\n]|\$.)*' | "(?:[^"$\n]|\$.)*"
         | [^\W\d]\w*))
@@ -63,7 +63,7 @@ _TOKEN = re.compile(
     | (/(?!\*))
     | (\(\*|/\*|['"{]|[^\W\d]\w*\#?|\d\w*|.|\Z)
     )""",
-    re.VERBOSE | re.DOTALL | re.IGNORECASE,
+    re.VERBOSE | re.DOTALL,
 )
 
 _NAME, _SIGN, _NUMBER, _TYPED, _STRING, _ADDRESS, _PRAGMA, _SLASH, _OTHER = range(1, 10)

@@ -131,7 +131,7 @@ class TokenReader:
     @property
     def end(self) -> int:
         """The position after the token that was read last."""
-        index = max(0, self.index - 1)
+        index = self.index - 1
         return self.starts[index] + len(self.texts[index])
 
     def word(self, ahead: int = 0) -> str:

@@ -649,10 +649,7 @@ STILL_LONG = (
     "cli/running.py: run_options",
     "cli/running.py: run_programs",
     "cli/serve.py: _serve",
-    "kernel/axes/axis_motions.py: __init__",
-    "kernel/kinematics/orientation.py: solve",
     "kernel/plc/interface_image.py: attach",
-    "kernel/tick/command_execution.py: take",
     "live/server.py: serve",
     "run/controller.py: run",
 )

@@ -39,7 +39,16 @@ class AxisMotions:
         self.has_exchanged = False
         self.source = 0
         self.serial = 0
-        # The axis list.
+        self.failed_count = 0
+        self.ring_size = count
+        self.allocate_limits(count)
+        self.allocate_motions(count)
+        for axis in range(count):
+            self.last_direction[axis] = 1.0
+            self.axes.show_state(axis, codes.STANDSTILL)
+
+    def allocate_limits(self, count: int) -> None:
+        """Allocate the values of the axis lists."""
         self.enabled = memoryview(bytearray(8 * count)).cast("q")
         self.low = memoryview(bytearray(8 * count)).cast("d")
         self.high = memoryview(bytearray(8 * count)).cast("d")
@@ -49,7 +58,9 @@ class AxisMotions:
         self.limit_v = memoryview(bytearray(8 * count)).cast("d")
         self.limit_a = memoryview(bytearray(8 * count)).cast("d")
         self.limit_j = memoryview(bytearray(8 * count)).cast("d")
-        # The present motion.
+
+    def allocate_motions(self, count: int) -> None:
+        """Allocate the present motions, the waiting ones and the states of the axes."""
         self.kind = memoryview(bytearray(8 * count)).cast("q")
         self.held = memoryview(bytearray(8 * count)).cast("q")
         self.owner = memoryview(bytearray(8 * count)).cast("q")
@@ -59,7 +70,7 @@ class AxisMotions:
         self.end = memoryview(bytearray(8 * count)).cast("d")
         self.commanded_v = memoryview(bytearray(8 * count)).cast("d")
         self.direction = memoryview(bytearray(8 * count)).cast("d")
-        # The one that waits behind it.
+        # The one that waits after it.
         self.next_kind = memoryview(bytearray(8 * count)).cast("q")
         self.next_owner = memoryview(bytearray(8 * count)).cast("q")
         self.next_serial = memoryview(bytearray(8 * count)).cast("q")
@@ -81,11 +92,6 @@ class AxisMotions:
         # Whether a channel has the axis, and whether that one is in a reset.
         self.in_channel = memoryview(bytearray(8 * count)).cast("q")
         self.closed = memoryview(bytearray(8 * count)).cast("q")
-        self.failed_count = 0
-        self.ring_size = count
-        for axis in range(count):
-            self.last_direction[axis] = 1.0
-            self.axes.show_state(axis, codes.STANDSTILL)
 
     def configure(
         self,

@@ -86,21 +86,9 @@ class Orientation:
         n_z = values[p] * u_y - values[p + map_rows.Y] * u_x
         sine2 = n_x * n_x + n_y * n_y + n_z * n_z
         c = values[p] * u_x + values[p + map_rows.Y] * u_y + values[p + map_rows.Z] * u_z
-        g = (
-            values[p] * values[q]
-            + values[p + map_rows.Y] * values[q + map_rows.Y]
-            + values[p + map_rows.Z] * values[q + map_rows.Z]
-        )
-        h = (
-            values[q] * values[t]
-            + values[q + map_rows.Y] * values[t + map_rows.Y]
-            + values[q + map_rows.Z] * values[t + map_rows.Z]
-        )
-        e = (
-            values[p] * values[t]
-            + values[p + map_rows.Y] * values[t + map_rows.Y]
-            + values[p + map_rows.Z] * values[t + map_rows.Z]
-        )
+        g = product(values, p, q)
+        h = product(values, q, t)
+        e = product(values, p, t)
         m_x = (
             values[q + map_rows.Y] * values[t + map_rows.Z]
             - values[q + map_rows.Z] * values[t + map_rows.Y]
@@ -130,6 +118,11 @@ class Orientation:
         )
         self.second = nearest(middle + aside, near_second)
         self.first = self.turn_onto(values, p, q, t, self.second, u_x, u_y, u_z, near_first)
+        self.prefer_nearer(near_first, near_second)
+        return map_rows.REACHED
+
+    def prefer_nearer(self, near_first: float, near_second: float) -> None:
+        """Exchange the solutions if the other one is nearer."""
         if distance(self.other_first, near_first) + distance(self.other_second, near_second) < (
             distance(self.first, near_first) + distance(self.second, near_second)
         ):
@@ -139,7 +132,6 @@ class Orientation:
             angle = self.second
             self.second = self.other_second
             self.other_second = angle
-        return map_rows.REACHED
 
     def turn_onto(
         self,
@@ -173,6 +165,15 @@ class Orientation:
         ordinate = a * (w_y * v_z - w_z * v_y)
         ordinate += b * (w_z * v_x - w_x * v_z) + c * (w_x * v_y - w_y * v_x)
         return nearest(arithmetic.arc_tangent_2(ordinate, w_x * v_x + w_y * v_y + w_z * v_z), near)
+
+
+def product(values: memoryview[float], p: int, q: int) -> float:
+    """Return the scalar product of the directions at ``p`` and ``q``."""
+    return (
+        values[p] * values[q]
+        + values[p + map_rows.Y] * values[q + map_rows.Y]
+        + values[p + map_rows.Z] * values[q + map_rows.Z]
+    )
 
 
 def nearest(angle: float, near: float) -> float:

@@ -74,8 +74,9 @@ cdef class CommandExecutor:
     cdef void leave_loop(self, long long source) noexcept nogil
     cdef void give_up_loop(self) noexcept nogil
     cdef int enter_block(self, Py_ssize_t row) noexcept nogil
-    @cython.locals(timer=int)
     cdef int take(self, long long tick, Py_ssize_t row, int kind) noexcept nogil
+    @cython.locals(timer=int)
+    cdef int take_at_once(self, long long tick, Py_ssize_t row, int kind) noexcept nogil
     @cython.locals(
         source=cython.longlong, number=cython.longlong, serial=cython.longlong, name=double,
         value=double, decoded_tick=double, reason=cython.longlong, cell=double

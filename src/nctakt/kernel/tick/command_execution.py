@@ -161,22 +161,31 @@ class CommandExecutor:
             if self.hli.program.is_waiting(int(self.queue.rows[row + rows.AWAITED_FUNCTION])):
                 return 0
             self.queue.timed_count -= 1
-        elif kind == rows.WRITE_VARIABLE:
+            return 1
+        if kind == rows.PROGRAM_END:
+            return self.take_program_end(tick, row)
+        if kind == rows.SPINDLE:
+            return self.take_spindle(tick, row)
+        if kind == rows.AWAIT_SPINDLE:
+            return self.take_spindle_wait(row)
+        if kind == rows.MEASURE_END:
+            return self.take_measure_end(tick, row)
+        if kind in (rows.SIGNAL, rows.AWAIT_SIGNAL, rows.REMOVE_SIGNAL):
+            return self.take_signal(tick, row, kind)
+        return self.take_at_once(tick, row, kind)
+
+    def take_at_once(self, tick: int, row: int, kind: int) -> int:
+        """Take a command that never waits; return 0 for one that the decoder waits for."""
+        if kind == rows.WRITE_VARIABLE:
             self.take_write(row)
         elif kind == rows.WRITE_TEXT:
             self.take_characters(row)
-        elif kind == rows.PROGRAM_END:
-            return self.take_program_end(tick, row)
         elif rows.SET_OFFSET <= kind <= rows.SET_TURN or kind in (rows.COUPLE, rows.FEED_FORWARD):
             self.path.axes.take(self.queue.rows, row, kind)
         elif kind == rows.SET_TRANSFORMATION:
             self.path.transform(self.queue.rows, row)
         elif kind in (rows.USER_ERROR, rows.USER_VALUE, rows.USER_TEXT, rows.USER_STOP):
             self.take_user_error(row, kind)
-        elif kind == rows.SPINDLE:
-            return self.take_spindle(tick, row)
-        elif kind == rows.AWAIT_SPINDLE:
-            return self.take_spindle_wait(row)
         elif kind in (rows.CUTTING_SPEED, rows.SPINDLE_LIMITS):
             self.context.spindles.take(self.queue.rows, row, kind)
         elif kind == rows.TIMER:
@@ -186,8 +195,6 @@ class CommandExecutor:
             self.path.forget()
         elif kind in (rows.MEASURE, rows.TOUCH, rows.TOUCH_END):
             self.take_part(row, kind)
-        elif kind == rows.MEASURE_END:
-            return self.take_measure_end(tick, row)
         elif kind in (rows.HOME, rows.REFER, rows.SOFTWARE_LIMITS):
             self.take_part(row, kind)
         elif kind == rows.FIXED_STOP:
@@ -202,8 +209,6 @@ class CommandExecutor:
             self.queue.timed_count -= 1
             if self.panel.stop_for_program(self.queue.rows[row + rows.STOP_IS_OPTIONAL] != 0.0):
                 self.record.event(rows.EVENT_PAUSED, int(self.queue.rows[row + rows.SOURCE]))
-        elif kind in (rows.SIGNAL, rows.AWAIT_SIGNAL, rows.REMOVE_SIGNAL):
-            return self.take_signal(tick, row, kind)
         elif kind == rows.GIVE_UP:
             self.queue.timed_count -= 1
             self.report(self.taken_source, int(self.queue.rows[row + rows.GIVE_UP_MESSAGE]), 0.0)

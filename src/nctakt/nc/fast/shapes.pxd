@@ -13,6 +13,7 @@ cdef class Shape:
     @cython.locals(inside=Shape, run=list)
     cdef int is_of(self, set keys) except -1
 
+@cython.final
 cdef class ShapeScanner(LineScanner):
     cdef bytearray room
     cdef unsigned char[::1] text

@@ -10,18 +10,19 @@ from __future__ import annotations
 import contextlib
 import threading
 from collections import Counter
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
 from nctakt.base.dataclass import dataclass
-from nctakt.base.diagnostics import Text
+from nctakt.base.diagnostics import Diagnostic, Language, Text
 from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_RAN
 from nctakt.cli.file_options import CONFINE_OPTION
 from nctakt.cli.language import language_option
-from nctakt.cli.request import STANDARD_INPUT, Options, read_request
+from nctakt.cli.request import STANDARD_INPUT, Options, Request, read_request
 from nctakt.cli.running import choose_mode
 from nctakt.cli.settings import carry_out
 from nctakt.cli.start_options import FROM_BLOCK_OPTION, FROM_LINE_OPTION, TRUST_OPTION
@@ -34,6 +35,7 @@ from nctakt.messages.live import PAGE_HAS_REFUSED, PAGE_NEEDS_FILES
 
 if TYPE_CHECKING:
     from nctakt.debugger.server import PortServer
+    from nctakt.live.document import Document
     from nctakt.live.shared import SharedSession
     from nctakt.session.session import Session
 
@@ -176,8 +178,6 @@ def _show(options: Options, access: FileAccess, own: _Words) -> int:
     from nctakt.live.document import Checker, Document  # noqa: PLC0415 - the mode is chosen before
     from nctakt.live.shared import SharedSession  # noqa: PLC0415 - as above
     from nctakt.live.texts import Texts  # noqa: PLC0415
-    from nctakt.run.program_loader import NcText  # noqa: PLC0415
-    from nctakt.session.session import Session  # noqa: PLC0415
 
     request = read_request(options, access)
     if options.machine_note is not None and not options.quiet:
@@ -193,6 +193,50 @@ def _show(options: Options, access: FileAccess, own: _Words) -> int:
         for number, programs in {1: request.programs, **request.channels}.items()
         if programs
     }
+
+    refused: Counter[Text] = Counter()
+    channel = next(iter(documents))
+    file = documents[channel][0].file
+    open_session = _session_opener(options, request, own, documents, folders)
+    shared = SharedSession(open_session, file, acknowledges=not own.acknowledge, channel=channel)
+    with contextlib.ExitStack() as ends:
+        ends.callback(shared.close)
+        if own.debug_port is not None:
+            ends.callback(_let_attach(shared, own.debug_port, options).close)
+        with contextlib.suppress(KeyboardInterrupt):  # the way to end it
+            serve(
+                shared,
+                documents,
+                Texts(options.language),
+                (host, port),
+                has_plc=options.plc is not None,
+                opens_browser=own.opens_browser,
+                is_embedded=own.is_embedded,
+                tell=click.echo,
+                tell_error=lambda found: print_diagnostics([found], options.language),
+                refused=lambda _, reason: refused.update([reason]),
+            )
+        if refused and not options.quiet:
+            print_diagnostics([_refusals(refused, options.language)], options.language)
+        if own.tape is not None:
+            shared.session.save(own.tape)
+    return EXIT_RAN
+
+
+def _session_opener(
+    options: Options,
+    request: Request,
+    own: _Words,
+    documents: Mapping[int, Sequence[Document]],
+    folders: Sequence[str],
+) -> Callable[[str | None, bool], Session]:
+    """Return what opens a session of the documents as they are.
+
+    It is called with the program of channel 1, ``None`` for all, and whether the PLC acknowledges
+    by itself.
+    """
+    from nctakt.run.program_loader import NcText  # noqa: PLC0415 - the mode is chosen before
+    from nctakt.session.session import Session  # noqa: PLC0415 - as above
 
     def open_session(program: str | None, acknowledges: bool) -> Session:
         texts = {
@@ -218,36 +262,13 @@ def _show(options: Options, access: FileAccess, own: _Words) -> int:
             from_block=options.from_block,
         )
 
-    refused: Counter[Text] = Counter()
-    channel = next(iter(documents))
-    file = documents[channel][0].file
-    shared = SharedSession(open_session, file, acknowledges=not own.acknowledge, channel=channel)
-    with contextlib.ExitStack() as ends:
-        ends.callback(shared.close)
-        if own.debug_port is not None:
-            ends.callback(_let_attach(shared, own.debug_port, options).close)
-        with contextlib.suppress(KeyboardInterrupt):  # the way to end it
-            serve(
-                shared,
-                documents,
-                Texts(options.language),
-                (host, port),
-                has_plc=options.plc is not None,
-                opens_browser=own.opens_browser,
-                is_embedded=own.is_embedded,
-                tell=click.echo,
-                tell_error=lambda found: print_diagnostics([found], options.language),
-                refused=lambda _, reason: refused.update([reason]),
-            )
-        if refused and not options.quiet:
-            words = (
-                f"{count} × {reason.get(options.language)}" for reason, count in refused.items()
-            )
-            found = diagnostic(PAGE_HAS_REFUSED, count=refused.total(), reasons=", ".join(words))
-            print_diagnostics([found], options.language)
-        if own.tape is not None:
-            shared.session.save(own.tape)
-    return EXIT_RAN
+    return open_session
+
+
+def _refusals(refused: Counter[Text], language: Language) -> Diagnostic:
+    """Return the note of how many requests were refused, by their reasons."""
+    words = (f"{count} × {reason.get(language)}" for reason, count in refused.items())
+    return diagnostic(PAGE_HAS_REFUSED, count=refused.total(), reasons=", ".join(words))
 
 
 def _let_attach(shared: SharedSession, port: int, options: Options) -> PortServer:

@@ -24,7 +24,7 @@ from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN
 from nctakt.cli.file_options import CONFINE_OPTION
 from nctakt.cli.language import language_option
-from nctakt.cli.request import STANDARD_INPUT, Options, read_request
+from nctakt.cli.request import STANDARD_INPUT, Options, Request, read_request
 from nctakt.cli.running import choose_mode
 from nctakt.cli.settings import carry_out
 from nctakt.cli.start_options import FROM_BLOCK_OPTION, FROM_LINE_OPTION, TRUST_OPTION
@@ -267,13 +267,7 @@ def _serve(options: Options, access: FileAccess, own: _Words, built: Callable[[]
 
     Raises ``Failure`` for what cannot be used.
     """
-    if STANDARD_INPUT in (*options.programs, *(program for _, program in options.others)):
-        raise Failure(diagnostic(PAGE_NEEDS_FILES))
-    if options.rtconf is None and (options.load or options.system):
-        option = "--load" if options.load else "--os"
-        raise Failure(diagnostic(OPTION_WITHOUT_SCHEDULE, option=option))
-    if options.rtconf is not None and own.speed != 1.0:
-        raise Failure(diagnostic(SPEED_OF_REAL_SCHEDULE))
+    _check_words(options, own)
     choose_mode(options)
     import asyncio  # noqa: PLC0415 - no other command needs it
 
@@ -281,7 +275,6 @@ def _serve(options: Options, access: FileAccess, own: _Words, built: Callable[[]
     from nctakt.servers.log import ServerLog  # noqa: PLC0415 - as above
     from nctakt.servers.serving import serve  # noqa: PLC0415
     from nctakt.session.session import Session  # noqa: PLC0415
-    from nctakt.session.setup import Setup  # noqa: PLC0415
 
     request = read_request(options, access)
     folders = options.confined or served_folders(options)
@@ -294,34 +287,10 @@ def _serve(options: Options, access: FileAccess, own: _Words, built: Callable[[]
         notes = [] if options.machine_note is None else [options.machine_note]
         print_diagnostics([*notes, *_who_commands(own)], options.language)
     machine = load_machine(options.machine, access=access)
-    with contextlib.ExitStack() as stack:  # each can be written, and is none of the other files
-        for option, file in (
-            ("--record", own.tape),
-            ("--ready-file", own.ready_file),
-            ("--log", None if own.log == "-" else own.log),
-        ):
-            if file is not None:
-                stack.enter_context(OutputFile(file, option, access))
-    if own.ready_file is not None and Path(own.ready_file).is_file():
-        Path(own.ready_file).unlink()  # that of an earlier start: nobody is ready yet
+    _check_outputs(own, access)
     with contextlib.ExitStack() as stack:
         log = ServerLog(stack.enter_context(_log_writer(own.log)))
-        setup = Setup(
-            {1: request.programs, **request.channels},
-            options.machine,
-            options.plc,
-            set=request.assignments,
-            at=request.stimuli,
-            wait_for_start=options.wait_for_start,
-            from_line=options.from_line,
-            from_block=options.from_block,
-            acknowledges=not own.acknowledge,
-            folders=folders,
-            stays=True,
-            rtconf=options.rtconf,
-            load=options.load,
-            system=options.system,
-        )
+        setup = _setup(options, request, own, folders)
         session = stack.enter_context(Session.of_setup(setup, own.pace))
         lowest = Severity.ERROR if options.quiet else Severity.NOTE
         print_diagnostics(session.description.diagnostics, options.language, lowest)
@@ -337,6 +306,56 @@ def _serve(options: Options, access: FileAccess, own: _Words, built: Callable[[]
             if growing is not None:
                 growing.close()
     return EXIT_RAN
+
+
+def _check_words(options: Options, own: _Words) -> None:
+    """Raise ``Failure`` for options that do not fit each other."""
+    if STANDARD_INPUT in (*options.programs, *(program for _, program in options.others)):
+        raise Failure(diagnostic(PAGE_NEEDS_FILES))
+    if options.rtconf is None and (options.load or options.system):
+        option = "--load" if options.load else "--os"
+        raise Failure(diagnostic(OPTION_WITHOUT_SCHEDULE, option=option))
+    if options.rtconf is not None and own.speed != 1.0:
+        raise Failure(diagnostic(SPEED_OF_REAL_SCHEDULE))
+
+
+def _check_outputs(own: _Words, access: FileAccess) -> None:
+    """Check that all outputs can be written, and remove an old ready file.
+
+    Raises ``Failure`` for one that cannot, or that is an input.
+    """
+    with contextlib.ExitStack() as stack:  # each can be written, and is none of the other files
+        for option, file in (
+            ("--record", own.tape),
+            ("--ready-file", own.ready_file),
+            ("--log", None if own.log == "-" else own.log),
+        ):
+            if file is not None:
+                stack.enter_context(OutputFile(file, option, access))
+    if own.ready_file is not None and Path(own.ready_file).is_file():
+        Path(own.ready_file).unlink()  # that of an earlier start: nobody is ready yet
+
+
+def _setup(options: Options, request: Request, own: _Words, folders: Sequence[str]) -> Setup:
+    """Return what the session is opened with."""
+    from nctakt.session.setup import Setup  # noqa: PLC0415 - the mode is chosen before
+
+    return Setup(
+        {1: request.programs, **request.channels},
+        options.machine,
+        options.plc,
+        set=request.assignments,
+        at=request.stimuli,
+        wait_for_start=options.wait_for_start,
+        from_line=options.from_line,
+        from_block=options.from_block,
+        acknowledges=not own.acknowledge,
+        folders=folders,
+        stays=True,
+        rtconf=options.rtconf,
+        load=options.load,
+        system=options.system,
+    )
 
 
 def _doors(own: _Words) -> dict[str, DoorOpener]:

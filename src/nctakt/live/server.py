@@ -81,11 +81,10 @@ def serve(
     what browsers send and nobody understands, ``refused`` whose requests and connections were
     refused, and why.
     """
-    from nicegui import Client, app, background_tasks, context, core, ui  # noqa: PLC0415 - only the page needs it
+    from nicegui import Client, app, background_tasks, context, ui  # noqa: PLC0415 - only the page needs it
 
     from nctakt.live.connections import protocol  # noqa: PLC0415 - as above
     from nctakt.live.page import Page  # noqa: PLC0415
-    from nctakt.live.sockets import Sockets  # noqa: PLC0415
 
     host, port = address
     access = Access(secrets.token_urlsafe(24), host not in LOCAL, is_embedded)
@@ -98,35 +97,15 @@ def serve(
         places.let_wait(context.client)
         Page(shared, documents, texts, has_plc=has_plc)
 
-    def refusal() -> str:
-        return "" if places.make_room() else texts["too_many"].format(count=MAX_BROWSERS)
-
-    def looks_on(page: str) -> bool | None:
-        client = Client.instances.get(page)
-        return None if client is None else client.has_socket_connection
+    shown = f"[{host}]" if ":" in host else host
 
     async def begin() -> None:
         gc.freeze()  # what is there stays: a search for garbage is short then
-        background_tasks.create(announce())
-
-    async def announce() -> None:
-        """Tell the address once somebody can connect."""
-        while True:
-            with contextlib.suppress(OSError):
-                _, writer = await asyncio.open_connection(_REACHABLE.get(host, host), port)
-                writer.close()
-                break
-            await asyncio.sleep(0.01)
-        tell(f"http://{shown}:{port}/{word}")
+        background_tasks.create(_announce(f"http://{shown}:{port}/{word}", host, port, tell))
 
     sys.setswitchinterval(_SWITCH_S)
     tell_errors(tell_error)
-    app.add_exception_handler(404, _not_found)
-    app.config.socket_io_js_transports = ["websocket"]
-    core.sio.eio.max_http_buffer_size = _MAX_MESSAGE
-    app.add_middleware(Sockets, looks_on=looks_on, refused=refused)
-    app.add_middleware(Guard, access=access, refusal=refusal, refused=refused)
-    shown = f"[{host}]" if ":" in host else host
+    _guard(access, places, texts, refused)
     app.on_startup(begin)
     ui.run(
         host=host,
@@ -142,11 +121,42 @@ def serve(
     )
 
 
+def _guard(access: Access, places: Places, texts: Texts, refused: Refused) -> None:
+    """Bound what browsers may send, and refuse those without access or place."""
+    from nicegui import Client, app, core  # noqa: PLC0415 - only the page needs it
+
+    from nctakt.live.sockets import Sockets  # noqa: PLC0415 - as above
+
+    def refusal() -> str:
+        return "" if places.make_room() else texts["too_many"].format(count=MAX_BROWSERS)
+
+    def looks_on(page: str) -> bool | None:
+        client = Client.instances.get(page)
+        return None if client is None else client.has_socket_connection
+
+    app.add_exception_handler(404, _not_found)
+    app.config.socket_io_js_transports = ["websocket"]
+    core.sio.eio.max_http_buffer_size = _MAX_MESSAGE
+    app.add_middleware(Sockets, looks_on=looks_on, refused=refused)
+    app.add_middleware(Guard, access=access, refusal=refusal, refused=refused)
+
+
 async def _not_found(_: object, __: object) -> Response:
     """Answer in a line; the library would build a page, which costs as much as the right one."""
     from starlette.responses import PlainTextResponse  # noqa: PLC0415 - only the page needs it
 
     return PlainTextResponse("404: not found\n", 404)
+
+
+async def _announce(url: str, host: str, port: int, tell: Callable[[str], None]) -> None:
+    """Report the address once somebody can connect."""
+    while True:
+        with contextlib.suppress(OSError):
+            _, writer = await asyncio.open_connection(_REACHABLE.get(host, host), port)
+            writer.close()
+            break
+        await asyncio.sleep(0.01)
+    tell(url)
 
 
 def end_page() -> None:

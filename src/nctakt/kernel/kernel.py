@@ -86,7 +86,7 @@ class ChannelLane(Lane):
         self.channel.begin_tick(tick)
         if self.channel.is_paced:
             self.channel.watch_queue(tick)
-        self.channel.executor.take_commands(tick)
+        self.channel.executor.run_commands(tick)
         self.channel.run_cycles()
         self.channel.interpolate()
         self.others.begin_tick(tick)

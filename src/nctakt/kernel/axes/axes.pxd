@@ -88,7 +88,7 @@ cdef class Axes:
     ) noexcept nogil
     cdef void set_origin(self, Py_ssize_t axis, double value) noexcept nogil
     @cython.locals(axis=Py_ssize_t, offset=int)
-    cdef void take(self, double[::1] queue, Py_ssize_t row, int kind) noexcept nogil
+    cdef void execute(self, double[::1] queue, Py_ssize_t row, int kind) noexcept nogil
     cdef void turn(self, double[::1] queue, Py_ssize_t row) noexcept nogil
     cdef void publish_system(
         self, Py_ssize_t cell, double command, double actual, double target, double distance_to_go

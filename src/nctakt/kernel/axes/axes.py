@@ -302,7 +302,7 @@ class Axes:
         self.has_moved = True
         self.publish()
 
-    def take(self, queue: memoryview[float], row: int, kind: int) -> None:
+    def execute(self, queue: memoryview[float], row: int, kind: int) -> None:
         """Set offset, origin or turn of a system: the cycles of this tick see it (MO-8).
 
         Or a coupling, or feed-forward control.

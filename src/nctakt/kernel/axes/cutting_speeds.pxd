@@ -18,6 +18,6 @@ cdef class CuttingSpeeds:
     cdef public Py_ssize_t rapid_cell
 
     @cython.locals(spindle=Py_ssize_t, was_on=bint, is_on=bint)
-    cdef void take(self, double[::1] queue, Py_ssize_t row) noexcept nogil
+    cdef void execute(self, double[::1] queue, Py_ssize_t row) noexcept nogil
     @cython.locals(radius=double, asked_v=double)
     cdef double speed(self, Py_ssize_t spindle, double highest_v, double factor) noexcept nogil

@@ -24,7 +24,7 @@ class CuttingSpeeds:
         self.axes: Axes | None = None
         self.rapid_cell = 0
 
-    def take(self, queue: memoryview[float], row: int) -> None:
+    def execute(self, queue: memoryview[float], row: int) -> None:
         """Begin, change or end the constant cutting speed of a spindle."""
         spindle = int(queue[row + rows.CUTTING_SPINDLE])
         was_on = self.surface_v[spindle] > 0.0

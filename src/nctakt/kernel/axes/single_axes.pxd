@@ -37,7 +37,7 @@ cdef class SingleAxes(AxisMotions):
         long long owner
     ) noexcept nogil
     @cython.locals(axis=Py_ssize_t, distance=double, speed_v=double)
-    cdef int take(self, double[::1] queue, Py_ssize_t row, int kind) noexcept nogil
+    cdef int execute(self, double[::1] queue, Py_ssize_t row, int kind) noexcept nogil
     @cython.locals(axis=Py_ssize_t)
     cdef void hold(self, long long owner) noexcept nogil
     @cython.locals(axis=Py_ssize_t, is_endless=cython.bint)

@@ -113,7 +113,7 @@ class SingleAxes(AxisMotions):
         if mode == codes.ABORTING or self.kind[axis] == codes.IDLE:
             self.begin(axis)
 
-    def take(self, queue: memoryview[float], row: int, kind: int) -> int:
+    def execute(self, queue: memoryview[float], row: int, kind: int) -> int:
         """Execute HOME, REFER or SOFTWARE_LIMITS; return 0, or the message that refuses it."""
         axis = int(queue[row + rows.HOMED_AXIS])
         if kind == rows.SOFTWARE_LIMITS:

@@ -21,7 +21,7 @@ cdef class SpindleLimits:
     cdef double[::1] bound_j
 
     @cython.locals(spindle=Py_ssize_t)
-    cdef void take(self, double[::1] queue, Py_ssize_t row) noexcept nogil
+    cdef void execute(self, double[::1] queue, Py_ssize_t row) noexcept nogil
     cpdef void take_over(self, Py_ssize_t spindle) noexcept nogil
     cdef void bind(
         self, Py_ssize_t spindle, double speed_v, double acceleration_a, double jerk_j

@@ -44,7 +44,7 @@ class SpindleLimits:
         self.jerk_j[spindle] = jerk_j
         self.take_over(spindle)
 
-    def take(self, queue: memoryview[float], row: int) -> None:
+    def execute(self, queue: memoryview[float], row: int) -> None:
         """Keep the limits of a tool for the next start (P-TOOL-00013 … 00015), 0: none; or take
         those of another gear step, while the spindle stands.
         """

@@ -77,7 +77,7 @@ cdef class Spindles:
     cdef int is_at_speed(self, Py_ssize_t spindle) noexcept nogil
     cdef void follow(self, Py_ssize_t spindle, double angle, double speed_v) noexcept nogil
     cdef void uncouple(self, Py_ssize_t spindle) noexcept nogil
-    cdef void take(self, double[::1] queue, Py_ssize_t row, int kind) noexcept nogil
+    cdef void execute(self, double[::1] queue, Py_ssize_t row, int kind) noexcept nogil
     @cython.locals(spindle=Py_ssize_t, limit_v=double, factor=double, speed_v=double)
     cdef void follow_axes(self, long long tick) noexcept nogil
     @cython.locals(is_bound=bint)

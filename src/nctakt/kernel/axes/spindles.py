@@ -264,12 +264,12 @@ class Spindles:
 
     # --- settings of the program ----------------------------------------------------------------
 
-    def take(self, queue: memoryview[float], row: int, kind: int) -> None:
+    def execute(self, queue: memoryview[float], row: int, kind: int) -> None:
         """Take the limits of a tool, or a constant cutting speed."""
         if kind == rows.SPINDLE_LIMITS:
-            self.limits.take(queue, row)
+            self.limits.execute(queue, row)
         else:
-            self.cutting.take(queue, row)
+            self.cutting.execute(queue, row)
 
     def follow_axes(self, tick: int) -> None:
         """Give the spindles the speeds that their face axes ask for, except while at rapid."""

@@ -22,7 +22,7 @@ cdef class FixedStops:
     cdef readonly long long detected_count
 
     @cython.locals(i=Py_ssize_t)
-    cdef void take(self, double[::1] queue, Py_ssize_t row) noexcept nogil
+    cdef void execute(self, double[::1] queue, Py_ssize_t row) noexcept nogil
     cdef void disarm(self, Py_ssize_t i) noexcept nogil
     @cython.locals(i=Py_ssize_t)
     cdef void clear(self) noexcept nogil

@@ -36,7 +36,7 @@ class FixedStops:
         self.count = 0
         self.detected_count = 0
 
-    def take(self, queue: memoryview[float], row: int) -> None:
+    def execute(self, queue: memoryview[float], row: int) -> None:
         """Monitor the axis of the command at ``row`` from now on, or no longer."""
         i = int(queue[row + rows.FIXED_STOP_AXIS])
         self.disarm(i)

@@ -27,15 +27,15 @@ cdef class ChannelSignals:
         row=Py_ssize_t, number=cython.longlong, senders=cython.longlong, may_overtake=int, state=int
     )
     cdef int is_stuck(self) noexcept nogil
-    cdef int take(self, long long tick, Py_ssize_t row, int kind) noexcept nogil
+    cdef int execute(self, long long tick, Py_ssize_t row, int kind) noexcept nogil
     @cython.locals(
         number=cython.longlong, receivers=cython.longlong, remaining=cython.longlong,
         mask=cython.longlong, source=cython.longlong
     )
-    cdef int take_signal(self, long long tick, Py_ssize_t row) noexcept nogil
+    cdef int execute_send(self, long long tick, Py_ssize_t row) noexcept nogil
     @cython.locals(
         number=cython.longlong, senders=cython.longlong, may_overtake=int, source=cython.longlong,
         state=int, sender=cython.longlong, sent=cython.longlong
     )
-    cdef int take_wait(self, long long tick, Py_ssize_t row) noexcept nogil
+    cdef int execute_wait(self, long long tick, Py_ssize_t row) noexcept nogil
     cdef void reset(self) noexcept nogil

@@ -164,12 +164,12 @@ class ChannelSignals:
         state = self.board.state(number, self.number, senders, may_overtake)
         return 1 if state == codes.SIGNAL_ABSENT else 0
 
-    def take(self, tick: int, row: int, kind: int) -> int:
+    def execute(self, tick: int, row: int, kind: int) -> int:
         """Carry out a command at ``row``; 0: it waits; else the number of an error, or 1."""
         if kind == rows.AWAIT_SIGNAL:
-            return self.take_wait(tick, row)
+            return self.execute_wait(tick, row)
         if kind == rows.SIGNAL:
-            return self.take_signal(tick, row)
+            return self.execute_send(tick, row)
         self.board.remove(
             int(self.queue.rows[row + rows.REMOVED_LOW]),
             int(self.queue.rows[row + rows.REMOVED_HIGH]),
@@ -178,7 +178,7 @@ class ChannelSignals:
         )
         return 1
 
-    def take_signal(self, tick: int, row: int) -> int:
+    def execute_send(self, tick: int, row: int) -> int:
         """Send a signal; return 250001 if there is no room for it."""
         number = int(self.queue.rows[row + rows.SIGNAL_NUMBER])
         receivers = int(self.queue.rows[row + rows.SIGNAL_RECEIVERS])
@@ -200,7 +200,7 @@ class ChannelSignals:
         self.record.event(rows.EVENT_SIGNAL_SENT, source, number, receivers, remaining, 1.0)
         return 1
 
-    def take_wait(self, tick: int, row: int) -> int:
+    def execute_wait(self, tick: int, row: int) -> int:
         """Take the signals that are waited for; 0 if one is absent, 250002 if one overtakes."""
         number = int(self.queue.rows[row + rows.AWAITED_SIGNAL])
         senders = int(self.queue.rows[row + rows.AWAITED_SENDERS])

@@ -54,66 +54,66 @@ cdef class CommandExecutor:
     cdef readonly bint is_fatal
     cdef readonly bint is_resetting
 
-    cdef void take_commands(self, long long tick) noexcept nogil
+    cdef void run_commands(self, long long tick) noexcept nogil
     @cython.locals(row=Py_ssize_t, kind=int)
-    cdef void take_due(self, long long tick) noexcept nogil
+    cdef void run_due_commands(self, long long tick) noexcept nogil
     @cython.locals(moves=bint)
     cdef int is_at_stand(self) noexcept nogil
     cdef int is_reversing(self) noexcept nogil
     @cython.locals(source=cython.longlong, how=int)
-    cdef void take_loop(self, Py_ssize_t row) noexcept nogil
+    cdef void execute_loop(self, Py_ssize_t row) noexcept nogil
     @cython.locals(source=cython.longlong, member=Py_ssize_t)
-    cdef void take_fixed_stop_end(self, Py_ssize_t row) noexcept nogil
+    cdef void execute_fixed_stop_end(self, Py_ssize_t row) noexcept nogil
     @cython.locals(source=cython.longlong, message=int)
-    cdef void take_part(self, Py_ssize_t row, int kind) noexcept nogil
+    cdef void execute_part(self, Py_ssize_t row, int kind) noexcept nogil
     @cython.locals(outcome=int)
-    cdef int take_measure_end(self, long long tick, Py_ssize_t row) noexcept nogil
+    cdef int execute_measure_end(self, long long tick, Py_ssize_t row) noexcept nogil
     @cython.locals(is_enabled=bint)
     cdef int loop_repeats(self) noexcept nogil
     cdef void prolong_loop(self) noexcept nogil
     cdef void leave_loop(self, long long source) noexcept nogil
     cdef void give_up_loop(self) noexcept nogil
     cdef int enter_block(self, Py_ssize_t row) noexcept nogil
-    cdef int take(self, long long tick, Py_ssize_t row, int kind) noexcept nogil
+    cdef int execute(self, long long tick, Py_ssize_t row, int kind) noexcept nogil
     @cython.locals(timer=int)
-    cdef int take_at_once(self, long long tick, Py_ssize_t row, int kind) noexcept nogil
+    cdef int execute_at_once(self, long long tick, Py_ssize_t row, int kind) noexcept nogil
     @cython.locals(
         source=cython.longlong, number=cython.longlong, serial=cython.longlong, name=double,
         value=double, decoded_tick=double, reason=cython.longlong, cell=double
     )
-    cdef void take_event(self, Py_ssize_t row, int kind) noexcept nogil
+    cdef void record_event(self, Py_ssize_t row, int kind) noexcept nogil
     @cython.locals(
         has_thread=bint, is_current=bint, serial=cython.longlong, message=int
     )
-    cdef int take_block(self, Py_ssize_t row) noexcept nogil
+    cdef int execute_block(self, Py_ssize_t row) noexcept nogil
     @cython.locals(slot=Py_ssize_t, message=int, source=cython.longlong)
-    cdef int take_definition(self, long long tick, Py_ssize_t row) noexcept nogil
+    cdef int execute_definition(self, long long tick, Py_ssize_t row) noexcept nogil
     @cython.locals(source=cython.longlong, identity=cython.longlong, action=int, message=int)
-    cdef int take_control(self, long long tick, Py_ssize_t row) noexcept nogil
+    cdef int execute_control(self, long long tick, Py_ssize_t row) noexcept nogil
     @cython.locals(
         function=cython.longlong, ticks=cython.longlong, value=cython.longlong,
         has_value=cython.bint, source=cython.longlong
     )
-    cdef int take_technology(self, long long tick, Py_ssize_t row) noexcept nogil
+    cdef int execute_technology(self, long long tick, Py_ssize_t row) noexcept nogil
     @cython.locals(spindle=Py_ssize_t, ticks=cython.longlong)
-    cdef int take_spindle(self, long long tick, Py_ssize_t row) noexcept nogil
+    cdef int execute_spindle(self, long long tick, Py_ssize_t row) noexcept nogil
     @cython.locals(spindle=Py_ssize_t, number=Py_ssize_t)
-    cdef int take_spindle_wait(self, Py_ssize_t row) noexcept nogil
+    cdef int execute_spindle_wait(self, Py_ssize_t row) noexcept nogil
     @cython.locals(cell=Py_ssize_t)
-    cdef void take_write(self, Py_ssize_t row) noexcept nogil
+    cdef void execute_write(self, Py_ssize_t row) noexcept nogil
     @cython.locals(
         cell=Py_ssize_t, first=Py_ssize_t, count=Py_ssize_t, zeros=Py_ssize_t, i=Py_ssize_t
     )
-    cdef void take_characters(self, Py_ssize_t row) noexcept nogil
+    cdef void execute_characters(self, Py_ssize_t row) noexcept nogil
     @cython.locals(program=cython.longlong, source=cython.longlong)
-    cdef int take_program_end(self, long long tick, Py_ssize_t row) noexcept nogil
+    cdef int execute_program_end(self, long long tick, Py_ssize_t row) noexcept nogil
     @cython.locals(outcome=int, source=cython.longlong)
-    cdef int take_signal(self, long long tick, Py_ssize_t row, int kind) noexcept nogil
+    cdef int execute_signal(self, long long tick, Py_ssize_t row, int kind) noexcept nogil
     @cython.locals(
         source=cython.longlong, identity=double, reaction=double, keyword=double, text=double,
         value=double
     )
-    cdef void take_user_error(self, Py_ssize_t row, int kind) noexcept nogil
+    cdef void execute_user_error(self, Py_ssize_t row, int kind) noexcept nogil
     cdef void stop_for_user(self, int reaction) noexcept nogil
     cdef void enter_error(self, int message) noexcept nogil
     cdef void report(self, long long source, int message, double detail) noexcept nogil

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What the commands of a channel's queue do when they are taken, first in a tick (RC-003)."""
+"""What the commands of a channel's queue do when they are executed, first in a tick (RC-003)."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from nctakt.kernel.tick.tool_lives import ToolLives
 
 
 class CommandExecutor:
-    """Takes the commands of one channel's queue; holds what they act on, and the error state."""
+    """Executes the commands of one channel's queue; holds what they act on, and the error state."""
 
     def __init__(
         self,
@@ -87,16 +87,16 @@ class CommandExecutor:
         """Set the signals that all channels share; the channel's number, from 1."""
         self.signals = ChannelSignals(board, number, self.queue, self.record)
 
-    def take_commands(self, tick: int) -> None:
-        """Take the commands of this tick; BLOCK cycles leave their block with them (RC-105)."""
+    def run_commands(self, tick: int) -> None:
+        """Execute the commands of this tick; BLOCK cycles leave their block with them (RC-105)."""
         if self.manager.in_block_count > 0:
             self.block_scope.leave(self.queue)
-        self.take_due(tick)
+        self.run_due_commands(tick)
         if self.block_scope.lingers:
             self.block_scope.leave(self.queue)
 
-    def take_due(self, tick: int) -> None:
-        """Take commands in order until one takes time or has to wait (RC-003, RC-004)."""
+    def run_due_commands(self, tick: int) -> None:
+        """Execute commands in order until one takes time or has to wait (RC-003, RC-004)."""
         if self.is_stopped or self.is_resetting or self.is_reversing():
             return
         while self.queue.head < self.queue.tail and self.waiting == 0 and not self.is_stopped:
@@ -117,7 +117,7 @@ class CommandExecutor:
                 self.queue.timed_count -= self.queue.time_units(row)
             elif not self.enter_block(row):
                 return
-            elif not self.take(tick, row, kind):
+            elif not self.execute(tick, row, kind):
                 self.block_scope.wait(self.queue)
                 return
             else:
@@ -132,7 +132,7 @@ class CommandExecutor:
         return 0 if moves or self.queue.started >= self.queue.head else 1
 
     def is_reversing(self) -> int:
-        """Return whether the path walks over its history or is about to: no command is taken."""
+        """Return whether the path walks over its history or is about to: no command is executed."""
         if self.path.is_retracing:
             return 1
         if not self.panel.backward_motion or self.path.history_size == 0:
@@ -140,69 +140,69 @@ class CommandExecutor:
         return 1 if self.path.speed_v == 0.0 else 0
 
     def enter_block(self, row: int) -> int:
-        """Return whether the command may be taken: single block stops in front of a block."""
+        """Return whether the command may be executed: single block stops before a block."""
         self.taken_source = int(self.queue.rows[row + rows.SOURCE])
         if self.single_block.permits():
             return 1
         self.record.event(rows.EVENT_PAUSED, self.taken_source)
         return 0
 
-    def take(self, tick: int, row: int, kind: int) -> int:
-        """Take the command at ``row``; return 0 if it stays at the head of the queue."""
+    def execute(self, tick: int, row: int, kind: int) -> int:
+        """Execute the command at ``row``; return 0 if it stays at the head of the queue."""
         if kind in (rows.SEGMENT, rows.DWELL):
-            return self.take_block(row)
+            return self.execute_block(row)
         if kind == rows.DEFINE_CYCLE:
-            return self.take_definition(tick, row)
+            return self.execute_definition(tick, row)
         if kind == rows.CONTROL_CYCLE:
-            return self.take_control(tick, row)
+            return self.execute_control(tick, row)
         if kind == rows.TECHNOLOGY:
-            return self.take_technology(tick, row)
+            return self.execute_technology(tick, row)
         if kind == rows.AWAIT_ACKNOWLEDGE:
             if self.hli.program.is_waiting(int(self.queue.rows[row + rows.AWAITED_FUNCTION])):
                 return 0
             self.queue.timed_count -= 1
             return 1
         if kind == rows.PROGRAM_END:
-            return self.take_program_end(tick, row)
+            return self.execute_program_end(tick, row)
         if kind == rows.SPINDLE:
-            return self.take_spindle(tick, row)
+            return self.execute_spindle(tick, row)
         if kind == rows.AWAIT_SPINDLE:
-            return self.take_spindle_wait(row)
+            return self.execute_spindle_wait(row)
         if kind == rows.MEASURE_END:
-            return self.take_measure_end(tick, row)
+            return self.execute_measure_end(tick, row)
         if kind in (rows.SIGNAL, rows.AWAIT_SIGNAL, rows.REMOVE_SIGNAL):
-            return self.take_signal(tick, row, kind)
-        return self.take_at_once(tick, row, kind)
+            return self.execute_signal(tick, row, kind)
+        return self.execute_at_once(tick, row, kind)
 
-    def take_at_once(self, tick: int, row: int, kind: int) -> int:
-        """Take a command that never waits; return 0 for one that the decoder waits for."""
+    def execute_at_once(self, tick: int, row: int, kind: int) -> int:
+        """Execute a command that never waits; return 0 for one that the decoder waits for."""
         if kind == rows.WRITE_VARIABLE:
-            self.take_write(row)
+            self.execute_write(row)
         elif kind == rows.WRITE_TEXT:
-            self.take_characters(row)
+            self.execute_characters(row)
         elif rows.SET_OFFSET <= kind <= rows.SET_TURN or kind in (rows.COUPLE, rows.FEED_FORWARD):
-            self.path.axes.take(self.queue.rows, row, kind)
+            self.path.axes.execute(self.queue.rows, row, kind)
         elif kind == rows.SET_TRANSFORMATION:
             self.path.transform(self.queue.rows, row)
         elif kind in (rows.USER_ERROR, rows.USER_VALUE, rows.USER_TEXT, rows.USER_STOP):
-            self.take_user_error(row, kind)
+            self.execute_user_error(row, kind)
         elif kind in (rows.CUTTING_SPEED, rows.SPINDLE_LIMITS):
-            self.context.spindles.take(self.queue.rows, row, kind)
+            self.context.spindles.execute(self.queue.rows, row, kind)
         elif kind == rows.TIMER:
             timer = int(self.queue.rows[row + rows.TIMER_NUMBER])
             self.program_timers.command(int(self.queue.rows[row + rows.TIMER_ACTION]), timer, tick)
         elif kind == rows.CLEAR_HISTORY:
             self.path.forget()
         elif kind in (rows.MEASURE, rows.TOUCH, rows.TOUCH_END):
-            self.take_part(row, kind)
+            self.execute_part(row, kind)
         elif kind in (rows.HOME, rows.REFER, rows.SOFTWARE_LIMITS):
-            self.take_part(row, kind)
+            self.execute_part(row, kind)
         elif kind == rows.FIXED_STOP:
-            self.fixed_stops.take(self.queue.rows, row)
+            self.fixed_stops.execute(self.queue.rows, row)
         elif kind == rows.FIXED_STOP_END:
-            self.take_fixed_stop_end(row)
+            self.execute_fixed_stop_end(row)
         elif kind == rows.LOOP_BEGIN:
-            self.take_loop(row)
+            self.execute_loop(row)
         elif kind == rows.LOOP_PASS:
             self.cells[self.first_cell + cells.CHANNEL_LOOP_COUNT] += 1.0
         elif kind == rows.PROGRAM_STOP:
@@ -213,19 +213,19 @@ class CommandExecutor:
             self.queue.timed_count -= 1
             self.report(self.taken_source, int(self.queue.rows[row + rows.GIVE_UP_MESSAGE]), 0.0)
         elif kind == rows.SINGLE_STEP:
-            self.single_block.take(row)
+            self.single_block.execute(row)
         elif kind == rows.TOOL_LIFE:
-            self.tool_lives.take(row)
+            self.tool_lives.execute(row)
         elif kind == rows.MODAL_MARK:
             self.modal = int(self.queue.rows[row + rows.MODAL_NUMBER])
         elif kind in (rows.MESSAGE, rows.FREEZE, rows.BLOCK_MARK, rows.WAIT_MARK):
-            self.take_event(row, kind)
+            self.record_event(row, kind)
         elif kind != rows.EMPTY_BLOCK:
             self.waiting = kind
             return 0
         return 1
 
-    def take_event(self, row: int, kind: int) -> None:
+    def record_event(self, row: int, kind: int) -> None:
         """Record a command that is nothing but an event."""
         source = int(self.queue.rows[row + rows.SOURCE])
         if kind == rows.MESSAGE:
@@ -247,7 +247,7 @@ class CommandExecutor:
             cell = self.queue.rows[row + rows.WAIT_CELL]
             self.record.event(rows.EVENT_WAIT, source, reason, cell)
 
-    def take_block(self, row: int) -> int:
+    def execute_block(self, row: int) -> int:
         """Make a segment or dwell current, unless the path has passed its start already.
 
         BLOCK cycles that stood before it run with it, or once where it is over by now (RC-105).
@@ -279,7 +279,7 @@ class CommandExecutor:
         self.block_scope.move(self.queue, row, self.path.serial)
         return 1
 
-    def take_definition(self, tick: int, row: int) -> int:
+    def execute_definition(self, tick: int, row: int) -> int:
         """Define a realtime cycle."""
         slot = int(self.queue.rows[row + rows.CYCLE_SLOT])
         message = self.manager.define(slot, int(self.queue.rows[row + rows.CYCLE_STARTS]), tick)
@@ -288,7 +288,7 @@ class CommandExecutor:
             self.report(source, message, self.manager.refused_value(slot, message))
         return 1
 
-    def take_control(self, tick: int, row: int) -> int:
+    def execute_control(self, tick: int, row: int) -> int:
         """Carry out a management command; DELETE and HOLD may have to wait (RC-004)."""
         source = int(self.queue.rows[row + rows.SOURCE])
         action = int(self.queue.rows[row + rows.CONTROL_ACTION])
@@ -302,7 +302,7 @@ class CommandExecutor:
             self.report(source, message, identity)
         return 1
 
-    def take_technology(self, tick: int, row: int) -> int:
+    def execute_technology(self, tick: int, row: int) -> int:
         """Issue an M or H function of the main program; wait while no slot is free."""
         function = int(self.queue.rows[row + rows.TECHNOLOGY_FUNCTION])
         ticks = int(self.queue.rows[row + rows.TECHNOLOGY_TICKS])
@@ -315,7 +315,7 @@ class CommandExecutor:
         self.record.event(rows.EVENT_TECHNOLOGY, source, has_value, function, value)
         return 1
 
-    def take_spindle(self, tick: int, row: int) -> int:
+    def execute_spindle(self, tick: int, row: int) -> int:
         """Give a spindle its job; wait until the spindle can take it."""
         spindle = int(self.queue.rows[row + rows.JOB_SPINDLE])
         if not self.context.spindles.is_ready(spindle, tick):
@@ -335,7 +335,7 @@ class CommandExecutor:
         self.context.spindles.hand_over(spindle, tick + ticks)
         return 1
 
-    def take_spindle_wait(self, row: int) -> int:
+    def execute_spindle_wait(self, row: int) -> int:
         """Wait for speed or position of a spindle; a held job would never reach it."""
         spindle = int(self.queue.rows[row + rows.JOB_SPINDLE])
         if self.context.spindles.is_busy(spindle):
@@ -346,14 +346,14 @@ class CommandExecutor:
         self.queue.timed_count -= 1
         return 1
 
-    def take_write(self, row: int) -> None:
+    def execute_write(self, row: int) -> None:
         """Write a synchronous variable (RC-308)."""
         cell = int(self.queue.rows[row + rows.VARIABLE_CELL])
         self.cells[cell] = self.queue.rows[row + rows.VARIABLE_VALUE]
         if self.queue.rows[row + rows.VARIABLE_IS_REPORTED] != 0.0:
             self.record.written(int(self.queue.rows[row + rows.SOURCE]), 0, cell, self.cells[cell])
 
-    def take_characters(self, row: int) -> None:
+    def execute_characters(self, row: int) -> None:
         """Write a part of a string, and zeros behind it."""
         cell = int(self.queue.rows[row + rows.TEXT_CELL])
         first = int(self.queue.rows[row + rows.TEXT_FIRST])
@@ -365,7 +365,7 @@ class CommandExecutor:
         for i in range(count, count + zeros):
             self.characters[first + i] = 0
 
-    def take_loop(self, row: int) -> None:
+    def execute_loop(self, row: int) -> None:
         """Begin a realtime loop; without its condition it is skipped."""
         self.cells[self.first_cell + cells.CHANNEL_LOOP_COUNT] = 0.0
         self.is_looping = self.cells[self.first_cell + cells.CHANNEL_LOOP_ENABLED] != 0.0
@@ -382,7 +382,7 @@ class CommandExecutor:
             while self.queue.needs_pass():
                 self.queue.repeat_body()
 
-    def take_fixed_stop_end(self, row: int) -> None:
+    def execute_fixed_stop_end(self, row: int) -> None:
         """End the block that moves to a fixed stop."""
         self.queue.timed_count -= 1
         member = self.fixed_stops.missing()
@@ -390,7 +390,7 @@ class CommandExecutor:
             source = int(self.queue.rows[row + rows.SOURCE])
             self.report(source, 50886, self.path.members[member])
 
-    def take_part(self, row: int, kind: int) -> None:
+    def execute_part(self, row: int, kind: int) -> None:
         """Hand a command to the probes or the axes, and report the message that refuses it."""
         source = int(self.queue.rows[row + rows.SOURCE])
         message = 0
@@ -401,13 +401,13 @@ class CommandExecutor:
         elif kind == rows.TOUCH_END:
             message = self.measuring.touch_probe.finish()
         else:
-            message = self.context.single_axes.take(self.queue.rows, row, kind)
+            message = self.context.single_axes.execute(self.queue.rows, row, kind)
             if kind == rows.REFER:
                 self.path.forget()
         if message:
             self.report(source, message, self.queue.rows[row + rows.HOMED_AXIS])
 
-    def take_measure_end(self, tick: int, row: int) -> int:
+    def execute_measure_end(self, tick: int, row: int) -> int:
         """Finish measuring in a block; return 0 while its function waits for the PLC."""
         outcome = self.measuring.edge_probe.finish(tick)
         if outcome == 0:
@@ -436,7 +436,7 @@ class CommandExecutor:
         self.panel.show_loop(False)
         self.queue.loop_body.give_up()
 
-    def take_program_end(self, tick: int, row: int) -> int:
+    def execute_program_end(self, tick: int, row: int) -> int:
         """End the program (M30), not in the tick of a cycle's start (RC-004, RC-106)."""
         if self.manager.has_started_this_tick(tick):
             return 0
@@ -452,9 +452,9 @@ class CommandExecutor:
         self.waiting = rows.PROGRAM_END
         return 1
 
-    def take_signal(self, tick: int, row: int, kind: int) -> int:
+    def execute_signal(self, tick: int, row: int, kind: int) -> int:
         """Send, await or remove signals; return 0 while one is waited for."""
-        outcome = self.signals.take(tick, row, kind)
+        outcome = self.signals.execute(tick, row, kind)
         if outcome == 0:
             return 0
         self.queue.timed_count -= self.queue.time_units(row)
@@ -463,7 +463,7 @@ class CommandExecutor:
             self.report(source, outcome, self.signals.board.blocking)
         return 1
 
-    def take_user_error(self, row: int, kind: int) -> None:
+    def execute_user_error(self, row: int, kind: int) -> None:
         """Record ``#ERROR`` of the main program and its values; RC may stop the channel."""
         source = int(self.queue.rows[row + rows.SOURCE])
         if kind == rows.USER_ERROR:
@@ -490,7 +490,7 @@ class CommandExecutor:
             self.is_fatal = True
 
     def enter_error(self, message: int) -> None:
-        """Enter the error state: no command is taken, the path brakes."""
+        """Enter the error state: no command is executed, the path brakes."""
         self.error_message = message
         self.error_pending = True
         self.is_stopped = True

@@ -15,7 +15,7 @@ cdef class SingleBlock:
     cdef bint only_motions
 
     @cython.locals(resolution=cython.longlong)
-    cdef void take(self, Py_ssize_t row) noexcept nogil
+    cdef void execute(self, Py_ssize_t row) noexcept nogil
     @cython.locals(head=cython.longlong, row=Py_ssize_t, kind=int, is_started=bint)
     cdef int permits(self) noexcept nogil
     @cython.locals(number=cython.longlong, row=Py_ssize_t, continues=bint)

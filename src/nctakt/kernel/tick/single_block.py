@@ -22,7 +22,7 @@ class SingleBlock:
         """Let single block stop at all blocks (P-CHAN-00015: 0, 1), or at motions alone (-1)."""
         self.only_motions = only_motions
 
-    def take(self, row: int) -> None:
+    def execute(self, row: int) -> None:
         """Have no effect from here on, or again, or stop at other numbers (``#SINGLE STEP``)."""
         resolution = int(self.queue.rows[row + rows.STEP_RESOLUTION])
         if resolution < 0:

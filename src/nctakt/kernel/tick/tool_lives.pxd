@@ -21,7 +21,7 @@ cdef class ToolLives:
         action=int, tool=cython.longlong, basic=cython.longlong, time=double, distance=double,
         is_ahead=int, before_d=double, time_t=double
     )
-    cdef void take(self, Py_ssize_t row) noexcept nogil
+    cdef void execute(self, Py_ssize_t row) noexcept nogil
     @cython.locals(source=cython.longlong, time_t=double)
     cdef void send(
         self, Py_ssize_t row, long long tool, long long basic, double distance_d

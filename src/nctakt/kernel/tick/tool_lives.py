@@ -30,7 +30,7 @@ class ToolLives:
             self.life.end_tick()
             self.panel.show_life(self.life.time_t, self.life.distance_d)
 
-    def take(self, row: int) -> None:
+    def execute(self, row: int) -> None:
         """Carry out a command: another tool, ``#TOOL LIFE``, or other factors (V.TLM)."""
         action = int(self.queue.rows[row + rows.LIFE_ACTION])
         tool = int(self.queue.rows[row + rows.LIFE_TOOL])

@@ -62,6 +62,76 @@ usage or invalid input, 3 an internal error of nctakt.
 """
 
 
+#: The options of each command that runs programs, in the order of the help.
+_RUN_OPTIONS = (
+    click.argument("programs", metavar="PROGRAM...", nargs=-1),
+    click.option(
+        "--channel",
+        "others",
+        metavar="N PROGRAM",
+        nargs=2,
+        multiple=True,
+        help="Run a program in channel N at the same time; may be repeated.",
+    ),
+    click.option(
+        "--machine",
+        metavar="DIR",
+        help="Folder with the machine's lists, demo or demo5 [default: the project's, else the "
+        "one around the program, else demo].",
+    ),
+    click.option("--root", metavar="DIR", help="Controller's root folder, where lists name files."),
+    click.option(
+        "--set",
+        "assignments",
+        metavar="NAME=VALUE",
+        multiple=True,
+        help="Set a variable before the first tick.",
+    ),
+    click.option(
+        "--at",
+        "stimuli",
+        metavar="TIME NAME=VALUE",
+        nargs=2,
+        multiple=True,
+        help="Set a variable at a time of the run.",
+    ),
+    click.option("--ticks", type=click.IntRange(min=1), metavar="N", help="Run at most N ticks."),
+    click.option("--until", metavar="TIME", help="Limit of the run [default: 10min]."),
+    click.option("--limit-fails", is_flag=True, help="Exit code 1 if that limit ends the run."),
+    click.option(
+        "--after",
+        metavar="TIME",
+        default="0",
+        help="Continue for this time after the last program.",
+    ),
+    click.option("--skip", metavar="N,...", default="", help="Skip blocks of these skip levels."),
+    click.option(
+        "--rtconf", metavar="FILE", help="Scheduling list for the time of decoder and PLC."
+    ),
+    click.option(
+        "--load", metavar="FILE.toml", help="Execution times of the functions of --rtconf."
+    ),
+    click.option(
+        "--os",
+        "system",
+        type=click.Choice(["rtx", "vxworks", "intime", "linux"]),
+        help="Operating system of --rtconf [default: rtx].",
+    ),
+    CONFINE_OPTION,
+    click.option(
+        "--plc",
+        metavar="FILE.py",
+        help="A class of yours that plays the PLC; default: the built-in one.",
+    ),
+    TRUST_OPTION,
+)
+_MODE_OPTION = click.option(
+    "--compiled/--plain",
+    default=None,
+    help="The realtime part compiled or as plain Python [default: compiled if it is built].",
+)
+
+
 def run_options(
     language_of: str, quiet_help: str = "No notes and no warnings."
 ) -> Callable[[_Command], _Command]:
@@ -70,80 +140,10 @@ def run_options(
     ``language_of``: the texts in that language, for the help.
     """
     options = (
-        click.argument("programs", metavar="PROGRAM...", nargs=-1),
-        click.option(
-            "--channel",
-            "others",
-            metavar="N PROGRAM",
-            nargs=2,
-            multiple=True,
-            help="Run a program in channel N at the same time; may be repeated.",
-        ),
-        click.option(
-            "--machine",
-            metavar="DIR",
-            help="Folder with the machine's lists, demo or demo5 [default: the project's, else the "
-            "one around the program, else demo].",
-        ),
-        click.option(
-            "--root", metavar="DIR", help="Controller's root folder, where lists name files."
-        ),
-        click.option(
-            "--set",
-            "assignments",
-            metavar="NAME=VALUE",
-            multiple=True,
-            help="Set a variable before the first tick.",
-        ),
-        click.option(
-            "--at",
-            "stimuli",
-            metavar="TIME NAME=VALUE",
-            nargs=2,
-            multiple=True,
-            help="Set a variable at a time of the run.",
-        ),
-        click.option(
-            "--ticks", type=click.IntRange(min=1), metavar="N", help="Run at most N ticks."
-        ),
-        click.option("--until", metavar="TIME", help="Limit of the run [default: 10min]."),
-        click.option("--limit-fails", is_flag=True, help="Exit code 1 if that limit ends the run."),
-        click.option(
-            "--after",
-            metavar="TIME",
-            default="0",
-            help="Continue for this time after the last program.",
-        ),
-        click.option(
-            "--skip", metavar="N,...", default="", help="Skip blocks of these skip levels."
-        ),
-        click.option(
-            "--rtconf", metavar="FILE", help="Scheduling list for the time of decoder and PLC."
-        ),
-        click.option(
-            "--load", metavar="FILE.toml", help="Execution times of the functions of --rtconf."
-        ),
-        click.option(
-            "--os",
-            "system",
-            type=click.Choice(["rtx", "vxworks", "intime", "linux"]),
-            help="Operating system of --rtconf [default: rtx].",
-        ),
-        CONFINE_OPTION,
-        click.option(
-            "--plc",
-            metavar="FILE.py",
-            help="A class of yours that plays the PLC; default: the built-in one.",
-        ),
-        TRUST_OPTION,
+        *_RUN_OPTIONS,
         language_option(f"Language of {language_of} [default: en].", None),
         click.option("--quiet", is_flag=True, help=quiet_help),
-        click.option(
-            "--compiled/--plain",
-            default=None,
-            help="The realtime part compiled or as plain Python "
-            "[default: compiled if it is built].",
-        ),
+        _MODE_OPTION,
     )
 
     def decorate(command: _Command) -> _Command:
@@ -195,6 +195,19 @@ def _schedule(options: Options, access: FileAccess) -> RunSchedule | None:
     return open_schedule(options.rtconf, options.load, RtconfOptions(profile), access)
 
 
+def _without_bar(
+    bar: ProgressBar, on_message: Callable[[ProgramMessage], None] | None
+) -> Callable[[ProgramMessage], None]:
+    """Return what shows a message of a program where the progress bar was."""
+
+    def show(message: ProgramMessage) -> None:
+        if on_message is not None:
+            bar.hide()
+            on_message(message)
+
+    return show
+
+
 def run_programs(
     options: Options,
     request: Request,
@@ -215,11 +228,6 @@ def run_programs(
     from nctakt.plc.error import PlcError  # noqa: PLC0415 - the mode is chosen before
 
     bar = ProgressBar()
-
-    def show_message(message: ProgramMessage) -> None:
-        if on_message is not None:
-            bar.hide()
-            on_message(message)
 
     def show_progress(tick: int, limit: int | None) -> None:
         interrupt.check()
@@ -244,7 +252,7 @@ def run_programs(
                 sinks=sinks,
                 memory_trace=is_drawn,
                 why=why or is_drawn,
-                on_message=show_message,
+                on_message=_without_bar(bar, on_message),
                 on_progress=show_progress,
                 on_cycle=on_cycle,
                 blocks=options.blocks or is_drawn,

@@ -73,12 +73,7 @@ class InterfaceImage:
         check_range(len(published), len(image), len(image), "length of the published image")
         check_range(clock, 0, len(image) - 16, "byte of the clock")
         check_range(first_input, 0, len(image), "first byte of the inputs")
-        for offset, kind, cell, size, _ in table:
-            check_range(offset, 0, len(image) - size, "byte of a variable")
-            check_range(kind, codes.IMAGE_BOOLEAN, codes.IMAGE_STRING, "kind of a variable")
-            max_size = len(image) if kind == codes.IMAGE_STRING else len(self.scratch)
-            check_range(size, 1, max_size, "bytes of a variable")
-            check_range(cell, 0, len(self.cells) - -(-size // 8), "cell of a variable")
+        self.check_table(table, len(image))
         self.image = image
         self.image_words = image.cast("q")
         self.published = published
@@ -86,6 +81,29 @@ class InterfaceImage:
         self.units = units
         self.clock_word = clock // 8
         self.first_input_word = first_input // 8
+        self.hold_table(table)
+        self.count = count
+        self.event_bound = sum(
+            1 for _, kind, _, _, is_input in table if is_input and kind == codes.IMAGE_REAL64
+        )
+        self.refused_count = 0
+        self.refused_reported = 0
+        self.word_count = len(image) // 8
+        self.publish(ticks)
+        self.is_attached = True
+
+    def check_table(self, table: list[tuple[int, int, int, int, bool]], length: int) -> None:
+        """Raise ``ValueError`` if a variable exceeds an image of ``length`` bytes or the cells."""
+        for offset, kind, cell, size, _ in table:
+            check_range(offset, 0, length - size, "byte of a variable")
+            check_range(kind, codes.IMAGE_BOOLEAN, codes.IMAGE_STRING, "kind of a variable")
+            max_size = length if kind == codes.IMAGE_STRING else len(self.scratch)
+            check_range(size, 1, max_size, "bytes of a variable")
+            check_range(cell, 0, len(self.cells) - -(-size // 8), "cell of a variable")
+
+    def hold_table(self, table: list[tuple[int, int, int, int, bool]]) -> None:
+        """Hold the variables of a table, each with a shadow of its cells, all of them stale."""
+        count = len(table)
         self.is_input = memoryview(bytearray(8 * count + 8)).cast("q")
         self.offset = memoryview(bytearray(8 * count + 8)).cast("q")
         self.kind = memoryview(bytearray(8 * count + 8)).cast("q")
@@ -115,15 +133,6 @@ class InterfaceImage:
                 self.shadowed_cell[self.shadow_count] = cell + further
                 self.shadowed_entry[self.shadow_count] = i
                 self.shadow_count += 1
-        self.count = count
-        self.event_bound = sum(
-            1 for _, kind, _, _, is_input in table if is_input and kind == codes.IMAGE_REAL64
-        )
-        self.refused_count = 0
-        self.refused_reported = 0
-        self.word_count = len(image) // 8
-        self.publish(ticks)
-        self.is_attached = True
 
     def detach(self) -> None:
         """Forget the image; nothing holds its bytes any longer."""

@@ -17,7 +17,7 @@ from nctakt.decoder.state.spindle_commands import (
     SpindleLimits,
 )
 from nctakt.decoder.state.start_block import SingleStep
-from nctakt.decoder.state.tool_life import ToolLife, ToolLifeFactors
+from nctakt.decoder.state.tool_life import SetToolLife, ToolLifeFactors
 from nctakt.kernel import codes, rows
 
 SOURCE, NUMBER, REFERENCE = 901, 902, 903
@@ -265,7 +265,7 @@ CASES: list[tuple[type[Command], dict[str, object], int, dict[int, float]]] = [
     ),
     (SingleStep, {"resolution": 10}, rows.SINGLE_STEP, {rows.STEP_RESOLUTION: 10}),
     (
-        ToolLife,
+        SetToolLife,
         {"action": 3, "tool": 4, "basic": 5, "time": 6.0, "distance": 7.0},
         rows.TOOL_LIFE,
         {
@@ -393,5 +393,12 @@ def test_each_command_is_packed() -> None:
         one for one in vars(commands).values() if isinstance(one, type) and issubclass(one, Command)
     }
     declared |= {Touch, TouchEnd, Home, Refer, SetSoftwareLimits, SingleStep}
-    declared |= {SpindleJob, AwaitSpindle, CuttingSpeed, SpindleLimits, ToolLife, ToolLifeFactors}
+    declared |= {
+        SpindleJob,
+        AwaitSpindle,
+        CuttingSpeed,
+        SpindleLimits,
+        SetToolLife,
+        ToolLifeFactors,
+    }
     assert {case[0] for case in CASES} == declared - _NOT_QUEUED

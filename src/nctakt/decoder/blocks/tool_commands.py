@@ -10,7 +10,7 @@ from collections.abc import Generator
 from nctakt.decoder.blocks.block_decoder import BlockDecoder
 from nctakt.decoder.blocks.technology_output import tool_function
 from nctakt.decoder.state.commands import Answer, Command, Flush
-from nctakt.decoder.state.tool_life import UNCHANGED, ToolLife
+from nctakt.decoder.state.tool_life import UNCHANGED, SetToolLife
 from nctakt.decoder.values.variables import Values
 from nctakt.kernel import codes
 from nctakt.messages.tools import NEGATIVE_TOOL_LIFE
@@ -73,7 +73,7 @@ class ToolCommands:
         name, span = command.words[2].name, command.span
         source = self._environment.source_id(span)
         if name == "REMOVE":
-            yield ToolLife(source, number, codes.LIFE_REMOVED)
+            yield SetToolLife(source, number, codes.LIFE_REMOVED)
             return
         if name == "READ":
             numbers = []
@@ -90,4 +90,4 @@ class ToolCommands:
                 self._values.fail(NEGATIVE_TOOL_LIFE, item.value.span, word=item.name, value=value)
             given[item.name] = value
         time_s, distance_mm = given["TIME"], given["DIST"]
-        yield ToolLife(source, number, codes.LIFE_DEFINED, 0, 0, time_s, distance_mm)
+        yield SetToolLife(source, number, codes.LIFE_DEFINED, 0, 0, time_s, distance_mm)

@@ -46,7 +46,7 @@ from nctakt.decoder.state.limit_commands import SetLimits
 from nctakt.decoder.state.packing import takes_time
 from nctakt.decoder.state.spindle_commands import CuttingSpeed, SpindleJob, SpindleLimits
 from nctakt.decoder.state.start_block import SingleStep, StartBlock, StartReached
-from nctakt.decoder.state.tool_life import ToolLife, ToolLifeFactors
+from nctakt.decoder.state.tool_life import SetToolLife, ToolLifeFactors
 from nctakt.decoder.state.uncertain_axes import UncertainAxes
 from nctakt.decoder.values.variables import Values
 from nctakt.kernel import codes
@@ -79,7 +79,7 @@ _PASSING = (
     SetTurn,
     SingleStep,
     SpindleLimits,
-    ToolLife,
+    SetToolLife,
     ToolLifeFactors,
     UserErrorReport,
     UserErrorStop,

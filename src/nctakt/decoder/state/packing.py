@@ -62,7 +62,7 @@ from nctakt.decoder.state.spindle_commands import (
     SpindleLimits,
 )
 from nctakt.decoder.state.start_block import SingleStep, StartReached
-from nctakt.decoder.state.tool_life import ToolLife, ToolLifeFactors
+from nctakt.decoder.state.tool_life import SetToolLife, ToolLifeFactors
 from nctakt.kernel import codes, rows
 
 #: Kinds of the commands whose arguments are their fields in this order.
@@ -91,7 +91,7 @@ _KINDS: dict[type[Command], int] = {
     SetSoftwareLimits: rows.SOFTWARE_LIMITS,
     Couple: rows.COUPLE,
     FeedForward: rows.FEED_FORWARD,
-    ToolLife: rows.TOOL_LIFE,
+    SetToolLife: rows.TOOL_LIFE,
     ClearHistory: rows.CLEAR_HISTORY,
     CuttingSpeed: rows.CUTTING_SPEED,
     SpindleLimits: rows.SPINDLE_LIMITS,

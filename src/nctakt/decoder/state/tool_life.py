@@ -11,7 +11,7 @@ UNCHANGED = -1.0
 
 
 @dataclass(frozen=True, slots=True)
-class ToolLife(Command):
+class SetToolLife(Command):
     """What becomes of the tool life: ``action`` ``codes.LIFE_SENT`` …
 
     ``tool``: number of the text of the tool's ID, ``basic``: its first part. ``time``: seconds,

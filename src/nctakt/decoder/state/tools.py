@@ -19,7 +19,7 @@ from nctakt.decoder.state.commands import Command
 from nctakt.decoder.state.environment import DecoderEnvironment
 from nctakt.decoder.state.modal_state import ModalState
 from nctakt.decoder.state.spindle_commands import SpindleLimits
-from nctakt.decoder.state.tool_life import ToolLife, ToolLifeFactors
+from nctakt.decoder.state.tool_life import SetToolLife, ToolLifeFactors
 from nctakt.kernel import codes
 from nctakt.kernel.base import arithmetic
 from nctakt.lists.declared.tools import (
@@ -376,10 +376,10 @@ class ActiveTool:
                 codes.LIFE_SENT if rules.is_sent else codes.LIFE_BEGUN, identity, span, number
             )
 
-    def life(self, action: int, identity: Identity, span: Span, number: int) -> ToolLife:
+    def life(self, action: int, identity: Identity, span: Span, number: int) -> SetToolLife:
         """Return the command for the tool life with a tool."""
         text = self._environment.text_id(_shown(identity))
-        return ToolLife(self._environment.source_id(span), number, action, text, identity[0])
+        return SetToolLife(self._environment.source_id(span), number, action, text, identity[0])
 
     def write(
         self,

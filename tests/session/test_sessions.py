@@ -20,7 +20,7 @@ from nctakt.session.engine import Engine
 from nctakt.session.setup import Setup
 from nctakt.session.stops import StopAt, read_stop
 from nctakt.session.worker import can_fork
-from nctakt.session.workshop import Workshop
+from nctakt.session.workshop import ProcessPool
 
 pytestmark = pytest.mark.slow
 
@@ -392,7 +392,7 @@ def test_a_controller_that_cannot_start_is_told(monkeypatch: pytest.MonkeyPatch)
 
 def test_a_session_goes_back_without_copies_too(monkeypatch: pytest.MonkeyPatch) -> None:
     """Where there is no fork, the past is run again from the start."""
-    monkeypatch.setattr(Workshop, "can_copy", False)
+    monkeypatch.setattr(ProcessPool, "can_copy", False)
     with opened() as session:
         session.run()
         assert session.back(10).tick == 1066

@@ -19,7 +19,7 @@ from nctakt.session.story import Story
 MAX_PENDING = 64
 
 
-class Audience:
+class Subscribers:
     """The listeners of a story."""
 
     def __init__(self, story: Story) -> None:

@@ -22,7 +22,7 @@ from nctakt.session.record import (
 )
 from nctakt.session.setup import Setup
 from nctakt.session.timeline import PART_TICKS, Poll
-from nctakt.session.workshop import RemoteEngine, Workshop
+from nctakt.session.workshop import ProcessPool, RemoteEngine
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,7 +43,7 @@ class Past:
         Raises it as well where the past is not as it was (901901). ``poll`` is called meanwhile,
         and may end it by an exception.
         """
-        workshop = Workshop()
+        workshop = ProcessPool()
         try:
             engine, _ = workshop.open(replace(self.setup, why=True))
             try:

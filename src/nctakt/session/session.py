@@ -22,7 +22,7 @@ from nctakt.run.bound_values import API
 from nctakt.run.inputs import Input
 from nctakt.run.program_loader import NcText
 from nctakt.run.stimuli import StimulusLike
-from nctakt.session.audience import Audience
+from nctakt.session.audience import Subscribers
 from nctakt.session.clock import AnyClock, FastClock, Pacing, WallClock
 from nctakt.session.decoders import DecoderState
 from nctakt.session.engine import CycleState, Glance, Slice, joined
@@ -133,7 +133,7 @@ class Session:
         self.description: Description = self._story.description
         has_schedule = setup.rtconf is not None
         self._pacing = Pacing(pace, self.description.cycle_time_us, has_schedule=has_schedule)
-        self._audience = Audience(self._story)
+        self._audience = Subscribers(self._story)
         self._thread = SessionThread(self._run_slice)
         self._ask, self.together = self._thread.ask, self._thread.together
 

@@ -38,7 +38,7 @@ from nctakt.session.record import (
 from nctakt.session.schedules import CLOSE, RESTART, TABLE
 from nctakt.session.setup import Setup
 from nctakt.session.stops import BLOCKS, StopAt
-from nctakt.session.workshop import RemoteEngine, Workshop
+from nctakt.session.workshop import ProcessPool, RemoteEngine
 
 #: Ticks, and marks, between two calls of ``poll`` while the past is run again.
 PART_TICKS = 100_000
@@ -78,7 +78,7 @@ class Timeline:
     def __init__(self, setup: Setup, poll: Poll) -> None:
         self._setup = setup
         self._poll = poll
-        self._workshop = Workshop()
+        self._workshop = ProcessPool()
         try:
             self._live, self.description = self._workshop.open(setup)
         except BaseException:

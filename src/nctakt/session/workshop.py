@@ -47,7 +47,7 @@ class RemoteEngine:
     """
 
     def __init__(
-        self, connection: Connection[Any, Any], process: int, workshop: Workshop, tick: int
+        self, connection: Connection[Any, Any], process: int, workshop: ProcessPool, tick: int
     ) -> None:
         self._connection = connection
         self.process = process
@@ -154,7 +154,7 @@ class RemoteEngine:
         self._connection.close()
 
 
-class Workshop:
+class ProcessPool:
     """Opens controllers in processes of their own; ``close`` ends them all.
 
     ``asked``: the one that has been asked something and has not answered yet.

@@ -86,7 +86,7 @@ class OpcuaDoor:
         methods = Methods(nodes, machine, host, self._alarms)
         history = History(space, host, limits)
         internal.services = MachineServices(host, space, methods, history, limits)
-        await server.tell_limits()
+        await server.publish_limits()
         await host.store.subscribe(self._alarms.error_names.values())
 
     async def open(self) -> str:

@@ -108,7 +108,7 @@ class CncServer(LibraryServer):
             self.set_security_policy([ua.SecurityPolicyType.Basic256Sha256_SignAndEncrypt])
             self.set_identity_tokens(NAMED)
 
-    async def tell_limits(self) -> None:
+    async def publish_limits(self) -> None:
         """Write into the address space what this server is, and what its limits are."""
         capabilities = "Server_ServerCapabilities_"
         operations = f"{capabilities}OperationLimits_"

@@ -26,11 +26,13 @@ REFERENCES = {
     "Kernel": ("input_cells", "input_values", "input_words"),
     "KinematicMaps": ("values",),
     "LoopBody": ("rows",),
+    "PlcCalls": ("delays", "hli", "spindles", "whens"),
     "Record": ("events", "probes", "rows", "signals"),
     "TransformedLimits": (
         "feed_a", "feed_j", "feed_slope_a", "max_v", "rapid_a", "rapid_j", "rapid_slope_a",
         "rapid_v", "transformations",
     ),
+    "When": ("others",),
 }  # fmt: skip
 #: Arrays of which nothing is read before it is written again. Of the path's history only the rows
 #: of segments that have begun count: ``Path.history`` has them.

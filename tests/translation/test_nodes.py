@@ -102,7 +102,7 @@ def test_signed_and_unsigned_compare_by_value() -> None:
 
 
 def test_real_to_whole_rounds_half_away_from_zero() -> None:
-    """ST-307: 1.5 -> 2, 1.4 -> 1, -1.5 -> -2, -1.4 -> -1; outside: 902065."""
+    """ST-307: 1.5 -> 2, 1.4 -> 1, -1.5 -> -2, -1.4 -> -1; outside: 902270."""
     context, _ = a_context()
     for number, expected in ((1.5, 2), (1.4, 1), (-1.5, -2), (-1.4, -1), (32767.4, 32767)):
         node = WholeOfReal(RealConstant(number), kinds.I16, kinds.NEAREST)
@@ -167,7 +167,7 @@ def test_texts_are_put_together_as_in_python(seed: int) -> None:
 
 @each_seed(compiled=5, plain=3)
 def test_no_access_leaves_the_memory(seed: int) -> None:
-    """ST-001, ST-315: whatever a pointer holds, bytes outside stay, and 902061 or 902062 comes."""
+    """ST-001, ST-315: whatever a pointer holds, bytes outside stay, and 902266 or 902267 comes."""
     draw = random.Random(seed)
     for _ in range(40):
         context, memory = a_context()

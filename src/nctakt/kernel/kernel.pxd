@@ -6,6 +6,7 @@ from nctakt.kernel.axes.axes cimport Axes
 from nctakt.kernel.plc.axis_requests cimport AxisRequests
 from nctakt.kernel.tick.channel cimport Channel
 from nctakt.kernel.tick.plc_calls cimport PlcCalls
+from nctakt.kernel.st.tasks cimport PlcSide
 from nctakt.kernel.tick.signals cimport SignalBoard
 from nctakt.kernel.tick.stops cimport Stops
 from nctakt.kernel.plc.interface_image cimport InterfaceImage
@@ -48,6 +49,7 @@ cdef class Kernel:
     cdef readonly SignalBoard signals
     cdef public bint ends_deadlock
     cdef readonly PlcCalls calls
+    cdef readonly PlcSide plc
     cdef readonly bint is_stopped
     cdef readonly bint is_plc_due
     cdef readonly long long tick

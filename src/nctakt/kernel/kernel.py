@@ -20,6 +20,7 @@ from nctakt.kernel.base.bounds import check_range
 from nctakt.kernel.base.record import Record
 from nctakt.kernel.plc.axis_requests import AxisRequests
 from nctakt.kernel.plc.interface_image import InterfaceImage
+from nctakt.kernel.st.tasks import PlcSide
 from nctakt.kernel.tick.channel import Channel
 from nctakt.kernel.tick.plc_calls import PlcCalls
 from nctakt.kernel.tick.signals import SignalBoard
@@ -101,8 +102,8 @@ class Kernel:
     """The realtime part of one machine.
 
     ``ends_deadlock``: ``run`` returns when each running program waits for another one's signal.
-    ``calls``: what a PLC in Python waits for; ``is_plc_due``: ``run`` has returned after a tick
-    after which it is to be called.
+    ``plc``: a PLC in Structured Text. ``calls``: what a PLC in Python waits for; ``is_plc_due``:
+    ``run`` has returned after a tick after which it is to be called.
     """
 
     def __init__(
@@ -131,6 +132,7 @@ class Kernel:
         self.lane = lane
         self.stops = Stops(memory, record)
         self.calls = PlcCalls(channels[0].hli, channels[0].context.spindles)
+        self.plc = PlcSide()
         self.is_stopped = False
         self.is_plc_due = False
         self.tick = 0
@@ -141,6 +143,10 @@ class Kernel:
         self.input_slots = memoryview(bytearray(len(memory))).cast("q")
         self.make_room(16)
         axes.publish_all()
+
+    def attach_plc(self, plc: PlcSide) -> None:
+        """Let this PLC in Structured Text run in each tick from now on (ST-801)."""
+        self.plc = plc
 
     # --- the image of inputs --------------------------------------------------------------------
 
@@ -227,7 +233,7 @@ class Kernel:
         self.is_stopped = False
         self.is_plc_due = False
         if ticks < 2:  # releasing the interpreter takes longer
-            return self.loop(1)
+            return self.loop(ticks)
         with cython.nogil:
             reason = self.loop(ticks)
         return reason
@@ -278,7 +284,7 @@ class Kernel:
                 self.is_stopped = True
             if self.calls.is_watching and self.calls_plc():
                 break
-            if self.is_stopped:
+            if self.is_stopped or self.plc.has_news:
                 break
         return self.lane.needs_python()
 
@@ -308,6 +314,7 @@ class Kernel:
         self.record.channel = 0
         if self.image.is_attached:
             self.image.publish(self.tick + 1)
+        self.plc.run(self.tick)
         self.record_row()
         self.tick += 1
 
@@ -316,6 +323,7 @@ class Kernel:
         self.record.tick = self.tick
         if self.image.is_attached:
             self.image.publish(self.tick + 1)
+        self.plc.run(self.tick)
         self.record_row()
         self.tick += 1
         return codes.DONE

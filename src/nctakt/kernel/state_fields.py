@@ -45,7 +45,8 @@ UNREAD = {
 TREES = ("nctakt.kernel.cycles.", "nctakt.kernel.st.")
 CHANGING_IN_TREES = (
     "Condition", "Context", "Counted", "CycleManager", "FeedMemory", "IfAlways", "IfEdge",
-    "IfOnce", "PlcContext", "Reaction", "RealtimeCycle",
+    "IfOnce", "CyclicTask", "PlcContext", "PlcSide", "PlcTasks", "Reaction",
+    "RealtimeCycle",
 )  # fmt: skip
 #: What no snapshot is taken of: a shared image, and what stops the ticks.
 LEFT_OUT = ("InterfaceImage", "SectionUnits", "SpindleUnits", "Watched")

@@ -34,6 +34,7 @@ from nctakt.messages.plc import (
 )
 from nctakt.plc.error import PlcError
 from nctakt.run.plc_view import AnyPlc, Declaration, WatchedPlc
+from nctakt.st.files.project import PLC_SUFFIXES
 
 if TYPE_CHECKING:
     from nctakt.run.plc_view import PlcView
@@ -43,12 +44,16 @@ _OUR_FOLDER = Path(__file__).parent.parent
 
 
 def load_plc(path: str | Path) -> AnyPlc:
-    """Return the PLC of a file: an object of its one class with a method ``cycle``.
+    """Return the PLC of a file: Structured Text, or an object of its one class with ``cycle``.
 
     Classes whose names begin with an underscore, and base classes of others, do not count. Raises
     ``PlcError``: no such file (900500), a folder (900501), not readable (900503), no class
     (900520), several classes (900521), an exception in the file (900522).
     """
+    if Path(path).suffix.lower() in PLC_SUFFIXES:
+        from nctakt.plc.structured_text import load_structured  # noqa: PLC0415 - rare
+
+        return load_structured(path)
     return PlcFile(path).plc()
 
 

@@ -6,7 +6,7 @@ In: ``Machine``. Out: ``AssembledMachine``, which the controller runs.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -38,7 +38,7 @@ from nctakt.run.decoder_signals import SignalsOfChannel
 from nctakt.run.event_registry import EventRegistry
 from nctakt.run.inputs import Inputs
 from nctakt.run.machine_names import SignalCell, channel_names, names_of_machine, prefix_of
-from nctakt.run.realtime_part import RealtimePart
+from nctakt.run.realtime_part import NAMED_SIGNALS, RealtimePart
 from nctakt.run.spindle_setup import all_names, at_start_up, follow_executed
 from nctakt.run.variable_access import VariableAccess
 
@@ -344,7 +344,21 @@ class AssembledMachine:
 
         ``CH2.BLOCK`` is a signal of the second channel, a name without a prefix one of the first.
         """
-        return self._names.signals()
+        return {**self._names.signals(), **self.access.named_signals}
+
+    def show_named(self, names: Sequence[str]) -> None:
+        """Let those of the names that are variables of a PLC in the tick be signals."""
+        self.access.named_signals = {}
+        named = self.access.named
+        for name in names if named is not None else ():
+            found = named.signal(name) if named is not None else None
+            if found is not None:
+                self.access.named_signals[name] = found
+
+    def free_signal_cell(self) -> int | None:
+        """Return a cell for a signal that the machine does not have itself, if one is left."""
+        used = len(self.access.named_signals)
+        return self.layout.size + used if used < NAMED_SIGNALS else None
 
     def default_signals(self) -> list[str]:
         """Return the positions of all axes, path speed, override, block number, active cycles."""

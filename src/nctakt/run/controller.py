@@ -208,6 +208,8 @@ class Controller:
         """
         channel_run = self._loop.channels[self._index(channel)]
         loaded = program_loader.load(program, self._machine, self.diagnostics, channel - 1)
+        if plc is not None:
+            self._loop.attach(plc)
         stimuli = [read_stimulus(stimulus) for stimulus in at]
         for stimulus in stimuli:
             self._machine.access.check(stimulus.name, stimulus.value)

@@ -148,6 +148,7 @@ class ProgramRun:
             channel.marks_blocks = options.blocks
             channel.start = None
         loop.channels[0].start = options.start
+        loop.attach(options.plc)
         for name, value in options.set.items():
             machine.write(name, value)
         machine.access.apply_writes()
@@ -164,6 +165,7 @@ class ProgramRun:
         self._statistics = RunStatistics(machine.registry.reactions_of, machine.registry.frozen_in)
         self._runs_before = machine.registry.runs()
         self._bodies_before = machine.registry.bodies()
+        machine.show_named(options.signals or ())
         self._signals = loop.recording.checked(options.signals)
         replay = options.replay
         loop.connect(

@@ -35,6 +35,9 @@ if TYPE_CHECKING:
 #: The assumed execution time of an elementary instruction, in ns (RC-503).
 INSTRUCTION_COST_NS = 10
 
+#: Cells behind those of the machine, for variables of a PLC that are signals.
+NAMED_SIGNALS = 256
+
 #: V.RTG.CYCLES.DIAG_LEVEL at start-up (RC-603).
 DEFAULT_DIAGNOSIS_LEVEL = 3.0
 
@@ -54,7 +57,7 @@ class RealtimePart:
         self._has_history = has_history
         self.kept_cycles: KeptTrees | None = None
         self.conditions: dict[str, Expression] = {}
-        self.memory = bytearray(8 * layout.size)
+        self.memory = bytearray(8 * (layout.size + NAMED_SIGNALS))
         self.cells = memoryview(self.memory).cast("d")
         self.record = Record(self.memory)
         self.axes = Axes(self.memory, layout.axis_cell(0), len(configuration.axes))

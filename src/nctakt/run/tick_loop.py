@@ -14,11 +14,13 @@ from typing import TYPE_CHECKING, Protocol
 
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.kernel import codes
+from nctakt.kernel.st.tasks import PlcSide
 from nctakt.run.assembly import AssembledMachine
 from nctakt.run.channel_run import ChannelRun, is_reported
 from nctakt.run.inputs import NEVER
 from nctakt.run.plc_player import PlcPlayer
 from nctakt.run.plc_view import AnyPlc
+from nctakt.run.realtime_plc import RealtimePlc
 from nctakt.run.recording import Recording
 
 if TYPE_CHECKING:
@@ -73,6 +75,8 @@ class TickLoop:
             self.follow(scheduled_run)
         self.plc: AnyPlc | None = None
         self._player: PlcPlayer | None = None
+        self._realtime_plc: RealtimePlc | None = None
+        self._report = report
         self.has_plc = False
         self.ends_deadlock = False
         self.is_deadlocked = False
@@ -89,12 +93,25 @@ class TickLoop:
         for index, channel in enumerate(self.channels):
             channel.budget = shares.budget(index)
 
+    def attach(self, plc: AnyPlc | None) -> None:
+        """Let this PLC begin anew in the tick if it runs there, and no other one; then ``connect``.
+
+        Its variables are known from now on.
+        """
+        self._kernel.attach_plc(PlcSide())
+        named = plc.attach(self.machine) if isinstance(plc, RealtimePlc) else None
+        self.machine.access.named = named
+
     def connect(self, plc: AnyPlc | None, *, has_plc: bool) -> None:
         """Let this PLC run after each tick; without any, functions acknowledge themselves."""
         self.plc = plc
-        self._player = None if plc is None else PlcPlayer(plc, self.machine)
-        if plc is None:
+        self._realtime_plc = plc if isinstance(plc, RealtimePlc) else None
+        is_called = plc is not None and self._realtime_plc is None
+        self._player = PlcPlayer(plc, self.machine) if plc is not None and is_called else None
+        if not is_called:
             self._kernel.calls.stop()
+        if self._realtime_plc is not None:
+            has_plc = False
         self.has_plc = has_plc
         for channel in self.channels:
             channel.channel.hli.acknowledges_itself = not has_plc
@@ -148,6 +165,9 @@ class TickLoop:
     def settle(self, reason: int) -> None:
         """Hand on what the kernel has recorded, and do what it has returned for."""
         self.recording.drain()
+        if self._realtime_plc is not None:
+            for message in self._realtime_plc.news():
+                self._report(message)
         self.is_deadlocked = reason == codes.DEADLOCK
         if reason and reason != codes.FULL:
             for channel in self.channels:

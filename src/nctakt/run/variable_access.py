@@ -35,6 +35,7 @@ from nctakt.nc.vocabulary import strings
 from nctakt.nc.vocabulary.cells import CELL_BYTES
 from nctakt.nc.vocabulary.variable_table import Location, NameTable, NotFound
 from nctakt.run.bound_values import API, BoundValue, InputNotes
+from nctakt.run.named_values import NamedValues
 
 #: Names that are kept bound; there are as many spellings of them as one likes.
 _MAX_BOUND = 10_000
@@ -69,6 +70,10 @@ class VariableAccess:
         self._kernel = kernel
         self._remarks = remarks
         self._bound: dict[str, BoundValue] = {}
+        #: The variables of a PLC that runs in the tick, by their paths.
+        self.named: NamedValues | None = None
+        #: Those of them that are signals: their cells, units, and whether they are integers.
+        self.named_signals: dict[str, tuple[int, str, bool]] = {}
         self.notes = InputNotes(kernel)
 
     def _find(self, name: str) -> tuple[Location, int]:
@@ -125,6 +130,8 @@ class VariableAccess:
 
     def read(self, name: str) -> float | bool | str:
         """Return the value of a variable; a written value is returned before it is latched."""
+        if self.named is not None and self.named.knows(name):
+            return self.named.read(name)
         return self.bind(name).value
 
     def text_of(self, name: str) -> str:
@@ -133,7 +140,14 @@ class VariableAccess:
         cells = -(-location.size_bytes // CELL_BYTES)
         return strings.decode(self._kernel.present_bytes(cell, cells)[: location.size_bytes])
 
-    def check(self, name: str, value: float | bool | str) -> Write:
+    def check(self, name: str, value: float | bool | str) -> None:
+        """Raise ``Failure`` for an unknown name and for a value that it cannot hold."""
+        if self.named is not None and self.named.knows(name):
+            self.named.check(name, value)
+        else:
+            self.converted(name, value)
+
+    def converted(self, name: str, value: float | bool | str) -> Write:
         """Return the converted value; raises ``Failure`` for an unknown name and a wrong value."""
         shown = self._find_panel(arguments.text("name", name))
         arguments.number_or_text(name, value)
@@ -150,11 +164,14 @@ class VariableAccess:
 
     def write(self, name: str, value: float | bool | str, source: str = API) -> None:
         """Write a variable with effect from the next tick."""
+        if self.named is not None and self.named.knows(name):
+            self.named.write(name, value)
+            return
         self.bind(name).write(value, source)
 
     def write_checked(self, name: str, value: float | bool | str) -> None:
-        """Write what needs a look at its type; raises ``Failure`` as ``check``."""
-        write = self.check(name, value)
+        """Write what needs a look at its type; raises ``Failure`` as ``converted``."""
+        write = self.converted(name, value)
         if isinstance(write.value, bytes):
             self._kernel.post_bytes(write.cell, write.value)
         else:

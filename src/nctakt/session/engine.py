@@ -208,6 +208,7 @@ class Engine:
         )
         options.check()
         self._run = ProgramRun(self._loop, self._diagnostics, options)
+        self._loop.attach(plc)
         self._loop.connect(plc, has_plc=plc is not None or not setup.acknowledges)
         self._recorded_cells = [self._signals[name][0] for name in recorded]
         self._columns = {cell: number for number, cell in enumerate(self._recorded_cells)}

@@ -101,6 +101,12 @@ class PlcContext:
             return self.stack
         return address
 
+    def peek(self, address: int, size: int) -> bytes:
+        """Return bytes of the memory."""
+        check_range(size, 0, self.end, "size")
+        check_range(address, 0, self.end - size, "address")
+        return bytes(self.memory[address : address + size])
+
     def dump(self) -> bytes:
         """Return the memory that code can reach."""
         return bytes(self.memory[: self.end])

@@ -37,15 +37,14 @@ SIGNED, UNSIGNED, TRUTH, HEXADECIMAL, LENGTH, FINE_LENGTH, CLOCK, DAY, MOMENT = 
 TIME_OF_DAY, DATE, DATE_AND_TIME = range(3)
 
 #: Faults at run time (ST-560).
-DIVISION = 902060
-INDEX = 902061
-PLACE = 902062
-STACK = 902063
-BUDGET = 902064
-CONVERSION = 902065
-INVALID = 902067
-STEP = 902052
-RAISED = 902068
+DIVISION = 902265
+INDEX = 902266
+PLACE = 902267
+STACK = 902268
+BUDGET = 902269
+CONVERSION = 902270
+INVALID = 902260
+STEP = 902271
 
 #: Offsets of unchecked accesses are smaller; so many bytes lie behind the memory.
 SLACK = 65536
@@ -55,3 +54,6 @@ NULL_BYTES = 4096
 MAX_DEPTH = 200
 #: The largest memory of a PLC, in bytes.
 MAX_MEMORY = 1 << 30
+#: Bytes that a PLC gets from outside in one cycle, and variables that are signals, at most.
+MAX_INPUTS = 4096
+MAX_OUTPUTS = 256

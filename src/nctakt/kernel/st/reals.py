@@ -136,7 +136,7 @@ class MultiplyReal(BinaryReal):
 
 
 class DivideReal(BinaryReal):
-    """``/``; 902060 for a zero divisor."""
+    """``/``; 902265 for a zero divisor."""
 
     def number(self, context: PlcContext) -> float:
         left = self.left.number(context)
@@ -260,7 +260,7 @@ class CompareReal(Whole):
 class WholeOfReal(Whole):
     """A real number as a whole one: rounded half away from zero, or cut (ST-307).
 
-    Outside ``lowest`` … ``highest`` of its type 902065, or the low bits where the project says so.
+    Outside ``lowest`` … ``highest`` of its type 902270, or the low bits where the project says so.
     """
 
     def __init__(self, operand: Real, kind: int, rounding: int) -> None:

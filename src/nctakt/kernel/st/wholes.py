@@ -143,7 +143,7 @@ class PointedPlace(Whole):
 
 
 class ElementPlace(Whole):
-    """An element of an array whose first one is ``lowest``; 902061 outside it (ST-311)."""
+    """An element of an array whose first one is ``lowest``; 902266 outside it (ST-311)."""
 
     def __init__(self, address: Whole, index: Whole, lowest: int, count: int, stride: int) -> None:
         check_range(count, 0, kinds.MAX_MEMORY, "count")
@@ -226,7 +226,7 @@ class MultiplyWhole(BinaryWhole):
 
 
 class DivideWhole(Whole):
-    """``/`` and ``MOD``; 902060 for a zero divisor (ST-503)."""
+    """``/`` and ``MOD``; 902265 for a zero divisor (ST-503)."""
 
     def __init__(self, left: Whole, right: Whole, is_unsigned: bool, is_modulo: bool) -> None:
         self.left = left

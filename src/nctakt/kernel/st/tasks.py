@@ -1,0 +1,136 @@
+# SPDX-License-Identifier: MIT
+"""The tasks of a PLC in the tick (ST-801 … ST-805).
+
+After what the channels do in a tick the tasks that are due run, in order of their priorities; what
+they write counts from the next tick on (RC-002). The time of a task's cycle is that of the tick. A
+fault stops the PLC: no further cycle runs, and its output image stays (ST-560).
+"""
+
+from __future__ import annotations
+
+from nctakt.kernel.base.bounds import check_range
+from nctakt.kernel.st import kinds, words
+from nctakt.kernel.st.context import PlcContext
+from nctakt.kernel.st.steps import Step
+
+#: The longest cycle of a task, in ns.
+MAX_CYCLE_NS = 1 << 60
+
+
+class PlcTask:
+    """Base of a task, and null object at the end of the chain of tasks."""
+
+    def run(self, context: PlcContext, begin: int, end: int) -> int:
+        """Run the tasks that are due before ``end``, in ns; return whether all goes on."""
+        return kinds.GOES_ON
+
+
+class CyclicTask(PlcTask):
+    """A task with its programs; ``others`` are the tasks after it."""
+
+    def __init__(self, body: Step, cycle: int, max_steps: int, others: PlcTask) -> None:
+        check_range(cycle, 1, MAX_CYCLE_NS, "cycle")
+        check_range(max_steps, 1, 1 << 62, "instructions")
+        self.body = body
+        self.cycle = cycle
+        self.max_steps = max_steps
+        self.others = others
+        self.due = 0
+        self.count = 0
+
+    def run(self, context: PlcContext, begin: int, end: int) -> int:
+        if self.due < end:
+            while self.due < end:
+                self.due += self.cycle
+            context.begin(begin)
+            context.max_steps = self.max_steps
+            self.count += 1
+            if self.body.run(context) == kinds.STOPS:
+                return kinds.STOPS
+        return self.others.run(context, begin, end)
+
+
+class PlcSide:
+    """Base of a PLC in the tick, and null object: there is none.
+
+    ``has_news``: a fault that Python has not seen yet.
+    """
+
+    def __init__(self) -> None:
+        self.has_news = False
+
+    def run(self, tick: int) -> None:
+        """Run what is due in a tick."""
+
+
+class PlcTasks(PlcSide):
+    """All tasks of a PLC, with its inputs from outside, and the variables that are signals.
+
+    Its time begins with ``first_tick``; ``memory`` is that of the machine, with the signals' cells.
+    """
+
+    def __init__(
+        self, context: PlcContext, tasks: PlcTask, tick_ns: int, first_tick: int, memory: bytearray
+    ) -> None:
+        check_range(tick_ns, 1, MAX_CYCLE_NS, "tick")
+        check_range(first_tick, 0, 1 << 60, "first tick")
+        super().__init__()
+        self.context = context
+        self.tasks = tasks
+        self.tick_ns = tick_ns
+        self.first_tick = first_tick
+        self.cells = memoryview(memory).cast("d")
+        self.input_count = 0
+        self.input_address = memoryview(bytearray(8 * kinds.MAX_INPUTS)).cast("q")
+        self.input_byte = memoryview(bytearray(8 * kinds.MAX_INPUTS)).cast("q")
+        self.output_count = 0
+        self.output_address = memoryview(bytearray(8 * kinds.MAX_OUTPUTS)).cast("q")
+        self.output_kind = memoryview(bytearray(8 * kinds.MAX_OUTPUTS)).cast("q")
+        self.output_cell = memoryview(bytearray(8 * kinds.MAX_OUTPUTS)).cast("q")
+
+    def post(self, address: int, data: bytes) -> None:
+        """Put bytes into the image that the next cycle latches."""
+        check_range(address, kinds.NULL_BYTES, self.context.stack - len(data), "address")
+        check_range(len(data), 0, kinds.MAX_INPUTS - self.input_count, "number of bytes")
+        for i, byte in enumerate(data):
+            self.input_address[self.input_count] = address + i
+            self.input_byte[self.input_count] = byte
+            self.input_count += 1
+
+    def show(self, address: int, kind: int, cell: int) -> None:
+        """Show a variable in a cell of the machine's memory after each tick."""
+        check_range(address, kinds.NULL_BYTES, self.context.stack - 8, "address")
+        check_range(kind, kinds.BOOL, kinds.F64, "kind")
+        check_range(cell, 0, len(self.cells) - 1, "cell")
+        check_range(self.output_count, 0, kinds.MAX_OUTPUTS - 1, "number of signals")
+        self.output_address[self.output_count] = address
+        self.output_kind[self.output_count] = kind
+        self.output_cell[self.output_count] = cell
+        self.output_count += 1
+
+    def run(self, tick: int) -> None:
+        """Run the tasks that are due in a tick."""
+        begin = (tick - self.first_tick) * self.tick_ns
+        if self.context.fault == 0:
+            for i in range(self.input_count):
+                words.store(
+                    self.context.memory, self.input_address[i], kinds.U8, self.input_byte[i]
+                )
+            self.input_count = 0
+            if self.tasks.run(self.context, begin, begin + self.tick_ns) == kinds.STOPS:
+                self.has_news = True
+        self.show_outputs()
+
+    def show_outputs(self) -> None:
+        """Copy the variables that are signals into their cells."""
+        for i in range(self.output_count):
+            address = self.output_address[i]
+            kind = int(self.output_kind[i])
+            cell = self.output_cell[i]
+            if kind >= kinds.F32:
+                self.cells[cell] = words.load_real(self.context.memory, address, kind)
+            elif kind == kinds.U64:
+                value = words.load(self.context.memory, address, kind)
+                self.cells[cell] = words.real_of_unsigned(value)
+            else:
+                self.cells[cell] = words.load(self.context.memory, address, kind)

@@ -1,0 +1,126 @@
+# SPDX-License-Identifier: MIT
+"""Messages about the run of a PLC in Structured Text (ST-560)."""
+
+from __future__ import annotations
+
+from nctakt.messages.catalogue import error
+
+_VALUES = ("values of the statement's variables", "Werte der Variablen der Anweisung")
+_CALLS = ("the calls that led to it", "die Aufrufe, die dorthin geführt haben")
+_TIME = ("time of the PLC's cycle", "Zeit des SPS-Zyklus")
+
+DIVISION_BY_ZERO = error(
+    902265,
+    en="the PLC stops at {time}: division by zero; {values}{calls}",
+    de="die SPS hält bei {time}: Division durch null; {values}{calls}",
+    remedy_en="Ask for zero before the division.",
+    remedy_de="Vor der Division auf null abfragen.",
+    values=_VALUES,
+    calls=_CALLS,
+    time=_TIME,
+)
+PLC_INDEX_OUTSIDE = error(
+    902266,
+    en="the PLC stops at {time}: index {index} is outside of its array; {values}{calls}",
+    de="die SPS hält bei {time}: Index {index} liegt außerhalb seines Felds; {values}{calls}",
+    remedy_en="Keep the index within the bounds of the array.",
+    remedy_de="Den Index in den Grenzen des Felds halten.",
+    index=("the index", "der Index"),
+    values=_VALUES,
+    calls=_CALLS,
+    time=_TIME,
+)
+POINTER_OUTSIDE = error(
+    902267,
+    en="the PLC stops at {time}: a pointer, reference or interface is null or points outside; "
+    "{values}{calls}",
+    de="die SPS hält bei {time}: Zeiger, Referenz oder Schnittstelle ist null oder zeigt "
+    "nach außen; {values}{calls}",
+    remedy_en="Assign it before; ask for 0 or with __ISVALIDREF.",
+    remedy_de="Vorher zuweisen; auf 0 oder mit __ISVALIDREF abfragen.",
+    values=_VALUES,
+    calls=_CALLS,
+    time=_TIME,
+)
+STACK_FULL = error(
+    902268,
+    en="the PLC stops at {time}: its stack is full after {depth} calls within each other{calls}",
+    de="die SPS hält bei {time}: ihr Stapel ist voll nach {depth} Aufrufen ineinander{calls}",
+    remedy_en="End the recursion, or make local arrays smaller.",
+    remedy_de="Die Rekursion beenden oder lokale Felder verkleinern.",
+    depth=("number of open calls", "Zahl der offenen Aufrufe"),
+    calls=_CALLS,
+    time=_TIME,
+)
+TOO_MANY_INSTRUCTIONS = error(
+    902269,
+    en="the PLC stops at {time}: more than {limit} instructions in a cycle; {values}{calls}",
+    de="die SPS hält bei {time}: mehr als {limit} Anweisungen in einem Zyklus; {values}{calls}",
+    remedy_en="Let the loop end, or spread its work over several cycles.",
+    remedy_de="Die Schleife enden lassen oder ihre Arbeit auf mehrere Zyklen verteilen.",
+    limit=("highest number of elementary instructions", "Höchstzahl elementarer Anweisungen"),
+    values=_VALUES,
+    calls=_CALLS,
+    time=_TIME,
+)
+CONVERSION_OUTSIDE = error(
+    902270,
+    en="the PLC stops at {time}: a real number does not fit the whole type; {values}{calls}",
+    de="die SPS hält bei {time}: eine reelle Zahl passt nicht in den ganzzahligen Typ; "
+    "{values}{calls}",
+    remedy_en="Limit the value before its conversion.",
+    remedy_de="Den Wert vor der Umwandlung begrenzen.",
+    values=_VALUES,
+    calls=_CALLS,
+    time=_TIME,
+)
+STEP_ZERO = error(
+    902271,
+    en="the PLC stops at {time}: the step of FOR is 0; {values}{calls}",
+    de="die SPS hält bei {time}: die Schrittweite von FOR ist 0; {values}{calls}",
+    remedy_en="Give a step that is not 0.",
+    remedy_de="Eine Schrittweite ungleich 0 angeben.",
+    values=_VALUES,
+    calls=_CALLS,
+    time=_TIME,
+)
+INVALID_OPERATION = error(
+    902260,
+    en="the PLC stops at {time}: invalid operation with real numbers; {values}{calls}",
+    de="die SPS hält bei {time}: ungültige Operation mit reellen Zahlen; {values}{calls}",
+    remedy_en="Ask for the range of the operands before: no root of a negative number.",
+    remedy_de="Vorher den Bereich der Operanden abfragen: keine Wurzel negativer Zahlen.",
+    values=_VALUES,
+    calls=_CALLS,
+    time=_TIME,
+)
+NOT_TRANSLATED = error(
+    902261,
+    en="{what} does not run here yet",
+    de="{what} läuft hier noch nicht",
+    remedy_en="Use something else, or give a stub of that name in a .st file.",
+    remedy_de="Etwas anderes verwenden oder einen Ersatz dieses Namens in einer .st-Datei angeben.",
+    what=("a construct or a library's function", "ein Konstrukt oder eine Bibliotheksfunktion"),
+)
+PLC_VALUE_REFUSED = error(
+    902262,
+    en="{name} of type {type} cannot hold {value}",
+    de="{name} vom Typ {type} kann {value} nicht aufnehmen",
+    remedy_en="Give a value of that type.",
+    remedy_de="Einen Wert dieses Typs angeben.",
+)
+NO_TASK = error(
+    902263,
+    en="{file} has no program that a task calls",
+    de="{file} hat kein Programm, das eine Task aufruft",
+    remedy_en="Declare a PROGRAM MAIN, or a task with its programs.",
+    remedy_de="Ein PROGRAM MAIN deklarieren oder eine Task mit ihren Programmen.",
+)
+SEVERAL_PLC_PROJECTS = error(
+    902264,
+    en="{file} has several PLC projects: {names}",
+    de="{file} hat mehrere SPS-Projekte: {names}",
+    remedy_en="Name the .plcproj of one of them.",
+    remedy_de="Die .plcproj eines davon angeben.",
+    names=("the projects", "die Projekte"),
+)

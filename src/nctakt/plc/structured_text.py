@@ -1,0 +1,267 @@
+# SPDX-License-Identifier: MIT
+"""A PLC in Structured Text as the PLC of a run (ST-560, ST-801 … ST-805).
+
+In: a ``.plcproj``, or a file with Structured Text. Out: a PLC whose tasks run in the tick. It is
+translated anew for each run, so that each run begins with its initial values.
+"""
+
+from __future__ import annotations
+
+import struct
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from nctakt.base.diagnostics import Diagnostic, Severity, Span
+from nctakt.base.failure import Failure
+from nctakt.base.mode import is_compiled
+from nctakt.kernel.st import kinds
+from nctakt.kernel.st.steps import steps_in_order
+from nctakt.kernel.st.tasks import CyclicTask, PlcTask, PlcTasks
+from nctakt.messages import Collector, diagnostic
+from nctakt.messages.plc_code import (
+    CONVERSION_OUTSIDE,
+    DIVISION_BY_ZERO,
+    INVALID_OPERATION,
+    NO_TASK,
+    NOT_TRANSLATED,
+    PLC_INDEX_OUTSIDE,
+    PLC_VALUE_REFUSED,
+    POINTER_OUTSIDE,
+    SEVERAL_PLC_PROJECTS,
+    STACK_FULL,
+    STEP_ZERO,
+    TOO_MANY_INSTRUCTIONS,
+)
+from nctakt.plc.error import PlcError
+from nctakt.plc.recursion import allow_depth
+from nctakt.run.realtime_plc import RealtimePlc
+from nctakt.st.inspection import inspect_paths
+from nctakt.st.program import Program
+from nctakt.st.types import EnumType, StringType
+from nctakt.translation.layout import as_word, is_real, kind_of
+from nctakt.translation.project import Translation, translate
+from nctakt.translation.variables import PlacedVariable, find_variable
+
+if TYPE_CHECKING:
+    from nctakt.run.assembly import AssembledMachine
+    from nctakt.run.machine_names import SignalCell
+
+#: Elementary instructions per µs of a task's cycle (ST-830).
+_STEPS_PER_US = 1000
+_MESSAGES = {
+    kinds.DIVISION: DIVISION_BY_ZERO,
+    kinds.INDEX: PLC_INDEX_OUTSIDE,
+    kinds.PLACE: POINTER_OUTSIDE,
+    kinds.STACK: STACK_FULL,
+    kinds.BUDGET: TOO_MANY_INSTRUCTIONS,
+    kinds.CONVERSION: CONVERSION_OUTSIDE,
+    kinds.STEP: STEP_ZERO,
+    kinds.INVALID: INVALID_OPERATION,
+}
+
+
+def load_structured(path: str | Path) -> StructuredPlc:
+    """Return the PLC of a project or a file; raises ``PlcError`` with all its mistakes."""
+    collector = Collector()
+    programs = inspect_paths([Path(path)], _read, collector)
+    errors = [one for one in collector.diagnostics if one.severity is Severity.ERROR]
+    if errors:
+        raise PlcError(*errors)
+    if len(programs) > 1:
+        names = ", ".join(one.name for one in programs)
+        raise PlcError(diagnostic(SEVERAL_PLC_PROJECTS, file=str(path), names=names))
+    if not programs or not any(task.programs for task in programs[0].tasks):
+        raise PlcError(diagnostic(NO_TASK, file=str(path)))
+    plc = StructuredPlc(programs[0], collector.diagnostics)
+    refused = [_refusal(programs[0], one.node.start, one.what) for one in plc.translated.refused]
+    if refused:
+        raise PlcError(*refused)
+    return plc
+
+
+def _read(path: Path) -> bytes | None:
+    return path.read_bytes()
+
+
+def _refusal(program: Program, start: int, what: str) -> Diagnostic:
+    return diagnostic(NOT_TRANSLATED, _span(program, start), what=what)
+
+
+def _span(program: Program, start: int) -> Span | None:
+    return program.sources.span(start, start + 1)
+
+
+class StructuredPlc(RealtimePlc):
+    """A PLC in Structured Text, and its variables by their paths."""
+
+    def __init__(self, program: Program, findings: Sequence[Diagnostic]) -> None:
+        self._program = program
+        self._findings = findings
+        self.translated: Translation = translate(program)
+        self._tasks: PlcTasks | None = None
+        self._machine: AssembledMachine | None = None
+        self._is_fresh = True
+
+    def notes(self) -> Sequence[Diagnostic]:
+        """Return the warnings about its text."""
+        return self._findings
+
+    def attach(self, machine: AssembledMachine) -> StructuredPlc:
+        """Begin anew on a machine: initial values, FB_init, then the tasks from its next tick."""
+        if not self._is_fresh:
+            self.translated = translate(self._program)
+        self._is_fresh = False
+        if not is_compiled():
+            allow_depth()
+        context = self.translated.context
+        kernel = machine.kernel
+        tasks = PlcTask()
+        for task in sorted(self._program.tasks, key=_priority, reverse=True):
+            bodies = [self.translated.bodies[pou.name.lower()] for pou in task.programs]
+            limit = task.cycle_us * _STEPS_PER_US
+            body = steps_in_order(bodies)
+            tasks = CyclicTask(body, 1000 * task.cycle_us, limit, tasks)
+        tick_ns = 1000 * machine.configuration.cycle_time_us
+        self._tasks = PlcTasks(context, tasks, tick_ns, kernel.tick, machine.memory)
+        self._machine = machine
+        context.begin(0)
+        self.translated.start.execute(context)
+        if context.fault:
+            raise PlcError(self._fault())
+        kernel.attach_plc(self._tasks)
+        return self
+
+    def news(self) -> Sequence[Diagnostic]:
+        """Return the fault that has stopped it, once."""
+        if self._tasks is None or not self._tasks.has_news:
+            return ()
+        self._tasks.has_news = False
+        return [self._fault()]
+
+    def _fault(self) -> Diagnostic:
+        context = self.translated.context
+        message = _MESSAGES[context.fault]
+        words: dict[str, str] = {"time": f"{context.now / 1e6:g} ms", "calls": self._calls()}
+        if context.fault == kinds.INDEX:
+            words["index"] = str(context.fault_a)
+        if context.fault == kinds.BUDGET:
+            words["limit"] = str(context.fault_a)
+        if context.fault == kinds.STACK:
+            words["depth"] = str(context.fault_a)
+        else:
+            words["values"] = self._values(context.fault_source)
+        return diagnostic(message, _span(self._program, context.fault_source), **words)
+
+    def _calls(self) -> str:
+        context = self.translated.context
+        shown = []
+        for source in context.trail[: context.trail_length : 2]:
+            span = _span(self._program, source)
+            if span is not None:
+                shown.append(f"{span.file}:{span.line}")
+        return "".join(f" < {one}" for one in shown[:-1])
+
+    def _values(self, start: int) -> str:
+        """Return the values of the names in the line of a statement, as far as they are known."""
+        span = _span(self._program, start)
+        if span is None:
+            return ""
+        line = self._program.sources.line(span.file, span.line)
+        found = dict(self._shown(line))
+        return ", ".join(f"{name} = {value}" for name, value in found.items()) or "-"
+
+    def _shown(self, line: str) -> Iterator[tuple[str, object]]:
+        programs = [pou.name for task in self._program.tasks for pou in task.programs]
+        for name in _words(line):
+            for prefix in ("", *(f"{one}." for one in programs)):
+                variable = find_variable(self._program, prefix + name)
+                if variable is not None and kind_of(variable.type) is not None:
+                    yield name, self._value(variable)
+                    break
+
+    # --- variables by their paths
+
+    def knows(self, name: str) -> bool:
+        """Return whether a name is the path of a variable."""
+        return find_variable(self._program, name) is not None
+
+    def read(self, name: str) -> float | bool | str:
+        """Return the value of a variable; raises ``KeyError`` for an unknown one."""
+        variable = find_variable(self._program, name)
+        if variable is None:
+            raise KeyError(name)
+        return self._value(variable)
+
+    def _value(self, variable: PlacedVariable) -> float | bool | str:
+        context, sought = self.translated.context, variable.type
+        data = context.peek(variable.address, max(sought.size, 1))
+        if isinstance(sought, StringType):
+            return data.split(b"\0")[0].decode("latin-1")
+        kind = kind_of(sought)
+        if kind is None:
+            return data.hex(" ")
+        if is_real(sought):
+            number: float = struct.unpack("<f" if sought.size == 4 else "<d", data)[0]
+            return number
+        whole = int.from_bytes(data, "little", signed=kinds.I8 <= kind <= kinds.I64)
+        if variable.bit >= 0:
+            return bool(whole >> variable.bit & 1)
+        if isinstance(sought, EnumType):
+            names = (one.name for one in sought.values.values() if one.number == whole)
+            return next((f"{sought.name}.{name}" for name in names), whole)
+        return bool(whole) if kind == kinds.BOOL else whole
+
+    def check(self, name: str, value: float | bool | str) -> bytes:
+        """Return the bytes of a value; raises ``Failure`` where the variable cannot hold it."""
+        variable = find_variable(self._program, name)
+        if variable is None:
+            raise KeyError(name)
+        sought, kind = variable.type, kind_of(variable.type)
+        if isinstance(sought, StringType) and isinstance(value, str):
+            return value.encode("latin-1", "replace")[: sought.length] + b"\0"
+        if kind is None or isinstance(value, str) or variable.bit >= 0:
+            refused = diagnostic(PLC_VALUE_REFUSED, name=name, type=sought.name, value=value)
+            raise Failure(refused)
+        if is_real(sought):
+            return struct.pack("<f" if sought.size == 4 else "<d", float(value))
+        low, high = getattr(sought, "low", 0), getattr(sought, "high", (1 << 8 * sought.size) - 1)
+        if value != int(value) or not low <= value <= high:
+            refused = diagnostic(PLC_VALUE_REFUSED, name=name, type=sought.name, value=value)
+            raise Failure(refused)
+        return struct.pack("<q", as_word(int(value)))[: sought.size]
+
+    def write(self, name: str, value: float | bool | str) -> None:
+        """Set a variable from the next cycle on."""
+        data = self.check(name, value)
+        variable = find_variable(self._program, name)
+        if variable is not None and self._tasks is not None:
+            self._tasks.post(variable.address, data)
+
+    def signal(self, name: str) -> SignalCell | None:
+        """Return where a variable is shown in each tick; ``None`` for what is no number."""
+        variable = find_variable(self._program, name)
+        kind = None if variable is None else kind_of(variable.type)
+        if variable is None or kind is None or self._tasks is None or self._machine is None:
+            return None
+        cell = self._machine.free_signal_cell()
+        if cell is None:
+            return None
+        self._tasks.show(variable.address, kind, cell)
+        return cell, "", not is_real(variable.type)
+
+
+def _priority(task: object) -> int:
+    return int(getattr(task, "priority", 0))
+
+
+def _words(line: str) -> list[str]:
+    word, found = "", []
+    for character in f"{line} ":
+        if character.isalnum() or character in "_.":
+            word += character
+        else:
+            if word[:1].isalpha() or word[:1] == "_":
+                found.append(word.strip("."))
+            word = ""
+    return found

@@ -1,0 +1,138 @@
+# SPDX-License-Identifier: MIT
+"""What all parts of a translated body share: the project, the frame, and who does what.
+
+The classes that translate locations, values, calls and statements derive from each other in that
+order; what an earlier one needs of a later one is declared here.
+"""
+
+from __future__ import annotations
+
+from typing import Protocol
+
+from nctakt.kernel.st.calls import Callee, Routine
+from nctakt.kernel.st.reals import Real
+from nctakt.kernel.st.steps import Step
+from nctakt.kernel.st.texts import StringPart
+from nctakt.kernel.st.wholes import Whole
+from nctakt.st.tree import Call, CallKind
+from nctakt.st.types import (
+    BlockType,
+    Callable,
+    Expression,
+    InterfaceType,
+    Node,
+    Pou,
+    ReferenceType,
+    Type,
+    Variable,
+)
+from nctakt.translation.frames import Frame
+from nctakt.translation.layout import Layout
+from nctakt.translation.locations import Location
+
+
+class CannotRunError(Exception):
+    """What is valid and does not run here: where it stands and what it is called."""
+
+    def __init__(self, node: Node, what: str) -> None:
+        super().__init__(what)
+        self.node = node
+        self.what = what
+
+
+class Routines(Protocol):
+    """The project as a body sees it: the routine of what is called, and its memory."""
+
+    layout: Layout
+
+    def routine(self, called: Callable) -> Routine:
+        """Return the routine of a function, method or body."""
+
+    def shared_bytes(self, called: Callable) -> int:
+        """Return the bytes of its frame that the caller fills."""
+
+    def virtual(self, called: Callable, declared: Pou | InterfaceType) -> Callee:
+        """Return what finds the routine by the type of the instance."""
+
+    def exact(self, called: Callable, declared: Pou) -> Callee:
+        """Return the routine that instances of exactly this type have."""
+
+    def image_of_variable(self, variable: Variable) -> bytes:
+        """Return the bytes of a variable as it begins."""
+
+    def starter(self, pou: Pou) -> Routine:
+        """Return the routine that begins the members of an instance."""
+
+    def number_of(self, pou: Pou) -> int:
+        """Return the number that an instance of a block begins with."""
+
+
+class Body:
+    """The state of a translation, and what its parts do for each other."""
+
+    def __init__(self, project: Routines, called: Callable, pou: Pou | None) -> None:
+        self.project = project
+        self.layout = project.layout
+        self.called = called
+        #: The block or program whose variables are seen; ``None`` in functions.
+        self.pou = pou
+        self.frame = Frame(called.frame_size)
+        #: Nodes of the statement at work: its cost.
+        self.cost = 0
+
+    def whole(self, expression: Expression) -> Whole:
+        """Return the node of a whole number, a truth or an address."""
+        raise NotImplementedError
+
+    def real(self, expression: Expression) -> Real:
+        """Return the node of a real number; of a whole one converted."""
+        raise NotImplementedError
+
+    def text(self, expression: Expression) -> StringPart:
+        """Return a text."""
+        raise NotImplementedError
+
+    def location(self, expression: Expression) -> Location:
+        """Return where a variable, or a result that is kept, lies."""
+        raise NotImplementedError
+
+    def call_location(self, call: Call) -> Location:
+        """Return where the result of a call is kept."""
+        raise NotImplementedError
+
+    def built_in(self, call: Call) -> Whole | Real | StringPart:
+        """Return the node of a standard function."""
+        raise NotImplementedError
+
+    def assign(self, target: Location, value: Expression, source: int) -> Step:
+        """Return the statement that assigns a value, converted where it widens."""
+        raise NotImplementedError
+
+    def take_cost(self) -> int:
+        """Return the number of nodes since the last statement, and begin to count anew."""
+        cost, self.cost = max(self.cost, 1), 0
+        return cost
+
+
+def value_type(expression: Expression) -> Type:
+    """Return the type of a value; of a reference that of what it refers to."""
+    found = expression.type
+    if isinstance(found, ReferenceType):
+        found = found.target
+    if found is None:
+        raise CannotRunError(expression, "an expression without a type")
+    return found
+
+
+def block_of(found: Type) -> Pou | InterfaceType | None:
+    """Return the block or the interface that a type is."""
+    if isinstance(found, BlockType):
+        return found.pou
+    return found if isinstance(found, InterfaceType) else None
+
+
+def is_standard(call: Call) -> bool:
+    """Return whether a call is one of a standard function or a conversion."""
+    if call.kind is CallKind.FUNCTION:
+        return call.target is not None and call.target.is_native
+    return call.kind in (CallKind.BUILT_IN, CallKind.CONVERSION)

@@ -1,0 +1,284 @@
+# SPDX-License-Identifier: MIT
+"""A checked program -> routines and memory: what a PLC task runs.
+
+In: ``st.program.Program`` without errors. Out: ``Translation``: a context with its memory, the
+routine that runs before the first cycle, and those of the programs. Only what a task reaches is
+translated; what cannot run there is told by name.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from nctakt.base.dataclass import dataclass
+from nctakt.kernel.st.calls import Call as CallNode
+from nctakt.kernel.st.calls import Callee, Routine, callee_of
+from nctakt.kernel.st.context import PlcContext
+from nctakt.kernel.st.steps import Evaluate, Step, StepPair, steps_in_order
+from nctakt.kernel.st.wholes import WholeConstant
+from nctakt.st.program import Program
+from nctakt.st.types import (
+    Callable,
+    Expression,
+    InterfaceType,
+    Kind,
+    Method,
+    Pou,
+    Storage,
+    Variable,
+)
+from nctakt.translation.body import CannotRunError
+from nctakt.translation.initial_values import Images
+from nctakt.translation.initialisation import Initialisation
+from nctakt.translation.layout import Layout, lay_out_frame
+
+
+@dataclass(slots=True, eq=False)
+class Translation:
+    """A program that can run; ``refused`` is what cannot, with its location."""
+
+    program: Program
+    context: PlcContext
+    start: Step
+    bodies: dict[str, Step]  # of the programs of the tasks, by their names in lower case
+    refused: list[CannotRunError]
+
+
+def translate(program: Program) -> Translation:
+    """Translate what the tasks of a checked program reach."""
+    project = _Project(program)
+    start = project.start()
+    bodies = {
+        pou.name.lower(): project.body_of(pou) for task in program.tasks for pou in task.programs
+    }
+    project.complete()
+    return Translation(program, project.layout.context(), start, bodies, project.refused)
+
+
+class _Project:
+    """The routines and the memory of a program while they are made."""
+
+    def __init__(self, program: Program) -> None:
+        self.program = program
+        self.layout = Layout(program.data_size)
+        self.refused: list[CannotRunError] = []
+        self._blocks = [one for one in program.pous.values() if one.type is not None]
+        self._numbers = _numbered(self._blocks)
+        self._images = Images(self.number_of)
+        self._routines: dict[int, Routine] = {}
+        self._shared: dict[int, int] = {}
+        self._starters: dict[int, Routine] = {}
+        self._waiting: list[tuple[Routine, Callable, Pou | None, bool]] = []
+        self._owners = _owners(self._blocks)
+        self._names = _names(program, self._blocks)
+        self._kept: list[object] = []
+
+    # --- what bodies ask for
+
+    def number_of(self, pou: Pou) -> int:
+        """Return the number that an instance of a block begins with."""
+        return self._numbers.get(id(pou), 0)
+
+    def image_of_variable(self, variable: Variable) -> bytes:
+        """Return the bytes of a variable as it begins."""
+        return self._images.of_variable(variable)
+
+    def routine(self, called: Callable) -> Routine:
+        """Return the routine of a function, method or body."""
+        found = self._routines.get(id(called))
+        if found is None:
+            found = self._routines[id(called)] = Routine()
+            self._kept.append(called)
+            self.shared_bytes(called)
+            owner = self._owners.get(id(called))
+            self._waiting.append((found, called, owner, False))
+        return found
+
+    def shared_bytes(self, called: Callable) -> int:
+        """Return the bytes of its frame that the caller fills."""
+        found = self._shared.get(id(called))
+        if found is None:
+            found = self._shared[id(called)] = lay_out_frame(called)
+            self._kept.append(called)
+        return found
+
+    def starter(self, pou: Pou) -> Routine:
+        """Return the routine that begins the members of an instance."""
+        found = self._starters.get(id(pou))
+        if found is None:
+            found = self._starters[id(pou)] = Routine()
+            self._waiting.append((found, Callable(pou.name, f"{pou.name}"), pou, True))
+        return found
+
+    def exact(self, called: Callable, declared: Pou) -> Callee:
+        """Return the routine that instances of exactly this type have."""
+        return self.routine(self._resolved(declared, called))
+
+    def virtual(self, called: Callable, declared: Pou | InterfaceType) -> Callee:
+        """Return what finds the routine by the type of the instance."""
+        ranges: list[tuple[int, int, Callee]] = []
+        for pou in self._candidates(declared):
+            method = self._resolved(pou, called)
+            if isinstance(method, Method) and method.is_abstract:
+                continue
+            number, routine = self.number_of(pou), self.routine(method)
+            if ranges and ranges[-1][1] == number - 1 and ranges[-1][2] is routine:
+                ranges[-1] = (ranges[-1][0], number, routine)
+            else:
+                ranges.append((number, number, routine))
+        return callee_of(ranges)
+
+    def _candidates(self, declared: Pou | InterfaceType) -> list[Pou]:
+        if isinstance(declared, InterfaceType):
+            found = [one for one in self._blocks if declared in _interfaces(one)]
+        else:
+            found = [one for one in self._blocks if declared in one.bases()]
+        instances = [one for one in found if not one.is_abstract]
+        return sorted(instances, key=self.number_of)
+
+    def _resolved(self, pou: Pou, called: Callable) -> Callable:
+        """Return what instances of a block have under the name of a method, or their body."""
+        if isinstance(called, Pou):
+            return pou
+        name, accessor = self._names[id(called)]
+        if not accessor:
+            return pou.find_method(name) or called
+        for one in pou.bases():
+            found = one.properties.get(name)
+            method = getattr(found, accessor) if found is not None else None
+            if isinstance(method, Method):
+                return method
+        return called
+
+    # --- the whole
+
+    def body_of(self, pou: Pou) -> Step:
+        """Return the statement that calls a program of a task."""
+        instance = WholeConstant(self.layout.address(pou.instance))
+        call = CallNode(self.routine(pou), instance, 0, Step(), Step(), True, pou.start)
+        return Evaluate(call, pou.start, 1)
+
+    def start(self) -> Step:
+        """Put constant initial values into the data; return what runs before the first cycle."""
+        frame = Callable("start", "start")
+        body = Initialisation(self, frame, None)
+        steps: list[Step] = []
+        for one in self._variables():
+            self._put(one.offset, self._images.of_variable(one))
+        for pou in self._blocks:
+            if pou.kind is Kind.PROGRAM and pou.type is not None:
+                self._put(pou.instance, self._images.of_type(pou.type))
+        for one in self._variables():
+            steps += self._tried(body, one)
+            body.frame.release()
+        for pou in self._blocks:
+            if pou.kind is Kind.PROGRAM:
+                instance = WholeConstant(self.layout.address(pou.instance))
+                call = CallNode(self.starter(pou), instance, 0, Step(), Step(), True, pou.start)
+                steps.append(Evaluate(call, pou.start, 1))
+        routine = Routine()
+        routine.complete(0, body.frame.size, steps_in_order(steps))
+        return Evaluate(CallNode(routine, WholeConstant(0), 0, Step(), Step(), False, 0), 0, 1)
+
+    def _tried(self, body: Initialisation, variable: Variable) -> list[Step]:
+        location = body.variable_location(variable, nowhere(variable.start))
+        try:
+            return body.start(location, variable, variable.start)
+        except CannotRunError as error:
+            self.refused.append(error)
+            return []
+
+    def _put(self, offset: int, image: bytes) -> None:
+        self.layout.data[offset : offset + len(image)] = image
+
+    def _variables(self) -> Iterator[Variable]:
+        """Yield all variables of the data area but those of programs, in order of their begin."""
+        seen = set()
+        for one in self.program.initial_order:
+            seen.add(id(one))
+            yield one
+        for group in self.program.lists:
+            yield from (one for one in group.variables.values() if id(one) not in seen)
+        for called in self._callables():
+            for one in called.variables.values():
+                if one.storage is Storage.GLOBAL and id(one) not in seen:
+                    yield one
+
+    def _callables(self) -> Iterator[Callable]:
+        for pou in self.program.pous.values():
+            yield pou
+            yield from methods_of(pou)
+
+    def complete(self) -> None:
+        """Translate the bodies of all routines that are called."""
+        while self._waiting:
+            routine, called, owner, is_start = self._waiting.pop(0)
+            if called.frame_size == 0:
+                self.shared_bytes(called)
+            body = Initialisation(self, called, owner)
+            try:
+                if is_start and owner is not None:
+                    step = body.members(owner)
+                else:
+                    step = StepPair(body.prologue(), body.statements(called.body))
+            except CannotRunError as error:
+                self.refused.append(error)
+                continue
+            routine.complete(self.shared_bytes(called), body.frame.size, step)
+
+
+def nowhere(start: int) -> Expression:
+    """Return an expression that only has a position."""
+    return Expression(start, start)
+
+
+def methods_of(pou: Pou) -> Iterator[Method]:
+    """Yield the methods, actions and accessors that a block declares itself."""
+    yield from pou.methods.values()
+    for one in pou.properties.values():
+        yield from (method for method in (one.get, one.set) if method is not None)
+
+
+def _owners(blocks: list[Pou]) -> dict[int, Pou]:
+    """Return whose variables each body and each method of a block sees."""
+    found = {id(pou): pou for pou in blocks}
+    for pou in blocks:
+        found |= {id(method): pou for method in methods_of(pou)}
+    return found
+
+
+def _numbered(blocks: list[Pou]) -> dict[int, int]:
+    """Number blocks from 1 so that those derived from one follow it directly."""
+    numbers: dict[int, int] = {}
+    derived: dict[int, list[Pou]] = {}
+    for pou in blocks:
+        derived.setdefault(id(pou.base), []).append(pou)
+    waiting = list(reversed(derived.get(id(None), [])))
+    while waiting:
+        pou = waiting.pop()
+        numbers[id(pou)] = len(numbers) + 1
+        waiting += reversed(derived.get(id(pou), []))
+    return numbers
+
+
+def _names(program: Program, blocks: list[Pou]) -> dict[int, tuple[str, str]]:
+    """Return for each method its lower-case name and, of a property, which accessor it is."""
+    found: dict[int, tuple[str, str]] = {}
+    owners: list[Pou | InterfaceType] = [*blocks, *program.interfaces.values()]
+    for owner in owners:
+        found |= {id(method): (name, "") for name, method in owner.methods.items()}
+        for name, one in owner.properties.items():
+            found |= {id(one.get): (name, "get"), id(one.set): (name, "set")}
+    return found
+
+
+def _interfaces(pou: Pou) -> list[InterfaceType]:
+    """Return all interfaces that a block implements, also by its bases and theirs."""
+    waiting = [one for block in pou.bases() for one in block.interfaces]
+    found: list[InterfaceType] = []
+    while waiting:
+        one = waiting.pop()
+        if one not in found:
+            found.append(one)
+            waiting += one.bases
+    return found

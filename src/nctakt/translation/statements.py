@@ -1,0 +1,209 @@
+# SPDX-License-Identifier: MIT
+"""Statements -> trees that run themselves (ST-510 … ST-514)."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from nctakt.kernel.st import branching, kinds
+from nctakt.kernel.st.calls import Call as CallNode
+from nctakt.kernel.st.reals import Real
+from nctakt.kernel.st.steps import (
+    CopyBytes,
+    Evaluate,
+    EvaluateReal,
+    Leave,
+    Step,
+    StoreBit,
+    steps_in_order,
+)
+from nctakt.kernel.st.texts import AssignString, StringPart
+from nctakt.kernel.st.wholes import Whole, WholeConstant
+from nctakt.st import tree
+from nctakt.st.types import (
+    Expression,
+    InterfaceType,
+    Property,
+    Statement,
+    StringType,
+)
+from nctakt.translation.body import CannotRunError, is_standard
+from nctakt.translation.calls import Calls
+from nctakt.translation.layout import is_real, kind_of
+from nctakt.translation.locations import Location
+
+
+class Statements(Calls):
+    """The statements of a body."""
+
+    def statements(self, written: Sequence[Statement]) -> Step:
+        """Return statements in order."""
+        return steps_in_order([self.statement(one) for one in written])
+
+    def statement(self, written: Statement) -> Step:
+        """Return a statement; what it keeps for a while is free after it."""
+        step = self._statement(written)
+        self.frame.release()
+        return step
+
+    def _statement(self, written: Statement) -> Step:
+        source = written.start
+        match written:
+            case tree.Assignment():
+                return self._assignment(written)
+            case tree.CallStatement(call=call):
+                return self._call_statement(call, source)
+            case tree.If():
+                return self._if(written)
+            case tree.Case():
+                return self._case(written)
+            case tree.For():
+                return self._for(written)
+            case tree.While(condition=condition, body=body):
+                truth, cost = self.whole(condition), self.take_cost()
+                return branching.While(truth, self.statements(body), source, cost)
+            case tree.Repeat(condition=condition, body=body):
+                inner = self.statements(body)
+                return branching.Repeat(self.whole(condition), inner, source, self.take_cost())
+            case tree.Exit():
+                return Leave(kinds.EXITS, source)
+            case tree.Continue():
+                return Leave(kinds.CONTINUES, source)
+            case tree.Return():
+                return Leave(kinds.RETURNS, source)
+        raise CannotRunError(written, "such a statement")
+
+    def _assignment(self, written: tree.Assignment) -> Step:
+        value, source = written.value, written.start
+        if isinstance(value, tree.AssignmentExpression):
+            inner = tree.Assignment(value.start, value.end, value.target, ":=", value.assigned)
+            outer = tree.Assignment(
+                written.start, written.end, written.target, written.operator, value.target
+            )
+            return steps_in_order([self._assignment(inner), self._assignment(outer)])
+        target = written.target
+        if isinstance(target, tree.Name | tree.Member) and isinstance(target.target, Property):
+            return self.set_property(target, value, source)
+        if written.operator == "REF=":
+            address = self.address_or_null(value)
+            return self.slot(target).store(address, source, self.take_cost(), self.layout.data_end)
+        if written.operator in ("S=", "R="):
+            truth = self.whole(value)
+            location, cost = self.location(target), self.take_cost()
+            constant = WholeConstant(1 if written.operator == "S=" else 0)
+            store = self.store(location, constant, source, 1)
+            return branching.Alternative(truth, store, source, cost)
+        return self.assign(self.location(target), value, source)
+
+    def store(self, location: Location, value: Whole, source: int, cost: int) -> Step:
+        """Return the assignment of a whole number, or of a bit."""
+        if location.bit >= 0:
+            return StoreBit(location.address(), location.kind, location.bit, value, source, cost)
+        return location.store(value, source, cost, self.layout.data_end)
+
+    def assign(self, target: Location, value: Expression, source: int) -> Step:
+        found = target.type
+        if isinstance(found, StringType):
+            if found.is_wide:
+                raise CannotRunError(value, "WSTRING")
+            address, text = target.address(), self.text(value)
+            return AssignString(address, found.length, text, source, self.take_cost())
+        if is_real(found):
+            number = self.real(value)
+            return target.store_real(number, source, self.take_cost(), self.layout.data_end)
+        if isinstance(found, InterfaceType):
+            address = self.address_or_null(value)
+            return self.store(target, address, source, self.take_cost())
+        if kind_of(found) is not None:
+            node = self.whole(value)
+            return self.store(target, node, source, self.take_cost())
+        if isinstance(value, tree.ArrayInitial | tree.StructInitial):
+            return self.fill_parts(target, value, source)
+        origin = self.location(value).address()
+        return CopyBytes(target.address(), origin, found.size, source, self.take_cost())
+
+    def fill_parts(
+        self, target: Location, value: tree.ArrayInitial | tree.StructInitial, source: int
+    ) -> Step:
+        """Return the statements that give a structure or an array its initial values."""
+        raise NotImplementedError
+
+    def evaluated(self, node: Whole, source: int) -> Step:
+        return Evaluate(node, source, self.take_cost())
+
+    def address_or_null(self, value: Expression) -> Whole:
+        """Return the address of an instance or variable; 0 and null stay."""
+        if value.value is not None and not isinstance(value.value, bytes):
+            return WholeConstant(int(value.value))
+        if isinstance(value.type, InterfaceType):
+            return self.whole(value)
+        return self.pointer_of(value)
+
+    def _call_statement(self, call: tree.Call, source: int) -> Step:
+        if is_standard(call):
+            node = self.built_in(call)
+            if isinstance(node, StringPart):
+                return Evaluate(node.address, source, self.take_cost())
+            if isinstance(node, Real):
+                return EvaluateReal(node, source, self.take_cost())
+            return Evaluate(node, source, self.take_cost())
+        called: CallNode = self.call(call)
+        return Evaluate(called, source, self.take_cost())
+
+    def _if(self, written: tree.If) -> Step:
+        branches = []
+        for one in written.branches:
+            truth, cost = self.whole(one.condition), self.take_cost()
+            self.frame.release()
+            body = self.statements(one.body)
+            branches.append((truth, body, one.condition.start, cost))
+        otherwise = self.statements(written.otherwise)
+        if len(branches) == 1:
+            truth, body, source, cost = branches[0]
+            if not written.otherwise:
+                return branching.Alternative(truth, body, source, cost)
+            return branching.EitherOr(truth, body, otherwise, source, cost)
+        tied = branching.alternatives([branching.Alternative(*one) for one in branches])
+        return branching.Alternatives(tied, otherwise)
+
+    def _case(self, written: tree.Case) -> Step:
+        selector, cost = self.whole(written.selector), self.take_cost()
+        self.frame.release()
+        ranges: list[tuple[int, int, Step]] = []
+        for branch in written.branches:
+            body = self.statements(branch.body)
+            ranges += [(one.first, one.last, body) for one in branch.labels]
+        otherwise = self.statements(written.otherwise)
+        labels = branching.choices(_apart(ranges))
+        return branching.Case(selector, labels, otherwise, written.start, cost)
+
+    def _for(self, written: tree.For) -> Step:
+        counter = self.location(written.counter)
+        first, last = self.whole(written.first), self.whole(written.last)
+        step = WholeConstant(1) if written.step is None else self.whole(written.step)
+        cost = self.take_cost()
+        self.frame.release()
+        body = self.statements(written.body)
+        return branching.For(
+            counter.address(), counter.kind, first, last, step, body, written.start, cost
+        )
+
+
+def _apart(ranges: list[tuple[int, int, Step]]) -> list[tuple[int, int, Step]]:
+    """Return ranges of labels without those that an earlier one covers (ST-511)."""
+    kept: list[tuple[int, int, Step]] = []
+    for low, high, body in ranges:
+        pieces = [(low, high)]
+        for first, last, _ in kept:
+            rest: list[tuple[int, int]] = []
+            for begin, end in pieces:
+                if end < first or begin > last:
+                    rest.append((begin, end))
+                    continue
+                if begin < first:
+                    rest.append((begin, first - 1))
+                if end > last:
+                    rest.append((last + 1, end))
+            pieces = rest
+        kept += [(begin, end, body) for begin, end in pieces]
+    return kept

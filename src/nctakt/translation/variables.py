@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: MIT
+"""The variables of a translated program by their paths: addresses and types."""
+
+from __future__ import annotations
+
+import re
+
+from nctakt.base.dataclass import dataclass
+from nctakt.kernel.st import kinds
+from nctakt.st.program import Program
+from nctakt.st.types import ArrayType, BlockType, Kind, Storage, StructType, Type, Variable
+
+_PART = re.compile(r"\.?(\w+)|\[\s*(-?\d+(?:\s*,\s*-?\d+)*)\s*\]")
+
+
+@dataclass(frozen=True, slots=True)
+class PlacedVariable:
+    """A variable: where it lies, and what it is."""
+
+    address: int
+    type: Type
+    bit: int = -1
+
+
+def find_variable(program: Program, path: str) -> PlacedVariable | None:
+    """Return the variable of a path such as ``MAIN.aTools[2].bWorn``; ``None`` if there is none."""
+    parts = _PART.findall(path)
+    if "".join(name or f"[{index}]" for name, index in parts) != re.sub(r"[.\s]", "", path):
+        return None
+    found: PlacedVariable | None = None
+    scope: dict[str, Variable] | None = None
+    for number, (name, indices) in enumerate(parts):
+        if name and number == 0:
+            found, scope = _first(program, name.lower())
+        elif name and scope is not None:
+            variable = scope.get(name.lower())
+            if variable is None:
+                return None
+            found = _global(variable)
+            scope = None
+        elif name:
+            found = None if found is None else _member(found, name.lower())
+        else:
+            found = None if found is None else _element(found, indices)
+        if found is None and scope is None:
+            return None
+    return found
+
+
+def _first(program: Program, name: str) -> tuple[PlacedVariable | None, dict[str, Variable] | None]:
+    """Return what a path begins with: a program, a list or one of its variables."""
+    pou = program.pous.get(name)
+    if pou is not None and pou.kind is Kind.PROGRAM and pou.type is not None:
+        return PlacedVariable(kinds.NULL_BYTES + pou.instance, pou.type), None
+    for group in program.lists:
+        if group.name.lower() == name and name:
+            return None, group.variables
+    for group in program.lists:
+        if name in group.variables:
+            return _global(group.variables[name]), None
+    return None, None
+
+
+def _global(variable: Variable) -> PlacedVariable | None:
+    if variable.storage is not Storage.GLOBAL:
+        return None
+    return PlacedVariable(kinds.NULL_BYTES + variable.offset, variable.type)
+
+
+def _member(found: PlacedVariable, name: str) -> PlacedVariable | None:
+    if isinstance(found.type, BlockType):
+        variable = found.type.pou.members.get(name)
+        if variable is not None and variable.storage is Storage.GLOBAL:
+            return _global(variable)
+    elif isinstance(found.type, StructType):
+        variable = found.type.members.get(name)
+    else:
+        variable = None
+    if variable is None:
+        return None
+    return PlacedVariable(found.address + variable.offset, variable.type, variable.bit)
+
+
+def _element(found: PlacedVariable, indices: str) -> PlacedVariable | None:
+    sought = found.type
+    numbers = [int(one) for one in indices.split(",")]
+    if not isinstance(sought, ArrayType) or len(numbers) != len(sought.bounds):
+        return None
+    number = 0
+    for index, (low, high) in zip(numbers, sought.bounds, strict=True):
+        if not low <= index <= high:
+            return None
+        number = number * (high - low + 1) + index - low
+    return PlacedVariable(found.address + number * sought.element.size, sought.element)

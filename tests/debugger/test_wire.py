@@ -254,9 +254,9 @@ def test_a_run_can_be_paused_and_shows_its_progress(client: DebugClient, folder:
     client.begin(program, until="24 h", client=able)
     client.ask("configurationDone")
     assert client.event("progressStart")["cancellable"]
-    with pytest.raises(Refused, match="only possible while the run stands"):
+    with pytest.raises(Refused, match="only possible while the run is stopped"):
         client.ask("next", threadId=1)
-    with pytest.raises(Refused, match="only possible while the run stands"):
+    with pytest.raises(Refused, match="only possible while the run is stopped"):
         client.console("back 1 ms")
     tick = int(client.console("tick").split()[2])
     assert int(client.console("tick").split()[2]) >= tick

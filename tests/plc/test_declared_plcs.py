@@ -100,7 +100,7 @@ def recorded(plc: Plc, **words: Any) -> tuple[Run, list[Input]]:
     return run, unpack(cells)
 
 
-@pytest.mark.parametrize("policy", POLICIES, ids=str)
+@pytest.mark.parametrize("policy", POLICIES, ids=range(len(POLICIES)))
 def test_the_same_run_as_with_a_call_after_each_tick(policy: Any) -> None:
     """Events, inputs for the tape, calls and their ticks do not depend on how it is called."""
 

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: MIT
 """``python -m nctakt`` is the command ``nctakt``."""
 
-import signal
 import sys
 
 from nctakt.base.python_process import leave_working_directory
 
 leave_working_directory()  # before the libraries that the command imports
+import signal  # noqa: E402 - a file of this name in the working directory must not run
 
 
 def start() -> int:

@@ -235,10 +235,10 @@ def test_a_deadlock_of_axes_tells_who_waits_for_whom() -> None:
     found = run(["#CALL AX [U, 4, 4]", "#PUT AX [C]"], ["#CALL AX [C, 5, 3]", "#PUT AX [X]"])
     errors = [one for one in found.diagnostics if one.id == 901506]
     assert [one.headline() for one in errors] == [
-        "one:2:1: error 901506: channel 1 waits for ever since 0.001000 s: axis X, which channel 2 "
-        "has",
-        "two:2:1: error 901506: channel 2 waits for ever since 0.001000 s: axis C, which channel 1 "
-        "has",
+        "one:2:1: error 901506: channel 1 has waited since 0.001000 s for something that cannot "
+        "happen: axis X, which channel 2 has",
+        "two:2:1: error 901506: channel 2 has waited since 0.001000 s for something that cannot "
+        "happen: axis C, which channel 1 has",
     ]
     assert "Line 3 of two in channel 2 would free it" in str(errors[0])
     assert "Line 3 of one in channel 1 would free it" in str(errors[1])

@@ -33,9 +33,9 @@ from nctakt.messages.inputs import MISSPELLED_SIGNAL, NAMES_OF_DEMO_MACHINE, UNK
 from nctakt.messages.plc import STALE_ACKNOWLEDGEMENT
 from nctakt.nc.outline import ProgramText
 from nctakt.nc.vocabulary.variable_table import NameTable
-from nctakt.run.bound_values import API
 from nctakt.run.decoder_signals import SignalsOfChannel
 from nctakt.run.event_registry import EventRegistry
+from nctakt.run.input_words import API
 from nctakt.run.inputs import Inputs
 from nctakt.run.machine_names import SignalCell, channel_names, names_of_machine, prefix_of
 from nctakt.run.realtime_part import NAMED_SIGNALS, RealtimePart

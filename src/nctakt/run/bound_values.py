@@ -14,9 +14,7 @@ from typing import Any
 
 from nctakt.kernel.base import arithmetic
 from nctakt.kernel.kernel import Kernel
-
-#: What a written value is among the inputs; where those come from that the user's own code sets.
-WRITE, API = "write", "api"
+from nctakt.run.input_words import WRITE
 
 
 class InputNotes:

@@ -19,7 +19,7 @@ from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
 from nctakt.messages.tape import INPUT_NOT_POSSIBLE
-from nctakt.run.bound_values import API, WRITE
+from nctakt.run.input_words import API, WRITE
 
 if TYPE_CHECKING:
     from nctakt.kernel.kernel import Kernel

@@ -23,7 +23,7 @@ from nctakt.messages.inputs import (
     STIMULUS_NOT_REACHED,
     UNREADABLE_VALUE,
 )
-from nctakt.run.bound_values import WRITE
+from nctakt.run.input_words import WRITE
 from nctakt.run.inputs import STIMULI, Input
 
 _NUMBER = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?", re.ASCII)

@@ -16,7 +16,7 @@ from collections.abc import Callable, Mapping, Sequence
 from math import isfinite
 from typing import Any
 
-from nctakt.run.bound_values import WRITE
+from nctakt.run.input_words import WRITE
 from nctakt.run.inputs import (
     ACKNOWLEDGE,
     ACKNOWLEDGE_SPINDLE,

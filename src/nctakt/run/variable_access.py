@@ -34,7 +34,8 @@ from nctakt.messages.inputs import (
 from nctakt.nc.vocabulary import strings
 from nctakt.nc.vocabulary.cells import CELL_BYTES
 from nctakt.nc.vocabulary.variable_table import Location, NameTable, NotFound
-from nctakt.run.bound_values import API, BoundValue, InputNotes
+from nctakt.run.bound_values import BoundValue, InputNotes
+from nctakt.run.input_words import API
 from nctakt.run.named_values import NamedValues
 
 #: Names that are kept bound; there are as many spellings of them as one likes.

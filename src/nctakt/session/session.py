@@ -18,7 +18,7 @@ from nctakt.hli.plc_entries import SpindleEntry, TechnologyEntry
 from nctakt.lists.format.times import TimeLike
 from nctakt.results.run import Run
 from nctakt.results.why import WhyReport
-from nctakt.run.bound_values import API
+from nctakt.run.input_words import API
 from nctakt.run.inputs import Input
 from nctakt.run.program_loader import NcText
 from nctakt.run.stimuli import StimulusLike

@@ -16,7 +16,7 @@ from nctakt.base.failure import Failure
 from nctakt.hli.plc_entries import SpindleEntry, TechnologyEntry
 from nctakt.lists.format.times import TimeLike, read_time
 from nctakt.results.run import Run
-from nctakt.run.bound_values import WRITE
+from nctakt.run.input_words import WRITE
 from nctakt.run.inputs import ACKNOWLEDGE, ACKNOWLEDGE_SPINDLE, SELECT, Input
 from nctakt.session.branch import Branch
 from nctakt.session.decoders import DecoderState

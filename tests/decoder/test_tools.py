@@ -7,10 +7,10 @@ beside the spindle in X).
 
 from __future__ import annotations
 
-import shutil
 from pathlib import Path
 
 import pytest
+from support.changed_lists import machine_with
 
 import nctakt
 from nctakt.checking.check import check_files
@@ -29,15 +29,6 @@ def run(text: str, machine: Path | None = None) -> tuple[Run, list[str]]:
     said: list[ProgramMessage] = []
     found = Controller(machine).run(NcText("p.nc", text + "M30\n"), on_message=said.append)
     return found, [one.text for one in said]
-
-
-def machine_with(folder: Path, **lists: str) -> Path:
-    """The demo machine with further lines at the beginning of some of its lists."""
-    shutil.copytree(DEMO, folder)
-    for name, lines in lists.items():
-        file = folder / f"{name}.lis"
-        file.write_text(lines + "\n" + file.read_text("utf-8"), "utf-8")
-    return folder
 
 
 def test_v_g_tells_of_the_active_tool_and_of_those_of_the_list() -> None:

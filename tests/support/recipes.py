@@ -155,7 +155,7 @@ CHANNEL_PARAMETER = Recipe(
         ),
         Edit(
             "tests/decoder/test_example_limit.py",
-            "from test_tools import machine_with\n\n"
+            "from support.changed_lists import machine_with\n\n"
             "from nctakt.lists.machine.machine import load_machine\n\n\n"
             "def test_it(tmp_path):\n"
             '    folder = machine_with(tmp_path / "lists", sda_mds1="example_limit 7")\n'

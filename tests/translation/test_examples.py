@@ -357,9 +357,15 @@ def test_each_run_begins_with_the_initial_values(tmp_path: Path) -> None:
     assert first == second
 
 
-def test_what_does_not_run_is_refused_by_name(tmp_path: Path) -> None:
-    """A call of what has no body here is refused before the first tick, at its place."""
-    text = 'PROGRAM MAIN VAR w : WSTRING; END_VAR w := "a"; END_PROGRAM'
+@pytest.mark.parametrize(
+    "text",
+    [
+        'PROGRAM MAIN VAR w : WSTRING; END_VAR w := "a"; END_PROGRAM',
+        "PROGRAM MAIN VAR x : BOOL; END_VAR x := gpCh[0]^.bahn_state.program_end_r; END_PROGRAM",
+    ],
+)
+def test_what_does_not_run_is_refused_by_name(tmp_path: Path, text: str) -> None:
+    """What is not connected or has no body here is refused before the first tick, at its place."""
     with pytest.raises(PlcError) as caught:
         loaded(tmp_path, text)
     assert [one.message.id for one in caught.value.diagnostics] == [902261]

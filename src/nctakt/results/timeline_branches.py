@@ -102,9 +102,10 @@ def _evaluated(branch: BranchHistory, why: WhyReport) -> Iterator[tuple[int, int
 
 def _kept(branch: BranchHistory, why: WhyReport) -> tuple[int, int]:
     """Return since when it is kept in which ticks the body ran, and the end of the run."""
-    bodies = branch.bodies
-    first_tick = bodies.series[0].first_tick if bodies.left_out else why.first_tick
-    return first_tick * why.cycle_time_us, (why.first_tick + why.ticks) * why.cycle_time_us
+    bodies, first_tick, end_tick = branch.bodies, why.first_tick, why.first_tick + why.ticks
+    if bodies.left_out:
+        first_tick = bodies.series[0].first_tick if bodies.series else end_tick
+    return first_tick * why.cycle_time_us, end_tick * why.cycle_time_us
 
 
 def _bodies(branch: BranchHistory, why: WhyReport) -> Iterator[Slice]:

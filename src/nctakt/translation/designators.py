@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from nctakt.hli.table import LIST_NAME, ROOTS
 from nctakt.kernel.st import kinds
 from nctakt.kernel.st.wholes import (
     AddWhole,
@@ -55,7 +56,7 @@ class Designators(Body):
         self.cost += 1
         match expression:
             case Name(target=Variable() as variable):
-                return self.followed(self.variable_location(variable, expression), variable)
+                return self.followed(self._named_location(variable, expression), variable)
             case Member(target=Variable() as variable, base=base):
                 return self.followed(self.member_location(expression, variable, base), variable)
             case Member(bit=bit, base=base) if bit >= 0:
@@ -97,6 +98,12 @@ class Designators(Body):
         if self.pou.kind is Kind.PROGRAM:
             return Location(Origin.DATA, self.layout.address(self.pou.instance), self.pou.type)
         return Location(Origin.INSTANCE, 0, self.pou.type)
+
+    def _named_location(self, variable: Variable, expression: Expression) -> Location:
+        """Return the slot of a variable in code; those of the CNC's interface are not connected."""
+        if variable.name in ROOTS and variable.owner == LIST_NAME.rstrip("."):
+            raise CannotRunError(expression, variable.name)
+        return self.variable_location(variable, expression)
 
     def variable_location(self, variable: Variable, expression: Expression) -> Location:
         """Return the slot of a variable that is named alone."""
@@ -145,7 +152,7 @@ class Designators(Body):
         """Return the slot of a reference or of an interface variable, as it is bound."""
         match expression:
             case Name(target=Variable() as variable):
-                return self.variable_location(variable, expression)
+                return self._named_location(variable, expression)
             case Member(target=Variable() as variable, base=base):
                 return self.member_location(expression, variable, base)
         return self.location(expression)

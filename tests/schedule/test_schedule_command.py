@@ -254,7 +254,7 @@ def test_a_thread_that_falls_behind(folder: Path, capsys: Capture, command: str)
     (folder / "load.toml").write_text(text, "utf-8")
     run(command, folder / "rtconf.lis", "--load", folder / "load.toml", "--convention", "table")
     err = capsys.readouterr().err
-    assert "warning 901471: external_sps falls behind" in err
+    assert "warning 901471: external_sps cannot keep up" in err
     assert "of 500 activations still wait at the end" in err
 
 

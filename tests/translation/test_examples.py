@@ -357,6 +357,15 @@ def test_each_run_begins_with_the_initial_values(tmp_path: Path) -> None:
     assert first == second
 
 
+def test_an_input_counts_and_the_last_variable_is_a_signal(tmp_path: Path) -> None:
+    """ST-801, 802: the cycle after an input reads it, here that of each tenth tick."""
+    text = "PROGRAM MAIN VAR bDoor AT %I* : BOOL; n : INT; END_VAR IF bDoor THEN n := n + 1; END_IF"
+    plc = loaded(tmp_path, f"{text} END_PROGRAM", "")
+    at = [("20 ms", "MAIN.bDoor", 1)]
+    counts = run(plc, 51, ["MAIN.n"], at).trace["MAIN.n"]
+    assert [int(counts[tick]) for tick in (19, 20, 29, 30, 50)] == [0, 1, 1, 2, 4]
+
+
 @pytest.mark.parametrize(
     "text",
     [

@@ -99,7 +99,8 @@ class PlcTasks(PlcSide):
 
     def show(self, address: int, kind: int, cell: int) -> None:
         """Show a variable in a cell of the machine's memory after each tick."""
-        check_range(address, kinds.NULL_BYTES, self.context.stack - 8, "address")
+        # The stack follows: no width leads out of the memory.
+        check_range(address, kinds.NULL_BYTES, self.context.stack - 1, "address")
         check_range(kind, kinds.BOOL, kinds.F64, "kind")
         check_range(cell, 0, len(self.cells) - 1, "cell")
         check_range(self.output_count, 0, kinds.MAX_OUTPUTS - 1, "number of signals")

@@ -31,7 +31,7 @@ from nctakt.plc.loading import load_plc
 from nctakt.results.run import ProgramMessage, Run, RunState
 from nctakt.run.assembly import AssembledMachine
 from nctakt.run.inputs import IMAGE, PLC, SELECT, Cells, Input, unpack
-from nctakt.run.plc_view import PlcView
+from nctakt.run.plc_view import AnyPlc, PlcView
 from nctakt.run.program_loader import load
 from nctakt.run.program_run import ProgramRun, RunOptions
 from nctakt.run.shared_image import SharedImage
@@ -186,7 +186,29 @@ class Engine:
         plc = None if setup.plc is None else load_plc(setup.plc)
         self._schedule.follow(self._loop, plc, self._diagnostics.append)
         stimuli = [read_stimulus(stimulus) for stimulus in setup.at]
-        options = RunOptions(
+        options = self._options(setup, plc, stimuli, recorded)
+        options.check()
+        self._run = ProgramRun(self._loop, self._diagnostics, options)
+        self._loop.attach(plc)
+        self._loop.connect(plc, has_plc=plc is not None or not setup.acknowledges)
+        self._recorded_cells = [self._signals[name][0] for name in recorded]
+        self._columns = {cell: number for number, cell in enumerate(self._recorded_cells)}
+        self._run.load()
+        self.description = Description(
+            configuration.cycle_time_us,
+            len(machine.channels),
+            {name: unit for name, (_, unit, _) in self._signals.items()},
+            {text.source.file: tuple(text.source.lines) for text in self._run.texts},
+            tuple(self._diagnostics),
+            self._planned(stimuli, setup.inputs),
+            self._run.state is not None,
+        )
+
+    def _options(
+        self, setup: Setup, plc: AnyPlc | None, stimuli: list[Stimulus], recorded: list[str]
+    ) -> RunOptions:
+        """Return the options of the run that the session is."""
+        return RunOptions(
             setup.programs,
             set=setup.set,
             at=stimuli,
@@ -205,22 +227,6 @@ class Engine:
             stays=setup.stays,
             from_line=setup.from_line,
             from_block=setup.from_block,
-        )
-        options.check()
-        self._run = ProgramRun(self._loop, self._diagnostics, options)
-        self._loop.attach(plc)
-        self._loop.connect(plc, has_plc=plc is not None or not setup.acknowledges)
-        self._recorded_cells = [self._signals[name][0] for name in recorded]
-        self._columns = {cell: number for number, cell in enumerate(self._recorded_cells)}
-        self._run.load()
-        self.description = Description(
-            configuration.cycle_time_us,
-            len(machine.channels),
-            {name: unit for name, (_, unit, _) in self._signals.items()},
-            {text.source.file: tuple(text.source.lines) for text in self._run.texts},
-            tuple(self._diagnostics),
-            self._planned(stimuli, setup.inputs),
-            self._run.state is not None,
         )
 
     def schedule(self, request: str, *words: str) -> str | None:

@@ -174,7 +174,8 @@ def assert_obeyed(*browsers: SocketBrowser) -> float:
     """Go back and a tick forward by the first; all see it. Return how long it took, in seconds."""
     browsers[0].press("Home")
     took_s = sum(
-        one.until(lambda state: not state["isPlaying"] and state["tick"] == 0) for one in browsers
+        one.until(lambda state: state.get("isPlaying") is False and state["tick"] == 0)
+        for one in browsers
     )
     browsers[0].press(".")
     took_s += sum(one.until(lambda state: state["tick"] == 1) for one in browsers)

@@ -16,8 +16,8 @@ import pytest
 from nctakt.base.failure import Failure
 from nctakt.plc import ALL, NONE, Plc, after, at, load_plc, on, only, run_up, when
 from nctakt.results.run import Run
-from nctakt.run.bound_values import API
 from nctakt.run.controller import Controller, NcText
+from nctakt.run.input_words import API
 from nctakt.run.inputs import Cells, Input, unpack
 from nctakt.run.plc_view import PlcView
 

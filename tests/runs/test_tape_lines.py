@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from nctakt.run.bound_values import API, WRITE
+from nctakt.run.input_words import API, WRITE
 from nctakt.run.inputs import ACKNOWLEDGE, AXIS, PLC, Cells, Input
 from nctakt.run.tape_lines import InputLines, inputs_of
 

@@ -174,7 +174,7 @@ def assert_obeyed(*browsers: SocketBrowser) -> float:
     """Go back and a tick forward by the first; all see it. Return how long it took, in seconds."""
     browsers[0].press("Home")
     took_s = sum(
-        one.until(lambda state: state.get("isPlaying") is False and state["tick"] == 0)
+        one.until(lambda state: state.get("isPlaying") is False and state.get("tick") == 0)
         for one in browsers
     )
     browsers[0].press(".")

@@ -333,7 +333,7 @@ def _check_outputs(own: _Words, access: FileAccess) -> None:
             if file is not None:
                 stack.enter_context(OutputFile(file, option, access))
     if own.ready_file is not None and Path(own.ready_file).is_file():
-        Path(own.ready_file).unlink()  # that of an earlier start: nobody is ready yet
+        Path(own.ready_file).unlink()  # an earlier start has left it: this one is not ready yet
 
 
 def _setup(options: Options, request: Request, own: _Words, folders: Sequence[str]) -> Setup:

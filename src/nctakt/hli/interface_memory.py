@@ -62,7 +62,7 @@ _MODE_NAMES = ("STATE", "PAUSED", "FEED_HOLD", "ARMED")
 _MODE = "channel_mc_control.mode_and_state"
 _ERROR_FLAG = "mc_error.semaphor_rw"
 
-#: What a control unit commands when nobody asks for anything, where that is not 0.
+#: The initial commands of control units that do not start at 0.
 _INITIAL = {"HLI.OVERRIDE": 100.0, "OVERRIDE": 100.0}
 
 

@@ -85,8 +85,8 @@ _TIE = re.compile(
 )
 
 ACTS, SHOWS, KNOWN = "acts", "shows", "known"
-#: What has a state machine of its own, and is no value of the session: technology units, the
-#: operation mode manager, the record of errors.
+#: Elements with their own state machine, which the session does not provide as values: technology
+#: units, the operation mode manager, the error record.
 MANAGED = ("FUNCTIONS", "MODE", "ERROR")
 #: The kind of the tie of what the CNC shows on the machine, and nctakt does not have.
 UNSERVED = "unserved"

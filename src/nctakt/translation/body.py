@@ -7,6 +7,7 @@ order; what an earlier one needs of a later one is declared here.
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from typing import Protocol
 
 from nctakt.kernel.st.calls import Callee, Routine
@@ -67,7 +68,7 @@ class Routines(Protocol):
         """Return the number that an instance of a block begins with."""
 
 
-class Body:
+class Body(ABC):
     """The state of a translation, and what its parts do for each other."""
 
     def __init__(self, project: Routines, called: Callable, pou: Pou | None) -> None:
@@ -80,33 +81,33 @@ class Body:
         #: Nodes of the statement at work: its cost.
         self.cost = 0
 
+    @abstractmethod
     def whole(self, expression: Expression) -> Whole:
         """Return the node of a whole number, a truth or an address."""
-        raise NotImplementedError
 
+    @abstractmethod
     def real(self, expression: Expression) -> Real:
         """Return the node of a real number; of a whole one converted."""
-        raise NotImplementedError
 
+    @abstractmethod
     def text(self, expression: Expression) -> StringPart:
         """Return a text."""
-        raise NotImplementedError
 
+    @abstractmethod
     def location(self, expression: Expression) -> Location:
         """Return where a variable, or a result that is kept, lies."""
-        raise NotImplementedError
 
+    @abstractmethod
     def call_location(self, call: Call) -> Location:
         """Return where the result of a call is kept."""
-        raise NotImplementedError
 
+    @abstractmethod
     def built_in(self, call: Call) -> Whole | Real | StringPart:
         """Return the node of a standard function."""
-        raise NotImplementedError
 
+    @abstractmethod
     def assign(self, target: Location, value: Expression, source: int) -> Step:
         """Return the statement that assigns a value, converted where it widens."""
-        raise NotImplementedError
 
     def take_cost(self) -> int:
         """Return the number of nodes since the last statement, and begin to count anew."""

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from abc import abstractmethod
+
 from nctakt.kernel.st.calls import Call as CallNode
 from nctakt.kernel.st.calls import Callee, ResultPlace
 from nctakt.kernel.st.reals import RealOfWhole
@@ -99,9 +101,9 @@ class Calls(BuiltIns):
                     steps += self.begin(passed_location(one), one, call.start)
         return steps_in_order(steps), steps_in_order(outputs)
 
+    @abstractmethod
     def begin(self, location: Location, variable: Variable, source: int) -> list[Step]:
         """Return the statements that give a cleared variable its initial value."""
-        raise NotImplementedError
 
     def hand_over(self, parameter: Variable, argument: Expression) -> Step:
         """Return the statement that hands over an argument."""
@@ -136,9 +138,9 @@ class Calls(BuiltIns):
             return steps_in_order(steps)
         return slot.store(self.pointer_of(argument), source, self.take_cost(), end)
 
+    @abstractmethod
     def address_or_null(self, value: Expression) -> Whole:
         """Return the address of an instance or variable; 0 and null stay."""
-        raise NotImplementedError
 
     def _take(self, parameter: Variable, target: Expression) -> Step:
         """Return the statement that takes an output."""
@@ -165,9 +167,9 @@ class Calls(BuiltIns):
         size = target.type.size
         return CopyBytes(target.address(), origin.address(), size, source, self.take_cost())
 
+    @abstractmethod
     def store(self, location: Location, value: Whole, source: int, cost: int) -> Step:
         """Return the assignment of a whole number, or of a bit."""
-        raise NotImplementedError
 
     def call_location(self, call: tree.Call) -> Location:
         if is_standard(call):
@@ -222,9 +224,9 @@ class Calls(BuiltIns):
         node = self.accessor(found.set, target, argument)
         return self.evaluated(node, source)
 
+    @abstractmethod
     def evaluated(self, node: Whole, source: int) -> Step:
         """Return a statement that evaluates a node."""
-        raise NotImplementedError
 
 
 _NO_POU = Pou("", "")

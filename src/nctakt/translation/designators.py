@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from abc import abstractmethod
+
 from nctakt.hli.table import LIST_NAME, ROOTS
 from nctakt.kernel.st import kinds
 from nctakt.kernel.st.wholes import (
@@ -80,9 +82,9 @@ class Designators(Body):
             return self.property_location(expression)
         raise CannotRunError(expression, "an expression without a location")
 
+    @abstractmethod
     def property_location(self, expression: Name | Member) -> Location:
         """Return where the value of a property is kept."""
-        raise NotImplementedError
 
     def literal_location(self, content: bytes, found: Type) -> Location:
         """Return where a literal text lies."""

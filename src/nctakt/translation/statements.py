@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from collections.abc import Sequence
 
 from nctakt.kernel.st import branching, kinds
@@ -122,11 +123,11 @@ class Statements(Calls):
         origin = self.location(value).address()
         return CopyBytes(target.address(), origin, found.size, source, self.take_cost())
 
+    @abstractmethod
     def fill_parts(
         self, target: Location, value: tree.ArrayInitial | tree.StructInitial, source: int
     ) -> Step:
         """Return the statements that give a structure or an array its initial values."""
-        raise NotImplementedError
 
     def evaluated(self, node: Whole, source: int) -> Step:
         return Evaluate(node, source, self.take_cost())

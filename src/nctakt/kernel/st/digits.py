@@ -136,7 +136,7 @@ def digit_of(context: PlcContext, at: int, base: int) -> int:
 
 
 def skip_blanks(context: PlcContext, at: int, end: int) -> int:
-    """Return the address of the first character that is no blank."""
+    """Return the address of the first character that is not a blank."""
     while at < end and words.load(context.memory, at, kinds.U8) == characters.BLANK:
         at += 1
     return at

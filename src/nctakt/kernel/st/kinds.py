@@ -46,7 +46,7 @@ CONVERSION = 902270
 INVALID = 902260
 STEP = 902271
 
-#: Offsets of unchecked accesses are smaller; so many bytes lie behind the memory.
+#: Bytes reserved after the memory: offsets of accesses without a check are smaller.
 SLACK = 65536
 #: No object lies below, so that a null pointer with a small offset is found.
 NULL_BYTES = 4096

@@ -312,7 +312,7 @@ class CopyBytes(Sourced):
 
 
 class Evaluate(Sourced):
-    """A call whose value nobody takes."""
+    """A call whose result is discarded."""
 
     def __init__(self, operand: Whole, source: int, cost: int) -> None:
         super().__init__(source, cost)
@@ -327,7 +327,7 @@ class Evaluate(Sourced):
 
 
 class EvaluateReal(Sourced):
-    """A call with a real value that nobody takes."""
+    """A call whose real result is discarded."""
 
     def __init__(self, operand: Real, source: int, cost: int) -> None:
         super().__init__(source, cost)

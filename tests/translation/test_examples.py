@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 from support.plc_rig import loaded, run, values_in_main
 
+from nctakt.base.failure import Failure
 from nctakt.plc.error import PlcError
 
 STATES = """
@@ -364,6 +365,34 @@ def test_an_input_counts_and_the_last_variable_is_a_signal(tmp_path: Path) -> No
     at = [("20 ms", "MAIN.bDoor", 1)]
     counts = run(plc, 51, ["MAIN.n"], at).trace["MAIN.n"]
     assert [int(counts[tick]) for tick in (19, 20, 29, 30, 50)] == [0, 1, 1, 2, 4]
+
+
+def test_values_beside_a_fault_are_those_of_its_own_program(tmp_path: Path) -> None:
+    """A block's variable is not shown with the value that the program's of that name has."""
+    text = """FUNCTION_BLOCK FB_Ratio
+VAR n : INT; r : INT; END_VAR
+r := 5 / n;
+END_FUNCTION_BLOCK
+PROGRAM MAIN
+VAR fb : FB_Ratio; n : INT := 7; END_VAR
+fb();
+END_PROGRAM
+"""
+    (fault,) = run(loaded(tmp_path, text), 5).errors
+    assert "n = 7" not in fault.text("en")
+
+
+@pytest.mark.parametrize(
+    ("name", "value"),
+    [("r", 1e300), ("n", float("nan")), ("n", float("inf")), ("s", "four"), ("s", "€"), ("n", 1.5)],
+)
+def test_a_value_that_a_variable_cannot_hold_is_refused(
+    tmp_path: Path, name: str, value: float | str
+) -> None:
+    """Nothing is cut, replaced or rounded in silence."""
+    text = "PROGRAM MAIN VAR n : INT; r : REAL; s : STRING(3); END_VAR n := n; END_PROGRAM"
+    with pytest.raises(Failure, match="MAIN"):
+        loaded(tmp_path, text).check(f"MAIN.{name}", value)
 
 
 @pytest.mark.parametrize(

@@ -7,6 +7,7 @@ translated anew for each run, so that each run begins with its initial values.
 
 from __future__ import annotations
 
+import math
 import struct
 from collections.abc import Iterator, Sequence
 from pathlib import Path
@@ -38,7 +39,7 @@ from nctakt.plc.recursion import allow_depth
 from nctakt.run.realtime_plc import RealtimePlc
 from nctakt.st.inspection import inspect_paths
 from nctakt.st.program import Program
-from nctakt.st.types import EnumType, StringType
+from nctakt.st.types import Callable, EnumType, Kind, Pou, StringType
 from nctakt.translation.layout import as_word, is_real, kind_of
 from nctakt.translation.project import Translation, translate
 from nctakt.translation.variables import PlacedVariable, find_variable
@@ -163,19 +164,32 @@ class StructuredPlc(RealtimePlc):
         return "".join(f" < {one}" for one in shown[:-1])
 
     def _values(self, start: int) -> str:
-        """Return the values of the names in the line of a statement, as far as they are known."""
-        span = _span(self._program, start)
-        if span is None:
-            return ""
+        """Return the values of a program's variables in the line of a statement of its body.
+
+        Elsewhere a name may mean a variable of an instance or of a call, which is not known here.
+        """
+        span, owner = _span(self._program, start), self._owner(start)
+        if span is None or not isinstance(owner, Pou) or owner.kind is not Kind.PROGRAM:
+            return "-"
         line = self._program.sources.line(span.file, span.line)
-        found = dict(self._shown(line))
+        found = dict(self._shown(owner, line))
         return ", ".join(f"{name} = {value}" for name, value in found.items()) or "-"
 
-    def _shown(self, line: str) -> Iterator[tuple[str, object]]:
-        programs = [pou.name for task in self._program.tasks for pou in task.programs]
+    def _owner(self, start: int) -> Callable | None:
+        """Return whose text holds a position: the last one that begins before it."""
+        called: list[Callable] = []
+        for pou in self._program.pous.values():
+            called += (pou, *pou.methods.values())
+            called += (
+                one for part in pou.properties.values() for one in (part.get, part.set) if one
+            )
+        before = [one for one in called if one.start <= start]
+        return max(before, key=lambda one: one.start, default=None)
+
+    def _shown(self, program: Pou, line: str) -> Iterator[tuple[str, object]]:
         for name in _words(line):
-            for prefix in ("", *(f"{one}." for one in programs)):
-                variable = find_variable(self._program, prefix + name)
+            for path in (f"{program.name}.{name}", name):
+                variable = find_variable(self._program, path)
                 if variable is not None and kind_of(variable.type) is not None:
                     yield name, self._value(variable)
                     break
@@ -218,16 +232,24 @@ class StructuredPlc(RealtimePlc):
         if variable is None:
             raise KeyError(name)
         sought, kind = variable.type, kind_of(variable.type)
+        refused = diagnostic(PLC_VALUE_REFUSED, name=name, type=sought.name, value=value)
         if isinstance(sought, StringType) and isinstance(value, str):
-            return value.encode("latin-1", "replace")[: sought.length] + b"\0"
+            try:
+                data = value.encode("latin-1")
+            except UnicodeEncodeError:
+                raise Failure(refused) from None
+            if len(data) > sought.length or 0 in data:
+                raise Failure(refused)
+            return data + b"\0"
         if kind is None or isinstance(value, str) or variable.bit >= 0:
-            refused = diagnostic(PLC_VALUE_REFUSED, name=name, type=sought.name, value=value)
             raise Failure(refused)
         if is_real(sought):
-            return struct.pack("<f" if sought.size == 4 else "<d", float(value))
+            try:
+                return struct.pack("<f" if sought.size == 4 else "<d", float(value))
+            except OverflowError:
+                raise Failure(refused) from None
         low, high = getattr(sought, "low", 0), getattr(sought, "high", (1 << 8 * sought.size) - 1)
-        if value != int(value) or not low <= value <= high:
-            refused = diagnostic(PLC_VALUE_REFUSED, name=name, type=sought.name, value=value)
+        if not math.isfinite(value) or value != int(value) or not low <= value <= high:
             raise Failure(refused)
         return struct.pack("<q", as_word(int(value)))[: sought.size]
 

@@ -255,7 +255,7 @@ def decode(controller: Controller, loaded: LoadedProgram) -> None:
         if queue.timed_count >= QUEUE:
             queue = CommandQueue(path, ahead)
         if isinstance(command, PlainRun):
-            command.blocks.fill(queue, QUEUE)
+            command.blocks.fill(queue, QUEUE, 0)
         elif isinstance(command, Segment):
             put_segment(queue, command)
             feed._decoder.pass_time(command)
